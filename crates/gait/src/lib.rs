@@ -28,6 +28,7 @@ mod read;
 mod recording;
 mod source;
 mod stance;
+mod statistics;
 pub mod wording;
 
 pub use curve::{ForceCurve, SAMPLES, slope_corrections};

@@ -5,6 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use crate::curve::SAMPLES;
 use crate::recording::{Channel, Recording};
 use crate::stance::Stance;
+use crate::statistics::mean;
 
 /// Longest that a foot's force lies below the contact threshold before heel strike and after toe-off, s.
 const TAIL_S: f64 = 0.06;
@@ -134,12 +135,15 @@ pub(super) fn mean_stance(recording: &Recording, stances: &[&Stance]) -> MeanSta
     mean_within(recording, stances, MARGIN)
 }
 
+/// Mean mass, kg, of stances that all have one of their own.
+pub(super) fn mean_mass(stances: &[&Stance]) -> Option<f64> {
+    let masses: Option<Vec<f64>> = stances.iter().map(|s| s.mass_kg).collect();
+    masses.map(|m| mean(&m))
+}
+
 /// Averages stances; where each has its own mass, in body weights, then scaled to the mean mass.
 pub(super) fn mean_within(recording: &Recording, stances: &[&Stance], margin: f64) -> MeanStance {
-    let masses: Option<Vec<f64>> = stances.iter().map(|s| s.mass_kg).collect();
-    let usual = masses
-        .as_ref()
-        .map(|m| m.iter().sum::<f64>() / m.len() as f64);
+    let usual = mean_mass(stances);
     let mut mean = Mean::new();
     let mut row = vec![0.0; SAMPLES];
     let (mut duration, mut impulse) = (0.0, 0.0);

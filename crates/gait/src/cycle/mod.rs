@@ -20,7 +20,7 @@ use std::f64::consts::SQRT_2;
 use refusal::no_stance;
 use single::{both_feet, one_foot};
 use stride::{averaged, whole_strides};
-use total::{TotalStride, total_of_plates, total_stride};
+use total::{total_of_plates, total_stride};
 use warnings::{confirm_clock, warnings};
 
 use crate::curve::ForceCurve;
@@ -104,9 +104,8 @@ pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cyc
             .ok_or_else(|| no_stance(recording, stances, feet))?,
         _ if stances.used.is_empty() => return Err(no_stance(recording, stances, feet).into()),
         Feet::Both => {
-            let strides = whole_strides(stances);
-            let crossing = || crossed(recording, stances, strides.len());
-            if let Some(total) = crossing() {
+            let strides = whole_strides(recording, stances);
+            if let Some(total) = crossed(recording, stances, strides.len()) {
                 total
             } else if strides.is_empty() {
                 both_feet(recording, stances, &ranges)
@@ -128,7 +127,7 @@ fn both_in_one(recording: &Recording, stances: &Stances, stated: bool) -> Option
     if jumps || runs {
         return None;
     }
-    total_stride(recording, stances, stated).map(of_total)
+    total_stride(recording, stances, stated)
 }
 
 /// The sum of all plates, where feet that cross from one to another leave fewer than half of the strides whole.
@@ -143,55 +142,29 @@ fn crossed(recording: &Recording, stances: &Stances, whole: usize) -> Option<Ave
     if named || !stances.rejected.iter().any(both) {
         return None;
     }
-    let total = total_of_plates(recording, stances)?;
-    (total.strides > 2 * whole).then(|| of_total(total))
-}
-
-fn of_total(total: TotalStride) -> Average {
-    Average {
-        period: Period {
-            seconds: total.period_s,
-            from: PeriodSource::TotalForce,
-            spread_s: total.period_spread_s,
-        },
-        force_n: total.force_n,
-        spread_n: total.spread_n,
-        averaged: total.strides,
-        source: CycleSource::TotalForce {
-            strides: total.strides,
-        },
-    }
+    total_of_plates(recording, stances).filter(|total| total.averaged > 2 * whole)
 }
 
 /// Settles mass and repeatability of a mean cycle and compares its mean force with the weight.
 fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet) -> Result<Cycle> {
-    let Average {
-        period,
-        force_n,
-        spread_n,
-        averaged,
-        source,
-    } = average;
-    let mut curve = ForceCurve::from_samples("", period.seconds, force_n)?;
-    let repeatability_n = spread_n.as_ref().map(|s: &Vec<f64>| {
-        let square = s.iter().map(|x| x * x).sum::<f64>() / s.len() as f64;
-        1.96 * SQRT_2 * square.sqrt()
-    });
+    let period = average.period;
+    let mut curve = ForceCurve::from_samples("", period.seconds, average.force_n)?;
+    curve.spread_n = average.spread_n;
+    let repeatability_n = curve.spread_rms_n().map(|s| 1.96 * SQRT_2 * s);
     let (mass_kg, mass_from) = match (recording.mass_kg, recording.mass_from) {
         (Some(m), from) => (m, from.unwrap_or(MassSource::File)),
         (None, _) => (curve.mean_n() / (feet.share() * G), MassSource::MeanForce),
     };
-    curve.spread_n = spread_n;
     let counts = |n: &Note| matches!(n, Note::CountsScaled { .. });
     if recording.notes.iter().any(counts) && curve.mean_n() > 0.0 {
         curve = curve.scaled(feet.share() * mass_kg * G / curve.mean_n());
     }
     curve.mass_kg = Some(mass_kg);
     let warning = implausible(&curve, feet);
-    let total = matches!(source, CycleSource::TotalForce { .. });
+    let total = matches!(average.source, CycleSource::TotalForce { .. });
     let mut cycle = Cycle {
-        averaged,
-        source,
+        averaged: average.averaged,
+        source: average.source,
         period_from: period.from,
         period_spread_s: period.spread_s,
         repeatability_n,

@@ -1,6 +1,6 @@
 //! Stances laid over each other on phase, with the mean of each foot and its band, for a picture.
 
-use super::average::{mean_within, stance_row};
+use super::average::{mean_mass, mean_within, stance_row};
 use crate::interpretation::{MeanStanceCurve, Overlay};
 use crate::recording::{Foot, Recording};
 use crate::stance::{Point, Stance, Stances};
@@ -14,8 +14,7 @@ pub fn overlay(recording: &Recording, stances: &Stances, most: usize) -> Option<
     if all.is_empty() {
         return None;
     }
-    let masses: Option<Vec<f64>> = all.iter().map(|s| s.mass_kg).collect();
-    let usual = masses.map(|m| m.iter().sum::<f64>() / m.len() as f64);
+    let usual = mean_mass(&all);
     let shown = all.iter().step_by(all.len().div_ceil(most.max(1)));
     let curves = shown.map(|s| {
         let mut row = vec![0.0; ROW];

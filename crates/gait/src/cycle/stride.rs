@@ -2,21 +2,11 @@
 
 use super::Average;
 use super::average::{Mean, at, periodic, whole_span};
-use super::stride_time::{deviation_of, median};
 use crate::curve::SAMPLES;
 use crate::interpretation::Period;
 use crate::recording::{CycleSource, Foot, PeriodSource, Recording};
-use crate::stance::{RejectReason, Rejected, Stance, Stances};
-
-/// One contact in the row of footfalls: its span and whether it is whole.
-#[derive(Debug, Clone, Copy)]
-struct Footfall<'a> {
-    channel: usize,
-    start_s: f64,
-    end_s: f64,
-    stance: Option<&'a Stance>,
-    cut: Option<RejectReason>,
-}
+use crate::stance::{Footfall, RejectReason, Stances, footfalls};
+use crate::statistics::{mean, median, sample_deviation};
 
 /// Time from a heel strike to the next of the same foot, with every contact that carries force in it.
 #[derive(Debug, Clone)]
@@ -26,8 +16,8 @@ pub(super) struct Stride {
     pub foot: Option<Foot>,
     /// Time on record beyond both ends, in which every foot that stands is known, s.
     beyond_s: f64,
-    /// Channel and span of each contact that reaches into the stride.
-    contacts: Vec<(usize, f64, f64)>,
+    /// The contacts that reach into the stride.
+    contacts: Vec<Footfall>,
 }
 
 /// A stride whose duration is further than this from the middle one is not averaged.
@@ -39,31 +29,16 @@ const BLEND: f64 = 0.04;
 ///
 /// Four footfalls in turn, each overlapping the next: the second to the fourth heel strike is a
 /// stride, the first gives its first double support and may be cut before, the fourth begins it anew.
-pub(super) fn whole_strides(stances: &Stances) -> Vec<Stride> {
-    let mut falls: Vec<Footfall> = stances
-        .used
-        .iter()
-        .map(|s| Footfall {
-            channel: s.channel,
-            start_s: s.start_s,
-            end_s: s.end_s,
-            stance: Some(s),
-            cut: None,
-        })
-        .chain(
-            stances
-                .rejected
-                .iter()
-                .filter(|r| !matches!(r.reason, RejectReason::TooShort | RejectReason::CrossTalk))
-                .map(rejected_fall),
-        )
-        .collect();
+pub(super) fn whole_strides(recording: &Recording, stances: &Stances) -> Vec<Stride> {
+    use RejectReason::{CrossTalk, CutAtEnd, CutAtStart, TooShort};
+    let mut falls = footfalls(recording, stances);
+    falls.retain(|f| !matches!(f.rejected, Some(TooShort | CrossTalk)));
     falls.sort_by(|a, b| (a.start_s.total_cmp(&b.start_s)).then(a.end_s.total_cmp(&b.end_s)));
     let overlap = |a: &Footfall, b: &Footfall| b.start_s < a.end_s && b.end_s > a.end_s;
     let found = falls.windows(4).filter(|w| {
-        let whole = w[1].stance.is_some() && w[2].stance.is_some();
-        let ends = (w[0].stance.is_some() || w[0].cut == Some(RejectReason::CutAtStart))
-            && (w[3].stance.is_some() || w[3].cut == Some(RejectReason::CutAtEnd));
+        let whole = w[1].rejected.is_none() && w[2].rejected.is_none();
+        let ends = matches!(w[0].rejected, None | Some(CutAtStart))
+            && matches!(w[3].rejected, None | Some(CutAtEnd));
         let in_turn = w.windows(2).all(|p| overlap(&p[0], &p[1]));
         whole && ends && in_turn && w[0].end_s < w[2].start_s && w[1].end_s < w[3].end_s
     });
@@ -71,41 +46,30 @@ pub(super) fn whole_strides(stances: &Stances) -> Vec<Stride> {
         .map(|w| Stride {
             start_s: w[1].start_s,
             end_s: w[3].start_s,
-            foot: w[1].stance.and_then(|s| s.foot),
+            foot: w[1].foot,
             beyond_s: (w[1].start_s - w[0].start_s).min(w[3].end_s - w[3].start_s),
-            contacts: w.iter().map(|f| (f.channel, f.start_s, f.end_s)).collect(),
+            contacts: w.to_vec(),
         })
         .collect()
-}
-
-fn rejected_fall(r: &Rejected) -> Footfall<'_> {
-    Footfall {
-        channel: r.channel,
-        start_s: r.from_s,
-        end_s: r.to_s,
-        stance: None,
-        cut: matches!(r.reason, RejectReason::CutAtStart | RejectReason::CutAtEnd)
-            .then_some(r.reason),
-    }
 }
 
 /// Mean of whole strides that begin with the same foot.
 pub(super) fn averaged(recording: &Recording, strides: &[Stride]) -> Average {
     let (kept, from) = like_strides(strides);
-    let mut mean = Mean::new();
+    let mut average = Mean::new();
     let mut row = vec![0.0; SAMPLES];
     for stride in &kept {
         sample_stride(recording, stride, &mut row);
-        mean.add(&row);
+        average.add(&row);
     }
     let n = kept.len();
     let durations: Vec<f64> = kept.iter().map(|s| s.end_s - s.start_s).collect();
-    let (force_n, spread_n) = mean.finish();
+    let (force_n, spread_n) = average.finish();
     Average {
         period: Period {
-            seconds: durations.iter().sum::<f64>() / n as f64,
+            seconds: mean(&durations),
             from: PeriodSource::HeelStrikes,
-            spread_s: deviation_of(&durations),
+            spread_s: sample_deviation(&durations),
         },
         force_n,
         spread_n,
@@ -157,9 +121,9 @@ fn sample_stride(recording: &Recording, stride: &Stride, row: &mut [f64]) {
     let spans: Vec<(&[f64], f64, f64)> = stride
         .contacts
         .iter()
-        .map(|&(channel, start_s, end_s)| {
-            let channel = &recording.channels[channel];
-            let (from, to) = whole_span(channel, rate, start_s, end_s);
+        .map(|f| {
+            let channel = &recording.channels[f.channel];
+            let (from, to) = whole_span(channel, rate, f.start_s, f.end_s);
             (&channel.force_n[..], from, to)
         })
         .collect();

@@ -4,7 +4,8 @@ use super::average::MeanStance;
 use crate::cycle::plausibility::Ranges;
 use crate::interpretation::Period;
 use crate::recording::{Foot, PeriodSource, Recording};
-use crate::stance::{Stances, footfalls, same_foot};
+use crate::stance::{RejectReason, Stances, footfalls, same_foot};
+use crate::statistics::{mean, median, sample_deviation};
 use crate::units::G;
 
 impl Period {
@@ -12,7 +13,7 @@ impl Period {
         Some(Period {
             seconds: median(strides.to_vec())?,
             from,
-            spread_s: deviation_of(strides),
+            spread_s: sample_deviation(strides),
         })
     }
 
@@ -23,14 +24,6 @@ impl Period {
             spread_s: None,
         }
     }
-}
-
-/// Standard deviation of two or more values.
-pub(super) fn deviation_of(values: &[f64]) -> Option<f64> {
-    let n = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    let square = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>();
-    (values.len() > 1).then(|| (square / (n - 1.0)).sqrt())
 }
 
 /// Duration of a stride and what it was taken from.
@@ -47,8 +40,8 @@ pub(super) fn stride_time(
 ) -> Period {
     if !recording.has_rows() {
         let strikes = strikes(recording, stances, stance.duration_s, ranges);
-        if let Some(found) = strikes {
-            return found;
+        if let Some(period) = strikes {
+            return period;
         }
     }
     if let Some(mass) = recording.mass_kg {
@@ -72,7 +65,8 @@ fn strikes(
     stance_s: f64,
     ranges: &Ranges,
 ) -> Option<Period> {
-    let falls = footfalls(recording, stances);
+    let mut falls = footfalls(recording, stances);
+    falls.retain(|f| matches!(f.rejected, None | Some(RejectReason::CutAtEnd)));
     let is_stride = |s: f64| ranges.stride_of_stance.contains(&(s / stance_s));
     let is_step = |s: f64| ranges.step_of_stance.contains(&(s / stance_s));
     let mut own: Vec<f64> = Vec::new();
@@ -103,11 +97,10 @@ fn strikes(
     if let Some(stride) = Period::of(&marked, PeriodSource::MarkedStrikes) {
         return Some(stride);
     }
-    let mean = steps.iter().sum::<f64>() / steps.len() as f64;
     (!steps.is_empty()).then_some(Period {
-        seconds: 2.0 * mean,
+        seconds: 2.0 * mean(&steps),
         from: PeriodSource::DoubledSteps,
-        spread_s: deviation_of(&steps).map(|d| 2.0 * d),
+        spread_s: sample_deviation(&steps).map(|d| 2.0 * d),
     })
 }
 
@@ -120,23 +113,4 @@ fn marked_strides(recording: &Recording) -> Vec<f64> {
     let pairs = [of(Foot::Left), of(Foot::Right)];
     let times = pairs.iter().flat_map(|at| at.windows(2));
     times.map(|w| w[1] - w[0]).collect()
-}
-
-/// The middle value, or the mean of the two middle ones.
-pub(super) fn median(mut v: Vec<f64>) -> Option<f64> {
-    v.sort_by(f64::total_cmp);
-    let (a, b) = (v.len().checked_sub(1)? / 2, v.len() / 2);
-    Some(0.5 * (v[a] + v[b]))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_median_of_two_is_their_mean() {
-        assert_eq!(median(vec![1.2, 1.0]), Some(1.1));
-        assert_eq!(median(vec![3.0, 1.0, 2.0]), Some(2.0));
-        assert_eq!(median(Vec::new()), None);
-    }
 }

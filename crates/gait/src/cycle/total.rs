@@ -1,10 +1,12 @@
 //! Walking on one plate that both feet share, as on a treadmill with one belt: the total force, never zero.
 
+use super::Average;
 use super::average::{Mean, at, periodic};
-use super::stride_time::deviation_of;
 use crate::curve::SAMPLES;
-use crate::recording::Recording;
-use crate::stance::{RejectReason, Rejected, Stances};
+use crate::interpretation::Period;
+use crate::recording::{CycleSource, PeriodSource, Recording};
+use crate::stance::{RejectReason, Rejected, Stances, footfalls};
+use crate::statistics::{mean, mean_and_deviation, sample_deviation};
 
 /// A total force that varies by less than this part of its mean is standing.
 const STEADY: f64 = 0.05;
@@ -21,15 +23,6 @@ const RUNNING_STEP_S: std::ops::Range<f64> = 0.15..0.55;
 /// A step longer than this, s, moves the total force of a walker by less than that part of its mean.
 const SLOW: (f64, f64) = (0.85, 0.25);
 
-/// The mean stride of a total force.
-pub(super) struct TotalStride {
-    pub period_s: f64,
-    pub period_spread_s: Option<f64>,
-    pub force_n: Vec<f64>,
-    pub spread_n: Option<Vec<f64>>,
-    pub strides: usize,
-}
-
 /// Averages the strides of a channel that is loaded throughout, or from the moment it is stepped on;
 /// `None` without a periodic total force.
 ///
@@ -41,7 +34,7 @@ pub(super) fn total_stride(
     recording: &Recording,
     stances: &Stances,
     stated: bool,
-) -> Option<TotalStride> {
+) -> Option<Average> {
     let force = if stated {
         stated_total(recording, stances)?
     } else {
@@ -55,43 +48,40 @@ const ON_THE_PLATES: f64 = 0.3;
 
 /// Averages the strides of the sum of all plates, from the first contact to the last, where they carry the walker all
 /// the time: feet may lie across two of them, as on the belts of a treadmill. `None` where they do not.
-pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Option<TotalStride> {
-    let live = recording.channels.iter().filter(|c| c.idle.is_none());
-    let (from, to) = first_to_last(stances, |_| true)?;
-    let count = live.clone().map(|c| c.force_n.len()).min()?;
+pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Option<Average> {
+    let (from, to) = first_to_last(recording, stances, |_| true)?;
+    let count = recording.live().map(|(_, c)| c.force_n.len()).min()?;
     let sample = |s: f64| ((s * recording.rate_hz) as usize).min(count);
     let mut sum = vec![0.0; sample(to).checked_sub(sample(from))?];
-    for channel in live {
+    for (_, channel) in recording.live() {
         for (sum, f) in sum.iter_mut().zip(&channel.force_n[sample(from)..]) {
             *sum += f;
         }
     }
-    let mean = sum.iter().sum::<f64>() / sum.len().max(1) as f64;
     let lowest = sum.iter().copied().fold(f64::INFINITY, f64::min);
-    if lowest < ON_THE_PLATES * mean {
+    if lowest < ON_THE_PLATES * mean(&sum) {
         return None;
     }
     strides_of(&sum, recording)
 }
 
 /// From the first to the last contact, s, on the channels that count.
-fn first_to_last(stances: &Stances, counts: impl Fn(usize) -> bool) -> Option<(f64, f64)> {
-    let used = stances.used.iter().map(|s| (s.channel, s.start_s, s.end_s));
-    let rejected = stances.rejected.iter();
-    let rejected = rejected.map(|r| (r.channel, r.from_s, r.to_s));
-    let own = used
-        .chain(rejected)
-        .filter(|(channel, ..)| counts(*channel));
-    own.map(|(_, from, to)| (from, to))
+fn first_to_last(
+    recording: &Recording,
+    stances: &Stances,
+    counts: impl Fn(usize) -> bool,
+) -> Option<(f64, f64)> {
+    let all = footfalls(recording, stances).into_iter();
+    all.filter(|f| counts(f.channel))
+        .map(|f| (f.start_s, f.end_s))
         .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
 }
 
 /// The channel that is the total, from its first contact to its last.
 fn stated_total<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [f64]> {
-    let live = recording.channels.iter().enumerate();
-    let mut live = live.filter(|(_, c)| c.idle.is_none());
+    let mut live = recording.live();
     let (index, channel) = live.next().filter(|_| live.next().is_none())?;
-    let (from, to) = first_to_last(stances, |c| c == index)?;
+    let (from, to) = first_to_last(recording, stances, |c| c == index)?;
     let sample = |s: f64| ((s * recording.rate_hz) as usize).min(channel.force_n.len());
     channel.force_n.get(sample(from)..sample(to))
 }
@@ -119,11 +109,10 @@ fn lasting_load<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [
     })
 }
 
-fn strides_of(force: &[f64], recording: &Recording) -> Option<TotalStride> {
+fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
     let n = force.len() as f64;
-    let mean = force.iter().sum::<f64>() / n;
-    let deviation = (force.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt();
-    if deviation < STEADY * mean {
+    let (level, deviation) = mean_and_deviation(force);
+    if deviation < STEADY * level {
         return None;
     }
     let range = if recording.runs() {
@@ -131,10 +120,10 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<TotalStride> {
     } else {
         STEP_S
     };
-    let step_s = step_by_repetition(force, mean, recording.rate_hz, &range)?;
+    let step_s = step_by_repetition(force, level, recording.rate_hz, &range)?;
     // Half a step of mean leaves the first harmonic of the step, whatever humps a step has.
     let half = ((0.5 * step_s * recording.rate_hz) as usize).max(1);
-    let rises = rises(force, half, mean, 0.25 * deviation);
+    let rises = rises(force, half, level, 0.25 * deviation);
     let steps: Vec<f64> = rises
         .windows(2)
         .map(|w| (w[1] - w[0]) / recording.rate_hz)
@@ -144,7 +133,7 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<TotalStride> {
     let usual = *sorted.get(sorted.len() / 2)?;
     let regular = |s: &f64| (s / usual - 1.0).abs() < ODD_STEP;
     let count = steps.iter().filter(|s| regular(s)).count();
-    if usual > SLOW.0 && deviation > SLOW.1 * mean {
+    if usual > SLOW.0 && deviation > SLOW.1 * level {
         return None;
     }
     if !range.contains(&usual) || count < FEWEST_STEPS || 4 * count < 3 * steps.len() {
@@ -166,12 +155,16 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<TotalStride> {
     }
     let (force_n, spread_n) = average.finish();
     let strides = durations.len();
-    (strides > 0).then(|| TotalStride {
-        period_s: durations.iter().sum::<f64>() / strides as f64,
-        period_spread_s: deviation_of(&durations),
+    (strides > 0).then(|| Average {
+        period: Period {
+            seconds: mean(&durations),
+            from: PeriodSource::TotalForce,
+            spread_s: sample_deviation(&durations),
+        },
         force_n,
         spread_n,
-        strides,
+        averaged: strides,
+        source: CycleSource::TotalForce { strides },
     })
 }
 

@@ -2,12 +2,12 @@
 
 use super::Cycle;
 use super::single::by_side;
-use super::stride_time::median;
 use crate::cycle::plausibility::{ADULT_KG, out_of_range, ranges};
 use crate::error::{ForceError, Result};
 use crate::quantity::{kilograms, seconds};
 use crate::recording::{CycleSource, Kind, Note, PeriodSource, Recording, UnitSource};
 use crate::stance::{Stance, Stances};
+use crate::statistics::median;
 use crate::units::{G, Quantity};
 
 /// Warnings about a mean cycle, other than about its mass.
@@ -46,8 +46,7 @@ pub(super) fn warnings(
         peak_n,
     ));
     if total {
-        let plates = recording.channels.iter().filter(|c| c.idle.is_none());
-        notes.push(match plates.count() {
+        notes.push(match recording.live().count() {
             0 | 1 => Note::TotalColumn,
             plates => Note::PlatesSummed { plates },
         });
@@ -99,10 +98,7 @@ fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note
     if recording.has_rows() || recording.is_insole() {
         return None;
     }
-    let spread = cycle.curve.spread_n.as_ref().map_or(0.0, |s| {
-        let square = s.iter().map(|x| x * x).sum::<f64>() / s.len() as f64;
-        square.sqrt() / (cycle.mass_kg * G)
-    });
+    let spread = cycle.curve.spread_rms_n().unwrap_or(0.0) / (cycle.mass_kg * G);
     let (left, right) = by_side(used, recording);
     let impulse = |side: &[&Stance]| {
         let sum = side.iter().map(|s| s.impulse_ns).sum::<f64>();

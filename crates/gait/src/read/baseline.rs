@@ -2,6 +2,7 @@
 
 use crate::quantity::newtons;
 use crate::recording::{Channel, Idle};
+use crate::statistics::{mean_and_deviation, sorted_sample};
 
 /// A channel with a smaller range was never loaded, N.
 const TOUCHED_N: f64 = 30.0;
@@ -30,13 +31,9 @@ pub(super) fn channel(
     let lacking: usize = missing.iter().map(|(a, b)| b - a).sum();
     let mut out = Channel {
         name,
-        foot: None,
         force_n: raw,
-        baseline_n: 0.0,
-        noise_n: 0.0,
         missing,
-        idle: None,
-        rows: Vec::new(),
+        ..Channel::default()
     };
     if 2 * lacking > out.force_n.len() {
         out.idle = Some(Idle::MostlyEmpty {
@@ -45,8 +42,7 @@ pub(super) fn channel(
         });
         return out;
     }
-    let mut sorted = thinned(&out.force_n);
-    sorted.sort_by(f64::total_cmp);
+    let mut sorted = sorted_sample(&out.force_n, SAMPLE);
     out.idle = idle(&sorted, out.force_n.len() as f64 / rate_hz);
     if out.idle.is_some() {
         return out;
@@ -117,11 +113,6 @@ fn bridge(force: &mut [f64]) -> Vec<(usize, usize)> {
         i = end;
     }
     missing
-}
-
-fn thinned(force: &[f64]) -> Vec<f64> {
-    let step = force.len() / SAMPLE + 1;
-    force.iter().step_by(step).copied().collect()
 }
 
 /// A large value that most samples share exactly: an amplifier at its stop.
@@ -197,10 +188,8 @@ fn baseline(sorted: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
 
 /// Level and standard deviation of samples that should be unloaded; `None` where they move.
 fn quiet(force: &[f64]) -> Option<(f64, f64)> {
-    let n = force.len() as f64;
-    let mean = force.iter().sum::<f64>() / n;
-    let deviation = (force.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt();
-    (n >= 2.0 && deviation < 5.0 && mean.abs() < 100.0).then_some((mean, deviation))
+    let (mean, deviation) = mean_and_deviation(force);
+    (force.len() >= 2 && deviation < 5.0 && mean.abs() < 100.0).then_some((mean, deviation))
 }
 
 fn longest_run(force: &[f64], low: f64, high: f64) -> usize {

@@ -10,7 +10,7 @@ use super::columns::{Role, role, words};
 use super::critical_points::{critical, through};
 use super::keys;
 use super::text::{
-    Layout, Lines, Position, Table, column, detect, next_table, numbers, plain, text, unit_label,
+    Lines, Position, Table, TextFile, column, next_table, numbers, plain, text, unit_label,
 };
 use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::{CycleColumn, Error, ForceError, Placed, ReadError, Result};
@@ -40,16 +40,16 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     let Some(kind) = said.or(asked.then_some(Kind::Cycle)) else {
         return Ok(None);
     };
-    let layout = detect(bytes);
-    let table = next_table(bytes, layout, Position { offset: 0, line: 1 })
+    let file = &TextFile::new(path, bytes, options);
+    let table = next_table(bytes, file.layout, Position::START)
         .ok_or_else(|| ReadError::CycleWithoutTable.in_file(path))?;
-    let columns = CycleColumns::of(path, &table, options)?;
+    let columns = CycleColumns::of(file, &table)?;
     let Samples {
         times,
         mut force,
         mut spread,
-    } = columns.samples(path, bytes, layout, &table)?;
-    let keys = keys::read(&comments, layout.comma);
+    } = columns.samples(file, &table)?;
+    let keys = keys::read(&comments, file.layout.comma);
     let mass_kg = options.mass_kg.or(keys.mass_kg);
     let unit = options
         .unit
@@ -102,23 +102,23 @@ struct Samples {
 }
 
 impl CycleColumns {
-    fn of(path: &Path, table: &Table, options: &ReadOptions) -> Result<Self> {
+    fn of(file: &TextFile, table: &Table) -> Result<Self> {
         let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
         let place = |wanted: fn(&Role) -> bool, column: CycleColumn| {
             roles.iter().position(wanted).ok_or_else(|| {
                 let columns = table.names.join(", ");
-                let line = table.start.line.saturating_sub(1).max(1);
-                ReadError::CycleColumnMissing { column, columns }.at_line(path, line)
+                let error = ReadError::CycleColumnMissing { column, columns };
+                error.at_line(file.path, table.header_line())
             })
         };
         let is_spread = |w: &String| w == "spread" || w == "sd";
         Ok(CycleColumns {
-            time: match &options.time {
-                Some(name) => column(path, table, name)?,
+            time: match &file.options.time {
+                Some(name) => column(file, table, name)?,
                 None => place(|r| *r == Role::Time, CycleColumn::Time)?,
             },
-            force: match options.force.first() {
-                Some(name) => column(path, table, name)?,
+            force: match file.options.force.first() {
+                Some(name) => column(file, table, name)?,
                 None => place(|r| matches!(r, Role::Force { .. }), CycleColumn::Force)?,
             },
             spread: table
@@ -129,7 +129,7 @@ impl CycleColumns {
     }
 
     /// Reads the rows; every one must be complete.
-    fn samples(&self, path: &Path, bytes: &[u8], layout: Layout, table: &Table) -> Result<Samples> {
+    fn samples(&self, file: &TextFile, table: &Table) -> Result<Samples> {
         let mut wanted: Vec<usize> = [Some(self.time), Some(self.force), self.spread]
             .into_iter()
             .flatten()
@@ -137,13 +137,13 @@ impl CycleColumns {
         wanted.sort_unstable();
         wanted.dedup();
         let slot = |i: usize| wanted.iter().position(|&w| w == i).unwrap_or(0);
-        let read = numbers(path, bytes, layout, table, &wanted, Some(slot(self.time)))?;
+        let read = numbers(file, table, &wanted, Some(slot(self.time)))?;
         if let Some(bad) = read.skipped.first() {
-            return Err(ReadError::CycleRow.at_line(path, *bad));
+            return Err(ReadError::CycleRow.at_line(file.path, *bad));
         }
         for c in &read.columns {
             if let Some(i) = c.iter().position(|x| !x.is_finite()) {
-                return Err(ReadError::CycleValue.at_line(path, table.start.line + i));
+                return Err(ReadError::CycleValue.at_line(file.path, table.start.line + i));
             }
         }
         Ok(Samples {

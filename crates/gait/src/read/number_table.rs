@@ -55,8 +55,7 @@ impl<'a> NumberTable<'a> {
         }
         let bytes = plain(bytes);
         let layout = detect(&bytes);
-        let start = Position { offset: 0, line: 1 };
-        let Some(table) = next_table(&bytes, layout, start) else {
+        let Some(table) = next_table(&bytes, layout, Position::START) else {
             if bytes.trim_ascii().is_empty() {
                 return Err(ReadError::Empty.in_file(path));
             }
@@ -80,16 +79,14 @@ impl<'a> NumberTable<'a> {
     pub fn header_line(&self) -> usize {
         match self.table.names.is_empty() {
             true => self.table.start.line,
-            false => self.table.start.line.saturating_sub(1).max(1),
+            false => self.table.header_line(),
         }
     }
 
     /// Name and unit of a column: `lift_mm`, `lift [mm]` and `lift (mm)` alike, or the unit of a row of units.
     pub fn name_and_unit(&self, column: usize) -> (String, Option<String>) {
         let whole = self.table.names[column].trim();
-        let row = self.table.units.get(column);
-        let row = row.map(|u| u.trim_matches(['[', ']', '(', ')']).trim());
-        if let Some(unit) = row.filter(|u| !u.is_empty()) {
+        if let Some(unit) = self.table.unit(column) {
             return (whole.to_lowercase(), Some(unit.to_string()));
         }
         let (name, unit) = match (bracketed(whole), whole.find(['[', '('])) {

@@ -8,6 +8,7 @@ use crate::quantity::newtons;
 use crate::recording::{
     Axis, Foot, ForceUnit, Format, MassSource, Note, ReadOptions, Recording, UnitSource,
 };
+use crate::statistics::sorted_sample;
 
 /// Largest force on the ground in walking that is believable, N.
 const HARDEST_N: f64 = 8000.0;
@@ -140,17 +141,10 @@ fn swing_of(raw: &[RawForce], axis: Axis) -> f64 {
 
 /// How far the values reach from their resting level, ignoring single outliers: 98th percentile.
 fn swing(values: &[f64]) -> f64 {
-    let step = values.len() / 8192 + 1;
-    let mut v: Vec<f64> = values
-        .iter()
-        .step_by(step)
-        .copied()
-        .filter(|x| x.is_finite())
-        .collect();
+    let v = sorted_sample(values, 8192);
     if v.is_empty() {
         return 0.0;
     }
-    v.sort_by(f64::total_cmp);
     let at = |q: f64| v[((v.len() - 1) as f64 * q) as usize];
     // The resting level is zero unless the readings never come near it.
     let rest = if at(0.0) > 0.0 {

@@ -110,7 +110,7 @@ pub struct Row {
 /// assert!((left.noise_n - 2.0).abs() < 0.3);
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Channel {
     /// Name in the file.
     pub name: String,
@@ -212,6 +212,12 @@ impl Recording {
     /// Whether the user states that it is of running.
     pub fn runs(&self) -> bool {
         self.kind == Some(Kind::Running)
+    }
+
+    /// The channels that carry a load, with their indices.
+    pub(crate) fn live(&self) -> impl Iterator<Item = (usize, &Channel)> {
+        let all = self.channels.iter().enumerate();
+        all.filter(|(_, channel)| channel.idle.is_none())
     }
 
     /// Whether it is a table of single stances.

@@ -19,27 +19,21 @@ use sides::name_feet;
 
 use crate::recording::{Foot, Kind, Note, Recording};
 
-pub(crate) use sides::{footfalls, same_foot};
+pub(crate) use sides::{Footfall, footfalls, same_foot};
 pub use types::{Point, RejectReason, Rejected, Stance, Stances};
 
 /// Finds the stances of a recording.
 ///
 /// Running is averaged only if `recording.kind` requests it; jumps, standing and sit-to-stand are not averaged.
 pub fn stances(recording: &Recording) -> Stances {
-    let live = || {
-        recording
-            .channels
-            .iter()
-            .enumerate()
-            .filter(|(_, c)| c.idle.is_none())
-    };
-    let mut contacts: Vec<Contact> = live()
+    let mut contacts: Vec<Contact> = recording
+        .live()
         .filter(|(_, c)| c.rows.is_empty())
         .flat_map(|(i, c)| contacts(i, c, recording.rate_hz))
         .collect();
     contacts.sort_by(|a, b| a.start_s.total_cmp(&b.start_s));
     let mut out = judged(&contacts, recording);
-    for (i, c) in live() {
+    for (i, c) in recording.live() {
         out.used.extend(c.rows.iter().map(|row| {
             let contact = Contact {
                 channel: i,
@@ -48,9 +42,12 @@ pub fn stances(recording: &Recording) -> Stances {
                 peak_n: 0.0,
                 cut: None,
             };
-            let span = (contact.start_s, contact.end_s);
-            let shape = shape(&c.force_n, recording.rate_hz, span, c.noise_n);
-            stance(&contact, &shape, c.foot, row.mass_kg)
+            stance(
+                &contact,
+                &shape_of(&contact, recording),
+                c.foot,
+                row.mass_kg,
+            )
         }));
     }
     of_one_speed(&mut out, recording);
@@ -60,16 +57,15 @@ pub fn stances(recording: &Recording) -> Stances {
     out
 }
 
+fn shape_of(contact: &Contact, recording: &Recording) -> Shape {
+    let channel = &recording.channels[contact.channel];
+    let span = (contact.start_s, contact.end_s);
+    shape(&channel.force_n, recording.rate_hz, span, channel.noise_n)
+}
+
 /// Every contact, used or rejected.
 fn judged(contacts: &[Contact], recording: &Recording) -> Stances {
-    let shapes: Vec<Shape> = contacts
-        .iter()
-        .map(|c| {
-            let channel = &recording.channels[c.channel];
-            let span = (c.start_s, c.end_s);
-            shape(&channel.force_n, recording.rate_hz, span, channel.noise_n)
-        })
-        .collect();
+    let shapes: Vec<Shape> = contacts.iter().map(|c| shape_of(c, recording)).collect();
     let mut out = Stances {
         recognised: ballistic(contacts, &shapes, recording),
         ..Stances::default()

@@ -3,6 +3,7 @@
 use super::types::{RejectReason, Rejected, Stance, Stances};
 use crate::quantity::seconds;
 use crate::recording::{Note, Recording};
+use crate::statistics::median;
 
 /// Durations within this part of each other are of one speed: three deviations of steady walking.
 const ONE_SPEED: f64 = 0.1;
@@ -10,18 +11,21 @@ const ONE_SPEED: f64 = 0.1;
 const OUTSIDE: f64 = 0.15;
 /// Fewest stances that show a change of speed.
 const FEWEST: usize = 8;
-/// A stance whose duration differs from the median by more than this is left out of the mean of one foot.
-const DURATION: f64 = 0.1;
-/// The same for its loading peak and its impulse.
-const FORCE: f64 = 0.15;
+/// What outliers are recognised by.
+type Measure = fn(&Stance) -> f64;
+/// A stance that differs in one of these from the median by more than this part is left out of the mean of one foot.
+const MEASURES: [(Measure, f64); 3] = [
+    (Stance::duration_s, 0.1),
+    (|s| s.p1.force_n, 0.15),
+    (|s| s.impulse_ns, 0.15),
+];
 /// Fewest stances of a channel that show an outlier: three must agree.
 const COMPARABLE: usize = 4;
 
 /// Keeps the stances of the speed that most of them have, if the speed changes, and notes it.
 pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
-    let rows = recording.channels.iter().any(|c| !c.rows.is_empty());
     let count = out.used.len();
-    if rows || count < FEWEST {
+    if recording.has_rows() || count < FEWEST {
         return;
     }
     let mut sorted: Vec<f64> = out.used.iter().map(Stance::duration_s).collect();
@@ -77,24 +81,15 @@ pub(super) fn mark_unlike(used: &mut [Stance], channels: usize) {
         if own.len() < COMPARABLE {
             continue;
         }
-        let usual = |of: fn(&Stance) -> f64| median(own.iter().map(|&i| of(&used[i])).collect());
-        let first = |s: &Stance| s.p1.force_n;
-        let (duration, peak, impulse) = (
-            usual(Stance::duration_s),
-            usual(first),
-            usual(|s| s.impulse_ns),
-        );
-        let off = |x: f64, usual: f64| (x / usual - 1.0).abs();
-        let unlike: Vec<usize> = own
-            .iter()
-            .copied()
-            .filter(|&i| {
-                let s = &used[i];
-                off(s.duration_s(), duration) > DURATION
-                    || off(s.p1.force_n, peak) > FORCE
-                    || off(s.impulse_ns, impulse) > FORCE
-            })
-            .collect();
+        let middle = |of: Measure| median(own.iter().map(|&i| of(&used[i])).collect());
+        let bounds = MEASURES.map(|(of, most)| (of, most, middle(of).unwrap_or(f64::NAN)));
+        let is_unlike = |i: &usize| {
+            let off = |of: Measure, usual: f64| (of(&used[*i]) / usual - 1.0).abs();
+            bounds
+                .iter()
+                .any(|&(of, most, usual)| off(of, usual) > most)
+        };
+        let unlike: Vec<usize> = own.iter().copied().filter(is_unlike).collect();
         // If most differ there is no typical stance.
         if 2 * unlike.len() <= own.len() {
             for i in unlike {
@@ -102,11 +97,6 @@ pub(super) fn mark_unlike(used: &mut [Stance], channels: usize) {
             }
         }
     }
-}
-
-fn median(mut v: Vec<f64>) -> f64 {
-    v.sort_by(f64::total_cmp);
-    0.5 * (v[(v.len() - 1) / 2] + v[v.len() / 2])
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 use super::contact::{Contact, STANDING_S, TOUCH_S};
 use super::shape::Shape;
 use crate::recording::{Foot, Idle, Kind, Recording};
+use crate::statistics::{mean_and_deviation, median};
 use crate::units::G;
 
 /// A contact this short is none of walking, s.
@@ -118,10 +119,8 @@ pub(super) fn without_stance(contacts: &[Contact], recording: &Recording) -> Opt
 
 /// Whether a level hardly moves.
 fn steady(levels: &[f64]) -> bool {
-    let n = levels.len().max(1) as f64;
-    let mean = levels.iter().sum::<f64>() / n;
-    let square = levels.iter().map(|x| (x - mean).powi(2)).sum::<f64>();
-    (square / n).sqrt() < QUIET * mean
+    let (mean, deviation) = mean_and_deviation(levels);
+    deviation < QUIET * mean
 }
 
 /// Highest force over the mean of the contact.
@@ -216,15 +215,8 @@ fn levels(recording: &Recording, from_s: f64, to_s: f64, count: usize) -> Vec<f6
     let at = |k: usize| {
         let t = from_s + (to_s - from_s) * (k as f64 + 0.5) / count as f64;
         let i = (t * recording.rate_hz) as usize;
-        let live = recording.channels.iter().filter(|c| c.idle.is_none());
-        live.map(|c| c.force_n.get(i).copied().unwrap_or(0.0))
-            .sum::<f64>()
+        let forces = recording.live().map(|(_, c)| c.force_n.get(i));
+        forces.map(|f| f.copied().unwrap_or(0.0)).sum::<f64>()
     };
     (0..count).map(at).collect()
-}
-
-fn median(mut v: Vec<f64>) -> Option<f64> {
-    v.sort_by(f64::total_cmp);
-    let (a, b) = (v.len().checked_sub(1)? / 2, v.len() / 2);
-    Some(0.5 * (v[a] + v[b]))
 }

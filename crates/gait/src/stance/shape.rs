@@ -80,25 +80,18 @@ pub(super) fn shape(
         .filter(|&(_, depth)| depth > VALLEY * top)
         .map(|(i, _)| i);
     let pair = valley.and_then(|v| Some((highest(0..v)?, v, highest(v + 1..n)?)));
-    match pair {
-        Some((a, v, b)) => Shape {
-            p1: point(a),
-            valley: Some(point(v)),
-            p2: Some(point(b)),
-            impulse_ns,
-            humps,
-            peaks_in_the_middle,
-            middle,
-        },
-        None => Shape {
-            p1: point(highest(0..n).unwrap_or(0)),
-            valley: None,
-            p2: None,
-            impulse_ns,
-            humps,
-            peaks_in_the_middle,
-            middle,
-        },
+    let (first, valley, second) = match pair {
+        Some((a, v, b)) => (a, Some(v), Some(b)),
+        None => (highest(0..n).unwrap_or(0), None, None),
+    };
+    Shape {
+        p1: point(first),
+        valley: valley.map(point),
+        p2: second.map(point),
+        impulse_ns,
+        humps,
+        peaks_in_the_middle,
+        middle,
     }
 }
 

@@ -37,10 +37,11 @@ pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
 /// A heel strike on record, with the contact that it begins.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Footfall {
-    channel: usize,
-    foot: Option<Foot>,
+    pub channel: usize,
+    pub foot: Option<Foot>,
     pub start_s: f64,
-    end_s: f64,
+    pub end_s: f64,
+    pub rejected: Option<RejectReason>,
 }
 
 impl From<&Stance> for Footfall {
@@ -50,20 +51,20 @@ impl From<&Stance> for Footfall {
             foot: s.foot,
             start_s: s.start_s,
             end_s: s.end_s,
+            rejected: None,
         }
     }
 }
 
-/// Heel strikes in order of time: those of whole stances and of contacts that the recording cuts at its end.
+/// Every contact in order of its start.
 pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfall> {
-    let cut = stances.rejected.iter();
-    let cut = cut.filter(|r| r.reason == RejectReason::CutAtEnd);
     let mut falls: Vec<Footfall> = stances.used.iter().map(Footfall::from).collect();
-    falls.extend(cut.map(|r| Footfall {
+    falls.extend(stances.rejected.iter().map(|r| Footfall {
         channel: r.channel,
         foot: recording.channels.get(r.channel).and_then(|c| c.foot),
         start_s: r.from_s,
         end_s: r.to_s,
+        rejected: Some(r.reason),
     }));
     falls.sort_by(|a, b| a.start_s.total_cmp(&b.start_s));
     falls

@@ -11,7 +11,6 @@ mod words;
 
 use std::path::Path;
 
-use self::words::Words;
 use parameters::Parameters;
 use storage::Analog;
 
@@ -20,7 +19,7 @@ use super::keys;
 use super::timebase::TimeBase;
 use super::vertical::{self, Facts};
 use crate::error::{Placed, ReadError, Result};
-use crate::recording::{ClockSource, Foot, ReadOptions, Recording, Strike};
+use crate::recording::{ClockSource, Foot, Processor, ReadOptions, Recording, Strike};
 
 /// Bytes of one block.
 const BLOCK: usize = 512;
@@ -33,7 +32,7 @@ pub(super) fn is_c3d(bytes: &[u8]) -> bool {
 /// Reads the force plates of a C3D file.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     let start = (usize::from(bytes.first().copied().unwrap_or(1)) - 1) * BLOCK;
-    let words_of = Words::of(bytes, start).ok_or_else(|| {
+    let words_of = Processor::of(bytes, start).ok_or_else(|| {
         let code = bytes.get(start + 3).copied().unwrap_or(0);
         ReadError::Processor { code }.at_byte(path, start + 3)
     })?;

@@ -1,6 +1,6 @@
 //! The parameter section of a C3D file.
 
-use super::words::Words;
+use crate::recording::Processor;
 
 /// Most values of one parameter that are read; real files hold a few hundred.
 const MOST_VALUES: usize = 1 << 16;
@@ -19,14 +19,14 @@ struct Parameter<'a> {
 /// All parameters of a file that could be read.
 #[derive(Debug)]
 pub(super) struct Parameters<'a> {
-    words: Words,
+    words: Processor,
     groups: Vec<(i8, String)>,
     all: Vec<Parameter<'a>>,
 }
 
 impl<'a> Parameters<'a> {
     /// Reads the chain of groups and parameters; a broken link ends it.
-    pub fn read(bytes: &'a [u8], start: usize, words: Words) -> Self {
+    pub fn read(bytes: &'a [u8], start: usize, words: Processor) -> Self {
         let mut found = Parameters {
             words,
             groups: Vec::new(),
@@ -142,6 +142,10 @@ impl<'a> Parameters<'a> {
 
     fn values(&self, p: &Parameter) -> Vec<f64> {
         let words = self.words;
+        let of_width = |width: usize, number: &dyn Fn(&[u8]) -> Option<f64>| {
+            let cells = p.data.chunks_exact(width).take(MOST_VALUES);
+            cells.filter_map(number).collect()
+        };
         match p.kind {
             1 => p
                 .data
@@ -149,20 +153,8 @@ impl<'a> Parameters<'a> {
                 .take(MOST_VALUES)
                 .map(|&b| f64::from(b))
                 .collect(),
-            2 => p
-                .data
-                .chunks_exact(2)
-                .take(MOST_VALUES)
-                .filter_map(|c| words.i16(c, 0))
-                .map(f64::from)
-                .collect(),
-            4 => p
-                .data
-                .chunks_exact(4)
-                .take(MOST_VALUES)
-                .filter_map(|c| words.f32(c, 0))
-                .map(f64::from)
-                .collect(),
+            2 => of_width(2, &|c| words.i16(c, 0).map(f64::from)),
+            4 => of_width(4, &|c| words.f32(c, 0).map(f64::from)),
             _ => Vec::new(),
         }
     }

@@ -4,14 +4,13 @@ use std::path::Path;
 
 use super::BLOCK;
 use super::parameters::Parameters;
-use super::words::Words;
 use crate::error::{Placed, ReadError, Result};
 use crate::recording::{Format, Note, Processor, Storage};
 
 /// The analog samples of a file, read channel by channel.
 #[derive(Debug)]
 pub(super) struct Analog<'a> {
-    words: Words,
+    words: Processor,
     /// Whole frames of the data section.
     data: &'a [u8],
     is_float: bool,
@@ -37,7 +36,7 @@ impl<'a> Analog<'a> {
     pub fn read(
         path: &Path,
         bytes: &'a [u8],
-        words: Words,
+        words: Processor,
         parameters: &Parameters,
         notes: &mut Vec<Note>,
     ) -> Result<Self> {
@@ -117,11 +116,7 @@ impl<'a> Analog<'a> {
     /// Number format and storage of the file.
     pub fn format(&self) -> Format {
         Format::C3d {
-            processor: match self.words {
-                Words::Intel => Processor::Intel,
-                Words::Dec => Processor::Dec,
-                Words::Sgi => Processor::Sgi,
-            },
+            processor: self.words,
             storage: if self.is_float {
                 Storage::Floats
             } else {

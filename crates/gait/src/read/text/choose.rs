@@ -1,12 +1,11 @@
 //! Which columns of a table to read.
 
-use std::path::Path;
-
 use super::header::Table;
+use super::layout::TextFile;
 use super::listed;
 use crate::error::{Error, Placed, ReadError, Result, nearest};
 use crate::read::columns::{Role, bracketed, foot, role, words};
-use crate::recording::{Axis, Foot, ForceUnit, ReadOptions};
+use crate::recording::{Axis, Foot, ForceUnit};
 
 /// Which columns of a table to read, and how.
 pub(super) struct Plan {
@@ -17,14 +16,14 @@ pub(super) struct Plan {
 }
 
 /// Decides which columns to read; `None` where the table holds no force.
-pub(super) fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<Option<Plan>> {
+pub(super) fn plan(file: &TextFile, table: &Table) -> Result<Option<Plan>> {
+    let options = file.options;
     let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
-    let mut force = Vec::new();
-    for (i, r) in roles.iter().enumerate() {
-        if let Role::Force { axis, foot } = r {
-            force.push((i, *axis, *foot));
-        }
-    }
+    let named = roles.iter().enumerate().filter_map(|(i, r)| match r {
+        Role::Force { axis, foot } => Some((i, *axis, *foot)),
+        _ => None,
+    });
+    let mut force: Vec<_> = named.collect();
     if force.is_empty() {
         force = columns_in_newtons(table, &roles);
     }
@@ -34,7 +33,7 @@ pub(super) fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<
     if !options.force.is_empty() {
         force.clear();
         for name in &options.force {
-            let i = column(path, table, name)?;
+            let i = column(file, table, name)?;
             force.push((i, Axis::Vertical, foot(&words(&table.names[i]))));
         }
         force.sort_by_key(|f| f.0);
@@ -45,7 +44,7 @@ pub(super) fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<
     }
     let place = |wanted: &Role| roles.iter().position(|r| r == wanted);
     let (time, counts) = match &options.time {
-        Some(name) => (Some(column(path, table, name)?), false),
+        Some(name) => (Some(column(file, table, name)?), false),
         None => match (place(&Role::Time), place(&Role::Frame)) {
             (Some(t), _) => (Some(t), false),
             (None, Some(f)) => (Some(f), true),
@@ -54,7 +53,7 @@ pub(super) fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<
     };
     force.retain(|f| Some(f.0) != time);
     if force.is_empty() {
-        return Err(force_is_time(path, table));
+        return Err(force_is_time(file, table));
     }
     // Several sub-frames share a frame number, so rows are counted instead.
     let sub = place(&Role::SubFrame).is_some();
@@ -66,20 +65,16 @@ pub(super) fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<
 }
 
 /// The user named one column as both time and force.
-pub(super) fn force_is_time(path: &Path, table: &Table) -> Error {
-    ReadError::ForceIsTime.at_line(path, table.start.line)
+pub(super) fn force_is_time(file: &TextFile, table: &Table) -> Error {
+    ReadError::ForceIsTime.at_line(file.path, table.start.line)
 }
 
 /// Columns of unknown name with a unit of force.
 fn columns_in_newtons(table: &Table, roles: &[Role]) -> Vec<(usize, Axis, Option<Foot>)> {
-    let forces =
-        (0..table.names.len()).filter(|&i| roles[i] == Role::Other && is_newtons(table, i));
-    forces
-        .map(|i| {
-            let name = table.names[i].clone();
-            let side = foot(&words(&name));
-            (i, Axis::Vertical, side)
-        })
+    let unnamed = (0..table.names.len()).filter(|&i| roles[i] == Role::Other);
+    unnamed
+        .filter(|&i| is_newtons(table, i))
+        .map(|i| (i, Axis::Vertical, foot(&words(&table.names[i]))))
         .collect()
 }
 
@@ -109,12 +104,7 @@ fn is_newtons(table: &Table, i: usize) -> bool {
 
 pub(crate) fn unit_label(table: &Table, i: usize) -> Option<ForceUnit> {
     let name = table.names.get(i)?;
-    let row = table
-        .units
-        .get(i)
-        .map(|u| u.trim_matches(['[', ']', '(', ')']));
-    let label = row.filter(|u| !u.is_empty()).or_else(|| bracketed(name));
-    match label {
+    match table.unit(i).or_else(|| bracketed(name)) {
         Some(label) => label.parse().ok(),
         None => {
             let last = words(name).pop()?;
@@ -128,7 +118,7 @@ pub(crate) fn unit_label(table: &Table, i: usize) -> Option<ForceUnit> {
 }
 
 /// A column by name (case does not matter) or by number from 1.
-pub(crate) fn column(path: &Path, table: &Table, wanted: &str) -> Result<usize> {
+pub(crate) fn column(file: &TextFile, table: &Table, wanted: &str) -> Result<usize> {
     let plain = |s: &str| s.trim().to_lowercase();
     let names = &table.names;
     let found = names
@@ -149,6 +139,6 @@ pub(crate) fn column(path: &Path, table: &Table, wanted: &str) -> Result<usize> 
             },
             None => ReadError::NoColumn { column, columns },
         };
-        error.at_line(path, table.start.line.saturating_sub(1).max(1))
+        error.at_line(file.path, table.header_line())
     })
 }

@@ -4,15 +4,14 @@
 //! the next two. Muscles may be called like forces (`L GRF`: the left gastrocnemius), so that only numbered plates
 //! count.
 
-use std::path::Path;
-
 use super::choose::{Plan, plan};
 use super::header::Table;
-use super::layout::{Lines, Position, text};
+use super::layout::{Lines, TextFile, text};
 use crate::error::{Placed, ReadError, Result};
 use crate::quantity::kilograms;
 use crate::read::vertical::RawForce;
-use crate::recording::{Axis, Note, ReadOptions};
+use crate::recording::{Axis, Note};
+use crate::statistics::sorted_sample;
 use crate::units::G;
 
 /// Most lines of the header.
@@ -24,7 +23,7 @@ const USUAL_PEAK: f64 = 1.1;
 pub(super) fn table(bytes: &[u8]) -> Option<(Table, Option<f64>)> {
     let mut rate = None;
     let mut names: Option<Vec<String>> = None;
-    let mut lines = Lines::from(bytes, Position { offset: 0, line: 1 }).take(HEAD);
+    let mut lines = Lines::new(bytes).take(HEAD);
     let (_, first) = lines.next()?;
     if !text(first).starts_with("File_Type") {
         return None;
@@ -60,11 +59,11 @@ pub(super) fn table(bytes: &[u8]) -> Option<(Table, Option<f64>)> {
 }
 
 /// The channels of numbered plates, or those that the user names.
-pub(super) fn plates(path: &Path, table: &Table, options: &ReadOptions) -> Result<Option<Plan>> {
-    let Some(mut plan) = plan(path, table, options)? else {
+pub(super) fn plates(file: &TextFile, table: &Table) -> Result<Option<Plan>> {
+    let Some(mut plan) = plan(file, table)? else {
         return Ok(None);
     };
-    if options.force.is_empty() {
+    if file.options.force.is_empty() {
         plan.force.retain(|(i, axis, _)| {
             let numbered = table.names[*i].contains(|c: char| c.is_ascii_digit());
             numbered && *axis != Axis::Vertical
@@ -78,19 +77,15 @@ pub(super) fn plates(path: &Path, table: &Table, options: &ReadOptions) -> Resul
 /// # Errors
 ///
 /// Where neither mass nor unit is given.
-pub(super) fn scale(
-    path: &Path,
-    forces: &mut [RawForce],
-    options: &ReadOptions,
-) -> Result<Option<Note>> {
-    if options.unit.is_some() {
+pub(super) fn scale(file: &TextFile, forces: &mut [RawForce]) -> Result<Option<Note>> {
+    if file.options.unit.is_some() {
         return Ok(None);
     }
-    let mass = (options.mass_kg).ok_or_else(|| ReadError::CountsWithoutMass.in_file(path))?;
+    let mass =
+        (file.options.mass_kg).ok_or_else(|| ReadError::CountsWithoutMass.in_file(file.path))?;
     // The vertical components are the ones that reach furthest.
     let reach = |f: &RawForce| {
-        let mut values: Vec<f64> = f.values.iter().copied().filter(|x| x.is_finite()).collect();
-        values.sort_by(f64::total_cmp);
+        let values = sorted_sample(&f.values, usize::MAX);
         let rest = values.get(values.len() / 2).copied().unwrap_or(0.0);
         let ends = values.first().zip(values.last());
         ends.map_or(0.0, |(a, b)| (b - rest).max(rest - a))

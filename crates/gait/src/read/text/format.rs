@@ -1,13 +1,11 @@
 //! What kind of text a file is.
 
-use std::path::Path;
-
 use super::header::Table;
-use super::layout::{Layout, Separator};
+use super::layout::{Layout, Separator, TextFile};
 use crate::recording::{DecimalMark, Format, SeparatorName};
 
 /// The kind of a text, from its header and the shape of its table.
-pub(super) fn format(path: &Path, layout: Layout, table: &Table, head: &[String]) -> Format {
+pub(super) fn format(file: &TextFile, table: &Table, head: &[String]) -> Format {
     let says = |what: &str| head.iter().any(|l| l.to_lowercase().contains(what));
     let starts = |what: &str| head.iter().any(|l| l.to_lowercase().starts_with(what));
     if starts("endheader") {
@@ -32,8 +30,8 @@ pub(super) fn format(path: &Path, layout: Layout, table: &Table, head: &[String]
     if starts("no_of_") || starts("force_plate") {
         return Format::Qualisys;
     }
-    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-    let (separator, decimal) = described(layout);
+    let extension = file.path.extension().and_then(|e| e.to_str()).unwrap_or("");
+    let (separator, decimal) = described(file.layout);
     if !table.names.is_empty() {
         return Format::Text { separator, decimal };
     }

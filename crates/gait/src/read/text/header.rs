@@ -18,6 +18,19 @@ pub(crate) struct Table {
     pub head: Vec<String>,
 }
 
+impl Table {
+    /// The row of units' word for a column, without brackets.
+    pub fn unit(&self, column: usize) -> Option<&str> {
+        let unit = self.units.get(column)?;
+        Some(unit.trim_matches(['[', ']', '(', ')']).trim()).filter(|u| !u.is_empty())
+    }
+
+    /// The line above the first row, where the names stand.
+    pub fn header_line(&self) -> usize {
+        self.start.line.saturating_sub(1).max(1)
+    }
+}
+
 fn cells(line: &[u8], layout: Layout, width: usize) -> Vec<String> {
     let split = |l: &[u8]| -> Vec<String> {
         let mut all: Vec<String> = Fields::new(l, layout).map(|f| text(trim(f))).collect();

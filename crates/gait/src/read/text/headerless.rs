@@ -1,15 +1,13 @@
 //! Tables without a header: which column is time and which are vertical forces, from the numbers alone.
 
-use std::path::Path;
-
 use super::choose::force_is_time;
 use super::header::Table;
-use super::layout::Layout;
+use super::layout::TextFile;
 use super::raw::Raw;
 use super::table::{Numbers, numbers};
 use crate::error::{Placed, ReadError, Result};
 use crate::read::vertical::RawForce;
-use crate::recording::{Axis, Foot, Note, ReadOptions};
+use crate::recording::{Axis, Foot, Note};
 
 /// Fewest rows that are taken for a recording when nothing names the columns.
 const FEWEST: usize = 10;
@@ -24,29 +22,23 @@ const WIDEST: usize = 400;
 const MOST_VALUES: usize = 72;
 
 /// Reads a table without column names; `None` where it is too short to be a recording.
-pub(super) fn read(
-    path: &Path,
-    bytes: &[u8],
-    layout: Layout,
-    table: &Table,
-    options: &ReadOptions,
-) -> Result<Option<Raw>> {
+pub(super) fn read(file: &TextFile, table: &Table) -> Result<Option<Raw>> {
     let wanted: Vec<usize> = (0..table.width.min(WIDEST)).collect();
     let Numbers {
         mut columns,
         skipped,
-    } = numbers(path, bytes, layout, table, &wanted, None)?;
+    } = numbers(file, table, &wanted, None)?;
     let samples = columns.first().map_or(0, Vec::len);
-    if samples < FEWEST && options.force.is_empty() {
+    if samples < FEWEST && file.options.force.is_empty() {
         return Ok(None);
     }
-    let (time, forces) = chosen(path, table, &columns, options)?;
+    let (time, forces) = chosen(file, table, &columns)?;
     if let Some(t) = time {
-        rising(path, table, &columns[t])?;
+        rising(file, table, &columns[t])?;
     }
     let counts = time.is_some_and(|t| counts_samples(&columns[t]));
     let times = time.map(|t| std::mem::take(&mut columns[t]));
-    let sides = if options.force.is_empty() {
+    let sides = if file.options.force.is_empty() {
         insole_sides(&forces, columns.len(), time)
     } else {
         None
@@ -79,10 +71,9 @@ pub(super) fn read(
 
 /// The column of time and those of force: those that the options name by number, otherwise those that the numbers show.
 fn chosen(
-    path: &Path,
+    file: &TextFile,
     table: &Table,
     columns: &[Vec<f64>],
-    options: &ReadOptions,
 ) -> Result<(Option<usize>, Vec<usize>)> {
     let number = |name: &String| {
         let n = name.parse::<usize>().ok();
@@ -92,25 +83,25 @@ fn chosen(
                 column: name.clone(),
                 count: columns.len(),
             }
-            .at_line(path, table.start.line)
+            .at_line(file.path, table.start.line)
         })
     };
-    let time = match &options.time {
+    let time = match &file.options.time {
         Some(name) => Some(number(name)?),
         None => time_column(columns),
     };
-    let mut forces: Vec<usize> = match &options.force[..] {
+    let mut forces: Vec<usize> = match &file.options.force[..] {
         [] => force_columns(columns, time),
         names => names.iter().map(number).collect::<Result<_>>()?,
     };
     if forces.is_empty() {
-        return Err(ReadError::NamelessColumns.at_line(path, table.start.line));
+        return Err(ReadError::NamelessColumns.at_line(file.path, table.start.line));
     }
     forces.retain(|&i| Some(i) != time);
     forces.sort_unstable();
     forces.dedup();
     if forces.is_empty() {
-        return Err(force_is_time(path, table));
+        return Err(force_is_time(file, table));
     }
     Ok((time, forces))
 }
@@ -127,7 +118,7 @@ fn insole_sides(forces: &[usize], width: usize, time: Option<usize>) -> Option<[
     is_layout.then_some([Foot::Left, Foot::Right])
 }
 
-fn rising(path: &Path, table: &Table, times: &[f64]) -> Result<()> {
+fn rising(file: &TextFile, table: &Table, times: &[f64]) -> Result<()> {
     let fall = times.windows(2).position(|w| w[1] < w[0] || w[1].is_nan());
     match fall {
         None => Ok(()),
@@ -139,7 +130,7 @@ fn rising(path: &Path, table: &Table, times: &[f64]) -> Result<()> {
             } else {
                 ReadError::TimeBackwards { time, after }
             };
-            Err(error.at_line(path, table.start.line + i + 1))
+            Err(error.at_line(file.path, table.start.line + i + 1))
         }
     }
 }

@@ -1,8 +1,10 @@
 //! How a delimited text is laid out: its lines, its separator and its decimal mark.
 
 use std::borrow::Cow;
+use std::path::Path;
 
 use crate::read::number::{Field, field, trim};
+use crate::recording::ReadOptions;
 
 /// Field separator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,6 +30,31 @@ pub(crate) struct Position {
     pub line: usize,
 }
 
+impl Position {
+    pub const START: Position = Position { offset: 0, line: 1 };
+}
+
+/// A text file with what the user says about it.
+pub(crate) struct TextFile<'a> {
+    pub path: &'a Path,
+    /// Its text without byte order mark, in UTF-8 or a single-byte encoding.
+    pub bytes: &'a [u8],
+    pub layout: Layout,
+    pub options: &'a ReadOptions,
+}
+
+impl<'a> TextFile<'a> {
+    pub fn new(path: &'a Path, bytes: &'a [u8], options: &'a ReadOptions) -> Self {
+        let layout = detect(bytes);
+        TextFile {
+            path,
+            bytes,
+            layout,
+            options,
+        }
+    }
+}
+
 /// The lines of a text with their places, without their ends.
 #[derive(Clone)]
 pub(crate) struct Lines<'a> {
@@ -37,7 +64,7 @@ pub(crate) struct Lines<'a> {
 
 impl<'a> Lines<'a> {
     pub fn new(bytes: &'a [u8]) -> Self {
-        Lines::from(bytes, Position { offset: 0, line: 1 })
+        Lines::from(bytes, Position::START)
     }
 
     pub fn from(bytes: &'a [u8], at: Position) -> Self {

@@ -30,63 +30,51 @@ use crate::recording::{ForceUnit, Format, Note, ReadOptions, Recording};
 
 pub(super) use choose::{column, unit_label};
 pub(super) use header::Table;
-pub(super) use layout::{Fields, Layout, Lines, Position, detect, plain, text};
+pub(super) use layout::{Fields, Layout, Lines, Position, TextFile, detect, plain, text};
 pub use stance_table::metadata_name;
 pub(super) use table::{next_table, numbers};
 
 /// Reads a delimited text; the first table with a force column counts.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     let bytes = &*plain(bytes);
-    let layout = detect(bytes);
+    let file = &TextFile::new(path, bytes, options);
     if let Some((table, rate)) = converter::table(bytes) {
-        return converter_counts(path, bytes, layout, &table, rate, options);
+        return converter_counts(file, &table, rate);
     }
-    let mut from = Position { offset: 0, line: 1 };
+    let mut from = Position::START;
     let mut head: Vec<String> = Vec::new();
     let mut seen: Vec<String> = Vec::new();
-    while let Some(table) = next_table(bytes, layout, from) {
+    while let Some(table) = next_table(bytes, file.layout, from) {
         let room = 600usize.saturating_sub(head.len());
         head.extend(table.head.iter().take(room).cloned());
         if stance_table::is_stance_table(&table.names) {
-            return stance_table::read(path, bytes, layout, &table, &head, options);
+            return stance_table::read(file, &table, &head);
         }
         if table.names.is_empty() && options.force.iter().all(|f| f.parse::<usize>().is_ok()) {
-            if let Some(raw) = headerless::read(path, bytes, layout, &table, options)? {
-                return finish(path, layout, &table, &head, raw, options);
+            if let Some(raw) = headerless::read(file, &table)? {
+                return finish(file, &table, &head, raw);
             }
-        } else if let Some(plan) = plan(path, &table, options)? {
-            let raw = extract(path, bytes, layout, &table, &plan)?;
-            return finish(path, layout, &table, &head, raw, options);
+        } else if let Some(plan) = plan(file, &table)? {
+            let raw = extract(file, &table, &plan)?;
+            return finish(file, &table, &head, raw);
         }
-        seen.extend(
-            table
-                .names
-                .iter()
-                .take(200usize.saturating_sub(seen.len()))
-                .cloned(),
-        );
-        from = skip(bytes, layout, &table);
+        let room = 200usize.saturating_sub(seen.len());
+        seen.extend(table.names.iter().take(room).cloned());
+        from = skip(file, &table);
     }
-    Err(nothing_found(path, bytes, layout, &seen))
+    Err(nothing_found(file, &seen))
 }
 
 /// Reads the plates of a file of converter counts.
-fn converter_counts(
-    path: &Path,
-    bytes: &[u8],
-    layout: Layout,
-    table: &Table,
-    rate: Option<f64>,
-    options: &ReadOptions,
-) -> Result<Recording> {
-    let place = |e: Error| e.in_file(path);
-    let Some(plan) = converter::plates(path, table, options)? else {
-        return Err(nothing_found(path, bytes, layout, &table.names));
+fn converter_counts(file: &TextFile, table: &Table, rate: Option<f64>) -> Result<Recording> {
+    let place = |e: Error| e.in_file(file.path);
+    let Some(plan) = converter::plates(file, table)? else {
+        return Err(nothing_found(file, &table.names));
     };
-    let mut raw = extract(path, bytes, layout, table, &plan)?;
+    let mut raw = extract(file, table, &plan)?;
     let mut notes: Vec<Note> = Vec::new();
-    notes.extend(converter::scale(path, &mut raw.forces, options)?);
-    let base = time_base(&raw, options, rate, &mut notes).map_err(place)?;
+    notes.extend(converter::scale(file, &mut raw.forces)?);
+    let base = time_base(&raw, file.options, rate, &mut notes).map_err(place)?;
     let facts = Facts {
         format: Format::ConverterCounts,
         samples: raw.samples,
@@ -98,16 +86,19 @@ fn converter_counts(
     for f in &mut forces {
         f.unit = Some(ForceUnit::Newton);
     }
-    vertical::recording(forces, base, facts, options).map_err(place)
+    vertical::recording(forces, base, facts, file.options).map_err(place)
 }
 
-fn nothing_found(path: &Path, bytes: &[u8], layout: Layout, seen: &[String]) -> Error {
+fn nothing_found(file: &TextFile, seen: &[String]) -> Error {
+    let (path, bytes) = (file.path, file.bytes);
     if bytes.trim_ascii().is_empty() {
         return ReadError::Empty.in_file(path);
     }
     // A table whose rows start with words has no numbers to go by; its first line may name its columns.
     let first = bytes.split(|&b| b == b'\n').next().unwrap_or(bytes);
-    let head = Fields::new(first, layout).take(40).map(|f| text(trim(f)));
+    let head = Fields::new(first, file.layout)
+        .take(40)
+        .map(|f| text(trim(f)));
     let head: Vec<String> = head.filter(|f| f.len() < 60).collect();
     let names = if seen.is_empty() && head.len() > 1 {
         &head[..]
@@ -135,7 +126,7 @@ fn listed(names: &[String]) -> String {
     shown.join(", ")
 }
 
-fn extract(path: &Path, bytes: &[u8], layout: Layout, table: &Table, plan: &Plan) -> Result<Raw> {
+fn extract(file: &TextFile, table: &Table, plan: &Plan) -> Result<Raw> {
     let mut wanted: Vec<usize> = plan.force.iter().map(|f| f.0).chain(plan.time).collect();
     wanted.sort_unstable();
     wanted.dedup();
@@ -144,7 +135,7 @@ fn extract(path: &Path, bytes: &[u8], layout: Layout, table: &Table, plan: &Plan
     let Numbers {
         mut columns,
         skipped,
-    } = numbers(path, bytes, layout, table, &wanted, time_slot)?;
+    } = numbers(file, table, &wanted, time_slot)?;
     let samples = columns.first().map_or(0, Vec::len);
     let times = time_slot.map(|t| std::mem::take(&mut columns[t]));
     let mut forces = Vec::new();
@@ -170,15 +161,9 @@ fn extract(path: &Path, bytes: &[u8], layout: Layout, table: &Table, plan: &Plan
 }
 
 /// Puts raw columns on a time base and makes channels of vertical force of them.
-fn finish(
-    path: &Path,
-    layout: Layout,
-    table: &Table,
-    head: &[String],
-    raw: Raw,
-    options: &ReadOptions,
-) -> Result<Recording> {
-    let keys = keys::read(head, layout.comma);
+fn finish(file: &TextFile, table: &Table, head: &[String], raw: Raw) -> Result<Recording> {
+    let (path, options) = (file.path, file.options);
+    let keys = keys::read(head, file.layout.comma);
     let samples = raw.samples;
     if samples < 2 {
         return Err(ReadError::FewSamples { samples }.at_line(path, table.start.line));
@@ -196,7 +181,7 @@ fn finish(
     let place = |e: Error| e.in_file(path);
     let base = time_base(&raw, options, keys.rate_hz, &mut notes).map_err(place)?;
     let facts = Facts {
-        format: format(path, layout, table, head),
+        format: format(file, table, head),
         samples,
         mass_kg: keys.mass_kg,
         zero: None,

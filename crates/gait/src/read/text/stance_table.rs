@@ -7,15 +7,14 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use super::header::Table;
-use super::layout::{Fields, Layout, Lines, Position, detect, plain, text};
+use super::layout::{Fields, Lines, TextFile, detect, plain, text};
 use crate::error::{Placed, ReadError, Result};
 use crate::quantity::{hertz, seconds};
 use crate::read::columns::{Role, foot, role, words};
 use crate::read::keys;
 use crate::read::number::{trim, value};
 use crate::recording::{
-    Channel, ClockSource, ForceUnit, Format, MassSource, Note, ReadOptions, Recording, Row,
-    UnitSource,
+    Channel, ClockSource, ForceUnit, Format, MassSource, Note, Recording, Row, UnitSource,
 };
 use crate::units::G;
 
@@ -64,21 +63,15 @@ pub fn metadata_name(path: &Path) -> Option<std::path::PathBuf> {
 }
 
 /// Reads the stances of a table.
-pub(super) fn read(
-    path: &Path,
-    bytes: &[u8],
-    layout: Layout,
-    table: &Table,
-    head: &[String],
-    options: &ReadOptions,
-) -> Result<Recording> {
-    let (mut force, rows) = stances(path, bytes, layout, table, options)?;
+pub(super) fn read(file: &TextFile, table: &Table, head: &[String]) -> Result<Recording> {
+    let (path, options) = (file.path, file.options);
+    let (mut force, rows) = stances(file, table)?;
     if rows.is_empty() {
         return Err(ReadError::NoStanceRow.at_line(path, table.start.line));
     }
     let mut notes = vec![Note::StancePerRow { rows: rows.len() }];
-    let (unit, unit_from) = scale(path, &mut force, &rows, options, &mut notes)?;
-    let keys = keys::read(head, layout.comma);
+    let (unit, unit_from) = scale(file, &mut force, &rows, &mut notes)?;
+    let keys = keys::read(head, file.layout.comma);
     let (rate_hz, clock) = match (options.rate_hz, keys.rate_hz) {
         (Some(rate), _) => (rate, ClockSource::User),
         (None, Some(rate)) => (rate, ClockSource::Header),
@@ -106,11 +99,8 @@ pub(super) fn read(
             foot: foot(&words(&name)),
             name,
             force_n: force,
-            baseline_n: 0.0,
-            noise_n: 0.0,
-            missing: Vec::new(),
-            idle: None,
             rows,
+            ..Channel::default()
         }],
         strikes: Vec::new(),
         gaps_s: Vec::new(),
@@ -131,18 +121,13 @@ fn mean_mass(rows: &[Row], notes: &mut Vec<Note>) -> Option<f64> {
 }
 
 /// Samples of all stances one behind the other, and the place of each.
-fn stances(
-    path: &Path,
-    bytes: &[u8],
-    layout: Layout,
-    table: &Table,
-    options: &ReadOptions,
-) -> Result<(Vec<f64>, Vec<Row>)> {
+fn stances(file: &TextFile, table: &Table) -> Result<(Vec<f64>, Vec<Row>)> {
+    let (layout, options) = (file.layout, file.options);
     let first = numbered(&table.names).unwrap_or(0);
     let masses = options.metadata.as_deref().map(masses).unwrap_or_default();
-    let mut force = Vec::with_capacity(bytes.len() / 4);
+    let mut force = Vec::with_capacity(file.bytes.len() / 4);
     let mut rows = Vec::new();
-    for (at, line) in Lines::from(bytes, table.start) {
+    for (at, line) in Lines::from(file.bytes, table.start) {
         let mut fields = Fields::new(line, layout);
         let subject = fields.next().map(|f| text(trim(f))).unwrap_or_default();
         let from = force.len();
@@ -155,7 +140,7 @@ fn stances(
             } else {
                 let sample = force.len() - from + 1;
                 let text = text(trim(f));
-                return Err(ReadError::StanceSample { sample, text }.at_line(path, at.line));
+                return Err(ReadError::StanceSample { sample, text }.at_line(file.path, at.line));
             }
         }
         if force.len() > from {
@@ -172,35 +157,34 @@ fn stances(
 
 /// Brings samples to newtons and the load to positive.
 fn scale(
-    path: &Path,
+    file: &TextFile,
     force: &mut [f64],
     rows: &[Row],
-    options: &ReadOptions,
     notes: &mut Vec<Note>,
 ) -> Result<(ForceUnit, UnitSource)> {
     let top = force
         .iter()
         .fold(0.0, |m: f64, x| if x.abs() > m.abs() { *x } else { m });
     let sign = if top < 0.0 { -1.0 } else { 1.0 };
-    let unit = options.unit.unwrap_or(if top.abs() < 6.0 {
+    let unit = file.options.unit.unwrap_or(if top.abs() < 6.0 {
         ForceUnit::BodyWeight
     } else {
         ForceUnit::Newton
     });
-    if options.unit.is_none() && unit == ForceUnit::BodyWeight {
+    if file.options.unit.is_none() && unit == ForceUnit::BodyWeight {
         let peak = top.abs();
         notes.push(Note::UnitGuessed { peak, unit });
     }
     for (i, row) in rows.iter().enumerate() {
         let factor = unit.newtons(row.mass_kg).ok_or_else(|| {
             let (unit, row) = (unit.name(), i + 1);
-            ReadError::RowMassMissing { unit, row }.in_file(path)
+            ReadError::RowMassMissing { unit, row }.in_file(file.path)
         })?;
         for x in &mut force[row.from..row.to] {
             *x *= sign * factor;
         }
     }
-    let from = match options.unit {
+    let from = match file.options.unit {
         Some(_) => UnitSource::User,
         None => UnitSource::Guessed,
     };
@@ -237,7 +221,7 @@ fn masses(bytes: &[u8]) -> HashMap<String, f64> {
     let bytes = &*plain(bytes);
     let layout = detect(bytes);
     // The first column is a name, so the header is found as the first line, not by its numbers.
-    let mut lines = Lines::from(bytes, Position { offset: 0, line: 1 });
+    let mut lines = Lines::new(bytes);
     let names: Vec<String> = match lines.next() {
         Some((_, line)) => Fields::new(line, layout)
             .map(|f| text(trim(f)).to_lowercase())
@@ -272,7 +256,7 @@ fn masses(bytes: &[u8]) -> HashMap<String, f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recording::Foot;
+    use crate::recording::{Foot, ReadOptions};
 
     #[test]
     fn rows_are_stances_with_the_mass_of_their_subject() {

@@ -1,13 +1,12 @@
 //! Tables in a delimited text: where one starts, what its columns are called, its numbers.
 
 use std::collections::VecDeque;
-use std::path::Path;
 
 use super::clock_time::clock;
 use super::header::{Table, with_header};
-use super::layout::{Fields, Layout, Lines, Position};
+use super::layout::{Fields, Layout, Lines, Position, TextFile};
 use super::plain_row::plain_row;
-use crate::error::{Error, Placed, ReadError, Result};
+use crate::error::{Placed, ReadError, Result};
 use crate::read::number::{Field, field, trim, value};
 
 /// Lines of a header that are kept; more are skipped in the middle.
@@ -89,13 +88,12 @@ pub(crate) struct Numbers {
 /// are rounded). Room is reserved for no more rows than there are line ends, and a row that lacks most of its
 /// fields ends the reading with an error, so that memory stays within a small multiple of the text.
 pub(crate) fn numbers(
-    path: &Path,
-    bytes: &[u8],
-    layout: Layout,
+    file: &TextFile,
     table: &Table,
     wanted: &[usize],
     time: Option<usize>,
 ) -> Result<Numbers> {
+    let (bytes, layout) = (file.bytes, file.layout);
     let body = bytes.get(table.start.offset..).unwrap_or(&[]);
     let mut rows = Rows::new(line_ends(body) + 1, body.len(), wanted.len(), time);
     let mut row = vec![f64::NAN; wanted.len()];
@@ -105,8 +103,8 @@ pub(crate) fn numbers(
     loop {
         let here = lines.at;
         if let Some(length) = plain_row(&bytes[here.offset..], layout, wanted, &mut row) {
-            rows.push(&row)
-                .map_err(|e| fault(e, table, path, here.line))?;
+            rows.push(&row, table)
+                .map_err(|e| e.at_line(file.path, here.line))?;
             lines.at = Position {
                 offset: here.offset + length,
                 line: here.line + 1,
@@ -137,10 +135,10 @@ pub(crate) fn numbers(
         }
         absent += wanted.len() - present;
         if absent > rows.count() * wanted.len() / 2 + 64 * wanted.len().max(8) {
-            return Err(fault(Unfit::Ragged, table, path, at.line));
+            return Err(ragged(table).at_line(file.path, at.line));
         }
-        rows.push(&row)
-            .map_err(|e| fault(e, table, path, at.line))?;
+        rows.push(&row, table)
+            .map_err(|e| e.at_line(file.path, at.line))?;
     }
     Ok(Numbers {
         columns: rows.columns,
@@ -154,24 +152,9 @@ fn line_ends(bytes: &[u8]) -> usize {
     bytes.chunks(128).map(|block| usize::from(of(block))).sum()
 }
 
-/// Why a row cannot follow the rows before it.
-enum Unfit {
-    /// Rows lack most of their fields.
-    Ragged,
-    /// Time falls.
-    Backwards { time: f64, after: f64 },
-}
-
-fn fault(unfit: Unfit, table: &Table, path: &Path, line: usize) -> Error {
-    match unfit {
-        Unfit::Ragged => {
-            let fields = table.width;
-            ReadError::ShortRows { fields }.at_line(path, line)
-        }
-        Unfit::Backwards { time, after } => {
-            ReadError::TimeBackwards { time, after }.at_line(path, line)
-        }
-    }
+fn ragged(table: &Table) -> ReadError {
+    let fields = table.width;
+    ReadError::ShortRows { fields }
 }
 
 /// The rows read so far, column by column.
@@ -206,14 +189,14 @@ impl Rows {
 
     /// Adds a row, if its time does not fall.
     #[inline]
-    fn push(&mut self, row: &[f64]) -> std::result::Result<(), Unfit> {
+    fn push(&mut self, row: &[f64], table: &Table) -> std::result::Result<(), ReadError> {
         if !self.has_room() {
-            return Err(Unfit::Ragged);
+            return Err(ragged(table));
         }
         if let Some(t) = self.time {
             if row[t] < self.last {
                 let (time, after) = (row[t], self.last);
-                return Err(Unfit::Backwards { time, after });
+                return Err(ReadError::TimeBackwards { time, after });
             }
             self.last = row[t];
         }
@@ -230,11 +213,11 @@ impl Rows {
 }
 
 /// Passes over a table without reading its numbers.
-pub(crate) fn skip(bytes: &[u8], layout: Layout, table: &Table) -> Position {
-    let mut lines = Lines::from(bytes, table.start);
+pub(crate) fn skip(file: &TextFile, table: &Table) -> Position {
+    let mut lines = Lines::from(file.bytes, table.start);
     let mut end = table.start;
     while let Some((_, line)) = lines.next() {
-        if row_width(line, layout).is_none() && !line.trim_ascii().is_empty() {
+        if row_width(line, file.layout).is_none() && !line.trim_ascii().is_empty() {
             break;
         }
         end = lines.at;
@@ -285,10 +268,12 @@ fn wanted_fields(
 mod tests {
     use super::super::layout::detect;
     use super::*;
+    use crate::recording::ReadOptions;
+    use std::path::Path;
 
     fn table(t: &str) -> Table {
         let layout = detect(t.as_bytes());
-        next_table(t.as_bytes(), layout, Position { offset: 0, line: 1 }).unwrap()
+        next_table(t.as_bytes(), layout, Position::START).unwrap()
     }
 
     #[test]
@@ -327,9 +312,10 @@ mod tests {
     #[test]
     fn time_that_falls_is_refused_by_line() {
         let text = b"time,f\n0.0,1\n0.2,2\n0.1,3\n";
-        let layout = detect(text);
-        let t = next_table(text, layout, Position { offset: 0, line: 1 }).unwrap();
-        let e = numbers(Path::new("a.csv"), text, layout, &t, &[0, 1], Some(0)).unwrap_err();
+        let options = ReadOptions::default();
+        let file = TextFile::new(Path::new("a.csv"), text, &options);
+        let t = next_table(text, file.layout, Position::START).unwrap();
+        let e = numbers(&file, &t, &[0, 1], Some(0)).unwrap_err();
         assert!(
             e.to_string().starts_with("a.csv line 4: time decreases"),
             "{e}"
@@ -339,9 +325,10 @@ mod tests {
     #[test]
     fn blanks_words_and_clock_times_inside_the_data_are_borne() {
         let text = b"time;f\n00:00,0;1\n00:00,1;\n00:00,2;--\nPause\n00:00,3;4\n";
-        let layout = detect(text);
-        let t = next_table(text, layout, Position { offset: 0, line: 1 }).unwrap();
-        let n = numbers(Path::new("a"), text, layout, &t, &[0, 1], Some(0)).unwrap();
+        let options = ReadOptions::default();
+        let file = TextFile::new(Path::new("a"), text, &options);
+        let t = next_table(text, file.layout, Position::START).unwrap();
+        let n = numbers(&file, &t, &[0, 1], Some(0)).unwrap();
         assert_eq!(n.columns[0], [0.0, 0.1, 0.2, 0.3]);
         assert!(n.columns[1][1].is_nan() && n.columns[1][2].is_nan());
         assert_eq!(n.skipped, [5]);

@@ -10,13 +10,7 @@ use crate::recording::{ClockSource, Note, ReadOptions};
 
 /// Seconds per unit of a time column, if its name or the row of units gives it.
 pub(super) fn time_unit(table: &Table, i: usize) -> Option<f64> {
-    let row = table
-        .units
-        .get(i)
-        .map(|u| u.trim_matches(['[', ']', '(', ')']));
-    let label = row
-        .filter(|u| !u.is_empty())
-        .or_else(|| bracketed(&table.names[i]));
+    let label = table.unit(i).or_else(|| bracketed(&table.names[i]));
     let last = words(&table.names[i]).pop();
     match label.or(last.as_deref())?.to_lowercase().as_str() {
         "s" | "sec" | "secs" | "seconds" => Some(1.0),

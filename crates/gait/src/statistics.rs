@@ -1,0 +1,48 @@
+//! Mean, median and standard deviation.
+
+/// Arithmetic mean; not a number without values.
+pub(super) fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// Mean and standard deviation of all values.
+pub(super) fn mean_and_deviation(values: &[f64]) -> (f64, f64) {
+    let mean = mean(values);
+    let square = values.iter().map(|x| (x - mean).powi(2)).sum::<f64>();
+    (mean, (square / values.len() as f64).sqrt())
+}
+
+/// Standard deviation estimated from a sample; `None` for fewer than two values.
+pub(super) fn sample_deviation(values: &[f64]) -> Option<f64> {
+    let mean = mean(values);
+    let square = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>();
+    (values.len() > 1).then(|| (square / (values.len() as f64 - 1.0)).sqrt())
+}
+
+/// Middle value, or the mean of the two in the middle; `None` without values.
+pub(super) fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let (a, b) = (values.len().checked_sub(1)? / 2, values.len() / 2);
+    Some(0.5 * (values[a] + values[b]))
+}
+
+/// At most about `most` finite values at equal distances, in ascending order.
+pub(super) fn sorted_sample(values: &[f64], most: usize) -> Vec<f64> {
+    let step = values.len() / most + 1;
+    let thin = values.iter().step_by(step).copied();
+    let mut sample: Vec<f64> = thin.filter(|x| x.is_finite()).collect();
+    sample.sort_by(f64::total_cmp);
+    sample
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_of_two_is_their_mean() {
+        assert_eq!(median(vec![1.2, 1.0]), Some(1.1));
+        assert_eq!(median(vec![3.0, 1.0, 2.0]), Some(2.0));
+        assert_eq!(median(Vec::new()), None);
+    }
+}
