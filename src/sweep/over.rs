@@ -2,10 +2,10 @@
 
 use super::plan::axis::Axis;
 use super::plan::sample::Method;
-use super::plan::{NamedScene, Plan, Sampling};
+use super::plan::{NamedScene, Plan, Sampling, row_count};
 use super::runner::Runner;
 use super::table::records::Records;
-use crate::error::{Error, Result, SweepError};
+use crate::error::{Result, SweepError};
 use crate::halt::Halt;
 use crate::scene::Scene;
 
@@ -76,10 +76,7 @@ impl Sweep {
             sampling: self.sampling,
         };
         plan.validate()?;
-        let rows = u64::try_from(plan.rows()).map_err(|_| {
-            let rows = plan.rows().to_string();
-            Error::from(SweepError::TooManyRows { rows })
-        })?;
+        let rows = row_count(plan.rows())?;
         let no_file = |_: usize, _: &Scene| Err(SweepError::NoForceError.into());
         let runner = Runner::of_plan(&plan, &no_file, &Halt::never, None);
         let jobs = std::thread::available_parallelism().map_or(1, usize::from);

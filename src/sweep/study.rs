@@ -11,8 +11,8 @@ use serde_json::{Value, json};
 
 use super::kernel::Halts;
 use super::made::scatter::Scattered;
-use super::plan::Plan;
 use super::plan::axis::Values as AxisValues;
+use super::plan::{Plan, row_count};
 use super::runner::Runner;
 use super::table::records::Records;
 use crate::error::{Error, Place, Result, SweepError};
@@ -135,15 +135,7 @@ impl Study {
             Subject::Designs(plan) => plan.rows(),
             Subject::Scatter(scatter) => u128::from(scatter.count),
         };
-        u64::try_from(rows)
-            .ok()
-            .filter(|rows| *rows <= MOST_ROWS)
-            .ok_or_else(|| {
-                SweepError::TooManyRows {
-                    rows: rows.to_string(),
-                }
-                .into()
-            })
+        row_count(rows)
     }
 
     /// The study as data: equal studies have equal descriptions.
@@ -218,9 +210,6 @@ impl Study {
         force::force_curve(path, bytes, &gait.read_options(metadata)?, gait.feet)
     }
 }
-
-/// Largest number of rows: 64-bit floating point, in which many readers hold row numbers, counts no further.
-const MOST_ROWS: u64 = 1 << 53;
 
 impl Subject {
     /// The recordings that rows name, each with its base scene.

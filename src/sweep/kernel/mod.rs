@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, OnceLock, RwLock};
 
 use toml::Table;
 
-use crate::error::{Error, Placed, Result, SweepError};
+use crate::error::{Error, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::halt::Halt;
 use crate::problem::{Problem, open_questions};
@@ -20,7 +20,7 @@ use crate::scene::{self, Gait, LawSpec, Scene, Source};
 use crate::sweep::plan::NamedScene;
 use crate::sweep::plan::batch::{Batch, Column};
 use crate::sweep::plan::key::Key;
-use crate::sweep::table::results::{Results, Row};
+use crate::sweep::table::results::Row;
 use crate::synth::spectral::{self, HarmonicTarget};
 use crate::synth::{Search, design};
 
@@ -126,18 +126,11 @@ impl<'a> Kernel<'a> {
 
     /// Computes every row; a scene at fault is a row with its error. `None` where `stop` ended the work between two
     /// rows.
-    pub fn run(&self, batch: &Batch, stop: &dyn Fn() -> bool) -> Option<Results> {
-        let mut results = Results::with_capacity(batch.len());
+    pub fn run(&self, batch: &Batch, stop: &dyn Fn() -> bool) -> Option<Vec<Row>> {
+        let mut results = Vec::with_capacity(batch.len());
         let mut bases: Vec<Base> = Vec::new();
         let mut known: HashMap<(u32, Vec<&str>), usize> = HashMap::new();
-        let words: Vec<&Vec<Arc<str>>> = batch
-            .columns
-            .iter()
-            .filter_map(|c| match c {
-                Column::Words(w) => Some(w),
-                Column::Numbers(_) => None,
-            })
-            .collect();
+        let words: Vec<&Vec<Arc<str>>> = batch.columns.iter().filter_map(Column::words).collect();
         let mut previous: Option<(usize, usize)> = None;
         for row in 0..batch.len() {
             if stop() {
@@ -174,7 +167,7 @@ impl<'a> Kernel<'a> {
             return Base::default();
         };
         let gait = scene.gait.as_ref();
-        let is_file = gait.is_some_and(|g| matches!(g.source, Source::File(_)));
+        let is_file = gait.is_some_and(Gait::is_recording);
         Base {
             source: (!is_file || !self.varies_reading).then(|| source(index, &scene)),
             is_closed: spectral::suits(&scene),
@@ -303,23 +296,17 @@ impl<'a> Kernel<'a> {
         let Some(gait) = &scene.gait else {
             return Ok(None);
         };
-        match &gait.source {
-            Source::File(_) => {
-                let force = self.force(index, scene, source);
-                force.and_then(|f| f.curve.clone()).transpose()
-            }
-            Source::Model(name) => {
-                force::model(name, gait.step_frequency, gait.model_weight(), gait.feet)
-                    .map(Some)
-                    .map_err(|e| e.at_key("gait.model"))
-            }
+        if gait.is_recording() {
+            let force = self.force(index, scene, source);
+            return force.and_then(|f| f.curve.clone()).transpose();
         }
+        gait.model_force()
     }
 
     /// The force of a scene, cached; `None` of a scene without one.
     fn force(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Option<Arc<Force>> {
         let gait = scene.gait.as_ref()?;
-        let is_file = matches!(gait.source, Source::File(_));
+        let is_file = gait.is_recording();
         let frequency = gait.step_frequency.filter(|_| !is_file).unwrap_or(0.0);
         let name = (source.clone(), frequency.to_bits());
         if let Some(force) = self.forces.read().ok()?.get(&name) {

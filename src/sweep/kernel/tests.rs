@@ -31,12 +31,9 @@ fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
     let mut bases: HashMap<Vec<String>, Base> = HashMap::new();
     (0..count as usize)
         .map(|row| {
-            let words = batch.columns.iter().filter_map(|c| match c {
-                Column::Words(w) => Some(w[row].to_string()),
-                Column::Numbers(_) => None,
-            });
+            let words = batch.columns.iter().filter_map(Column::words);
             let base = bases
-                .entry(words.collect())
+                .entry(words.map(|w| w[row].to_string()).collect())
                 .or_insert_with(|| kernel.base(&batch, row));
             let fast = kernel.row(&batch, row, base);
             let alone = match kernel.read(&batch, row) {
@@ -285,7 +282,7 @@ fn a_recording_is_read_with_the_numbers_of_its_row() {
         .iter()
         .position(|n| *n == "speed_rad_per_s")
         .unwrap();
-    for (row, found) in results.numbers(speed).iter().enumerate() {
+    for (row, found) in results.iter().map(|r| r.numbers[speed]).enumerate() {
         let expected = std::f64::consts::TAU / (0.5 + 0.125 * row as f64);
         assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
     }

@@ -5,11 +5,10 @@ use std::ops::Range;
 use serde_json::{Value, json};
 
 use super::tolerance::{Made, Scatter, Tolerance};
-use crate::error::{Placed, Result, SweepError};
-use crate::force;
+use crate::error::{Result, SweepError};
 use crate::halt::Halt;
 use crate::problem::Problem;
-use crate::scene::{self, Source};
+use crate::scene::{self, Gait};
 use crate::sweep::kernel::Targets;
 use crate::sweep::plan::NamedScene;
 use crate::sweep::table::records::{Field, Records};
@@ -90,13 +89,11 @@ impl Scattered {
     pub fn samples(&self, targets: Targets, halt: Halt) -> Result<Samples> {
         let tolerances = self.read()?;
         let scene = scene::read(&self.scene.table)?;
-        let target = match scene.gait.as_ref().map(|g| (g, &g.source)) {
-            None => None,
-            Some((_, Source::File(_))) => Some(targets(0, &scene)?),
-            Some((gait, Source::Model(name))) => Some(
-                force::model(name, gait.step_frequency, gait.model_weight(), gait.feet)
-                    .map_err(|e| e.at_key("gait.model"))?,
-            ),
+        let is_recording = scene.gait.as_ref().is_some_and(Gait::is_recording);
+        let target = if is_recording {
+            Some(targets(0, &scene)?)
+        } else {
+            scene.model_force()?
         };
         let problem = Problem::resolve(&scene, target.as_ref())?;
         let design = design(&problem, &Search::until(halt))?;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::key::{Key, starts_a_number};
-use crate::error::{Error, Placed, Result, SweepError};
+use crate::error::{Placed, Result, SweepError};
 
 /// The values of an axis.
 ///
@@ -11,7 +11,8 @@ use crate::error::{Error, Placed, Result, SweepError};
 /// use gaitcam::sweep::{Axis, Values};
 ///
 /// let axis = Axis::parse("limits.stroke=40 mm:60 mm:5", false)?;
-/// assert_eq!(axis.values, Values::Range { first: 0.04, last: 0.06, count: Some(5) });
+/// let unit = "m".to_string();
+/// assert_eq!(axis.values, Values::Range { first: 0.04, last: 0.06, count: Some(5), unit });
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +21,7 @@ pub enum Values {
     Words(Vec<Arc<str>>),
     /// Numbers in SI, one by one.
     Numbers(Vec<f64>),
-    /// `count` numbers in SI at equal steps from the first to the last.
+    /// `count` numbers at equal steps from the first to the last.
     Range {
         /// First.
         first: f64,
@@ -28,16 +29,8 @@ pub enum Values {
         last: f64,
         /// How many; `None` in a range that is only sampled.
         count: Option<u64>,
-    },
-    /// The same for a key without a known unit: numbers that are written with `unit`.
-    TextRange {
-        /// First.
-        first: f64,
-        /// Last.
-        last: f64,
-        /// How many; `None` in a range that is only sampled.
-        count: Option<u64>,
-        /// The unit as written; empty for counts, which are rounded to whole numbers.
+        /// SI for a key with a known unit. For another key as written; empty for counts, which are rounded to whole
+        /// numbers.
         unit: String,
     },
 }
@@ -104,7 +97,7 @@ impl Axis {
     pub fn list<'a>(name: &str, values: impl Iterator<Item = &'a str>) -> Result<Axis> {
         let values: Vec<&str> = values.collect();
         if values.is_empty() || values.contains(&"") {
-            return Err(at_key(name, SweepError::NoValues));
+            return Err(SweepError::NoValues.at_key(name));
         }
         Ok(match Key::quantity(name, &values)? {
             Some((key, numbers)) => Axis {
@@ -123,7 +116,7 @@ impl Axis {
         match &self.values {
             Values::Words(list) => Some(list.len() as u64),
             Values::Numbers(list) => Some(list.len() as u64),
-            Values::Range { count, .. } | Values::TextRange { count, .. } => *count,
+            Values::Range { count, .. } => *count,
         }
     }
 
@@ -132,7 +125,7 @@ impl Axis {
         match &self.values {
             Values::Words(list) => AxisValue::Words(list[i as usize].clone()),
             Values::Numbers(list) => AxisValue::Number(list[i as usize]),
-            Values::Range { count, .. } | Values::TextRange { count, .. } => {
+            Values::Range { count, .. } => {
                 let steps = count.unwrap_or(1).saturating_sub(1).max(1);
                 self.between(i as f64, steps as f64)
             }
@@ -144,32 +137,31 @@ impl Axis {
         match &self.values {
             Values::Words(list) => AxisValue::Words(list[pick(u, list.len())].clone()),
             Values::Numbers(list) => AxisValue::Number(list[pick(u, list.len())]),
-            Values::Range { .. } | Values::TextRange { .. } => self.between(u, 1.0),
+            Values::Range { .. } => self.between(u, 1.0),
         }
     }
 
     /// `part` of `whole` steps from the first value to the last, exact at both ends.
     fn between(&self, part: f64, whole: f64) -> AxisValue {
-        let mix = |first: f64, last: f64| ((whole - part) * first + part * last) / whole;
-        match &self.values {
-            Values::Range { first, last, .. } => AxisValue::Number(mix(*first, *last)),
-            Values::TextRange {
-                first, last, unit, ..
-            } => {
-                let x = mix(*first, *last);
-                AxisValue::Words(if unit.is_empty() {
-                    Arc::from(format!("{}", x.round()))
-                } else {
-                    Arc::from(format!("{x} {unit}"))
-                })
-            }
-            _ => self.value(0),
+        let Values::Range {
+            first, last, unit, ..
+        } = &self.values
+        else {
+            return self.value(0);
+        };
+        let x = ((whole - part) * first + part * last) / whole;
+        if self.key.is_number() {
+            return AxisValue::Number(x);
         }
+        AxisValue::Words(if unit.is_empty() {
+            Arc::from(format!("{}", x.round()))
+        } else {
+            Arc::from(format!("{x} {unit}"))
+        })
     }
 
     /// The axis as it is typed, for comparing plans.
     pub fn text(&self) -> String {
-        let count = |c: &Option<u64>| c.map_or(String::new(), |c| format!(":{c}"));
         match &self.values {
             Values::Words(list) => list.join(","),
             Values::Numbers(list) => {
@@ -180,23 +172,14 @@ impl Axis {
             Values::Range {
                 first,
                 last,
-                count: c,
-            } => {
-                let unit = self.key.unit();
-                format!("{first} {unit}:{last} {unit}{}", count(c))
-            }
-            Values::TextRange {
-                first,
-                last,
-                count: c,
+                count,
                 unit,
-            } => format!("{first} {unit}:{last} {unit}{}", count(c)),
+            } => {
+                let count = count.map_or(String::new(), |c| format!(":{c}"));
+                format!("{first} {unit}:{last} {unit}{count}")
+            }
         }
     }
-}
-
-fn at_key(key: &str, fault: SweepError) -> Error {
-    fault.at_key(key)
 }
 
 fn pick(u: f64, length: usize) -> usize {
@@ -204,60 +187,56 @@ fn pick(u: f64, length: usize) -> usize {
 }
 
 fn range(name: &str, parts: &[&str], sampled: bool) -> Result<Axis> {
-    let count = match (parts.get(2), sampled) {
-        (Some(_), true) => {
-            return Err(at_key(name, SweepError::SampledCount));
+    let count = count(parts.get(2).copied(), sampled).map_err(|e| e.at_key(name))?;
+    let (key, first, last, unit) = match Key::quantity(name, &parts[..2])? {
+        Some((key, ends)) => {
+            let unit = key.unit().to_string();
+            (key, ends[0], ends[1], unit)
         }
-        (None, false) => {
-            return Err(at_key(name, SweepError::NoCount));
-        }
-        (None, true) => None,
-        (Some(text), false) => {
-            let count: u64 = text.parse().map_err(|_| {
-                let typed = (*text).to_string();
-                at_key(name, SweepError::NotCount { typed })
-            })?;
-            if count == 0 {
-                return Err(at_key(name, SweepError::NoValues));
+        None => {
+            let (first, unit) = number_and_unit(parts[0]).map_err(|e| e.at_key(name))?;
+            let (last, other) = number_and_unit(parts[1]).map_err(|e| e.at_key(name))?;
+            if unit != other {
+                let (first, last) = (unit.to_string(), other.to_string());
+                return Err(SweepError::DifferentUnits { first, last }.at_key(name));
             }
-            Some(count)
+            (Key::words(name), first, last, unit.to_string())
         }
     };
-    if let Some((key, ends)) = Key::quantity(name, &parts[..2])? {
-        return Ok(Axis {
-            key,
-            values: Values::Range {
-                first: ends[0],
-                last: ends[1],
-                count,
-            },
-        });
-    }
-    let (first, unit) = number_and_unit(parts[0]).map_err(|e| e.at_key(name))?;
-    let (last, other) = number_and_unit(parts[1]).map_err(|e| e.at_key(name))?;
-    if unit != other {
-        let (first, last) = (unit.to_string(), other.to_string());
-        return Err(at_key(name, SweepError::DifferentUnits { first, last }));
-    }
-    Ok(Axis {
-        key: Key::words(name),
-        values: Values::TextRange {
-            first,
-            last,
-            count,
-            unit: unit.to_string(),
-        },
-    })
+    let values = Values::Range {
+        first,
+        last,
+        count,
+        unit,
+    };
+    Ok(Axis { key, values })
 }
 
-fn number_and_unit(text: &str) -> Result<(f64, &str)> {
+/// How many values a range has as typed; one that is sampled gives no number.
+fn count(typed: Option<&str>, sampled: bool) -> std::result::Result<Option<u64>, SweepError> {
+    match (typed, sampled) {
+        (Some(_), true) => Err(SweepError::SampledCount),
+        (None, false) => Err(SweepError::NoCount),
+        (None, true) => Ok(None),
+        (Some(text), false) => match text.parse() {
+            Ok(0) => Err(SweepError::NoValues),
+            Ok(count) => Ok(Some(count)),
+            Err(_) => {
+                let typed = text.to_string();
+                Err(SweepError::NotCount { typed })
+            }
+        },
+    }
+}
+
+fn number_and_unit(text: &str) -> std::result::Result<(f64, &str), SweepError> {
     let split = (1..=text.len())
         .rev()
         .filter(|&i| text.is_char_boundary(i))
         .find_map(|i| Some((text[..i].trim().parse::<f64>().ok()?, text[i..].trim())));
     split.filter(|(x, _)| x.is_finite()).ok_or_else(|| {
         let typed = text.to_string();
-        SweepError::NotNumber { typed }.into()
+        SweepError::NotNumber { typed }
     })
 }
 

@@ -14,17 +14,20 @@ pub enum Column {
 }
 
 impl Column {
-    /// Number of rows.
-    pub fn len(&self) -> usize {
-        match self {
-            Column::Numbers(x) => x.len(),
-            Column::Words(x) => x.len(),
+    pub(super) fn with_capacity(is_number: bool, rows: usize) -> Column {
+        if is_number {
+            Column::Numbers(Vec::with_capacity(rows))
+        } else {
+            Column::Words(Vec::with_capacity(rows))
         }
     }
 
-    /// Whether there is no row.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
+    /// Its words; `None` for numbers.
+    pub fn words(&self) -> Option<&Vec<Arc<str>>> {
+        match self {
+            Column::Words(words) => Some(words),
+            Column::Numbers(_) => None,
+        }
     }
 
     pub(super) fn push(&mut self, value: AxisValue) {

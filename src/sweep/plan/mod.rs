@@ -162,14 +162,7 @@ impl Plan {
             scene: Vec::with_capacity(count),
             columns: self
                 .all_axes()
-                .map(|a| match a.values {
-                    Values::Numbers(_) | Values::Range { .. } => {
-                        Column::Numbers(Vec::with_capacity(count))
-                    }
-                    Values::Words(_) | Values::TextRange { .. } => {
-                        Column::Words(Vec::with_capacity(count))
-                    }
-                })
+                .map(|a| Column::with_capacity(a.key.is_number(), count))
                 .collect(),
         };
         let listed = self.list.as_ref().map_or(0, |l| l.columns.len());
@@ -346,6 +339,18 @@ impl Plan {
         out.insert("rows".into(), json!(self.rows() as u64));
         Value::Object(out)
     }
+}
+
+/// Largest number of rows: 64-bit floating point, in which many readers hold row numbers, counts no further.
+const MOST_ROWS: u64 = 1 << 53;
+
+/// The number of rows, where there are not too many.
+pub(super) fn row_count(rows: u128) -> Result<u64> {
+    let count = u64::try_from(rows).ok().filter(|n| *n <= MOST_ROWS);
+    count.ok_or_else(|| {
+        let rows = rows.to_string();
+        SweepError::TooManyRows { rows }.into()
+    })
 }
 
 fn parent(key: &str) -> String {

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::results::{NUMBERS, Results, TIME, WORDS};
+use super::results::{NUMBERS, Row, TIME, WORDS};
 use super::unit_of;
 use crate::sweep::plan::batch::{Batch, Column};
 use crate::sweep::plan::key::Key;
@@ -160,7 +160,7 @@ impl Records {
         first: u64,
         keys: &[Key],
         batch: &Batch,
-        results: &Results,
+        results: &[Row],
         scenes: Option<&[String]>,
     ) -> Records {
         let mut fields = vec![Field::rows(first, results.len())];
@@ -175,18 +175,21 @@ impl Records {
             });
         }
         for (i, name) in NUMBERS.iter().enumerate() {
-            fields.push(Field::numbers(name, results.numbers(i).to_vec()));
+            fields.push(Field::numbers(
+                name,
+                results.iter().map(|row| row.numbers[i]).collect(),
+            ));
         }
         for (i, name) in WORDS.iter().enumerate() {
-            fields.push(Field::words(name, results.words(i).into_iter()));
+            fields.push(Field::words(name, results.iter().map(|row| row.words()[i])));
         }
         Records { fields }
     }
 
     /// The same with the time that each row took.
     #[must_use]
-    pub fn with_times(mut self, results: &Results) -> Records {
-        let times = results.times().to_vec();
+    pub fn with_times(mut self, results: &[Row]) -> Records {
+        let times = results.iter().map(|row| row.time_s).collect();
         self.fields.push(Field::numbers(TIME, times));
         self
     }
@@ -258,20 +261,14 @@ impl Records {
 
 impl Words {
     fn append(&mut self, next: &Words) {
-        let mut known: HashMap<String, i32> = HashMap::new();
-        for (i, name) in self.names.iter().enumerate() {
-            known.insert(name.clone(), i as i32);
-        }
-        let place = |name: &String, names: &mut Vec<String>| -> i32 {
+        let mut known: HashMap<String, i32> = (self.names.iter().cloned()).zip(0..).collect();
+        let places = next.names.iter().map(|name| {
             *known.entry(name.clone()).or_insert_with(|| {
-                names.push(name.clone());
-                names.len() as i32 - 1
+                self.names.push(name.clone());
+                self.names.len() as i32 - 1
             })
-        };
-        let mut place = place;
-        let places: Vec<i32> = (next.names.iter())
-            .map(|name| place(name, &mut self.names))
-            .collect();
+        });
+        let places: Vec<i32> = places.collect();
         let moved = |&c: &i32| usize::try_from(c).map_or(-1, |c| places[c]);
         self.codes.extend(next.codes.iter().map(moved));
     }

@@ -1,4 +1,4 @@
-//! Results of many scenes as columns.
+//! The result of a scene as a row.
 
 use crate::cam::Verdict;
 use crate::force::ForceCurve;
@@ -45,8 +45,6 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    const ALL: [Outcome; 3] = [Outcome::Built, Outcome::Infeasible, Outcome::Error];
-
     /// The word of the table.
     pub fn name(self) -> &'static str {
         match self {
@@ -56,21 +54,6 @@ impl Outcome {
         }
     }
 }
-
-const VERDICTS: [Verdict; 3] = [
-    Verdict::Acceptable,
-    Verdict::NotForHighSpeed,
-    Verdict::Unacceptable,
-];
-const TIERS: [Tier; 5] = [
-    Tier::Spectral,
-    Tier::Equality,
-    Tier::Qp,
-    Tier::Socp,
-    Tier::Scp,
-];
-/// Code of a verdict or tier that does not exist.
-const NONE: u8 = 255;
 
 /// One row of the table.
 ///
@@ -108,6 +91,19 @@ pub struct Row {
 }
 
 impl Row {
+    /// Its cells of [`WORDS`]; empty where there is none.
+    pub fn words(&self) -> [&str; WORDS.len()] {
+        [
+            self.outcome.name(),
+            self.verdict.map_or("", Verdict::name),
+            self.tier.map_or("", Tier::name),
+            &self.binding,
+            &self.failed,
+            &self.error,
+            &self.warnings,
+        ]
+    }
+
     /// A scene at fault.
     pub fn error(what: String) -> Row {
         Row {
@@ -183,138 +179,18 @@ fn joined(names: impl Iterator<Item = String>) -> String {
     list.join("+")
 }
 
-/// Text of the few rows that have any, by row number.
-type Sparse = Vec<(u32, String)>;
-
-/// Results of many rows.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Results {
-    numbers: Vec<Vec<f64>>,
-    outcome: Vec<u8>,
-    verdict: Vec<u8>,
-    tier: Vec<u8>,
-    texts: [Sparse; 4],
-    time_s: Vec<f64>,
-}
-
-fn position<T: PartialEq>(list: &[T], item: &T) -> u8 {
-    list.iter()
-        .position(|x| x == item)
-        .map_or(NONE, |i| i as u8)
-}
-
-impl Results {
-    /// No rows yet, with room for some.
-    pub fn with_capacity(rows: usize) -> Results {
-        Results {
-            numbers: (NUMBERS.iter().map(|_| Vec::with_capacity(rows))).collect(),
-            outcome: Vec::with_capacity(rows),
-            verdict: Vec::with_capacity(rows),
-            tier: Vec::with_capacity(rows),
-            texts: Default::default(),
-            time_s: Vec::with_capacity(rows),
-        }
-    }
-
-    /// Number of rows.
-    pub fn len(&self) -> usize {
-        self.outcome.len()
-    }
-
-    /// Whether there is no row.
-    pub fn is_empty(&self) -> bool {
-        self.outcome.is_empty()
-    }
-
-    /// Adds a row.
-    pub fn push(&mut self, row: Row) {
-        let at = self.len() as u32;
-        for (column, x) in self.numbers.iter_mut().zip(row.numbers) {
-            column.push(x);
-        }
-        self.outcome.push(position(&Outcome::ALL, &row.outcome));
-        self.verdict
-            .push(row.verdict.map_or(NONE, |v| position(&VERDICTS, &v)));
-        self.tier
-            .push(row.tier.map_or(NONE, |t| position(&TIERS, &t)));
-        for (texts, text) in
-            self.texts
-                .iter_mut()
-                .zip([row.binding, row.failed, row.error, row.warnings])
-        {
-            if !text.is_empty() {
-                texts.push((at, text));
-            }
-        }
-        self.time_s.push(row.time_s);
-    }
-
-    /// A column of [`NUMBERS`].
-    pub fn numbers(&self, column: usize) -> &[f64] {
-        &self.numbers[column]
-    }
-
-    /// Time of each row, s.
-    pub fn times(&self) -> &[f64] {
-        &self.time_s
-    }
-
-    /// Outcome of a row.
-    pub fn outcome(&self, row: usize) -> Outcome {
-        *Outcome::ALL
-            .get(self.outcome[row] as usize)
-            .unwrap_or(&Outcome::Error)
-    }
-
-    /// A column of [`WORDS`] for all rows; empty where there is none.
-    pub fn words(&self, column: usize) -> Vec<&str> {
-        let coded = |codes: &[u8], name: &dyn Fn(usize) -> &'static str| -> Vec<&str> {
-            codes
-                .iter()
-                .map(|&c| if c == NONE { "" } else { name(c as usize) })
-                .collect()
-        };
-        match column {
-            0 => coded(&self.outcome, &|c| {
-                Outcome::ALL.get(c).map_or("", |o| o.name())
-            }),
-            1 => coded(&self.verdict, &|c| VERDICTS.get(c).map_or("", |v| v.name())),
-            2 => coded(&self.tier, &|c| TIERS.get(c).map_or("", |t| t.name())),
-            _ => {
-                let mut out = vec![""; self.len()];
-                for (row, text) in &self.texts[column - 3] {
-                    if let Some(cell) = out.get_mut(*row as usize) {
-                        *cell = text;
-                    }
-                }
-                out
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn some() -> Results {
-        let mut r = Results::with_capacity(3);
-        r.push(Row::error("wrong\nhere".to_string()));
-        let mut row = Row::error(String::new());
-        row.numbers = [0.1; NUMBERS.len()];
+    #[test]
+    fn words_stand_in_the_order_of_their_columns() {
+        let mut row = Row::error("wrong\nhere".to_string());
+        assert_eq!(row.words(), ["error", "", "", "", "", "wrong here", ""]);
         (row.outcome, row.verdict, row.tier) =
             (Outcome::Built, Some(Verdict::Acceptable), Some(Tier::Qp));
-        row.binding = "stroke+jerk".to_string();
-        r.push(row);
-        r
-    }
-
-    #[test]
-    fn columns_hold_what_rows_say() {
-        let r = some();
-        assert_eq!(r.words(5), ["wrong here", ""]);
-        assert_eq!(r.words(3), ["", "stroke+jerk"]);
-        assert_eq!(r.words(2), ["", "qp"]);
-        assert!(r.numbers(0)[0].is_nan() && r.numbers(0)[1] == 0.1);
+        (row.binding, row.error) = ("stroke+jerk".to_string(), String::new());
+        let words = ["built", "acceptable", "qp", "stroke+jerk", "", "", ""];
+        assert_eq!(row.words(), words);
     }
 }
