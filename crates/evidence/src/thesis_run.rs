@@ -11,15 +11,9 @@ use gaitcam_output::picture::Picture;
 pub fn all() -> Result<Vec<(&'static str, Picture)>> {
     let mut out: Vec<(&'static str, Picture)> = pictures()?
         .iter()
-        .map(|p| {
-            (
-                p.name,
-                if p.logarithmic {
-                    against_points(p)
-                } else {
-                    over_the_turn(p)
-                },
-            )
+        .map(|p| match p.logarithmic {
+            true => (p.name, against_points(p)),
+            false => (p.name, over_the_turn(p)),
         })
         .collect();
     out.push(("dynamics_rapier", against_time()));
@@ -39,12 +33,10 @@ fn chart(file: &str, title: &str, error: &str, across: Across, rows: Vec<Row>) -
     Chart {
         file: file.to_string(),
         title: title.to_string(),
-        task: String::new(),
         error: error.to_string(),
         across,
-        levels: Vec::new(),
-        advice: String::new(),
         rows,
+        ..Chart::default()
     }
 }
 
@@ -57,8 +49,7 @@ fn row(method: &str, size: String, error: f64, seconds: f64, points: Option<usiz
         quartiles: (seconds, seconds),
         runs: 1,
         points,
-        default: false,
-        note: String::new(),
+        ..Row::default()
     }
 }
 

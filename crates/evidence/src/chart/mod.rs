@@ -6,10 +6,11 @@ mod picture;
 mod tables;
 
 pub use picture::picture;
+pub(crate) use picture::write_picture;
 pub use tables::{csv, markdown};
 
 /// One method at one size.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Row {
     /// Name of the method.
     pub method: String,
@@ -32,9 +33,10 @@ pub struct Row {
 }
 
 /// What is drawn to the right.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Across {
     /// Time of one run.
+    #[default]
     Time,
     /// Points written.
     Points,
@@ -43,7 +45,7 @@ pub enum Across {
 }
 
 /// Methods for one task.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Chart {
     /// File name without ending: `speed_accuracy_a`.
     pub file: String,
@@ -64,6 +66,24 @@ pub struct Chart {
 }
 
 impl Row {
+    /// The same row as the default of gaitcam.
+    #[must_use]
+    pub fn by_default(self) -> Row {
+        Row {
+            default: true,
+            ..self
+        }
+    }
+
+    /// The same row with a remark.
+    #[must_use]
+    pub fn noted(self, note: &str) -> Row {
+        Row {
+            note: note.to_string(),
+            ..self
+        }
+    }
+
     /// Where the row stands from left to right.
     pub fn across(&self, across: Across) -> f64 {
         match across {

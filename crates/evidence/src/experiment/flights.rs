@@ -1,7 +1,7 @@
 //! Lift-off, flights and landings.
 
 use super::compliant::{Compliant, exact_chi, returned_restitution};
-use super::{POINTS, cams, line, picture, run_points, scene};
+use super::{POINTS, Page, cams, run_points, scene};
 use gaitcam::dynamics::contact::Phase;
 use gaitcam::dynamics::recover;
 use gaitcam::dynamics::simulate;
@@ -9,13 +9,9 @@ use gaitcam::dynamics::{Model, rigid, thesis};
 use gaitcam::error::Result;
 use std::f64::consts::PI;
 
-pub(super) fn lift_off(out: &mut String) -> Result<()> {
-    line(out, "## Lift-off\n");
-    line(
-        out,
-        "| cam | emitted points rad/s | law rad/s | relative difference | lost at 1 − 1e-9 | lost at 1 + 1e-9 |",
-    );
-    line(out, "|---|---|---|---|---|---|");
+pub(super) fn lift_off(out: &mut Page) -> Result<()> {
+    out.line("## Lift-off\n");
+    out.table("cam | emitted points rad/s | law rad/s | relative difference | lost at 1 − 1e-9 | lost at 1 + 1e-9");
     for (name, cam, _) in cams() {
         let drive = thesis::real(thesis::SPEED);
         let emitted = recover(&cam.follower, &cam.profile(POINTS))?.law;
@@ -27,47 +23,37 @@ pub(super) fn lift_off(out: &mut String) -> Result<()> {
         };
         let lost =
             |factor: f64| run_points(&cam, POINTS, own * factor, 0.0).map(|r| r.lost_fraction());
-        line(
-            out,
-            &format!(
-                "| {name} | {own:.6} | {law:.6} | {:.1e} | {:.1e} | {:.1e} |",
-                (own / law - 1.0).abs(),
-                lost(1.0 - 1e-9)?,
-                lost(1.0 + 1e-9)?
-            ),
-        );
+        out.line(format_args!(
+            "| {name} | {own:.6} | {law:.6} | {:.1e} | {:.1e} | {:.1e} |",
+            (own / law - 1.0).abs(),
+            lost(1.0 - 1e-9)?,
+            lost(1.0 + 1e-9)?
+        ));
     }
-    line(out, "\nThe eccentric's closed form is √(g/e).\n");
+    out.line("\nThe eccentric's closed form is √(g/e).\n");
     Ok(())
 }
 
-pub(super) fn bounces(out: &mut String) -> Result<()> {
-    line(out, "## Above lift-off\n");
-    line(
-        out,
-        "| cam | speed rad/s | e | leaves ° | lands ° | flight s | landing m/s | largest gap mm | lost % |",
-    );
-    line(out, "|---|---|---|---|---|---|---|---|---|");
+pub(super) fn bounces(out: &mut Page) -> Result<()> {
+    out.line("## Above lift-off\n");
+    out.table("cam | speed rad/s | e | leaves ° | lands ° | flight s | landing m/s | largest gap mm | lost %");
     for (name, cam, speed) in cams() {
         for e in [0.0, 0.5] {
             let run = run_points(&cam, POINTS, speed, e)?;
             if let Some(hit) = run.impacts.first() {
-                line(
-                    out,
-                    &format!(
-                        "| {name} | {speed} | {e} | {:.6} | {:.6} | {:.9} | {:.7} | {:.6} | {:.4} |",
-                        hit.since.to_degrees(),
-                        hit.at.to_degrees(),
-                        (hit.at - hit.since) / speed,
-                        hit.speed,
-                        1e3 * hit.height,
-                        100.0 * run.lost_fraction()
-                    ),
-                );
+                out.line(format_args!(
+                    "| {name} | {speed} | {e} | {:.6} | {:.6} | {:.9} | {:.7} | {:.6} | {:.4} |",
+                    hit.since.to_degrees(),
+                    hit.at.to_degrees(),
+                    (hit.at - hit.since) / speed,
+                    hit.speed,
+                    1e3 * hit.height,
+                    100.0 * run.lost_fraction()
+                ));
             }
         }
     }
-    line(out, "");
+    out.line("");
     for (name, cam, speed) in cams() {
         let run = run_points(&cam, POINTS, speed, 0.5)?;
         let landings: Vec<String> = run
@@ -83,36 +69,24 @@ pub(super) fn bounces(out: &mut String) -> Result<()> {
                 (Phase::Flight(_), Phase::Contact { .. }) => Some(w[1].from.to_degrees()),
                 _ => None,
             });
-        line(
-            out,
-            &format!(
+        out.line(format_args!(
                 "- {name}, e = 0.5: lands at {} …, rests at {:.3}°; {} landings, then the same again every turn.",
                 landings.join(", "),
                 rest.unwrap_or(f64::NAN),
-                run.impacts.len()
-            ),
-        );
+                run.impacts.len()));
     }
-    line(out, "");
-    picture(
-        out,
+    out.line("");
+    out.picture(
         "dynamics_gap",
         "Gap between plate and cam above lift-off, plastic and bouncing",
     );
     Ok(())
 }
 
-pub(super) fn restitution(out: &mut String) {
-    line(out, "## Restitution of a compliant contact\n");
-    line(
-        out,
-        "f = Kδⁿ(1 + χ δ̇/v₀), K = 1e10 N/m^1.5, n = 1.5, 1 kg at 0.2 m/s.\n",
-    );
-    line(
-        out,
-        "| e asked | Hunt–Crossley 3(1 − e)/2 | Lankarani–Nikravesh 3(1 − e²)/4 | Flores 8(1 − e)/(5e) | exact χ | integrated with exact χ |",
-    );
-    line(out, "|---|---|---|---|---|---|");
+pub(super) fn restitution(out: &mut Page) {
+    out.line("## Restitution of a compliant contact\n");
+    out.line("f = Kδⁿ(1 + χ δ̇/v₀), K = 1e10 N/m^1.5, n = 1.5, 1 kg at 0.2 m/s.\n");
+    out.table("e asked | Hunt–Crossley 3(1 − e)/2 | Lankarani–Nikravesh 3(1 − e²)/4 | Flores 8(1 − e)/(5e) | exact χ | integrated with exact χ");
     for e in [0.1, 0.3, 0.5, 0.7, 0.9] {
         let contact = Compliant {
             stiffness: 1e10,
@@ -120,22 +94,19 @@ pub(super) fn restitution(out: &mut String) {
             restitution: e,
         };
         let back = contact.pulse(1.0, 0.2, 0.0).rebound / 0.2;
-        line(
-            out,
-            &format!(
-                "| {e} | {:.3} | {:.3} | {:.3} | {:.6} | {back:.8} |",
-                returned_restitution(1.5 * (1.0 - e)),
-                returned_restitution(0.75 * (1.0 - e * e)),
-                returned_restitution(1.6 * (1.0 - e) / e),
-                exact_chi(e)
-            ),
-        );
+        out.line(format_args!(
+            "| {e} | {:.3} | {:.3} | {:.3} | {:.6} | {back:.8} |",
+            returned_restitution(1.5 * (1.0 - e)),
+            returned_restitution(0.75 * (1.0 - e * e)),
+            returned_restitution(1.6 * (1.0 - e) / e),
+            exact_chi(e)
+        ));
     }
-    line(out, "");
+    out.line("");
 }
 
-pub(super) fn two_cams(out: &mut String) -> Result<()> {
-    line(out, "## Two cams on the shaft, half a turn apart\n");
+pub(super) fn two_cams(out: &mut Page) -> Result<()> {
+    out.line("## Two cams on the shaft, half a turn apart\n");
     let mut run = scene(&thesis::double_harmonic(), thesis::real(thesis::SPEED));
     run.machine.second_cam = Some(PI);
     let both = simulate(&run, Model::Contact)?;
@@ -145,14 +116,10 @@ pub(super) fn two_cams(out: &mut String) -> Result<()> {
         .take(2)
         .map(|i| format!("{:.3}° at {:.4} m/s", i.at.to_degrees(), i.speed))
         .collect();
-    line(
-        out,
-        &format!(
+    out.line(format_args!(
             "The block rides on whichever cam stands higher. Where one falls and the other rises they meet with a step of slope, a blow: {}. Between the blows the force is {:.4} … {:.4} N.\n",
             hits.join(", "),
             both.force.min,
-            both.force.max
-        ),
-    );
+            both.force.max));
     Ok(())
 }

@@ -1,22 +1,15 @@
 //! A follower that gives, and the motor.
 
-use super::{POINTS, cams, line, motor};
+use super::{POINTS, Page, cams, motor};
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::recover;
 use gaitcam::dynamics::{rigid, thesis};
 use gaitcam::error::Result;
 
-pub(super) fn vibration(out: &mut String) -> Result<()> {
-    line(out, "## A follower that gives\n");
-    line(
-        out,
-        "Real machine, double harmonic, 11.624 rad/s, damping ratio 0.05: how far vibration moves the force.\n",
-    );
-    line(
-        out,
-        "| natural frequency Hz | RMS % of M g | smallest force N | largest force N |",
-    );
-    line(out, "|---|---|---|---|");
+pub(super) fn vibration(out: &mut Page) -> Result<()> {
+    out.line("## A follower that gives\n");
+    out.line("Real machine, double harmonic, 11.624 rad/s, damping ratio 0.05: how far vibration moves the force.\n");
+    out.table("natural frequency Hz | RMS % of M g | smallest force N | largest force N");
     let cam = thesis::double_harmonic();
     let drive = thesis::real(thesis::SPEED);
     let law = recover(&cam.follower, &cam.profile(POINTS))?.law;
@@ -30,41 +23,31 @@ pub(super) fn vibration(out: &mut String) -> Result<()> {
             .sum();
         let rms = (sum / steady.theta.len() as f64).sqrt() / drive.rest_force;
         let (low, high) = steady.contact_extremes();
-        line(
-            out,
-            &format!(
-                "| {hertz} | {:.3} | {:.4} | {:.4} |",
-                100.0 * rms,
-                low.value,
-                high.value
-            ),
-        );
+        out.line(format_args!(
+            "| {hertz} | {:.3} | {:.4} | {:.4} |",
+            100.0 * rms,
+            low.value,
+            high.value
+        ));
     }
-    line(out, "");
+    out.line("");
     Ok(())
 }
 
-pub(super) fn motors(out: &mut String) -> Result<()> {
-    line(out, "## The motor\n");
+pub(super) fn motors(out: &mut Page) -> Result<()> {
+    out.line("## The motor\n");
     let (c, p) = motor::power_law(&thesis::MOTOR_TABLE)?;
     let power = motor::power_for(&thesis::MOTOR_TABLE, 6.0)?;
-    line(
-        out,
-        &format!(
-            "Least squares on the logarithms of the table in Campillo de Blas (2017): t = {c:.1}·x^{p:.4}, so 6 s for 11.1 turns takes {power:.1} % (stated there: 347.9·x^−0.967, 66.6 %)."
-        ),
-    );
+    out.line(format_args!(
+            "Least squares on the logarithms of the table in Campillo de Blas (2017): t = {c:.1}·x^{p:.4}, so 6 s for 11.1 turns takes {power:.1} % (stated there: 347.9·x^−0.967, 66.6 %)."));
     for (name, cam, _) in cams() {
         let drive = thesis::real(thesis::SPEED);
         if let Some(torque) = rigid::torque_curve(&cam.law, &drive, 0.1, thesis::BASE_RADIUS) {
             let demand = motor::demand(&torque, drive.speed);
-            line(
-                out,
-                &format!(
-                    "- {name}, μ = 0.1: mean {:.5} N·m, RMS {:.5}, peak {:.5}, mean power {:.4} W.",
-                    demand.mean, demand.rms, demand.peak, demand.power
-                ),
-            );
+            out.line(format_args!(
+                "- {name}, μ = 0.1: mean {:.5} N·m, RMS {:.5}, peak {:.5}, mean power {:.4} W.",
+                demand.mean, demand.rms, demand.peak, demand.power
+            ));
         }
     }
     Ok(())

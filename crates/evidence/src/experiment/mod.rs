@@ -21,19 +21,19 @@ use gaitcam::dynamics::thesis;
 use gaitcam::dynamics::{Machine, Run};
 use gaitcam::error::Result;
 use std::f64::consts::TAU;
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 /// Rows of an emitted profile in this report.
 const POINTS: usize = 1440;
 
 /// The text of reports/dynamics.md. Fails only if one of the two cams could not be run.
 pub fn report() -> Result<String> {
-    let mut out = String::from(
+    let mut out = Page(String::from(
         "# The experiment of Campillo de Blas (2017), run again\n\n\
          Two cams (an eccentric of 30 mm about a centre 10 mm off; a double harmonic of 10 mm in 135°, back in 135°, dwell 90°), \
          a mass of 1 kg, 111 rpm (11.624 rad/s). Every number below comes from the emitted profile points, not from the law; \
          the law serves as the independent answer.\n\n",
-    );
+    ));
     running::steady_running(&mut out)?;
     running::convergence(&mut out)?;
     running::hand_drawn(&mut out)?;
@@ -44,7 +44,7 @@ pub fn report() -> Result<String> {
     flights::two_cams(&mut out)?;
     give::motors(&mut out)?;
     peers::against_rapier(&mut out);
-    Ok(out)
+    Ok(out.0)
 }
 
 pub(crate) fn cams() -> [(&'static str, Cam, f64); 2] {
@@ -86,14 +86,24 @@ pub(crate) fn worst_force_error(cam: &Cam, n: usize, speed: f64) -> Result<f64> 
         .fold(0.0, f64::max))
 }
 
-/// Appends one line; writing to a String cannot fail.
-fn line(out: &mut String, text: &str) {
-    let _ = writeln!(out, "{text}");
-}
+/// A page of Markdown.
+struct Page(String);
 
-/// A picture in the folder of the report.
-fn picture(out: &mut String, name: &str, what: &str) {
-    let _ = writeln!(out, "![{what}]({name}.png)\n");
+impl Page {
+    fn line(&mut self, text: impl Display) {
+        let _ = writeln!(self.0, "{text}");
+    }
+
+    /// Head of a table; the names of its columns are separated by ` | `.
+    fn table(&mut self, columns: &str) {
+        self.line(format_args!("| {columns} |"));
+        let rules = "---|".repeat(columns.split(" | ").count());
+        self.line(format_args!("|{rules}"));
+    }
+
+    fn picture(&mut self, name: &str, what: &str) {
+        self.line(format_args!("![{what}]({name}.png)\n"));
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The same scene by a time-stepping physics engine: what `benches/rapier` measured.
 
-use super::{line, picture};
+use super::Page;
 
 /// What the benchmark wrote.
 const MEASURED: &str = include_str!("../../../../benches/rapier/measured.csv");
@@ -40,40 +40,26 @@ pub fn rapier() -> Vec<Peer> {
 }
 
 /// Table and words of the comparison.
-pub(super) fn against_rapier(out: &mut String) {
-    line(out, "\n## Against a time-stepping engine\n");
-    line(
-        out,
-        "The eccentric at 35 rad/s with plastic landing, by rapier2d 0.22 in double precision (a ball carried round is the exact contour) and by the contact model from emitted points. Error of the follower's height against the closed form over a steady turn; medians of one run on one machine whose cores did other work as well (`benches/rapier`).\n",
-    );
-    line(
-        out,
-        "| method | size | wall time per turn ms | RMS error µm | largest µm |",
-    );
-    line(out, "|---|---|---|---|---|");
+pub(super) fn against_rapier(out: &mut Page) {
+    out.line("\n## Against a time-stepping engine\n");
+    out.line("The eccentric at 35 rad/s with plastic landing, by rapier2d 0.22 in double precision (a ball carried round is the exact contour) and by the contact model from emitted points. Error of the follower's height against the closed form over a steady turn; medians of one run on one machine whose cores did other work as well (`benches/rapier`).\n");
+    out.table("method | size | wall time per turn ms | RMS error µm | largest µm");
     for p in rapier() {
-        line(
-            out,
-            &format!(
-                "| {} | {} | {:.3} | {:.2e} | {:.2e} |",
-                p.method,
-                p.size,
-                1e3 * p.seconds,
-                1e6 * p.rms,
-                1e6 * p.largest
-            ),
-        );
+        out.line(format_args!(
+            "| {} | {} | {:.3} | {:.2e} | {:.2e} |",
+            p.method,
+            p.size,
+            1e3 * p.seconds,
+            1e6 * p.rms,
+            1e6 * p.largest
+        ));
     }
-    line(out, "");
-    picture(
-        out,
+    out.line("");
+    out.picture(
         "dynamics_rapier",
         "Error of the height against wall time: events and time steps",
     );
-    line(
-        out,
-        "A step of time lands late by up to a step and heals the penetration over several more: a quarter of the step is a quarter of the error. Events are exact up to the interpolation of the points.",
-    );
+    out.line("A step of time lands late by up to a step and heals the penetration over several more: a quarter of the step is a quarter of the error. Events are exact up to the interpolation of the points.");
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::{cams, scene, worst_force_error};
 use gaitcam::cam::Cam;
-use gaitcam::dynamics::{Model, Outcome, simulate, thesis};
+use gaitcam::dynamics::{Model, Outcome, Row, simulate, thesis};
 use gaitcam::error::Result;
 
 /// One curve of a picture.
@@ -42,33 +42,14 @@ pub fn pictures() -> Result<Vec<Picture>> {
             ("ideal", thesis::ideal(thesis::SPEED)),
         ] {
             let out = simulate(&scene(&cam, drive), Model::Rigid)?;
-            torques.push(Curve {
-                name: format!("{name}, {machine}"),
-                points: out
-                    .rows
-                    .iter()
-                    .map(|r| (r.theta.to_degrees(), r.torque))
-                    .collect(),
-            });
-            forces.push(Curve {
-                name: format!("{name}, {machine}"),
-                points: out
-                    .rows
-                    .iter()
-                    .map(|r| (r.theta.to_degrees(), r.contact_force))
-                    .collect(),
-            });
+            let name = format!("{name}, {machine}");
+            torques.push(over_the_turn(name.clone(), &out, |r| r.torque));
+            forces.push(over_the_turn(name, &out, |r| r.contact_force));
         }
         for e in [0.0, 0.5] {
             let out = bouncing(&cam, fast, e)?;
-            lifted.push(Curve {
-                name: format!("{name}, {fast} rad/s, e = {e}"),
-                points: out
-                    .rows
-                    .iter()
-                    .map(|r| (r.theta.to_degrees(), 1e3 * r.gap))
-                    .collect(),
-            });
+            let name = format!("{name}, {fast} rad/s, e = {e}");
+            lifted.push(over_the_turn(name, &out, |r| 1e3 * r.gap));
         }
     }
     let errors = cams()
@@ -126,6 +107,14 @@ pub fn pictures() -> Result<Vec<Picture>> {
             errors,
         ),
     ])
+}
+
+fn over_the_turn(name: String, out: &Outcome, value: fn(&Row) -> f64) -> Curve {
+    let points = out.rows.iter().map(|r| (r.theta.to_degrees(), value(r)));
+    Curve {
+        name,
+        points: points.collect(),
+    }
 }
 
 fn bouncing(cam: &Cam, speed: f64, e: f64) -> Result<Outcome> {

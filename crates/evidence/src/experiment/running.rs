@@ -1,18 +1,14 @@
 //! Steady running: force and torque, the points' error, and a contour drawn by hand.
 
 use super::outline::recover_outline;
-use super::{cams, line, picture, scene, worst_force_error};
+use super::{Page, cams, scene, worst_force_error};
 use gaitcam::dynamics::simulate;
 use gaitcam::dynamics::{Model, rigid, thesis};
 use gaitcam::error::Result;
 
-pub(super) fn steady_running(out: &mut String) -> Result<()> {
-    line(out, "## Steady running at 11.624 rad/s\n");
-    line(
-        out,
-        "| cam | machine | smallest force N | largest N | largest error against the law N | torque N·m | RMS N·m |",
-    );
-    line(out, "|---|---|---|---|---|---|---|");
+pub(super) fn steady_running(out: &mut Page) -> Result<()> {
+    out.line("## Steady running at 11.624 rad/s\n");
+    out.table("cam | machine | smallest force N | largest N | largest error against the law N | torque N·m | RMS N·m");
     for (name, cam, _) in cams() {
         for (machine, drive) in [
             ("real (axis moves)", thesis::real(thesis::SPEED)),
@@ -27,20 +23,17 @@ pub(super) fn steady_running(out: &mut String) -> Result<()> {
                 .iter()
                 .map(|r| (r.contact_force - drive.force(cam.law.svaj(r.theta))).abs())
                 .fold(0.0, f64::max);
-            line(
-                out,
-                &format!(
-                    "| {name} | {machine} | {:.5} | {:.5} | {error:.1e} | {:+.5} … {:+.5} | {:.5} |",
-                    rigid.force.min,
-                    rigid.force.max,
-                    rigid.torque.min,
-                    rigid.torque.max,
-                    rigid.torque.rms
-                ),
-            );
+            out.line(format_args!(
+                "| {name} | {machine} | {:.5} | {:.5} | {error:.1e} | {:+.5} … {:+.5} | {:.5} |",
+                rigid.force.min,
+                rigid.force.max,
+                rigid.torque.min,
+                rigid.torque.max,
+                rigid.torque.rms
+            ));
         }
     }
-    line(out, "");
+    out.line("");
     for (name, cam, _) in cams() {
         let run = scene(&cam, thesis::real(thesis::SPEED));
         let (rigid, contact) = (
@@ -54,38 +47,25 @@ pub(super) fn steady_running(out: &mut String) -> Result<()> {
             .map(|(a, b)| (a.contact_force - b.contact_force).abs())
             .fold(0.0, f64::max);
         let preload = rigid::least_preload(&cam.law, &thesis::ideal(thesis::SPEED), 0.0);
-        line(
-            out,
-            &format!(
-                "- {name}: rigid and contact model of the real machine differ by at most {difference:.1e} N. The ideal machine pulls where its force is negative: it needs a preload of {preload:.4} N to stay on the cam."
-            ),
-        );
+        out.line(format_args!(
+                "- {name}: rigid and contact model of the real machine differ by at most {difference:.1e} N. The ideal machine pulls where its force is negative: it needs a preload of {preload:.4} N to stay on the cam."));
     }
-    line(out, "");
-    picture(
-        out,
+    out.line("");
+    out.picture(
         "dynamics_force",
         "Contact force of both cams in both machines over the cam angle",
     );
-    picture(
-        out,
+    out.picture(
         "dynamics_torque",
         "Shaft torque of both cams in both machines over the cam angle",
     );
     Ok(())
 }
 
-pub(super) fn convergence(out: &mut String) -> Result<()> {
-    line(out, "## Points per turn\n");
-    line(
-        out,
-        "Largest force error at 20 rad/s between the points, and the order from one row to the next.\n",
-    );
-    line(
-        out,
-        "| points | eccentric N | order | double harmonic N | order |",
-    );
-    line(out, "|---|---|---|---|---|");
+pub(super) fn convergence(out: &mut Page) -> Result<()> {
+    out.line("## Points per turn\n");
+    out.line("Largest force error at 20 rad/s between the points, and the order from one row to the next.\n");
+    out.table("points | eccentric N | order | double harmonic N | order");
     let mut before: Option<[f64; 2]> = None;
     for n in [360, 720, 1440, 2880, 5760] {
         let now = [
@@ -94,29 +74,22 @@ pub(super) fn convergence(out: &mut String) -> Result<()> {
         ];
         let order =
             |k: usize| before.map_or("".to_string(), |b| format!("{:.2}", (b[k] / now[k]).log2()));
-        line(
-            out,
-            &format!(
-                "| {n} | {:.2e} | {} | {:.2e} | {} |",
-                now[0],
-                order(0),
-                now[1],
-                order(1)
-            ),
-        );
+        out.line(format_args!(
+            "| {n} | {:.2e} | {} | {:.2e} | {} |",
+            now[0],
+            order(0),
+            now[1],
+            order(1)
+        ));
         before = Some(now);
     }
-    line(
-        out,
-        "\n![Largest force error against points per turn](dynamics_convergence.png)\n\nBeyond about 1000 points rounding of the coordinates, not interpolation, sets the error.\n",
-    );
+    out.line("\n![Largest force error against points per turn](dynamics_convergence.png)\n\nBeyond about 1000 points rounding of the coordinates, not interpolation, sets the error.\n");
     Ok(())
 }
 
-pub(super) fn hand_drawn(out: &mut String) -> Result<()> {
-    line(out, "## A contour drawn by hand\n");
-    line(
-        out,
+pub(super) fn hand_drawn(out: &mut Page) -> Result<()> {
+    out.line("## A contour drawn by hand\n");
+    out.line(
         "Forty points of the double harmonic rounded to 0.1 mm, as a mouse would place them.\n",
     );
     let cam = thesis::double_harmonic();
@@ -126,8 +99,7 @@ pub(super) fn hand_drawn(out: &mut String) -> Result<()> {
         .map(|p| [(p.x * 1e4).round() / 1e4, (p.y * 1e4).round() / 1e4])
         .collect();
     let drive = thesis::real(thesis::SPEED);
-    line(out, "| smoothing tolerance mm | answer |");
-    line(out, "|---|---|");
+    out.table("smoothing tolerance mm | answer");
     for tolerance in [1e-6, 1e-4, 2e-4, 4e-4] {
         let answer = match recover_outline(&outline, thesis::BASE_RADIUS, tolerance) {
             Err(error) => format!("refused: {error}"),
@@ -143,14 +115,10 @@ pub(super) fn hand_drawn(out: &mut String) -> Result<()> {
                 )
             }
         };
-        line(out, &format!("| {} | {answer} |", 1e3 * tolerance));
+        out.line(format_args!("| {} | {answer} |", 1e3 * tolerance));
     }
     let hop = (gaitcam::units::G / (thesis::BASE_RADIUS + thesis::LIFT)).sqrt();
-    line(
-        out,
-        &format!(
-            "\nUnsmoothed, a polyline rocks from facet to facet: on a corner at height d the force is M(g − ω²d) and every facet of length L strikes with MωL. It hops above √(g/d) = {hop:.2} rad/s however fine it is; this is where the spikes of the thesis's figures 67 and 70 come from.\n"
-        ),
-    );
+    out.line(format_args!(
+            "\nUnsmoothed, a polyline rocks from facet to facet: on a corner at height d the force is M(g − ω²d) and every facet of length L strikes with MωL. It hops above √(g/d) = {hop:.2} rad/s however fine it is; this is where the spikes of the thesis's figures 67 and 70 come from.\n"));
     Ok(())
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix4, Vector4};
 
 use super::Watch;
-use crate::chart::{Across, Chart};
+use crate::chart::Chart;
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::linear::Linear;
@@ -198,13 +198,12 @@ pub fn vibration(watch: &Watch) -> Result<Chart> {
     let law = Law::harmonic(0.0, &[(0.0, 1.0)]);
     let forcing = law.combination([1.0, 0.0, 0.0, 0.0], 0.0);
     let (z, timing) = watch.time(|| pieces(&forcing));
-    let mut row = timing.row(
+    let row = timing.row(
         "closed form",
         format!("{} pieces", forcing.pieces()),
         distance(z),
     );
-    row.default = true;
-    rows.push(row);
+    rows.push(row.by_default());
     let drive = Drive::moving_axis(1.0, 9.81, 11.624);
     let train = Train::from_frequency(&drive, RATIO * drive.speed / TURN, ZETA)?;
     let (settled, timing) = watch.time(|| steady(&law, &drive, &train));
@@ -223,10 +222,9 @@ pub fn vibration(watch: &Watch) -> Result<Chart> {
         title: "(d1) A follower that rings".to_string(),
         task: format!("One mass, natural frequency {RATIO} times the cam's speed, damping ratio {ZETA}, from rest over one turn of a sine; RK4 is unstable below 19 steps, leapfrog below 27."),
         error: "error of the state after one turn, part of the response".to_string(),
-        across: Across::Time,
-        levels: Vec::new(),
         advice: "Take the closed form: no step to choose, no stability limit, exact to rounding, and quicker than an adaptive integrator at 1e-7 (benches/ode has a crate's); a fixed-step RK4 of 100 steps a turn is enough where a quick look will do.".to_string(),
         rows,
+        ..Chart::default()
     })
 }
 
@@ -315,21 +313,20 @@ pub fn flight(watch: &Watch) -> Result<Chart> {
     let plastic = 0.0;
     let (run, timing) = watch.time(|| contact::run(&surfaces, &drive, plastic, &once));
     let at = run.impacts.first().map_or(f64::NAN, |i| i.at);
-    let mut row = timing.row(
+    let row = timing.row(
         "event-driven, flight in closed form",
         "one turn",
         (at - truth).abs(),
     );
-    row.default = true;
-    rows.push(row);
+    rows.push(row.by_default());
     Ok(Chart {
         file: "speed_accuracy_d2".to_string(),
         title: "(d2) A follower that flies".to_string(),
         task: format!("Eccentric of 10 mm under a free mass at {FAST} rad/s: it leaves at 53.208° and lands at {:.6}°.", truth.to_degrees()),
         error: "error of the landing angle, rad".to_string(),
-        across: Across::Time,
         levels: vec![(f64::to_radians(0.1), "0.1°".to_string())],
         advice: "Take the event-driven run: a step that finds the landing to a hundredth of a degree is already slower.".to_string(),
         rows,
+        ..Chart::default()
     })
 }

@@ -5,7 +5,7 @@ use std::hint::black_box;
 use nalgebra::{DMatrix, DVector};
 
 use super::{Watch, footbridge, force_error, reference, rms_error};
-use crate::chart::{Across, Chart, Row};
+use crate::chart::{Chart, Row};
 use crate::tiers::{Task, first_rung, spectral};
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
 use gaitcam::drive::Drive;
@@ -53,10 +53,10 @@ pub fn smooth(watch: &Watch) -> Result<Chart> {
         title: "(a1) Force to law, smooth force".to_string(),
         task: "Young's load of both feet at 1.85 Hz, 1024 samples, moving axis; laws without limits. Times run from the samples to a profile of 1440 points (for the textbook methods: 1440 values).".to_string(),
         error: ERROR.to_string(),
-        across: Across::Time,
         levels: levels(),
         advice: "Take the default: without a family named, harmonics in closed form as far as the accuracy asks, the fastest and the nearest; limits, dwells and points that harmonics break hand over to a spline, which they can bend locally.".to_string(),
         rows,
+        ..Chart::default()
     })
 }
 
@@ -134,10 +134,10 @@ pub fn heel(watch: &Watch) -> Result<Chart> {
         title: "(a2) Force to law, heel strike and swing".to_string(),
         task: "One foot of the ISO 22675 load, 824 N, with a heel transient of 30 %, 1024 samples a stride, lift proportional to force; laws without limits. Times run from the samples to a profile of 1440 points (for the textbook methods: 1440 values). Polynomials stand on the stance alone.".to_string(),
         error: ERROR.to_string(),
-        across: Across::Time,
         levels: levels(),
         advice: "Take the default here too: harmonics in closed form, as many as the accuracy asks, cost less than any spline of equal error; where a limit binds take a quartic spline of 64 spans, or a quintic where the jerk itself must be smooth; one polynomial through critical points overshoots.".to_string(),
         rows,
+        ..Chart::default()
     })
 }
 
@@ -182,9 +182,8 @@ fn harmonics(
     let (law, timing) = watch.time(|| first_rung(target, drive, wanted).map(with_profile));
     let law = law?.0;
     let size = format!("{}, chosen", law.waves(0).len());
-    let mut row = timing.row("harmonics", size, force_error(&drive, &law, target));
-    row.default = true;
-    rows.push(row);
+    let row = timing.row("harmonics", size, force_error(&drive, &law, target));
+    rows.push(row.by_default());
     Ok(())
 }
 

@@ -3,7 +3,7 @@
 use std::ops::{Add, Mul};
 
 use super::Watch;
-use crate::chart::{Across, Chart};
+use crate::chart::Chart;
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
@@ -35,28 +35,20 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
     let (radii, timing) = watch.time(|| all(|theta| by_jets(&cam, theta)));
     rows.push(timing.row("second-order dual numbers", "exact rules", worst(&radii)));
     let (radii, timing) = watch.time(|| all(|theta| cam.point(theta).rho));
-    let mut row = timing.row("closed form", "one point at a time", worst(&radii));
-    row.note = "x, y, pressure angle included".to_string();
-    rows.push(row);
-    let (radii, timing) = watch.time(|| {
-        cam.profile(ANGLES)
-            .iter()
-            .map(|p| p.rho)
-            .collect::<Vec<f64>>()
-    });
-    let mut row = timing.row("closed form", "whole profile", worst(&radii));
-    row.default = true;
-    row.note = "x, y, pressure angle included".to_string();
-    rows.push(row);
+    let row = timing.row("closed form", "one point at a time", worst(&radii));
+    rows.push(row.noted("x, y, pressure angle included"));
+    let radii = || -> Vec<f64> { cam.profile(ANGLES).iter().map(|p| p.rho).collect() };
+    let (radii, timing) = watch.time(radii);
+    let row = timing.row("closed form", "whole profile", worst(&radii));
+    rows.push(row.by_default().noted("x, y, pressure angle included"));
     Ok(Chart {
         file: "speed_accuracy_c".to_string(),
         title: "(c) Curvature of the profile".to_string(),
         task: format!("Radius of curvature at {ANGLES} angles of an eccentric disc of 30 mm, 10 mm off centre, under a flat face: the truth is the disc's radius."),
         error: "largest relative error of the radius".to_string(),
-        across: Across::Time,
-        levels: Vec::new(),
         advice: "Take the closed form: it is the fastest and exact to rounding; differences are worst where they are finest.".to_string(),
         rows,
+        ..Chart::default()
     })
 }
 

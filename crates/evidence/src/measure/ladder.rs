@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use super::limits::violation;
-use super::{Watch, footbridge, force_error};
+use super::{Timing, Watch, footbridge, force_error};
 use crate::chart::{self, Across, Chart, Row};
 use crate::tiers::{self, Bound, Task};
 use gaitcam::cam::smallest_prime_circle;
@@ -31,13 +31,30 @@ struct Line {
     against: &'static str,
 }
 
+impl Line {
+    fn new(
+        tier: &'static str,
+        problem: impl Into<String>,
+        timing: &Timing,
+        error: f64,
+        against: &'static str,
+    ) -> Line {
+        Line {
+            tier,
+            problem: problem.into(),
+            seconds: timing.median,
+            quartiles: timing.quartiles,
+            error,
+            against,
+        }
+    }
+}
+
 /// Measures the table and the picture and writes ladder.md, ladder.csv, ladder_spans.svg and .png.
 pub fn write(watch: &Watch, folder: &Folder, machine: &str) -> Result<()> {
     let lines = [closed_forms(watch)?, programs(watch)?, scenes(watch)?].concat();
     let spans = against_spans(watch)?;
-    let picture = chart::picture(&spans);
-    folder.write("ladder_spans.svg", picture.svg().as_bytes())?;
-    folder.write("ladder_spans.png", &picture.png())?;
+    chart::write_picture(folder, &spans.file, &chart::picture(&spans))?;
     folder.write("ladder.csv", csv(&lines, &spans).as_bytes())?;
     folder.write("ladder.md", page(&lines, &spans, machine).as_bytes())
 }
@@ -50,27 +67,25 @@ fn closed_forms(watch: &Watch) -> Result<Vec<Line>> {
         .collect();
     let thousand = ForceCurve::from_samples("1000 samples", target.period_s, samples)?;
     let (law, timing) = watch.time(|| tiers::spectral(&thousand, drive, 20));
-    let mut out = vec![Line {
-        tier: "spectral",
-        problem: "footbridge force, 1000 samples, 20 harmonics".to_string(),
-        seconds: timing.median,
-        quartiles: timing.quartiles,
-        error: force_error(&drive, &law?, &target),
-        against: "the force, RMS of the mean",
-    }];
+    let mut out = vec![Line::new(
+        "spectral",
+        "footbridge force, 1000 samples, 20 harmonics",
+        &timing,
+        force_error(&drive, &law?, &target),
+        "the force, RMS of the mean",
+    )];
     let hump = hump(PI / 3.0)?;
     let limit = PI / 6.0;
     let (circle, timing) = watch.time(|| smallest_prime_circle(&hump, limit, limit, Some(0.0)));
     // 3-4-5 rise and fall of 60° each, 30° on both sides, no offset.
     let exact = 2.636_48;
-    out.push(Line {
-        tier: "prime circle",
-        problem: "3-4-5 rise and fall of 60°, 30° on both sides".to_string(),
-        seconds: timing.median,
-        quartiles: timing.quartiles,
-        error: (circle.radius / exact - 1.0).abs(),
-        against: "2.63648 (five digits)",
-    });
+    out.push(Line::new(
+        "prime circle",
+        "3-4-5 rise and fall of 60°, 30° on both sides",
+        &timing,
+        (circle.radius / exact - 1.0).abs(),
+        "2.63648 (five digits)",
+    ));
     Ok(out)
 }
 
@@ -95,23 +110,16 @@ fn hump(angle: f64) -> Result<Law> {
 /// One factorisation, the certified program by both methods, and the cheaper ways between samples.
 fn programs(watch: &Watch) -> Result<Vec<Line>> {
     let (target, drive) = footbridge()?;
-    let free = Task {
-        target: &target,
-        drive,
-        degree: 5,
-        spans: SPANS,
-        bounds: &[],
-    };
+    let free = Task::quintic(&target, drive, SPANS);
     let (law, timing) = watch.time(|| free.free());
     let law = law?.law;
-    let mut out = vec![Line {
-        tier: "equality",
-        problem: format!("footbridge force, quintic, {SPANS} spans"),
-        seconds: timing.median,
-        quartiles: timing.quartiles,
-        error: force_error(&drive, &law, &target),
-        against: "the force, RMS of the mean",
-    }];
+    let mut out = vec![Line::new(
+        "equality",
+        format!("footbridge force, quintic, {SPANS} spans"),
+        &timing,
+        force_error(&drive, &law, &target),
+        "the force, RMS of the mean",
+    )];
     let peak = |order: usize| {
         let (low, high) = law.extremes(order);
         high.value.max(-low.value)
@@ -134,22 +142,20 @@ fn programs(watch: &Watch) -> Result<Vec<Line>> {
             "the same, acceleration and jerk held to {:.0} %",
             100.0 * part
         );
-        out.push(Line {
-            tier: "qp",
-            problem: format!("{what}: active set"),
-            seconds: timing.median,
-            quartiles: timing.quartiles,
-            error: violation(&ours, bounds[1].most),
-            against: "the jerk limit on a dense scan",
-        });
-        out.push(Line {
-            tier: "qp",
-            problem: format!("{what}: interior point"),
-            seconds: slower.median,
-            quartiles: slower.quartiles,
-            error: apart,
-            against: "force error of the active set",
-        });
+        out.push(Line::new(
+            "qp",
+            format!("{what}: active set"),
+            &timing,
+            violation(&ours, bounds[1].most),
+            "the jerk limit on a dense scan",
+        ));
+        out.push(Line::new(
+            "qp",
+            format!("{what}: interior point"),
+            &slower,
+            apart,
+            "force error of the active set",
+        ));
     }
     Ok(out)
 }
@@ -182,17 +188,16 @@ fn scenes(watch: &Watch) -> Result<Vec<Line>> {
             .solver
             .certificate
             .map_or(f64::NAN, |c| c.relative_gap);
-        out.push(Line {
-            tier: design.solver.tier.name(),
-            problem: format!(
+        out.push(Line::new(
+            design.solver.tier.name(),
+            format!(
                 "heel_tester_fitted, size minimised, {roller}: prime radius {:.3} mm",
                 1e3 * design.cam.follower.prime_radius()
             ),
-            seconds: timing.median,
-            quartiles: timing.quartiles,
-            error: gap,
-            against: "its own dual bound",
-        });
+            &timing,
+            gap,
+            "its own dual bound",
+        ));
     }
     Ok(out)
 }
@@ -207,15 +212,9 @@ fn against_spans(watch: &Watch) -> Result<Chart> {
     };
     let mut rows = Vec::new();
     for &spans in sizes {
-        let free = Task {
-            target: &target,
-            drive,
-            degree: 5,
-            spans,
-            bounds: &[],
-        };
+        let free = Task::quintic(&target, drive, spans);
         let (answer, timing) = watch.time(|| free.free());
-        let mut push = |method: &str, timing: super::Timing| {
+        let mut push = |method: &str, timing: Timing| {
             let seconds = timing.median;
             let row = timing.row(method, format!("{spans} spans"), seconds);
             rows.push(Row {
@@ -242,9 +241,9 @@ fn against_spans(watch: &Watch) -> Result<Chart> {
         task: "Quintic splines on the footbridge force of 1024 samples.".to_string(),
         error: "time of one run, s, median".to_string(),
         across: Across::Spans,
-        levels: Vec::new(),
         advice: "One factorisation costs in proportion to the spans. With a limit the cost grows with the places where it touches. A cam needs 8 to 60.".to_string(),
         rows,
+        ..Chart::default()
     })
 }
 

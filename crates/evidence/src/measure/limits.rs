@@ -1,7 +1,7 @@
 //! Chart (b): a limit between the points at which it is written down.
 
 use super::{Watch, footbridge, force_error};
-use crate::chart::{Across, Chart};
+use crate::chart::Chart;
 use crate::tiers::{Between, Bound, Settings, Task};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
@@ -19,13 +19,7 @@ pub fn violation(law: &Law, most: f64) -> f64 {
 /// A jerk limit on a quintic of 32 spans, held in every way.
 pub fn chart(watch: &Watch) -> Result<Chart> {
     let (target, drive) = footbridge()?;
-    let free = Task {
-        target: &target,
-        drive,
-        degree: 5,
-        spans: SPANS,
-        bounds: &[],
-    };
+    let free = Task::quintic(&target, drive, SPANS);
     let (low, high) = free.free()?.law.extremes(3);
     let most = ALLOWED * high.value.max(-low.value);
     let bounds = [Bound { order: 3, most }];
@@ -71,9 +65,8 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
         );
     }
     let (answer, timing) = watch.time(|| task.exchange());
-    let mut row = timing.row("exchange at exact extrema", format!("{SPANS} spans"), 0.0);
-    row.default = true;
-    push(row, &answer?.law);
+    let row = timing.row("exchange at exact extrema", format!("{SPANS} spans"), 0.0);
+    push(row.by_default(), &answer?.law);
     Ok(Chart {
         file: "speed_accuracy_b".to_string(),
         title: "(b) Limits between samples".to_string(),
@@ -82,9 +75,8 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
             100.0 * ALLOWED
         ),
         error: "larger of: true excess over the limit, force error beyond the best possible (both relative)".to_string(),
-        across: Across::Time,
-        levels: Vec::new(),
         advice: "Take the exchange, the default: certified on the continuum, exact, and faster than Bernstein rows, cones and every sampling; samples alone promise nothing between them.".to_string(),
         rows,
+        ..Chart::default()
     })
 }

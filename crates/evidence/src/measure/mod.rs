@@ -55,9 +55,7 @@ pub fn write(quick: bool, out: &Path, say: &mut dyn FnMut(&str)) -> Result<()> {
         charts.push(chart);
     }
     for c in &charts {
-        let picture = chart::picture(c);
-        folder.write(&format!("{}.svg", c.file), picture.svg().as_bytes())?;
-        folder.write(&format!("{}.png", c.file), &picture.png())?;
+        chart::write_picture(&folder, &c.file, &chart::picture(c))?;
     }
     folder.write("speed_accuracy.csv", chart::csv(&charts).as_bytes())?;
     let machine = machine(quick);
@@ -168,9 +166,7 @@ impl Timing {
             seconds: self.median,
             quartiles: self.quartiles,
             runs: self.runs,
-            points: None,
-            default: false,
-            note: String::new(),
+            ..Row::default()
         }
     }
 }

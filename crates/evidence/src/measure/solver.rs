@@ -2,7 +2,7 @@
 
 use super::limits::violation;
 use super::{Watch, footbridge, force_error};
-use crate::chart::{Across, Chart, Row};
+use crate::chart::{Chart, Row};
 use crate::tiers::{Answer, Between, Bound, Settings, Task};
 use gaitcam::drive::Drive;
 use gaitcam::error::Result;
@@ -40,13 +40,7 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
         &[16, 32, 64, 128]
     };
     for &spans in sizes {
-        let free = Task {
-            target: &target,
-            drive,
-            degree: 5,
-            spans,
-            bounds: &[],
-        };
+        let free = Task::quintic(&target, drive, spans);
         let (low, high) = free.free()?.law.extremes(3);
         let most = 0.6 * high.value.max(-low.value);
         let bounds = [Bound { order: 3, most }];
@@ -68,16 +62,9 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
             most,
             error,
         };
-        let mut row = truth.judge(
-            timing.row(
-                "gaitcam: exchange and polish",
-                format!("{spans} spans"),
-                0.0,
-            ),
-            &answer,
-        );
-        row.default = true;
-        rows.push(row);
+        let size = format!("{spans} spans");
+        let row = timing.row("gaitcam: exchange and polish", size, 0.0);
+        rows.push(truth.judge(row.by_default(), &answer));
         settings(watch, &task, &truth, &mut rows)?;
     }
     Ok(Chart {
@@ -85,59 +72,27 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
         title: "(e) Solver settings".to_string(),
         task: "Jerk held to 60 % of the free law's on the footbridge force; all rows at once as exact cones, against the exchange of rows. Settings as named, otherwise 1e-9 with equilibration, presolve and refinement; times include the setting up unless said.".to_string(),
         error: "larger of: true excess over the limit, difference of the force error from the exact cones' at 1e-11 (both relative)".to_string(),
-        across: Across::Time,
-        levels: Vec::new(),
         advice: "Take the default, the exchange of rows with a dual active set: several times faster than the interior point under any setting and exact to 1e-9; of the settings, refinement off saves a third at equal error, equilibration off loses digits.".to_string(),
         rows,
+        ..Chart::default()
     })
 }
 
 fn settings(watch: &Watch, task: &Task, truth: &Truth, rows: &mut Vec<Row>) -> Result<()> {
     let usual = Settings::default();
+    let tolerance = |tolerance| Settings { tolerance, ..usual };
+    let (mut unscaled, mut whole, mut unrefined) = (usual, usual, usual);
+    unscaled.equilibrate = false;
+    whole.presolve = false;
+    unrefined.refine = false;
     let variants = [
-        (
-            "tolerance 1e-4",
-            Settings {
-                tolerance: 1e-4,
-                ..usual
-            },
-        ),
-        (
-            "tolerance 1e-6",
-            Settings {
-                tolerance: 1e-6,
-                ..usual
-            },
-        ),
+        ("tolerance 1e-4", tolerance(1e-4)),
+        ("tolerance 1e-6", tolerance(1e-6)),
         ("tolerance 1e-9", usual),
-        (
-            "tolerance 1e-11",
-            Settings {
-                tolerance: 1e-11,
-                ..usual
-            },
-        ),
-        (
-            "no equilibration",
-            Settings {
-                equilibrate: false,
-                ..usual
-            },
-        ),
-        (
-            "no presolve",
-            Settings {
-                presolve: false,
-                ..usual
-            },
-        ),
-        (
-            "no refinement",
-            Settings {
-                refine: false,
-                ..usual
-            },
-        ),
+        ("tolerance 1e-11", tolerance(1e-11)),
+        ("no equilibration", unscaled),
+        ("no presolve", whole),
+        ("no refinement", unrefined),
     ];
     let size = format!("{} spans", task.spans);
     for (name, settings) in variants {
@@ -152,10 +107,7 @@ fn settings(watch: &Watch, task: &Task, truth: &Truth, rows: &mut Vec<Row>) -> R
         });
     }
     let conic = task.conic(Between::Cone)?;
-    let mut prepared = conic.prepare(Settings {
-        presolve: false,
-        ..usual
-    })?;
+    let mut prepared = conic.prepare(whole)?;
     let linear = conic.linear_part(task);
     let (answer, timing) = watch.time(|| {
         prepared.update(&linear)?;

@@ -1,6 +1,6 @@
 //! Bautista Morelos (2018): the desmodromic barrel cam (theory §4).
 
-use super::{Class, LAST_DIGITS, Row, Rows};
+use super::{Class, Row, Rows};
 use gaitcam::cam::{BarrelGroove, Rollers, Wall};
 use gaitcam::error::Result;
 use gaitcam::law::{Extent, Rise, Segment, program};
@@ -55,14 +55,8 @@ pub(super) fn rows() -> Result<Vec<Row>> {
         let theta = f64::to_radians(degrees);
         let at = law.svaj(theta);
         let here = |what: &str| format!("{what} at {degrees}°");
-        rows.add(&here("lift"), "mm", s, 1e3 * at.s, LAST_DIGITS);
-        rows.add(
-            &here("velocity"),
-            "mm/s",
-            v,
-            1e3 * at.v * SPEED,
-            LAST_DIGITS,
-        );
+        rows.stated(&here("lift"), "mm", s, 1e3 * at.s);
+        rows.stated(&here("velocity"), "mm/s", v, 1e3 * at.v * SPEED);
         rows.add(
             &here("acceleration"),
             "mm/s²",
@@ -72,28 +66,21 @@ pub(super) fn rows() -> Result<Vec<Row>> {
         );
         let angle = |radius: f64| groove.pressure_angle(theta, radius).to_degrees();
         let reason = "at 21 mm, the floor of the groove; the text says 30 mm";
-        rows.add(
-            &here("pressure angle, R = 21 mm"),
-            "°",
-            phi,
-            angle(FLOOR),
-            LAST_DIGITS,
-        );
-        rows.add(
+        rows.stated(&here("pressure angle, R = 21 mm"), "°", phi, angle(FLOOR));
+        rows.misprint(
             &here("pressure angle, R = 30 mm as the text says"),
             "°",
             phi,
             angle(SURFACE),
-            (Class::Misprint, reason),
+            reason,
         );
         if !rho.is_empty() {
             let value = groove.rho_wall(theta, FLOOR, wall).abs();
-            rows.add(
+            rows.stated(
                 &here("radius of the groove's wall, R = 21 mm, roller 5 mm"),
                 "mm",
                 rho,
                 1e3 * value,
-                LAST_DIGITS,
             );
             let text = groove.rho_pitch(theta, SURFACE).abs();
             rows.add(
@@ -130,12 +117,12 @@ pub(super) fn rows() -> Result<Vec<Row>> {
     );
     let cycloidal = Rise::Cycloidal.factors()?.cj;
     let printed = format!("{:.3}", 4.0 * std::f64::consts::PI.powi(4));
-    rows.add(
+    rows.misprint(
         "cycloidal: jerk factor, printed 4π⁴",
         "",
         &printed,
         cycloidal,
-        (Class::Misprint, "it must be 4π²"),
+        "it must be 4π²",
     );
     let seven = Rise::Poly4567.factors()?;
     let missing = "v, a, j are printed without 1/β, 1/β², 1/β³: right for β = 1 only";

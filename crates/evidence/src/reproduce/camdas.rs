@@ -1,6 +1,6 @@
 //! CAM-DAS: what its manual prints of its examples (theory §5), and misprints of its formulae.
 
-use super::{Class, LAST_DIGITS, Row, Rows, strip};
+use super::{Class, Row, Rows, strip};
 use gaitcam::cam::{Cam, Closure, Conjugate, Follower, ProfilePoint};
 use gaitcam::error::Result;
 use gaitcam::law::{Extent, Law, Rise, Segment, constant_breadth, program};
@@ -112,12 +112,11 @@ fn kinematics(rows: &mut Rows) -> Result<()> {
         (Rise::Poly4567, -60.0, "-125.33", "fall by 4-5-6-7"),
     ] {
         let value = lift * rise.factors()?.cv / 60f64.to_radians();
-        rows.add(
+        rows.stated(
             &format!("fig. 8.19, 60 mm in 60°, {name}: velocity"),
             "mm/rad",
             stated,
             value,
-            LAST_DIGITS,
         );
     }
     Ok(())
@@ -179,12 +178,11 @@ fn geometry(rows: &mut Rows) -> Result<()> {
     let first = Cam::new(double, Follower::FlatTranslating { base_radius: 0.045 })?;
     let pair = Conjugate::new(&first, Closure::Distance(0.225), None)?;
     let second = pair.second.follower.base_radius();
-    rows.add(
+    rows.stated(
         "Ejemplo8DA: second base radius at 225 mm",
         "mm",
         "80",
         mm * second,
-        LAST_DIGITS,
     );
     let spread = (0..3600).map(|i| pair.sum(f64::from(i) * TAU / 3600.0) - pair.total);
     let spread = spread.fold(0.0_f64, |w, x| w.max(x.abs()));
@@ -292,12 +290,11 @@ fn formulae(rows: &mut Rows) -> Result<()> {
             "it does not rest at its ends (v = −1/56); with 1/81 it does: freudenstein-1-3-at-rest",
         ),
     );
-    rows.add(
+    rows.stated(
         "Freudenstein 1-3 with 1/81: speed at the ends",
         "h/β",
         "0.000",
         Rise::Freudenstein13AtRest.ends()?.start.at.v,
-        LAST_DIGITS,
     );
     // An arm's start angle from its sine: CAM-DAS §4.2.4 prints arctan of the ratio.
     let (base, pivot) = (0.03, 0.05);

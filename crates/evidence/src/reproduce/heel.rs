@@ -1,6 +1,6 @@
 //! Vargas and León (2024): the hydraulic heel tester (theory §2).
 
-use super::{Class, LAST_DIGITS, Row, Rows, strip};
+use super::{Class, Row, Rows, strip};
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::Drive;
 use gaitcam::error::Result;
@@ -65,13 +65,7 @@ pub(super) fn rows() -> Result<Vec<Row>> {
         (8, "-2201.126"),
     ] {
         let value = coefficients[k] / INCH;
-        rows.add(
-            &format!("coefficient C{k}"),
-            "in",
-            stated,
-            value,
-            LAST_DIGITS,
-        );
+        rows.stated(&format!("coefficient C{k}"), "in", stated, value);
     }
     let force = |degrees: f64| drive_given.force(law.svaj(degrees.to_radians())) / LBF;
     let (_, top) = law.extremes(0);
@@ -85,9 +79,9 @@ pub(super) fn rows() -> Result<Vec<Row>> {
         peak,
         (Class::Rounding, &reason),
     );
-    rows.add("its angle", "°", "74", top.at.to_degrees(), LAST_DIGITS);
-    rows.add("its time", "s", "0.1", top.at / SPEED, LAST_DIGITS);
-    rows.add("largest lift", "in", "1.347", top.value / INCH, LAST_DIGITS);
+    rows.stated("its angle", "°", "74", top.at.to_degrees());
+    rows.stated("its time", "s", "0.1", top.at / SPEED);
+    rows.stated("largest lift", "in", "1.347", top.value / INCH);
     let valley = law
         .combination([0.0, 1.0, 0.0, 0.0], 0.0)
         .roots()
@@ -102,13 +96,7 @@ pub(super) fn rows() -> Result<Vec<Row>> {
         valley.0.to_degrees()
     );
     let there = law.svaj(135f64.to_radians()).s / INCH;
-    rows.add(
-        "lift at 135°",
-        "in",
-        "0.835",
-        there,
-        (Class::Misprint, &reason),
-    );
+    rows.misprint("lift at 135°", "in", "0.835", there, &reason);
     let cam = Cam {
         law: law.clone(),
         follower: Follower::RollerTranslating {
@@ -118,19 +106,17 @@ pub(super) fn rows() -> Result<Vec<Row>> {
         },
     };
     let (low, high) = cam.pressure_angle_extremes();
-    rows.add(
+    rows.stated(
         "largest pressure angle",
         "°",
         "26.6",
         high.value.to_degrees(),
-        LAST_DIGITS,
     );
-    rows.add(
+    rows.stated(
         "smallest pressure angle",
         "°",
         "-25.7",
         low.value.to_degrees(),
-        LAST_DIGITS,
     );
     let timed = |order: usize, speed: f64| {
         let (low, high) = law.extremes(order);
@@ -154,15 +140,9 @@ pub(super) fn rows() -> Result<Vec<Row>> {
         speed.1,
         (Class::Rounding, &reason),
     );
-    rows.add("its angle", "°", "37", speed.2, LAST_DIGITS);
+    rows.stated("its angle", "°", "37", speed.2);
     let fast = timed(2, SPEED);
-    rows.add(
-        "largest acceleration",
-        "in/s²",
-        "685.5",
-        fast.1,
-        LAST_DIGITS,
-    );
+    rows.stated("largest acceleration", "in/s²", "685.5", fast.1);
     rows.silent(
         "largest acceleration at ω = 4π",
         "in/s²",
@@ -178,7 +158,7 @@ pub(super) fn rows() -> Result<Vec<Row>> {
     );
     let start = law.svaj_on(0, 0.0).j / INCH;
     let end = law.svaj_on(0, 1.0).j / INCH;
-    rows.add("jerk at the start", "in/rad³", "41.061", start, LAST_DIGITS);
+    rows.stated("jerk at the start", "in/rad³", "41.061", start);
     rows.silent(
         "jerk at the end of the motion",
         "in/rad³",

@@ -39,6 +39,32 @@ pub enum Class {
 }
 
 impl Class {
+    /// Every class with what it means.
+    const MEANINGS: [(Class, &str); 7] = [
+        (Class::Agrees, "equal to the digits printed"),
+        (
+            Class::Rounding,
+            "the last digits differ: rounded inputs or cut digits",
+        ),
+        (
+            Class::Sampling,
+            "the source reads extremes off whole degrees",
+        ),
+        (
+            Class::Misprint,
+            "the source's own formulas give the other value",
+        ),
+        (
+            Class::NotReproducible,
+            "no reading of the source gives the number",
+        ),
+        (
+            Class::Measured,
+            "a measurement, beside the value of the curve fitted to it",
+        ),
+        (Class::NotStated, "computed here; the source is silent"),
+    ];
+
     /// The words of the report.
     pub fn name(self) -> &'static str {
         match self {
@@ -93,6 +119,36 @@ impl Rows {
             source,
             list: Vec::new(),
         }
+    }
+
+    /// A number that is misprinted for the `reason`.
+    fn misprint(
+        &mut self,
+        quantity: &str,
+        unit: &'static str,
+        stated: &str,
+        recomputed: f64,
+        reason: &str,
+    ) {
+        self.add(
+            quantity,
+            unit,
+            stated,
+            recomputed,
+            (Class::Misprint, reason),
+        );
+    }
+
+    /// A number whose last printed digits may be cut or rounded.
+    fn stated(&mut self, quantity: &str, unit: &'static str, stated: &str, recomputed: f64) {
+        let reason = "the last printed digits are cut or rounded";
+        self.add(
+            quantity,
+            unit,
+            stated,
+            recomputed,
+            (Class::Rounding, reason),
+        );
     }
 
     /// A number printed as `stated`: agrees if equal to its digits, otherwise what `otherwise` says.
@@ -156,12 +212,6 @@ impl Rows {
     }
 }
 
-/// What usually makes the last digits differ.
-const LAST_DIGITS: (Class, &str) = (
-    Class::Rounding,
-    "the last printed digits are cut or rounded",
-);
-
 /// Whether a value rounds to the digits printed.
 fn same_digits(stated: &str, value: f64) -> bool {
     let Ok(number) = stated.parse::<f64>() else {
@@ -201,6 +251,10 @@ pub fn reproduce() -> Result<Reproduction> {
 }
 
 impl Reproduction {
+    fn count(&self, class: Class) -> usize {
+        self.rows.iter().filter(|r| r.class == class).count()
+    }
+
     /// The table as `reproduction.csv`.
     pub fn csv(&self) -> String {
         let mut out = String::from(
@@ -230,33 +284,9 @@ impl Reproduction {
         let mut out = String::from(
             "# The papers' numbers, computed again\n\nWritten by `gaitcam reproduce`; every recomputed number comes from the library, none is copied.\n\n",
         );
-        let classes = [
-            (Class::Agrees, "equal to the digits printed"),
-            (
-                Class::Rounding,
-                "the last digits differ: rounded inputs or cut digits",
-            ),
-            (
-                Class::Sampling,
-                "the source reads extremes off whole degrees",
-            ),
-            (
-                Class::Misprint,
-                "the source's own formulas give the other value",
-            ),
-            (
-                Class::NotReproducible,
-                "no reading of the source gives the number",
-            ),
-            (
-                Class::Measured,
-                "a measurement, beside the value of the curve fitted to it",
-            ),
-            (Class::NotStated, "computed here; the source is silent"),
-        ];
         out.push_str("| class | meaning | numbers |\n|---|---|---:|\n");
-        for (class, meaning) in classes {
-            let count = self.rows.iter().filter(|r| r.class == class).count();
+        for (class, meaning) in Class::MEANINGS {
+            let count = self.count(class);
             let _ = writeln!(out, "| {} | {meaning} | {count} |", class.name());
         }
         let mut source = "";

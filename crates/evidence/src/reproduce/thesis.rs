@@ -1,6 +1,6 @@
 //! Campillo de Blas (2017): eccentric and double-harmonic cams, motor table (theory §3).
 
-use super::{Class, LAST_DIGITS, Row, Rows};
+use super::{Class, Row, Rows};
 use crate::experiment::motor;
 use gaitcam::dynamics::thesis;
 use gaitcam::error::Result;
@@ -10,70 +10,47 @@ pub(super) fn rows() -> Result<Vec<Row>> {
     let drive = thesis::real(thesis::SPEED);
     let eccentric = thesis::eccentric();
     let reach = |cam: &gaitcam::cam::Cam| cam.law.extremes(0).1.value + thesis::BASE_RADIUS;
-    rows.add(
+    rows.stated(
         "eccentric: largest sliding speed",
         "m/s",
         "0.465",
         reach(&eccentric) * thesis::SPEED,
-        LAST_DIGITS,
     );
     let (low, high) = drive.force_curve(&eccentric.law).extremes();
-    rows.add(
-        "eccentric: smallest force",
-        "N",
-        "8.4588",
-        low.value,
-        LAST_DIGITS,
-    );
-    rows.add(
-        "eccentric: largest force",
-        "N",
-        "11.1612",
-        high.value,
-        LAST_DIGITS,
-    );
+    rows.stated("eccentric: smallest force", "N", "8.4588", low.value);
+    rows.stated("eccentric: largest force", "N", "11.1612", high.value);
     // The force reaches zero when the steepest downward acceleration reaches g.
     let lift_off = |cam: &gaitcam::cam::Cam| {
         (drive.rest_force / drive.mass / -cam.law.extremes(2).0.value).sqrt()
     };
-    rows.add(
+    rows.stated(
         "eccentric: speed of lift-off",
         "rad/s",
         "31.32",
         lift_off(&eccentric),
-        LAST_DIGITS,
     );
     let double = thesis::double_harmonic();
     let (low, high) = double.law.extremes(2);
     let square = thesis::SPEED * thesis::SPEED;
-    rows.add(
+    rows.stated(
         "double harmonic: largest acceleration",
         "m/s²",
         "1.35117",
         high.value * square,
-        LAST_DIGITS,
     );
-    rows.add(
+    rows.stated(
         "double harmonic: smallest acceleration",
         "m/s²",
         "-2.40209",
         low.value * square,
-        LAST_DIGITS,
     );
     let (low, high) = drive.force_curve(&double.law).extremes();
-    rows.add(
-        "double harmonic: smallest force",
-        "N",
-        "7.40791",
-        low.value,
-        LAST_DIGITS,
-    );
-    rows.add(
+    rows.stated("double harmonic: smallest force", "N", "7.40791", low.value);
+    rows.stated(
         "double harmonic: largest force",
         "N",
         "11.16117",
         high.value,
-        LAST_DIGITS,
     );
     rows.silent(
         "double harmonic: speed of lift-off",
@@ -94,34 +71,21 @@ pub(super) fn rows() -> Result<Vec<Row>> {
     );
     let (low, high) = double.law.extremes(1);
     let own = "3√3πh/(8β) at the thesis's own h and β gives the recomputed value";
-    rows.add(
-        "largest d′",
-        "m",
-        "0.0081728",
-        high.value,
-        (Class::Misprint, own),
-    );
-    rows.add(
-        "smallest d′",
-        "m",
-        "-0.0081728",
-        low.value,
-        (Class::Misprint, own),
-    );
+    rows.misprint("largest d′", "m", "0.0081728", high.value, own);
+    rows.misprint("smallest d′", "m", "-0.0081728", low.value, own);
     let width = double.face_width().unwrap_or(f64::NAN);
-    rows.add(
+    rows.misprint(
         "face width",
         "cm",
         "1.63456",
         100.0 * width,
-        (Class::Misprint, "follows from d′"),
+        "follows from d′",
     );
-    rows.add(
+    rows.stated(
         "double harmonic: largest sliding speed",
         "m/s",
         "0.465",
         reach(&double) * thesis::SPEED,
-        LAST_DIGITS,
     );
     motor_rows(&mut rows)?;
     Ok(rows.list)
@@ -145,12 +109,11 @@ fn motor_rows(rows: &mut Rows) -> Result<()> {
         fit,
     );
     let own = (wanted / 347.9_f64).powf(1.0 / -0.967);
-    rows.add(
+    rows.stated(
         "motor: power for 6 s by the thesis's own fit",
         "%",
         "66.6",
         own,
-        LAST_DIGITS,
     );
     rows.silent(
         "motor: time for 11.1 turns at 11.624 rad/s",

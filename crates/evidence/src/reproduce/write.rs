@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::{Class, reproduce};
-use crate::experiment;
 use crate::thesis_run;
+use crate::{chart, experiment};
 use gaitcam::error::Result;
 use gaitcam_output::folder::Folder;
 
@@ -19,27 +19,12 @@ pub fn write(out: &Path, say: &mut dyn FnMut(&str)) -> Result<()> {
     folder.write("reproduction.md", result.markdown().as_bytes())?;
     folder.write("reproduction.csv", result.csv().as_bytes())?;
     folder.write("dynamics.md", experiment::report()?.as_bytes())?;
-    for (name, picture) in thesis_run::all()? {
-        folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
-        folder.write(&format!("{name}.png"), &picture.png())?;
+    for (name, picture) in thesis_run::all()?.iter().chain(&result.pictures) {
+        chart::write_picture(&folder, name, picture)?;
     }
-    for (name, picture) in &result.pictures {
-        folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
-        folder.write(&format!("{name}.png"), &picture.png())?;
-    }
-    let count = |class: Class| result.rows.iter().filter(|r| r.class == class).count();
-    let classes = [
-        Class::Agrees,
-        Class::Rounding,
-        Class::Sampling,
-        Class::Misprint,
-        Class::NotReproducible,
-        Class::Measured,
-        Class::NotStated,
-    ];
     say(&format!("{} numbers of the papers:", result.rows.len()));
-    for class in classes {
-        say(&format!("  {:>4}  {}", count(class), class.name()));
+    for (class, _) in Class::MEANINGS {
+        say(&format!("  {:>4}  {}", result.count(class), class.name()));
     }
     for m in &result.methods {
         say(&format!(

@@ -90,6 +90,19 @@ pub struct Answer {
     pub iterations: usize,
 }
 
+impl<'a> Task<'a> {
+    /// The quintic spline of `spans` spans without bounds.
+    pub fn quintic(target: &'a ForceCurve, drive: Drive, spans: usize) -> Task<'a> {
+        Task {
+            target,
+            drive,
+            degree: 5,
+            spans,
+            bounds: &[],
+        }
+    }
+}
+
 impl Task<'_> {
     fn basis(&self) -> Basis {
         Basis::Spline {
