@@ -8,6 +8,7 @@ use serde_json::json;
 
 use crate::console::error::CliError;
 use crate::console::exit_code::{self, NO_SUCH_CAM};
+use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::input::searching;
@@ -82,7 +83,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let problem = Problem::resolve(&input.scene, target.as_ref())?;
     let mut design = synth::design(&problem, &searching::search())?;
     let solve_s = solving.elapsed().as_secs_f64();
-    if let Some(why) = design.no_cam(crate::console::language::current()) {
+    if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("simulate-no-cam", &json!({"why": why})));
         if args.json {
             print_json(&json!({"model": null, "outcome": "infeasible", "why": why}));
@@ -107,7 +108,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let text = serde_json::to_string_pretty(&json).unwrap_or_default();
     folder.write("dynamics.csv", simulation::csv(&outcome).as_bytes())?;
     folder.write("simulation.json", text.as_bytes())?;
-    let page = html_of_run(&design, time, &running, crate::console::language::current());
+    let page = html_of_run(&design, time, &running, language::current());
     folder.write("report.html", page.as_bytes())?;
     write_scene(&folder, &input, &scene)?;
     let place = folder.path().to_path_buf();
@@ -120,14 +121,11 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
             design.name,
             words::name(design.verdict.name())
         ));
-        print(&format!(
-            "  {}",
-            design.reason(crate::console::language::current())
-        ));
+        print(&format!("  {}", design.reason(language::current())));
         print(&simulation::table(
             &outcome,
             run.cam.follower.measures(),
-            crate::console::language::current(),
+            language::current(),
         ));
         print(&files_in(&place, "report.html"));
     }

@@ -79,6 +79,7 @@ pub struct GaitArgs {
 }
 
 /// One recording as it was read.
+#[derive(Default)]
 struct Read {
     path: PathBuf,
     /// How it was understood; `None` where it is one cycle as it stands.
@@ -153,12 +154,10 @@ fn read(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Read> {
         let table = tables::cycle_table(&curve, language::current());
         return Ok(Read {
             path: path.to_path_buf(),
-            understood: None,
-            cycle: None,
-            fault: None,
             text: format!("{}\n{table}", path.display()),
             object: tables::cycle_json(&curve),
             given: Some(curve),
+            ..Read::default()
         });
     }
     let recording = force::read(path, &bytes, &options)?;
@@ -200,12 +199,9 @@ impl Read {
     fn failed(path: &Path, fault: Error) -> Read {
         Read {
             path: path.to_path_buf(),
-            understood: None,
-            cycle: None,
-            given: None,
             fault: Some(fault),
-            text: String::new(),
             object: json!({"kind": null, "cycle": null}),
+            ..Read::default()
         }
     }
 

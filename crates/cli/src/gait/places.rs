@@ -42,17 +42,11 @@ impl Places {
             if let Some(folder) = out.parent().filter(|f| !f.as_os_str().is_empty()) {
                 Folder::open(folder)?;
             }
-            let file = out.to_path_buf();
-            if several {
-                Places {
-                    each: Vec::new(),
-                    joint: Some(file),
-                }
-            } else {
-                Places {
-                    each: vec![file],
-                    joint: None,
-                }
+            let file = Some(out.to_path_buf());
+            let (joint, each) = if several { (file, None) } else { (None, file) };
+            Places {
+                each: each.into_iter().collect(),
+                joint,
             }
         } else {
             let folder = Folder::open(out)?;

@@ -63,6 +63,15 @@ pub fn at_flag(flag: &str) -> impl Fn(Error) -> Error {
     move |e| e.at_argument(flag)
 }
 
+/// A fault of a file of comma separated values, with its line.
+pub fn not_csv(path: &Path) -> impl Fn(csv::Error) -> Error {
+    move |e| {
+        let line = e.position().map_or(1, |p| p.line() as usize);
+        let fault = e.to_string();
+        CliError::NotCsv { fault }.at_line(path, line)
+    }
+}
+
 /// The value of a flag with a unit, where the flag is given.
 pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
     text.map(|t| parse_quantity(t, dimension).map_err(at_flag(flag)))

@@ -5,8 +5,11 @@ use std::thread::{JoinHandle, spawn};
 use std::time::{Duration, Instant};
 
 use clap::Args;
+use gaitcam::Problem;
+use gaitcam::error::Result;
 use gaitcam::halt::Halt;
-use gaitcam::synth::Search;
+use gaitcam::synth::{self, Design, Search};
+use gaitcam_files::Input;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 
@@ -28,7 +31,7 @@ pub struct TimeLimit {
     pub time_limit: Option<f64>,
 }
 
-fn seconds(typed: &str) -> Result<f64, String> {
+fn seconds(typed: &str) -> std::result::Result<f64, String> {
     let number = typed.strip_suffix('s').unwrap_or(typed).trim();
     match number.parse::<f64>() {
         Ok(limit) if limit > 0.0 => Ok(limit),
@@ -69,6 +72,13 @@ impl TimeLimit {
             thread: Some(thread),
         }
     }
+}
+
+/// The design of a scene within the usual time.
+pub fn design(input: &Input) -> Result<Design> {
+    let target = input.target()?;
+    let problem = Problem::resolve(&input.scene, target.as_ref())?;
+    synth::design(&problem, &search())
 }
 
 /// The search for a design on the way to another answer.

@@ -16,11 +16,10 @@ use crate::console::words::{self, fixed};
 use crate::input::searching;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
-use gaitcam::Problem;
 use gaitcam::cam::{Inspection, Measures};
 use gaitcam::error::{FileError, Place, Placed, Result};
 use gaitcam::sweep::{Behaviour, MadeCam};
-use gaitcam::synth::{self, Design, sentences};
+use gaitcam::synth::{Design, sentences};
 use gaitcam::units::Dimension;
 use gaitcam_files::ResultFolder;
 use gaitcam_output::inspection;
@@ -73,9 +72,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         scene: Some(scene.clone()),
         set: args.set.clone(),
     })?;
-    let target = input.target()?;
-    let problem = Problem::resolve(&input.scene, target.as_ref())?;
-    let design = synth::design(&problem, &searching::search())?;
+    let design = searching::design(&input)?;
     if let Some(infeasible) = &design.infeasible {
         let why = sentences(&infeasible.reasons, language::current());
         report(words::fill("inspect-no-cam", &json!({"why": why})));

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::console::error::CliError;
+use crate::input;
 
 use gaitcam::error::{Placed, Result};
 use gaitcam_files::read::read_bytes;
@@ -61,14 +62,10 @@ pub fn read(path: &Path) -> Result<Points> {
         .trim(csv::Trim::All)
         .comment(Some(b'#'))
         .from_reader(bytes.as_slice());
-    let broken = |e: &csv::Error| {
-        let line = e.position().map_or(1, |p| p.line() as usize);
-        let fault = e.to_string();
-        CliError::NotCsv { fault }.at_line(path, line)
-    };
+    let broken = input::not_csv(path);
     let names: Vec<String> = reader
         .headers()
-        .map_err(|e| broken(&e))?
+        .map_err(&broken)?
         .iter()
         .map(|name| name.trim_start_matches('\u{feff}').to_lowercase())
         .collect();
@@ -81,7 +78,7 @@ pub fn read(path: &Path) -> Result<Points> {
         lines: Vec::new(),
     };
     for record in reader.records() {
-        let record = record.map_err(|e| broken(&e))?;
+        let record = record.map_err(&broken)?;
         let line = record.position().map_or(1, |p| p.line() as usize);
         let number = |(column, factor): Column| {
             let field = record.get(column).unwrap_or_default();

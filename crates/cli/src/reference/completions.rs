@@ -4,6 +4,7 @@ use clap::Args;
 use clap_complete::Shell;
 
 use crate::console::exit_code::BUILT;
+use crate::console::language;
 use crate::console::terminal::print;
 use gaitcam::error::Result;
 
@@ -18,7 +19,7 @@ pub fn run(args: &CompletionsArgs) -> Result<u8> {
     let mut script = Vec::new();
     clap_complete::generate(
         args.shell,
-        &mut crate::console::help::command(crate::console::language::current()),
+        &mut crate::console::help::command(language::current()),
         "gaitcam",
         &mut script,
     );

@@ -106,15 +106,11 @@ fn list(path: &Path) -> Result<List> {
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .from_reader(&bytes[..]);
-    let fault = |e: csv::Error| {
-        let line = e.position().map_or(1, |p| p.line() as usize);
-        let fault = e.to_string();
-        CliError::NotCsv { fault }.at_line(path, line)
-    };
-    let names = reader.headers().map_err(fault)?.clone();
+    let fault = input::not_csv(path);
+    let names = reader.headers().map_err(&fault)?.clone();
     let mut columns: Vec<Vec<String>> = vec![Vec::new(); names.len()];
     for record in reader.records() {
-        let record = record.map_err(fault)?;
+        let record = record.map_err(&fault)?;
         for (column, cell) in columns.iter_mut().zip(&record) {
             if cell.is_empty() {
                 let line = record.position().map_or(1, |p| p.line() as usize);

@@ -8,14 +8,14 @@ use super::SweepArgs;
 use super::partial::beside;
 use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::language;
 use crate::console::terminal::{self, print, print_json};
 use crate::console::words::{self, fixed};
 use crate::input::searching;
 use crate::input::{self, SceneArgs};
-use gaitcam::Problem;
 use gaitcam::error::{Placed, Result};
 use gaitcam::sweep::{Made, Scatter, Spread, Tolerance};
-use gaitcam::synth::{design, sentences};
+use gaitcam::synth::sentences;
 use gaitcam::units::{Dimension, parse};
 use gaitcam_output::folder::write_whole;
 use gaitcam_output::sweep_plots::{Quantity, histogram};
@@ -57,11 +57,9 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         scene: args.scenes.first().cloned(),
         set: args.set.clone(),
     })?;
-    let target = input.target()?;
-    let problem = Problem::resolve(&input.scene, target.as_ref())?;
-    let design = design(&problem, &searching::search())?;
+    let design = searching::design(&input)?;
     if let Some(infeasible) = &design.infeasible {
-        let why = sentences(&infeasible.reasons, crate::console::language::current());
+        let why = sentences(&infeasible.reasons, language::current());
         let why = serde_json::json!({"why": why});
         terminal::report(words::fill("sweep-no-design", &why));
         return Ok(NO_SUCH_CAM);
@@ -160,7 +158,7 @@ fn report(
         &words::fill("scatter-picture", &named),
         &quantity,
         &levels,
-        crate::console::language::current(),
+        language::current(),
     );
     let heading = words::text("scatter-heading");
     let page = Page {
@@ -176,7 +174,7 @@ fn report(
             },
         )],
     };
-    html(&page, crate::console::language::current())
+    html(&page, language::current())
 }
 
 /// The main figures.

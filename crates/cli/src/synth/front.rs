@@ -4,6 +4,7 @@ use serde_json::json;
 
 use super::SynthArgs;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words::{self, fixed};
 use crate::input;
@@ -70,8 +71,7 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         .zip(y.values.iter().copied())
         .collect();
     let title = title(&input.scene.name, against);
-    let picture = sweep_plots::front(&title, &x, &y, &line, None)
-        .in_language(crate::console::language::current());
+    let picture = sweep_plots::front(&title, &x, &y, &line, None).in_language(language::current());
     folder.write("front.svg", picture.svg().as_bytes())?;
     folder.write("front.png", &picture.png())?;
     if args.json {

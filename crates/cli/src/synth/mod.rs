@@ -14,6 +14,7 @@ use serde_json::json;
 
 use crate::console::error::CliError;
 use crate::console::exit_code;
+use crate::console::language;
 use crate::console::terminal::{print, print_json};
 use crate::console::words;
 use crate::input::searching::TimeLimit;
@@ -150,7 +151,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
             drawn: args.drawn(),
             curves: args.curves(),
             title: input.title(),
-            language: crate::console::language::current(),
+            language: language::current(),
         },
         folder: folder(args, &input)?,
     };

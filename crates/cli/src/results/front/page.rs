@@ -5,6 +5,7 @@ use std::path::Path;
 use serde_json::json;
 
 use super::{Found, SHOWN, objective, row_name};
+use crate::console::language;
 use crate::console::words;
 use gaitcam::error::Result;
 use gaitcam::sweep::Point;
@@ -36,7 +37,7 @@ pub fn write(
         folder.write(&format!("{file}.png"), &picture.png())?;
     }
     let page = page(&name, found, front, best, &drawn);
-    let html = sweep_report::html(&page, crate::console::language::current());
+    let html = sweep_report::html(&page, language::current());
     folder.write("report.html", html.as_bytes())
 }
 
@@ -75,8 +76,8 @@ fn pictures(name: &str, found: &Found, front: &[&Point], best: &Point) -> Vec<Dr
             ("front-picture-least", sweep_plots::Best::Least)
         };
         let title = words::fill(title, &json!({"name": name, "text": shown}));
-        let picture = sweep_plots::heat_map(&title, x, y, z, sense)
-            .in_language(crate::console::language::current());
+        let picture =
+            sweep_plots::heat_map(&title, x, y, z, sense).in_language(language::current());
         drawn.push(("heat", words::text("front-heading-heat"), picture));
     }
     if inputs.len() + goals.len() > 1 {
@@ -100,8 +101,7 @@ fn plane(
     let points: Vec<(f64, f64)> = front.iter().map(|p| place(p)).collect();
     let title = words::fill("front-picture-front", &json!({"name": name}));
     let (x, y) = (fewer(x.clone()), fewer(y.clone()));
-    sweep_plots::front(&title, &x, &y, &points, Some(place(best)))
-        .in_language(crate::console::language::current())
+    sweep_plots::front(&title, &x, &y, &points, Some(place(best))).in_language(language::current())
 }
 
 fn parallel(
@@ -130,8 +130,7 @@ fn parallel(
         .position(|p| p.row == best.row)
         .map(|i| start + i);
     let title = words::fill("front-picture-parallel", &json!({"name": name}));
-    sweep_plots::parallel(&title, &all, &lines, winner)
-        .in_language(crate::console::language::current())
+    sweep_plots::parallel(&title, &all, &lines, winner).in_language(language::current())
 }
 
 fn page<'a>(

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use crate::console::error::CliError;
 use crate::console::words;
+use crate::input;
 use gaitcam::error::{Placed, Result};
 use gaitcam::sweep::{Key, NUMBERS, Objective};
 use gaitcam_files::blocks;
@@ -112,15 +113,11 @@ fn each_row_of(path: &Path, each: &mut impl FnMut(&Columns, Row) -> Result<()>) 
         return parquet_rows(path, file, each);
     }
     let mut reader = csv::Reader::from_reader(std::io::BufReader::with_capacity(1 << 20, file));
-    let fault = |e: csv::Error| {
-        let line = e.position().map_or(1, |p| p.line() as usize);
-        let fault = e.to_string();
-        CliError::NotCsv { fault }.at_line(path, line)
-    };
-    let names = reader.headers().map_err(fault)?.iter().map(str::to_string);
+    let fault = input::not_csv(path);
+    let names = reader.headers().map_err(&fault)?.iter().map(str::to_string);
     let columns = Columns::of(path, names.collect())?;
     let mut record = csv::StringRecord::new();
-    while reader.read_record(&mut record).map_err(fault)? {
+    while reader.read_record(&mut record).map_err(&fault)? {
         each(&columns, Row::Csv(&record))?;
     }
     Ok(columns)

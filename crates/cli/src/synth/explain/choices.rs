@@ -16,6 +16,7 @@ use gaitcam::scene::{Family, Scene};
 use gaitcam::synth::{Design, Tier};
 use serde_json::json;
 
+use crate::console::language;
 use crate::console::words::{fill, fixed, name, text};
 
 /// One choice of model.
@@ -67,7 +68,7 @@ fn asked_for(scene: &Scene, design: &Design) -> String {
 
 fn family(scene: &Scene, design: &Design) -> Choice {
     let asked = scene.law.family;
-    let status = design.solver.status(crate::console::language::current());
+    let status = design.solver.status(language::current());
     let because = match asked {
         Family::Auto => fill("explain-simplest", &json!({"status": status})),
         Family::Ladder => fill("explain-simplest-solver", &json!({"status": status})),
@@ -140,7 +141,7 @@ fn tier(design: &Design) -> Choice {
         chosen: name(solver.tier.name()),
         because: fill(
             "explain-solver",
-            &json!({"status": solver.status(crate::console::language::current()),
+            &json!({"status": solver.status(language::current()),
                 "limits": design.binding.len(), "iterations": solver.iterations}),
         ),
         next: text(next),
