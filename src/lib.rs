@@ -49,8 +49,7 @@
 //!
 //! A force is wanted ([`force`]) → a law of motion gives it ([`drive`], [`law`], found by [`synth`]) → a cam gives
 //! the law ([`cam`]) → the cam is checked, run ([`dynamics`]) and handed over (crate `gaitcam-output`). Modules import
-//! downwards only. What is hidden from these pages (`synth::spectral`, `dynamics::contact` …) serves the project's own
-//! evidence and benchmarks and may change at any time.
+//! downwards only.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![deny(clippy::missing_errors_doc)]

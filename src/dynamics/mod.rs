@@ -1,7 +1,7 @@
 //! Simulation of the cam, with the simplest sufficient model.
 //!
 //! [`simulate()`] takes the emitted profile, recovers the smooth lift its points give the follower
-//! ([`recover`]) and runs it under one of three models:
+//! ([`mod@recover`]) and runs it under one of three models:
 //!
 //! - [`rigid`]: F = F₀ + k s + c ω v + m ω² a, torque, contact pressure ([`rigid::hertz`]);
 //! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::linear`]);
@@ -10,22 +10,16 @@
 //! The simplest sufficient model is chosen automatically, with its reason; [`flexible::polydyne`] computes the cam
 //! under which the output of a compliant follower follows a target law.
 
-#[doc(hidden)]
 pub mod contact;
-#[doc(hidden)]
 pub mod flexible;
 mod outcome;
 mod piecewise_force;
 mod reason;
-#[doc(hidden)]
 pub mod recover;
-#[doc(hidden)]
 pub mod rigid;
 mod run;
 mod simulate;
-#[doc(hidden)]
 pub mod surface;
-#[doc(hidden)]
 pub mod thesis;
 
 pub use contact::impact::Pulse;

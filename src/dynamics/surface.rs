@@ -13,6 +13,18 @@ pub(super) const NO_PULL: f64 = 1e-11;
 const NO_PULL_STATIC: f64 = 1e-6;
 
 /// A closed lift with the stretches on which contact cannot be kept.
+///
+/// ```
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::surface::Surface;
+/// use gaitcam::law::Law;
+///
+/// // Above lift-off, about the highest point, contact would need a pull.
+/// let drive = Drive::moving_axis(10.0, 9.81, 1.3 * (9.81_f64 / 0.01).sqrt());
+/// let surface = Surface::new(Law::harmonic(0.01, &[(0.0, 0.01)]), &drive);
+/// let (from, to) = surface.next_pull(0.0).unwrap();
+/// assert!((0.5 * (from + to) - std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     /// The lift over one turn, by the angle in the sense of the cam's turning.

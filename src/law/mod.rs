@@ -17,7 +17,6 @@ pub use rise::{End, Ends, Factors, Rise};
 use splineqp::Basis;
 pub use splineqp::poly::Wave;
 pub(crate) use walk::Turns;
-#[doc(hidden)]
 pub use walk::{BATCH, Batch, Walk};
 
 use crate::poly::{PiecewisePoly, SplineSpace, add_taylor, bernstein, subdivide};

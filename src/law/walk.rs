@@ -8,6 +8,15 @@ use super::{Law, Wave};
 pub const BATCH: usize = 32;
 
 /// A law at up to [`BATCH`] consecutive points; entries from `len` on are undefined.
+///
+/// ```
+/// use gaitcam::law::Law;
+///
+/// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+/// let mut walk = law.walk(0.0, 0.01, 100);
+/// let first = walk.next_batch().unwrap();
+/// assert!((first.s[3] - law.svaj(0.03).s).abs() < 1e-15);
+/// ```
 #[derive(Debug, Clone)]
 pub struct Batch {
     /// Number of points.
@@ -47,6 +56,17 @@ impl Turns {
 }
 
 /// Iteration over a law at equal steps: see [`Law::walk`].
+///
+/// ```
+/// use gaitcam::law::Law;
+///
+/// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+/// let (mut walk, mut points) = (law.walk(0.0, 0.01, 100), 0);
+/// while let Some(batch) = walk.next_batch() {
+///     points += batch.len;
+/// }
+/// assert_eq!(points, 100);
+/// ```
 #[derive(Debug, Clone)]
 pub struct Walk<'a> {
     law: &'a Law,
@@ -67,7 +87,6 @@ impl Law {
     /// The law at θᵢ = start + i·step, 0 ≤ i < n, `step` ≥ 0, batch after batch. Agrees with [`Law::svaj`]
     /// to rounding, at a fraction of its cost (jerk is left out: profiles do not ask for it).
     #[inline(always)]
-    #[doc(hidden)]
     pub fn walk(&self, start: f64, step: f64, n: usize) -> Walk<'_> {
         Walk {
             law: self,

@@ -68,8 +68,7 @@ mod qp;
 mod scp;
 mod search;
 mod sizing;
-#[doc(hidden)]
-pub mod spectral;
+pub(crate) mod spectral;
 mod verdict;
 
 pub use demand::{Demand, Given};
@@ -88,6 +87,7 @@ pub use infeasible::in_units;
 pub use pareto::{Trade, trade, traded};
 pub use qp::{Certificate, Stop};
 pub use search::Search;
+pub use spectral::{Spectral, invert};
 
 use std::sync::Arc;
 

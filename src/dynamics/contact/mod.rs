@@ -17,6 +17,20 @@ use impact::Pulse;
 use std::f64::consts::TAU;
 
 /// Phase of the motion between two events.
+///
+/// ```
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::contact::{self, Limits, Phase};
+/// use gaitcam::dynamics::surface::Surface;
+/// use gaitcam::law::Law;
+///
+/// // A harmonic lift of amplitude 10 mm, 30 % faster than its lift-off speed √(g/10 mm).
+/// let drive = Drive::moving_axis(10.0, 9.81, 1.3 * (9.81_f64 / 0.01).sqrt());
+/// let surface = Surface::new(Law::harmonic(0.01, &[(0.0, 0.01)]), &drive);
+/// let run = contact::run(&[surface], &drive, 0.0, &Limits::default());
+/// let flies = run.stretches.iter().any(|s| matches!(s.phase, Phase::Flight(_)));
+/// assert!(flies);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Phase {
     /// Riding on a profile.
@@ -34,6 +48,19 @@ pub enum Phase {
 }
 
 /// A phase with its angles, turns counted on, rad.
+///
+/// ```
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::contact::{self, Limits};
+/// use gaitcam::dynamics::surface::Surface;
+/// use gaitcam::law::Law;
+///
+/// // A harmonic lift of amplitude 10 mm, 30 % faster than its lift-off speed √(g/10 mm).
+/// let drive = Drive::moving_axis(10.0, 9.81, 1.3 * (9.81_f64 / 0.01).sqrt());
+/// let surface = Surface::new(Law::harmonic(0.01, &[(0.0, 0.01)]), &drive);
+/// let run = contact::run(&[surface], &drive, 0.0, &Limits::default());
+/// assert!(run.stretches.windows(2).all(|pair| pair[0].to == pair[1].from));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
     /// Kind of phase.
@@ -77,6 +104,20 @@ pub struct Impact {
 }
 
 /// A run from rest on the profile.
+///
+/// ```
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::contact::{self, Limits};
+/// use gaitcam::dynamics::surface::Surface;
+/// use gaitcam::law::Law;
+///
+/// // A harmonic lift of amplitude 10 mm, 30 % faster than its lift-off speed √(g/10 mm).
+/// let drive = Drive::moving_axis(10.0, 9.81, 1.3 * (9.81_f64 / 0.01).sqrt());
+/// let surface = Surface::new(Law::harmonic(0.01, &[(0.0, 0.01)]), &drive);
+/// let run = contact::run(&[surface], &drive, 0.0, &Limits::default());
+/// assert!(run.lost_fraction() > 0.0 && run.lost_fraction() < 1.0);
+/// assert!(run.steady_impacts().next().is_some());
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactRun {
     /// Phases in order.

@@ -6,7 +6,7 @@
 //! Nothing cancels, whatever the frequency; no time is stepped.
 
 use crate::poly::{PiecewisePoly, bernstein};
-use nalgebra::{Matrix4, Vector4};
+pub use nalgebra::{Matrix4, Vector4};
 
 /// Norm of A times the width that one set of Gauss points covers.
 const REACH: f64 = 1.0;
@@ -16,6 +16,20 @@ const SERIES: usize = 24;
 pub const STIFFEST: f64 = 1e9;
 
 /// A linear system of up to four states; unused states decay and do not couple.
+///
+/// ```
+/// use gaitcam::dynamics::flexible::linear::{Linear, Matrix4, Vector4};
+/// use gaitcam::law::Law;
+///
+/// // z′ = −z + sin θ: after many turns z = (sin θ − cos θ)/2, so −½ at the start of a turn.
+/// let forcing = Law::harmonic(0.0, &[(0.0, 1.0)]).combination([1.0, 0.0, 0.0, 0.0], 0.0);
+/// let linear = Linear {
+///     rates: -Matrix4::identity(),
+///     inputs: vec![Vector4::new(1.0, 0.0, 0.0, 0.0)],
+/// };
+/// let states = linear.periodic(&[&forcing], |_| Vector4::zeros()).unwrap();
+/// assert!((states[0][0] + 0.5).abs() < 1e-6);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linear {
     /// Rates, per radian.

@@ -21,6 +21,20 @@ use linear::{Linear, States};
 use nalgebra::{Matrix4, Vector4};
 
 /// Steady motion of a flexible machine at equal or unequal angles (the breaks of the forcing).
+///
+/// ```
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::flexible::{Train, steady};
+/// use gaitcam::law::Law;
+///
+/// // Far below its natural frequency, 100.5 times the shaft's, the follower deflects by force/stiffness.
+/// let drive = Drive::moving_axis(10.0, 9.81, 10.0);
+/// let train = Train { stiffness: 10.0 * 1005.0_f64.powi(2), damping: 0.0 };
+/// let run = steady(&Law::harmonic(0.01, &[(0.0, 0.01)]), &drive, &train)?;
+/// let (low, high) = run.contact_extremes();
+/// assert!((low.value - 88.1).abs() < 0.1 && (high.value - 108.1).abs() < 0.1);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Steady {
     /// Cam angles, rad; the last is one period after the first.

@@ -19,6 +19,18 @@ const ROUNDS: usize = 60;
 const NO_PULL_AT_REST: f64 = 1e-6;
 
 /// State of the machine at one cam angle.
+///
+/// ```
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::rigid::cycle;
+/// use gaitcam::law::Law;
+///
+/// // At the middle of the rise of a harmonic lift the mass is not accelerated: F = M g, T = F v.
+/// let at = Law::harmonic(0.01, &[(0.0, 0.01)]).svaj(0.0);
+/// let now = cycle(&[at], &Drive::moving_axis(10.0, 9.81, 5.0), 0.0, 0.0)[0];
+/// assert!((now.force - 98.1).abs() < 1e-9 && (now.torque - 0.981).abs() < 1e-9);
+/// assert!((now.power - 5.0 * 0.981).abs() < 1e-9);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Instant {
     /// Lift, m.

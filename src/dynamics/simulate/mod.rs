@@ -29,7 +29,7 @@ use prepared::prepare;
 /// ```
 ///
 /// # Errors
-/// On profiles that are no curve for their follower (see [`crate::dynamics::recover`]), on machine data out of
+/// On profiles that are no curve for their follower (see [`recover`](crate::dynamics::recover())), on machine data out of
 /// range, on an undamped resonance, and on `flexible` without a [`Train`](super::Train).
 pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
     let prepared = prepare(input)?;

@@ -12,6 +12,21 @@ use crate::poly::amplitudes;
 const RESONANCE: f64 = 1e-9;
 
 /// A harmonic law and its remainder.
+///
+/// ```
+/// use gaitcam::drive::Drive;
+/// use gaitcam::scene;
+/// use gaitcam::synth::invert;
+///
+/// // Under pure inertia ŝ₁ = F̂₁/(−m ω²).
+/// let force = scene::built_in("footbridge")?.scene()?.model_force()?.unwrap();
+/// let drive = Drive::moving_axis(70.0, 9.81, 10.0);
+/// let inverse = invert(&force, &drive, Some(1), 0.0)?;
+/// let wave = inverse.x[1].hypot(inverse.x[2]);
+/// let share = wave * 70.0 * 100.0 / force.mean_n();
+/// assert!(share > 0.2 && share < 0.5);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 pub struct Spectral {
     /// Mean, then cosine and sine amplitudes of lift, m.
     pub x: Vec<f64>,

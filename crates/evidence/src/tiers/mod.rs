@@ -15,7 +15,7 @@ use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::poly::SplineSpace;
 use gaitcam::problem::Target;
-use gaitcam::synth::spectral::invert;
+use gaitcam::synth::invert;
 use gaitcam::wording::{self, Language};
 use splineqp::{self as qp, Basis, Failure, Limit, Meaning, Quadratic};
 
