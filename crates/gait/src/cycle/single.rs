@@ -15,14 +15,8 @@ pub(super) fn both_feet(recording: &Recording, stances: &Stances, ranges: &Range
     let (left, right) = by_side(&all, recording);
     let (left, right) = (fellows(left), fellows(right));
     let sides = !left.is_empty() && !right.is_empty();
-    let (first, second) = if sides {
-        (
-            mean_stance(recording, &right),
-            mean_stance(recording, &left),
-        )
-    } else {
-        (mean_stance(recording, &all), mean_stance(recording, &all))
-    };
+    let pair = if sides { [&right, &left] } else { [&all; 2] };
+    let [first, second] = pair.map(|stances| mean_stance(recording, stances));
     let impulse = first.impulse_ns + second.impulse_ns;
     let period = stride_time(recording, stances, impulse, &first, ranges);
     let (period_s, from) = (period.seconds, period.from);

@@ -1,5 +1,7 @@
 //! The published load models: formula, source, and how sure we are of each.
 
+use strum::IntoStaticStr;
+
 /// How sure we are of a model's coefficients.
 ///
 /// ```
@@ -9,7 +11,8 @@
 /// assert!([Status::Seen, Status::Recalled, Status::Mixed].contains(&young.status));
 /// assert_eq!(Status::Seen.name(), "seen");
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Status {
     /// The exact text or source line was seen.
     Seen,
@@ -22,11 +25,7 @@ pub enum Status {
 impl Status {
     /// One word for tables.
     pub fn name(self) -> &'static str {
-        match self {
-            Status::Seen => "seen",
-            Status::Recalled => "recalled",
-            Status::Mixed => "mixed",
-        }
+        self.into()
     }
 }
 

@@ -73,13 +73,10 @@ fn trimmed(line: &str) -> &str {
 
 /// Key and value of a line: parted by `=`, `:`, a separator, or the last blank.
 fn split(line: &str) -> Option<(&str, &str)> {
-    for mark in ["=", ":", "\t", ";"] {
+    for mark in ["=", ":", "\t", ";", ","] {
         if let Some((key, value)) = line.split_once(mark) {
             return Some((key.trim(), trimmed(value)));
         }
-    }
-    if let Some((key, value)) = line.split_once(',') {
-        return Some((key.trim(), trimmed(value)));
     }
     line.rsplit_once(' ').map(|(k, v)| (k.trim(), v.trim()))
 }

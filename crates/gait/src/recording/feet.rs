@@ -1,8 +1,9 @@
 //! Whose force a curve is.
 
 use serde::Serialize;
+use strum::{EnumString, IntoStaticStr};
 
-use crate::error::{Error, ForceError, Result};
+use crate::error::{Error, ForceError};
 
 /// The side of the body.
 ///
@@ -12,8 +13,9 @@ use crate::error::{Error, ForceError, Result};
 /// assert_eq!(Foot::Left.other(), Foot::Right);
 /// assert_eq!(Foot::Left.name(), "left");
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Foot {
     /// Left.
     Left,
@@ -24,10 +26,7 @@ pub enum Foot {
 impl Foot {
     /// `left` or `right`.
     pub fn name(self) -> &'static str {
-        match self {
-            Foot::Left => "left",
-            Foot::Right => "right",
-        }
+        self.into()
     }
 
     /// The other side.
@@ -51,7 +50,8 @@ impl Foot {
 /// assert!((one.mean_n() / 350.0 - 1.0).abs() < 0.05);
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case", parse_err_ty = Error, parse_err_fn = unknown_feet)]
 pub enum Feet {
     /// The sum of both feet, as a floor or footbridge feels it.
     Both,
@@ -79,26 +79,11 @@ impl Feet {
 
     /// The name used in scenes: `both`, `one`, `left`, `right`, `total`.
     pub fn name(self) -> &'static str {
-        match self {
-            Feet::Both => "both",
-            Feet::One => "one",
-            Feet::Left => "left",
-            Feet::Right => "right",
-            Feet::Total => "total",
-        }
+        self.into()
     }
 }
 
-impl std::str::FromStr for Feet {
-    type Err = Error;
-
-    fn from_str(word: &str) -> Result<Self> {
-        Feet::ALL
-            .into_iter()
-            .find(|f| f.name() == word)
-            .ok_or_else(|| {
-                let word = word.to_string();
-                ForceError::UnknownFeet { word }.into()
-            })
-    }
+fn unknown_feet(word: &str) -> Error {
+    let word = word.to_string();
+    ForceError::UnknownFeet { word }.into()
 }

@@ -1,9 +1,7 @@
 //! Kinds of recorded movement, and the open questions about a recording.
 
-use std::str::FromStr;
-
 use serde::Serialize;
-use strum::{IntoStaticStr, VariantNames};
+use strum::{EnumString, IntoStaticStr, VariantNames};
 
 use crate::error::{Error, ForceError, Result};
 
@@ -16,9 +14,9 @@ use crate::error::{Error, ForceError, Result};
 /// assert_eq!(Kind::SitToStand.name(), "sit-to-stand");
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, IntoStaticStr, VariantNames)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, EnumString, IntoStaticStr, VariantNames)]
 #[serde(rename_all = "kebab-case")]
-#[strum(serialize_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case", parse_err_ty = Error, parse_err_fn = unknown_kind)]
 #[non_exhaustive]
 pub enum Kind {
     /// Duty factor of 52 to 75 %; one foot is always on the ground.
@@ -52,18 +50,9 @@ impl Kind {
     }
 }
 
-impl FromStr for Kind {
-    type Err = Error;
-
-    fn from_str(word: &str) -> Result<Self> {
-        let known = Kind::ALL.into_iter().find(|k| k.name() == word);
-        known.ok_or_else(|| {
-            ForceError::UnknownKind {
-                word: word.to_string(),
-            }
-            .into()
-        })
-    }
+fn unknown_kind(word: &str) -> Error {
+    let word = word.to_string();
+    ForceError::UnknownKind { word }.into()
 }
 
 /// A question about a recording that only the user can answer.
@@ -75,10 +64,20 @@ impl FromStr for Kind {
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
 #[derive(
-    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, IntoStaticStr, VariantNames,
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    EnumString,
+    IntoStaticStr,
+    VariantNames,
 )]
 #[serde(rename_all = "kebab-case")]
-#[strum(serialize_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case", parse_err_ty = Error, parse_err_fn = unknown_question)]
 pub enum OpenQuestion {
     /// What was recorded.
     Kind,
@@ -89,10 +88,6 @@ pub enum OpenQuestion {
 }
 
 impl OpenQuestion {
-    /// All questions.
-    pub const ALL: [OpenQuestion; 3] =
-        [OpenQuestion::Kind, OpenQuestion::Clock, OpenQuestion::Mass];
-
     /// The name used in scenes and JSON.
     pub fn name(self) -> &'static str {
         self.into()
@@ -105,15 +100,13 @@ impl OpenQuestion {
     /// On a word that is none of the three.
     pub fn list(words: &str) -> Result<Vec<OpenQuestion>> {
         let parts = words.split([',', ' ']).filter(|w| !w.is_empty());
-        let read = parts.map(|word| {
-            let known = OpenQuestion::ALL.into_iter().find(|d| d.name() == word);
-            known.ok_or_else(|| {
-                let word = word.to_string();
-                Error::from(ForceError::UnknownDoubt { word })
-            })
-        });
-        read.collect()
+        parts.map(str::parse).collect()
     }
+}
+
+fn unknown_question(word: &str) -> Error {
+    let word = word.to_string();
+    ForceError::UnknownDoubt { word }.into()
 }
 
 #[cfg(test)]
@@ -128,7 +121,8 @@ mod tests {
         assert_eq!("sit-to-stand".parse(), Ok(Kind::SitToStand));
         assert!("dancing".parse::<Kind>().is_err());
         let all = OpenQuestion::list("kind, clock,mass").unwrap();
-        assert_eq!(all, OpenQuestion::ALL);
+        let names: Vec<&str> = all.into_iter().map(OpenQuestion::name).collect();
+        assert_eq!(names, OpenQuestion::VARIANTS);
         assert_eq!(OpenQuestion::list("").unwrap(), []);
         assert!(OpenQuestion::list("time").is_err());
     }

@@ -137,11 +137,31 @@ fn channels(kind: i16, force: f64) -> Vec<f64> {
     }
 }
 
-/// A file with one plate under `force` (newtons, downwards negative as plates give it), with mass 70 kg and
-/// one strike of the right foot at 0.5 s.
-pub fn build(b: &Build, force: impl Fn(usize) -> f64) -> Vec<u8> {
-    let count = channels(b.kind, 0.0).len();
-    let points = 1usize;
+/// Height, width and entries of a plate's calibration matrix: as tall as the forces it gives, as wide as the channels,
+/// first index fastest.
+fn matrix(kind: i16) -> (usize, usize, Vec<f32>) {
+    let (high, across) = match kind {
+        5 => (6, 8),
+        6 => (12, 12),
+        7 => (8, 8),
+        _ => (6, 6),
+    };
+    let mut matrix = vec![0.0f32; high * across];
+    for i in 0..high {
+        matrix[high * i + i] = if kind == 7 && i >= 4 { 0.5 } else { 1.0 };
+    }
+    if kind == 4 || kind == 5 {
+        matrix[2] = 0.1;
+        matrix[high * 2 + 2] = 2.0;
+    }
+    if kind == 5 {
+        matrix[high * 7 + 2] = 1.0;
+    }
+    (high, across, matrix)
+}
+
+/// The parameter section: one plate, mass 70 kg and one strike of the right foot at 0.5 s.
+fn parameters(b: &Build, count: usize) -> Vec<u8> {
     let mut w = Writer {
         p: b.processor,
         out: Vec::new(),
@@ -172,24 +192,7 @@ pub fn build(b: &Build, force: impl Fn(usize) -> f64) -> Vec<u8> {
     w.ints(3, "ZERO", &[2], &[1, 5]);
     let numbers: Vec<i16> = (1..=count as i16).collect();
     w.ints(3, "CHANNEL", &[count as u8, 1], &numbers);
-    // As tall as the forces it gives, as wide as the channels, first index fastest.
-    let (high, across) = match b.kind {
-        5 => (6, 8),
-        6 => (12, 12),
-        7 => (8, 8),
-        _ => (6, 6),
-    };
-    let mut matrix = vec![0.0f32; high * across];
-    for i in 0..high {
-        matrix[high * i + i] = if b.kind == 7 && i >= 4 { 0.5 } else { 1.0 };
-    }
-    if b.kind == 4 || b.kind == 5 {
-        matrix[2] = 0.1;
-        matrix[high * 2 + 2] = 2.0;
-    }
-    if b.kind == 5 {
-        matrix[high * 7 + 2] = 1.0;
-    }
+    let (high, across, matrix) = matrix(b.kind);
     w.floats(3, "CAL_MATRIX", &[high as u8, across as u8, 1], &matrix);
     w.group(4, "PROCESSING");
     w.floats(4, "Bodymass", &[], &[70.0]);
@@ -201,6 +204,16 @@ pub fn build(b: &Build, force: impl Fn(usize) -> f64) -> Vec<u8> {
     let blocks = w.out.len().div_ceil(512);
     w.out.resize(512 * blocks, 0);
     w.out[2] = blocks as u8;
+    w.out
+}
+
+/// A file with one plate under `force` (newtons, downwards negative as plates give it), with mass 70 kg and
+/// one strike of the right foot at 0.5 s.
+pub fn build(b: &Build, force: impl Fn(usize) -> f64) -> Vec<u8> {
+    let count = channels(b.kind, 0.0).len();
+    let points = 1usize;
+    let parameters = parameters(b, count);
+    let blocks = parameters.len() / 512;
     let p = b.processor;
     let mut file = vec![0u8; 512];
     file[0] = 2;
@@ -213,7 +226,7 @@ pub fn build(b: &Build, force: impl Fn(usize) -> f64) -> Vec<u8> {
     file[16..18].copy_from_slice(&p.word((2 + blocks) as u16));
     file[18..20].copy_from_slice(&p.word(b.per_frame as u16));
     file[20..24].copy_from_slice(&p.float(100.0));
-    file.extend(&w.out);
+    file.extend(parameters);
     for frame in 0..b.frames {
         let mut put = |x: f64| {
             if b.float {

@@ -103,6 +103,31 @@ impl Person {
     }
 }
 
+impl Person {
+    /// Scales the contacts of each speed: the impulse of both feet over a stride is M g T.
+    fn carry_the_weight(&mut self, speeds: &[(f64, f64, f64)]) {
+        let unit = Step {
+            at: 0.0,
+            lasts: 1.0,
+            factor: 1.0,
+            left: true,
+        };
+        let area = (0..400)
+            .map(|i| self.foot(&unit, (f64::from(i) + 0.5) / 400.0))
+            .sum::<f64>()
+            / 400.0;
+        let mut from = 0.0;
+        for &(stride, duty, lasts) in speeds {
+            let own = (self.steps.iter_mut()).filter(|s| s.at >= from && s.at < from + lasts);
+            for s in own {
+                s.factor *= self.mass * G / (2.0 * duty * area);
+                s.factor *= stride * duty / s.lasts;
+            }
+            from += lasts;
+        }
+    }
+}
+
 /// Contacts of one speed after another: durations of strides and share of each that a foot stands.
 fn gait(
     dice: &mut Dice,
@@ -148,26 +173,7 @@ fn gait(
         steps,
         shape,
     };
-    // Impulse of both feet over a stride is M g T.
-    let unit = Step {
-        at: 0.0,
-        lasts: 1.0,
-        factor: 1.0,
-        left: true,
-    };
-    let area = (0..400)
-        .map(|i| person.foot(&unit, (f64::from(i) + 0.5) / 400.0))
-        .sum::<f64>()
-        / 400.0;
-    let mut from = 0.0;
-    for &(stride, duty, lasts) in speeds {
-        let own = (person.steps.iter_mut()).filter(|s| s.at >= from && s.at < from + lasts);
-        for s in own {
-            s.factor *= mass * G / (2.0 * duty * area);
-            s.factor *= stride * duty / s.lasts;
-        }
-        from += lasts;
-    }
+    person.carry_the_weight(speeds);
     person
 }
 

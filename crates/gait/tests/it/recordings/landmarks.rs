@@ -12,55 +12,60 @@ type Landmarks = [Option<(f64, f64)>; 3];
 /// A position that the README does not give.
 const NOT_SAID: f64 = f64::NAN;
 
+const fn n(force: f64, at: f64) -> Option<(f64, f64)> {
+    Some((force, at))
+}
+
+/// File, number of the stance, and what the README says of it.
+const ROWS: &[(&str, usize, Landmarks)] = &[
+    (
+        "c3d/ADemo1_pc_float.c3d",
+        0,
+        [n(619.0, 23.0), n(412.0, 47.0), n(656.0, 79.0)],
+    ),
+    (
+        "text/BiomecII2018_gait_n.txt",
+        0,
+        [n(714.0, 24.0), n(553.0, 43.0), n(773.0, 79.0)],
+    ),
+    (
+        "text/Trial1-FxFyFzMxMyMz.asc",
+        0,
+        [n(930.0, 27.0), n(767.0, 45.0), n(914.0, 70.0)],
+    ),
+    (
+        "opensim/grf_walk_2000hz.mot",
+        0,
+        [
+            n(1.09 * 85.3 * G, 28.0),
+            n(0.72 * 85.3 * G, 49.0),
+            n(1.12 * 85.3 * G, 75.0),
+        ],
+    ),
+    // The README gives both peaks of the C3D plates as recorded, offset and all.
+    (
+        "c3d/walking2.c3d",
+        1,
+        [n(951.0, NOT_SAID), None, n(779.0, NOT_SAID)],
+    ),
+    (
+        "c3d/walking2.c3d",
+        0,
+        [n(540.0, NOT_SAID), None, n(744.0, NOT_SAID)],
+    ),
+    (
+        "opensim/grf_walk_2000hz.mot",
+        1,
+        [
+            n(1.09 * 85.3 * G, 28.0),
+            n(0.78 * 85.3 * G, 49.0),
+            n(1.12 * 85.3 * G, 75.0),
+        ],
+    ),
+];
+
 pub fn peaks_and_valleys_lie_where_the_readme_says(folder: &Path) {
-    let n = |f: f64, at: f64| Some((f, at));
-    let rows: &[(&str, usize, Landmarks)] = &[
-        (
-            "c3d/ADemo1_pc_float.c3d",
-            0,
-            [n(619.0, 23.0), n(412.0, 47.0), n(656.0, 79.0)],
-        ),
-        (
-            "text/BiomecII2018_gait_n.txt",
-            0,
-            [n(714.0, 24.0), n(553.0, 43.0), n(773.0, 79.0)],
-        ),
-        (
-            "text/Trial1-FxFyFzMxMyMz.asc",
-            0,
-            [n(930.0, 27.0), n(767.0, 45.0), n(914.0, 70.0)],
-        ),
-        (
-            "opensim/grf_walk_2000hz.mot",
-            0,
-            [
-                n(1.09 * 85.3 * G, 28.0),
-                n(0.72 * 85.3 * G, 49.0),
-                n(1.12 * 85.3 * G, 75.0),
-            ],
-        ),
-        // The README gives both peaks of the C3D plates as recorded, offset and all.
-        (
-            "c3d/walking2.c3d",
-            1,
-            [n(951.0, NOT_SAID), None, n(779.0, NOT_SAID)],
-        ),
-        (
-            "c3d/walking2.c3d",
-            0,
-            [n(540.0, NOT_SAID), None, n(744.0, NOT_SAID)],
-        ),
-        (
-            "opensim/grf_walk_2000hz.mot",
-            1,
-            [
-                n(1.09 * 85.3 * G, 28.0),
-                n(0.78 * 85.3 * G, 49.0),
-                n(1.12 * 85.3 * G, 75.0),
-            ],
-        ),
-    ];
-    for (file, index, landmarks) in rows {
+    for (file, index, landmarks) in ROWS {
         let (r, s) = open(folder, file);
         let weight = both(&r, &s).mass_kg * G;
         let stance = &s.used[*index];

@@ -278,71 +278,32 @@ fn every_file_of_the_folder_is_looked_at(folder: &Path) {
     assert_eq!(found, FILES);
 }
 
+/// A check with its path.
+type Named = (&'static str, Box<dyn Fn(&Path)>);
+
+fn named<F: Fn(&Path) + 'static>(check: F) -> Named {
+    (std::any::type_name::<F>(), Box::new(check))
+}
+
 /// Runs every check on the recordings; says how many could not run where the folder is missing.
 #[test]
 fn recordings_are_as_their_readme_says() {
-    type Check = fn(&Path);
-    let checks: [(&str, Check); 15] = [
-        (
-            "every_file_of_the_folder_is_looked_at",
-            every_file_of_the_folder_is_looked_at,
-        ),
-        (
-            "a_person_who_jumps_is_not_tared_away",
-            movements::a_person_who_jumps_is_not_tared_away,
-        ),
-        (
-            "running_is_named_and_read_when_asked_for",
-            movements::running_is_named_and_read_when_asked_for,
-        ),
-        (
-            "belts_that_feet_cross_are_summed",
-            movements::belts_that_feet_cross_are_summed,
-        ),
-        (
-            "stances_mass_rate_and_peaks_are_those_of_the_readme",
-            plates::stances_mass_rate_and_peaks_are_those_of_the_readme,
-        ),
-        (
-            "peaks_and_valleys_lie_where_the_readme_says",
-            landmarks::peaks_and_valleys_lie_where_the_readme_says,
-        ),
-        (
-            "a_long_walk_in_an_old_header_gives_the_subjects_mass",
-            a_long_walk_in_an_old_header_gives_the_subjects_mass,
-        ),
-        (
-            "strides_that_the_plates_cover_weigh_the_walker",
-            strides_that_the_plates_cover_weigh_the_walker,
-        ),
-        (
-            "a_treadmill_foot_without_header_and_with_jitter_gives_46_stances",
-            a_treadmill_foot_without_header_and_with_jitter_gives_46_stances,
-        ),
-        (
-            "tables_of_stances_take_their_masses_from_the_subjects",
-            tables_of_stances_take_their_masses_from_the_subjects,
-        ),
-        (
-            "insoles_give_their_steps_and_peaks",
-            insoles_give_their_steps_and_peaks,
-        ),
-        (
-            "unusable_recordings_are_refused_with_their_reason",
-            unusable_recordings_are_refused_with_their_reason,
-        ),
-        (
-            "float_and_integer_copies_agree_within_a_tenth_of_a_newton",
-            float_and_integer_copies_agree_within_a_tenth_of_a_newton,
-        ),
-        (
-            "marked_strikes_and_turns_name_the_feet",
-            marked_strikes_and_turns_name_the_feet,
-        ),
-        (
-            "every_landmark_the_readme_gives_as_a_range_lies_in_it",
-            landmarks::every_landmark_the_readme_gives_as_a_range_lies_in_it,
-        ),
+    let checks = [
+        named(every_file_of_the_folder_is_looked_at),
+        named(movements::a_person_who_jumps_is_not_tared_away),
+        named(movements::running_is_named_and_read_when_asked_for),
+        named(movements::belts_that_feet_cross_are_summed),
+        named(plates::stances_mass_rate_and_peaks_are_those_of_the_readme),
+        named(landmarks::peaks_and_valleys_lie_where_the_readme_says),
+        named(a_long_walk_in_an_old_header_gives_the_subjects_mass),
+        named(strides_that_the_plates_cover_weigh_the_walker),
+        named(a_treadmill_foot_without_header_and_with_jitter_gives_46_stances),
+        named(tables_of_stances_take_their_masses_from_the_subjects),
+        named(insoles_give_their_steps_and_peaks),
+        named(unusable_recordings_are_refused_with_their_reason),
+        named(float_and_integer_copies_agree_within_a_tenth_of_a_newton),
+        named(marked_strikes_and_turns_name_the_feet),
+        named(landmarks::every_landmark_the_readme_gives_as_a_range_lies_in_it),
     ];
     let Some(folder) = folder() else {
         // Not `println`: a passing test's words are swallowed.
