@@ -120,7 +120,9 @@ impl Module {
                 let inner = self.inner(name.trim_end_matches(';'));
                 inner.unwrap_or_else(|| panic!("{statement}")).collect(out);
             }
-            for (path, _) in used(&statement) {
+            // Types of another library have examples of their own.
+            let own = |path: &str| !path.starts_with("nalgebra::");
+            for (path, _) in used(&statement).into_iter().filter(|(path, _)| own(path)) {
                 let (module, name) = self
                     .followed(&path)
                     .unwrap_or_else(|| panic!("{statement}: {path}"));

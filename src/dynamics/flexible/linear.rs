@@ -46,11 +46,8 @@ struct Step {
     push: Vec<Vec<Vector4<f64>>>,
 }
 
-/// The states at all breaks: first, …, last (one more than pieces).
-pub type States = Vec<Vector4<f64>>;
-
 impl Linear {
-    /// States at the breaks of the forcing, from `start`; `kick(i)` is added at the start of piece i > 0.
+    /// States at the breaks of the forcing (one more than pieces), from `start`; `kick(i)` is added at the start of piece i > 0.
     ///
     /// # Panics
     /// When the forcings' breaks differ or their number is not that of the inputs: an error of the caller.
@@ -59,7 +56,7 @@ impl Linear {
         forcing: &[&PiecewisePoly],
         start: Vector4<f64>,
         kick: impl Fn(usize) -> Vector4<f64>,
-    ) -> States {
+    ) -> Vec<Vector4<f64>> {
         let steps = self.steps(forcing);
         run(&steps, forcing, start, &kick)
     }
@@ -73,7 +70,7 @@ impl Linear {
         &self,
         forcing: &[&PiecewisePoly],
         kick: impl Fn(usize) -> Vector4<f64>,
-    ) -> Option<States> {
+    ) -> Option<Vec<Vector4<f64>>> {
         let steps = self.steps(forcing);
         let once = run(&steps, forcing, kick(0), &kick);
         let mut turn = Matrix4::identity();
@@ -144,7 +141,7 @@ fn run(
     forcing: &[&PiecewisePoly],
     start: Vector4<f64>,
     kick: &impl Fn(usize) -> Vector4<f64>,
-) -> States {
+) -> Vec<Vector4<f64>> {
     let mut state = start;
     let mut out = Vec::with_capacity(which.len() + 1);
     for (i, &w) in which.iter().enumerate() {

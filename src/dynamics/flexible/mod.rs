@@ -17,7 +17,7 @@ use crate::drive::{Drive, DriveKind};
 use crate::error::{DynamicsError, Error, Result};
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
-use linear::{Linear, States};
+use linear::Linear;
 use nalgebra::{Matrix4, Vector4};
 
 /// Steady motion of a flexible machine at equal or unequal angles (the breaks of the forcing).
@@ -240,7 +240,7 @@ fn breaks_of(p: &PiecewisePoly) -> impl Iterator<Item = f64> + '_ {
         .chain(std::iter::once(p.piece(last)[p.degree()]))
 }
 
-fn read(law: &Law, drive: &Drive, train: &Train, model: &Model, states: &States) -> Steady {
+fn read(law: &Law, drive: &Drive, train: &Train, model: &Model, states: &[Vector4<f64>]) -> Steady {
     let theta = model.force.breaks().to_vec();
     let rates = &model.linear.rates;
     let forces: Vec<f64> = breaks_of(&model.force).collect();
