@@ -42,8 +42,6 @@ mod active_set;
 mod band;
 mod basis;
 mod certificate;
-mod clarabel;
-mod dual;
 mod equality;
 mod exchange;
 mod frame;
@@ -60,8 +58,8 @@ mod tests;
 
 pub use basis::{Basis, Entries, apply};
 pub use certificate::{Certificate, certificate};
-pub use clarabel::{prepared as clarabel_prepared, run as clarabel_run};
 pub use equality::solve as solve_equalities;
+pub use exchange::clarabel::{prepared as clarabel_prepared, run as clarabel_run};
 pub use exchange::solve as solve_by_interior_point;
 pub use objective::Quadratic;
 pub use program::{

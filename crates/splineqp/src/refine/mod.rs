@@ -32,8 +32,8 @@ use step::Local;
 use super::band::ArrowMatrix;
 use super::basis::{Basis, apply};
 use super::certificate::certificate;
-use super::clarabel::row_unit;
 use super::program::{EXTRAS, Limit, PEAK, Program, Row, Solution};
+use crate::exchange::clarabel::row_unit;
 use crate::poly::{Peak, PiecewisePoly};
 
 struct Contacts<'a, N: Names> {

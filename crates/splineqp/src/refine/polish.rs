@@ -2,7 +2,7 @@
 
 use crate::Names;
 use crate::basis::apply;
-use crate::clarabel::{Point, row_unit};
+use crate::exchange::clarabel::{Point, row_unit};
 use crate::program::{EXTRAS, PEAK, Program, Row};
 use nalgebra::{DMatrix, DVector};
 

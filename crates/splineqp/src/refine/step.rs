@@ -6,10 +6,10 @@
 
 use super::Contacts;
 use crate::Names;
+use crate::active_set::dual::Dual;
 use crate::band::{ArrowFactor, ArrowMatrix};
 use crate::basis::{Entries, apply};
-use crate::clarabel::row_unit;
-use crate::dual::Dual;
+use crate::exchange::clarabel::row_unit;
 use crate::program::{EXTRAS, PEAK, Row, Solution};
 use nalgebra::{DMatrix, DVector};
 

@@ -7,7 +7,7 @@ use clarabel::solver::{
     SupportedConeT,
 };
 
-use super::program::{EXTRAS, Failure, OFFSET, PEAK, Program, RADIUS, RISE, Row, Stop};
+use crate::program::{EXTRAS, Failure, OFFSET, PEAK, Program, RADIUS, RISE, Row, Stop};
 
 /// Minimise ½xᵀPx + qᵀx with b − Ax in the cones, in the solver's hands. Clarabel's code is generic: every crate that makes or
 /// runs a solver of its own compiles it whole, so all ask here.

@@ -3,9 +3,9 @@
 //! With H = LLᵀ and y = Lᵀx this is the point nearest to L⁻¹p that keeps the planes zᵀy ≤ b, z = L⁻¹a. The active planes
 //! are kept as an orthonormal basis Q and a triangle R, Z = QR, so one is added or removed in O(n·active) operations.
 
-use super::band::ArrowFactor;
-use super::basis::{Entries, apply};
-use super::frame::{Apart, Frame, square};
+use crate::band::ArrowFactor;
+use crate::basis::{Entries, apply};
+use crate::frame::{Apart, Frame, square};
 
 /// A plane that is active.
 struct Member {

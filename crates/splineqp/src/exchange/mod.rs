@@ -1,10 +1,12 @@
 //! Exchange of rows: solve with the rows at hand, add rows at the exact worst points of the law, solve again, until no limit
 //! is exceeded on the continuum.
 
-use super::program::{EXTRAS, Failure, Program, Row, Solution, Stop};
-use super::{clarabel, equality, refine};
+pub mod clarabel;
+
 use crate::Names;
 use crate::poly::Peak;
+use crate::program::{EXTRAS, Failure, Program, Row, Solution, Stop};
+use crate::{equality, refine};
 
 /// The optimum by the interior-point method on exchanged rows, which begin with the program's seeds or with the worst points of
 /// its optimum without limits.

@@ -3,15 +3,17 @@
 //! Each round goes on from the last. Between rounds the worst points of the law join as rows; the objective only grows,
 //! so no active set returns. Once all contacts are nearly right, Newton's method moves them together (`refine`).
 
-use super::band::ArrowFactor;
-use super::basis::{Entries, apply};
-use super::dual::{Dual, Stuck};
-use super::equality::Unlimited;
-use super::program::{EXTRAS, Program, Row, Solution};
-use super::refine;
-use super::settings::ActiveSetSettings;
+pub mod dual;
+
 use crate::Names;
+use crate::band::ArrowFactor;
+use crate::basis::{Entries, apply};
+use crate::equality::Unlimited;
 use crate::poly::Peak;
+use crate::program::{EXTRAS, Program, Row, Solution};
+use crate::refine;
+use crate::settings::ActiveSetSettings;
+use dual::{Dual, Stuck};
 
 /// Solves a program over the coefficients alone, starting from its optimum without limits.
 ///
