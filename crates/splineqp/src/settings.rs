@@ -29,6 +29,10 @@ pub struct EqualitySettings {
     pub consistent: f64,
     /// Weight, in units of H, that holds a level which limits may move.
     pub light_pin: f64,
+    /// An objective whose curvature along the constant function is below this part of the largest leaves the level open …
+    pub level_is_free: f64,
+    /// … unless the entries of an equality sum to more than this part of their size.
+    pub fixes_level: f64,
 }
 
 /// Settings of the dual active-set method.
@@ -148,7 +152,9 @@ pub struct ExchangeSettings {
     pub polish_below: f64,
     /// A round that leaves more than this part of the least violation has stalled.
     pub stalled: f64,
-    /// Room inside a limit never exceeds this part of its scale.
+    /// Then room is kept inside every limit: this many times the violation, and the room of the round before …
+    pub margin_growth: f64,
+    /// … but never more than this part of its scale.
     pub largest_margin: f64,
     /// What the solver leaves unresolved of a second-order cone, which is not polished.
     pub cone_margin: f64,
@@ -180,6 +186,8 @@ impl Default for Settings {
                 dependent: 1e-11,
                 consistent: 1e-8,
                 light_pin: 1e-6,
+                level_is_free: 1e-10,
+                fixes_level: 1e-6,
             },
             active_set: ActiveSetSettings {
                 rounds: 60,
@@ -202,6 +210,7 @@ impl Default for Settings {
                 rounds: 60,
                 polish_below: 1e-5,
                 stalled: 0.5,
+                margin_growth: 2.0,
                 largest_margin: 1e-6,
                 cone_margin: 1e-7,
                 coincident: 1e-4,

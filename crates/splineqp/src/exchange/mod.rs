@@ -87,9 +87,8 @@ pub fn from_rows<N: Names>(
         if least.is_some_and(|least| violation > settings.stalled * least)
             && violation < settings.largest_margin
         {
-            margin = (2.0 * violation)
-                .max(2.0 * margin)
-                .min(settings.largest_margin);
+            margin = settings.margin_growth * violation.max(margin);
+            margin = margin.min(settings.largest_margin);
         }
         if least.is_none_or(|least| violation < least) {
             best = Some(solution);

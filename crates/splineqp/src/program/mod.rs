@@ -278,7 +278,8 @@ impl<N: Names> Program<N> {
             Basis::Spline { .. } => self.hessian.sum(),
             Basis::Harmonic { .. } => self.hessian.get(0, 0),
         };
-        energy <= 1e-10 * self.hessian.largest_diagonal()
+        let free = self.settings.equality.level_is_free;
+        energy <= free * self.hessian.largest_diagonal()
     }
 
     /// Whether neither the objective nor a demand fixes the level of the law.
@@ -288,7 +289,7 @@ impl<N: Names> Program<N> {
                 .entries
                 .iter()
                 .fold((0.0, 0.0), |(s, z), e| (s + e.1, z + e.1.abs()));
-            f64::abs(sum) > 1e-6 * size
+            f64::abs(sum) > self.settings.equality.fixes_level * size
         };
         !self.equalities.iter().any(fixes_level) && self.constant_is_free()
     }
