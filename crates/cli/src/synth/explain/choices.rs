@@ -195,7 +195,7 @@ pub fn chord_error(cam: &Cam, n: usize) -> f64 {
 
 /// RMS distance, N, between the force of the law and that of the curve through `n` emitted points.
 ///
-/// Fails where the follower cannot be put back on the points ([`recover`]).
+/// Fails where the follower cannot be put back on the points ([`recover()`]).
 pub fn force_of_points(design: &Design, n: usize) -> Result<f64> {
     let emitted = recover(&design.cam.follower, &design.cam.profile(n))?;
     Ok(rms_difference(design, &design.cam.law, &emitted.law))
