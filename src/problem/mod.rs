@@ -20,6 +20,7 @@ pub(crate) use size::outside_bore;
 pub use size::{Size, USUAL_PRESSURE_ANGLE};
 pub use target::Target;
 pub(crate) use target::piecewise;
+use target::typical_lift;
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -209,7 +210,7 @@ impl Problem {
     }
 
     /// Degree of spline laws.
-    pub fn degree(&self) -> usize {
+    pub fn spline_degree(&self) -> usize {
         let damped = self.law.polydyne && self.machine.damping_ratio > 0.0;
         let usual = if damped { DAMPED_DEGREE } else { USUAL_DEGREE };
         self.law.degree.unwrap_or(usual)
@@ -248,31 +249,6 @@ impl Problem {
     pub fn lift_of_force(&self, force: f64) -> Option<f64> {
         let w = self.drive.weights();
         (w[0] != 0.0 && w[1] == 0.0 && w[2] == 0.0).then(|| (force - self.drive.rest_force) / w[0])
-    }
-}
-
-/// The lift that force and demands ask for, m: the unit in which solvers work.
-fn typical_lift(drive: &Drive, target: Option<&Target>, law: &LawSpec) -> f64 {
-    let [k, c, m, _] = drive.weights();
-    let from_force = target.map_or(0.0, |target| {
-        let largest = target.farthest_from(drive.rest_force);
-        let gain = k + c + m;
-        if gain > 0.0 { largest / gain } else { 0.0 }
-    });
-    let points = &law.points;
-    let lifts = points
-        .iter()
-        .filter_map(|p| p.lift)
-        .chain(law.dwells.iter().filter_map(|d| d.lift));
-    let from_points = lifts.fold(0.0_f64, |x, l| x.max(l.abs()));
-    let forces = points.iter().filter_map(|p| p.force);
-    let from_forces = forces.fold(0.0_f64, |x, f| x.max(f.abs()));
-    let from_forces = if k > 0.0 { from_forces / k } else { 0.0 };
-    let typical = from_force.max(from_points).max(from_forces);
-    if typical > 0.0 && typical.is_finite() {
-        typical
-    } else {
-        1e-3
     }
 }
 

@@ -3,9 +3,10 @@
 use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex, OnceLock};
 
+use crate::drive::Drive;
 use crate::force::ForceCurve;
 use crate::poly::{Cells, PiecewisePoly, amplitudes};
-use crate::scene::PhaseWeight;
+use crate::scene::{LawSpec, PhaseWeight};
 
 /// One turn of the target force with its cubics.
 ///
@@ -137,6 +138,31 @@ fn cells(force: &ForceCurve) -> Cells {
     ends.extend_from_slice(f);
     ends.push(f[0]);
     Cells::new(ends, force.slopes(), TAU)
+}
+
+/// The lift that force and demands ask for, m: the unit in which solvers work.
+pub fn typical_lift(drive: &Drive, target: Option<&Target>, law: &LawSpec) -> f64 {
+    let [k, c, m, _] = drive.weights();
+    let from_force = target.map_or(0.0, |target| {
+        let largest = target.farthest_from(drive.rest_force);
+        let gain = k + c + m;
+        if gain > 0.0 { largest / gain } else { 0.0 }
+    });
+    let points = &law.points;
+    let lifts = points
+        .iter()
+        .filter_map(|p| p.lift)
+        .chain(law.dwells.iter().filter_map(|d| d.lift));
+    let from_points = lifts.fold(0.0_f64, |x, l| x.max(l.abs()));
+    let forces = points.iter().filter_map(|p| p.force);
+    let from_forces = forces.fold(0.0_f64, |x, f| x.max(f.abs()));
+    let from_forces = if k > 0.0 { from_forces / k } else { 0.0 };
+    let typical = from_force.max(from_points).max(from_forces);
+    if typical > 0.0 && typical.is_finite() {
+        typical
+    } else {
+        1e-3
+    }
 }
 
 /// A force as a piecewise cubic over θ ∈ [0, 2π], N.

@@ -29,49 +29,49 @@ pub struct CheckedCam {
     pub checks: Vec<Check>,
 }
 
-impl CheckedCam {
-    /// The cam of a law; `end` is the law of the end of a compliant follower that it moves.
-    ///
-    /// # Errors
-    /// Lengths that fix no cam.
-    pub fn of(
-        problem: &Problem,
-        search: &Search,
-        law: &Law,
-        end: Option<&Law>,
-    ) -> Result<CheckedCam> {
-        let own = on_base_circle(problem, search, law);
-        let start = law.extent().0;
-        let raised = own.svaj(start).s - law.svaj(start).s;
-        let end = end.map(|end| end.raised(raised));
-        let cam = match &end {
-            Some(end) => sizing::cam(problem, own, end)?,
-            None => sizing::cam(problem, own.clone(), &own)?,
-        };
-        let conjugate = sizing::conjugate(problem, &cam)?;
-        let groove = sizing::groove(problem, &cam)?;
-        let pressing = end.as_ref().unwrap_or(&cam.law);
-        let force = force_report(problem, search, pressing);
-        let finished = Finished {
-            problem,
-            cam: &cam,
-            second: conjugate.as_ref().map(|pair| &pair.second),
-            groove: groove.as_ref(),
-            pressing,
-            force: &force,
-        };
-        let checks = finished.checks();
-        Ok(CheckedCam {
-            cam,
-            raised,
-            end,
-            conjugate,
-            groove,
-            force,
-            checks,
-        })
-    }
+/// The cam of a law; `end` is the law of the end of a compliant follower that it moves.
+///
+/// # Errors
+/// Lengths that fix no cam.
+pub fn checked_cam(
+    problem: &Problem,
+    search: &Search,
+    law: &Law,
+    end: Option<&Law>,
+) -> Result<CheckedCam> {
+    let own = on_base_circle(problem, search, law);
+    let start = law.extent().0;
+    let raised = own.svaj(start).s - law.svaj(start).s;
+    let end = end.map(|end| end.raised(raised));
+    let cam = match &end {
+        Some(end) => sizing::cam(problem, own, end)?,
+        None => sizing::cam(problem, own.clone(), &own)?,
+    };
+    let conjugate = sizing::conjugate(problem, &cam)?;
+    let groove = sizing::groove(problem, &cam)?;
+    let pressing = end.as_ref().unwrap_or(&cam.law);
+    let force = force_report(problem, search, pressing);
+    let finished = Finished {
+        problem,
+        cam: &cam,
+        second: conjugate.as_ref().map(|pair| &pair.second),
+        groove: groove.as_ref(),
+        pressing,
+        force: &force,
+    };
+    let checks = finished.checks();
+    Ok(CheckedCam {
+        cam,
+        raised,
+        end,
+        conjugate,
+        groove,
+        force,
+        checks,
+    })
+}
 
+impl CheckedCam {
     /// The law that makes the force.
     pub fn pressing(&self) -> &Law {
         self.end.as_ref().unwrap_or(&self.cam.law)

@@ -61,10 +61,12 @@ mod design;
 mod families;
 mod infeasible;
 mod limits;
+mod optimum;
 mod pareto;
 mod phase;
 mod polydyne;
 mod qp;
+mod refusal;
 mod scp;
 mod search;
 mod sizing;
@@ -96,8 +98,9 @@ use crate::error::{Placed, Result};
 use crate::force::ForceCurve;
 use crate::problem::{Note, Problem};
 use crate::scene::{Family, Scene};
-use checked_cam::CheckedCam;
-use families::{NoLaw, Refusal, SolvedLaw};
+use checked_cam::{CheckedCam, checked_cam};
+use families::SolvedLaw;
+use refusal::{NoLaw, Refusal};
 
 /// Designs the cam that a scene asks for. `force` is one cycle of the target force, where the scene has one.
 ///
@@ -134,15 +137,16 @@ impl Scene {
 /// Faults of the input.
 pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
     let problem = phase::resolve(problem, |at| least_error(at, search))?;
-    match sized(&problem, &problem, search) {
-        Ok(sized) => finished(&problem, search, sized, None),
-        Err(NoLaw::Fault(fault)) => Err(fault),
+    let (sized, infeasible) = match sized(&problem, &problem, search) {
+        Ok(sized) => (sized, None),
+        Err(NoLaw::Fault(fault)) => return Err(fault),
         Err(NoLaw::Refused(refusal)) => {
             let why = infeasible::explain(&problem, &refusal);
             let sized = without_limits(&problem, search, &refusal, &why)?;
-            finished(&problem, search, sized, Some(why))
+            (sized, Some(why))
         }
-    }
+    };
+    finished(&problem, search, sized, infeasible)
 }
 
 /// The design of a problem that has one; why there is none is not looked for.
@@ -186,7 +190,7 @@ fn sized(
         return polydyne::design(problem, limited, search, &train);
     }
     let mut law = families::law(limited, search)?;
-    let checked = CheckedCam::of(problem, search, &law.law, None)?;
+    let checked = checked_cam(problem, search, &law.law, None)?;
     law.functions.raise(&mut law.coefficients, checked.raised);
     Ok(SizedLaw {
         law,

@@ -2,9 +2,10 @@
 //! follows it, and every limit of the cam holds for the cam's own law.
 
 use super::SizedLaw;
-use super::checked_cam::CheckedCam;
+use super::checked_cam::checked_cam;
 use super::design::End;
-use super::families::{self, NoLaw};
+use super::families;
+use super::refusal::NoLaw;
 use super::search::Search;
 use crate::cam::{Criterion, LimitKind};
 use crate::dynamics::Train;
@@ -70,7 +71,7 @@ fn one(
     let law = families::law(moved, search)?;
     let key = |e: Error| e.at_key("law.polydyne");
     let whole = polydyne(&law.law, &problem.drive, train).map_err(key)?;
-    let checked = CheckedCam::of(problem, search, &whole, Some(&law.law))?;
+    let checked = checked_cam(problem, search, &whole, Some(&law.law))?;
     Ok(SizedLaw {
         law,
         checked,

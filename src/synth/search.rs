@@ -4,10 +4,11 @@ use std::convert::Infallible;
 use std::sync::{Arc, Mutex};
 
 use super::ForceReport;
-use super::families::{Objective, ObjectiveKey, SpanKey};
-use super::limits::ReportKey;
+use super::qp::{Basis, Quadratic};
+use crate::drive::Drive;
 use crate::halt::Halt;
 use crate::law::Law;
+use crate::scene::Minimise;
 
 /// What a search has that is not part of the problem: its cache and its end.
 ///
@@ -45,6 +46,44 @@ pub(super) struct Cache {
     pub spans: Kept<SpanKey, usize>,
     /// Laws raised to the base circle (3 %; where no limit is active a third of a row).
     pub raised: Kept<Law, Law>,
+}
+
+/// What an objective depends on beside force and demands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ObjectiveKey {
+    pub spans: usize,
+    pub degree: usize,
+    pub minimise: Minimise,
+    pub phase: f64,
+    pub drive: Drive,
+}
+
+/// What is minimised, over its functions.
+#[derive(Debug, Clone)]
+pub(super) struct Objective {
+    pub basis: Basis,
+    pub whole: Quadratic,
+    /// The force distance alone.
+    pub force: Quadratic,
+}
+
+/// What the number of spans without limits depends on beside force and demands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct SpanKey {
+    /// Force error asked for, N RMS.
+    pub wanted: f64,
+    /// Phase of the force cycle at cam angle 0, rad.
+    pub phase: f64,
+    pub drive: Drive,
+    pub degree: usize,
+}
+
+/// What the distance of a force from the target depends on beside the target.
+#[derive(Debug, PartialEq)]
+pub(super) struct ReportKey {
+    pub law: Law,
+    pub drive: Drive,
+    pub phase: f64,
 }
 
 /// Values by what they depend on beside force and demands; the oldest go together once there are many.

@@ -168,6 +168,11 @@ impl Quadratic {
             + self.gradient.iter().zip(x).map(|(g, x)| g * x).sum::<f64>()
             + self.constant
     }
+
+    /// The root of twice the value at `x`: the RMS of what half a mean square is the value of.
+    pub fn root(&self, x: &[f64]) -> f64 {
+        (2.0 * self.value(x)).max(0.0).sqrt()
+    }
 }
 
 /// The filling-in of values by a function of θ.

@@ -3,7 +3,26 @@
 use super::{Draft, Extent, JUMP, ROUNDING, Segment, name};
 use crate::error::{JoinCure, LawError, Result};
 use crate::law::{Joint, Rise, Svaj};
-use crate::units::Quantity;
+use crate::units::{Dimension, Quantity};
+
+impl Extent {
+    /// A length of the programme: an angle, or travel of a translating cam.
+    fn quantity(self, x: f64) -> Quantity {
+        match self {
+            Extent::Length(_) => Quantity::length(x),
+            Extent::Turns(_) => Quantity::angle(x),
+        }
+    }
+
+    /// A velocity: by angle, or by travel.
+    fn velocity(self, v: f64) -> Quantity {
+        let dimension = match self {
+            Extent::Length(_) => Dimension::Ratio,
+            Extent::Turns(_) => Dimension::LengthPerAngle(1),
+        };
+        Quantity::new(v, dimension)
+    }
+}
 
 /// The sum of the lengths, which must fill the extent to rounding.
 pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {

@@ -4,7 +4,7 @@ mod checks;
 
 use super::{Law, Rise, Svaj, pieces::Pieces, rise::joining};
 use crate::error::{LawError, Result, SegmentName};
-use crate::units::{Dimension, Quantity};
+use crate::units::Quantity;
 use std::f64::consts::{PI, TAU};
 
 /// One motion of a programme.
@@ -62,23 +62,6 @@ impl Extent {
 
     fn is_closed(self) -> bool {
         !matches!(self, Extent::Length(_))
-    }
-
-    /// A length of the programme: an angle, or travel of a translating cam.
-    fn quantity(self, x: f64) -> Quantity {
-        match self {
-            Extent::Length(_) => Quantity::length(x),
-            Extent::Turns(_) => Quantity::angle(x),
-        }
-    }
-
-    /// A velocity: by angle, or by travel.
-    fn velocity(self, v: f64) -> Quantity {
-        let dimension = match self {
-            Extent::Length(_) => Dimension::Ratio,
-            Extent::Turns(_) => Dimension::LengthPerAngle(1),
-        };
-        Quantity::new(v, dimension)
     }
 }
 
@@ -157,7 +140,7 @@ pub fn constant_breadth(half: &[Segment]) -> Result<Law> {
     pieces.push_shape(&first, PI, 0.0, 1.0, false);
     pieces.push_shape(&first, PI, lift, -1.0, false);
     pieces.end_exactly_at(TAU);
-    let law = finished(pieces, true)?;
+    let law = pieces.finish(true).ok_or(LawError::NoSegment)?;
     let mirrored = half.iter().map(|s| Segment {
         lift: -s.lift,
         ..s.clone()
@@ -204,16 +187,10 @@ fn ends_of(segments: &[Segment], stretch: f64) -> Vec<f64> {
         .collect()
 }
 
-fn finished(pieces: Pieces, closed: bool) -> Result<Law> {
-    pieces
-        .finish(closed)
-        .ok_or_else(|| LawError::NoSegment.into())
-}
-
 fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
     let total = checks::lengths(segments, extent)?;
-    let stretch = extent.length() / total;
     checks::general(segments, extent)?;
+    let stretch = extent.length() / total;
     let shapes: Vec<Option<Law>> = segments
         .iter()
         .map(|s| {
@@ -262,7 +239,7 @@ fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
     }
     pieces.end_exactly_at(extent.length());
     Ok(Draft {
-        law: finished(pieces, extent.is_closed())?,
+        law: (pieces.finish(extent.is_closed())).ok_or(LawError::NoSegment)?,
         ends: ends_of(segments, stretch),
     })
 }

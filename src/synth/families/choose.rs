@@ -1,17 +1,17 @@
 //! Which family of laws a scene gets that does not insist on one: families simpler than the spline are tried first.
 
-use super::{NoLaw, SolvedLaw, double_harmonic, harmonic};
+use super::double_harmonic::double_harmonic_law;
+use super::harmonic::{harmonic_law, inverted};
+use super::solved::SolvedLaw;
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
-use crate::synth::checked_cam::CheckedCam;
+use crate::synth::checked_cam::checked_cam;
 use crate::synth::design::method::PassedOver;
 use crate::synth::design::reason::quantity;
 use crate::synth::infeasible::explain;
+use crate::synth::refusal::NoLaw;
 use crate::synth::search::Search;
 use crate::units::Quantity;
-
-/// The harmonics in closed form, as the ladder names them.
-const INVERSE: &str = "the inverse by harmonics";
 
 /// What the families simpler than the spline come to.
 pub enum Simpler {
@@ -21,78 +21,105 @@ pub enum Simpler {
     Missed(Vec<PassedOver>),
 }
 
+/// A family simpler than the spline.
+#[derive(Clone, Copy)]
+enum Candidate {
+    /// The harmonics in closed form: where every limit and the accuracy hold with them they are the optimum (theory §1).
+    Inverse,
+    /// One double harmonic.
+    DoubleHarmonic,
+    /// A few harmonics.
+    Harmonic,
+}
+
 /// The first of the simpler families whose cam passes every check.
 pub fn simpler(problem: &Problem, search: &Search) -> Result<Simpler, NoLaw> {
-    if problem.law.family == Family::Ladder {
-        inverse(problem, search)
-    } else {
-        simplest(problem, search)
-    }
-}
-
-/// Harmonics in closed form, where every limit and the accuracy hold with them, because then they are the optimum
-/// already (theory §1).
-fn inverse(problem: &Problem, search: &Search) -> Result<Simpler, NoLaw> {
-    let law = &problem.law;
-    let only_splines = problem.is_weighed()
-        || law.monotone
-        || law.polydyne
-        || problem.has_demands()
-        || problem.objective() != Minimise::ForceError;
-    if problem.target.is_none() || only_splines {
-        return Ok(Simpler::Missed(Vec::new()));
-    }
-    let wanted = problem.wanted_error();
-    // In resonance a spline may still have a law: it distributes the force of the missing harmonic.
-    let missed = match harmonic::inverted(problem, None, wanted) {
-        Ok((_, left_over)) if left_over > wanted => PassedOver::Accuracy {
-            family: INVERSE,
-            excess: Quantity::force(left_over - wanted),
-        },
-        Ok((found, _)) => match missed_by(problem, search, &found, INVERSE)? {
-            None => return Ok(Simpler::Passes(Box::new(found))),
-            Some(miss) => miss,
-        },
-        Err(fault) => PassedOver::Fault {
-            family: INVERSE,
-            fault: fault.to_string(),
-        },
-    };
-    Ok(Simpler::Missed(vec![missed]))
-}
-
-/// A double harmonic, or a few harmonics: the first whose cam passes every check.
-fn simplest(problem: &Problem, search: &Search) -> Result<Simpler, NoLaw> {
     let mut passed_over = Vec::new();
-    // Only the spline can decide feasibility: where nothing else is of use, simpler families are skipped.
-    let only_spline = search.only_passing
-        || problem.target.is_none()
-        || problem.has_demands()
-        || problem.objective() != Minimise::ForceError;
-    if only_spline {
-        return Ok(Simpler::Missed(passed_over));
-    }
-    for family in [Family::DoubleHarmonic, Family::Harmonic] {
-        let law = match family {
-            Family::DoubleHarmonic => double_harmonic::law(problem, search),
-            _ => harmonic::law(problem, search),
+    for &candidate in candidates(problem, search) {
+        let mut law = match attempt(candidate, problem, search) {
+            Ok(law) => law,
+            Err(miss) => {
+                passed_over.extend(miss);
+                continue;
+            }
         };
-        passed_over.push(match law {
-            Err(NoLaw::Fault(_)) => continue,
-            Err(NoLaw::Refused(refusal)) => PassedOver::Limits {
-                family: family.name(),
-                limits: explain(problem, &refusal).conflict,
-            },
-            Ok(mut law) => match missed_by(problem, search, &law, family.name())? {
-                Some(miss) => miss,
-                None => {
-                    law.solver.passed_over = passed_over;
-                    return Ok(Simpler::Passes(Box::new(law)));
-                }
-            },
-        });
+        match missed_by(problem, search, &law, candidate.name())? {
+            Some(miss) => passed_over.push(miss),
+            None => {
+                law.solver.passed_over = passed_over;
+                return Ok(Simpler::Passes(Box::new(law)));
+            }
+        }
     }
     Ok(Simpler::Missed(passed_over))
+}
+
+/// The families that the problem may have. Only a spline meets demands and other objectives.
+fn candidates(problem: &Problem, search: &Search) -> &'static [Candidate] {
+    let law = &problem.law;
+    let only_spline = problem.target.is_none()
+        || problem.has_demands()
+        || problem.objective() != Minimise::ForceError;
+    if law.family == Family::Ladder {
+        let only_spline = only_spline || problem.is_weighed() || law.monotone || law.polydyne;
+        return if only_spline {
+            &[]
+        } else {
+            &[Candidate::Inverse]
+        };
+    }
+    // Only the spline can decide feasibility: where nothing else is of use, simpler families are skipped.
+    if only_spline || search.only_passing {
+        &[]
+    } else {
+        &[Candidate::DoubleHarmonic, Candidate::Harmonic]
+    }
+}
+
+impl Candidate {
+    /// The family as the ladder names it.
+    fn name(self) -> &'static str {
+        match self {
+            Candidate::Inverse => "the inverse by harmonics",
+            Candidate::DoubleHarmonic => Family::DoubleHarmonic.name(),
+            Candidate::Harmonic => Family::Harmonic.name(),
+        }
+    }
+}
+
+/// The law of a candidate, or what it misses, where that is worth telling.
+fn attempt(
+    candidate: Candidate,
+    problem: &Problem,
+    search: &Search,
+) -> Result<SolvedLaw, Option<PassedOver>> {
+    let family = candidate.name();
+    let law = match candidate {
+        Candidate::DoubleHarmonic => double_harmonic_law(problem).map_err(NoLaw::Fault),
+        Candidate::Inverse => {
+            let wanted = problem.wanted_error();
+            // In resonance a spline may still have a law: it distributes the force of the missing harmonic.
+            return match inverted(problem, None, wanted) {
+                Ok((_, left_over)) if left_over > wanted => Err(Some(PassedOver::Accuracy {
+                    family,
+                    excess: Quantity::force(left_over - wanted),
+                })),
+                Ok((law, _)) => Ok(law),
+                Err(fault) => Err(Some(PassedOver::Fault {
+                    family,
+                    fault: fault.to_string(),
+                })),
+            };
+        }
+        Candidate::Harmonic => harmonic_law(problem, search),
+    };
+    law.map_err(|no_law| match no_law {
+        NoLaw::Fault(_) => None,
+        NoLaw::Refused(refusal) => Some(PassedOver::Limits {
+            family,
+            limits: explain(problem, &refusal).conflict,
+        }),
+    })
 }
 
 /// What the cam of a law breaks first; `None` when it passes.
@@ -102,7 +129,7 @@ fn missed_by(
     found: &SolvedLaw,
     family: &'static str,
 ) -> Result<Option<PassedOver>, NoLaw> {
-    let checked = CheckedCam::of(problem, search, &found.law, None)?;
+    let checked = checked_cam(problem, search, &found.law, None)?;
     let error = checked.force.rms_error_n;
     // Without a required accuracy the usual one applies.
     let wanted = problem.wanted_error();

@@ -1,106 +1,13 @@
-//! Demands on a spline: the points and dwells of the law, and the breaks that dwells need.
+//! Demands on a spline: the points and dwells of the law, as equalities.
 
 use std::f64::consts::TAU;
 
 use crate::error::{Placed, Result, SynthError};
-use crate::poly::{Span, SplineSpace};
+use crate::poly::Span;
 use crate::problem::Problem;
 use crate::scene::{Dwell, LimitKind};
 use crate::synth::qp::{Basis, Demand, Entries, Equality, Given};
 use crate::units::Quantity;
-
-/// Periodic splines over the turn with `spans` spans outside the dwells, with `smooth` continuous
-/// derivatives at the dwells' ends.
-pub fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell], smooth: usize) -> Result<Basis> {
-    if dwells.is_empty() {
-        let space = SplineSpace::periodic_uniform(degree, spans, TAU);
-        return Ok(Basis::Spline {
-            space,
-            closed: true,
-        });
-    }
-    let rests = rests(dwells)?;
-    let mut corners: Vec<f64> = rests
-        .iter()
-        .flat_map(|r| [r.0, r.1])
-        .filter(|x| *x > 0.0 && *x < TAU)
-        .collect();
-    corners.sort_by(f64::total_cmp);
-    corners.dedup_by(|a, b| (*a - *b).abs() < 1e-12);
-    let ends: Vec<f64> = std::iter::once(0.0)
-        .chain(corners.iter().copied())
-        .chain([TAU])
-        .collect();
-    let resting = |mid: f64| rests.iter().any(|r| mid > r.0 && mid < r.1);
-    let moving: f64 = ends
-        .windows(2)
-        .filter(|w| !resting(0.5 * (w[0] + w[1])))
-        .map(|w| w[1] - w[0])
-        .sum();
-    let mut breaks = vec![0.0];
-    let mut multiplicity = Vec::new();
-    // As smooth as the degree allows where rest and motion do not meet.
-    let corner = degree.saturating_sub(smooth).max(1);
-    for w in ends.windows(2) {
-        let rests_here = resting(0.5 * (w[0] + w[1]));
-        let parts = if rests_here {
-            1
-        } else {
-            ((spans as f64 * (w[1] - w[0]) / moving).round() as usize).max(1)
-        };
-        let is_corner = w[0] > 0.0 || (resting(0.5 * (w[0] + w[1])) != resting(TAU - 1e-9));
-        multiplicity.push(if is_corner { corner } else { 1 });
-        for p in 1..=parts {
-            let x = if p == parts {
-                w[1]
-            } else {
-                w[0] + (w[1] - w[0]) * p as f64 / parts as f64
-            };
-            breaks.push(x);
-            if p < parts {
-                multiplicity.push(1);
-            }
-        }
-    }
-    let space = SplineSpace::periodic(degree, &breaks, &multiplicity);
-    Ok(Basis::Spline {
-        space,
-        closed: true,
-    })
-}
-
-/// Dwells as ranges inside [0, 2π], those across 0 cut in two.
-fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
-    let mut out = Vec::new();
-    for (i, d) in dwells.iter().enumerate() {
-        let key = format!("law.dwell[{}]", i + 1);
-        let inside = |x: f64| (-1e-9..=TAU + 1e-9).contains(&x);
-        if !inside(d.from) || !inside(d.to) || d.from == d.to {
-            return Err(SynthError::NoRange {
-                start: Quantity::angle(d.from),
-                end: Quantity::angle(d.to),
-            }
-            .at_key(&key));
-        }
-        let (from, to) = (d.from.clamp(0.0, TAU), d.to.clamp(0.0, TAU));
-        if from < to {
-            out.push((from, to));
-        } else {
-            out.push((from, TAU));
-            out.push((0.0, to));
-        }
-    }
-    let mut sorted = out.clone();
-    sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
-    if sorted.windows(2).any(|w| w[0].1 > w[1].0 + 1e-12) {
-        return Err(SynthError::DwellsOverlap.at_key("law.dwell"));
-    }
-    if (sorted.iter().map(|r| r.1 - r.0).sum::<f64>() - TAU).abs() < 1e-9 {
-        return Err(SynthError::DwellsFillTurn.at_key("law.dwell"));
-    }
-    out.retain(|r| r.1 > r.0);
-    Ok(out)
-}
 
 /// Lift, velocity, acceleration, jerk and force at the points of the law.
 pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> {

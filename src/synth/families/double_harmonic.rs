@@ -11,7 +11,7 @@ use argmin::solver::neldermead::NelderMead;
 use argmin_math::{ArgminAdd, ArgminMul, ArgminSub};
 
 use super::harmonic::no_force;
-use super::{NoLaw, SolvedLaw, report};
+use super::solved::SolvedLaw;
 use crate::drive::Drive;
 use crate::error::{Placed, Result, SynthError};
 use crate::law::{Extent, Law, Rise, Segment, assemble};
@@ -22,7 +22,6 @@ use crate::synth::design::method::Method;
 use crate::synth::design::parameters::Functions;
 use crate::synth::design::proof::Doubt;
 use crate::synth::design::{SolverReport, Tier};
-use crate::synth::search;
 use crate::units::Quantity;
 
 /// A placed hump.
@@ -48,7 +47,7 @@ const ITERATIONS: u64 = 150;
 const NODES: usize = 256;
 
 /// The problem's double harmonic with how it was found.
-pub fn law(problem: &Problem, _: &search::Search) -> std::result::Result<SolvedLaw, NoLaw> {
+pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
     let hump = fit(target, &problem.drive, problem.limits[LimitKind::Stroke])?;
     let [from, rise, fall] = hump.angles.map(Quantity::angle);
@@ -60,18 +59,21 @@ pub fn law(problem: &Problem, _: &search::Search) -> std::result::Result<SolvedL
         error: Quantity::force(hump.rms),
     };
     let [start, rise, fall] = hump.angles;
-    let parameters = vec![hump.lift, start, rise, fall];
     let solver = SolverReport {
         certified: false,
         doubt: Some(Doubt::Local),
-        ..report(Tier::Equality, method, hump.evaluations)
+        ..SolverReport::of(Tier::Equality, method, hump.evaluations)
     };
-    Ok(SolvedLaw::unlimited(
-        hump.law,
-        Family::DoubleHarmonic,
-        (Functions::DoubleHarmonic, parameters),
+    Ok(SolvedLaw {
+        law: hump.law,
+        family: Family::DoubleHarmonic,
+        degree: 0,
+        functions: Functions::DoubleHarmonic,
+        coefficients: vec![hump.lift, start, rise, fall],
+        binding: Vec::new(),
+        easing: Vec::new(),
         solver,
-    ))
+    })
 }
 
 /// The best hump for a force, its lift no larger than `stroke`.

@@ -2,16 +2,15 @@
 
 use std::f64::consts::TAU;
 
-use super::{NoLaw, SolvedLaw, report};
+use super::solved::SolvedLaw;
 use crate::error::{Placed, Result, SynthError};
 use crate::law::{Condition, Law, hermite_birkhoff};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::Problem;
 use crate::scene::Family;
-use crate::synth::design::Tier;
 use crate::synth::design::method::Method;
 use crate::synth::design::parameters::Functions;
-use crate::synth::search::Search;
+use crate::synth::design::{SolverReport, Tier};
 use crate::units::Quantity;
 
 /// The problem's polynomial with how it was found.
@@ -19,13 +18,18 @@ use crate::units::Quantity;
 /// # Errors
 /// The conditions do not fix a polynomial of the degree asked for, a force is given that lift alone does not
 /// decide, or the ends cannot be joined by a dwell.
-pub fn law(problem: &Problem, _: &Search) -> std::result::Result<SolvedLaw, NoLaw> {
+pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
     let p = through_points(problem)?;
-    let functions = Functions::Monomial { range: p.range };
-    let solver = report(Tier::Equality, Method::Interpolation, 0);
+    let solver = SolverReport::of(Tier::Equality, Method::Interpolation, 0);
     Ok(SolvedLaw {
+        law: p.law,
+        family: Family::Polynomial,
         degree: p.degree,
-        ..SolvedLaw::unlimited(p.law, Family::Polynomial, (functions, p.monomials), solver)
+        functions: Functions::Monomial { range: p.range },
+        coefficients: p.monomials,
+        binding: Vec::new(),
+        easing: Vec::new(),
+        solver,
     })
 }
 

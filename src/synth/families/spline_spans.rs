@@ -38,7 +38,7 @@ impl<'a> Forecast<'a> {
         suits.then(|| Forecast {
             target,
             drive: problem.drive,
-            degree: problem.degree() as i32,
+            degree: problem.spline_degree() as i32,
             whole: target.mean_square_from(problem.drive.rest_force),
         })
     }
@@ -101,7 +101,7 @@ mod tests {
     use super::*;
     use crate::force::{Feet, model};
     use crate::scene;
-    use crate::synth::families::spline_program::unlimited;
+    use crate::synth::families::formulation::unlimited;
     use crate::synth::qp;
     use crate::synth::search::Search;
 

@@ -1,6 +1,6 @@
 //! Smallest convex radius of the finished cam, undercut, the roller in a hollow, interference.
 
-use super::GEOMETRY;
+use super::finished::GEOMETRY;
 use super::slack::{ProfileSize, Slack};
 use crate::cam::{Body, Cam, Check, Criterion, Follower, FollowerKind, LimitKind};
 use crate::law::Svaj;

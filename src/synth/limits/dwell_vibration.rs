@@ -5,7 +5,7 @@
 
 use std::f64::consts::TAU;
 
-use super::Finished;
+use super::finished::Finished;
 use crate::cam::{Check, LimitKind};
 use crate::dynamics::flexible::linear::gauss_points;
 use crate::dynamics::flexible::polydyne::end_error;

@@ -1,8 +1,7 @@
 //! Smallest and largest contact force, the band about the target, and the accuracy.
 
-use super::{Finished, SLACK};
+use super::finished::{Finished, SLACK};
 use crate::cam::{Check, Criterion, LimitKind};
-use crate::drive::Drive;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
@@ -10,7 +9,7 @@ use crate::problem::{Problem, piecewise};
 use crate::scene::Minimise;
 use crate::synth::design::ForceReport;
 use crate::synth::qp::{Limit, Meaning, PEAK, Program, TOLERANCE};
-use crate::synth::search::Search;
+use crate::synth::search::{ReportKey, Search};
 
 /// Smallest and largest force.
 pub fn rows(problem: &Problem) -> Vec<Limit> {
@@ -77,14 +76,6 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
         program.cost[PEAK] = 1.0;
     }
     out
-}
-
-/// What the distance of a force from the target depends on besides the target.
-#[derive(Debug, PartialEq)]
-pub struct ReportKey {
-    law: Law,
-    drive: Drive,
-    phase: f64,
 }
 
 /// Distance of the force of a law from the target, exact on the pieces of both.

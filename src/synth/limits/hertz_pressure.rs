@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::GEOMETRY;
+use super::finished::GEOMETRY;
 use crate::cam::{BarrelGroove, Cam, Follower, Wall};
 use crate::drive::Drive;
 use crate::dynamics::hertz::{STEEL, modulus};

@@ -1,10 +1,10 @@
-//! Base circle, stroke, velocity, acceleration, jerk; monotone flanks and the peak of a derivative.
+//! Base circle, stroke, face width, velocity, acceleration, jerk; monotone flanks and the peak of a derivative.
 
-use super::SLACK;
-use crate::cam::{Cam, Check, Criterion, LimitKind};
+use super::finished::SLACK;
+use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
-use crate::synth::qp::{LOWEST, Limit, Meaning, only};
+use crate::synth::qp::{FACE_END, LOWEST, Limit, Meaning, only};
 
 /// A law may dip below its base circle by this part of the stroke: rounding.
 const DIP: f64 = 1e-7;
@@ -40,6 +40,20 @@ pub fn stroke(problem: &Problem) -> Vec<Limit> {
     };
     let window = problem.level_is_known().then_some(LOWEST);
     Limit::range(LimitKind::Stroke, 0, h, problem.length, window)
+}
+
+/// The contact on a flat face moves by v (theory §6): its range is the face's width.
+pub fn face_width(problem: &Problem) -> Vec<Limit> {
+    match (problem.limits[LimitKind::FaceWidth], problem.cam.follower) {
+        (Some(width), FollowerKind::FlatTranslating) => Limit::range(
+            LimitKind::FaceWidth,
+            1,
+            width,
+            problem.length,
+            Some(FACE_END),
+        ),
+        _ => Vec::new(),
+    }
 }
 
 /// The derivatives by time that are limited.

@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use super::Finished;
+use super::finished::Finished;
 use super::hertz_pressure::Press;
 use super::slack::{ProfileSize, Slack};
 use crate::cam::{Check, FollowerKind, LimitKind};

@@ -6,6 +6,7 @@
 
 mod curvature;
 mod dwell_vibration;
+mod finished;
 mod force;
 mod hertz_pressure;
 mod kinematic;
@@ -19,7 +20,8 @@ mod size;
 mod slack;
 
 pub use dwell_vibration::{rings, silence};
-pub use force::{ReportKey, about_the_target, report as force_report};
+pub use finished::{Finished, GEOMETRY};
+pub use force::{about_the_target, report as force_report};
 pub use hertz_pressure::Press;
 pub use kinematic::{above_base_circle, monotone, peak};
 pub use loads::{bearable_on_some_size, largest, smallest_base_radius, torque_curve};
@@ -28,17 +30,9 @@ pub use pressure_angle::{NEARLY_RIGHT, usual_pressure_angle};
 pub use profile::Profile;
 pub use slack::ProfileSize;
 
-use super::design::ForceReport;
 use super::qp::{Limit, Program};
 use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, FollowerKind, Wall};
-use crate::law::Law;
 use crate::problem::Problem;
-
-/// Relative rounding of a limit that the program holds: twice its own tolerance.
-const SLACK: f64 = 2.0 * super::qp::TOLERANCE;
-/// A sized quantity (prime circle by bisection or root) may miss its limit by this part: rounding of the
-/// geometry, not of the law.
-pub const GEOMETRY: f64 = 1e-8;
 
 /// Limits over the whole turn that are linear in the law.
 ///
@@ -47,7 +41,7 @@ pub const GEOMETRY: f64 = 1e-8;
 pub fn rows(problem: &Problem) -> Vec<Limit> {
     let mut out = kinematic::base_circle(problem);
     out.extend(kinematic::stroke(problem));
-    out.extend(size::face_width(problem));
+    out.extend(kinematic::face_width(problem));
     out.extend(kinematic::timed(problem));
     out.extend(force::rows(problem));
     let of_law_alone = out.len();
@@ -89,22 +83,6 @@ pub fn with_size(problem: &Problem, program: &mut Program) {
     }
     program.limits.extend(sized);
     size::priced(problem, program);
-}
-
-/// A finished design, as its limits are checked.
-pub struct Finished<'a> {
-    /// What was asked.
-    pub problem: &'a Problem,
-    /// The cam.
-    pub cam: &'a Cam,
-    /// The second cam of a conjugate pair.
-    pub second: Option<&'a Cam>,
-    /// The groove of a barrel.
-    pub groove: Option<&'a BarrelGroove>,
-    /// The law that makes the force: the cam's own, or that of a polydyne follower's end.
-    pub pressing: &'a Law,
-    /// Its force against the target.
-    pub force: &'a ForceReport,
 }
 
 impl Finished<'_> {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::GEOMETRY;
+use super::finished::GEOMETRY;
 use super::slack::Slack;
 use crate::cam::{Check, FollowerKind, LimitKind};
 use crate::law::Svaj;

@@ -1,27 +1,13 @@
-//! Prime radius, bore and face width.
+//! Prime radius and bore.
 
+use super::finished::{GEOMETRY, SLACK};
 use super::nonconvex::ENLARGED;
 use super::profile::Profile;
-use super::{GEOMETRY, SLACK};
 use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::scene::Minimise;
-use crate::synth::qp::{FACE_END, Limit, Meaning, Program, RADIUS, RISE};
-
-/// The contact on a flat face moves by v (theory §6): its range is the face's width.
-pub fn face_width(problem: &Problem) -> Vec<Limit> {
-    match (problem.limits[LimitKind::FaceWidth], problem.cam.follower) {
-        (Some(width), FollowerKind::FlatTranslating) => Limit::range(
-            LimitKind::FaceWidth,
-            1,
-            width,
-            problem.length,
-            Some(FACE_END),
-        ),
-        _ => Vec::new(),
-    }
-}
+use crate::synth::qp::{Limit, Meaning, Program, RADIUS, RISE};
 
 /// Cost of a size among the variables, the limit on it, and the cone Rp ≥ ‖(D, e)‖ of an open offset.
 pub fn priced(problem: &Problem, program: &mut Program) {

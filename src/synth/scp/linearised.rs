@@ -5,7 +5,7 @@ use super::trial::ROOM;
 use crate::cam::LimitKind;
 use crate::law::Law;
 use crate::poly::{Peak, PiecewisePoly};
-use crate::synth::limits::relative;
+use crate::synth::limits::{ProfileSize, relative};
 use crate::synth::qp::{EXTRAS, Limit, OFFSET, Program, RADIUS, RISE, Row, Solution};
 
 /// Rows per piece of the law.
@@ -148,7 +148,7 @@ pub fn linearised(
 }
 
 /// Places at which every law of the program is linearised.
-pub fn each_place(program: &Program, mut visit: impl FnMut(Peak)) {
+fn each_place(program: &Program, mut visit: impl FnMut(Peak)) {
     let breaks = program.basis.breaks();
     for piece in 0..breaks.len() - 1 {
         for k in 0..=ROWS_PER_PIECE {
@@ -165,7 +165,7 @@ pub fn each_place(program: &Program, mut visit: impl FnMut(Peak)) {
 }
 
 /// A row that belongs to no limit of the program.
-pub fn row(
+fn row(
     program: &Program,
     peak: Peak,
     weights: &[f64],
@@ -188,4 +188,31 @@ pub fn row(
         scale,
         multiplier: 0.0,
     }
+}
+
+/// Rows of a + (2X₀/ρ − 1)X − X₀²/ρ ≥ 0 all around, X₀ no smaller than the 4ρ/3 that makes it sufficient.
+pub fn restricted(program: &Program, current: &Solution, size: ProfileSize) -> Vec<Row> {
+    let present = program.present();
+    let law = Law::of(&program.basis, &current.x);
+    let sufficient = 4.0 / 3.0 * size.rho;
+    let mut out = Vec::new();
+    each_place(program, |place| {
+        let at = law.svaj_on(place.piece, place.u);
+        let x0 = (size.rise + at.s).max(sufficient);
+        let by_x = 2.0 * x0 / size.rho - 1.0;
+        let mut bound = -x0 * x0 / size.rho;
+        let mut extra = [0.0; EXTRAS];
+        if present[RISE] {
+            extra[RISE] = -by_x;
+        } else {
+            bound += by_x * size.rise;
+        }
+        out.push(row(program, place, &[-by_x, 0.0, -1.0], extra, bound, x0));
+        if present[RISE] {
+            let mut high_enough = [0.0; EXTRAS];
+            high_enough[RISE] = -1.0;
+            out.push(row(program, place, &[-1.0], high_enough, -sufficient, x0));
+        }
+    });
+    out
 }

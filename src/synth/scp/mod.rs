@@ -13,15 +13,13 @@
 //! roller always fits.
 
 mod at_size;
-mod corrected;
 mod linearised;
 mod start;
 mod trial;
 
 pub use at_size::AtSize;
 
-use corrected::corrected;
-use linearised::{Room, contacts, least_of, linearised};
+use linearised::{NEARLY, Room, contacts, least_of, linearised};
 use trial::{ROOM, blend, solved};
 
 use super::design::Step;
@@ -38,6 +36,8 @@ const IMPROVEMENT: f64 = 1e-7;
 const STEP_TOLERANCE: f64 = 0.25 * ENLARGED;
 /// Linearisations tried for the last law.
 const HELD_ROUNDS: usize = 6;
+/// Linearisations of a step about its own end before it is shortened instead.
+const CORRECTIONS: usize = 5;
 /// A corrected step that gains less than this part of the predicted gain is compared with shorter steps.
 const WORTH_MENDING: f64 = 0.5;
 /// Weight of a size that has to shrink, relative to the objective.
@@ -171,6 +171,37 @@ fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut f64
         taken,
     };
     Outcome::Taken(trial, one)
+}
+
+/// A step's end with its clearance, linearised about itself until what is not convex holds there: Newton's method on
+/// the contacts, where the rows of the step's start would have it cut short. `None` where it does not come to that.
+fn corrected(program: &Program, target: &Solution, at_size: &AtSize) -> Option<(Solution, f64)> {
+    let mut end = target.clone();
+    let (mut kept, mut before) = (Room::above(0.0), f64::NEG_INFINITY);
+    for round in 0..=CORRECTIONS {
+        let each = at_size.clear(program, &end);
+        let clear = least_of(&each);
+        if clear >= ROOM {
+            return Some((end, clear));
+        }
+        if round == CORRECTIONS || clear < 2.0 * before.min(-NEARLY) {
+            return None;
+        }
+        if clear < 0.25 * before {
+            kept.widen(&each);
+        }
+        before = clear;
+        let mut next = program.clone();
+        next.fixed = linearised(program, &end, at_size, &kept);
+        next.seeds = contacts(program, &end);
+        let solved = solved(&next)?;
+        end = Solution {
+            iterations: end.iterations + solved.iterations,
+            rounds: end.rounds + solved.rounds,
+            ..solved
+        };
+    }
+    None
 }
 
 /// The longest part of a step, by halves, that keeps every limit and gains more than `least`; its clearance and the part.

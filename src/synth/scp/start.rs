@@ -1,12 +1,11 @@
 //! Where a sequence of convex programs begins: a law that keeps what is not convex.
 
 use super::at_size::AtSize;
-use super::linearised::{Room, contacts, each_place, least_of, linearised, row};
+use super::linearised::{Room, contacts, least_of, linearised, restricted};
 use super::trial::{ROOM, blend, solved};
 use crate::cam::LimitKind;
-use crate::law::Law;
-use crate::synth::limits::{Profile, ProfileSize};
-use crate::synth::qp::{EXTRAS, PEAK, Program, Quadratic, RISE, Row, SIZES, Solution};
+use crate::synth::limits::Profile;
+use crate::synth::qp::{PEAK, Program, Quadratic, SIZES, Solution};
 
 /// Steps of the tightening, linearisations per step, and the smallest step.
 const TIGHTENINGS: usize = 40;
@@ -146,31 +145,4 @@ fn nearest_to(program: &Program, before: &Solution) -> Program {
     (near.hessian, near.gradient) = (distance.hessian, distance.gradient);
     near.constant = 0.0;
     near
-}
-
-/// Rows of a + (2X₀/ρ − 1)X − X₀²/ρ ≥ 0 all around, X₀ no smaller than the 4ρ/3 that makes it sufficient.
-fn restricted(program: &Program, current: &Solution, size: ProfileSize) -> Vec<Row> {
-    let present = program.present();
-    let law = Law::of(&program.basis, &current.x);
-    let sufficient = 4.0 / 3.0 * size.rho;
-    let mut out = Vec::new();
-    each_place(program, |place| {
-        let at = law.svaj_on(place.piece, place.u);
-        let x0 = (size.rise + at.s).max(sufficient);
-        let by_x = 2.0 * x0 / size.rho - 1.0;
-        let mut bound = -x0 * x0 / size.rho;
-        let mut extra = [0.0; EXTRAS];
-        if present[RISE] {
-            extra[RISE] = -by_x;
-        } else {
-            bound += by_x * size.rise;
-        }
-        out.push(row(program, place, &[-by_x, 0.0, -1.0], extra, bound, x0));
-        if present[RISE] {
-            let mut high_enough = [0.0; EXTRAS];
-            high_enough[RISE] = -1.0;
-            out.push(row(program, place, &[-1.0], high_enough, -sufficient, x0));
-        }
-    });
-    out
 }

@@ -19,16 +19,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::Refusal;
-use crate::criterion::Criterion;
 use crate::law::Law;
-use crate::problem::Problem;
-use crate::scene::Minimise;
-use crate::synth::design::proof::Doubt;
-use crate::synth::limits;
-use crate::synth::qp::{
-    self, Certificate, Demand, Equality, Failure, Program, Row, Solution, apply,
-};
+use crate::synth::qp::{self, Failure, Program, Row, Solution};
+use crate::synth::refusal::Refusal;
 
 /// Part of the objective's size to which the least over all angles is proved.
 const GAP: f64 = 4e-7;
@@ -45,8 +38,8 @@ const NARROWEST: f64 = TAU / 65536.0;
 /// Angles tried where the first leaves no law.
 const TRIED: usize = 12;
 
-/// A law at the best touching angle.
-pub struct Optimum {
+/// A solved program with its touching angle.
+pub struct Touching {
     /// The program at that angle.
     pub program: Program,
     /// Its solution.
@@ -57,65 +50,17 @@ pub struct Optimum {
     pub bound: Option<f64>,
 }
 
-impl Optimum {
-    /// A law whose level is known.
-    pub fn known(program: Program, solution: Solution) -> Optimum {
-        Optimum {
-            program,
-            solution,
-            at: None,
-            bound: None,
-        }
-    }
-
-    /// The law.
-    pub fn law(&self) -> Law {
-        Law::of(&self.program.basis, &self.solution.x)
-    }
-
-    /// How near to the optimum over all touching angles the law is, and what is in doubt of that.
-    pub fn evidence(&self) -> (Certificate, Option<Doubt>) {
-        let mut evidence = qp::certificate(&self.program, &self.solution);
-        let Some(bound) = self.bound else {
-            return (evidence, self.at.map(|_| Doubt::TouchingAngle));
-        };
-        evidence.widen(self.program.merit(&self.solution) - bound);
-        (evidence, None)
-    }
-
-    /// A lower bound of the objective over all laws that keep the limits.
-    pub fn least(&self) -> f64 {
-        let value = self.program.merit(&self.solution);
-        value - self.evidence().0.duality_gap
-    }
-
-    /// The same law as one of known level: it stands on the base circle where it is lowest.
-    pub fn pinned(&self, problem: &Problem) -> (Program, Solution) {
-        let (mut program, mut solution) = (self.program.clone(), self.solution.clone());
-        if program.level_is_open() {
-            // A limit that leaves the angle open lets the law be lower elsewhere, where all lifts only grow.
-            let at = self.law().extremes(0).0.at;
-            let entries = program.basis.row(at, &[1.0, 0.0, 0.0, 0.0]);
-            let lowest = apply(&entries, &solution.x);
-            solution.x = program.basis.raised(solution.x, -lowest);
-            program.equalities.push(Equality {
-                name: Demand::OnBaseCircle,
-                entries,
-                value: 0.0,
-            });
-            program.limits.retain(|l| l.name != Criterion::BaseCircle);
-            program.limits.extend(limits::above_base_circle(problem));
-        }
-        (program, solution)
-    }
-}
-
 /// Solves a program at the touching angle that serves it best; one that counts no lift from the base circle as
-/// it is.
-pub fn solve(problem: &Problem, program: Program) -> Result<Optimum, Box<Refusal>> {
+/// it is. `stiffness` is α above, where the objective has a square part.
+pub fn at_best_angle(program: Program, stiffness: Option<f64>) -> Result<Touching, Box<Refusal>> {
     if !program.limits.iter().any(|l| l.from_base_circle) {
         return match program.solve() {
-            Ok(solution) => Ok(Optimum::known(program, solution)),
+            Ok(solution) => Ok(Touching {
+                program,
+                solution,
+                at: None,
+                bound: None,
+            }),
             Err(failure) => Err(Refusal::of(program, failure)),
         };
     }
@@ -130,7 +75,7 @@ pub fn solve(problem: &Problem, program: Program) -> Result<Optimum, Box<Refusal
         programs: 0,
     };
     search.begin(first)?;
-    let bound = stiffness(problem).and_then(|alpha| search.proved(alpha));
+    let bound = stiffness.and_then(|alpha| search.proved(alpha));
     Ok(search.finished(bound))
 }
 
@@ -176,28 +121,6 @@ impl Node {
 /// α Q(t).
 fn distance(t: f64) -> f64 {
     4.0 * t * t * (PI * PI / 12.0 - PI * t / 12.0 + t * t / 48.0)
-}
-
-/// α: the objective's square part is at least ½ α mean(s″²); `None` where it has none.
-fn stiffness(problem: &Problem) -> Option<f64> {
-    let inertia = problem.drive.weights()[2];
-    let force = problem.least_weight() * inertia * inertia;
-    let alpha = match problem.objective() {
-        Minimise::ForceError => force,
-        Minimise::Weighed(weigh) => {
-            let by_force = weigh.force_error.map_or(0.0, |part| {
-                2.0 * force / (part * problem.target_mean()).powi(2)
-            });
-            // |n|⁶ ≥ |n|⁴ on every harmonic of the turn.
-            let by_jerk = weigh
-                .jerk
-                .map_or(0.0, |one| 2.0 / (one / problem.drive.speed.powi(3)).powi(2));
-            by_force + by_jerk
-        }
-        Minimise::Energy(order) if order >= 2 => 1.0,
-        Minimise::Energy(_) | Minimise::Peak(_) | Minimise::PeakForceError | Minimise::Size => 0.0,
-    };
-    (alpha > 0.0).then_some(alpha)
 }
 
 struct Search {
@@ -322,7 +245,7 @@ impl Search {
         }
     }
 
-    fn finished(mut self, bound: Option<f64>) -> Optimum {
+    fn finished(mut self, bound: Option<f64>) -> Touching {
         let best = self.nodes.swap_remove(self.best());
         let mut solution = best.solution;
         solution.iterations += self
@@ -332,7 +255,7 @@ impl Search {
             .sum::<usize>();
         let mut program = self.program;
         program.touch_at(best.at);
-        Optimum {
+        Touching {
             program,
             solution,
             at: Some(best.at),

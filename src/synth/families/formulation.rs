@@ -1,13 +1,18 @@
-//! The convex program of a spline: demands, what is minimised, convex limits.
+//! The convex program of a problem over splines or harmonics: demands, what is minimised, convex limits.
 
-use super::demands::{dwell_demands, implied_by_limits, point_demands, spline_basis};
-use crate::drive::Drive;
+use std::f64::consts::TAU;
+
+use super::demands::{dwell_demands, implied_by_limits, point_demands};
 use crate::error::{Placed, Result, SynthError};
+use crate::law::Law;
+use crate::poly::SplineSpace;
 use crate::problem::{Problem, Size};
-use crate::scene::{Minimise, Weigh};
+use crate::scene::{Dwell, Minimise, Weigh};
 use crate::synth::limits;
+use crate::synth::optimum::Formulation;
 use crate::synth::qp::{Basis, PEAK, Program, Quadratic};
-use crate::synth::search::Search;
+use crate::synth::search::{Objective, ObjectiveKey, Search};
+use crate::units::Quantity;
 
 /// Weight of the jerk term against the force term, both made dimensionless: it settles what the force
 /// leaves open (phases of zero weight) and is far below any accuracy.
@@ -19,25 +24,6 @@ const MOST_DEMANDS: usize = 2000;
 const SIZE_JERK: f64 = 1e3;
 /// Objectives over more spans than this are not kept: they take much memory, and more time to solve than to make.
 const MOST_KEPT_SPANS: usize = 128;
-
-/// What an objective depends on beside force and demands.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ObjectiveKey {
-    spans: usize,
-    degree: usize,
-    minimise: Minimise,
-    phase: f64,
-    drive: Drive,
-}
-
-/// What is minimised, over its functions.
-#[derive(Debug, Clone)]
-pub struct Objective {
-    basis: Basis,
-    whole: Quadratic,
-    /// The force distance alone.
-    force: Quadratic,
-}
 
 /// The program without limits, and the force distance alone.
 pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Program, Quadratic)> {
@@ -58,8 +44,9 @@ pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Pr
     Ok((program, force))
 }
 
-/// The program with every limit that is convex, and the force distance alone.
-pub fn limited(problem: &Problem, search: &Search, spans: usize) -> Result<(Program, Quadratic)> {
+/// A spline law under every convex limit.
+pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<Formulation> {
+    let stiffness = stiffness(problem);
     let (mut program, force) = unlimited(problem, search, spans)?;
     let mut rows = limits::rows(problem);
     if problem.law.monotone {
@@ -74,26 +61,81 @@ pub fn limited(problem: &Problem, search: &Search, spans: usize) -> Result<(Prog
     if problem.size() == Size::Sought {
         limits::with_size(problem, &mut program);
     }
-    Ok((program, force))
+    Ok(Formulation {
+        program,
+        force,
+        stiffness,
+        above_base_circle: limits::above_base_circle(problem),
+        pieces: spans,
+    })
+}
+
+/// The force fit in a given number of harmonics under the convex limits. `unlimited` is the law without
+/// them: where nothing fixes the lift, it touches the base circle where it is lowest.
+pub fn of_harmonics(
+    problem: &Problem,
+    search: &Search,
+    count: usize,
+    unlimited: &Law,
+) -> Formulation {
+    let stiffness = stiffness(problem);
+    let basis = Basis::Harmonic { count };
+    let force = force_distance(problem, &basis);
+    let mut program = Program::new(basis, force.clone(), Vec::new(), problem.length);
+    program.halt = search.halt.clone();
+    program.limits = limits::rows(problem);
+    if !problem.level_is_known() {
+        program.touch_at(unlimited.extremes(0).0.at);
+    }
+    Formulation {
+        program,
+        force,
+        stiffness,
+        above_base_circle: limits::above_base_circle(problem),
+        pieces: 2 * count,
+    }
+}
+
+/// α: the objective's square part is at least ½ α mean(s″²); `None` where it has none.
+fn stiffness(problem: &Problem) -> Option<f64> {
+    let inertia = problem.drive.weights()[2];
+    let force = problem.least_weight() * inertia * inertia;
+    let alpha = match problem.objective() {
+        Minimise::ForceError => force,
+        Minimise::Weighed(weigh) => {
+            let by_force = weigh.force_error.map_or(0.0, |part| {
+                2.0 * force / (part * problem.target_mean()).powi(2)
+            });
+            // |n|⁶ ≥ |n|⁴ on every harmonic of the turn.
+            let by_jerk = weigh
+                .jerk
+                .map_or(0.0, |one| 2.0 / (one / problem.drive.speed.powi(3)).powi(2));
+            by_force + by_jerk
+        }
+        Minimise::Energy(order) if order >= 2 => 1.0,
+        Minimise::Energy(_) | Minimise::Peak(_) | Minimise::PeakForceError | Minimise::Size => 0.0,
+    };
+    (alpha > 0.0).then_some(alpha)
 }
 
 /// The objective; of few spans from the cache.
 fn cached_objective(problem: &Problem, search: &Search, spans: usize) -> Result<Objective> {
+    let degree = problem.spline_degree();
+    let compute = || objective(problem, spans, degree);
     if spans > MOST_KEPT_SPANS {
-        return objective(problem, spans);
+        return compute();
     }
     let key = ObjectiveKey {
         spans,
-        degree: problem.degree(),
+        degree,
         minimise: problem.objective(),
         phase: problem.phase,
         drive: problem.drive,
     };
-    (search.cache.objectives).try_get(key, |_| objective(problem, spans))
+    (search.cache.objectives).try_get(key, |_| compute())
 }
 
-fn objective(problem: &Problem, spans: usize) -> Result<Objective> {
-    let degree = problem.degree();
+fn objective(problem: &Problem, spans: usize, degree: usize) -> Result<Objective> {
     let corners = if problem.law.polydyne { degree - 1 } else { 2 };
     let basis = spline_basis(degree, spans, &problem.law.dwells, corners)?;
     let force = force_distance(problem, &basis);
@@ -128,6 +170,99 @@ fn objective(problem: &Problem, spans: usize) -> Result<Objective> {
     })
 }
 
+/// Periodic splines over the turn with `spans` spans outside the dwells, with `smooth` continuous
+/// derivatives at the dwells' ends.
+fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell], smooth: usize) -> Result<Basis> {
+    if dwells.is_empty() {
+        let space = SplineSpace::periodic_uniform(degree, spans, TAU);
+        return Ok(Basis::Spline {
+            space,
+            closed: true,
+        });
+    }
+    let rests = rests(dwells)?;
+    let mut corners: Vec<f64> = rests
+        .iter()
+        .flat_map(|r| [r.0, r.1])
+        .filter(|x| *x > 0.0 && *x < TAU)
+        .collect();
+    corners.sort_by(f64::total_cmp);
+    corners.dedup_by(|a, b| (*a - *b).abs() < 1e-12);
+    let ends: Vec<f64> = std::iter::once(0.0)
+        .chain(corners.iter().copied())
+        .chain([TAU])
+        .collect();
+    let resting = |mid: f64| rests.iter().any(|r| mid > r.0 && mid < r.1);
+    let moving: f64 = ends
+        .windows(2)
+        .filter(|w| !resting(0.5 * (w[0] + w[1])))
+        .map(|w| w[1] - w[0])
+        .sum();
+    let mut breaks = vec![0.0];
+    let mut multiplicity = Vec::new();
+    // As smooth as the degree allows where rest and motion do not meet.
+    let corner = degree.saturating_sub(smooth).max(1);
+    for w in ends.windows(2) {
+        let rests_here = resting(0.5 * (w[0] + w[1]));
+        let parts = if rests_here {
+            1
+        } else {
+            ((spans as f64 * (w[1] - w[0]) / moving).round() as usize).max(1)
+        };
+        let is_corner = w[0] > 0.0 || (resting(0.5 * (w[0] + w[1])) != resting(TAU - 1e-9));
+        multiplicity.push(if is_corner { corner } else { 1 });
+        for p in 1..=parts {
+            let x = if p == parts {
+                w[1]
+            } else {
+                w[0] + (w[1] - w[0]) * p as f64 / parts as f64
+            };
+            breaks.push(x);
+            if p < parts {
+                multiplicity.push(1);
+            }
+        }
+    }
+    let space = SplineSpace::periodic(degree, &breaks, &multiplicity);
+    Ok(Basis::Spline {
+        space,
+        closed: true,
+    })
+}
+
+/// Dwells as ranges inside [0, 2π], those across 0 cut in two.
+fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
+    let mut out = Vec::new();
+    for (i, d) in dwells.iter().enumerate() {
+        let key = format!("law.dwell[{}]", i + 1);
+        let inside = |x: f64| (-1e-9..=TAU + 1e-9).contains(&x);
+        if !inside(d.from) || !inside(d.to) || d.from == d.to {
+            return Err(SynthError::NoRange {
+                start: Quantity::angle(d.from),
+                end: Quantity::angle(d.to),
+            }
+            .at_key(&key));
+        }
+        let (from, to) = (d.from.clamp(0.0, TAU), d.to.clamp(0.0, TAU));
+        if from < to {
+            out.push((from, to));
+        } else {
+            out.push((from, TAU));
+            out.push((0.0, to));
+        }
+    }
+    let mut sorted = out.clone();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if sorted.windows(2).any(|w| w[0].1 > w[1].0 + 1e-12) {
+        return Err(SynthError::DwellsOverlap.at_key("law.dwell"));
+    }
+    if (sorted.iter().map(|r| r.1 - r.0).sum::<f64>() - TAU).abs() < 1e-9 {
+        return Err(SynthError::DwellsFillTurn.at_key("law.dwell"));
+    }
+    out.retain(|r| r.1 > r.0);
+    Ok(out)
+}
+
 /// The quadratic part of (e/e₁)² + R/R₁ + (j/j₁)²; `force` holds ½e².
 fn weighed(problem: &Problem, basis: &Basis, force: &Quadratic, weigh: Weigh) -> Quadratic {
     let mean = problem.target_mean();
@@ -148,7 +283,7 @@ fn weighed(problem: &Problem, basis: &Basis, force: &Quadratic, weigh: Weigh) ->
 }
 
 /// ½ mean((F − F*)²) over the turn, weighed by phase where the problem says so; 0 where no force is wanted.
-pub fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
+fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     let mut force = Quadratic::zero(basis);
     let Some(target) = &problem.target else {
         return force;

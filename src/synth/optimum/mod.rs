@@ -1,0 +1,347 @@
+//! From a convex program to the best law under all limits: the angle at which the law touches its base circle, then the
+//! limits that are not convex, by a sequence of convex programs.
+
+mod touching;
+
+use super::design::method::{Ended, Method};
+use super::design::proof::{self, Doubt, PROVED};
+use super::design::{SolverReport, Step, Tier};
+use super::limits::{self, ENLARGED, NonconvexLimits};
+use super::qp::{
+    self, Certificate, Demand, Equality, Failure, Limit, OFFSET, Program, Quadratic, RADIUS, RISE,
+    Solution, Stop, apply,
+};
+use super::refusal::{NoLaw, Refusal};
+use super::search::Search;
+use super::{scp, sizing};
+use crate::criterion::Criterion;
+use crate::law::Law;
+use crate::problem::{Problem, Size};
+use crate::scene::Minimise;
+
+/// Relative rounding of a lower bound of the force error.
+const BOUND_ROUNDING: f64 = 1e-6;
+
+/// The convex program of a problem over the functions of a family, with what its solution needs beside it.
+#[derive(Clone)]
+pub struct Formulation {
+    /// Demands, objective and convex limits.
+    pub program: Program,
+    /// Half the mean square of the force error.
+    pub force: Quadratic,
+    /// α: the square part of the objective is at least ½ α mean(s″²); `None` where it has none.
+    pub stiffness: Option<f64>,
+    /// s ≥ 0, where the law has to stay above its base circle.
+    pub above_base_circle: Option<Limit>,
+    /// Spans, or half waves of the highest harmonic: contacts nearer than half of one are one contact.
+    pub pieces: usize,
+}
+
+impl Formulation {
+    /// Whether a law with these coefficients breaks a limit, its lowest point standing on the base circle where nothing
+    /// else fixes the level.
+    pub fn is_broken_by(&self, coefficients: &[f64]) -> bool {
+        let program = &self.program;
+        if program.limits.is_empty() {
+            return false;
+        }
+        let mut x = coefficients.to_vec();
+        if program.constant_is_free() {
+            x[0] -= Law::of(&program.basis, &x).extremes(0).0.value;
+        }
+        !program.broken(&x, &program.windows(&x)).is_empty()
+    }
+}
+
+/// The best law found for a formulation.
+pub struct Optimum {
+    /// The formulation, at the touching angle.
+    pub formulation: Formulation,
+    /// The solution of its program, or the last one of the sequence.
+    pub solution: Solution,
+    /// The touching angle, where there was one to choose.
+    at: Option<f64>,
+    /// No touching angle gives an objective below this; `None` where none was to choose or nothing is proved.
+    bound: Option<f64>,
+    /// The sequence of convex programs, where one was needed.
+    sequence: Option<Sequence>,
+    /// Limits that are not convex and that no law was found to keep.
+    left_out: bool,
+}
+
+/// How a sequence of convex programs went.
+struct Sequence {
+    steps: Vec<Step>,
+    ended: Ended,
+    /// Lower bound of the objective from the convex limits.
+    least: f64,
+    /// … proved for every touching angle.
+    least_is_proved: bool,
+}
+
+/// The optimum under the convex limits alone.
+///
+/// # Errors
+/// The program without solution.
+pub fn convex(formulation: Formulation) -> Result<Optimum, Box<Refusal>> {
+    let solved = touching::at_best_angle(formulation.program, formulation.stiffness)?;
+    Ok(Optimum {
+        formulation: Formulation {
+            program: solved.program,
+            ..formulation
+        },
+        solution: solved.solution,
+        at: solved.at,
+        bound: solved.bound,
+        sequence: None,
+        left_out: false,
+    })
+}
+
+/// The optimum under the convex limits, without vibration in dwells, and under the limits on the loads.
+///
+/// # Errors
+/// No law keeps the limits, or none that reaches the accuracy where only such a law is of use.
+pub fn solve(
+    problem: &Problem,
+    search: &Search,
+    formulation: Formulation,
+) -> Result<Optimum, NoLaw> {
+    let mut optimum = convex(formulation)?;
+    if search.only_passing && misses_accuracy(problem, &optimum) {
+        return Err(Refusal::of(optimum.formulation.program, Failure::Infeasible).into());
+    }
+    if limits::rings(problem, &optimum.law()) {
+        // The best law that leaves no vibration; without one the check reports what is left.
+        let mut silent = optimum.formulation.clone();
+        let silence = limits::silence(problem, &silent.program.basis);
+        silent.program.equalities.extend(silence);
+        optimum = convex(silent).unwrap_or(optimum);
+    }
+    match with_loads(problem, &mut optimum) {
+        None => Ok(optimum),
+        Some(limits) => {
+            let failure = if search.halt.is_asked() {
+                Stop::OutOfTime.into()
+            } else {
+                Failure::Infeasible
+            };
+            let refusal = Refusal {
+                nonconvex: Some(limits),
+                ..*Refusal::of(optimum.formulation.program, failure)
+            };
+            Err(NoLaw::Refused(Box::new(refusal)))
+        }
+    }
+}
+
+impl Optimum {
+    /// The law.
+    pub fn law(&self) -> Law {
+        Law::of(&self.formulation.program.basis, &self.solution.x)
+    }
+
+    /// RMS force error of the law, N.
+    pub fn force_error(&self) -> f64 {
+        self.formulation.force.root(&self.solution.x)
+    }
+
+    /// The report of a method, with how near to the optimum the law is proved to be.
+    pub fn proved(&self, report: SolverReport) -> SolverReport {
+        let (certificate, doubt) = self.evidence();
+        let doubt = doubt.or_else(|| proof::doubt(&certificate));
+        SolverReport {
+            certified: doubt.is_none(),
+            doubt,
+            certificate: Some(certificate),
+            ..report
+        }
+    }
+
+    /// How near to the optimum the law is, and what is in doubt of that beside the certificate itself.
+    fn evidence(&self) -> (Certificate, Option<Doubt>) {
+        let Some(sequence) = &self.sequence else {
+            let (certificate, doubt) = self.of_convex();
+            return (
+                certificate,
+                doubt.or(self.left_out.then_some(Doubt::LeftOut)),
+            );
+        };
+        let program = &self.formulation.program;
+        let mut evidence = qp::certificate(program, &self.solution);
+        evidence.bounded_by(program.merit(&self.solution) - sequence.least);
+        // Where the limits that are not convex cost nothing, no law that keeps the others is better.
+        let global = sequence.least_is_proved && evidence.global_gap <= PROVED;
+        (evidence, (!global).then_some(Doubt::Local))
+    }
+
+    /// The same of the convex program alone, over all touching angles.
+    fn of_convex(&self) -> (Certificate, Option<Doubt>) {
+        let program = &self.formulation.program;
+        let mut evidence = qp::certificate(program, &self.solution);
+        let Some(bound) = self.bound else {
+            return (evidence, self.at.map(|_| Doubt::TouchingAngle));
+        };
+        evidence.widen(program.merit(&self.solution) - bound);
+        (evidence, None)
+    }
+
+    /// A lower bound of the objective over all laws that keep the convex limits.
+    fn least(&self) -> f64 {
+        let value = self.formulation.program.merit(&self.solution);
+        value - self.of_convex().0.duality_gap
+    }
+
+    /// Which tier answered, how, and what is proved.
+    pub fn report(&self) -> SolverReport {
+        let solution = &self.solution;
+        let violation = solution.violation;
+        let tier = match &self.sequence {
+            Some(_) => Tier::Scp,
+            None if !solution.used_rows => Tier::Equality,
+            None if self.formulation.program.cone => Tier::Socp,
+            None => Tier::Qp,
+        };
+        let (method, iterations) = match &self.sequence {
+            Some(Sequence { steps, ended, .. }) => {
+                let method = Method::Sequence {
+                    programs: steps.len() + 1,
+                    ended: *ended,
+                    violation,
+                };
+                (method, solution.iterations)
+            }
+            None if !solution.used_rows => (Method::NoLimitActive, 0),
+            None => {
+                let method = Method::Exchange {
+                    rounds: solution.rounds,
+                    violation,
+                };
+                (method, solution.iterations)
+            }
+        };
+        let steps = self.sequence.as_ref().map(|s| s.steps.clone());
+        self.proved(SolverReport {
+            steps: steps.unwrap_or_default(),
+            ..SolverReport::of(tier, method, iterations)
+        })
+    }
+
+    /// The same law as one of known level: it stands on the base circle where it is lowest.
+    fn pinned(&self) -> (Program, Solution) {
+        let (mut program, mut solution) = (self.formulation.program.clone(), self.solution.clone());
+        if program.level_is_open() {
+            // A limit that leaves the angle open lets the law be lower elsewhere, where all lifts only grow.
+            let at = self.law().extremes(0).0.at;
+            let entries = program.basis.row(at, &[1.0, 0.0, 0.0, 0.0]);
+            let lowest = apply(&entries, &solution.x);
+            solution.x = program.basis.raised(solution.x, -lowest);
+            program.equalities.push(Equality {
+                name: Demand::OnBaseCircle,
+                entries,
+                value: 0.0,
+            });
+            program.limits.retain(|l| l.name != Criterion::BaseCircle);
+            program.limits.extend(self.formulation.above_base_circle);
+        }
+        (program, solution)
+    }
+}
+
+/// Whether the multipliers prove that no law which keeps the convex limits reaches the accuracy (theory §8): then a
+/// sequence of convex programs is of no use. With an open number of spans more of them may reach it.
+fn misses_accuracy(problem: &Problem, optimum: &Optimum) -> bool {
+    let is_objective = problem.law.spans.is_some()
+        && problem.objective() == Minimise::ForceError
+        && !problem.is_weighed();
+    let allowed = problem.allowed_error().filter(|_| is_objective);
+    allowed
+        .is_some_and(|most| (2.0 * optimum.least()).max(0.0).sqrt() > (1.0 + BOUND_ROUNDING) * most)
+}
+
+/// Where the law breaks a limit on the loads, the sequence that keeps them; the limits where there is none.
+fn with_loads(problem: &Problem, optimum: &mut Optimum) -> Option<NonconvexLimits> {
+    let limits = NonconvexLimits::of(problem)?;
+    limits.loads?;
+    let (program, solution) = at_level(problem, optimum, &limits);
+    let here = scp::AtSize::new(limits, &program).of(&solution);
+    if limits::loaded(&Law::of(&program.basis, &solution.x), &here) >= 0.0 {
+        return None;
+    }
+    (!in_sequence(problem, optimum, limits)).then_some(limits)
+}
+
+/// Goes on with the sequence that keeps limits that are not convex; false where that has no start.
+fn in_sequence(problem: &Problem, optimum: &mut Optimum, limits: NonconvexLimits) -> bool {
+    let (program, solution) = at_level(problem, optimum, &limits);
+    let mut starts = Vec::new();
+    // At the least radius of an arm the linearisation is singular.
+    if problem.reach_of_arm().is_none() || problem.size() != Size::Sought {
+        starts.push(solution.clone());
+    }
+    starts.extend(at_own_size(problem, &program, &solution));
+    let Some((refined, steps, ended)) = scp::refine(&program, &starts, limits) else {
+        return false;
+    };
+    // The convex optimum itself, at a size of the same cost.
+    let as_it_was = steps.is_empty() && refined.x == solution.x;
+    if as_it_was && program.merit(&refined) <= program.merit(&solution) {
+        return true;
+    }
+    optimum.sequence = Some(Sequence {
+        steps,
+        ended,
+        least: optimum.least(),
+        least_is_proved: optimum.of_convex().1.is_none(),
+    });
+    optimum.formulation.program = program;
+    optimum.solution = refined;
+    true
+}
+
+/// The law as the sequence counts its lift: on its base circle, where the limits see the level.
+fn at_level(problem: &Problem, optimum: &Optimum, limits: &NonconvexLimits) -> (Program, Solution) {
+    if limits.profile.is_none() && problem.drive.weights()[0] == 0.0 {
+        return (
+            optimum.formulation.program.clone(),
+            optimum.solution.clone(),
+        );
+    }
+    optimum.pinned()
+}
+
+/// Adds the nonconvex limits of the profile, by a sequence of convex programs.
+pub fn with_profile(problem: &Problem, optimum: &mut Optimum) {
+    if optimum.sequence.is_some() {
+        return;
+    }
+    if let Some(limits) = NonconvexLimits::of(problem).filter(|l| l.profile.is_some()) {
+        optimum.left_out = !in_sequence(problem, optimum, limits);
+    }
+}
+
+/// A law of a size that is sought, with the size that it needs by itself: the program's own is the least that what is
+/// convex allows, or any where nothing prices it. On an arm no larger than the arm reaches.
+pub fn at_own_size(problem: &Problem, program: &Program, solution: &Solution) -> Option<Solution> {
+    if problem.size() != Size::Sought {
+        return None;
+    }
+    let mut out = solution.clone();
+    let law = Law::of(&program.basis, &solution.x);
+    let own = sizing::cam(problem, law.clone(), &law).ok();
+    let prime = own.as_ref().map(|cam| cam.follower.prime_radius());
+    if let Some([least, most]) = problem.reach_of_arm() {
+        let most = (most * (1.0 - 4.0 * ENLARGED)).max(least);
+        let prime = prime.map_or(most, |own| own * (1.0 + ENLARGED));
+        out.extra[RADIUS] = prime.clamp(least, most);
+    } else {
+        let (prime, offset) = (prime?, own?.follower.offset());
+        let rise = (prime * prime - offset * offset).max(0.0).sqrt();
+        let sizes = [(RADIUS, prime), (RISE, rise), (OFFSET, offset)];
+        let present = program.present();
+        for (k, value) in sizes.into_iter().filter(|(k, _)| present[*k]) {
+            out.extra[k] = value * if k == OFFSET { 1.0 } else { 1.0 + ENLARGED };
+        }
+    }
+    Some(out)
+}

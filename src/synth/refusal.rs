@@ -1,0 +1,56 @@
+//! Why a problem has no law.
+
+use super::limits::NonconvexLimits;
+use super::qp::{Basis, Failure, Program};
+use crate::error::Error;
+use crate::scene::Family;
+
+/// Why a problem has no law.
+#[allow(clippy::large_enum_variant)] // a fault ends the run
+pub enum NoLaw {
+    /// The input is at fault.
+    Fault(Error),
+    /// No law keeps the demands and the limits.
+    Refused(Box<Refusal>),
+}
+
+/// A program without solution.
+pub struct Refusal {
+    /// The program.
+    pub program: Program,
+    /// How the solver ended.
+    pub failure: Failure,
+    /// The nonconvex limits, where the program has a solution that breaks them and none was found that does not.
+    pub nonconvex: Option<NonconvexLimits>,
+}
+
+impl Refusal {
+    /// A convex program without solution.
+    pub fn of(program: Program, failure: Failure) -> Box<Refusal> {
+        Box::new(Refusal {
+            program,
+            failure,
+            nonconvex: None,
+        })
+    }
+
+    /// Family of the laws that it refuses.
+    pub fn family(&self) -> Family {
+        match &self.program.basis {
+            Basis::Spline { .. } => Family::Spline,
+            Basis::Harmonic { .. } => Family::Harmonic,
+        }
+    }
+}
+
+impl From<Error> for NoLaw {
+    fn from(error: Error) -> Self {
+        NoLaw::Fault(error)
+    }
+}
+
+impl From<Box<Refusal>> for NoLaw {
+    fn from(refusal: Box<Refusal>) -> Self {
+        NoLaw::Refused(refusal)
+    }
+}
