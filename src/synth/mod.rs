@@ -55,8 +55,6 @@
 //! them the program with its bound minimised is a first relaxation. `relaxed` designs the whole cam with
 //! each value and moves it until every check passes.
 
-mod checked_cam;
-mod demand;
 mod design;
 mod families;
 mod infeasible;
@@ -66,14 +64,11 @@ mod pareto;
 mod phase;
 mod polydyne;
 mod qp;
-mod refusal;
-mod scp;
 mod search;
 mod sizing;
 pub(crate) mod spectral;
 mod verdict;
 
-pub use demand::{Demand, Given};
 pub use design::{
     Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, LoadFactor, Minimised,
     Relaxation, SolverReport, Step, Tier,
@@ -87,7 +82,7 @@ pub use design::{
 };
 pub use infeasible::in_units;
 pub use pareto::{Trade, trade, traded};
-pub use qp::{Certificate, Stop};
+pub use qp::{Certificate, Demand, Given, Stop};
 pub use search::Search;
 pub use spectral::{Spectral, invert};
 
@@ -98,9 +93,9 @@ use crate::error::{Placed, Result};
 use crate::force::ForceCurve;
 use crate::problem::{Note, Problem};
 use crate::scene::{Family, Scene};
-use checked_cam::{CheckedCam, checked_cam};
 use families::SolvedLaw;
-use refusal::{NoLaw, Refusal};
+use optimum::{NoLaw, Refusal};
+use sizing::checked_cam::{CheckedCam, checked_cam};
 
 /// Designs the cam that a scene asks for. `force` is one cycle of the target force, where the scene has one.
 ///

@@ -2,11 +2,11 @@
 //! follows it, and every limit of the cam holds for the cam's own law.
 
 use super::SizedLaw;
-use super::checked_cam::checked_cam;
 use super::design::End;
 use super::families;
-use super::refusal::NoLaw;
+use super::optimum::NoLaw;
 use super::search::Search;
+use super::sizing::checked_cam::checked_cam;
 use crate::cam::{Criterion, LimitKind};
 use crate::dynamics::Train;
 use crate::dynamics::flexible::polydyne::{end_error, polydyne};

@@ -5,12 +5,12 @@ use super::harmonic::{harmonic_law, inverted};
 use super::solved::SolvedLaw;
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
-use crate::synth::checked_cam::checked_cam;
 use crate::synth::design::method::PassedOver;
 use crate::synth::design::reason::quantity;
 use crate::synth::infeasible::explain;
-use crate::synth::refusal::NoLaw;
+use crate::synth::optimum::NoLaw;
 use crate::synth::search::Search;
+use crate::synth::sizing::checked_cam::checked_cam;
 use crate::units::Quantity;
 
 /// What the families simpler than the spline come to.

@@ -15,7 +15,7 @@ mod spline_spans;
 pub use solved::SolvedLaw;
 pub use spline::stopped_at_noise;
 
-use super::refusal::NoLaw;
+use super::optimum::NoLaw;
 use super::search::Search;
 use crate::problem::Problem;
 use crate::scene::Family;

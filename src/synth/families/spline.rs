@@ -6,9 +6,8 @@ use super::spline_spans::Forecast;
 use crate::error::Result;
 use crate::problem::{Note, Problem};
 use crate::scene::{Family, Minimise};
-use crate::synth::optimum::{self, Optimum};
+use crate::synth::optimum::{self, NoLaw, Optimum};
 use crate::synth::qp;
-use crate::synth::refusal::NoLaw;
 use crate::synth::search::{Search, SpanKey};
 use crate::units::Quantity;
 

@@ -9,10 +9,8 @@ use crate::synth::design::reason::Reason;
 use crate::synth::design::{Conflicting, Infeasible, Relaxation};
 use crate::synth::families::easing;
 use crate::synth::limits::NonconvexLimits;
-use crate::synth::optimum::at_own_size;
+use crate::synth::optimum::{Refusal, at_own_size, scp};
 use crate::synth::qp::{Demand, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic};
-use crate::synth::refusal::Refusal;
-use crate::synth::scp;
 
 /// More demands than this are named without looking for the few that are to blame: each costs a program.
 const MOST_DEMANDS: usize = 64;

@@ -1,7 +1,11 @@
 //! From a convex program to the best law under all limits: the angle at which the law touches its base circle, then the
 //! limits that are not convex, by a sequence of convex programs.
 
+mod refusal;
+pub mod scp;
 mod touching;
+
+pub use refusal::{NoLaw, Refusal};
 
 use super::design::method::{Ended, Method};
 use super::design::proof::{self, Doubt, PROVED};
@@ -11,9 +15,8 @@ use super::qp::{
     self, Certificate, Demand, Equality, Failure, Limit, OFFSET, Program, Quadratic, RADIUS, RISE,
     Solution, Stop, apply,
 };
-use super::refusal::{NoLaw, Refusal};
 use super::search::Search;
-use super::{scp, sizing};
+use super::sizing;
 use crate::criterion::Criterion;
 use crate::law::Law;
 use crate::problem::{Problem, Size};

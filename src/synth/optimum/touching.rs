@@ -19,9 +19,9 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::refusal::Refusal;
 use crate::law::Law;
 use crate::synth::qp::{self, Failure, Program, Row, Solution};
-use crate::synth::refusal::Refusal;
 
 /// Part of the objective's size to which the least over all angles is proved.
 const GAP: f64 = 4e-7;

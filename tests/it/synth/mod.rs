@@ -16,6 +16,7 @@ mod relaxations;
 mod scale;
 mod spans;
 mod targets;
+mod trade;
 mod verdict;
 mod verdict_grid;
 mod witness;

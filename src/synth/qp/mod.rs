@@ -1,8 +1,10 @@
 //! The convex programs of `splineqp`, their limits and equalities named as scenes name them.
 
+mod demand;
+
 use crate::criterion::Criterion;
 
-pub use super::demand::{Demand, Given};
+pub use demand::{Demand, Given};
 pub use splineqp::{
     Basis, Certificate, EXTRAS, Entries, FACE_END, LOWEST, Meaning, OFFSET, PEAK, Quadratic,
     RADIUS, RISE, SIZES, Stop, TOLERANCE, apply, certificate, only, solve_equalities,

@@ -22,11 +22,11 @@ pub use at_size::AtSize;
 use linearised::{NEARLY, Room, contacts, least_of, linearised};
 use trial::{ROOM, blend, solved};
 
-use super::design::Step;
-use super::design::method::Ended;
-use super::limits::{ENLARGED, NonconvexLimits};
-use super::qp::{Limit, Program, RADIUS, RISE, Row, SIZES, Solution, TOLERANCE};
 use crate::cam::LimitKind;
+use crate::synth::design::Step;
+use crate::synth::design::method::Ended;
+use crate::synth::limits::{ENLARGED, NonconvexLimits};
+use crate::synth::qp::{Limit, Program, RADIUS, RISE, Row, SIZES, Solution, TOLERANCE};
 
 /// Steps before the sequence is called finished as it is.
 const MOST_STEPS: usize = 40;

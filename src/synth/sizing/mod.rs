@@ -1,8 +1,9 @@
 //! From a law to its cam: the size that the scene fixes, or the smallest that meets the limits.
 
+pub mod checked_cam;
+
 use std::f64::consts::PI;
 
-use super::limits::{self, NEARLY_RIGHT};
 use crate::cam::{
     BarrelGroove, Cam, Conjugate, Follower, FollowerKind, LimitKind, Measures, Rollers, SizeLimits,
     smallest_base_radius, smallest_for, smallest_prime_circle,
@@ -10,6 +11,7 @@ use crate::cam::{
 use crate::error::{Error, Place, Placed, Result, SynthError};
 use crate::law::Law;
 use crate::problem::{Note, Problem, Size, USUAL_PRESSURE_ANGLE};
+use crate::synth::limits::{self, NEARLY_RIGHT};
 use crate::units::{Dimension, Quantity};
 
 /// Shear stress that a shaft of mild steel is designed for, Pa.

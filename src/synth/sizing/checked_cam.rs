@@ -1,14 +1,14 @@
 //! A law on its cam with its force and its checks: one step for every family, for every round of a polydyne cam and for
 //! the finished design.
 
-use super::design::ForceReport;
-use super::limits::{Finished, force_report};
-use super::search::Search;
-use super::sizing;
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate};
 use crate::error::Result;
 use crate::law::Law;
 use crate::problem::Problem;
+use crate::synth::design::ForceReport;
+use crate::synth::limits::{Finished, force_report};
+use crate::synth::search::Search;
+use crate::synth::sizing;
 
 /// A law on its cam, with the force that it gives and every check.
 #[derive(Clone)]

@@ -1,9 +1,9 @@
 //! Why a problem has no law.
 
-use super::limits::NonconvexLimits;
-use super::qp::{Basis, Failure, Program};
 use crate::error::Error;
 use crate::scene::Family;
+use crate::synth::limits::NonconvexLimits;
+use crate::synth::qp::{Basis, Failure, Program};
 
 /// Why a problem has no law.
 #[allow(clippy::large_enum_variant)] // a fault ends the run
