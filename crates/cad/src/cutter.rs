@@ -61,12 +61,7 @@ pub struct CutterPath {
 /// Fails on a tool radius that is not positive. Gouging is looked for in the hollows by the exact
 /// curvature, and elsewhere on the `points` of the profile.
 pub fn path(synthesis: &Design, tool: f64, points: usize) -> Result<CutterPath> {
-    if !(tool.is_finite() && tool > 0.0) {
-        return Err(WriteError::CutterRadius {
-            radius: Quantity::length(tool),
-        }
-        .into());
-    }
+    let tool = positive(tool)?;
     let cam = &synthesis.cam;
     let rows = cam.profile(points);
     let path: Vec<CutterPoint> = rows
@@ -107,6 +102,17 @@ pub fn path(synthesis: &Design, tool: f64, points: usize) -> Result<CutterPath> 
         points: path,
         gouges,
     })
+}
+
+/// A radius of a cutter.
+pub(crate) fn positive(radius: f64) -> Result<f64> {
+    if radius.is_finite() && radius > 0.0 {
+        return Ok(radius);
+    }
+    Err(WriteError::CutterRadius {
+        radius: Quantity::length(radius),
+    }
+    .into())
 }
 
 /// The deepest penetration of the cutter at any profile point: index cut, index damaged, depth.

@@ -2,14 +2,15 @@
 
 use std::f64::consts::TAU;
 
-use gaitcam::cam::BarrelGroove;
+use gaitcam::cam::{BarrelGroove, Wall};
 use gaitcam::synth::Design;
 
-use super::layout::{Area, Layout};
+use super::layout::Layout;
 use super::leader;
-use super::pen::{Anchor, Pen, Stroke};
+use super::pen::{Pen, Stroke};
+use super::piece::bore_edge;
 use super::table::Table;
-use crate::step::{Sectors, barrel_ends, turned_hole};
+use crate::step::{Sectors, barrel_ends};
 use crate::words::Words;
 
 const MM: f64 = 1000.0;
@@ -26,6 +27,8 @@ const BETWEEN: f64 = 30.0;
 const BELOW: f64 = 12.0;
 /// Room for labels next to the end view, mm.
 const LABELS: f64 = 44.0;
+/// Where the arrow of rotation begins and ends, from the mark of θ = 0, rad.
+const ARROW: [f64; 2] = [0.15, 0.55];
 
 /// A barrel, with the rows of its table from one index to another.
 pub struct Barrel<'a> {
@@ -75,21 +78,19 @@ impl<'a> Barrel<'a> {
     /// Draws the views; returns the table of heights.
     pub fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Words) -> Table {
         let scale = MM * layout.scale.factor();
-        let Area {
-            left,
-            bottom,
-            right,
-            top,
-        } = layout.views;
+        let area = layout.views;
         let (wide, high) = (scale * TAU * self.radius(), scale * self.length());
         let round = scale * self.radius();
-        let spare = top - bottom - (high + 2.0 * round + ABOVE + BETWEEN + BELOW);
+        let spare = area.height() - (high + 2.0 * round + ABOVE + BETWEEN + BELOW);
         let corner = [
-            left + 0.5 * (right - left - wide + LEFT - RIGHT),
-            bottom + BELOW + 2.0 * round + BETWEEN + 0.6 * spare,
+            area.left + 0.5 * (area.width() - wide + LEFT - RIGHT),
+            area.bottom + BELOW + 2.0 * round + BETWEEN + 0.6 * spare,
         ];
         self.unrolled(pen, corner, scale, words);
-        let centre = [0.5 * (left + right), bottom + BELOW + round + 0.3 * spare];
+        let centre = [
+            0.5 * (area.left + area.right),
+            area.bottom + BELOW + round + 0.3 * spare,
+        ];
         self.end(pen, centre, scale, words);
         self.table(words)
     }
@@ -104,16 +105,10 @@ impl<'a> Barrel<'a> {
         for quarter in 0..=4 {
             let at = x(0.25 * TAU * f64::from(quarter));
             pen.line(&[[at, corner[1]], [at, top + 3.0]], Stroke::Thin);
-            let text = format!("{}°", 90 * quarter);
-            pen.text(&text, [at, top + 4.5], leader::LETTERS, Anchor::Middle);
+            pen.note(&format!("{}°", 90 * quarter), [at, top + 4.5]);
         }
-        let title = words.text("drawing-unrolled");
-        pen.text(
-            &title,
-            [0.5 * (corner[0] + right), top + 10.0],
-            leader::LETTERS,
-            Anchor::Middle,
-        );
+        let above = [0.5 * (corner[0] + right), top + 10.0];
+        pen.note(&words.text("drawing-unrolled"), above);
         for line in self.walls() {
             let line: Vec<[f64; 2]> = line.iter().map(|[angle, z]| [x(*angle), y(*z)]).collect();
             pen.line(&line, Stroke::Outline);
@@ -130,16 +125,10 @@ impl<'a> Barrel<'a> {
                 .collect();
             pen.line(&line, Stroke::Centre);
         }
-        let mm = |v: f64| words.decimal(format!("{:.3}", MM * v));
-        leader::upright(
-            pen,
-            &mm(self.length()),
-            [corner[1], top],
-            corner[0],
-            corner[0] - 8.0,
-        );
-        let text = words.decimal(format!("{:.3}", MM * TAU * self.radius()));
-        leader::level(pen, &text, [corner[0], right], corner[1], corner[1] - 9.0);
+        let length = words.mm(self.length(), 3);
+        pen.upright(&length, [corner[1], top], corner[0], corner[0] - 8.0);
+        let around = words.mm(TAU * self.radius(), 3);
+        pen.level(&around, [corner[0], right], corner[1], corner[1] - 9.0);
     }
 
     /// The edges of the groove on the surface: angle, rad, and height, m.
@@ -174,112 +163,68 @@ impl<'a> Barrel<'a> {
         let [cx, cy] = centre;
         let round = scale * surface;
         let reach = round + 4.0;
-        pen.line(&[[cx - reach, cy], [cx + reach, cy]], Stroke::Centre);
-        pen.line(&[[cx, cy - reach], [cx, cy + reach]], Stroke::Centre);
+        pen.cross(centre, reach, Stroke::Centre);
         pen.circle(centre, round, Stroke::Outline);
         pen.circle(centre, scale * floor, Stroke::Hidden);
-        let hole = self.design.bore.map(|bore| turned_hole(&bore, POINTS));
-        if let Some(hole) = &hole {
-            // The barrel's x axis points up, its y axis to the left.
-            let ring: Vec<[f64; 2]> = (hole.iter())
-                .map(|[x, y]| [cx - scale * y, cy + scale * x])
+        if let Some(bore) = &self.design.bore {
+            let ring: Vec<[f64; 2]> = (bore_edge(bore, POINTS).iter())
+                .map(|[x, y]| [cx + scale * x, cy + scale * y])
                 .collect();
             pen.ring(&ring, Stroke::Outline);
         }
-        pen.line(
-            &[[cx, cy + scale * floor], [cx, cy + round]],
-            Stroke::Outline,
-        );
-        pen.text(
-            "θ = 0",
-            [cx, cy + reach + 1.5],
-            leader::LETTERS,
-            Anchor::Middle,
-        );
-        self.rotation(pen, centre, round + 3.0);
-        let far = round.max(16.0);
-        let mm = |name: &str, v: f64| {
-            [
-                words.text(name),
-                words.decimal(format!("Ø {:.3}", 2.0 * MM * v)),
-            ]
-        };
-        let at = |r: f64, angle: f64| [cx + r * angle.cos(), cy + r * angle.sin()];
-        let slot = |side: f64, part: f64| [cx + side * (round + 6.0), cy + part * far];
-        leader::label(
-            pen,
-            &mm("drawing-surface", surface),
-            at(round, 0.5),
-            slot(1.0, 0.75),
-            1.0,
-        );
-        leader::label(
-            pen,
-            &mm("drawing-floor", floor),
-            at(scale * floor, -0.4),
-            slot(1.0, -0.6),
-            1.0,
-        );
-        let roller = self.groove.roller_radius();
-        let mut cutter = mm("drawing-groove-cutter", roller);
-        let off = self.groove.axis_offset(gaitcam::cam::Wall::Upper);
-        if off > 0.0 {
-            cutter[1] += &words.decimal(format!(", z ± {:.3}", MM * off));
-        }
-        let cut = [cx, cy - 0.5 * scale * (floor + surface)];
-        leader::label(pen, &cutter, cut, slot(-1.0, -0.75), -1.0);
-        if let Some(bore) = self.design.bore {
-            let size = words.decimal(format!("Ø {:.3} H7", MM * bore.diameter));
-            let text = [words.text("drawing-bore"), size];
-            leader::label(
-                pen,
-                &text,
-                at(scale * bore.radius(), 3.0),
-                slot(-1.0, 0.1),
-                -1.0,
-            );
-            if let Some(key) = bore.keyway {
-                let size = words.decimal(format!(
-                    "{:.1} JS9, {:.2}",
-                    MM * key.width,
-                    MM * (bore.diameter + key.depth)
-                ));
-                let text = [words.text("drawing-keyway"), size];
-                let corner = [
-                    cx - 0.5 * scale * key.width,
-                    cy + scale * (bore.radius() + key.depth),
-                ];
-                leader::label(pen, &text, corner, slot(-1.0, 0.8), -1.0);
-            }
-        }
+        let mark = [[cx, cy + scale * floor], [cx, cy + round]];
+        pen.line(&mark, Stroke::Outline);
+        pen.note("θ = 0", [cx, cy + reach + 1.5]);
+        let clockwise = self.design.drive.speed < 0.0;
+        pen.rotation(centre, round + 3.0, ARROW, clockwise);
+        self.labels(pen, centre, scale, words);
     }
 
-    /// The arrow that tells how the barrel turns.
-    fn rotation(&self, pen: &mut Pen, [cx, cy]: [f64; 2], radius: f64) {
-        let sense = if self.design.drive.speed < 0.0 {
-            -1.0
-        } else {
-            1.0
+    /// Diameters of surface, floor, cutter and bore at the end view.
+    fn labels(&self, pen: &mut Pen, centre: [f64; 2], scale: f64, words: &Words) {
+        let (floor, surface) = self.groove.depth();
+        let [cx, cy] = centre;
+        let round = scale * surface;
+        let far = round.max(16.0);
+        let mut label = |text: [String; 2], from: [f64; 2], side: f64, part: f64| {
+            let slot = [cx + side * (round + 6.0), cy + part * far];
+            pen.label(&text, from, slot, side);
         };
-        let angle = |part: f64| 0.25 * TAU + sense * (0.15 + 0.4 * part);
-        let at = |a: f64| [cx + radius * a.cos(), cy + radius * a.sin()];
-        let arc: Vec<[f64; 2]> = (0..=24).map(|i| at(angle(f64::from(i) / 24.0))).collect();
-        pen.line(&arc, Stroke::Thin);
-        let last = angle(1.0);
-        pen.arrowhead(at(last), [-sense * last.sin(), sense * last.cos()]);
+        let diameter = |key: &str, radius: f64| {
+            let size = format!("Ø {}", words.mm(2.0 * radius, 3));
+            [words.text(key), size]
+        };
+        let at = |r: f64, angle: f64| [cx + r * angle.cos(), cy + r * angle.sin()];
+        let text = diameter("drawing-surface", surface);
+        label(text, at(round, 0.5), 1.0, 0.75);
+        let text = diameter("drawing-floor", floor);
+        label(text, at(scale * floor, -0.4), 1.0, -0.6);
+        let mut cutter = diameter("drawing-groove-cutter", self.groove.roller_radius());
+        let off = self.groove.axis_offset(Wall::Upper);
+        if off > 0.0 {
+            cutter[1] += &format!(", z ± {}", words.mm(off, 3));
+        }
+        let cut = [cx, cy - 0.5 * scale * (floor + surface)];
+        label(cutter, cut, -1.0, -0.75);
+        let Some(bore) = self.design.bore else {
+            return;
+        };
+        let edge = at(scale * bore.radius(), 3.0);
+        label(leader::bore(&bore, words), edge, -1.0, 0.1);
+        if let Some(key) = bore.keyway {
+            let half = 0.5 * scale * key.width;
+            let corner = [cx - half, cy + scale * (bore.radius() + key.depth)];
+            label(leader::keyway(&bore, &key, words), corner, -1.0, 0.8);
+        }
     }
 
     fn table(&self, words: &Words) -> Table {
         let start = self.groove.law().extent().0;
         let row = |k: usize| {
             let degrees = STEP * k;
-            let z = self
-                .groove
-                .law()
-                .svaj(start + (degrees as f64).to_radians())
-                .s
-                - self.ends[0];
-            vec![degrees.to_string(), words.decimal(format!("{:.3}", MM * z))]
+            let theta = start + (degrees as f64).to_radians();
+            let z = self.groove.law().svaj(theta).s - self.ends[0];
+            vec![degrees.to_string(), words.mm(z, 3)]
         };
         Table {
             heading: vec![

@@ -58,8 +58,8 @@ fn making(design: &Design, allowed: f64) -> Option<Scattered> {
     let own = design.force.rms_error_percent_of_mean;
     let keeps = |m: &Scattered| m.error.powi(2) - own.powi(2) <= (50.0 * allowed).powi(2);
     let narrowest = OFFERED[OFFERED.len() - 1];
-    let found = OFFERED.into_iter().map(of).find(keeps);
-    found.or_else(|| Some(of(narrowest)))
+    let widest = OFFERED.into_iter().map(of).find(keeps);
+    widest.or_else(|| Some(of(narrowest)))
 }
 
 /// A field: its name and value.
@@ -84,10 +84,10 @@ pub fn draw(
         None => design.name.clone(),
     };
     pen.text_within(&head, [left + 2.0, under + 3.0], HEAD, right - left - 4.0);
-    let wide = (right - left) / layout.columns as f64;
+    let wide = (right - left) / layout.blocks as f64;
     let fields = fields(design, cam, title, sheet, layout, words);
     for (i, (name, value)) in fields.iter().enumerate() {
-        let (row, column) = (i / layout.columns, i % layout.columns);
+        let (row, column) = (i / layout.blocks, i % layout.blocks);
         let x = left + wide * column as f64;
         let top = under - FIELD * row as f64;
         pen.text_within(name, [x + 1.5, top - 2.5], NAME, wide - 3.0);

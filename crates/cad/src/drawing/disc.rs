@@ -4,7 +4,7 @@ use super::BALL;
 use super::layout::{ABOVE, BELOW, BESIDE, LABELS, Layout};
 use super::pen::Pen;
 use super::piece::Piece;
-use super::radii::radii;
+use super::radii::{Radius, radii};
 use super::table::Table;
 use super::views::{UNDER_HUB, Views};
 use crate::words::Words;
@@ -27,11 +27,10 @@ impl Piece<'_> {
     /// Draws the views; returns the table of radii.
     pub fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Words) -> Table {
         Views::new(self, layout, words).draw(pen);
-        let ball = words.decimal(format!("{:.3}", 1e3 * BALL));
-        let row = |row: &super::radii::Radius| {
-            let mm = |x: f64| words.decimal(format!("{:.3}", 1e3 * x));
-            let angle = words.decimal(format!("{:.0}", row.angle.to_degrees()));
-            vec![angle, mm(row.profile), mm(row.ball)]
+        let ball = words.mm(BALL, 3);
+        let row = |row: &Radius| {
+            let angle = format!("{:.0}", row.angle.to_degrees());
+            vec![angle, words.mm(row.profile, 3), words.mm(row.ball, 3)]
         };
         Table {
             heading: vec![

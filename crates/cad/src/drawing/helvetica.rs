@@ -11,12 +11,6 @@ pub enum Face {
     Symbol,
 }
 
-/// Shown if neither font has the character.
-const UNKNOWN: Glyph = Glyph {
-    face: Face::Helvetica,
-    byte: b'?',
-};
-
 /// A character of one of the fonts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Glyph {
@@ -24,6 +18,8 @@ pub struct Glyph {
     pub face: Face,
     /// Its code there.
     pub byte: u8,
+    /// Its width, thousandths of an em.
+    width: u16,
 }
 
 /// Characters of Symbol: the character, its code, its width.
@@ -68,45 +64,33 @@ const LATIN: [u16; 96] = [
 
 /// The glyph of a character; a question mark where there is none.
 pub fn glyph(c: char) -> Glyph {
-    let helvetica = |byte| Glyph {
+    let helvetica = |byte, width| Glyph {
         face: Face::Helvetica,
         byte,
+        width,
     };
+    let code = u8::try_from(u32::from(c)).unwrap_or(b'?');
     match c {
-        ' '..='~' | '\u{a0}'..='ÿ' => helvetica(u8::try_from(u32::from(c)).unwrap_or(b'?')),
-        '…' => helvetica(0x85),
-        '’' => helvetica(0x92),
-        '–' => helvetica(0x96),
-        '—' => helvetica(0x97),
-        _ => SYMBOLS
-            .iter()
-            .find(|row| row.0 == c)
-            .map_or(UNKNOWN, |row| Glyph {
+        ' '..='~' => helvetica(code, ASCII[usize::from(code - 0x20)]),
+        '\u{a0}'..='ÿ' => helvetica(code, LATIN[usize::from(code - 0xa0)]),
+        '…' => helvetica(0x85, 1000),
+        '’' => helvetica(0x92, 222),
+        '–' => helvetica(0x96, 556),
+        '—' => helvetica(0x97, 1000),
+        _ => match SYMBOLS.iter().find(|row| row.0 == c) {
+            Some(&(_, byte, width)) => Glyph {
                 face: Face::Symbol,
-                byte: row.1,
-            }),
-    }
-}
-
-impl Glyph {
-    /// Its width, ems.
-    fn width(self) -> f64 {
-        let thousandths = match (self.face, self.byte) {
-            (Face::Symbol, byte) => SYMBOLS
-                .iter()
-                .find(|row| row.1 == byte)
-                .map_or(549, |row| row.2),
-            (Face::Helvetica, byte @ 0x20..=0x7e) => ASCII[usize::from(byte - 0x20)],
-            (Face::Helvetica, byte @ 0xa0..) => LATIN[usize::from(byte - 0xa0)],
-            (Face::Helvetica, 0x85 | 0x97) => 1000,
-            (Face::Helvetica, 0x92) => 222,
-            (Face::Helvetica, _) => 556,
-        };
-        f64::from(thousandths) / 1000.0
+                byte,
+                width,
+            },
+            None => helvetica(b'?', 556),
+        },
     }
 }
 
 /// Width of a line of text, ems.
 pub fn width(text: &str) -> f64 {
-    text.chars().map(|c| glyph(c).width()).sum()
+    text.chars()
+        .map(|c| f64::from(glyph(c).width) / 1000.0)
+        .sum()
 }

@@ -3,22 +3,18 @@
 /// A rectangle: left, bottom, right, top.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Area {
-    /// Left edge.
     pub left: f64,
-    /// Lower edge.
     pub bottom: f64,
-    /// Right edge.
     pub right: f64,
-    /// Upper edge.
     pub top: f64,
 }
 
 impl Area {
-    fn width(self) -> f64 {
+    pub fn width(self) -> f64 {
         self.right - self.left
     }
 
-    fn height(self) -> f64 {
+    pub fn height(self) -> f64 {
         self.top - self.bottom
     }
 }
@@ -88,12 +84,10 @@ pub struct Layout {
     pub views: Area,
     /// The table.
     pub table: Area,
-    /// Number of tables side by side over which the rows are distributed.
-    pub blocks: usize,
     /// The title block.
     pub title: Area,
-    /// Columns of its fields.
-    pub columns: usize,
+    /// Tables side by side over which the rows are distributed; columns of the title block's fields.
+    pub blocks: usize,
     /// Scale of the views.
     pub scale: Scale,
 }
@@ -109,7 +103,7 @@ impl Layout {
     /// The sheet for views that take so much room, width and height in mm, at a scale in mm per mm: A4, or A3 where
     /// A4 would draw them smaller than they are and A3 larger than A4 does.
     pub fn fitting(room: impl Fn(f64) -> [f64; 2]) -> Layout {
-        let [on_a4, on_a3] = [Self::a4(), Self::a3()].map(|l| l.scaled(&room));
+        let [on_a4, on_a3] = [false, true].map(|is_a3| Self::of_paper(is_a3).scaled(&room));
         if on_a4.scale.factor() >= on_a3.scale.factor().min(1.0) {
             on_a4
         } else {
@@ -126,69 +120,50 @@ impl Layout {
         Layout { scale, ..self }
     }
 
-    fn a4() -> Layout {
+    /// A4 upright with everything below one another, or A3 with table and title block in a column of their own.
+    fn of_paper(is_a3: bool) -> Layout {
+        let (name, width, blocks) = if is_a3 {
+            ("A3", 420.0, 2)
+        } else {
+            ("A4", 210.0, 3)
+        };
+        let size = usize::from(is_a3);
         let frame = Area {
             left: BOUND,
             bottom: EDGE,
-            right: 210.0 - EDGE,
+            right: width - EDGE,
             top: 297.0 - EDGE,
         };
+        let column = if is_a3 {
+            frame.right - COLUMN
+        } else {
+            frame.left
+        };
         let title = Area {
-            top: frame.bottom + TITLE[0],
+            left: column,
+            top: frame.bottom + TITLE[size],
             ..frame
         };
         let table = Area {
+            left: column,
             bottom: title.top + GAP,
-            top: title.top + GAP + TABLE[0],
+            top: title.top + GAP + TABLE[size],
             ..frame
         };
-        Layout {
-            name: "A4",
-            paper: [210.0, 297.0],
-            frame,
-            views: Area {
-                bottom: table.top,
-                ..frame
-            },
-            table,
-            blocks: 3,
-            title,
-            columns: 3,
-            scale: SMALLEST,
+        let mut views = frame;
+        if is_a3 {
+            views.right = column - GAP;
+        } else {
+            views.bottom = table.top;
         }
-    }
-
-    fn a3() -> Layout {
-        let frame = Area {
-            left: BOUND,
-            bottom: EDGE,
-            right: 420.0 - EDGE,
-            top: 297.0 - EDGE,
-        };
-        let column = frame.right - COLUMN;
-        let title = Area {
-            left: column,
-            top: frame.bottom + TITLE[1],
-            ..frame
-        };
-        let table = Area {
-            left: column,
-            bottom: title.top + GAP,
-            top: title.top + GAP + TABLE[1],
-            ..frame
-        };
         Layout {
-            name: "A3",
-            paper: [420.0, 297.0],
+            name,
+            paper: [width, 297.0],
             frame,
-            views: Area {
-                right: column - GAP,
-                ..frame
-            },
+            views,
             table,
-            blocks: 2,
             title,
-            columns: 2,
+            blocks,
             scale: SMALLEST,
         }
     }

@@ -1,9 +1,14 @@
-//! Labels with leaders, and dimensions between two edges.
+//! Labels with leaders, dimensions between two edges, centre lines and the arrow of rotation.
+
+use std::f64::consts::TAU;
+
+use gaitcam::cam::{Bore, Keyway};
 
 use super::pen::{Anchor, Pen, Stroke};
+use crate::words::Words;
 
 /// Letters of dimensions, mm per em.
-pub const LETTERS: f64 = 3.2;
+const LETTERS: f64 = 3.2;
 /// Distance of the two lines of a label.
 const LINE: f64 = 3.9;
 /// Length of the leader's level end, mm.
@@ -14,55 +19,98 @@ const NARROW: f64 = 14.0;
 const ABOVE: f64 = 1.0;
 const BEYOND: f64 = 1.5;
 
-/// Two lines of text at the end of a leader, to the right of it (`side` 1) or to the left (−1).
-pub fn label(pen: &mut Pen, text: &[String; 2], from: [f64; 2], end: [f64; 2], side: f64) {
-    let shelf = [end[0] + side * SHELF, end[1]];
-    pen.line(&[from, end, shelf], Stroke::Thin);
-    let far = (from[0] - end[0]).hypot(from[1] - end[1]);
-    pen.arrowhead(from, [(from[0] - end[0]) / far, (from[1] - end[1]) / far]);
-    let anchor = if side > 0.0 {
-        Anchor::Start
-    } else {
-        Anchor::End
-    };
-    let x = shelf[0] + side;
-    let capital = 0.36 * LETTERS;
-    for (line, off) in text.iter().zip([0.5 * LINE, -0.5 * LINE]) {
-        pen.text(line, [x, end[1] - capital + off], LETTERS, anchor);
+impl Pen {
+    /// Two lines of text at the end of a leader, to the right of it (`side` 1) or to the left (−1).
+    pub fn label(&mut self, text: &[String; 2], from: [f64; 2], end: [f64; 2], side: f64) {
+        let shelf = [end[0] + side * SHELF, end[1]];
+        self.line(&[from, end, shelf], Stroke::Thin);
+        let far = (from[0] - end[0]).hypot(from[1] - end[1]);
+        self.arrowhead(from, [(from[0] - end[0]) / far, (from[1] - end[1]) / far]);
+        let anchor = if side > 0.0 {
+            Anchor::Start
+        } else {
+            Anchor::End
+        };
+        let x = shelf[0] + side;
+        let capital = 0.36 * LETTERS;
+        for (line, off) in text.iter().zip([0.5 * LINE, -0.5 * LINE]) {
+            self.text(line, [x, end[1] - capital + off], LETTERS, anchor);
+        }
+    }
+
+    /// The distance between two upright edges whose lower ends are at `foot`, on a level line at height `y` below them.
+    pub fn level(&mut self, text: &str, [left, right]: [f64; 2], foot: f64, y: f64) {
+        for x in [left, right] {
+            self.line(&[[x, foot - ABOVE], [x, y - BEYOND]], Stroke::Thin);
+        }
+        if right - left >= NARROW {
+            self.line(&[[left, y], [right, y]], Stroke::Thin);
+            self.arrowhead([left, y], [-1.0, 0.0]);
+            self.arrowhead([right, y], [1.0, 0.0]);
+            let at = [0.5 * (left + right), y + ABOVE];
+            self.text(text, at, LETTERS, Anchor::Middle);
+        } else {
+            self.line(&[[left - 6.0, y], [right + 6.0, y]], Stroke::Thin);
+            self.arrowhead([left, y], [1.0, 0.0]);
+            self.arrowhead([right, y], [-1.0, 0.0]);
+            let at = [right + 7.0, y - 0.36 * LETTERS];
+            self.text(text, at, LETTERS, Anchor::Start);
+        }
+    }
+
+    /// The distance between two level edges whose left ends are at `edge`, on an upright line at `x` left of them.
+    pub fn upright(&mut self, text: &str, [low, high]: [f64; 2], edge: f64, x: f64) {
+        for y in [low, high] {
+            self.line(&[[edge - ABOVE, y], [x - BEYOND, y]], Stroke::Thin);
+        }
+        let inside = high - low >= NARROW;
+        let out = if inside { 0.0 } else { 6.0 };
+        self.line(&[[x, low - out], [x, high + out]], Stroke::Thin);
+        let sense = if inside { 1.0 } else { -1.0 };
+        self.arrowhead([x, low], [0.0, -sense]);
+        self.arrowhead([x, high], [0.0, sense]);
+        let middle = 0.5 * (low + high) - 0.36 * LETTERS;
+        self.text(text, [x - ABOVE, middle], LETTERS, Anchor::End);
+    }
+
+    /// Letters of dimensions, centred above `at`.
+    pub fn note(&mut self, text: &str, at: [f64; 2]) {
+        self.text(text, at, LETTERS, Anchor::Middle);
+    }
+
+    /// A level and an upright line through a centre.
+    pub fn cross(&mut self, [x, y]: [f64; 2], reach: f64, stroke: Stroke) {
+        self.line(&[[x - reach, y], [x + reach, y]], stroke);
+        self.line(&[[x, y - reach], [x, y + reach]], stroke);
+    }
+
+    /// Arrow in the sense of rotation between two angles from the mark of θ = 0, which is upwards; rad.
+    pub fn rotation(
+        &mut self,
+        [x, y]: [f64; 2],
+        radius: f64,
+        [from, to]: [f64; 2],
+        clockwise: bool,
+    ) {
+        let sense = if clockwise { -1.0 } else { 1.0 };
+        let angle = |part: f64| 0.25 * TAU + sense * (from + (to - from) * part);
+        let at = |a: f64| [x + radius * a.cos(), y + radius * a.sin()];
+        let arc: Vec<[f64; 2]> = (0..=24).map(|i| at(angle(f64::from(i) / 24.0))).collect();
+        self.line(&arc, Stroke::Thin);
+        let (sin, cos) = angle(1.0).sin_cos();
+        self.arrowhead(arc[24], [-sense * sin, sense * cos]);
     }
 }
 
-/// The distance between two upright edges whose lower ends are at `foot`, on a level line at height `y` below them.
-pub fn level(pen: &mut Pen, text: &str, [left, right]: [f64; 2], foot: f64, y: f64) {
-    for x in [left, right] {
-        pen.line(&[[x, foot - ABOVE], [x, y - BEYOND]], Stroke::Thin);
-    }
-    if right - left >= NARROW {
-        pen.line(&[[left, y], [right, y]], Stroke::Thin);
-        pen.arrowhead([left, y], [-1.0, 0.0]);
-        pen.arrowhead([right, y], [1.0, 0.0]);
-        let at = [0.5 * (left + right), y + ABOVE];
-        pen.text(text, at, LETTERS, Anchor::Middle);
-    } else {
-        pen.line(&[[left - 6.0, y], [right + 6.0, y]], Stroke::Thin);
-        pen.arrowhead([left, y], [1.0, 0.0]);
-        pen.arrowhead([right, y], [-1.0, 0.0]);
-        let at = [right + 7.0, y - 0.36 * LETTERS];
-        pen.text(text, at, LETTERS, Anchor::Start);
-    }
+/// Label of the hole for the shaft.
+pub fn bore(bore: &Bore, words: &Words) -> [String; 2] {
+    let size = format!("Ø {} H7", words.mm(bore.diameter, 3));
+    [words.text("drawing-bore"), size]
 }
 
-/// The distance between two level edges whose left ends are at `edge`, on an upright line at `x` left of them.
-pub fn upright(pen: &mut Pen, text: &str, [low, high]: [f64; 2], edge: f64, x: f64) {
-    for y in [low, high] {
-        pen.line(&[[edge - ABOVE, y], [x - BEYOND, y]], Stroke::Thin);
-    }
-    let inside = high - low >= NARROW;
-    let out = if inside { 0.0 } else { 6.0 };
-    pen.line(&[[x, low - out], [x, high + out]], Stroke::Thin);
-    let sense = if inside { 1.0 } else { -1.0 };
-    pen.arrowhead([x, low], [0.0, -sense]);
-    pen.arrowhead([x, high], [0.0, sense]);
-    let middle = 0.5 * (low + high) - 0.36 * LETTERS;
-    pen.text(text, [x - ABOVE, middle], LETTERS, Anchor::End);
+/// Label of its keyway: width with the fit of the key's seat, and the bore's height through it, by which it is measured.
+pub fn keyway(bore: &Bore, key: &Keyway, words: &Words) -> [String; 2] {
+    let height = words.mm(bore.diameter + key.depth, 2);
+    let size = format!("{} JS9, {height}", words.mm(key.width, 1));
+    [words.text("drawing-keyway"), size]
 }

@@ -1,5 +1,7 @@
 //! One cam that turns, with its holes and its hub.
 
+use std::f64::consts::TAU;
+
 use gaitcam::cam::{Bore, Cam, Hole, Hub};
 use gaitcam::synth::Design;
 
@@ -65,4 +67,13 @@ impl<'a> Piece<'a> {
     pub fn width(&self) -> f64 {
         self.thickness + self.hub.map_or(0.0, |hub| hub.length)
     }
+}
+
+/// The edge of the hole for the shaft, m: `count` points at equal angles and its corners.
+pub fn bore_edge(bore: &Bore, count: usize) -> Vec<[f64; 2]> {
+    let mut angles: Vec<f64> = (0..count).map(|i| TAU * i as f64 / count as f64).collect();
+    angles.extend(bore.corners().iter().map(|a| a.rem_euclid(TAU)));
+    angles.sort_by(f64::total_cmp);
+    let at = |a: f64| [bore.edge(a) * a.cos(), bore.edge(a) * a.sin()];
+    angles.into_iter().map(at).collect()
 }

@@ -1,7 +1,7 @@
 //! The table of radii: where the profile lies at given polar angles, and where a probing ball that is moved
 //! towards the cam's centre comes to rest.
 
-use super::super::outline::{Edge, EdgePoint};
+use crate::outline::{Edge, EdgePoint};
 
 /// Points of the profile between which its crossings with a ray are looked for.
 const SAMPLES: usize = 2880;
@@ -24,10 +24,8 @@ pub struct Radius {
 /// Where a ray meets the profile more than once the outermost point counts: it is the one that a probe
 /// meets.
 pub fn radii(edge: &Edge, ball: f64, count: usize) -> Vec<Radius> {
-    let breaks = edge.breaks();
-    let (start, end) = match breaks {
-        [first, .., last] => (*first, *last),
-        _ => return Vec::new(),
+    let [start, .., end] = *edge.breaks() else {
+        return Vec::new();
     };
     let at = |i: usize| start + (end - start) * i as f64 / SAMPLES as f64;
     let mut points: Vec<EdgePoint> = (0..=SAMPLES).map(|i| edge.at(at(i))).collect();
@@ -76,20 +74,22 @@ pub fn height(edge: &Edge, x: f64, off: f64) -> Option<f64> {
     }
     let heights = (0..SAMPLES)
         .filter(|&i| beside(at(i)) != beside(at(i + 1)))
-        .map(|i| {
-            let (mut low, mut high) = (at(i), at(i + 1));
-            let side = beside(low);
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if beside(middle) == side {
-                    low = middle
-                } else {
-                    high = middle
-                }
-            }
-            point(0.5 * (low + high))[1]
-        });
+        .map(|i| point(crossing(beside, at(i), at(i + 1)))[1]);
     heights.max_by(f64::total_cmp)
+}
+
+/// The place between `low` and `high` at which a condition changes, by bisection.
+fn crossing(condition: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
+    let at_low = condition(low);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if condition(middle) == at_low {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    0.5 * (low + high)
 }
 
 /// The profile's point moved out by `off` along the normal.
@@ -102,28 +102,19 @@ fn moved(point: &EdgePoint, off: f64) -> [f64; 2] {
 /// there is none.
 fn outermost(edge: &Edge, points: &[EdgePoint], angle: f64, off: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
-    let beside = |e: &EdgePoint| {
+    let turned = |e: &EdgePoint| {
         let [x, y] = moved(e, off);
-        cos * x - sin * y
+        [cos * x - sin * y, sin * x + cos * y]
     };
-    let along = |e: &EdgePoint| {
-        let [x, y] = moved(e, off);
-        sin * x + cos * y
-    };
+    let beside = |e: &EdgePoint| turned(e)[0];
+    let along = |e: &EdgePoint| turned(e)[1];
     let mut most: f64 = 0.0;
     for pair in points.windows(2) {
         let sides = [&pair[0], &pair[1]].map(|e| beside(e) > 0.0);
         if sides[0] != sides[1] && along(&pair[0]) > 0.0 {
-            let (mut low, mut high) = (pair[0].theta, pair[1].theta);
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if (beside(&edge.at(middle)) > 0.0) == sides[0] {
-                    low = middle;
-                } else {
-                    high = middle;
-                }
-            }
-            most = most.max(along(&edge.at(0.5 * (low + high))));
+            let is_beside = |theta| beside(&edge.at(theta)) > 0.0;
+            let theta = crossing(is_beside, pair[0].theta, pair[1].theta);
+            most = most.max(along(&edge.at(theta)));
         }
     }
     most

@@ -3,9 +3,8 @@
 use gaitcam::synth::Design;
 
 use super::BALL;
-use super::layout::{Area, Layout};
-use super::leader;
-use super::pen::{Anchor, Pen, Stroke};
+use super::layout::Layout;
+use super::pen::{Pen, Stroke};
 use super::radii::height;
 use super::table::Table;
 use crate::outline::Edge;
@@ -69,102 +68,57 @@ impl<'a> Slide<'a> {
     /// Draws the views; returns the table of heights.
     pub fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Words) -> Table {
         let scale = MM * layout.scale.factor();
-        let Area {
-            left,
-            bottom,
-            right,
-            top,
-        } = layout.views;
+        let area = layout.views;
         let long = scale * (self.ends[1] - self.ends[0]);
         let wide = long + scale * self.design.thickness + LEFT + BETWEEN + RIGHT;
-        let origin = [
-            left + 0.5 * (right - left - wide) + LEFT,
-            bottom + BELOW + 0.5 * (top - bottom - BELOW - ABOVE - scale * self.high()),
+        let high = scale * self.high();
+        let [x, y] = [
+            area.left + 0.5 * (area.width() - wide) + LEFT,
+            area.bottom + BELOW + 0.5 * (area.height() - BELOW - ABOVE - high),
         ];
-        let place = |p: &[f64; 2]| {
-            [
-                origin[0] + scale * (p[0] - self.ends[0]),
-                origin[1] + scale * p[1],
-            ]
-        };
-        let mm = |x: f64| words.decimal(format!("{:.3}", MM * x));
+        let place = |p: &[f64; 2]| [x + scale * (p[0] - self.ends[0]), y + scale * p[1]];
         let mut ring: Vec<[f64; 2]> = self.points.iter().map(place).collect();
-        ring.push([origin[0] + long, origin[1]]);
-        ring.push(origin);
+        ring.extend([[x + long, y], [x, y]]);
         pen.ring(&ring, Stroke::Outline);
         let pitch: Vec<[f64; 2]> = self.pitch.iter().map(place).collect();
         pen.line(&pitch, Stroke::Centre);
-        let text = mm(self.ends[1] - self.ends[0]);
-        leader::level(
-            pen,
-            &text,
-            [origin[0], origin[0] + long],
-            origin[1],
-            origin[1] - 10.0,
-        );
-        let first = scale * self.points[0][1];
-        let text = mm(self.points[0][1]);
-        leader::upright(
-            pen,
-            &text,
-            [origin[1], origin[1] + first],
-            origin[0],
-            origin[0] - 8.0,
-        );
-        self.side(pen, origin[0] + long + BETWEEN, origin[1], scale, words);
-        // The mark of θ = 0 and the way that the cam goes, above everything.
-        let level = origin[1] + scale * self.high() + 6.0;
-        pen.line(
-            &[[origin[0], level - 3.0], [origin[0], level + 2.0]],
-            Stroke::Outline,
-        );
-        pen.text(
-            "θ = 0",
-            [origin[0], level + 4.0],
-            leader::LETTERS,
-            Anchor::Middle,
-        );
+        let length = words.mm(self.ends[1] - self.ends[0], 3);
+        pen.level(&length, [x, x + long], y, y - 10.0);
+        let start = self.points[0][1];
+        pen.upright(&words.mm(start, 3), [y, y + scale * start], x, x - 8.0);
+        self.side(pen, [x + long + BETWEEN, y], scale, words);
+        // The mark of θ = 0 and the cam's motion, above everything.
+        let level = y + high + 6.0;
+        pen.line(&[[x, level - 3.0], [x, level + 2.0]], Stroke::Outline);
+        pen.note("θ = 0", [x, level + 4.0]);
         let sense = if self.design.drive.speed < 0.0 {
             1.0
         } else {
             -1.0
         };
-        let middle = origin[0] + 0.5 * long;
+        let middle = x + 0.5 * long;
         let tip = [middle + sense * 12.0, level];
         pen.line(&[[middle - sense * 12.0, level], tip], Stroke::Thin);
         pen.arrowhead(tip, [sense, 0.0]);
-        let at = [middle, level + 1.5];
-        pen.text(
-            &words.text("drawing-motion"),
-            at,
-            leader::LETTERS,
-            Anchor::Middle,
-        );
+        pen.note(&words.text("drawing-motion"), [middle, level + 1.5]);
         self.table(words)
     }
 
     /// From the right.
-    fn side(&self, pen: &mut Pen, left: f64, foot: f64, scale: f64, words: &Words) {
+    fn side(&self, pen: &mut Pen, [left, foot]: [f64; 2], scale: f64, words: &Words) {
         let right = left + scale * self.design.thickness;
         let top = foot + scale * self.top;
         pen.frame([left, foot], [right, top], Stroke::Outline);
-        for end in [0, self.points.len() - 1] {
-            let y = foot + scale * self.points[end][1];
-            let hidden = if end == 0 {
-                Stroke::Hidden
-            } else {
-                Stroke::Thin
-            };
-            pen.line(&[[left, y], [right, y]], hidden);
-        }
-        let mm = |x: f64| words.decimal(format!("{:.3}", MM * x));
-        let thick = words.decimal(format!("{:.2}", MM * self.design.thickness));
-        leader::level(pen, &thick, [left, right], foot, foot - 10.0);
-        leader::upright(pen, &mm(self.top), [foot, top], left, left - 8.0);
+        let [first, last] = [0, self.points.len() - 1].map(|i| foot + scale * self.points[i][1]);
+        pen.line(&[[left, first], [right, first]], Stroke::Hidden);
+        pen.line(&[[left, last], [right, last]], Stroke::Thin);
+        let thick = words.mm(self.design.thickness, 2);
+        pen.level(&thick, [left, right], foot, foot - 10.0);
+        pen.upright(&words.mm(self.top, 3), [foot, top], left, left - 8.0);
     }
 
     fn table(&self, words: &Words) -> Table {
-        let ball = words.decimal(format!("{:.3}", MM * BALL));
+        let ball = words.mm(BALL, 3);
         let [first, last] = self.ends;
         let step = step((last - first) / (ROWS - 2) as f64);
         let mut places: Vec<f64> = (0..ROWS)
@@ -173,15 +127,9 @@ impl<'a> Slide<'a> {
             .collect();
         places.push(last);
         let row = |&x: &f64| {
-            let mm = |y: Option<f64>| match y {
-                Some(y) => words.decimal(format!("{:.3}", MM * y)),
-                None => "–".to_string(),
-            };
-            vec![
-                words.decimal(format!("{:.3}", MM * (x - first))),
-                mm(height(&self.edge, x, 0.0)),
-                mm(height(&self.edge, x, BALL)),
-            ]
+            let mm = |y: Option<f64>| y.map_or("–".to_string(), |y| words.mm(y, 3));
+            let [profile, ball] = [0.0, BALL].map(|off| mm(height(&self.edge, x, off)));
+            vec![words.mm(x - first, 3), profile, ball]
         };
         Table {
             heading: vec![

@@ -2,12 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use gaitcam::cam::{Bore, Keyway};
-
-use super::layout::{ABOVE, Area, BELOW, BESIDE, LABELS, Layout};
-use super::leader::{self, LETTERS};
-use super::pen::{Anchor, Pen, Stroke};
-use super::piece::Piece;
+use super::layout::{ABOVE, BELOW, BESIDE, LABELS, Layout};
+use super::leader;
+use super::pen::{Pen, Stroke};
+use super::piece::{Piece, bore_edge};
 use super::radii::farthest;
 use crate::outline::zero_mark;
 use crate::words::Words;
@@ -27,7 +25,7 @@ pub const UNDER_HUB: f64 = 16.0;
 /// Where the arrow of rotation begins and ends, from the mark of θ = 0, rad.
 const ARROW: [f64; 2] = [0.12, 0.5];
 /// Points of the bore's edge between its corners.
-const EDGE: u32 = 180;
+const EDGE: usize = 180;
 
 /// Where the labels stand: side, and height as a part of the column's.
 const SLOTS: [[f64; 2]; 8] = [
@@ -77,15 +75,10 @@ impl<'a> Views<'a> {
     pub fn new(piece: &'a Piece<'a>, layout: &Layout, words: &'a Words) -> Self {
         let scale = MM * layout.scale.factor();
         let around = scale * piece.radius();
-        let Area {
-            left,
-            bottom,
-            right,
-            top,
-        } = layout.views;
+        let area = layout.views;
         let wide = 2.0 * (around + LABELS) + scale * piece.width() + BESIDE;
-        let start = left + 0.5 * (right - left - wide);
-        let middle = 0.5 * (bottom + BELOW + top - ABOVE);
+        let start = area.left + 0.5 * (area.width() - wide);
+        let middle = 0.5 * (area.bottom + BELOW + area.top - ABOVE);
         Views {
             piece,
             words,
@@ -98,29 +91,21 @@ impl<'a> Views<'a> {
 
     /// Draws them.
     pub fn draw(&self, pen: &mut Pen) {
-        let outline: Vec<[f64; 2]> = self
-            .piece
-            .edge
-            .points(POINTS)
-            .iter()
-            .map(|e| self.place(e.p))
-            .collect();
+        let points = self.piece.edge.points(POINTS);
+        let outline: Vec<[f64; 2]> = points.iter().map(|e| self.place(e.p)).collect();
         self.plan(pen, &outline);
         self.labels(pen);
         self.side_view(pen, &outline);
     }
 
     fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [
-            self.centre[0] + self.scale * x,
-            self.centre[1] + self.scale * y,
-        ]
+        let [cx, cy] = self.centre;
+        [cx + self.scale * x, cy + self.scale * y]
     }
 
     fn plan(&self, pen: &mut Pen, outline: &[[f64; 2]]) {
         let ([x, y], reach) = (self.centre, self.around + OVER);
-        pen.line(&[[x - reach, y], [x + reach, y]], Stroke::Centre);
-        pen.line(&[[x, y - reach], [x, y + reach]], Stroke::Centre);
+        pen.cross(self.centre, reach, Stroke::Centre);
         pen.ring(outline, Stroke::Outline);
         let (base, prime) = (self.piece.base(), self.piece.prime());
         pen.circle(self.centre, self.scale * base, Stroke::Centre);
@@ -128,53 +113,32 @@ impl<'a> Views<'a> {
             pen.circle(self.centre, self.scale * prime, Stroke::Centre);
         }
         if let Some(bore) = &self.piece.bore {
-            pen.ring(&self.hole(bore), Stroke::Outline);
+            let edge: Vec<[f64; 2]> = (bore_edge(bore, EDGE).into_iter())
+                .map(|p| self.place(p))
+                .collect();
+            pen.ring(&edge, Stroke::Outline);
         }
         if let Some(hub) = self.piece.hub {
-            pen.circle(
-                self.centre,
-                0.5 * self.scale * hub.diameter,
-                Stroke::Outline,
-            );
+            let radius = 0.5 * self.scale * hub.diameter;
+            pen.circle(self.centre, radius, Stroke::Outline);
         }
         if let Some(hole) = self.piece.balance {
-            let ([x, y], r) = (self.place(hole.centre), 0.5 * self.scale * hole.diameter);
-            pen.circle([x, y], r, Stroke::Outline);
-            pen.line(&[[x - r - 1.5, y], [x + r + 1.5, y]], Stroke::Thin);
-            pen.line(&[[x, y - r - 1.5], [x, y + r + 1.5]], Stroke::Thin);
+            let (centre, r) = (self.place(hole.centre), 0.5 * self.scale * hole.diameter);
+            pen.circle(centre, r, Stroke::Outline);
+            pen.cross(centre, r + 1.5, Stroke::Thin);
         }
         let reach_of_bore = self.piece.bore.map_or(0.0, |b| b.reach());
         let mark = zero_mark(base, reach_of_bore).map(|p| self.place(p));
         pen.line(&mark, Stroke::Outline);
-        pen.text("θ = 0", [x, y + reach + 2.0], LETTERS, Anchor::Middle);
-        self.rotation(pen);
-    }
-
-    /// Arrow in the sense of rotation, outside the outline near the mark of θ = 0.
-    fn rotation(&self, pen: &mut Pen) {
-        let sense = if self.piece.clockwise { -1.0 } else { 1.0 };
+        pen.note("θ = 0", [x, y + reach + 2.0]);
+        // Outside the outline, near the mark.
         let radius = self.around + 0.75 * OVER;
-        let arc: Vec<[f64; 2]> = (0..=24)
-            .map(|i| {
-                let from_mark = ARROW[0] + (ARROW[1] - ARROW[0]) * f64::from(i) / 24.0;
-                let angle = 0.25 * TAU + sense * from_mark;
-                [
-                    self.centre[0] + radius * angle.cos(),
-                    self.centre[1] + radius * angle.sin(),
-                ]
-            })
-            .collect();
-        pen.line(&arc, Stroke::Thin);
-        let angle = 0.25 * TAU + sense * ARROW[1];
-        pen.arrowhead(
-            arc[arc.len() - 1],
-            [-sense * angle.sin(), sense * angle.cos()],
-        );
+        pen.rotation(self.centre, radius, ARROW, self.piece.clockwise);
     }
 
     fn labels(&self, pen: &mut Pen) {
         let mut free: Vec<[f64; 2]> = SLOTS.to_vec();
-        for label in self.wanted() {
+        for label in self.labelled() {
             let slot = match label.of {
                 Target::Point(p) => self.nearest(&free, p, -1.0),
                 Target::Below(p) => self.nearest(&free, p, HIGH),
@@ -198,90 +162,51 @@ impl<'a> Views<'a> {
             .min_by(|&a, &b| far(a).total_cmp(&far(b)))
     }
 
-    /// Largest radius first: it takes the place nearest to it.
-    fn wanted(&self) -> Vec<Label> {
-        let words = self.words;
-        let radius = |r: f64| words.decimal(format!("R {:.3}", MM * r));
-        let far = farthest(&self.piece.edge, 20 * POINTS);
-        let angle = far.p[0].atan2(far.p[1]).rem_euclid(TAU).to_degrees();
-        let long = words.decimal(format!(
-            "R {:.3}  φ {angle:.1}°",
-            MM * far.p[0].hypot(far.p[1])
-        ));
-        let mut out = vec![
-            Label {
-                text: [words.text("drawing-largest-radius"), long],
-                of: Target::Point(self.place(far.p)),
-            },
-            Label {
-                text: [words.text("drawing-base-circle"), radius(self.piece.base())],
-                of: Target::Circle(self.scale * self.piece.base()),
-            },
-        ];
-        if self.piece.prime() > self.piece.base() {
-            out.push(Label {
-                text: [
-                    words.text("drawing-prime-circle"),
-                    radius(self.piece.prime()),
-                ],
-                of: Target::Circle(self.scale * self.piece.prime()),
-            });
+    /// What has a label; the largest radius first, so that it takes the place nearest to it.
+    fn labelled(&self) -> Vec<Label> {
+        let (words, piece) = (self.words, self.piece);
+        let mut out = Vec::new();
+        let mut add = |text: [String; 2], of: Target| out.push(Label { text, of });
+        let named = |key: &str, size: String| [words.text(key), size];
+        let angle = |[x, y]: [f64; 2]| x.atan2(y).rem_euclid(TAU).to_degrees();
+        let circle = |radius: f64| Target::Circle(self.scale * radius);
+        let far = farthest(&piece.edge, 20 * POINTS).p;
+        let long = words.mm(far[0].hypot(far[1]), 3);
+        let at = words.decimal(format!("{:.1}", angle(far)));
+        let size = format!("R {long}  φ {at}°");
+        add(
+            named("drawing-largest-radius", size),
+            Target::Point(self.place(far)),
+        );
+        let (base, prime) = (piece.base(), piece.prime());
+        let size = |radius: f64| format!("R {}", words.mm(radius, 3));
+        add(named("drawing-base-circle", size(base)), circle(base));
+        if prime > base {
+            add(named("drawing-prime-circle", size(prime)), circle(prime));
         }
-        if let Some(bore) = self.piece.bore {
-            let size = words.decimal(format!("Ø {:.3} H7", MM * bore.diameter));
-            out.push(Label {
-                text: [words.text("drawing-bore"), size],
-                of: Target::Circle(self.scale * bore.radius()),
-            });
-            out.extend(bore.keyway.map(|key| self.keyway(&bore, &key)));
+        if let Some(bore) = &piece.bore {
+            add(leader::bore(bore, words), circle(bore.radius()));
+            if let Some(key) = bore.keyway {
+                let corner = [0.5 * key.width, bore.radius() + key.depth];
+                let text = leader::keyway(bore, &key, words);
+                add(text, Target::Below(self.place(corner)));
+            }
         }
-        if let Some(hole) = self.piece.balance {
+        if let Some(hole) = piece.balance {
             let [x, y] = hole.centre;
-            let angle = x.atan2(y).rem_euclid(TAU).to_degrees();
-            let place = format!(
-                "Ø {:.2}  R {:.3}  φ {angle:.2}°",
-                MM * hole.diameter,
-                MM * x.hypot(y)
+            let (size, far) = (words.mm(hole.diameter, 2), words.mm(x.hypot(y), 3));
+            let at = words.decimal(format!("{:.2}", angle(hole.centre)));
+            let size = format!("Ø {size}  R {far}  φ {at}°");
+            add(
+                named("drawing-balance", size),
+                Target::Point(self.place(hole.centre)),
             );
-            out.push(Label {
-                text: [words.text("drawing-balance"), words.decimal(place)],
-                of: Target::Point(self.place(hole.centre)),
-            });
         }
-        if let Some(hub) = self.piece.hub {
-            let size = words.decimal(format!("Ø {:.2}", MM * hub.diameter));
-            out.push(Label {
-                text: [words.text("drawing-hub"), size],
-                of: Target::Circle(0.5 * self.scale * hub.diameter),
-            });
+        if let Some(hub) = piece.hub {
+            let size = format!("Ø {}", words.mm(hub.diameter, 2));
+            add(named("drawing-hub", size), circle(0.5 * hub.diameter));
         }
         out
-    }
-
-    /// The keyway: width with the fit of the key's seat, and the bore's height through it, by which it is measured.
-    fn keyway(&self, bore: &Bore, key: &Keyway) -> Label {
-        let words = self.words;
-        let size = words.decimal(format!(
-            "{:.1} JS9, {:.2}",
-            MM * key.width,
-            MM * (bore.diameter + key.depth)
-        ));
-        let corner = [0.5 * key.width, bore.radius() + key.depth];
-        Label {
-            text: [words.text("drawing-keyway"), size],
-            of: Target::Below(self.place(corner)),
-        }
-    }
-
-    /// The edge of the bore.
-    fn hole(&self, bore: &Bore) -> Vec<[f64; 2]> {
-        let mut angles: Vec<f64> = (0..EDGE)
-            .map(|i| TAU * f64::from(i) / f64::from(EDGE))
-            .collect();
-        angles.extend(bore.corners());
-        angles.sort_by(f64::total_cmp);
-        let at = |a: f64| self.place([bore.edge(a) * a.cos(), bore.edge(a) * a.sin()]);
-        angles.into_iter().map(at).collect()
     }
 
     /// Where a label's leader ends.
@@ -302,7 +227,7 @@ impl<'a> Views<'a> {
                 [self.centre[0] + r * dx / far, self.centre[1] + r * dy / far]
             }
         };
-        leader::label(pen, &label.text, from, end, slot[0]);
+        pen.label(&label.text, from, end, slot[0]);
     }
 
     /// The cam from the right, with the bore hidden.
@@ -325,19 +250,18 @@ impl<'a> Views<'a> {
                 pen.line(&[[left, edge], [far, edge]], Stroke::Hidden);
             }
         }
-        let text = |x: f64| self.words.decimal(format!("{:.2}", MM * x));
-        let thickness = text(self.piece.thickness);
+        let thickness = self.words.mm(self.piece.thickness, 2);
         let below = if self.piece.hub.is_some() {
             UNDER_HUB
         } else {
             UNDER
         };
-        leader::level(pen, &thickness, [left, right], ends[0], ends[0] - below);
+        pen.level(&thickness, [left, right], ends[0], ends[0] - below);
         if let Some(hub) = self.piece.hub {
             let (half, out) = (0.5 * self.scale * hub.diameter, self.scale * hub.length);
             pen.frame([right, y - half], [right + out, y + half], Stroke::Outline);
-            let whole = text(self.piece.thickness + hub.length);
-            leader::level(pen, &whole, [left, right + out], ends[0], ends[0] - UNDER);
+            let whole = self.words.mm(self.piece.width(), 2);
+            pen.level(&whole, [left, right + out], ends[0], ends[0] - UNDER);
         }
     }
 }

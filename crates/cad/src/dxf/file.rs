@@ -1,6 +1,6 @@
-//! The DXF file itself: header, tables, blocks and entities of the dialects R12, R2000 and R2010.
+//! The DXF file itself: header, tables, blocks and entities of the dialects R12 and R2000.
 //!
-//! Source: Autodesk, DXF Reference (R12; 2000; 2010). A group is a code on one line and its value on the
+//! Source: Autodesk, DXF Reference (R12; 2000). A group is a code on one line and its value on the
 //! next. Since R13 every object has a handle (group 5), an owner (330) and subclass markers (100), and a
 //! file needs its tables, block records and root dictionary even where they are empty.
 
@@ -64,7 +64,6 @@ impl Drawing {
         let version = match self.version {
             Version::R12 => "AC1009",
             Version::R2000 => "AC1015",
-            Version::R2010 => "AC1024",
         };
         out.section("HEADER");
         out.put(9, "$ACADVER").put(1, version);

@@ -38,10 +38,8 @@ pub enum Version {
     /// Heavy polylines: every program reads it. Its header has no place for units, so millimetres are declared
     /// in the later dialects' variable, which readers look for in R12 as well.
     R12,
-    /// Lightweight polylines, millimetres declared in the header.
+    /// Lightweight polylines, millimetres declared in the header; splines.
     R2000,
-    /// As R2000, in the 2010 dialect.
-    R2010,
 }
 
 /// Which layers a drawing has.
@@ -124,6 +122,12 @@ fn chord([x, y]: [f64; 2]) -> [f64; 3] {
     [MM * x, MM * y, 0.0]
 }
 
+/// Vertices of arcs in mm.
+fn millimetres(vertices: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let mm = |&[x, y, bulge]: &[f64; 3]| [MM * x, MM * y, bulge];
+    vertices.iter().map(mm).collect()
+}
+
 /// A profile drawn in arcs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ArcDrawing {
@@ -143,11 +147,7 @@ pub fn arcs(synthesis: &Design, tolerance: f64, options: Options) -> Option<ArcD
     let (mut arcs, mut deviation) = (0, 0.0_f64);
     for edge in Edge::all(synthesis) {
         let fit = biarc::along(&edge, tolerance)?;
-        let vertices: Vec<[f64; 3]> = fit
-            .vertices
-            .iter()
-            .map(|&[x, y, bulge]| [MM * x, MM * y, bulge])
-            .collect();
+        let vertices = millimetres(&fit.vertices);
         sheet.polyline(edge.layer, &vertices, fit.closed);
         arcs += vertices.len() - usize::from(!fit.closed);
         deviation = deviation.max(fit.deviation);
@@ -160,13 +160,10 @@ pub fn arcs(synthesis: &Design, tolerance: f64, options: Options) -> Option<ArcD
     })
 }
 
-/// As [`drawing`], with the edges as cubic B-splines within [`FAITHFUL`] of the true ones, in the dialect R2000 at least.
+/// As [`drawing`], with the edges as cubic B-splines within [`FAITHFUL`] of the true ones, in the dialect R2000.
 /// `None` where no splines can follow one.
 pub fn splines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
-    let version = match options.version {
-        Version::R12 => Version::R2000,
-        later => later,
-    };
+    let version = Version::R2000;
     let mut sheet = Sheet::new(Options { version, ..options });
     for edge in Edge::all(synthesis) {
         let reach: Vec<[f64; 2]> = (edge.points(options.points).iter())
@@ -233,12 +230,7 @@ impl Sheet {
         if let Some(bore) = self.options.bore.filter(|_| round) {
             match bore.keyway {
                 None => self.circle("CUT_BORE", MM * bore.radius()),
-                Some(_) => {
-                    let edge: Vec<[f64; 3]> = (bore.outline().iter())
-                        .map(|&[x, y, bulge]| [MM * x, MM * y, bulge])
-                        .collect();
-                    self.polyline("CUT_BORE", &edge, true);
-                }
+                Some(_) => self.polyline("CUT_BORE", &millimetres(&bore.outline()), true),
             }
         }
         for hole in synthesis.balance_holes().into_iter().flatten() {
@@ -265,7 +257,7 @@ impl Sheet {
         }
         self.circle("REF_BASE_CIRCLE", base);
         let bore = self.options.bore.map_or(0.0, |b| MM * b.reach());
-        self.zero(base, bore);
+        self.zero(zero_mark(base, bore), 0.08 * base);
         self.rotation(&Arrow::new(base, bore, synthesis.drive.speed < 0.0));
     }
 
@@ -283,10 +275,8 @@ impl Sheet {
         self.add(layer, Shape::Line { ends }, &ends);
     }
 
-    fn zero(&mut self, base: f64, bore: f64) {
-        let ends = zero_mark(base, bore);
+    fn zero(&mut self, ends: [[f64; 2]; 2], height: f64) {
         self.line(ZERO, ends);
-        let height = 0.08 * base;
         let text = Shape::Text {
             at: [0.5 * height, ends[0][1]],
             height,

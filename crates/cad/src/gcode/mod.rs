@@ -12,6 +12,7 @@ use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
 use self::outside::Lead;
+use super::cutter;
 use super::outline::Edge;
 
 const MM: f64 = 1000.0;
@@ -33,6 +34,24 @@ struct Move {
     feed: f64,
 }
 
+impl Move {
+    fn line(to: [f64; 2]) -> Move {
+        Move {
+            to,
+            arc: None,
+            feed: FEED,
+        }
+    }
+
+    fn arc(to: [f64; 2], centre: [f64; 2], counter_clockwise: bool) -> Move {
+        Move {
+            to,
+            arc: Some((centre, counter_clockwise)),
+            feed: FEED,
+        }
+    }
+}
+
 /// A path of the cutter's centre, m.
 struct Path {
     start: [f64; 2],
@@ -46,7 +65,7 @@ struct Path {
 /// A radius that is not positive; a profile that no chain of arcs follows (undercut, jumps of the velocity), a cutter
 /// that does not fit a hollow or is not the groove's.
 pub fn milling(design: &Design, tool: f64) -> Result<Vec<String>> {
-    let tool = positive(tool)?;
+    let tool = cutter::positive(tool)?;
     if let Some(groove) = &design.groove {
         return Ok(vec![groove::program(groove, &design.name, tool)?]);
     }
@@ -76,7 +95,7 @@ pub fn milling(design: &Design, tool: f64) -> Result<Vec<String>> {
 /// # Errors
 /// As [`milling`]; a barrel, and a wire that the keyway has no room for.
 pub fn wire(design: &Design, radius: f64) -> Result<String> {
-    let radius = positive(radius)?;
+    let radius = cutter::positive(radius)?;
     if design.groove.is_some() {
         return Err(WriteError::NoCutterPath.into());
     }
@@ -118,16 +137,6 @@ pub fn wire(design: &Design, radius: f64) -> Result<String> {
     moves(&mut text, &outside);
     end(&mut text, "CUT THE WIRE");
     Ok(finished(text))
-}
-
-fn positive(radius: f64) -> Result<f64> {
-    if radius.is_finite() && radius > 0.0 {
-        return Ok(radius);
-    }
-    Err(WriteError::CutterRadius {
-        radius: Quantity::length(radius),
-    }
-    .into())
 }
 
 /// The program's first lines, for paths in the plane of the cam.

@@ -71,13 +71,8 @@ fn with_arcs(
     let back = along(first, -lead);
     let away = centre(end, last);
     let on = along(last, lead);
-    let leading = |to, about| Move {
-        to,
-        arc: Some((about, true)),
-        feed: FEED,
-    };
-    moves.insert(0, leading(begin, from));
-    moves.push(leading([away[0] + on[0], away[1] + on[1]], away));
+    moves.insert(0, Move::arc(begin, from, true));
+    moves.push(Move::arc([away[0] + on[0], away[1] + on[1]], away, true));
     Path {
         start: [from[0] + back[0], from[1] + back[1]],
         moves,
@@ -93,13 +88,8 @@ fn with_lines(
 ) -> Path {
     let lead = WAY_IN + tool;
     let out = |p: [f64; 2], n: [f64; 2]| [p[0] + lead * n[0], p[1] + lead * n[1]];
-    let line = |to| Move {
-        to,
-        arc: None,
-        feed: FEED,
-    };
-    moves.insert(0, line(begin));
-    moves.push(line(out(end, last)));
+    moves.insert(0, Move::line(begin));
+    moves.push(Move::line(out(end, last)));
     Path {
         start: out(begin, first),
         moves,
@@ -114,11 +104,7 @@ fn parallel(a: [f64; 3], b: [f64; 3], tool: f64) -> Option<(Move, [[f64; 2]; 2])
         let c = [to[0] - from[0], to[1] - from[1]];
         let long = c[0].hypot(c[1]);
         let n = [-c[1] / long, c[0] / long];
-        let step = Move {
-            to: [to[0] + tool * n[0], to[1] + tool * n[1]],
-            arc: None,
-            feed: FEED,
-        };
+        let step = Move::line([to[0] + tool * n[0], to[1] + tool * n[1]]);
         return Some((step, [n, n]));
     };
     // A hollow turns counter-clockwise: its centre lies outside the cam.

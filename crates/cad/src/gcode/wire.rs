@@ -2,7 +2,7 @@
 
 use gaitcam::cam::Bore;
 
-use super::{FEED, Move, Path};
+use super::{Move, Path};
 
 /// The path along the hole's edge at the distance `radius` m inside it, counter-clockwise from its lowest point; `None` where
 /// the wire has no room.
@@ -11,23 +11,13 @@ pub fn hole(bore: &Bore, radius: f64) -> Option<Path> {
     if round <= 0.0 {
         return None;
     }
-    let line = |to| Move {
-        to,
-        arc: None,
-        feed: FEED,
-    };
-    let arc = |to, centre, counter_clockwise| Move {
-        to,
-        arc: Some((centre, counter_clockwise)),
-        feed: FEED,
-    };
     let centre = [0.0; 2];
     let lowest = [0.0, -round];
-    let mut moves = vec![line(lowest)];
+    let mut moves = vec![Move::line(lowest)];
     match bore.keyway {
         None => {
-            moves.push(arc([0.0, round], centre, true));
-            moves.push(arc(lowest, centre, true));
+            moves.push(Move::arc([0.0, round], centre, true));
+            moves.push(Move::arc(lowest, centre, true));
         }
         Some(key) => {
             let half = 0.5 * key.width;
@@ -40,16 +30,14 @@ pub fn hole(bore: &Bore, radius: f64) -> Option<Path> {
             let shrunk = round / bore.radius();
             let corner = |side: f64| [side * half, foot];
             let before = |side: f64| [side * half * shrunk, foot * shrunk];
-            moves.push(arc(before(1.0), centre, true));
-            moves.push(arc([aside, foot], corner(1.0), false));
-            moves.push(line([aside, top]));
-            moves.push(line([-aside, top]));
-            moves.push(line([-aside, foot]));
-            moves.push(arc(before(-1.0), corner(-1.0), false));
-            moves.push(arc(lowest, centre, true));
+            moves.push(Move::arc(before(1.0), centre, true));
+            moves.push(Move::arc([aside, foot], corner(1.0), false));
+            moves.extend([[aside, top], [-aside, top], [-aside, foot]].map(Move::line));
+            moves.push(Move::arc(before(-1.0), corner(-1.0), false));
+            moves.push(Move::arc(lowest, centre, true));
         }
     }
-    moves.push(line(centre));
+    moves.push(Move::line(centre));
     Some(Path {
         start: centre,
         moves,

@@ -3,6 +3,7 @@
 use earcut::Earcut;
 
 use super::Mesh;
+use crate::step::positive;
 use gaitcam::cam::{Bore, Hole};
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
@@ -32,13 +33,7 @@ pub struct Plate {
 /// that makes no plate, an undercut profile, an open law.
 pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     let cam = &synthesis.cam;
-    let thickness = MM * plate.thickness;
-    if !(thickness.is_finite() && thickness > 0.0) {
-        return Err(WriteError::PlateThickness {
-            thickness: Quantity::length(plate.thickness),
-        }
-        .into());
-    }
+    let thickness = MM * positive(plate.thickness)?;
     if plate.points < 8 {
         return Err(WriteError::TooFewPoints {
             points: plate.points,

@@ -32,18 +32,16 @@ pub fn package(mesh: &Mesh, name: &str) -> Result<Vec<u8>> {
     for (path, text) in parts {
         // The default options carry no clock: the same mesh gives the same bytes.
         zip.start_file(path, SimpleFileOptions::default())
-            .map_err(|e| WriteError::NotPutTogether {
-                fault: format!("{path}: {e}"),
-            })?;
+            .map_err(|e| fault(format!("{path}: {e}")))?;
         zip.write_all(text.as_bytes())
-            .map_err(|e| WriteError::NotPutTogether {
-                fault: format!("{path}: {e}"),
-            })?;
+            .map_err(|e| fault(format!("{path}: {e}")))?;
     }
-    let done = zip.finish().map_err(|e| WriteError::NotPutTogether {
-        fault: e.to_string(),
-    })?;
+    let done = zip.finish().map_err(|e| fault(e.to_string()))?;
     Ok(done.into_inner())
+}
+
+fn fault(fault: String) -> WriteError {
+    WriteError::NotPutTogether { fault }
 }
 
 fn model(mesh: &Mesh, name: &str) -> String {

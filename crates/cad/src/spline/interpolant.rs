@@ -1,5 +1,7 @@
 //! Clamped cubic B-splines through given points: the first and the last two spans are one cubic each ("not a knot").
 
+use std::ops::Range;
+
 /// Fewest spans.
 pub const FEWEST: usize = 4;
 
@@ -89,13 +91,15 @@ impl Interpolant {
 
 /// Multiplicities and knots of the space over so many spans: 0, 2, 3 … spans − 2, spans.
 fn knots(spans: usize) -> Vec<(usize, f64)> {
-    let inner = (2..spans - 1).map(|k| (1, k as f64));
-    let ends = [(4, 0.0), (4, spans as f64)];
-    [ends[0]]
-        .into_iter()
-        .chain(inner)
-        .chain([ends[1]])
-        .collect()
+    clamped(2..spans - 1, spans)
+}
+
+/// Multiplicities and knots of a clamped cubic over so many spans, with these of the knots between its ends.
+pub fn clamped(inner: Range<usize>, spans: usize) -> Vec<(usize, f64)> {
+    let mut out = vec![(4, 0.0)];
+    out.extend(inner.map(|k| (1, k as f64)));
+    out.push((4, spans as f64));
+    out
 }
 
 /// The first of the four basis functions that are not zero at `x`, and their values (Cox and de Boor).

@@ -3,6 +3,7 @@
 mod interpolant;
 mod periodic;
 
+use interpolant::clamped;
 pub use interpolant::{FEWEST, Interpolant};
 
 use self::periodic::Spline;
@@ -40,13 +41,8 @@ pub fn along(edge: &Edge, tolerance: f64, parts: usize) -> Option<Vec<Clamped>> 
     let part = |k: usize| {
         let control = spline.part(k * n / parts, (k + 1) * n / parts);
         let spans = control.len() - 3;
-        let inner = (1..spans).map(|k| (1, k as f64));
-        let ends = [(4, 0.0), (4, spans as f64)];
-        let knots = [ends[0]].into_iter().chain(inner).chain([ends[1]]);
-        Clamped {
-            knots: knots.collect(),
-            control,
-        }
+        let knots = clamped(1..spans, spans);
+        Clamped { control, knots }
     };
     Some((0..parts).map(part).collect())
 }

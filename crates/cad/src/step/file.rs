@@ -150,15 +150,12 @@ impl File {
 
     /// A loop of edges, each taken along (`true`) or against its sense.
     pub fn ring(&mut self, edges: &[(Rim, bool)]) -> usize {
-        let oriented: Vec<String> = edges
-            .iter()
+        let oriented: Vec<usize> = (edges.iter())
             .map(|(rim, along)| {
-                let sense = if *along { ".T." } else { ".F." };
-                let id = self.add(&format!("ORIENTED_EDGE('',*,*,#{rim},{sense})"));
-                format!("#{id}")
+                self.add(&format!("ORIENTED_EDGE('',*,*,#{rim},{})", truth(*along)))
             })
             .collect();
-        self.add(&format!("EDGE_LOOP('',({}))", oriented.join(",")))
+        self.add(&format!("EDGE_LOOP('',{})", list(&oriented)))
     }
 
     /// A loop of edges that follow one another counter-clockwise, or the other way round.
@@ -175,12 +172,8 @@ impl File {
         for ring in inner {
             bounds.push(self.add(&format!("FACE_BOUND('',#{ring},.T.)")));
         }
-        let bounds: Vec<String> = bounds.iter().map(|b| format!("#{b}")).collect();
-        let sense = if along { ".T." } else { ".F." };
-        self.add(&format!(
-            "ADVANCED_FACE('',({}),#{surface},{sense})",
-            bounds.join(",")
-        ))
+        let (bounds, sense) = (list(&bounds), truth(along));
+        self.add(&format!("ADVANCED_FACE('',{bounds},#{surface},{sense})"))
     }
 
     /// The wall above an outline between two heights, its faces added to `faces`; material lies inside of it, or, of a hole,
@@ -216,20 +209,11 @@ impl File {
                 self.edge(ends[k][1], ends[next][1], above),
             );
             let surface = self.surface(piece, z);
+            let (left, right) = (uprights[k], uprights[next]);
             let ring = if hole {
-                [
-                    (low, false),
-                    (uprights[k], true),
-                    (high, true),
-                    (uprights[next], false),
-                ]
+                [(low, false), (left, true), (high, true), (right, false)]
             } else {
-                [
-                    (low, true),
-                    (uprights[next], true),
-                    (high, false),
-                    (uprights[k], false),
-                ]
+                [(low, true), (right, true), (high, false), (left, false)]
             };
             let ring = self.ring(&ring);
             faces.push(self.face(surface, ring, &[], !hole));
@@ -257,17 +241,15 @@ impl File {
 
     /// A solid of its faces.
     pub fn solid(&mut self, name: &str, faces: &[usize]) -> usize {
-        let faces: Vec<String> = faces.iter().map(|f| format!("#{f}")).collect();
-        let shell = self.add(&format!("CLOSED_SHELL('',({}))", faces.join(",")));
+        let shell = self.add(&format!("CLOSED_SHELL('',{})", list(faces)));
         self.add(&format!("MANIFOLD_SOLID_BREP('{name}',#{shell})"))
     }
 
     /// Product, units, header.
     pub fn finish(mut self, solids: &[usize], name: &str) -> Vec<u8> {
         let name = quoted(name);
-        let solids: Vec<String> = solids.iter().map(|s| format!("#{s}")).collect();
-        let solids = solids.join(",");
-        let axes = self.level([0.0; 2], 0.0, 1.0);
+        let mut items = vec![self.level([0.0; 2], 0.0, 1.0)];
+        items.extend(solids);
         let length = self.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
         let angle = self.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
         let solid_angle = self.add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
@@ -279,7 +261,8 @@ impl File {
              GLOBAL_UNIT_ASSIGNED_CONTEXT((#{length},#{angle},#{solid_angle}))REPRESENTATION_CONTEXT('',''))"
         ));
         let shape = self.add(&format!(
-            "ADVANCED_BREP_SHAPE_REPRESENTATION('',(#{axes},{solids}),#{context})"
+            "ADVANCED_BREP_SHAPE_REPRESENTATION('',{},#{context})",
+            list(&items)
         ));
         let application =
             self.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
@@ -309,6 +292,17 @@ impl File {
         )
         .into_bytes()
     }
+}
+
+/// References to instances.
+pub fn list(instances: &[usize]) -> String {
+    let all: Vec<String> = instances.iter().map(|i| format!("#{i}")).collect();
+    format!("({})", all.join(","))
+}
+
+/// A logical value.
+fn truth(value: bool) -> &'static str {
+    if value { ".T." } else { ".F." }
 }
 
 /// A real with its point.

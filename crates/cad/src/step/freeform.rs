@@ -1,6 +1,6 @@
 //! B-spline curves and surfaces in space, mm.
 
-use super::file::File;
+use super::file::{File, list, real};
 
 /// Multiplicities and values of the knots of a clamped cubic.
 pub type Knots = [(usize, f64)];
@@ -29,16 +29,14 @@ impl File {
 
     /// Points as a list.
     fn points(&mut self, control: &[[f64; 3]]) -> String {
-        let points: Vec<String> = (control.iter())
-            .map(|p| format!("#{}", self.point(*p)))
-            .collect();
-        format!("({})", points.join(","))
+        let points: Vec<usize> = control.iter().map(|p| self.point(*p)).collect();
+        list(&points)
     }
 }
 
 fn written(knots: &Knots) -> (String, String) {
     let counts: Vec<String> = knots.iter().map(|k| k.0.to_string()).collect();
-    let values: Vec<String> = knots.iter().map(|k| super::file::real(k.1)).collect();
+    let values: Vec<String> = knots.iter().map(|k| real(k.1)).collect();
     (
         format!("({})", counts.join(",")),
         format!("({})", values.join(",")),

@@ -102,7 +102,7 @@ fn hub(design: &Design) -> Result<Option<Hub>> {
 }
 
 /// A thickness that makes a plate.
-fn positive(thickness: f64) -> Result<f64> {
+pub(crate) fn positive(thickness: f64) -> Result<f64> {
     if thickness.is_finite() && thickness > 0.0 {
         return Ok(thickness);
     }
@@ -204,21 +204,6 @@ impl Body {
         file.cap(high, true, &outer.high, &above, &mut faces);
         file.solid("cam", &faces)
     }
-}
-
-/// The edge of a barrel's hole, counter-clockwise, m: its keyway points along +x, where θ = 0 is on a barrel.
-pub(super) fn turned_hole(bore: &Bore, count: usize) -> Vec<[f64; 2]> {
-    let mut angles: Vec<f64> = (0..count)
-        .map(|i| std::f64::consts::TAU * i as f64 / count as f64)
-        .collect();
-    angles.extend(
-        bore.corners()
-            .iter()
-            .map(|a| a.rem_euclid(std::f64::consts::TAU)),
-    );
-    angles.sort_by(f64::total_cmp);
-    let point = |a: f64| [bore.edge(a) * a.sin(), -bore.edge(a) * a.cos()];
-    angles.into_iter().map(point).collect()
 }
 
 /// The hole's edge in straight pieces and arcs, mm.

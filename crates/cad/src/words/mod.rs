@@ -40,6 +40,11 @@ impl Words {
         }
     }
 
+    /// A length given in m as a number of millimetres.
+    pub fn mm(&self, length: f64, decimals: usize) -> String {
+        self.decimal(format!("{:.decimals$}", 1e3 * length))
+    }
+
     /// A heading or label.
     pub fn text(&self, key: &str) -> String {
         self.own.text(key)
