@@ -3,7 +3,7 @@
 use plotters_backend::text_anchor::VPos;
 
 use crate::plot::axes::padded;
-use crate::plot::layout::{Layout, over_the_law, strips, title};
+use crate::plot::layout::{Layout, strips};
 use crate::plot::palette::{BLUE, GREEN, RED};
 use crate::plot::picture::Picture;
 use crate::pose::motion;
@@ -17,22 +17,16 @@ const CAP: f64 = 2.2;
 
 /// Radius of curvature and pressure angle (a flat face: the contact's wandering) over the cam angle.
 pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
-    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
+    layout.picture(words.language(), |f| {
         let cam = &synthesis.cam;
-        let e = layout.letters;
         let measures = cam.follower.measures();
         let across = |t: f64| measures.angle().factor * t;
         let points: Vec<_> = motion(&cam.law)
             .iter()
             .map(|(t, _)| cam.point(*t))
             .collect();
-        title(
-            canvas,
-            layout,
-            &synthesis.name,
-            &words.text("figure-curvature"),
-        )?;
-        let frames = strips(layout.frame(), &[1.0, 1.0], 1.2 * e);
+        f.title(&synthesis.name, &words.text("figure-curvature"))?;
+        let frames = strips(layout.frame(), &[1.0, 1.0], 1.2 * f.e);
 
         let rho: Vec<(f64, f64)> = points
             .iter()
@@ -42,7 +36,7 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
         let sharpest = cam.curvature().convex;
         let shown = rho.iter().map(|p| p.1).filter(|r| r.abs() <= cap);
         let y = padded(shown.chain([0.0, 1000.0 * sharpest.value]), 0.18);
-        let panel = over_the_law(canvas, synthesis, frames[0], y, e)?;
+        let panel = f.over_the_law(synthesis, frames[0], y)?;
         // The radius passes through infinity where the flank turns from convex to concave.
         for part in rho.chunk_by(|a, b| a.1.signum() == b.1.signum() || a.1.abs() < cap) {
             panel.curve(part, BLUE, 2.2)?;
@@ -55,32 +49,30 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
             panel.level(1000.0 * check.limit, Some((&name, VPos::Bottom)), RED)?;
         }
         if sharpest.value.is_finite() {
-            let at = across(sharpest.at);
-            panel.mark_on_ground(at, 1000.0 * sharpest.value, true, BLUE)?;
+            let at = (across(sharpest.at), 1000.0 * sharpest.value);
+            panel.mark(at, true, BLUE, true)?;
         }
-        panel.quantity(&words.text("figure-rho"), 5.7 * e)?;
+        panel.quantity(&words.text("figure-rho"))?;
 
         if let Some((low, high)) = cam.contact_travel() {
-            let y = padded(
-                [low.value, high.value].map(|v| 1000.0 * v).into_iter(),
-                0.26,
-            );
-            let panel = over_the_law(canvas, synthesis, frames[1], y, e)?;
+            let ends = [low.value, high.value].map(|v| 1000.0 * v);
+            let y = padded(ends.into_iter(), 0.26);
+            let panel = f.over_the_law(synthesis, frames[1], y)?;
             let contact: Vec<(f64, f64)> = motion(&cam.law)
                 .iter()
                 .map(|(t, m)| (across(*t), 1000.0 * cam.contact_along(*m)))
                 .collect();
             panel.curve(&contact, GREEN, 2.2)?;
-            panel.mark_on_ground(across(high.at), 1000.0 * high.value, true, GREEN)?;
-            panel.mark_on_ground(across(low.at), 1000.0 * low.value, false, GREEN)?;
-            panel.quantity(&words.text("figure-contact-travel"), 5.7 * e)?;
+            panel.mark((across(high.at), ends[1]), true, GREEN, true)?;
+            panel.mark((across(low.at), ends[0]), false, GREEN, true)?;
+            panel.quantity(&words.text("figure-contact-travel"))?;
             return panel.across(&words::across(words, measures));
         }
         let (low, high) = synthesis.pressure_angle_extremes();
         let limits = synthesis.checks.iter().filter_map(pressure_limit);
         let ends = [low.value, high.value].map(f64::to_degrees);
         let y = padded(ends.into_iter().chain(limits.clone()).chain([0.0]), 0.2);
-        let panel = over_the_law(canvas, synthesis, frames[1], y, e)?;
+        let panel = f.over_the_law(synthesis, frames[1], y)?;
         let phi: Vec<(f64, f64)> = points
             .iter()
             .map(|p| {
@@ -98,12 +90,11 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
             let name = words.fill("figure-limit", &[("value", &value)]);
             panel.level(limit, Some((&name, side)), RED)?;
         }
-        panel.mark_on_ground(across(high.at), ends[1], true, GREEN)?;
-        panel.mark_on_ground(across(low.at), ends[0], false, GREEN)?;
-        panel.quantity(&words.text("figure-pressure-angle"), 5.7 * e)?;
+        panel.mark((across(high.at), ends[1]), true, GREEN, true)?;
+        panel.mark((across(low.at), ends[0]), false, GREEN, true)?;
+        panel.quantity(&words.text("figure-pressure-angle"))?;
         panel.across(&words::across(words, measures))
     })
-    .in_language(words.language())
 }
 
 /// Largest radius of curvature drawn, mm. Beside a disc's own size everything larger is straight; what is

@@ -1,12 +1,12 @@
 //! The force diagram: achieved on target, with the error below.
 
-use plotters::prelude::*;
+use plotters::style::Color;
 
-use crate::plot::axes::{Frame, Panel, padded};
-use crate::plot::layout::{Layout, ends_of, key, over_the_law, strips, title};
+use crate::plot::axes::{Panel, padded};
+use crate::plot::layout::{Figure, Layout, ends_of, strips};
 use crate::plot::palette::{BLUE, ORANGE, QUIET, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Canvas, Drawn};
+use crate::plot::sheet::{Drawn, Frame};
 use crate::pose::motion;
 use crate::pose::{angles, target_at};
 use crate::words::{self, Words};
@@ -25,21 +25,21 @@ pub fn force(synthesis: &Design, language: Language) -> Picture {
 }
 
 pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
-    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
-        let e = layout.letters;
+    layout.picture(words.language(), |f| {
+        let e = f.e;
         let names = Names::new(synthesis, words);
-        title(canvas, layout, &synthesis.name, &names.head)?;
+        f.title(&synthesis.name, &names.head)?;
         let frame = force_frame(layout);
         let legend = [frame.left, frame.top - 1.1 * e];
         let achieved = Achieved::new(synthesis);
         let Some(target) = &synthesis.target else {
-            let panel = achieved.panel(canvas, synthesis, frame, std::iter::empty(), e)?;
+            let panel = achieved.panel(&f, synthesis, frame, std::iter::empty())?;
             panel.curve(&achieved.curve, BLUE, 2.6)?;
             achieved.marks(&panel)?;
-            panel.quantity(&names.axis, 5.7 * e)?;
+            panel.quantity(&names.axis)?;
             let measures = synthesis.cam.follower.measures();
             panel.across(&words::across(words, measures))?;
-            return key(canvas, legend, e, &[(BLUE, 2.6, &names.curve)]);
+            return f.key(legend, e, &[(BLUE, 2.6, &names.curve)]);
         };
         let wanted = wanted(synthesis, target);
         let asked = asked_band(synthesis, &wanted);
@@ -47,16 +47,16 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
         let frames = strips(frame, &[2.6, 1.0], 1.0 * e);
         let edges = band.iter().flat_map(|(u, l)| u.iter().chain(l));
         let others = wanted.iter().chain(edges).map(|p| p.1);
-        let panel = achieved.panel(canvas, synthesis, frames[0], others, e)?;
+        let panel = achieved.panel(&f, synthesis, frames[0], others)?;
         if let Some((upper, lower)) = &band {
             panel.band(upper, lower, ORANGE.mix(0.22))?;
         }
         panel.curve(&wanted, ORANGE.mix(0.55), 8.0)?;
         panel.curve(&achieved.curve, BLUE, 2.4)?;
         achieved.marks(&panel)?;
-        panel.quantity(&names.axis, 5.7 * e)?;
+        panel.quantity(&names.axis)?;
         let held = asked.as_ref().map(|band| (band, wanted.as_slice()));
-        difference(canvas, synthesis, target, (frames[1], e), held, words)?;
+        difference(&f, synthesis, target, frames[1], held, words)?;
 
         let text = |key: &str| words.text(key);
         let error = if layout.title {
@@ -81,9 +81,8 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
         if band.is_some() {
             entries.insert(1, (ORANGE.mix(0.22), 14.0, &around));
         }
-        key(canvas, legend, e, &entries)
+        f.key(legend, e, &entries)
     })
-    .in_language(words.language())
 }
 
 /// The force of the cam over its angle, with its extremes.
@@ -116,23 +115,22 @@ impl Achieved {
     /// Axes that hold the force and `others`; a force that never pulls is drawn from zero.
     fn panel<'a, 'c>(
         &self,
-        canvas: &'c Canvas<'a>,
+        f: &Figure<'a, 'c>,
         synthesis: &Design,
         frame: Frame,
         others: impl Iterator<Item = f64>,
-        e: f64,
-    ) -> Result<Panel<'a, 'c>, DrawingAreaErrorKind<std::convert::Infallible>> {
+    ) -> Drawn<Panel<'a, 'c>> {
         let values = self.curve.iter().map(|p| p.1).chain(others);
         let y = padded(values.chain([0.0]), 0.12);
         let pushes = self.low.1 >= -1e-9 * self.high.1.abs();
         let y = if pushes { [0.0, y[1]] } else { y };
-        over_the_law(canvas, synthesis, frame, y, e)
+        f.over_the_law(synthesis, frame, y)
     }
 
     fn marks(&self, panel: &Panel) -> Drawn {
-        panel.mark(self.high.0, self.high.1, true, BLUE)?;
+        panel.mark(self.high, true, BLUE, false)?;
         if self.high.1 - self.low.1 > 1e-9 * self.high.1.abs() {
-            panel.mark(self.low.0, self.low.1, false, BLUE)?;
+            panel.mark(self.low, false, BLUE, false)?;
         }
         Ok(())
     }
@@ -153,10 +151,10 @@ fn wanted(synthesis: &Design, target: &ForceCurve) -> Vec<(f64, f64)> {
 
 /// The error below the force, between the edges of the `held` band about the target, or ± its RMS.
 fn difference(
-    canvas: &Canvas,
+    f: &Figure,
     synthesis: &Design,
     target: &ForceCurve,
-    (frame, e): (Frame, f64),
+    frame: Frame,
     held: Option<(&Band, &[(f64, f64)])>,
     words: &Words,
 ) -> Drawn {
@@ -179,20 +177,17 @@ fn difference(
     };
     let around = bounds.iter().flatten().map(|p| p.1);
     let y = padded(error.iter().map(|p| p.1).chain(around), 0.3);
-    let panel = over_the_law(canvas, synthesis, frame, y, e)?;
+    let panel = f.over_the_law(synthesis, frame, y)?;
     let zero: Vec<(f64, f64)> = error.iter().map(|p| (p.0, 0.0)).collect();
     panel.band(&error, &zero, RED.mix(0.14))?;
     panel.curve(&error, RED, 1.8)?;
     for bound in &bounds {
         panel.curve(bound, QUIET, 1.2)?;
     }
-    panel.quantity(
-        &words.text(match measures {
-            Measures::Oscillating => "figure-error-moment",
-            _ => "figure-error",
-        }),
-        5.7 * e,
-    )?;
+    panel.quantity(&words.text(match measures {
+        Measures::Oscillating => "figure-error-moment",
+        _ => "figure-error",
+    }))?;
     panel.across(&words::across(words, measures))
 }
 

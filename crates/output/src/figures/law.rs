@@ -1,7 +1,7 @@
 //! The diagrams of the law of motion.
 
 use crate::plot::axes::padded;
-use crate::plot::layout::{Layout, over_the_law, strips, title};
+use crate::plot::layout::{Layout, strips};
 use crate::plot::palette::{BLUE, GREEN, PURPLE, RED};
 use crate::plot::picture::Picture;
 use crate::pose::motion;
@@ -17,7 +17,7 @@ pub fn svaj(synthesis: &Design, language: Language) -> Picture {
 }
 
 pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
-    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
+    layout.picture(words.language(), |f| {
         let law = &synthesis.cam.law;
         let measures = synthesis.cam.follower.measures();
         let across = |t: f64| measures.angle().factor * t;
@@ -25,8 +25,8 @@ pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Pict
         let names = ["s", "v", "a", "j"];
         let pick: [fn(&Svaj) -> f64; 4] = [|m| m.s, |m| m.v, |m| m.a, |m| m.j];
         let colours = [BLUE, GREEN, RED, PURPLE];
-        title(canvas, layout, &synthesis.name, &words.text("figure-law"))?;
-        let frames = strips(layout.frame(), &[1.0; 4], 0.9 * layout.letters);
+        f.title(&synthesis.name, &words.text("figure-law"))?;
+        let frames = strips(layout.frame(), &[1.0; 4], 0.9 * f.e);
         for k in 0..4 {
             let Unit { factor, name: unit } = measures.lift(k);
             let curve: Vec<(f64, f64)> = motion
@@ -36,26 +36,25 @@ pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Pict
             let (low, high) = law.extremes(k);
             let ends = [low.value, high.value].map(|v| factor * v);
             let y = padded(ends.into_iter(), 0.26);
-            let panel = over_the_law(canvas, synthesis, frames[k], y, layout.letters)?;
+            let panel = f.over_the_law(synthesis, frames[k], y)?;
             panel.curve(&curve, colours[k], 2.4)?;
             let (lowest, highest) = synthesis.cam.derivative_extremes(k);
             if ends[1] > ends[0] && highest.value.is_finite() {
-                panel.mark(across(high.at), ends[1], true, colours[k])?;
+                panel.mark((across(high.at), ends[1]), true, colours[k], false)?;
             }
             if ends[1] > ends[0] && lowest.value.is_finite() {
-                panel.mark(across(low.at), ends[0], false, colours[k])?;
+                panel.mark((across(low.at), ends[0]), false, colours[k], false)?;
             }
             for (at, up) in infinities(&synthesis.cam, k) {
                 panel.infinity(across(at), up, colours[k])?;
             }
-            panel.quantity(&format!("{}, {unit}", names[k]), 5.7 * layout.letters)?;
+            panel.quantity(&format!("{}, {unit}", names[k]))?;
             if k == 3 {
                 panel.across(&words::across(words, measures))?;
             }
         }
         Ok(())
     })
-    .in_language(words.language())
 }
 
 /// Where a derivative is infinite, and whether upwards: where the one below it jumps, and both ways where one

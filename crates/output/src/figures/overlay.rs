@@ -1,13 +1,14 @@
 //! Several designs in one picture: diagrams over the angle, profiles on one centre.
 
-use plotters::prelude::*;
+use plotters::style::RGBAColor;
 
-use crate::plot::axes::{Panel, padded, ticks};
-use crate::plot::layout::{Layout, key, scale_bar, strips, title};
+use crate::plot::axes::padded;
+use crate::plot::layout::{Layout, columns, strips};
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{plane, stroke};
+use crate::plot::sheet::{Frame, stroke, trace};
 use gaitcam::cam::Measures;
+use gaitcam::wording::Language;
 
 /// One colour per design; they repeat after twelve.
 const COLOURS: [RGBAColor; 12] = [
@@ -58,9 +59,9 @@ pub fn diagrams_over(
         size: (1200, 300 + 260 * rows.len().max(1) as u32),
         ..Layout::ALONE
     };
-    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
-        let e = layout.letters;
-        title(canvas, layout, head, what)?;
+    layout.picture(Language::En, |f| {
+        let e = f.e;
+        f.title(head, what)?;
         let mut frame = layout.frame();
         let entries: Vec<(RGBAColor, f64, &str)> = names
             .iter()
@@ -70,7 +71,7 @@ pub fn diagrams_over(
         // Names are listed below one another, three to a line.
         for (line, part) in entries.chunks(3).enumerate() {
             let y = frame.top + (0.4 + 1.6 * line as f64) * e;
-            key(canvas, [frame.left, y], 0.9 * e, part)?;
+            f.key([frame.left, y], 0.9 * e, part)?;
         }
         frame.top += (1.6 * names.len().div_ceil(3) as f64 + 0.8) * e;
         let frames = strips(frame, &vec![1.0; rows.len()], 0.9 * e);
@@ -85,15 +86,11 @@ pub fn diagrams_over(
         };
         for (k, row) in rows.iter().enumerate() {
             let y = padded(row.curves.iter().flatten().map(|p| p.1), 0.08);
-            let panel = if across.contains('θ') {
-                Panel::new(canvas, frames[k], x, y, e)?
-            } else {
-                Panel::over(canvas, frames[k], x, ticks(x[0], x[1], 8.0), y, e)?
-            };
+            let panel = f.panel(frames[k], x, columns(x, across.contains('θ')), y)?;
             for (i, curve) in row.curves.iter().enumerate().filter(|c| !c.1.is_empty()) {
                 panel.curve(curve, COLOURS[i % COLOURS.len()], 2.2)?;
             }
-            panel.quantity(&row.quantity, 5.7 * e)?;
+            panel.quantity(&row.quantity)?;
             if k + 1 == rows.len() {
                 panel.across(across)?;
             }
@@ -121,49 +118,41 @@ pub fn profiles(head: &str, what: &str, names: &[String], curves: &[Vec<[f64; 2]
         size: (1200, 1000),
         ..Layout::ALONE
     };
-    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
-        let e = layout.letters;
-        title(canvas, layout, head, what)?;
+    layout.picture(Language::En, |f| {
+        let e = f.e;
+        f.title(head, what)?;
         for (i, name) in names.iter().enumerate() {
             let entry = [(COLOURS[i % COLOURS.len()], 2.6, name.as_str())];
             let y = (5.0 + 1.6 * i as f64) * e;
-            key(canvas, [2.0 * e, y], 0.9 * e, &entry)?;
+            f.key([2.0 * e, y], 0.9 * e, &entry)?;
         }
         let bounds = |k: usize| {
             let values = curves.iter().flatten().map(|p| 1e3 * p[k]);
             padded(values.chain([0.0]), 0.05)
         };
         let (across, up) = (bounds(0), bounds(1));
-        let (left, right) = (
-            0.25 * f64::from(layout.size.0),
-            f64::from(layout.size.0) - e,
-        );
-        let (top, bottom) = (4.6 * e, f64::from(layout.size.1) - e);
-        let scale =
-            ((right - left) / (across[1] - across[0])).min((bottom - top) / (up[1] - up[0]));
+        let (width, height) = (f64::from(layout.size.0), f64::from(layout.size.1));
+        let frame = Frame {
+            left: 0.25 * width,
+            right: width - e,
+            top: 4.6 * e,
+            bottom: height - e,
+        };
+        let room = [frame.right - frame.left, frame.bottom - frame.top];
+        let scale = (room[0] / (across[1] - across[0])).min(room[1] / (up[1] - up[0]));
         let spread = |[low, high]: [f64; 2], room: f64| {
             let (middle, half) = (0.5 * (low + high), 0.5 * room / scale);
             [middle - half, middle + half]
         };
-        let plane = plane(
-            canvas,
-            spread(across, right - left),
-            spread(up, bottom - top),
-            [left, right],
-            [bottom, top],
-        );
+        let plane = frame.plane(f.canvas, spread(across, room[0]), spread(up, room[1]));
         for (i, curve) in curves.iter().enumerate() {
             let path: Vec<(f64, f64)> = curve.iter().map(|p| (1e3 * p[0], 1e3 * p[1])).collect();
-            plane.draw(&PathElement::new(
-                path,
-                stroke(COLOURS[i % COLOURS.len()], 2.2),
-            ))?;
+            trace(&plane, path, stroke(COLOURS[i % COLOURS.len()], 2.2))?;
         }
         let cross = 0.04 * (across[1] - across[0]);
         for path in [[(-cross, 0.0), (cross, 0.0)], [(0.0, -cross), (0.0, cross)]] {
-            plane.draw(&PathElement::new(path.to_vec(), stroke(INK, 1.4)))?;
+            trace(&plane, path, stroke(INK, 1.4))?;
         }
-        let place = [2.0 * e, f64::from(layout.size.1) - 2.0 * e];
-        scale_bar(canvas, place, scale, 0.18 * f64::from(layout.size.0), e)
+        f.scale_bar([2.0 * e, height - 2.0 * e], scale, 0.18 * width)
     })
 }

@@ -3,10 +3,11 @@
 use plotters::style::Color;
 
 use super::force::force_frame;
-use crate::plot::axes::{Frame, Panel, padded, ticks};
-use crate::plot::layout::{Layout, key, strips};
+use crate::plot::axes::padded;
+use crate::plot::layout::{Layout, columns, strips};
 use crate::plot::palette::{BLUE, ORANGE, PURPLE, QUIET, RED};
 use crate::plot::picture::Picture;
+use crate::plot::sheet::Frame;
 use crate::pose::target_at;
 use crate::words::{self, Words};
 use gaitcam::cam::Measures;
@@ -20,11 +21,11 @@ pub(crate) fn run_in(
     layout: Layout,
     words: &Words,
 ) -> Picture {
-    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
+    layout.picture(words.language(), |f| {
         let law = &synthesis.cam.law;
         let (start, length) = law.extent();
         let turns = outcome.period_turns;
-        let e = layout.letters;
+        let e = f.e;
         let total = outcome.rows.len();
         let span = length * turns as f64;
         let measures = synthesis.cam.follower.measures();
@@ -32,11 +33,7 @@ pub(crate) fn run_in(
         let straight = measures == Measures::Straight;
         let panel = |frame: Frame, y: [f64; 2]| {
             let x = [across * start, across * (start + span)];
-            if straight {
-                Panel::over(canvas, frame, x, ticks(x[0], x[1], 8.0), y, e)
-            } else {
-                Panel::new(canvas, frame, x, y, e)
-            }
+            f.panel(frame, x, columns(x, !straight), y)
         };
         let angle = |i: usize| start + span * i as f64 / total as f64;
         let curve = |f: &dyn Fn(usize) -> f64| -> Vec<(f64, f64)> {
@@ -56,7 +53,7 @@ pub(crate) fn run_in(
             .target
             .as_ref()
             .map(|t| curve(&|i| target_at(t, law, within(i))));
-        let frame: Frame = force_frame(layout);
+        let frame = force_frame(layout);
         let shares: &[f64] = if outcome.contact_lost {
             &[1.9, 1.0, 0.8]
         } else {
@@ -86,7 +83,7 @@ pub(crate) fn run_in(
             Measures::Oscillating => "figure-moment",
             _ => "figure-force",
         });
-        forces.quantity(&pressing, 5.7 * e)?;
+        forces.quantity(&pressing)?;
         let y = padded(torque.iter().map(|p| p.1).chain([0.0]), 0.12);
         let torques = panel(frames[1], y)?;
         torques.curve(&torque, PURPLE, 2.0)?;
@@ -95,17 +92,16 @@ pub(crate) fn run_in(
         } else {
             "figure-torque"
         });
-        torques.quantity(&turning, 5.7 * e)?;
+        torques.quantity(&turning)?;
         if outcome.contact_lost {
             let top = padded(gap.iter().map(|p| p.1).chain([0.0]), 0.12)[1];
             let gaps = panel(frames[2], [0.0, top])?;
             gaps.curve(&gap, RED, 2.0)?;
-            gaps.quantity(&words.fill("figure-gap", &[("unit", lift.name)]), 5.7 * e)?;
+            gaps.quantity(&words.fill("figure-gap", &[("unit", lift.name)]))?;
             gaps.across(&words::across(words, measures))?;
         } else {
             torques.across(&words::across(words, measures))?;
         }
-        key(canvas, [frame.left, frame.top - 1.1 * e], e, &entries)
+        f.key([frame.left, frame.top - 1.1 * e], e, &entries)
     })
-    .in_language(words.language())
 }

@@ -1,11 +1,11 @@
 //! Table of a recording: channels, stances, mean cycle, warnings.
 
-use std::fmt::Write as _;
+use std::fmt::{Display, Write as _};
 
 use serde::Serialize;
 
 use super::WORDS;
-use gaitcam::force::{Cycle, Foot, ForceCurve, Interpretation, Point, Recording, Stances};
+use gaitcam::force::{Cycle, Foot, ForceCurve, Interpretation, Note, Point, Recording, Stances};
 use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
 
@@ -20,163 +20,43 @@ pub fn table(
     cycle: Result<&Cycle, &str>,
     language: Language,
 ) -> String {
-    let words = WORDS.of(language);
-    let mut out = String::new();
-    // Writing to a String does not fail.
-    let _ = write_head(&mut out, words, understood, recording)
-        .and_then(|()| write_channels(&mut out, words, recording, stances))
-        .and_then(|()| write_stances(&mut out, words, recording, stances))
-        .and_then(|()| write_rejected(&mut out, words, understood))
-        .and_then(|()| write_cycle(&mut out, words, cycle))
-        .and_then(|()| write_doubts(&mut out, words, understood));
-    out
+    let mut out = Lines::new(language);
+    out.head(understood, recording);
+    out.channels(recording, stances);
+    out.stances(recording, stances);
+    out.rejected(understood);
+    out.cycle(cycle);
+    out.open_questions(understood);
+    out.text
 }
 
-/// A label of the table, padded to the width of all of them.
-pub(super) fn label(words: &Messages, key: &str) -> String {
-    format!("{:<9}", words.text(key))
-}
-
-fn write_head(
-    out: &mut String,
-    words: &Messages,
-    understood: &Interpretation,
-    r: &Recording,
-) -> std::fmt::Result {
-    let format = words.sentence("format", &r.format);
-    writeln!(out, "{} {format}", label(words, "gait-format"))?;
-    let kind = understood
-        .kind
-        .map_or(words.text("gait-kind-unknown"), |k| {
-            words.sentence("kind", &k)
-        });
-    writeln!(out, "{} {kind}", label(words, "gait-kind"))?;
-    let clock = words.sentence("clock", &r.clock);
-    let rate = label(words, "gait-rate");
-    writeln!(
-        out,
-        "{rate} {} Hz ({clock}), {} s",
-        words.fixed(r.rate_hz, 2),
-        words.fixed(r.duration_s, 3)
-    )?;
-    let mass = understood.mass;
-    let mass = mass.map_or(words.text("gait-mass-unknown"), |(kg, from)| {
-        format!(
-            "{} kg ({})",
-            words.fixed(kg, 1),
-            words.sentence("mass-from", &from)
-        )
-    });
-    writeln!(out, "{} {mass}", label(words, "gait-mass"))?;
-    for note in &r.notes {
-        writeln!(
-            out,
-            "{} {}",
-            label(words, "gait-note"),
-            words.sentence("note", note)
-        )?;
-    }
-    writeln!(out)
-}
-
-fn write_channels(
-    out: &mut String,
-    words: &Messages,
-    r: &Recording,
-    stances: &Stances,
-) -> std::fmt::Result {
-    let widest = r.channels.iter().map(|c| c.name.chars().count()).max();
-    let wide = widest.unwrap_or(0).clamp(7, 40);
-    let name = words.text("gait-channel");
-    writeln!(out, "{name:<wide$}  {}", words.text("gait-channel-columns"))?;
-    for (i, c) in r.channels.iter().enumerate() {
-        let used = stances.used.iter().filter(|s| s.channel == i).count();
-        let rejected = stances.rejected.iter().filter(|s| s.channel == i).count();
-        let name: String = c.name.chars().take(40).collect();
-        let foot = foot(words, c.foot);
-        match &c.idle {
-            Some(why) => {
-                let why = words.sentence("channel", why);
-                writeln!(out, "{name:<wide$}  {foot:<9}  {why}")?;
-            }
-            None => writeln!(
-                out,
-                "{name:<wide$}  {foot:<9}  {:>10}  {used:>7}  {rejected:>8}",
-                words.fixed(c.baseline_n, 1)
-            )?,
+/// Table of a file that is one cycle.
+pub fn cycle_table(curve: &ForceCurve, language: Language) -> String {
+    let mut out = Lines::new(language);
+    let words = out.words;
+    out.row("gait-format", words.text("gait-one-cycle"));
+    out.period(curve.period_s, None);
+    out.row("gait-samples", curve.force_n.len());
+    let mean = words.fixed(curve.mean_n(), 1);
+    match curve.mass_kg {
+        Some(m) => {
+            let ratio = words.fixed(curve.mean_n() / (m * G), 3);
+            let m = words.fixed(m, 1);
+            out.row("gait-mean", format_args!("{mean} N ({ratio} BW, {m} kg)"));
         }
+        None => out.row("gait-mean", format_args!("{mean} N")),
     }
-    Ok(())
+    if let Some(spread) = curve.spread_rms_n() {
+        out.row("gait-spread", format_args!("{} N", words.fixed(spread, 1)));
+    }
+    out.text.pop();
+    out.text
 }
 
-fn write_stances(
-    out: &mut String,
-    words: &Messages,
-    r: &Recording,
-    stances: &Stances,
-) -> std::fmt::Result {
-    if stances.used.is_empty() {
-        return Ok(());
-    }
-    writeln!(out, "\n{}", words.text("gait-stance-columns"))?;
-    for s in stances.used.iter().take(LISTED) {
-        writeln!(
-            out,
-            "{:<9} {:>8} {:>8}  {}  {}  {}",
-            foot(words, s.foot),
-            words.fixed(r.start_s + s.start_s, 3),
-            words.fixed(r.start_s + s.end_s, 3),
-            // A single peak late in the stance is the push-off.
-            point(words, s.first_peak()),
-            point(words, s.valley),
-            point(words, s.second_peak())
-        )?;
-    }
-    more(out, words, stances.used.len())
-}
-
-fn write_rejected(
-    out: &mut String,
-    words: &Messages,
-    understood: &Interpretation,
-) -> std::fmt::Result {
-    let rejected = understood
-        .contacts
-        .iter()
-        .filter_map(|c| Some((c, c.rejected?)));
-    let all: Vec<_> = rejected.collect();
-    if all.is_empty() {
-        return Ok(());
-    }
-    writeln!(out, "\n{}", words.text("gait-rejected"))?;
-    for (c, reason) in all.iter().take(LISTED) {
-        let column = understood.columns.get(c.column);
-        let name = column.map_or("", |c| c.name.as_str());
-        let reason = words.sentence("contact", reason);
-        let [from, to] = [c.from_s, c.to_s].map(|t| words.fixed(t, 3));
-        writeln!(out, "{from:>8} {to:>8}  {name}: {reason}")?;
-    }
-    more(out, words, all.len())
-}
-
-/// Open questions, and the keys that answer them.
-fn write_doubts(
-    out: &mut String,
-    words: &Messages,
-    understood: &Interpretation,
-) -> std::fmt::Result {
-    let doubts = understood.doubts();
-    if doubts.is_empty() {
-        return Ok(());
-    }
-    let said: Vec<String> = doubts.iter().map(|d| words.sentence("open", d)).collect();
-    let names: Vec<&str> = doubts.iter().map(|d| d.name()).collect();
-    let doubts = Label::Doubts {
-        list: said.join(", "),
-        names: names.join(", "),
-    };
-    let text = words.sentence("gait", &doubts);
-    writeln!(out, "{} {text}", label(words, "gait-doubt"))
+/// A table under way, line by line.
+pub(super) struct Lines {
+    pub text: String,
+    pub words: &'static Messages,
 }
 
 /// Labels with data.
@@ -187,114 +67,186 @@ enum Label {
     Doubts { list: String, names: String },
 }
 
-fn point(words: &Messages, p: Option<Point>) -> String {
-    p.map_or(format!("{:>6}  {:>5}", "-", "-"), |p| {
-        let at = words.fixed(100.0 * p.at, 1);
-        format!("{:>6.0}  {at:>5}", p.force_n)
-    })
-}
-
-fn foot(words: &Messages, foot: Option<Foot>) -> String {
-    foot.map_or("-".to_string(), |f| words.name(f.name()))
-}
-
-fn more(out: &mut String, words: &Messages, all: usize) -> std::fmt::Result {
-    if all > LISTED {
-        let count = all - LISTED;
-        writeln!(out, "{}", words.sentence("gait", &Label::More { count }))?;
-    }
-    Ok(())
-}
-
-fn write_cycle(
-    out: &mut String,
-    words: &Messages,
-    cycle: Result<&Cycle, &str>,
-) -> std::fmt::Result {
-    writeln!(out)?;
-    let c = match cycle {
-        Ok(c) => c,
-        Err(why) => return writeln!(out, "{}: {why}", words.text("gait-no-cycle")),
-    };
-    let weight = c.mass_kg * G;
-    let mean = c.curve.mean_n();
-    let how = words.sentence("cycle", &c.source);
-    writeln!(out, "{} {how}", label(words, "gait-cycle"))?;
-    write_period(out, words, c.curve.period_s, c.period_spread_s)?;
-    let (newtons, share) = (words.fixed(mean, 1), words.fixed(mean / weight, 3));
-    writeln!(
-        out,
-        "{} {newtons} N ({share} BW)",
-        label(words, "gait-mean")
-    )?;
-    for note in &c.notes {
-        let warning = words.sentence("note", note);
-        writeln!(out, "{} {warning}", label(words, "gait-warning"))?;
-    }
-    write_spread(out, words, &c.curve, c.repeatability_n, weight)
-}
-
-/// Duration of a cycle, with its standard deviation over several cycles.
-pub(super) fn write_period(
-    out: &mut String,
-    words: &Messages,
-    period_s: f64,
-    spread_s: Option<f64>,
-) -> std::fmt::Result {
-    let period = words.fixed(period_s, 4);
-    let spread = spread_s.map_or_else(String::new, |s| format!(" ± {} s", words.fixed(s, 4)));
-    writeln!(out, "{} {period} s{spread}", label(words, "gait-period"))
-}
-
-/// Step-to-step standard deviation and repeatability of several cycles.
-pub(super) fn write_spread(
-    out: &mut String,
-    words: &Messages,
-    curve: &ForceCurve,
-    repeatability_n: Option<f64>,
-    weight_n: f64,
-) -> std::fmt::Result {
-    let (Some(spread), Some(repeat)) = (curve.spread_rms_n(), repeatability_n) else {
-        return Ok(());
-    };
-    let percent = words.fixed(100.0 * spread / weight_n, 1);
-    let [spread, repeat] = [spread, repeat].map(|x| words.fixed(x, 1));
-    writeln!(
-        out,
-        "{} {spread} N ({percent} % BW)",
-        label(words, "gait-spread")
-    )?;
-    writeln!(out, "{} {repeat} N", label(words, "gait-repeatability"))
-}
-
-/// Table of a file that is one cycle.
-pub fn cycle_table(curve: &ForceCurve, language: Language) -> String {
-    let words = WORDS.of(language);
-    let mut lines = vec![
-        format!(
-            "{} {}",
-            label(words, "gait-format"),
-            words.text("gait-one-cycle")
-        ),
-        format!(
-            "{} {} s",
-            label(words, "gait-period"),
-            words.fixed(curve.period_s, 4)
-        ),
-        format!("{} {}", label(words, "gait-samples"), curve.force_n.len()),
-    ];
-    let (mean, mean_label) = (curve.mean_n(), label(words, "gait-mean"));
-    lines.push(match curve.mass_kg {
-        Some(m) => {
-            let ratio = words.fixed(mean / (m * G), 3);
-            let (mean, m) = (words.fixed(mean, 1), words.fixed(m, 1));
-            format!("{mean_label} {mean} N ({ratio} BW, {m} kg)")
+impl Lines {
+    pub fn new(language: Language) -> Self {
+        Lines {
+            text: String::new(),
+            words: WORDS.of(language),
         }
-        None => format!("{mean_label} {} N", words.fixed(mean, 1)),
-    });
-    if let Some(spread) = curve.spread_rms_n() {
-        let spread = words.fixed(spread, 1);
-        lines.push(format!("{} {spread} N", label(words, "gait-spread")));
     }
-    lines.join("\n")
+
+    /// A line without a label.
+    pub fn line(&mut self, text: impl Display) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(self.text, "{text}");
+    }
+
+    /// A line under its label, padded to the width of all labels.
+    pub fn row(&mut self, key: &str, text: impl Display) {
+        let label = self.words.text(key);
+        self.line(format_args!("{label:<9} {text}"));
+    }
+
+    fn head(&mut self, understood: &Interpretation, r: &Recording) {
+        let words = self.words;
+        self.row("gait-format", words.sentence("format", &r.format));
+        let kind = understood.kind.map(|k| words.sentence("kind", &k));
+        let unknown = || words.text("gait-kind-unknown");
+        self.row("gait-kind", kind.unwrap_or_else(unknown));
+        let clock = words.sentence("clock", &r.clock);
+        let (rate, duration) = (words.fixed(r.rate_hz, 2), words.fixed(r.duration_s, 3));
+        self.row(
+            "gait-rate",
+            format_args!("{rate} Hz ({clock}), {duration} s"),
+        );
+        let mass = understood.mass.map(|(kg, from)| {
+            let from = words.sentence("mass-from", &from);
+            format!("{} kg ({from})", words.fixed(kg, 1))
+        });
+        let unknown = || words.text("gait-mass-unknown");
+        self.row("gait-mass", mass.unwrap_or_else(unknown));
+        self.notes("gait-note", &r.notes);
+        self.line("");
+    }
+
+    pub fn notes(&mut self, key: &str, notes: &[Note]) {
+        for note in notes {
+            self.row(key, self.words.sentence("note", note));
+        }
+    }
+
+    fn channels(&mut self, r: &Recording, stances: &Stances) {
+        let words = self.words;
+        let widest = r.channels.iter().map(|c| c.name.chars().count()).max();
+        let wide = widest.unwrap_or(0).clamp(7, 40);
+        let name = words.text("gait-channel");
+        let columns = words.text("gait-channel-columns");
+        self.line(format_args!("{name:<wide$}  {columns}"));
+        for (i, c) in r.channels.iter().enumerate() {
+            let used = stances.used.iter().filter(|s| s.channel == i).count();
+            let rejected = stances.rejected.iter().filter(|s| s.channel == i).count();
+            let name: String = c.name.chars().take(40).collect();
+            let foot = self.foot(c.foot);
+            let rest = match &c.idle {
+                Some(why) => words.sentence("channel", why),
+                None => {
+                    let baseline = words.fixed(c.baseline_n, 1);
+                    format!("{baseline:>10}  {used:>7}  {rejected:>8}")
+                }
+            };
+            self.line(format_args!("{name:<wide$}  {foot:<9}  {rest}"));
+        }
+    }
+
+    fn stances(&mut self, r: &Recording, stances: &Stances) {
+        if stances.used.is_empty() {
+            return;
+        }
+        self.line(format_args!("\n{}", self.words.text("gait-stance-columns")));
+        for s in stances.used.iter().take(LISTED) {
+            let foot = self.foot(s.foot);
+            let [start, end] = [s.start_s, s.end_s].map(|t| self.words.fixed(r.start_s + t, 3));
+            // A single peak late in the stance is the push-off.
+            let [p1, valley, p2] =
+                [s.first_peak(), s.valley, s.second_peak()].map(|p| self.point(p));
+            self.line(format_args!(
+                "{foot:<9} {start:>8} {end:>8}  {p1}  {valley}  {p2}"
+            ));
+        }
+        self.more(stances.used.len());
+    }
+
+    fn rejected(&mut self, understood: &Interpretation) {
+        let contacts = understood.contacts.iter();
+        let rejected = contacts.filter_map(|c| Some((c, c.rejected?)));
+        let all: Vec<_> = rejected.collect();
+        if all.is_empty() {
+            return;
+        }
+        self.line(format_args!("\n{}", self.words.text("gait-rejected")));
+        for (c, reason) in all.iter().take(LISTED) {
+            let column = understood.columns.get(c.column);
+            let name = column.map_or("", |c| c.name.as_str());
+            let reason = self.words.sentence("contact", reason);
+            let [from, to] = [c.from_s, c.to_s].map(|t| self.words.fixed(t, 3));
+            self.line(format_args!("{from:>8} {to:>8}  {name}: {reason}"));
+        }
+        self.more(all.len());
+    }
+
+    fn cycle(&mut self, cycle: Result<&Cycle, &str>) {
+        let words = self.words;
+        self.line("");
+        let c = match cycle {
+            Ok(c) => c,
+            Err(why) => return self.line(format_args!("{}: {why}", words.text("gait-no-cycle"))),
+        };
+        self.row("gait-cycle", words.sentence("cycle", &c.source));
+        self.period(c.curve.period_s, c.period_spread_s);
+        self.mean(&c.curve, c.mass_kg);
+        self.notes("gait-warning", &c.notes);
+        self.spread(&c.curve, c.repeatability_n, c.mass_kg);
+    }
+
+    /// Open questions, and the keys that answer them.
+    fn open_questions(&mut self, understood: &Interpretation) {
+        let questions = understood.doubts();
+        if questions.is_empty() {
+            return;
+        }
+        let sentences = questions.iter().map(|q| self.words.sentence("open", q));
+        let list = sentences.collect::<Vec<_>>().join(", ");
+        let names: Vec<&str> = questions.iter().map(|q| q.name()).collect();
+        let names = names.join(", ");
+        let text = self.words.sentence("gait", &Label::Doubts { list, names });
+        self.row("gait-doubt", text);
+    }
+
+    fn point(&self, p: Option<Point>) -> String {
+        p.map_or(format!("{:>6}  {:>5}", "-", "-"), |p| {
+            let at = self.words.fixed(100.0 * p.at, 1);
+            format!("{:>6.0}  {at:>5}", p.force_n)
+        })
+    }
+
+    fn foot(&self, foot: Option<Foot>) -> String {
+        foot.map_or("-".to_string(), |f| self.words.name(f.name()))
+    }
+
+    /// How many of `all` are not listed.
+    fn more(&mut self, all: usize) {
+        if all > LISTED {
+            let count = all - LISTED;
+            self.line(self.words.sentence("gait", &Label::More { count }));
+        }
+    }
+
+    /// Duration of a cycle, with its standard deviation over several cycles.
+    pub fn period(&mut self, period_s: f64, spread_s: Option<f64>) {
+        let period = self.words.fixed(period_s, 4);
+        let spread =
+            spread_s.map_or_else(String::new, |s| format!(" ± {} s", self.words.fixed(s, 4)));
+        self.row("gait-period", format_args!("{period} s{spread}"));
+    }
+
+    /// Mean force, in newtons and body weights.
+    pub fn mean(&mut self, curve: &ForceCurve, mass_kg: f64) {
+        let mean = curve.mean_n();
+        let (newtons, share) = (
+            self.words.fixed(mean, 1),
+            self.words.fixed(mean / (mass_kg * G), 3),
+        );
+        self.row("gait-mean", format_args!("{newtons} N ({share} BW)"));
+    }
+
+    /// Step-to-step standard deviation and repeatability of several cycles.
+    pub fn spread(&mut self, curve: &ForceCurve, repeatability_n: Option<f64>, mass_kg: f64) {
+        let (Some(spread), Some(repeat)) = (curve.spread_rms_n(), repeatability_n) else {
+            return;
+        };
+        let percent = self.words.fixed(100.0 * spread / (mass_kg * G), 1);
+        let [spread, repeat] = [spread, repeat].map(|x| self.words.fixed(x, 1));
+        self.row("gait-spread", format_args!("{spread} N ({percent} % BW)"));
+        self.row("gait-repeatability", format_args!("{repeat} N"));
+    }
 }

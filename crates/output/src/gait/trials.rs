@@ -1,15 +1,11 @@
 //! Several recordings: one line each, and their joint mean.
 
-use std::fmt::Write as _;
-
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::WORDS;
-use super::table::{label, write_period, write_spread};
+use super::table::Lines;
 use gaitcam::error::Error;
 use gaitcam::force::{ForceCurve, Interpretation, JointMean, Kind, LeftOut, coded};
-use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
 
 /// Widest name of a file in the table.
@@ -57,34 +53,32 @@ enum Line {
 
 /// A table of several recordings, with their joint mean below it.
 pub fn trials_table(rows: &[TrialRow], joint: Option<&JointMean>, language: Language) -> String {
-    let words = WORDS.of(language);
-    let mut out = String::new();
-    // Writing to a String does not fail.
-    let _ = write_rows(&mut out, words, rows).and_then(|()| write_joint(&mut out, words, joint));
-    out
+    let mut out = Lines::new(language);
+    write_rows(&mut out, rows);
+    write_joint(&mut out, joint);
+    out.text
 }
 
-fn write_rows(out: &mut String, words: &Messages, rows: &[TrialRow]) -> std::fmt::Result {
-    let head = words.text("gait-trial-columns");
+fn write_rows(out: &mut Lines, rows: &[TrialRow]) {
+    let head = out.words.text("gait-trial-columns");
     let head = head.split("  ").map(|c| c.trim().to_string());
     let mut table: Vec<Vec<String>> = vec![head.filter(|c| !c.is_empty()).collect()];
-    table.extend(rows.iter().map(|row| cells(words, row)));
+    table.extend(rows.iter().map(|row| cells(out.words, row)));
     let width = |column: usize| {
         let cells = table.iter().filter_map(|row| row.get(column));
         cells.map(|c| c.chars().count()).max().unwrap_or(0)
     };
     let widths: Vec<usize> = (0..table[0].len()).map(width).collect();
     for row in &table {
-        for (k, (cell, wide)) in row.iter().zip(&widths).enumerate() {
-            // Words stand left, numbers right; what follows the last column may be long.
-            match k {
-                0 | 1 => write!(out, "{cell:<wide$}  ")?,
-                _ if k + 1 == widths.len() => writeln!(out, "{cell}")?,
-                _ => write!(out, "{cell:>wide$}  ")?,
-            }
-        }
+        // Words are flush left, numbers flush right; what follows the last column may be long.
+        let cell = |(k, (cell, &wide)): (usize, (&String, &usize))| match k {
+            0 | 1 => format!("{cell:<wide$}  "),
+            _ if k + 1 == widths.len() => cell.clone(),
+            _ => format!("{cell:>wide$}  "),
+        };
+        let cells = row.iter().zip(&widths).enumerate().map(cell);
+        out.line(cells.collect::<String>());
     }
-    Ok(())
 }
 
 /// File, kind, contacts used and rejected, stride, mass, mean force, number of notes, part in the joint mean.
@@ -95,13 +89,10 @@ fn cells(words: &Messages, row: &TrialRow) -> Vec<String> {
         (None, Some(_), None) => words.text("gait-as-given"),
         _ => "-".to_string(),
     };
-    let start = [shortened(row.name), kind];
-    let end = [part(words, row)];
-    start
-        .into_iter()
-        .chain(numbers(words, row))
-        .chain(end)
-        .collect()
+    let mut cells = vec![shortened(row.name), kind];
+    cells.extend(numbers(words, row));
+    cells.push(part(words, row));
+    cells
 }
 
 /// The end of a long name, which distinguishes the files of a folder.
@@ -144,36 +135,25 @@ fn part(words: &Messages, row: &TrialRow) -> String {
     words.sentence("gait", &Line::LeftOut { reason })
 }
 
-fn write_joint(out: &mut String, words: &Messages, joint: Option<&JointMean>) -> std::fmt::Result {
+fn write_joint(out: &mut Lines, joint: Option<&JointMean>) {
+    let words = out.words;
     let Some(joint) = joint else {
-        return writeln!(out, "\n{}", words.text("gait-no-joint-mean"));
+        return out.line(format_args!("\n{}", words.text("gait-no-joint-mean")));
     };
-    let (trials, cycles, movement) = (joint.trials(), joint.cycles, joint.kind);
     let head = Line::JointMean {
-        trials,
-        cycles,
-        movement,
+        trials: joint.trials(),
+        cycles: joint.cycles,
+        movement: joint.kind,
     };
-    writeln!(out, "\n{}", words.sentence("gait", &head))?;
-    write_period(out, words, joint.curve.period_s, joint.period_spread_s)?;
-    let from = joint.mass_from.map_or_else(
-        || words.text("gait-several-sources"),
-        |from| words.sentence("mass-from", &from),
-    );
+    out.line(format_args!("\n{}", words.sentence("gait", &head)));
+    out.period(joint.curve.period_s, joint.period_spread_s);
+    let from = joint.mass_from.map(|f| words.sentence("mass-from", &f));
+    let from = from.unwrap_or_else(|| words.text("gait-several-sources"));
     let mass = words.fixed(joint.mass_kg, 1);
-    writeln!(out, "{} {mass} kg ({from})", label(words, "gait-mass"))?;
-    let (mean, weight) = (joint.curve.mean_n(), joint.mass_kg * G);
-    let (newtons, share) = (words.fixed(mean, 1), words.fixed(mean / weight, 3));
-    writeln!(
-        out,
-        "{} {newtons} N ({share} BW)",
-        label(words, "gait-mean")
-    )?;
-    for note in &joint.notes {
-        let warning = words.sentence("note", note);
-        writeln!(out, "{} {warning}", label(words, "gait-warning"))?;
-    }
-    write_spread(out, words, &joint.curve, joint.repeatability_n, weight)
+    out.row("gait-mass", format_args!("{mass} kg ({from})"));
+    out.mean(&joint.curve, joint.mass_kg);
+    out.notes("gait-warning", &joint.notes);
+    out.spread(&joint.curve, joint.repeatability_n, joint.mass_kg);
 }
 
 /// Several recordings as JSON: each of `objects` with `in_mean` and `left_out`, and the joint mean.

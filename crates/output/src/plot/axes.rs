@@ -5,18 +5,12 @@ use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
 
 use crate::plot::palette;
-use crate::plot::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
+use crate::plot::sheet::{
+    Canvas, Drawn, Frame, Lettering, Plane, circle, fill, line, rectangle, stroke, trace, units,
+    write,
+};
 use crate::plot::text::text_width;
 use gaitcam_base::text::number;
-
-/// Position of a diagram on its sheet, points.
-#[derive(Debug, Clone, Copy)]
-pub struct Frame {
-    pub left: f64,
-    pub right: f64,
-    pub top: f64,
-    pub bottom: f64,
-}
 
 /// A diagram: the cam angle in degrees, or another quantity, to the right; a quantity upwards.
 pub struct Panel<'a, 'c> {
@@ -33,6 +27,8 @@ pub struct Panel<'a, 'c> {
     power: i32,
 }
 
+/// Distance of the axis label from the frame, in letter sizes.
+pub const QUANTITY: f64 = 5.7;
 /// Widest tick label that leaves room for the axis label, in letter sizes.
 const WIDEST_TICK: f64 = 4.3;
 
@@ -61,7 +57,7 @@ fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
 }
 
 /// Eighths of a turn, or coarser where the cam turns further.
-fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
+pub fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
     let length = x[1] - x[0];
     let step = [5.0, 15.0, 30.0, 45.0, 90.0, 180.0, 360.0]
         .into_iter()
@@ -132,40 +128,22 @@ pub(crate) fn dashes(canvas: &Canvas, ends: [[f64; 2]; 2], colour: RGBAColor) ->
 }
 
 impl<'a, 'c> Panel<'a, 'c> {
-    /// A diagram over the cam angle: `x` in degrees.
+    /// Frame, grid upright at `columns`, ticks of the quantity upwards.
     pub fn new(
-        canvas: &'c Canvas<'a>,
-        frame: Frame,
-        x: [f64; 2],
-        y: [f64; 2],
-        size: f64,
-    ) -> Result<Self, DrawingAreaErrorKind<std::convert::Infallible>> {
-        Panel::over(canvas, frame, x, angle_ticks(x), y, size)
-    }
-
-    /// A diagram over any quantity: frame, grid upright at `columns`, ticks of the quantity upwards.
-    pub fn over(
         canvas: &'c Canvas<'a>,
         frame: Frame,
         x: [f64; 2],
         columns: Vec<f64>,
         y: [f64; 2],
         size: f64,
-    ) -> Result<Self, DrawingAreaErrorKind<std::convert::Infallible>> {
-        let plane = plane(
-            canvas,
-            x,
-            y,
-            [frame.left, frame.right],
-            [frame.bottom, frame.top],
-        );
+    ) -> Drawn<Self> {
         let rows = ((frame.bottom - frame.top) / (2.6 * size)).clamp(2.0, 8.0);
         let values = ticks(y[0], y[1], rows);
         let step = values.get(1).map_or(1.0, |b| b - values[0]);
         let power = power(&values, step);
         let panel = Panel {
             canvas,
-            plane,
+            plane: frame.plane(canvas, x, y),
             frame,
             x,
             columns,
@@ -175,44 +153,25 @@ impl<'a, 'c> Panel<'a, 'c> {
         };
         let grid = stroke(palette::GRID, 1.0);
         for &t in &panel.columns {
-            panel
-                .plane
-                .draw(&PathElement::new([(t, y[0]), (t, y[1])], grid))?;
+            trace(&panel.plane, [(t, y[0]), (t, y[1])], grid)?;
         }
         let scale = 10f64.powi(-power);
         let lettering = Lettering::new(size, palette::QUIET).anchored(HPos::Right, VPos::Center);
+        let level = |v: f64| [(x[0], v), (x[1], v)];
         for &v in &values {
-            panel
-                .plane
-                .draw(&PathElement::new([(x[0], v), (x[1], v)], grid))?;
+            trace(&panel.plane, level(v), grid)?;
             let at = [frame.left - 0.6 * size, panel.place(x[0], v)[1]];
             write(canvas, &tick_text(scale * v, scale * step), at, lettering)?;
         }
         if y[0] < 0.0 && y[1] > 0.0 {
-            let axis = stroke(palette::AXIS, 1.4);
-            panel
-                .plane
-                .draw(&PathElement::new([(x[0], 0.0), (x[1], 0.0)], axis))?;
+            trace(&panel.plane, level(0.0), stroke(palette::AXIS, 1.4))?;
         }
-        let Frame {
-            left,
-            right,
-            top,
-            bottom,
-        } = frame;
-        let border = [
-            [left, top],
-            [right, top],
-            [right, bottom],
-            [left, bottom],
-            [left, top],
-        ];
-        line(canvas, &border, stroke(palette::AXIS, 1.0))?;
+        frame.border(canvas)?;
         Ok(panel)
     }
 
-    /// Writes the quantity ("force, N") upwards, left of the ticks, `gap` points from the frame.
-    pub fn quantity(&self, text: &str, gap: f64) -> Drawn {
+    /// Writes the quantity ("force, N") upwards, left of the ticks.
+    pub fn quantity(&self, text: &str) -> Drawn {
         let power = raised(self.power);
         let text = &match text.split_once(", ") {
             _ if self.power == 0 => text.to_string(),
@@ -223,12 +182,8 @@ impl<'a, 'c> Panel<'a, 'c> {
         let lettering = Lettering::new(self.size, palette::INK)
             .anchored(HPos::Center, VPos::Center)
             .upwards();
-        write(
-            self.canvas,
-            text,
-            [self.frame.left - gap, middle],
-            lettering,
-        )
+        let at = [self.frame.left - QUANTITY * self.size, middle];
+        write(self.canvas, text, at, lettering)
     }
 
     /// Writes the grid's values below the frame and, under them, what they are.
@@ -239,23 +194,16 @@ impl<'a, 'c> Panel<'a, 'c> {
             _ => 1.0,
         };
         for &t in &self.columns {
-            let [x, _] = self.place(t, self.y[0]);
-            let text = tick_text(t, step);
-            write(
-                self.canvas,
-                &text,
-                [x, self.frame.bottom + 0.6 * self.size],
-                small,
-            )?;
+            let at = [
+                self.place(t, self.y[0])[0],
+                self.frame.bottom + 0.6 * self.size,
+            ];
+            write(self.canvas, &tick_text(t, step), at, small)?;
         }
         let middle = 0.5 * (self.frame.left + self.frame.right);
         let name = Lettering::new(self.size, palette::INK).anchored(HPos::Center, VPos::Top);
-        write(
-            self.canvas,
-            quantity,
-            [middle, self.frame.bottom + 2.1 * self.size],
-            name,
-        )
+        let at = [middle, self.frame.bottom + 2.1 * self.size];
+        write(self.canvas, quantity, at, name)
     }
 
     /// A curve, cut where it leaves the frame.
@@ -282,8 +230,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         }
         parts.push(part);
         for part in parts.into_iter().filter(|p| p.len() > 1) {
-            self.plane
-                .draw(&PathElement::new(part, stroke(colour, width)))?;
+            trace(&self.plane, part, stroke(colour, width))?;
         }
         Ok(())
     }
@@ -291,7 +238,7 @@ impl<'a, 'c> Panel<'a, 'c> {
     /// The area between two curves given at the same angles.
     pub fn band(&self, upper: &[(f64, f64)], lower: &[(f64, f64)], colour: RGBAColor) -> Drawn {
         let around: Vec<(f64, f64)> = upper.iter().chain(lower.iter().rev()).copied().collect();
-        self.plane.draw(&Polygon::new(around, colour.filled()))
+        fill(&self.plane, &around, colour)
     }
 
     /// A dashed level, with its name at the right end on the side given, if any.
@@ -316,22 +263,6 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, name, at, lettering)
     }
 
-    /// A dot with its value above (a maximum) or below (a minimum), kept inside the frame.
-    pub fn mark(&self, degrees: f64, value: f64, maximum: bool, colour: RGBAColor) -> Drawn {
-        self.label(degrees, value, maximum, colour, false)
-    }
-
-    /// The same on a ground of its own, where dashed levels would strike the number through.
-    pub fn mark_on_ground(
-        &self,
-        degrees: f64,
-        value: f64,
-        maximum: bool,
-        colour: RGBAColor,
-    ) -> Drawn {
-        self.label(degrees, value, maximum, colour, true)
-    }
-
     /// An arrow to the edge of the frame, labelled ∞ or −∞: the quantity is infinite at this angle.
     pub fn infinity(&self, degrees: f64, up: bool, colour: RGBAColor) -> Drawn {
         let level = 0.0_f64.clamp(self.y[0], self.y[1]);
@@ -345,11 +276,8 @@ impl<'a, 'c> Panel<'a, 'c> {
         let head = 0.55 * self.size;
         line(self.canvas, &[[x, from], [x, tip]], stroke(colour, 2.0))?;
         let sides = [-1.0, 1.0].map(|side| [x + side * 0.4 * head, tip + away * head]);
-        line(
-            self.canvas,
-            &[sides[0], [x, tip], sides[1]],
-            stroke(colour, 2.0),
-        )?;
+        let head = [sides[0], [x, tip], sides[1]];
+        line(self.canvas, &head, stroke(colour, 2.0))?;
         // At the right edge the sign is left of the arrow.
         let room = self.frame.right - x > 2.5 * self.size;
         let (gap, side) = if room {
@@ -363,17 +291,18 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, text, at, letters)
     }
 
-    fn label(
+    /// A dot with its value above (a maximum) or below (a minimum), kept inside the frame.
+    ///
+    /// `ground`: the value has a ground of its own, where dashed levels would strike the number through.
+    pub fn mark(
         &self,
-        degrees: f64,
-        value: f64,
+        (x, value): (f64, f64),
         maximum: bool,
         colour: RGBAColor,
         ground: bool,
     ) -> Drawn {
-        let [x, y] = self.place(degrees, value);
-        let dot = Circle::new((units(x), units(y)), units(3.6), colour.filled());
-        self.canvas.draw(&dot)?;
+        let [x, y] = self.place(x, value);
+        circle(self.canvas, [x, y], 3.6, colour.filled())?;
         // Zero up to rounding is shown as 0.
         let noise = 1e-9 * (self.y[1] - self.y[0]);
         let text = number(if value.abs() < noise { 0.0 } else { value }, 4);
@@ -393,25 +322,16 @@ impl<'a, 'c> Panel<'a, 'c> {
         };
         if ground {
             let middle = y + shift + if above { -0.5 } else { 0.5 } * 0.73 * size;
-            let corners = [
-                (units(x - half), units(middle - 0.55 * size)),
-                (units(x + half), units(middle + 0.55 * size)),
-            ];
-            let paper = palette::PAPER.mix(0.8).filled();
-            self.canvas.draw(&Rectangle::new(corners, paper))?;
+            let off = 0.55 * size;
+            let corners = [[x - half, middle - off], [x + half, middle + off]];
+            rectangle(self.canvas, corners, palette::PAPER.mix(0.8).filled())?;
         }
         let lettering = Lettering::new(size, palette::INK).anchored(HPos::Center, v);
         write(self.canvas, &text, [x, y + shift], lettering)
     }
 
     /// A value's place on the sheet, points.
-    fn place(&self, degrees: f64, value: f64) -> [f64; 2] {
-        let f = &self.frame;
-        let u = (degrees - self.x[0]) / (self.x[1] - self.x[0]);
-        let w = (value - self.y[0]) / (self.y[1] - self.y[0]);
-        [
-            f.left + u * (f.right - f.left),
-            f.bottom + w * (f.top - f.bottom),
-        ]
+    fn place(&self, x: f64, value: f64) -> [f64; 2] {
+        self.frame.place(self.x, self.y, (x, value))
     }
 }

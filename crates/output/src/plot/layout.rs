@@ -1,14 +1,15 @@
 //! How a picture is laid out: alone or as a figure of the report; title, strips, key of the curves.
 
 use plotters::prelude::*;
-use plotters_backend::text_anchor::{HPos, VPos};
 
-use super::axes::{Frame, Panel, dashes, ticks};
+use super::axes::{Panel, angle_ticks, dashes, ticks};
 use super::palette::{INK, QUIET};
+use super::picture::Picture;
+use super::sheet::{Canvas, Drawn, Frame, Lettering, line, stroke, write};
 use super::text::text_width;
-use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, write};
 use gaitcam::cam::Measures;
 use gaitcam::synth::Design;
+use gaitcam::wording::Language;
 
 /// Size of the pictures that are files, pixels.
 pub const SIZE: (u32, u32) = (1200, 800);
@@ -43,6 +44,14 @@ impl Layout {
         }
     }
 
+    /// A picture of this layout, with the decimal sign of a language in its texts.
+    pub fn picture(self, language: Language, draw: impl FnOnce(Figure) -> Drawn) -> Picture {
+        let (layout, e) = (self, self.letters);
+        let (width, height) = self.size;
+        Picture::drawn(width, height, |canvas| draw(Figure { canvas, layout, e }))
+            .in_language(language)
+    }
+
     /// The outer frame of the diagrams.
     pub fn frame(&self) -> Frame {
         let e = self.letters;
@@ -58,19 +67,23 @@ impl Layout {
 /// Width of the report's figures, points.
 pub const FIGURE_WIDTH: u32 = 820;
 
-/// A diagram over the whole law: degrees, or mm of travel.
-pub fn over_the_law<'a, 'c>(
-    canvas: &'c Canvas<'a>,
-    synthesis: &Design,
-    frame: Frame,
-    y: [f64; 2],
-    size: f64,
-) -> Result<Panel<'a, 'c>, DrawingAreaErrorKind<std::convert::Infallible>> {
-    let measures = synthesis.cam.follower.measures();
-    let x = ends_of(synthesis).map(|t| measures.angle().factor * t);
-    match measures {
-        Measures::Straight => Panel::over(canvas, frame, x, ticks(x[0], x[1], 8.0), y, size),
-        _ => Panel::new(canvas, frame, x, y, size),
+/// A picture being drawn.
+#[derive(Clone, Copy)]
+pub struct Figure<'a, 'c> {
+    /// Its sheet.
+    pub canvas: &'c Canvas<'a>,
+    /// How it is laid out.
+    pub layout: Layout,
+    /// Lettering, points.
+    pub e: f64,
+}
+
+/// Grid lines over the cam angle in degrees, or over travel in mm.
+pub fn columns(x: [f64; 2], is_angle: bool) -> Vec<f64> {
+    if is_angle {
+        angle_ticks(x)
+    } else {
+        ticks(x[0], x[1], 8.0)
     }
 }
 
@@ -99,77 +112,95 @@ pub fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
         .collect()
 }
 
-/// The design's name and what is shown.
-pub fn title(canvas: &Canvas, layout: Layout, name: &str, what: &str) -> Drawn {
-    if !layout.title {
-        return Ok(());
+impl<'a, 'c> Figure<'a, 'c> {
+    /// A diagram of `y` over `x` with grid lines at `columns`.
+    pub fn panel(
+        &self,
+        frame: Frame,
+        x: [f64; 2],
+        columns: Vec<f64>,
+        y: [f64; 2],
+    ) -> Drawn<Panel<'a, 'c>> {
+        Panel::new(self.canvas, frame, x, columns, y, self.e)
     }
-    let e = layout.letters;
-    let at = [layout.frame().left, 2.2 * e];
-    let big = Lettering::new(1.35 * e, INK).bold();
-    write(canvas, name, at, big)?;
-    // Bold runs about a tenth wider than regular.
-    let after = at[0] + 1.35 * e * 1.12 * text_width(name) + 0.9 * e;
-    write(
-        canvas,
-        what,
-        [after, at[1]],
-        Lettering::new(1.35 * e, QUIET),
-    )
-}
 
-/// Swatches with their names, from the left.
-pub fn key(
-    canvas: &Canvas,
-    place: [f64; 2],
-    size: f64,
-    entries: &[(RGBAColor, f64, &str)],
-) -> Drawn {
-    key_and_levels(canvas, place, size, entries, &[])
-}
+    /// A diagram over the whole law: degrees, or mm of travel.
+    pub fn over_the_law(
+        &self,
+        synthesis: &Design,
+        frame: Frame,
+        y: [f64; 2],
+    ) -> Drawn<Panel<'a, 'c>> {
+        let measures = synthesis.cam.follower.measures();
+        let x = ends_of(synthesis).map(|t| measures.angle().factor * t);
+        self.panel(frame, x, columns(x, measures != Measures::Straight), y)
+    }
 
-/// The same with dashed levels ([`Panel::level`]) after them.
-pub fn key_and_levels(
-    canvas: &Canvas,
-    [mut x, y]: [f64; 2],
-    size: f64,
-    entries: &[(RGBAColor, f64, &str)],
-    levels: &[(RGBAColor, &str)],
-) -> Drawn {
-    let levels = levels.iter().map(|&(colour, name)| (colour, None, name));
-    let curves = entries
-        .iter()
-        .map(|&(c, width, name)| (c, Some(width), name));
-    for (colour, width, name) in curves.chain(levels) {
-        let ends = [[x, y], [x + 2.0 * size, y]];
-        match width {
-            Some(width) => line(canvas, &ends, stroke(colour, width))?,
-            None => dashes(canvas, ends, colour)?,
+    /// Writes at a point of the sheet.
+    pub fn write(&self, text: &str, at: [f64; 2], lettering: Lettering) -> Drawn {
+        write(self.canvas, text, at, lettering)
+    }
+
+    /// The design's name and what is shown.
+    pub fn title(&self, name: &str, what: &str) -> Drawn {
+        if !self.layout.title {
+            return Ok(());
         }
-        x += 2.6 * size;
-        let lettering = Lettering::new(size, INK).anchored(HPos::Left, VPos::Center);
-        write(canvas, name, [x, y], lettering)?;
-        x += size * text_width(name) + 1.7 * size;
+        let [x, y] = [self.layout.frame().left, 2.2 * self.e];
+        let big = Lettering::new(1.35 * self.e, INK).bold();
+        self.write(name, [x, y], big)?;
+        // Bold runs about a tenth wider than regular.
+        let after = x + 1.35 * self.e * 1.12 * text_width(name) + 0.9 * self.e;
+        let plain = Lettering::new(1.35 * self.e, QUIET);
+        self.write(what, [after, y], plain)
     }
-    Ok(())
-}
 
-/// A bar of a round length in mm, at most `room` points long, that shows the scale of a drawing.
-pub fn scale_bar(canvas: &Canvas, [x, y]: [f64; 2], per_mm: f64, room: f64, size: f64) -> Drawn {
-    let most = room / per_mm;
-    let power = 10f64.powf(most.log10().floor());
-    let length = [5.0, 2.0, 1.0]
-        .into_iter()
-        .map(|m| m * power)
-        .find(|l| *l <= most)
-        .unwrap_or(power);
-    let end = x + length * per_mm;
-    let tick = 0.35 * size;
-    line(canvas, &[[x, y], [end, y]], stroke(INK, 2.0))?;
-    for at in [x, end] {
-        line(canvas, &[[at, y - tick], [at, y + tick]], stroke(INK, 2.0))?;
+    /// Swatches of curves with their names, from the left.
+    pub fn key(&self, place: [f64; 2], size: f64, entries: &[(RGBAColor, f64, &str)]) -> Drawn {
+        self.key_and_levels(place, size, entries, &[])
     }
-    let lettering = Lettering::new(size, INK).anchored(HPos::Left, VPos::Center);
-    let text = format!("{length} mm");
-    write(canvas, &text, [end + 0.6 * size, y], lettering)
+
+    /// The same with dashed levels ([`Panel::level`]) after them.
+    pub fn key_and_levels(
+        &self,
+        [mut x, y]: [f64; 2],
+        size: f64,
+        entries: &[(RGBAColor, f64, &str)],
+        levels: &[(RGBAColor, &str)],
+    ) -> Drawn {
+        let levels = levels.iter().map(|&(colour, name)| (colour, None, name));
+        let curves = (entries.iter()).map(|&(c, width, name)| (c, Some(width), name));
+        let lettering = Lettering::new(size, INK);
+        for (colour, width, name) in curves.chain(levels) {
+            let ends = [[x, y], [x + 2.0 * size, y]];
+            match width {
+                Some(width) => line(self.canvas, &ends, stroke(colour, width))?,
+                None => dashes(self.canvas, ends, colour)?,
+            }
+            x += 2.6 * size;
+            self.write(name, [x, y], lettering)?;
+            x += size * text_width(name) + 1.7 * size;
+        }
+        Ok(())
+    }
+
+    /// A bar of a round length in mm, at most `room` points long, that shows the scale of a drawing.
+    pub fn scale_bar(&self, [x, y]: [f64; 2], per_mm: f64, room: f64) -> Drawn {
+        let most = room / per_mm;
+        let power = 10f64.powf(most.log10().floor());
+        let length = [5.0, 2.0, 1.0]
+            .into_iter()
+            .map(|m| m * power)
+            .find(|l| *l <= most)
+            .unwrap_or(power);
+        let end = x + length * per_mm;
+        let tick = 0.35 * self.e;
+        line(self.canvas, &[[x, y], [end, y]], stroke(INK, 2.0))?;
+        for at in [x, end] {
+            let ends = [[at, y - tick], [at, y + tick]];
+            line(self.canvas, &ends, stroke(INK, 2.0))?;
+        }
+        let at = [end + 0.6 * self.e, y];
+        self.write(&format!("{length} mm"), at, Lettering::new(self.e, INK))
+    }
 }

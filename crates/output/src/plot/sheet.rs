@@ -13,6 +13,8 @@ use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingErrorKind,
 };
 
+use super::palette;
+
 /// Sheet units per point.
 pub const UNITS: f64 = 16.0;
 /// The typeface, by the name the SVG asks for.
@@ -73,7 +75,7 @@ pub type Canvas<'a> = DrawingArea<Recorder<'a>, Shift>;
 /// A part of the sheet with axes.
 pub type Plane<'a> = DrawingArea<Recorder<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 /// Drawing succeeds unless plotters itself fails.
-pub type Drawn = Result<(), DrawingAreaErrorKind<Infallible>>;
+pub type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<Infallible>>;
 
 type Recorded = Result<(), DrawingErrorKind<Infallible>>;
 
@@ -302,20 +304,70 @@ pub fn line(canvas: &Canvas, through: &[[f64; 2]], style: ShapeStyle) -> Drawn {
     canvas.draw(&PathElement::new(path, style))
 }
 
-/// Lays axes on the canvas: `x` and `y` give the range of values over [left, right] and [bottom, top].
-pub fn plane<'a>(
-    canvas: &Canvas<'a>,
-    x: [f64; 2],
-    y: [f64; 2],
-    across: [f64; 2],
-    up: [f64; 2],
-) -> Plane<'a> {
-    canvas.apply_coord_spec(Cartesian2d::new(
-        x[0]..x[1],
-        y[0]..y[1],
-        (
-            units(across[0])..units(across[1]),
-            units(up[0])..units(up[1]),
-        ),
-    ))
+/// A circle about a point of the canvas.
+pub fn circle(canvas: &Canvas, [x, y]: [f64; 2], radius: f64, style: ShapeStyle) -> Drawn {
+    canvas.draw(&Circle::new((units(x), units(y)), units(radius), style))
+}
+
+/// A rectangle between two corners on the canvas.
+pub fn rectangle(canvas: &Canvas, corners: [[f64; 2]; 2], style: ShapeStyle) -> Drawn {
+    let corners = corners.map(|[x, y]| (units(x), units(y)));
+    canvas.draw(&Rectangle::new(corners, style))
+}
+
+/// A part of the sheet, points.
+#[derive(Debug, Clone, Copy)]
+#[allow(missing_docs)] // the names are the documentation
+pub struct Frame {
+    pub left: f64,
+    pub right: f64,
+    pub top: f64,
+    pub bottom: f64,
+}
+
+impl Frame {
+    /// Draws its edges.
+    pub fn border(&self, canvas: &Canvas) -> Drawn {
+        let Frame {
+            left,
+            right,
+            top,
+            bottom,
+        } = *self;
+        let corners = [
+            [left, top],
+            [right, top],
+            [right, bottom],
+            [left, bottom],
+            [left, top],
+        ];
+        line(canvas, &corners, stroke(palette::AXIS, 1.0))
+    }
+
+    /// Axes over it: `x` and `y` are the values at left and right, at bottom and top.
+    pub fn plane<'a>(&self, canvas: &Canvas<'a>, x: [f64; 2], y: [f64; 2]) -> Plane<'a> {
+        let across = units(self.left)..units(self.right);
+        let up = units(self.bottom)..units(self.top);
+        let axes = Cartesian2d::new(x[0]..x[1], y[0]..y[1], (across, up));
+        canvas.apply_coord_spec(axes)
+    }
+
+    /// The place of a value on those axes.
+    pub fn place(&self, x: [f64; 2], y: [f64; 2], (u, v): (f64, f64)) -> [f64; 2] {
+        let share = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
+        [
+            self.left + share(u, x) * (self.right - self.left),
+            self.bottom + share(v, y) * (self.top - self.bottom),
+        ]
+    }
+}
+
+/// A line on a plane.
+pub fn trace(plane: &Plane, points: impl Into<Vec<(f64, f64)>>, style: ShapeStyle) -> Drawn {
+    plane.draw(&PathElement::new(points.into(), style))
+}
+
+/// A filled polygon on a plane.
+pub fn fill(plane: &Plane, corners: &[(f64, f64)], colour: RGBAColor) -> Drawn {
+    plane.draw(&Polygon::new(corners, colour.filled()))
 }

@@ -18,7 +18,7 @@ pub const STEPS: usize = 480;
 const MOST_TURNS: usize = 4;
 
 /// What the script reads; lists hold the last step's value again at the end.
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 pub struct Motion {
     /// First angle of the cam in the unit shown.
     start: f64,
@@ -156,19 +156,8 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
         angle_unit,
         unit,
         force_unit: cam.follower.measures().force().name,
-        digits: [1, 1],
-        s: Vec::new(),
-        f: Vec::new(),
         readings: Some(Readings::default()),
-        cx: Vec::new(),
-        cy: Vec::new(),
-        push: Vec::new(),
-        px: Vec::new(),
-        py: Vec::new(),
-        pa: Vec::new(),
-        qx: Vec::new(),
-        qy: Vec::new(),
-        qa: Vec::new(),
+        ..Motion::default()
     };
     let (mut force, mut torque) = (0.0_f64, 0.0_f64);
     for i in 0..=STEPS * turns {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Card, Running, animation, cards, figures, heading, paragraph};
+use super::{Card, Running, animation, cards, figures, heading, paragraph, tables};
 use crate::figures::force::force_frame;
 use crate::figures::run::run_in;
 use crate::plot::layout::Layout;
@@ -123,36 +123,28 @@ fn impacts(out: &mut String, measures: Measures, outcome: &Outcome, words: &Word
         return;
     }
     let head = escaped(&words.text("report-impacts"));
-    let _ = write!(
-        out,
-        "<h3>{head}</h3>\n<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>"
-    );
-    for key in [
+    let _ = writeln!(out, "<h3>{head}</h3>");
+    let columns = [
         "report-leaves",
         "report-lands",
         "report-impact-speed",
         "report-impact-gap",
         "report-impulse",
-    ] {
-        let name = escaped(&words.text(key));
-        let _ = write!(out, "<th scope=\"col\" class=\"n\">{name}</th>");
-    }
-    out.push_str("</tr></thead>\n<tbody>\n");
-    let lift = measures.lift(0);
+    ];
+    tables::open(out, &columns.map(|key| words.text(key)), 0);
+    let (lift, force) = (measures.lift(0), measures.force().name);
     for hit in outcome.impacts.iter().take(LISTED) {
-        let _ = writeln!(
-            out,
-            "<tr><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
-             <td class=\"n\">{}</td><td class=\"n\">{} {}·s</td></tr>",
+        out.push_str("<tr>");
+        let values = [
             measures.place(hit.since, 1),
             measures.place(hit.at, 1),
             measures.by_time(1).after(&number(hit.speed, 4)),
             lift.after(&number(lift.factor * hit.height, 4)),
-            number(hit.pulse.impulse, 4),
-            measures.force().name
-        );
+            format!("{} {force}·s", number(hit.pulse.impulse, 4)),
+        ];
+        tables::cells(out, &values);
     }
-    out.push_str("</tbody></table></div>\n");
+    tables::close(out);
     let more = outcome.impacts.len().saturating_sub(LISTED);
     if more > 0 {
         let text = words.fill("report-more-impacts", &[("count", &more.to_string())]);

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Card, cards, figures, head, heading, paragraph};
+use super::{Card, cards, figures, head, heading, paragraph, tables};
 use crate::plot::picture::Picture;
 use crate::words;
 use gaitcam::wording::Language;
@@ -62,17 +62,10 @@ pub fn html(page: &Page, language: Language) -> String {
 }
 
 fn table(out: &mut String, table: &Table) {
-    out.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>");
-    for cell in &table.head {
-        let _ = write!(out, "<th scope=\"col\" class=\"n\">{}</th>", escaped(cell));
-    }
-    out.push_str("</tr></thead>\n<tbody>\n");
+    tables::open(out, &table.head, 0);
     for row in &table.rows {
         out.push_str("<tr>");
-        for cell in row {
-            let _ = write!(out, "<td class=\"n\">{}</td>", escaped(cell));
-        }
-        out.push_str("</tr>\n");
+        tables::cells(out, row);
     }
-    out.push_str("</tbody></table></div>\n");
+    tables::close(out);
 }

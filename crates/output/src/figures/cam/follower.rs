@@ -1,10 +1,10 @@
 //! The follower where it stands: face or roller, stem or arm, pivot.
 
-use plotters::prelude::*;
+use plotters::style::Color;
 
-use super::{MM, Scene, circle, dot};
+use super::{MM, Scene, circle, dot, part};
 use crate::plot::palette::{AXIS, INK, PAPER};
-use crate::plot::sheet::{Drawn, Plane, stroke};
+use crate::plot::sheet::{Drawn, Plane, fill, stroke, trace};
 use crate::pose::Pose;
 
 impl Scene<'_> {
@@ -16,22 +16,13 @@ impl Scene<'_> {
             half = half.min(0.6 * MM * radius);
         }
         let rod = |x: f64, from: f64, to: f64| {
-            let corners = vec![
-                (x - half, from),
-                (x - half, to),
-                (x + half, to),
-                (x + half, from),
-            ];
-            let sides = [
-                [(x - half, from), (x - half, to)],
-                [(x + half, from), (x + half, to)],
-            ];
-            plane.draw(&Polygon::new(corners.clone(), PAPER.filled()))?;
-            plane.draw(&Polygon::new(corners, AXIS.mix(0.35).filled()))?;
-            for side in sides {
-                plane.draw(&PathElement::new(side, stroke(INK, 1.8)))?;
-            }
-            Ok(())
+            let side = |x: f64| [(x, from), (x, to)];
+            let [left, right] = [side(x - half), side(x + half)];
+            let corners = [left[0], left[1], right[1], right[0]];
+            fill(plane, &corners, PAPER)?;
+            fill(plane, &corners, AXIS.mix(0.35))?;
+            trace(plane, left, stroke(INK, 1.8))?;
+            trace(plane, right, stroke(INK, 1.8))
         };
         if let (true, Pose::Roller { centre, radius }) = (self.is_mushroom(), self.pose) {
             return self.cap(plane, centre.map(|c| MM * c), MM * radius);
@@ -55,16 +46,14 @@ impl Scene<'_> {
                 let (sin, cos) = angle.sin_cos();
                 let corner =
                     |u: f64, w: f64| (MM * at[0] + u * cos - w * sin, y + u * sin + w * cos);
-                let plate = [
+                let plate = vec![
                     corner(low, 0.0),
                     corner(high, 0.0),
                     corner(high, thick),
                     corner(low, thick),
                     corner(low, 0.0),
                 ];
-                plane.draw(&Polygon::new(plate.to_vec(), PAPER.filled()))?;
-                plane.draw(&Polygon::new(plate.to_vec(), AXIS.mix(0.35).filled()))?;
-                plane.draw(&PathElement::new(plate.to_vec(), stroke(INK, 2.2)))
+                part(plane, plate, 2.2)
             }
             Pose::Roller { centre, radius } => {
                 let [x, y] = centre.map(|c| MM * c);
@@ -76,20 +65,12 @@ impl Scene<'_> {
                     let shoulder = y + 2.5 * half;
                     let edge = vec![(x - half, shoulder), (x, y), (x + half, shoulder)];
                     rod(x, shoulder, y + self.stem())?;
-                    plane.draw(&Polygon::new(edge.clone(), PAPER.filled()))?;
-                    plane.draw(&Polygon::new(edge.clone(), AXIS.mix(0.35).filled()))?;
-                    return plane.draw(&PathElement::new(edge, stroke(INK, 1.8)));
+                    return part(plane, edge, 1.8);
                 }
                 if sliding {
                     rod(x, y, y + radius + self.stem())?;
                 }
-                let rim: Vec<(f64, f64)> = circle(radius)
-                    .into_iter()
-                    .map(|(u, v)| (x + u, y + v))
-                    .collect();
-                plane.draw(&Polygon::new(rim.clone(), PAPER.filled()))?;
-                plane.draw(&Polygon::new(rim.clone(), AXIS.mix(0.35).filled()))?;
-                plane.draw(&PathElement::new(rim, stroke(INK, 2.2)))?;
+                part(plane, circle_about([x, y], radius), 2.2)?;
                 dot(plane, (x, y), INK)
             }
         }
@@ -122,9 +103,7 @@ impl Scene<'_> {
             .map(|i| at(half * (f64::from(i) / 30.0 - 1.0), radius))
             .collect();
         rim.push(rim[0]);
-        plane.draw(&Polygon::new(rim.clone(), PAPER.filled()))?;
-        plane.draw(&Polygon::new(rim.clone(), AXIS.mix(0.35).filled()))?;
-        plane.draw(&PathElement::new(rim, stroke(INK, 2.2)))?;
+        part(plane, rim, 2.2)?;
         if self.pivot().is_some() {
             return Ok(());
         }
@@ -132,7 +111,7 @@ impl Scene<'_> {
         let (x, from) = at(0.0, chord);
         let (side, to) = (0.045 * self.reach, from + self.stem());
         for x in [x - side, x + side] {
-            plane.draw(&PathElement::new([(x, from), (x, to)], stroke(INK, 1.8)))?;
+            trace(plane, [(x, from), (x, to)], stroke(INK, 1.8))?;
         }
         Ok(())
     }
@@ -152,15 +131,17 @@ impl Scene<'_> {
                 corner(pivot, -1.0),
                 corner(pivot, 1.0),
             ];
-            plane.draw(&Polygon::new(bar.clone(), AXIS.mix(0.35).filled()))?;
-            plane.draw(&PathElement::new(bar, stroke(INK, 1.8)))?;
+            fill(plane, &bar, AXIS.mix(0.35))?;
+            trace(plane, bar, stroke(INK, 1.8))?;
         }
-        let bearing: Vec<(f64, f64)> = circle(0.045 * self.reach)
-            .into_iter()
-            .map(|(u, v)| (pivot[0] + u, pivot[1] + v))
-            .collect();
-        plane.draw(&Polygon::new(bearing.clone(), PAPER.filled()))?;
-        plane.draw(&PathElement::new(bearing, stroke(INK, 1.8)))?;
+        let bearing = circle_about(pivot, 0.045 * self.reach);
+        fill(plane, &bearing, PAPER)?;
+        trace(plane, bearing, stroke(INK, 1.8))?;
         dot(plane, (pivot[0], pivot[1]), INK)
     }
+}
+
+fn circle_about([x, y]: [f64; 2], radius: f64) -> Vec<(f64, f64)> {
+    let points = circle(radius).into_iter();
+    points.map(|(u, v)| (x + u, y + v)).collect()
 }

@@ -8,10 +8,10 @@ use std::f64::consts::TAU;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
-use crate::plot::layout::{Layout, scale_bar, title};
-use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, RED};
+use crate::plot::layout::Layout;
+use crate::plot::palette::{AXIS, BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Canvas, Drawn, Plane, plane, stroke, units};
+use crate::plot::sheet::{Canvas, Drawn, Frame, Plane, fill, stroke, trace, units};
 use crate::pose::{Pose, face_reach, pose, turned};
 use crate::words::{self, Words};
 use gaitcam::cam::{Follower, ProfilePoint};
@@ -35,20 +35,24 @@ pub fn cam(synthesis: &Design, language: Language) -> Picture {
 }
 
 pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
-    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
-        title(canvas, layout, &synthesis.name, &words.text("figure-cam"))?;
-        let e = layout.letters;
+    layout.picture(words.language(), |f| {
+        f.title(&synthesis.name, &words.text("figure-cam"))?;
+        let e = f.e;
         let (width, height) = (f64::from(layout.size.0), f64::from(layout.size.1));
         let top = if layout.title { 4.2 * e } else { e };
         let table = width - 21.0 * e;
         let scene = Scene::new(synthesis);
-        let (across, up) = ([2.0 * e, table - e], [height - 1.5 * e, top]);
-        let (plane, scale) = scene.plane(canvas, across, up);
+        let frame = Frame {
+            left: 2.0 * e,
+            right: table - e,
+            top,
+            bottom: height - 1.5 * e,
+        };
+        let (plane, scale) = scene.plane(f.canvas, frame);
         scene.draw(&plane)?;
-        scene.table(canvas, [table, top + 2.0 * e], e, words)?;
-        scale_bar(canvas, [table, height - 2.5 * e], scale, 0.2 * width, e)
+        scene.table(&f, [table, top + 2.0 * e], words)?;
+        f.scale_bar([table, height - 2.5 * e], scale, 0.2 * width)
     })
-    .in_language(words.language())
 }
 
 /// What is drawn, mm.
@@ -120,11 +124,8 @@ impl<'a> Scene<'a> {
 
     /// Where the arm is pivoted, mm.
     fn pivot(&self) -> Option<[f64; 2]> {
-        self.synthesis
-            .cam
-            .follower
-            .pivot()
-            .map(|p| p.map(|x| MM * x))
+        let pivot = self.synthesis.cam.follower.pivot();
+        pivot.map(|p| p.map(|x| MM * x))
     }
 
     /// Left, right, bottom, top of everything drawn.
@@ -203,22 +204,16 @@ impl<'a> Scene<'a> {
     }
 
     /// Axes of one scale in both directions, centred in the space given, and the points per mm.
-    fn plane<'c>(&self, canvas: &Canvas<'c>, across: [f64; 2], up: [f64; 2]) -> (Plane<'c>, f64) {
+    fn plane<'c>(&self, canvas: &Canvas<'c>, frame: Frame) -> (Plane<'c>, f64) {
         let [left, right, bottom, top] = self.bounds();
         let (w, h) = (right - left, top - bottom);
         let blank = MARGIN * w.max(h);
-        let room = [across[1] - across[0], up[0] - up[1]];
+        let room = [frame.right - frame.left, frame.bottom - frame.top];
         let scale = (room[0] / (w + 2.0 * blank)).min(room[1] / (h + 2.0 * blank));
         let middle = [0.5 * (left + right), 0.5 * (bottom + top)];
         let half = [0.5 * room[0] / scale, 0.5 * room[1] / scale];
-        let plane = plane(
-            canvas,
-            [middle[0] - half[0], middle[0] + half[0]],
-            [middle[1] - half[1], middle[1] + half[1]],
-            across,
-            up,
-        );
-        (plane, scale)
+        let [x, y] = [0, 1].map(|k| [middle[k] - half[k], middle[k] + half[k]]);
+        (frame.plane(canvas, x, y), scale)
     }
 
     fn draw(&self, plane: &Plane) -> Drawn {
@@ -234,10 +229,9 @@ impl<'a> Scene<'a> {
                 let foot = self.foot();
                 body.extend([(last.0, foot), (first.0, foot)]);
             }
-            plane.draw(&Polygon::new(body, BLUE.mix(0.13).filled()))?;
+            fill(plane, &body, BLUE.mix(0.13))?;
         } else if self.synthesis.cam.law.is_closed() {
-            let body = BLUE.mix(0.13).filled();
-            plane.draw(&Polygon::new(outline.clone(), body))?;
+            fill(plane, &outline, BLUE.mix(0.13))?;
         }
         if !self.is_straight() {
             dashed(plane, circle(self.base), GREEN, BASE)?;
@@ -249,8 +243,8 @@ impl<'a> Scene<'a> {
             let rim: Vec<(f64, f64)> = (angles.iter())
                 .map(|&a| here(bore.edge(a) * a.cos(), bore.edge(a) * a.sin()))
                 .collect();
-            plane.draw(&Polygon::new(rim.clone(), PAPER.filled()))?;
-            plane.draw(&PathElement::new(rim, stroke(BLUE, 1.6)))?;
+            fill(plane, &rim, PAPER)?;
+            trace(plane, rim, stroke(BLUE, 1.6))?;
         }
         if self.has_roller() {
             if !self.is_straight() {
@@ -259,8 +253,8 @@ impl<'a> Scene<'a> {
             let pitch = self.rows.iter().map(|p| here(p.pitch_x, p.pitch_y));
             dashed(plane, self.whole(pitch.collect()), ORANGE, PITCH)?;
         }
-        self.beside(plane, here)?;
-        plane.draw(&PathElement::new(self.whole(outline), stroke(BLUE, 2.6)))?;
+        self.other_edges(plane, here)?;
+        trace(plane, self.whole(outline), stroke(BLUE, 2.6))?;
         self.centre(plane)?;
         self.follower(plane)?;
         let contact = self.synthesis.cam.point(self.start);
@@ -276,12 +270,12 @@ impl<'a> Scene<'a> {
     }
 
     /// A groove's upper wall with the body above it, or the second cam of a pair.
-    fn beside(&self, plane: &Plane, here: impl Fn(f64, f64) -> (f64, f64)) -> Drawn {
+    fn other_edges(&self, plane: &Plane, here: impl Fn(f64, f64) -> (f64, f64)) -> Drawn {
         for other in &self.others {
             let edge: Vec<(f64, f64)> = other.iter().map(|&[x, y]| here(x, y)).collect();
             if !self.is_straight() {
-                plane.draw(&Polygon::new(edge.clone(), PURPLE.mix(0.1).filled()))?;
-                plane.draw(&PathElement::new(self.whole(edge), stroke(PURPLE, 2.2)))?;
+                fill(plane, &edge, PURPLE.mix(0.1))?;
+                trace(plane, self.whole(edge), stroke(PURPLE, 2.2))?;
                 continue;
             }
             let top = edge.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max);
@@ -290,19 +284,16 @@ impl<'a> Scene<'a> {
                 let ceiling = top + 0.04 * self.reach;
                 body.extend([(last.0, ceiling), (first.0, ceiling)]);
             }
-            plane.draw(&Polygon::new(body, BLUE.mix(0.13).filled()))?;
-            plane.draw(&PathElement::new(edge, stroke(BLUE, 2.6)))?;
+            fill(plane, &body, BLUE.mix(0.13))?;
+            trace(plane, edge, stroke(BLUE, 2.6))?;
         }
         Ok(())
     }
 
     /// Height of a straight cam's foot in its drawing.
     fn foot(&self) -> f64 {
-        let low = self
-            .rows
-            .iter()
-            .map(|p| MM * p.y)
-            .fold(f64::INFINITY, f64::min);
+        let heights = self.rows.iter().map(|p| MM * p.y);
+        let low = heights.fold(f64::INFINITY, f64::min);
         match self.synthesis.cam.follower {
             Follower::TranslatingCam { .. } => low.min(0.0),
             _ => low - 0.04 * self.reach,
@@ -324,7 +315,7 @@ impl<'a> Scene<'a> {
         }
         let arm = 0.07 * self.reach;
         for path in [[(-arm, 0.0), (arm, 0.0)], [(0.0, -arm), (0.0, arm)]] {
-            plane.draw(&PathElement::new(path, stroke(INK, 1.4)))?;
+            trace(plane, path, stroke(INK, 1.4))?;
         }
         dot(plane, (0.0, 0.0), INK)?;
         // Counter-clockwise as θ grows, on the side where the cam has most room for it.
@@ -342,16 +333,16 @@ impl<'a> Scene<'a> {
                 (r * a.cos(), r * a.sin())
             })
             .collect();
-        plane.draw(&PathElement::new(arc, stroke(INK, 2.0)))?;
+        trace(plane, arc, stroke(INK, 2.0))?;
         let head = 0.16 * r;
         let tip = to + sense * head / r;
         let corner = |rho: f64, a: f64| (rho * a.cos(), rho * a.sin());
-        let arrow = vec![
+        let arrow = [
             corner(r, tip),
             corner(r + 0.5 * head, to - 0.3 * sense * head / r),
             corner(r - 0.5 * head, to - 0.3 * sense * head / r),
         ];
-        plane.draw(&Polygon::new(arrow, INK.filled()))
+        fill(plane, &arrow, INK)
     }
 
     /// Direction from the centre to the middle of the profile, rad; `None` where the cam is about round.
@@ -382,6 +373,13 @@ fn dashed(plane: &Plane, path: Vec<(f64, f64)>, colour: RGBAColor, [on, off]: [f
         units(off),
         stroke(colour, 1.6),
     ))
+}
+
+/// A part of the follower: opaque, with its edge; `edge` is the width of the line, points.
+fn part(plane: &Plane, outline: Vec<(f64, f64)>, edge: f64) -> Drawn {
+    fill(plane, &outline, PAPER)?;
+    fill(plane, &outline, AXIS.mix(0.35))?;
+    trace(plane, outline, stroke(INK, edge))
 }
 
 fn dot(plane: &Plane, at: (f64, f64), colour: RGBAColor) -> Drawn {

@@ -1,37 +1,33 @@
 //! Legend and main dimensions next to the cam.
 
 use plotters::element::DashedPathElement;
-use plotters::prelude::*;
+use plotters::style::{Color, RGBAColor};
 
 use super::{BASE, PITCH, PRIME, Scene};
+use crate::plot::layout::Figure;
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, QUIET, RED};
-use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
+use crate::plot::sheet::{Drawn, Lettering, circle, line, stroke, units};
 use crate::words::Words;
 use gaitcam_base::text::{degrees, millimetres, number};
 
 impl Scene<'_> {
     /// Names the lines and gives the main dimensions, in a column.
-    pub(super) fn table(&self, canvas: &Canvas, [x, y]: [f64; 2], e: f64, words: &Words) -> Drawn {
-        let y = self.lines(canvas, [x, y], e, words)?;
-        self.facts(canvas, [x, y + 0.8 * e], e, words)
+    pub(super) fn table(&self, f: &Figure, [x, y]: [f64; 2], words: &Words) -> Drawn {
+        let y = self.lines(f, [x, y], words)?;
+        self.facts(f, [x, y + 0.8 * f.e], words)
     }
 
     /// The lines' names; returns where the column goes on.
-    fn lines(
-        &self,
-        canvas: &Canvas,
-        [x, mut y]: [f64; 2],
-        e: f64,
-        words: &Words,
-    ) -> Result<f64, DrawingAreaErrorKind<std::convert::Infallible>> {
+    fn lines(&self, f: &Figure, [x, mut y]: [f64; 2], words: &Words) -> Drawn<f64> {
+        let e = f.e;
         let step = 1.75 * e;
         let swatch = |colour: RGBAColor, width: f64, dash: Option<[f64; 2]>, y: f64| {
             let ends = [[x, y], [x + 1.8 * e, y]];
             let Some([on, off]) = dash else {
-                return line(canvas, &ends, stroke(colour, width));
+                return line(f.canvas, &ends, stroke(colour, width));
             };
             let path = ends.map(|[x, y]| (units(x), units(y)));
-            canvas.draw(&DashedPathElement::new(
+            f.canvas.draw(&DashedPathElement::new(
                 path,
                 units(on),
                 units(off),
@@ -59,33 +55,25 @@ impl Scene<'_> {
         }
         for (colour, width, dash, name) in lines {
             swatch(colour, width, dash, y)?;
-            write(canvas, &name, [x + 2.3 * e, y], Lettering::new(e, INK))?;
+            f.write(&name, [x + 2.3 * e, y], Lettering::new(e, INK))?;
             y += step;
         }
-        for (filled, name) in [(true, "figure-contact"), (false, "figure-sharpest")] {
-            let style = if filled {
-                RED.filled()
-            } else {
-                stroke(RED, 2.0)
-            };
-            canvas.draw(&Circle::new(
-                (units(x + 0.8 * e), units(y)),
-                units(if filled { 4.0 } else { 5.5 }),
-                style,
-            ))?;
-            write(
-                canvas,
-                &words.text(name),
-                [x + 2.3 * e, y],
-                Lettering::new(e, INK),
-            )?;
+        let marks = [
+            ("figure-contact", 4.0, RED.filled()),
+            ("figure-sharpest", 5.5, stroke(RED, 2.0)),
+        ];
+        for (name, radius, style) in marks {
+            circle(f.canvas, [x + 0.8 * e, y], radius, style)?;
+            let name = words.text(name);
+            f.write(&name, [x + 2.3 * e, y], Lettering::new(e, INK))?;
             y += step;
         }
         Ok(y)
     }
 
     /// The main dimensions.
-    fn facts(&self, canvas: &Canvas, [x, mut y]: [f64; 2], e: f64, words: &Words) -> Drawn {
+    fn facts(&self, f: &Figure, [x, mut y]: [f64; 2], words: &Words) -> Drawn {
+        let e = f.e;
         let cam = &self.synthesis.cam;
         let measures = cam.follower.measures();
         let sharpest = cam.curvature().convex;
@@ -110,8 +98,8 @@ impl Scene<'_> {
         let speed = number(self.synthesis.drive.speed, 4);
         facts.push(("figure-speed", measures.speed().after(&speed)));
         for (key, value) in facts {
-            write(canvas, &words.text(key), [x, y], Lettering::new(e, QUIET))?;
-            write(canvas, &value, [x + 8.8 * e, y], Lettering::new(e, INK))?;
+            f.write(&words.text(key), [x, y], Lettering::new(e, QUIET))?;
+            f.write(&value, [x + 8.8 * e, y], Lettering::new(e, INK))?;
             y += 1.75 * e;
         }
         Ok(())

@@ -2,14 +2,13 @@
 
 use plotters_backend::text_anchor::{HPos, VPos};
 
-use crate::plot::axes::Frame;
+use crate::plot::layout::Figure;
 use crate::plot::palette::{INK, QUIET, RED};
-use crate::plot::sheet::{Canvas, Lettering, write};
+use crate::plot::sheet::{Drawn, Frame, Lettering};
 use crate::plot::text::text_width;
 use crate::words::Words;
 use gaitcam::force::{Interpretation, Note};
 use gaitcam::wording::{catalogue, sentence};
-use plotters::prelude::DrawingAreaErrorKind;
 
 /// Warnings written on the picture; all of them stand in the report and in JSON.
 const WARNINGS: usize = 3;
@@ -18,17 +17,17 @@ const LINES: usize = 2;
 
 /// Writes the facts from the top of the frame; the place below them.
 pub(super) fn write_facts(
-    canvas: &Canvas,
+    f: &Figure,
     understood: &Interpretation,
     frame: Frame,
-    e: f64,
     words: &Words,
-) -> Result<f64, DrawingAreaErrorKind<std::convert::Infallible>> {
+) -> Drawn<f64> {
+    let e = f.e;
     let room = (frame.right - frame.left) / e;
     let mut y = frame.top;
     let text = |line: &str, colour, y: f64| {
         let lettering = Lettering::new(e, colour).anchored(HPos::Left, VPos::Top);
-        write(canvas, line, [frame.left, y], lettering)
+        f.write(line, [frame.left, y], lettering)
     };
     for line in wrapped(facts(understood, words).iter().map(String::as_str), room, 3) {
         text(&line, INK, y)?;

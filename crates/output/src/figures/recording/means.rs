@@ -1,13 +1,13 @@
 //! The mean stance of each foot, apart, with its stances, band, landmarks and an axis in body weights.
 
-use plotters::prelude::*;
+use plotters::style::Color;
 use plotters_backend::text_anchor::{HPos, VPos};
 
-use super::{Curve, colour, foot_name, thinned};
-use crate::plot::axes::{Frame, Panel, padded, tick_text, ticks};
-use crate::plot::layout::key;
+use super::{colour, edges, foot_name, thinned};
+use crate::plot::axes::{QUANTITY, padded, tick_text, ticks};
+use crate::plot::layout::Figure;
 use crate::plot::palette::{INK, QUIET};
-use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
+use crate::plot::sheet::{Drawn, Frame, Lettering, circle, line, stroke};
 use crate::plot::text::text_width;
 use crate::words::Words;
 use gaitcam::force::{Interpretation, MeanStanceCurve, Overlay, Point};
@@ -20,15 +20,11 @@ const BAND: f64 = 0.25;
 /// Names of loading peak, valley and push-off peak.
 const LANDMARKS: [&str; 3] = ["P1", "V", "P2"];
 
-pub(super) fn draw(
-    canvas: &Canvas,
-    frame: Frame,
-    understood: &Interpretation,
-    e: f64,
-    words: &Words,
-) -> Drawn {
+pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words: &Words) -> Drawn {
     let Some(overlay) = &understood.overlay else {
-        return none(canvas, frame, e, words);
+        let lettering = Lettering::new(f.e, QUIET).anchored(HPos::Left, VPos::Top);
+        let text = words.text("figure-no-stance");
+        return f.write(&text, [frame.left, frame.top], lettering);
     };
     let singles = overlay.stances.iter().flat_map(|s| &s.1).copied();
     let weight = understood.mass.map_or(0.0, |m| m.0 * G);
@@ -36,18 +32,18 @@ pub(super) fn draw(
     let y = [y[0].max(-0.02 * y[1]), y[1]];
     let means = understood.means();
     for (k, mean) in means.iter().enumerate() {
-        let place = column(frame, k, means.len(), e);
-        draw_foot(canvas, place, y, overlay, mean, e, words)?;
-        body_weights(canvas, place, y, weight, e, words)?;
+        let place = column(frame, k, means.len(), f.e);
+        draw_foot(f, place, y, (overlay, mean), words)?;
+        body_weights(f, place, y, weight, words)?;
         if k > 0 {
             continue;
         }
         let axis = words.text("figure-force");
-        let lettering = Lettering::new(e, INK)
+        let lettering = Lettering::new(f.e, INK)
             .anchored(HPos::Center, VPos::Center)
             .upwards();
         let middle = 0.5 * (place.top + place.bottom);
-        write(canvas, &axis, [place.left - 5.7 * e, middle], lettering)?;
+        f.write(&axis, [place.left - QUANTITY * f.e, middle], lettering)?;
     }
     Ok(())
 }
@@ -65,30 +61,23 @@ fn column(frame: Frame, k: usize, count: usize, e: f64) -> Frame {
 }
 
 fn draw_foot(
-    canvas: &Canvas,
+    f: &Figure,
     frame: Frame,
     y: [f64; 2],
-    overlay: &Overlay,
-    mean: &MeanStanceCurve,
-    e: f64,
+    (overlay, mean): (&Overlay, &MeanStanceCurve),
     words: &Words,
 ) -> Drawn {
     let share = |i: usize, n: usize| 100.0 * i as f64 / (n - 1) as f64;
-    let on_phase = |force: &[f64]| -> Curve { thinned(force, share) };
-    let x = [0.0, 100.0];
-    let panel = Panel::over(canvas, frame, x, ticks(0.0, 100.0, 5.0), y, e)?;
+    let on_phase = |force: &[f64]| thinned(force, share);
+    let panel = f.panel(frame, [0.0, 100.0], ticks(0.0, 100.0, 5.0), y)?;
     let ink = colour(mean.foot);
     let own = overlay.stances.iter().filter(|s| s.0 == mean.foot);
     for (_, force) in own.filter(|_| mean.count > 1) {
         panel.curve(&on_phase(force), QUIET.mix(THIN), 1.0)?;
     }
     if let Some(spread) = &mean.spread_n {
-        let edge = |sign: f64| -> Curve {
-            let both = mean.mean_n.iter().zip(spread);
-            let edge: Vec<f64> = both.map(|(m, s)| m + sign * s).collect();
-            on_phase(&edge)
-        };
-        panel.band(&edge(1.0), &edge(-1.0), ink.mix(BAND))?;
+        let [upper, lower] = edges(&mean.mean_n, spread).map(|edge| on_phase(&edge));
+        panel.band(&upper, &lower, ink.mix(BAND))?;
     }
     panel.curve(&on_phase(&mean.mean_n), ink, 2.8)?;
     for (k, point) in mean.landmarks.iter().enumerate() {
@@ -96,7 +85,7 @@ fn draw_foot(
             // The only peak, late in the stance, is the push-off.
             let lone = mean.landmarks[1].is_none() && point.at > 0.6;
             let name = LANDMARKS[if lone { 2 } else { k }];
-            landmark(canvas, frame, y, name, *point, e)?;
+            landmark(f, frame, y, name, *point)?;
         }
     }
     let seconds = format!("{:.3}", mean.duration_s);
@@ -113,20 +102,16 @@ fn draw_foot(
     if mean.spread_n.is_some() {
         entries.push((ink.mix(BAND), 14.0, &sd));
     }
-    key(
-        canvas,
-        [frame.left, frame.top - 1.1 * e],
-        0.95 * e,
-        &entries,
-    )
+    let place = [frame.left, frame.top - 1.1 * f.e];
+    f.key(place, 0.95 * f.e, &entries)
 }
 
 /// A dot at a peak or valley with its name and force.
-fn landmark(canvas: &Canvas, frame: Frame, y: [f64; 2], name: &str, point: Point, e: f64) -> Drawn {
+fn landmark(f: &Figure, frame: Frame, y: [f64; 2], name: &str, point: Point) -> Drawn {
+    let e = f.e;
     let across = frame.left + point.at * (frame.right - frame.left);
     let up = up(frame, y, point.force_n);
-    let dot = Circle::new((units(across), units(up)), units(3.4), INK.filled());
-    canvas.draw(&dot)?;
+    circle(f.canvas, [across, up], 3.4, INK.filled())?;
     let text = format!("{name} {:.0} N", point.force_n);
     let above = name != "V";
     let (v, shift) = if above {
@@ -138,7 +123,7 @@ fn landmark(canvas: &Canvas, frame: Frame, y: [f64; 2], name: &str, point: Point
     let half = 0.5 * size * text_width(&text);
     let x = across.clamp(frame.left + half + 2.0, frame.right - half - 2.0);
     let lettering = Lettering::new(size, INK).anchored(HPos::Center, v);
-    write(canvas, &text, [x, up + shift], lettering)
+    f.write(&text, [x, up + shift], lettering)
 }
 
 fn up(frame: Frame, y: [f64; 2], force: f64) -> f64 {
@@ -147,13 +132,13 @@ fn up(frame: Frame, y: [f64; 2], force: f64) -> f64 {
 
 /// An axis in body weights at the right of a frame.
 pub(super) fn body_weights(
-    canvas: &Canvas,
+    f: &Figure,
     frame: Frame,
     y: [f64; 2],
     weight: f64,
-    e: f64,
     words: &Words,
 ) -> Drawn {
+    let e = f.e;
     if weight <= 0.0 {
         return Ok(());
     }
@@ -163,23 +148,11 @@ pub(super) fn body_weights(
     for &v in &values {
         let at = up(frame, y, v * weight);
         let tick = [[frame.right, at], [frame.right + 0.35 * e, at]];
-        line(canvas, &tick, stroke(QUIET, 1.2))?;
-        let text = tick_text(v, step);
-        write(canvas, &text, [frame.right + 0.6 * e, at], small)?;
+        line(f.canvas, &tick, stroke(QUIET, 1.2))?;
+        f.write(&tick_text(v, step), [frame.right + 0.6 * e, at], small)?;
     }
     let unit = words.text("figure-body-weights");
     let head = Lettering::new(0.85 * e, QUIET).anchored(HPos::Left, VPos::Bottom);
-    write(
-        canvas,
-        &unit,
-        [frame.right + 0.3 * e, frame.top - 0.5 * e],
-        head,
-    )
-}
-
-/// A recording without a stance.
-fn none(canvas: &Canvas, frame: Frame, e: f64, words: &Words) -> Drawn {
-    let lettering = Lettering::new(e, QUIET).anchored(HPos::Left, VPos::Top);
-    let text = words.text("figure-no-stance");
-    write(canvas, &text, [frame.left, frame.top], lettering)
+    let at = [frame.right + 0.3 * e, frame.top - 0.5 * e];
+    f.write(&unit, at, head)
 }

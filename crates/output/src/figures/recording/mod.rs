@@ -5,15 +5,15 @@ mod joint;
 mod means;
 mod whole;
 
-use plotters::prelude::*;
+use plotters::style::{Color, RGBAColor};
 
 pub use joint::joint_mean;
 
-use crate::plot::axes::{Frame, Panel, padded, ticks};
-use crate::plot::layout::{Layout, key_and_levels, strips, title};
+use crate::plot::axes::padded;
+use crate::plot::layout::{Figure, Layout, columns, strips};
 use crate::plot::palette::{BLUE, GREEN, ORANGE, QUIET};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Canvas, Drawn};
+use crate::plot::sheet::{Drawn, Frame};
 use crate::words::{self, Words};
 use gaitcam::force::{Foot, ForceCurve, Interpretation};
 use gaitcam::units::G;
@@ -38,16 +38,13 @@ pub fn recording(
 ) -> Picture {
     let words = &words::words(language);
     let lanes = whole::height(understood, Layout::ALONE.letters, words) as u32;
+    let parts = match (cycle, &understood.overlay) {
+        (Some(_), _) => 1330,
+        (None, Some(_)) => 980,
+        (None, None) => 560,
+    };
     let layout = Layout {
-        size: (
-            1200,
-            lanes
-                + match (cycle, &understood.overlay) {
-                    (Some(_), _) => 1330,
-                    (None, Some(_)) => 980,
-                    (None, None) => 560,
-                },
-        ),
+        size: (1200, lanes + parts),
         ..Layout::ALONE
     };
     recording_in(understood, cycle, layout, words)
@@ -59,16 +56,11 @@ pub(crate) fn recording_in(
     layout: Layout,
     words: &Words,
 ) -> Picture {
-    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
-        let e = layout.letters;
-        title(
-            canvas,
-            layout,
-            &understood.file,
-            &words.text("figure-vertical-force"),
-        )?;
+    layout.picture(words.language(), |f| {
+        let e = f.e;
+        f.title(&understood.file, &words.text("figure-vertical-force"))?;
         let frame = layout.frame();
-        let top = facts::write_facts(canvas, understood, frame, e, words)?;
+        let top = facts::write_facts(&f, understood, frame, words)?;
         let frame = Frame {
             top: top + 1.6 * e,
             right: frame.right - 3.2 * e,
@@ -82,61 +74,46 @@ pub(crate) fn recording_in(
             (None, None) => &[1.0, 0.05],
         };
         // Lanes of contacts and their key stand between the recording and the means.
-        let gap = 7.6 * e;
-        let frames = strips(
-            Frame {
-                bottom: frame.bottom - lanes,
-                ..frame
-            },
-            shares,
-            gap,
-        );
-        let below = |f: Frame| Frame {
-            top: f.top + lanes,
-            bottom: f.bottom + lanes,
-            ..f
+        let above = Frame {
+            bottom: frame.bottom - lanes,
+            ..frame
         };
-        whole::draw(canvas, frames[0], understood, e, words)?;
-        means::draw(canvas, below(frames[1]), understood, e, words)?;
+        let frames = strips(above, shares, 7.6 * e);
+        let below = |part: Frame| Frame {
+            top: part.top + lanes,
+            bottom: part.bottom + lanes,
+            ..part
+        };
+        whole::draw(&f, frames[0], understood, words)?;
+        means::draw(&f, below(frames[1]), understood, words)?;
         match cycle {
-            Some(curve) => draw_cycle(canvas, below(frames[2]), curve, &[], e, words),
+            Some(curve) => draw_cycle(&f, below(frames[2]), curve, &[], words),
             None => Ok(()),
         }
     })
-    .in_language(words.language())
 }
 
 /// A mean cycle with its band, over the single cycles where there are any.
 fn draw_cycle(
-    canvas: &Canvas,
+    f: &Figure,
     frame: Frame,
     curve: &ForceCurve,
     single: &[Curve],
-    e: f64,
     words: &Words,
 ) -> Drawn {
-    // The cycle closes: its first sample is drawn again at the end.
-    let closed = |v: &[f64]| -> Curve {
-        let around: Vec<f64> = v.iter().chain(v.first()).copied().collect();
-        thinned(&around, |i, n| curve.period_s * i as f64 / (n - 1) as f64)
-    };
+    let closed = |force: &[f64]| closed(force, curve.period_s);
     let mean = closed(&curve.force_n);
-    let band = curve.spread_n.as_ref().map(|s| {
-        let edge = |sign: f64| -> Vec<f64> {
-            let both = curve.force_n.iter().zip(s);
-            both.map(|(m, s)| m + sign * s).collect()
-        };
-        (closed(&edge(1.0)), closed(&edge(-1.0)))
-    });
+    let band =
+        (curve.spread_n.as_ref()).map(|s| edges(&curve.force_n, s).map(|edge| closed(&edge)));
     let weight = curve.mass_kg.unwrap_or(0.0) * G;
-    let edges = band.iter().flat_map(|(u, l)| u.iter().chain(l));
+    let edges = band.iter().flatten().flatten();
     let all = mean.iter().chain(edges).chain(single.iter().flatten());
     let values = all.map(|p| p.1).chain([0.0, weight]);
     let y = padded(values, 0.1);
     let y = [y[0].max(-0.02 * y[1]), y[1]];
     let x = [0.0, curve.period_s];
-    let panel = Panel::over(canvas, frame, x, ticks(x[0], x[1], 8.0), y, e)?;
-    if let Some((upper, lower)) = &band {
+    let panel = f.panel(frame, x, columns(x, false), y)?;
+    if let Some([upper, lower]) = &band {
         panel.band(upper, lower, BLUE.mix(0.22))?;
     }
     for one in single {
@@ -144,15 +121,15 @@ fn draw_cycle(
     }
     panel.level(weight, None, QUIET)?;
     panel.curve(&mean, BLUE, 2.6)?;
-    means::body_weights(canvas, frame, y, weight, e, words)?;
-    panel.quantity(&words.text("figure-force"), 5.7 * e)?;
+    means::body_weights(f, frame, y, weight, words)?;
+    panel.quantity(&words.text("figure-force"))?;
     panel.across(&words.text("figure-time"))?;
-    let [mean, step, weight] = [
+    let names = [
         "figure-mean-cycle",
         "figure-step-band",
         "figure-body-weight",
-    ]
-    .map(|k| words.text(k));
+    ];
+    let [mean, step, weight] = names.map(|k| words.text(k));
     let mut entries = vec![(BLUE, 2.6, mean.as_str())];
     let each = words.text("figure-each-recording");
     if !single.is_empty() {
@@ -162,8 +139,22 @@ fn draw_cycle(
         entries.push((BLUE.mix(0.22), 14.0, &step));
     }
     let levels = [(QUIET, weight.as_str())];
-    let place = [frame.left, frame.top - 1.1 * e];
-    key_and_levels(canvas, place, e, &entries, &levels)
+    let place = [frame.left, frame.top - 1.1 * f.e];
+    f.key_and_levels(place, f.e, &entries, &levels)
+}
+
+/// A cycle over time; its first sample is drawn again at the end.
+fn closed(force: &[f64], period_s: f64) -> Curve {
+    let around: Vec<f64> = force.iter().chain(force.first()).copied().collect();
+    thinned(&around, |i, n| period_s * i as f64 / (n - 1) as f64)
+}
+
+/// Upper and lower edge of a band of one standard deviation.
+fn edges(mean: &[f64], spread: &[f64]) -> [Vec<f64>; 2] {
+    [1.0, -1.0].map(|sign| {
+        let both = mean.iter().zip(spread);
+        both.map(|(m, s)| m + sign * s).collect()
+    })
 }
 
 fn colour(foot: Option<Foot>) -> RGBAColor {

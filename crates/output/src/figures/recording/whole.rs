@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use plotters::prelude::*;
+use plotters::style::{Color, RGBAColor};
 use plotters_backend::text_anchor::{HPos, VPos};
 
 use super::{Curve, colour, foot_name};
-use crate::plot::axes::{Frame, Panel, padded, ticks};
-use crate::plot::layout::key;
+use crate::plot::axes::padded;
+use crate::plot::layout::{Figure, columns};
 use crate::plot::palette::{GREEN, INK, PURPLE, QUIET, RED};
-use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
+use crate::plot::sheet::{Drawn, Frame, Lettering, line, rectangle, stroke};
 use crate::plot::text::text_width;
 use crate::words::Words;
 use gaitcam::force::{Column, Interpretation, RejectReason};
@@ -48,20 +48,14 @@ fn reasons(understood: &Interpretation, words: &Words) -> Vec<(RejectReason, Str
     for reason in rejected {
         *counts.entry(reason).or_default() += 1;
     }
-    let said = |(reason, count): (RejectReason, usize)| {
+    let counted = |(reason, count): (RejectReason, usize)| {
         let words = sentence(words.language(), "contact", &reason);
         (reason, format!("{words} ({count})"))
     };
-    counts.into_iter().map(said).collect()
+    counts.into_iter().map(counted).collect()
 }
 
-pub(super) fn draw(
-    canvas: &Canvas,
-    frame: Frame,
-    understood: &Interpretation,
-    e: f64,
-    words: &Words,
-) -> Drawn {
+pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words: &Words) -> Drawn {
     let clock = understood.clock;
     let x = [clock.start_s, clock.start_s + clock.duration_s];
     let shown = loaded(understood);
@@ -69,28 +63,22 @@ pub(super) fn draw(
         .iter()
         .flat_map(|&i| &understood.columns[i].envelope_n);
     let y = padded(all.flatten().copied().chain([0.0]), 0.06);
-    let panel = Panel::over(canvas, frame, x, ticks(x[0], x[1], 8.0), y, e)?;
+    let panel = f.panel(frame, x, columns(x, false), y)?;
     for (k, &i) in shown.iter().enumerate() {
         let column = &understood.columns[i];
         panel.curve(&trace(column, x), own_colour(column, k), 1.3)?;
     }
-    panel.quantity(&words.text("figure-force"), 5.7 * e)?;
+    panel.quantity(&words.text("figure-force"))?;
     panel.across(&words.text("figure-time"))?;
-    let names: Vec<(RGBAColor, String)> = shown
-        .iter()
-        .enumerate()
-        .map(|(k, &i)| {
-            let column = &understood.columns[i];
-            (own_colour(column, k), shortened(column, words))
-        })
-        .collect();
-    let entries: Vec<_> = names
-        .iter()
-        .take(4)
-        .map(|(c, n)| (*c, 2.6, n.as_str()))
-        .collect();
-    key(canvas, [frame.left, frame.top - 1.1 * e], e, &entries)?;
-    draw_lanes(canvas, frame, understood, &shown, e, words)
+    let named = |(k, &i): (usize, &usize)| {
+        let column = &understood.columns[i];
+        (own_colour(column, k), shortened(column, words))
+    };
+    let names: Vec<(RGBAColor, String)> = shown.iter().enumerate().map(named).collect();
+    let entries = names.iter().take(4).map(|(c, n)| (*c, 2.6, n.as_str()));
+    let entries: Vec<_> = entries.collect();
+    f.key([frame.left, frame.top - 1.1 * f.e], f.e, &entries)?;
+    draw_lanes(f, frame, understood, &shown, words)
 }
 
 fn own_colour(column: &Column, k: usize) -> RGBAColor {
@@ -149,13 +137,13 @@ fn trace(column: &Column, x: [f64; 2]) -> Curve {
 /// A bar for each contact: full in the colour of its foot where it is used, an outline with the number of its
 /// reason where it is not.
 fn draw_lanes(
-    canvas: &Canvas,
+    f: &Figure,
     frame: Frame,
     understood: &Interpretation,
     shown: &[usize],
-    e: f64,
     words: &Words,
 ) -> Drawn {
+    let e = f.e;
     let clock = understood.clock;
     let reasons = reasons(understood, words);
     let across = |t: f64| {
@@ -166,32 +154,29 @@ fn draw_lanes(
     for (k, &i) in shown.iter().enumerate() {
         let middle = top + (k as f64 + 0.5) * LANE * e;
         let ends = [[frame.left, middle], [frame.right, middle]];
-        line(canvas, &ends, stroke(QUIET.mix(0.3), 1.0))?;
+        line(f.canvas, &ends, stroke(QUIET.mix(0.3), 1.0))?;
         let name = lane_name(&understood.columns[i], words);
         let side = Lettering::new(0.8 * e, QUIET).anchored(HPos::Right, VPos::Center);
-        write(canvas, &name, [frame.left - 0.6 * e, middle], side)?;
+        f.write(&name, [frame.left - 0.6 * e, middle], side)?;
         for c in understood.contacts.iter().filter(|c| c.column == i) {
             let (from, to) = (across(c.from_s), across(c.to_s).max(across(c.from_s) + 2.0));
             let half = 0.45 * e;
-            let corners = [
-                (units(from), units(middle - half)),
-                (units(to), units(middle + half)),
-            ];
+            let corners = [[from, middle - half], [to, middle + half]];
             let Some(reason) = c.rejected else {
                 let fill = match c.foot.or(understood.columns[i].foot) {
                     None => own_colour(&understood.columns[i], k),
                     foot => colour(foot),
                 };
-                canvas.draw(&Rectangle::new(corners, fill.filled()))?;
+                rectangle(f.canvas, corners, fill.filled())?;
                 continue;
             };
-            canvas.draw(&Rectangle::new(corners, RED.mix(0.22).filled()))?;
-            canvas.draw(&Rectangle::new(corners, stroke(RED, 1.2)))?;
+            rectangle(f.canvas, corners, RED.mix(0.22).filled())?;
+            rectangle(f.canvas, corners, stroke(RED, 1.2))?;
             let number = reasons.iter().position(|r| r.0 == reason);
             let number = number.map_or_else(String::new, |n| (n + 1).to_string());
             if to - from > 1.2 * e * text_width(&number) {
                 let small = Lettering::new(0.78 * e, INK).anchored(HPos::Center, VPos::Center);
-                write(canvas, &number, [0.5 * (from + to), middle], small)?;
+                f.write(&number, [0.5 * (from + to), middle], small)?;
             }
         }
     }
@@ -199,7 +184,7 @@ fn draw_lanes(
     for (number, (_, said)) in reasons.iter().enumerate() {
         let text = format!("{}  {said}", number + 1);
         let plain = Lettering::new(0.9 * e, QUIET).anchored(HPos::Left, VPos::Center);
-        write(canvas, &text, [frame.left, y], plain)?;
+        f.write(&text, [frame.left, y], plain)?;
         y += 1.6 * e;
     }
     Ok(())

@@ -1,12 +1,11 @@
 //! Axes of pictures of many designs: names, ticks, frame.
 
-use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
 
 use super::{LETTERS, Quantity};
-use crate::plot::axes::{Frame, tick_text, ticks};
-use crate::plot::palette::{AXIS, GRID, INK, QUIET};
-use crate::plot::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, write};
+use crate::plot::axes::{tick_text, ticks};
+use crate::plot::palette::{GRID, INK, QUIET};
+use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, Plane, stroke, trace, write};
 
 /// An axis: its name, its ends, and the places that are marked, with their text.
 pub(super) struct Axis<'a> {
@@ -40,57 +39,34 @@ pub(super) fn axes<'a>(
     f: Frame,
     x: Axis,
     y: Axis,
-) -> Result<Plane<'a>, DrawingAreaErrorKind<std::convert::Infallible>> {
+) -> Drawn<Plane<'a>> {
     let e = LETTERS;
-    write(
-        canvas,
-        title,
-        [f.left, 2.0 * e],
-        Lettering::new(1.25 * e, INK).bold(),
-    )?;
-    let inner = plane(
-        canvas,
-        x.range,
-        y.range,
-        [f.left, f.right],
-        [f.bottom, f.top],
-    );
+    let bold = Lettering::new(1.25 * e, INK).bold();
+    write(canvas, title, [f.left, 2.0 * e], bold)?;
+    let inner = f.plane(canvas, x.range, y.range);
     let grid = stroke(GRID, 1.0);
     for (value, text) in &x.marks {
-        let ends = y.range.map(|end| (*value, end));
-        inner.draw(&PathElement::new(ends, grid))?;
-        let share = (value - x.range[0]) / (x.range[1] - x.range[0]);
-        let at = [f.left + share * (f.right - f.left), f.bottom + 0.6 * e];
+        trace(&inner, y.range.map(|end| (*value, end)), grid)?;
+        let across = f.place(x.range, y.range, (*value, y.range[0]))[0];
+        let at = [across, f.bottom + 0.6 * e];
         let letters = Lettering::new(e, QUIET).anchored(HPos::Center, VPos::Top);
         write(canvas, text, at, letters)?;
     }
     for (value, text) in &y.marks {
-        let ends = x.range.map(|end| (end, *value));
-        inner.draw(&PathElement::new(ends, grid))?;
-        let share = (value - y.range[0]) / (y.range[1] - y.range[0]);
-        let at = [f.left - 0.5 * e, f.bottom + share * (f.top - f.bottom)];
+        trace(&inner, x.range.map(|end| (end, *value)), grid)?;
+        let up = f.place(x.range, y.range, (x.range[0], *value))[1];
+        let at = [f.left - 0.5 * e, up];
         let letters = Lettering::new(e, QUIET).anchored(HPos::Right, VPos::Center);
         write(canvas, text, at, letters)?;
     }
     let middle = [0.5 * (f.left + f.right), 0.5 * (f.top + f.bottom)];
     let below = Lettering::new(e, INK).anchored(HPos::Center, VPos::Top);
     write(canvas, x.label, [middle[0], f.bottom + 2.3 * e], below)?;
-    let beside = Lettering::new(e, INK)
+    let left = Lettering::new(e, INK)
         .anchored(HPos::Center, VPos::Center)
         .upwards();
-    write(canvas, y.label, [1.2 * e, middle[1]], beside)?;
+    write(canvas, y.label, [1.2 * e, middle[1]], left)?;
     Ok(inner)
-}
-
-pub(super) fn border(canvas: &Canvas, f: Frame) -> Drawn {
-    let corners = [
-        [f.left, f.top],
-        [f.right, f.top],
-        [f.right, f.bottom],
-        [f.left, f.bottom],
-        [f.left, f.top],
-    ];
-    line(canvas, &corners, stroke(AXIS, 1.0))
 }
 
 /// Where an axis is marked, and with what.

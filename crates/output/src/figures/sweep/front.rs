@@ -2,14 +2,14 @@
 
 use plotters::prelude::*;
 
-use super::axes::{Axis, axes, border};
+use super::axes::{Axis, axes};
 use super::{LETTERS, Quantity, SIZE, frame, shown};
 use crate::plot::axes::padded;
 use crate::plot::palette::{AXIS, BLUE, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{stroke, units};
+use crate::plot::sheet::{stroke, trace, units};
 
-/// All designs as dots, the front as a line through its dots; `front` are indices into the values.
+/// All designs as dots, the front as a line through its dots, the best ringed.
 pub fn front(
     title: &str,
     x: &Quantity,
@@ -29,25 +29,20 @@ pub fn front(
     let (rx, ry) = (all(&x, &|p| p.0), all(&y, &|p| p.1));
     Picture::drawn(SIZE.0, SIZE.1, |canvas| {
         let f = frame(2.0 * LETTERS);
-        let inner = axes(
-            canvas,
-            title,
-            f,
-            Axis::across(&x, rx, f),
-            Axis::up(&y, ry, f),
-        )?;
+        let (across, up) = (Axis::across(&x, rx, f), Axis::up(&y, ry, f));
+        let inner = axes(canvas, title, f, across, up)?;
         for (&a, &b) in x.values.iter().zip(&y.values) {
             if a.is_finite() && b.is_finite() {
                 inner.draw(&Circle::new((a, b), units(2.0), AXIS.filled()))?;
             }
         }
-        inner.draw(&PathElement::new(on_front.clone(), stroke(BLUE, 1.6)))?;
+        trace(&inner, on_front.as_slice(), stroke(BLUE, 1.6))?;
         for &p in &on_front {
             inner.draw(&Circle::new(p, units(3.6), BLUE.filled()))?;
         }
         if let Some(p) = best {
             inner.draw(&Circle::new(p, units(6.5), stroke(RED, 2.4)))?;
         }
-        border(canvas, f)
+        f.border(canvas)
     })
 }

@@ -3,12 +3,12 @@
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
 
-use super::axes::{Axis, axes, border};
+use super::axes::{Axis, axes};
 use super::{LETTERS, Quantity, SIZE, frame, shown};
-use crate::plot::axes::{Frame, padded};
+use crate::plot::axes::padded;
 use crate::plot::palette::{INK, QUIET};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Canvas, Drawn, Lettering, units, write};
+use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, fill, units, write};
 use gaitcam_base::text::number;
 
 /// Bins across a heat map of scattered points.
@@ -89,22 +89,17 @@ pub fn heat_map(title: &str, x: &Quantity, y: &Quantity, z: &Quantity, best: Bes
     Picture::drawn(SIZE.0, SIZE.1, |canvas| {
         let f = frame(9.0 * LETTERS);
         let (rx, ry) = ([ex[0], ex[ex.len() - 1]], [ey[0], ey[ey.len() - 1]]);
-        let inner = axes(
-            canvas,
-            title,
-            f,
-            Axis::across(&x, rx, f),
-            Axis::up(&y, ry, f),
-        )?;
+        let (across, up) = (Axis::across(&x, rx, f), Axis::up(&y, ry, f));
+        let inner = axes(canvas, title, f, across, up)?;
         for (k, &c) in cells.iter().enumerate().filter(|c| c.1.is_finite()) {
             let (i, j) = (k % (ex.len() - 1), k / (ex.len() - 1));
             // A little wider than the cell, so that no ground shines through between two.
             let right = (ex[i + 1] + 0.001 * (rx[1] - rx[0])).min(rx[1]);
             let top = (ey[j + 1] + 0.001 * (ry[1] - ry[0])).min(ry[1]);
-            let corners = vec![(ex[i], ey[j]), (right, ey[j]), (right, top), (ex[i], top)];
-            inner.draw(&Polygon::new(corners, shade(share(c)).filled()))?;
+            let corners = [(ex[i], ey[j]), (right, ey[j]), (right, top), (ex[i], top)];
+            fill(&inner, &corners, shade(share(c)))?;
         }
-        border(canvas, f)?;
+        f.border(canvas)?;
         scale(canvas, f, [low, high], &z.label)
     })
 }
@@ -120,17 +115,13 @@ fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str) -> Drawn {
             (units(left), units(at(i + 1))),
             (units(left + width), units(at(i)) + 1),
         ];
-        canvas.draw(&Rectangle::new(
-            corners,
-            shade(i as f64 / (steps - 1) as f64).filled(),
-        ))?;
+        let colour = shade(i as f64 / (steps - 1) as f64).filled();
+        canvas.draw(&Rectangle::new(corners, colour))?;
     }
     for k in 0..=4 {
         let share = f64::from(k) / 4.0;
-        let at = [
-            left + width + 0.4 * e,
-            f.bottom + (f.top - f.bottom) * share,
-        ];
+        let up = f.bottom + (f.top - f.bottom) * share;
+        let at = [left + width + 0.4 * e, up];
         let text = number(range[0] + share * (range[1] - range[0]), 3);
         write(canvas, &text, at, Lettering::new(0.9 * e, QUIET))?;
     }

@@ -11,7 +11,7 @@ pub use heat_map::{Best, heat_map};
 pub use histogram::histogram;
 pub use parallel::parallel;
 
-use crate::plot::axes::Frame;
+use crate::plot::sheet::Frame;
 
 /// Size of the pictures, points.
 const SIZE: (u32, u32) = (1100, 720);

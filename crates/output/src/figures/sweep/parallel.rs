@@ -1,13 +1,13 @@
 //! Parallel coordinates: one line for each design.
 
-use plotters::prelude::*;
+use plotters::style::{Color, WHITE};
 use plotters_backend::text_anchor::{HPos, VPos};
 
 use super::{LETTERS, Quantity, SIZE};
-use crate::plot::axes::{Frame, padded};
+use crate::plot::axes::padded;
 use crate::plot::palette::{AXIS, BLUE, INK, QUIET, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
+use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, line, rectangle, stroke, write};
 use crate::plot::text::text_width;
 use gaitcam_base::text::number;
 
@@ -32,12 +32,8 @@ pub fn parallel(
             top: 7.0 * e,
             bottom: f64::from(SIZE.1) - 3.0 * e,
         };
-        write(
-            canvas,
-            title,
-            [2.0 * e, 2.0 * e],
-            Lettering::new(1.25 * e, INK).bold(),
-        )?;
+        let bold = Lettering::new(1.25 * e, INK).bold();
+        write(canvas, title, [2.0 * e, 2.0 * e], bold)?;
         let last = quantities.len().saturating_sub(1).max(1) as f64;
         let across = |k: usize| f.left + (f.right - f.left) * k as f64 / last;
         let up = |k: usize, v: f64| {
@@ -67,13 +63,9 @@ pub fn parallel(
             line(canvas, &[[x, f.bottom], [x, f.top]], stroke(INK, 1.2))?;
             heading(canvas, q, x, k)?;
             for (v, text) in ends(q, ranges[k]) {
-                let ground_half = 0.55 * e * text_width(&text);
-                let y = up(k, v);
-                let corners = [
-                    (units(x - ground_half), units(y - 0.6 * e)),
-                    (units(x + ground_half), units(y + 0.6 * e)),
-                ];
-                canvas.draw(&Rectangle::new(corners, WHITE.mix(0.8).filled()))?;
+                let (half, y) = (0.55 * e * text_width(&text), up(k, v));
+                let corners = [[x - half, y - 0.6 * e], [x + half, y + 0.6 * e]];
+                rectangle(canvas, corners, WHITE.mix(0.8).filled())?;
                 let letters = Lettering::new(0.9 * e, QUIET).anchored(HPos::Center, VPos::Center);
                 write(canvas, &text, [x, y], letters)?;
             }

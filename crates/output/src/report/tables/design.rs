@@ -56,7 +56,7 @@ fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
         let frequency = format!("{} Hz", number(f.frequency_hz, 4));
         let target = angled(f.target, f.target_phase_rad);
         let achieved = angled(f.achieved, f.achieved_phase_rad);
-        cells(out, &[&frequency, &target, &achieved]);
+        cells(out, &[frequency, target, achieved]);
     }
     out.push_str("</table></div>\n");
 }

@@ -38,22 +38,17 @@ fn margin(check: &Check) -> f64 {
     if check.pass { share } else { -share }
 }
 
-/// Opens a table; the columns of `numbers` are set flush right.
-fn open(out: &mut String, words: &Words, columns: &[&str], numbers: std::ops::Range<usize>) {
+/// Opens a table; columns from `numbers` on are set flush right.
+pub fn open(out: &mut String, columns: &[String], numbers: usize) {
     out.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>");
-    for (i, key) in columns.iter().enumerate() {
-        let class = if numbers.contains(&i) {
-            " class=\"n\""
-        } else {
-            ""
-        };
-        let name = escaped(&words.text(key));
-        let _ = write!(out, "<th scope=\"col\"{class}>{name}</th>");
+    for (i, name) in columns.iter().enumerate() {
+        let class = if i < numbers { "" } else { " class=\"n\"" };
+        let _ = write!(out, "<th scope=\"col\"{class}>{}</th>", escaped(name));
     }
     out.push_str("</tr></thead>\n<tbody>\n");
 }
 
-fn close(out: &mut String) {
+pub fn close(out: &mut String) {
     out.push_str("</tbody></table></div>\n");
 }
 
@@ -62,9 +57,10 @@ fn row(out: &mut String, name: &str) {
     let _ = write!(out, "<tr><th scope=\"row\">{}</th>", escaped(name));
 }
 
-fn cells(out: &mut String, values: &[&str]) {
+/// Numbers of a row, which they end.
+pub fn cells(out: &mut String, values: &[impl AsRef<str>]) {
     for value in values {
-        let _ = write!(out, "<td class=\"n\">{}</td>", escaped(value));
+        let _ = write!(out, "<td class=\"n\">{}</td>", escaped(value.as_ref()));
     }
     out.push_str("</tr>\n");
 }
@@ -84,7 +80,7 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
         "report-margin",
         "report-place",
     ];
-    open(out, words, &columns, 2..6);
+    open(out, &columns.map(|key| words.text(key)), 2);
     for check in &synthesis.checks {
         let margin = margin(check);
         let (light, state) = if !check.pass {
@@ -117,7 +113,7 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
             Criterion::RmsError => none(),
             _ => measures.place(check.at, 1),
         };
-        cells(out, &[&worst, &limit, &margin, &place]);
+        cells(out, &[worst, limit, margin, place]);
     }
     close(out);
 }
@@ -164,12 +160,12 @@ pub fn active(out: &mut String, synthesis: &Design, words: &Words) {
         "report-multiplier",
         "report-place",
     ];
-    open(out, words, &columns, 1..4);
+    open(out, &columns.map(|key| words.text(key)), 1);
     let measures = synthesis.cam.follower.measures();
     for a in gathered(synthesis) {
         row(out, &words.name(a.limit.name()));
         let (points, place) = (a.points.to_string(), measures.place(a.at, 1));
-        cells(out, &[&points, &number(a.multiplier, 4), &place]);
+        cells(out, &[points, number(a.multiplier, 4), place]);
     }
     close(out);
     note(out, &words.text("report-multiplier-note"));
@@ -185,11 +181,8 @@ fn easing(out: &mut String, synthesis: &Design, words: &Words) {
     if synthesis.easing.is_empty() {
         return;
     }
-    let _ = writeln!(
-        out,
-        "<h3>{}</h3>",
-        escaped(&words.text("report-sensitivity"))
-    );
+    let head = escaped(&words.text("report-sensitivity"));
+    let _ = writeln!(out, "<h3>{head}</h3>");
     let columns = [
         "report-limit",
         "report-from",
@@ -198,16 +191,15 @@ fn easing(out: &mut String, synthesis: &Design, words: &Words) {
         "report-now",
         "report-predicted",
     ];
-    open(out, words, &columns, 1..6);
+    open(out, &columns.map(|key| words.text(key)), 1);
     let measures = synthesis.cam.follower.measures();
     for e in &synthesis.easing {
         let (name, unit, factor) = e.in_words(measures, words.language());
         row(out, &words.name(e.limit.name()));
-        let from = shown(measures, e.limit, e.from);
-        let to = shown(measures, e.limit, e.to);
+        let [from, to] = [e.from, e.to].map(|x| shown(measures, e.limit, x));
         let [before, after] =
             [e.before, e.after].map(|x| format!("{} {unit}", number(factor * x, 5)));
-        cells(out, &[&from, &to, &name, &before, &after]);
+        cells(out, &[from, to, name, before, after]);
     }
     close(out);
 }
