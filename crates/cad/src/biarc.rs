@@ -24,7 +24,7 @@ pub struct Arcs {
     pub vertices: Vec<[f64; 3]>,
     /// Whether the last edge leads back to the first vertex.
     pub closed: bool,
-    /// Largest distance between the true profile and the arcs, m, found on 64 points of each pair.
+    /// Largest distance between the true profile and the arcs, m, at 64 points of each pair.
     pub deviation: f64,
 }
 

@@ -81,10 +81,10 @@ enum Command {
 /// Runs the command with its arguments (the first is the program's name) and returns the exit code.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
-    language::settle(&arguments);
+    language::set(&arguments);
     let parsed = help::parser(language::current())
         .try_get_matches_from(&arguments)
-        .and_then(|found| Cli::from_arg_matches(&found));
+        .and_then(|matches| Cli::from_arg_matches(&matches));
     let cli = match parsed {
         Ok(cli) => cli,
         // Help and version are answers, not errors.

@@ -7,14 +7,13 @@
 #![deny(missing_docs)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
-pub mod chart;
-pub mod experiment;
+pub(crate) mod chart;
+pub(crate) mod experiment;
 pub mod measure;
 pub mod reproduce;
-pub mod thesis_run;
 pub mod tiers;
 
-/// A fault of this crate, which speaks to those who read its code.
+/// An internal error of this crate.
 pub(crate) fn fault(what: impl Into<String>) -> gaitcam::error::Error {
     gaitcam::error::Error::own("evidence", what)
 }

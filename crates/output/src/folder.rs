@@ -8,6 +8,8 @@ use std::path::{Path, PathBuf};
 use gaitcam::error::{Placed, Result, WriteError};
 use tempfile::Builder;
 
+use crate::Picture;
+
 /// A folder that files can be written to.
 pub struct Folder {
     path: PathBuf,
@@ -34,6 +36,12 @@ impl Folder {
     /// Writes one file: to a temporary name first, then renamed.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
         write_whole(&self.path.join(name), bytes)
+    }
+
+    /// Writes a picture as SVG and PNG.
+    pub fn write_picture(&self, name: &str, picture: &Picture) -> Result<()> {
+        self.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
+        self.write(&format!("{name}.png"), &picture.png())
     }
 
     /// The folder's path.

@@ -25,6 +25,7 @@ pub use figures::{inspection, overlay, recording, sweep as sweep_plots};
 pub use gaitcam::wording::Language;
 pub use plot::picture::{self, Picture};
 pub use plot::{palette, sheet};
+pub use report::ActiveLimit;
 pub use report::laws as laws_report;
 pub use report::sweep as sweep_report;
 

@@ -31,6 +31,23 @@ pub fn target_at(target: &ForceCurve, law: &Law, theta: f64) -> f64 {
     target.at(std::f64::consts::TAU * ((theta - start) / length))
 }
 
+/// What a drawing must hold: lower left and upper right corner.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Bounds {
+    pub low: [f64; 2],
+    pub high: [f64; 2],
+}
+
+impl Bounds {
+    /// Extends it to a point with so much room around it.
+    pub fn hold(&mut self, point: [f64; 2], margin: f64) {
+        for (k, x) in point.into_iter().enumerate() {
+            self.low[k] = self.low[k].min(x - margin);
+            self.high[k] = self.high[k].max(x + margin);
+        }
+    }
+}
+
 /// The part of the follower that touches the cam, in the fixed frame, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pose {

@@ -66,15 +66,15 @@ pub fn height(edge: &Edge, x: f64, off: f64) -> Option<f64> {
     let at = |i: usize| start + (end - start) * i as f64 / SAMPLES as f64;
     let point = |theta: f64| moved(&edge.at(theta), off);
     // An end of the profile must not be lost by rounding.
-    let beside = |theta: f64| point(theta)[0] - x >= 0.0;
+    let side = |theta: f64| point(theta)[0] - x >= 0.0;
     let ends = [start, end].map(|theta| (theta, point(theta)));
     let on_end = ends.iter().find(|(_, p)| (p[0] - x).abs() < 1e-9);
     if let Some((_, p)) = on_end {
         return Some(p[1]);
     }
     let heights = (0..SAMPLES)
-        .filter(|&i| beside(at(i)) != beside(at(i + 1)))
-        .map(|i| point(crossing(beside, at(i), at(i + 1)))[1]);
+        .filter(|&i| side(at(i)) != side(at(i + 1)))
+        .map(|i| point(crossing(side, at(i), at(i + 1)))[1]);
     heights.max_by(f64::total_cmp)
 }
 
@@ -106,14 +106,14 @@ fn outermost(edge: &Edge, points: &[EdgePoint], angle: f64, off: f64) -> f64 {
         let [x, y] = moved(e, off);
         [cos * x - sin * y, sin * x + cos * y]
     };
-    let beside = |e: &EdgePoint| turned(e)[0];
+    let side = |e: &EdgePoint| turned(e)[0];
     let along = |e: &EdgePoint| turned(e)[1];
     let mut most: f64 = 0.0;
     for pair in points.windows(2) {
-        let sides = [&pair[0], &pair[1]].map(|e| beside(e) > 0.0);
+        let sides = [&pair[0], &pair[1]].map(|e| side(e) > 0.0);
         if sides[0] != sides[1] && along(&pair[0]) > 0.0 {
-            let is_beside = |theta| beside(&edge.at(theta)) > 0.0;
-            let theta = crossing(is_beside, pair[0].theta, pair[1].theta);
+            let is_left = |theta| side(&edge.at(theta)) > 0.0;
+            let theta = crossing(is_left, pair[0].theta, pair[1].theta);
             most = most.max(along(&edge.at(theta)));
         }
     }

@@ -146,6 +146,6 @@ impl<'a> Slide<'a> {
 fn step(least: f64) -> f64 {
     let ten = 10f64.powf(least.log10().floor());
     let steps = [1.0, 2.0, 2.5, 5.0, 10.0];
-    let found = steps.into_iter().find(|s| s * ten >= least * (1.0 - 1e-9));
-    ten * found.unwrap_or(10.0)
+    let smallest = steps.into_iter().find(|s| s * ten >= least * (1.0 - 1e-9));
+    ten * smallest.unwrap_or(10.0)
 }

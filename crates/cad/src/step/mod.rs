@@ -20,9 +20,9 @@ use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
 const MM: f64 = 1000.0;
-/// Largest distance of a spline from the true profile where it is held against it, m: nowhere more than 0.1 µm.
+/// Largest distance of a spline from the true profile at the points compared, m; less than 0.1 µm between them.
 pub const FAITHFUL: f64 = 5e-8;
-/// Points of a profile that a hub is held against.
+/// Points of a profile with which a hub is compared.
 const PROFILE: usize = 1440;
 /// Half the room that the mark of θ = 0 needs, mm.
 const LEAST_ROOM: f64 = 0.25;

@@ -8,8 +8,8 @@ use gaitcam::wording::Language;
 /// Set once, when the arguments are known.
 static LANGUAGE: OnceLock<Language> = OnceLock::new();
 
-/// Settles the language for the rest of the run, before the arguments are read: their help and faults are in it.
-pub fn settle(arguments: &[OsString]) {
+/// Sets the language for the rest of the run, before the arguments are read: their help and faults are in it.
+pub fn set(arguments: &[OsString]) {
     let _ = LANGUAGE.set(of_arguments(arguments).unwrap_or_else(of_environment));
 }
 

@@ -43,7 +43,7 @@ fn shortened(text: &str, most: usize) -> String {
     format!("{} …", &text[..end])
 }
 
-/// Records a failure to write to standard output, so that the exit code tells it.
+/// Records a failure to write to standard output, for the exit code.
 pub fn record_write_error(written: Result<()>) {
     if let Err(e) = written
         && e.kind() != ErrorKind::BrokenPipe

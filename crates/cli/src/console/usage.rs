@@ -10,26 +10,26 @@ use crate::console::error::CliError;
 
 /// What is wrong with the arguments.
 pub fn fault(error: &clap::Error) -> Error {
-    let said = |kind| context(error, kind);
-    let flag = said(ContextKind::InvalidArg).unwrap_or_default();
-    let near = said(ContextKind::SuggestedArg)
-        .or_else(|| said(ContextKind::SuggestedSubcommand))
-        .or_else(|| said(ContextKind::SuggestedValue));
-    let value = said(ContextKind::InvalidValue).unwrap_or_default();
+    let part = |kind| context(error, kind);
+    let flag = part(ContextKind::InvalidArg).unwrap_or_default();
+    let near = part(ContextKind::SuggestedArg)
+        .or_else(|| part(ContextKind::SuggestedSubcommand))
+        .or_else(|| part(ContextKind::SuggestedValue));
+    let value = part(ContextKind::InvalidValue).unwrap_or_default();
     match error.kind() {
         ErrorKind::UnknownArgument if flag.starts_with('-') => {
             CliError::UnknownFlag { near }.at_argument(&flag)
         }
         ErrorKind::UnknownArgument => CliError::OneTooMany.at_argument(&flag),
         ErrorKind::InvalidSubcommand => {
-            let typed = said(ContextKind::InvalidSubcommand).unwrap_or_default();
+            let typed = part(ContextKind::InvalidSubcommand).unwrap_or_default();
             Error::from(CliError::UnknownVerb { typed, near })
         }
         ErrorKind::InvalidValue if value.is_empty() => {
             CliError::FlagWithoutValue.at_argument(&flag)
         }
         ErrorKind::InvalidValue => {
-            let choices = said(ContextKind::ValidValue).unwrap_or_default();
+            let choices = part(ContextKind::ValidValue).unwrap_or_default();
             let typed = value;
             CliError::FlagChoice { typed, choices }.at_argument(plain(&flag))
         }
@@ -38,7 +38,7 @@ pub fn fault(error: &clap::Error) -> Error {
             Error::from(CliError::MissingArguments { missing: flag })
         }
         ErrorKind::ArgumentConflict => {
-            let other = said(ContextKind::PriorArg).unwrap_or_default();
+            let other = part(ContextKind::PriorArg).unwrap_or_default();
             CliError::FlagConflict {
                 other: plain(&other).to_string(),
             }

@@ -90,7 +90,7 @@ struct Read {
     given: Option<ForceCurve>,
     /// Why it gives no cycle.
     fault: Option<Error>,
-    /// What is said of it alone.
+    /// Its own table.
     text: String,
     object: Value,
 }
@@ -164,11 +164,9 @@ fn read(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Read> {
     drop(bytes);
     let stances = force::stances(&recording);
     let cycle = force::cycle(&recording, &stances, feet).map_err(|e| e.at(place()));
-    let name = path
-        .file_name()
-        .map_or_else(String::new, |n| n.to_string_lossy().into());
-    let found = cycle.as_ref().ok();
-    let understood = Interpretation::of(&name, &recording, &stances, found, feet);
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let mean = cycle.as_ref().ok();
+    let understood = Interpretation::of(&name, &recording, &stances, mean, feet);
     // A refusal is printed once, on standard error.
     let table = tables::table(
         &understood,
@@ -178,7 +176,7 @@ fn read(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Read> {
         language::current(),
     );
     let table = table.trim_end().trim_end_matches(':');
-    let object = tables::json(&understood, &recording, &stances, found);
+    let object = tables::json(&understood, &recording, &stances, mean);
     let (cycle, fault) = match cycle {
         Ok(cycle) => (Some(cycle), None),
         Err(fault) => (None, Some(fault)),
@@ -187,10 +185,10 @@ fn read(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Read> {
         path: path.to_path_buf(),
         understood: Some(understood),
         cycle,
-        given: None,
         fault,
         text: format!("{}\n{table}", path.display()),
         object,
+        ..Read::default()
     })
 }
 
@@ -207,10 +205,8 @@ impl Read {
 
     /// Its cycle, mean or as given.
     fn curve(&self) -> Option<&ForceCurve> {
-        self.cycle
-            .as_ref()
-            .map(|c| &c.curve)
-            .or(self.given.as_ref())
+        let mean = self.cycle.as_ref().map(|c| &c.curve);
+        mean.or(self.given.as_ref())
     }
 
     /// Writes the cycle; for a mean cycle, and for a recording that was refused, also a picture of the recording.
@@ -245,19 +241,13 @@ fn of_files(key: &str, files: &str) -> String {
 }
 
 fn options(args: &GaitArgs, path: &Path) -> Result<ReadOptions> {
-    let unit = args
-        .unit
-        .as_deref()
-        .map(|u| u.parse().map_err(input::at_flag("--unit")));
     Ok(ReadOptions {
         time: args.time.clone(),
         force: args.force.clone(),
-        unit: unit.transpose()?,
+        unit: input::parsed("--unit", args.unit.as_deref())?,
         rate_hz: input::quantity("--rate", args.rate.as_deref(), Dimension::Frequency)?,
         mass_kg: input::quantity("--mass", args.mass.as_deref(), Dimension::Mass)?,
-        kind: (args.kind.as_deref())
-            .map(|k| k.parse().map_err(input::at_flag("--kind")))
-            .transpose()?,
+        kind: input::parsed("--kind", args.kind.as_deref())?,
         period_s: input::quantity("--period", args.period.as_deref(), Dimension::Time)?,
         span_rad: input::quantity("--span", args.span.as_deref(), Dimension::Angle)?,
         metadata: metadata(path),

@@ -4,6 +4,7 @@ pub mod recordings;
 pub mod searching;
 
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 use clap::Args;
 use toml::Table;
@@ -76,6 +77,11 @@ pub fn not_csv(path: &Path) -> impl Fn(csv::Error) -> Error {
 pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
     text.map(|t| parse_quantity(t, dimension).map_err(at_flag(flag)))
         .transpose()
+}
+
+/// The value of a flag that is a word, where the flag is given.
+pub fn parsed<T: FromStr<Err = Error>>(flag: &str, text: Option<&str>) -> Result<Option<T>> {
+    text.map(|t| t.parse().map_err(at_flag(flag))).transpose()
 }
 
 /// Where results of a scene go: `out` as given, else `out/NAME` with `ending` after the scene's name.

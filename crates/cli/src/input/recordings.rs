@@ -35,23 +35,23 @@ pub struct Recordings {
 ///
 /// `argument`: where the paths were given, for the fault where there is none.
 pub fn recordings(paths: &[PathBuf], argument: &str) -> Result<Recordings> {
-    let mut found = Recordings::default();
+    let mut out = Recordings::default();
     for path in paths {
         if is_folder(path)? {
-            collect(path, &mut found)?;
+            collect(path, &mut out)?;
         } else {
-            found.files.push(path.to_string_lossy().into_owned());
+            out.files.push(path.to_string_lossy().into_owned());
         }
     }
-    if found.files.is_empty() && !paths.is_empty() {
+    if out.files.is_empty() && !paths.is_empty() {
         let endings = format!(".{}", ENDINGS.join(", ."));
-        let fault = match found.skipped.len() {
+        let fault = match out.skipped.len() {
             0 => CliError::NoRecordings { endings },
             files => CliError::NotRecordings { files, endings },
         };
         return Err(fault.at_argument(argument));
     }
-    Ok(found)
+    Ok(out)
 }
 
 /// Whether a path that is there leads to a folder.
@@ -60,7 +60,7 @@ pub fn is_folder(path: &Path) -> Result<bool> {
     Ok(about.is_dir())
 }
 
-fn collect(folder: &Path, found: &mut Recordings) -> Result<()> {
+fn collect(folder: &Path, out: &mut Recordings) -> Result<()> {
     let mut inside = std::fs::read_dir(folder)
         .and_then(|all| all.map(|entry| entry.map(|e| e.path())).collect())
         .map_err(|e: std::io::Error| cannot_be_read(folder, &e))
@@ -74,11 +74,11 @@ fn collect(folder: &Path, found: &mut Recordings) -> Result<()> {
             continue;
         }
         if is_folder(&path)? {
-            collect(&path, found)?;
+            collect(&path, out)?;
         } else if is_called_a_recording(&name.to_lowercase()) {
-            found.files.push(path.to_string_lossy().into_owned());
+            out.files.push(path.to_string_lossy().into_owned());
         } else {
-            found.skipped.push(name);
+            out.skipped.push(name);
         }
     }
     Ok(())

@@ -91,7 +91,7 @@ fn after(seconds: f64) -> Halt {
     Halt::when(move || Instant::now() >= end)
 }
 
-/// The line that tells of a search.
+/// The progress line of a search, removed when this is dropped.
 pub struct Shown {
     done: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,

@@ -78,17 +78,17 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         report(words::fill("inspect-no-cam", &json!({"why": why})));
         return Ok(NO_SUCH_CAM);
     }
-    let found = design
+    let inspected = design
         .cam
         .inspect(&points.xy, ball)
         .map_err(|e| e.at(Place::File(args.measured.clone())))?;
-    let made = MadeCam::of(&design, &found);
-    let json = summary_json(&design, &found, made.as_ref());
+    let made = MadeCam::of(&design, &inspected);
+    let json = summary_json(&design, &inspected, made.as_ref());
     let place = match folder(args, &input)? {
         Some(path) => Some(write(
             &path,
             args,
-            (&design, &found, made.as_ref()),
+            (&design, &inspected, made.as_ref()),
             (&points, &json),
         )?),
         None => None,
@@ -97,7 +97,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         print_json(&json);
         return Ok(BUILT);
     }
-    print(&text(&design, &found, made.as_ref()));
+    print(&text(&design, &inspected, made.as_ref()));
     if let Some(place) = place {
         print(&files_in(&place, "deviation.svg"));
     }
@@ -124,12 +124,12 @@ const FILES: [&str; 6] = [
     "deviation_polar.png",
 ];
 
-type Found<'a> = (&'a Design, &'a Inspection, Option<&'a MadeCam>);
+type Results<'a> = (&'a Design, &'a Inspection, Option<&'a MadeCam>);
 
 fn write(
     path: &Path,
     args: &InspectArgs,
-    (design, found, made): Found,
+    (design, inspected, made): Results,
     (points, json): (&Points, &Value),
 ) -> Result<PathBuf> {
     let measured = args.measured.canonicalize().ok();
@@ -141,17 +141,17 @@ fn write(
         return Err(FileError::Replaced { file }.in_file(path));
     }
     let folder = ResultFolder::open(path)?;
-    folder.write("inspection.csv", table(found, points).as_bytes())?;
+    folder.write("inspection.csv", table(inspected, points).as_bytes())?;
     let text = serde_json::to_string_pretty(json).unwrap_or_default();
     folder.write("inspection.json", text.as_bytes())?;
     let pictures = [
         (
             "deviation",
-            inspection::diagram(design, found, made, language::current()),
+            inspection::diagram(design, inspected, made, language::current()),
         ),
         (
             "deviation_polar",
-            inspection::polar(design, found, language::current()),
+            inspection::polar(design, inspected, language::current()),
         ),
     ];
     for (name, picture) in pictures {
@@ -164,27 +164,27 @@ fn write(
 }
 
 /// The points in the order of their cam angles.
-fn table(found: &Inspection, points: &Points) -> String {
+fn table(inspected: &Inspection, points: &Points) -> String {
     let mut out = String::from("line,theta_rad,deviation_m\n");
-    for d in &found.deviations {
+    for d in &inspected.deviations {
         // Writing to a String cannot fail.
         let _ = writeln!(out, "{},{:?},{:?}", points.lines[d.row], d.theta, d.normal);
     }
     out
 }
 
-fn summary_json(design: &Design, found: &Inspection, made: Option<&MadeCam>) -> Value {
-    let [least, most] = found.extremes().map_or([None; 2], |e| e.map(Some));
+fn summary_json(design: &Design, inspected: &Inspection, made: Option<&MadeCam>) -> Value {
+    let [least, most] = inspected.extremes().map_or([None; 2], |e| e.map(Some));
     let place = |d: Option<gaitcam::cam::Deviation>| {
         d.map(|d| json!({"deviation_m": d.normal, "at_rad": d.theta}))
     };
     json!({
         "name": design.name,
-        "points": found.deviations.len(),
-        "turn_rad": found.turn,
-        "centre_m": found.centre,
-        "fits_as_well_rad": found.alike,
-        "deviation": {"rms_m": found.rms(), "min": place(least), "max": place(most)},
+        "points": inspected.deviations.len(),
+        "turn_rad": inspected.turn,
+        "centre_m": inspected.centre,
+        "fits_as_well_rad": inspected.alike,
+        "deviation": {"rms_m": inspected.rms(), "min": place(least), "max": place(most)},
         "waves": made.map(|m| m.waves),
         "left_m": made.map(|m| m.left),
         "designed": made.map(|m| behaviour(&m.designed)),
@@ -203,30 +203,30 @@ fn behaviour(b: &Behaviour) -> Value {
     })
 }
 
-fn text(design: &Design, found: &Inspection, made: Option<&MadeCam>) -> String {
+fn text(design: &Design, inspected: &Inspection, made: Option<&MadeCam>) -> String {
     let measures = design.cam.follower.measures();
     let micro = |x: f64| fixed(1e6 * x, 2);
     let degrees = |x: f64| fixed(x.to_degrees(), 4);
     let place = |x: f64| words::decimal(measures.place(x, 1));
     let mut lines = vec![format!("{}:", design.name)];
     let mut line = |key: &str, data: Value| lines.push(format!("  {}", words::fill(key, &data)));
-    let centre = found.centre.map(|x| fixed(1e3 * x, 4));
+    let centre = inspected.centre.map(|x| fixed(1e3 * x, 4));
     line(
         "inspect-fit",
-        json!({"points": found.deviations.len().to_string(), "turn": degrees(found.turn), "x": centre[0], "y": centre[1]}),
+        json!({"points": inspected.deviations.len().to_string(), "turn": degrees(inspected.turn), "x": centre[0], "y": centre[1]}),
     );
-    if !found.alike.is_empty() {
-        let others: Vec<String> = found
+    if !inspected.alike.is_empty() {
+        let others: Vec<String> = inspected
             .alike
             .iter()
             .map(|t| format!("{}°", degrees(*t)))
             .collect();
         line("inspect-alike", json!({"others": others.join("; ")}));
     }
-    if let Some([least, most]) = found.extremes() {
+    if let Some([least, most]) = inspected.extremes() {
         line(
             "inspect-deviation",
-            json!({"rms": micro(found.rms()), "least": micro(least.normal), "below": place(least.theta),
+            json!({"rms": micro(inspected.rms()), "least": micro(least.normal), "below": place(least.theta),
                 "most": micro(most.normal), "above": place(most.theta)}),
         );
     }

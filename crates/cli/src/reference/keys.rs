@@ -41,7 +41,7 @@ pub struct ScenesArgs {
 
 /// Prints the key table.
 pub fn keys(args: &KeysArgs) -> Result<u8> {
-    let wanted = |path: &str| args.pattern.as_deref().is_none_or(|p| path.contains(p));
+    let matches = |path: &str| args.pattern.as_deref().is_none_or(|p| path.contains(p));
     if args.schema {
         print_json(&schema(language::current()));
         return Ok(BUILT);
@@ -55,13 +55,13 @@ pub fn keys(args: &KeysArgs) -> Result<u8> {
         let list = all.as_array().cloned().unwrap_or_default();
         let mine = list
             .into_iter()
-            .filter(|row| wanted(row["key"].as_str().unwrap_or("")));
+            .filter(|row| matches(row["key"].as_str().unwrap_or("")));
         print_json(&Value::Array(mine.collect()));
         return Ok(BUILT);
     }
-    let mut found = false;
-    for key in KEYS.iter().filter(|k| wanted(k.path)) {
-        found = true;
+    let mut any = false;
+    for key in KEYS.iter().filter(|k| matches(k.path)) {
+        any = true;
         let default = match key.default {
             "" => String::new(),
             text => format!(", {}", words::fill("keys-default", &json!({"text": text}))),
@@ -73,7 +73,7 @@ pub fn keys(args: &KeysArgs) -> Result<u8> {
         ));
         print(&format!("    {}", key_doc(language::current(), key.path)));
     }
-    if !found {
+    if !any {
         let pattern = args.pattern.as_deref().unwrap_or("");
         let pattern = pattern.to_string();
         return Err(CliError::NoKeyContains { pattern }.at_argument("PATTERN"));

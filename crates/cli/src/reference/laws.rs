@@ -32,8 +32,8 @@ pub struct LawsArgs {
 
 /// What the two ends can join, once where they agree.
 fn joined(ends: &Ends) -> String {
-    let said = |end: &End| end.joins_in(language::current());
-    let (start, end) = (said(&ends.start), said(&ends.end));
+    let joins = |end: &End| end.joins_in(language::current());
+    let (start, end) = (joins(&ends.start), joins(&ends.end));
     if start == end {
         start
     } else {

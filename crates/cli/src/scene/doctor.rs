@@ -71,7 +71,7 @@ fn doubtful(text: &str) {
 }
 
 /// A finding of this verb, by its key.
-fn said(key: &str, data: &serde_json::Value) -> String {
+fn finding(key: &str, data: &serde_json::Value) -> String {
     words::fill(&format!("doctor-{key}"), data)
 }
 
@@ -82,7 +82,7 @@ fn examine_scene(args: &DoctorArgs) -> Result<u8> {
     };
     let (table, folder, _) = input::written(&named)?;
     let file = args.file.display().to_string();
-    good(&said(
+    good(&finding(
         "toml",
         &json!({"file": file, "keys": leaves(&table)}),
     ));
@@ -92,7 +92,7 @@ fn examine_scene(args: &DoctorArgs) -> Result<u8> {
         bad(&fault.sentence(language::current()));
     }
     let Some(scene) = scene.filter(|_| faults.is_empty()) else {
-        print(&said("faults", &json!({"count": faults.len()})));
+        print(&finding("faults", &json!({"count": faults.len()})));
         return Ok(BAD_INPUT);
     };
     good(&words::text("doctor-keys-right"));
@@ -178,7 +178,7 @@ fn set_aside(table: &mut Table, key: &str) -> bool {
 fn examine_recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<u8> {
     let file = path.display().to_string();
     if let Some(curve) = force::one_cycle(path, bytes, options)? {
-        good(&said(
+        good(&finding(
             "one-cycle",
             &json!({"file": file, "period": words::fixed(curve.period_s, 3)}),
         ));
@@ -197,7 +197,7 @@ fn examine_recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result
     let understood =
         Interpretation::of(&file, &recording, &stances, cycle.as_ref().ok(), Feet::Both);
     let (used, left_out) = understood.counts();
-    good(&said(
+    good(&finding(
         "recording",
         &json!({"file": file, "columns": understood.columns.len(), "used": used, "rejected": left_out}),
     ));
@@ -213,7 +213,7 @@ fn examine_recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result
     let doubts = understood.doubts();
     for doubt in &doubts {
         let sentence = sentences.sentence("open", doubt);
-        bad(&said(
+        bad(&finding(
             "doubt",
             &json!({"sentence": sentence, "name": doubt.name()}),
         ));

@@ -149,7 +149,7 @@ fn list_fault(path: &Path, row: usize, name: &str, fault: &Error) -> Error {
 
 /// A fault of the plan, at the line of the list that has it where one has.
 pub fn in_list(fault: Error, plan: &Plan, path: Option<&Path>) -> Error {
-    let found = || {
+    let place_in_list = || {
         let Place::Key(name) = &fault.place else {
             return None;
         };
@@ -166,7 +166,7 @@ pub fn in_list(fault: Error, plan: &Plan, path: Option<&Path>) -> Error {
         };
         Some((path?, words.iter().position(bad)?, name))
     };
-    match found() {
+    match place_in_list() {
         Some((path, row, name)) => list_fault(path, row, name, &fault),
         None => fault,
     }

@@ -22,7 +22,7 @@ use crate::input::searching::TimeLimit;
 use format::Format;
 use gaitcam::error::{Error, Result, SweepError};
 use gaitcam::sweep::{Method, Plan, Runner};
-pub use partial::beside;
+pub use partial::with_ending;
 use partial::{Counts, PartialTable};
 
 /// More rows than this are asked for twice.

@@ -109,8 +109,8 @@ impl Counts {
     }
 }
 
-/// The path with an ending added: FILE.csv.partial and FILE.csv.sweep.json lie beside FILE.csv.
-pub fn beside(table: &Path, ending: &str) -> PathBuf {
+/// The path with an ending added: FILE.csv.partial and FILE.csv.sweep.json lie in the folder of FILE.csv.
+pub fn with_ending(table: &Path, ending: &str) -> PathBuf {
     let mut name = table.as_os_str().to_owned();
     name.push(ending);
     PathBuf::from(name)
@@ -127,11 +127,11 @@ impl PartialTable {
         sweep: &Value,
         resume: bool,
     ) -> Result<Option<PartialTable>> {
-        let folder = beside(table, ".partial");
+        let folder = with_ending(table, ".partial");
         if resume
             && !folder.exists()
             && table.exists()
-            && let Some(finished) = described(&beside(table, ".sweep.json"))
+            && let Some(finished) = described(&with_ending(table, ".sweep.json"))
         {
             gaitcam::sweep::agree(table, &finished, sweep, language::current())?;
             return Ok(None);
@@ -209,7 +209,7 @@ impl PartialTable {
     /// Puts the complete table in its place and removes the blocks.
     pub fn finish(self, sweep: &Value) -> Result<Counts> {
         let text = serde_json::to_string_pretty(sweep).unwrap_or_default();
-        write_whole(&beside(&self.table, ".sweep.json"), text.as_bytes())?;
+        write_whole(&with_ending(&self.table, ".sweep.json"), text.as_bytes())?;
         let fault = |e: std::io::Error| -> Error {
             let fault = e.to_string();
             CliError::AllRowsSafe { fault }.in_file(&self.table)
@@ -218,7 +218,7 @@ impl PartialTable {
             .into_iter()
             .map(|f| f.1)
             .collect();
-        let joined = beside(&self.table, &format!(".{}.partial", std::process::id()));
+        let joined = with_ending(&self.table, &format!(".{}.partial", std::process::id()));
         let placed = File::create(&joined)
             .map_err(fault)
             .and_then(|file| self.format.join(&paths, file))

@@ -90,8 +90,8 @@ mod with_parquet {
         if args.json {
             print_json(&json!({"folder": folder, "rows": total, "missing_blocks": left}));
         } else {
-            let said = json!({"folder": folder, "rows": total.to_string(), "left": left});
-            print(&words::fill("sweep-shard-done", &said));
+            let summary = json!({"folder": folder, "rows": total.to_string(), "left": left});
+            print(&words::fill("sweep-shard-done", &summary));
         }
         Ok(BUILT)
     }

@@ -3,9 +3,10 @@
 use std::fmt::Write;
 
 use rayon::prelude::*;
+use serde_json::json;
 
 use super::SweepArgs;
-use super::partial::beside;
+use super::partial::with_ending;
 use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
@@ -16,7 +17,7 @@ use crate::input::{self, SceneArgs};
 use gaitcam::error::{Placed, Result};
 use gaitcam::sweep::{Made, Scatter, Spread, Tolerance};
 use gaitcam::synth::sentences;
-use gaitcam::units::{Dimension, parse};
+use gaitcam::units::Dimension;
 use gaitcam_output::folder::write_whole;
 use gaitcam_output::sweep_plots::{Quantity, histogram};
 use gaitcam_output::sweep_report::{Page, Table, html};
@@ -28,11 +29,8 @@ const MOST: u64 = 20_000_000;
 
 /// Scatters the design, writes the samples and a report; exit code 3 when there is no design to scatter.
 pub fn run(args: &SweepArgs) -> Result<u8> {
-    if !args.vary.is_empty()
-        || args.list.is_some()
-        || !args.recordings.is_empty()
-        || args.scenes.len() > 1
-    {
+    let varies = !args.vary.is_empty() || args.list.is_some() || !args.recordings.is_empty();
+    if varies || args.scenes.len() > 1 {
         return Err(CliError::ScatterAlone.at_argument("--tolerance"));
     }
     if args.out.extension().is_none_or(|e| e != "csv") {
@@ -43,11 +41,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         .iter()
         .map(|t| Tolerance::parse(t).map_err(input::at_flag("--tolerance")))
         .collect::<Result<Vec<_>>>()?;
-    let band = args
-        .band
-        .as_deref()
-        .map(|b| parse(b, Dimension::Ratio).map_err(input::at_flag("--band")))
-        .transpose()?;
+    let band = input::quantity("--band", args.band.as_deref(), Dimension::Ratio)?;
     let count = args.sample.unwrap_or(SAMPLES);
     if count > MOST {
         let (count, most) = (count.to_string(), MOST.to_string());
@@ -60,7 +54,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let design = searching::design(&input)?;
     if let Some(infeasible) = &design.infeasible {
         let why = sentences(&infeasible.reasons, language::current());
-        let why = serde_json::json!({"why": why});
+        let why = json!({"why": why});
         terminal::report(words::fill("sweep-no-design", &why));
         return Ok(NO_SUCH_CAM);
     }
@@ -71,18 +65,14 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         .collect();
     write_whole(&args.out, table(&made).as_bytes())?;
     let percents: Vec<f64> = made.iter().map(|m| m.force_rms_error_percent).collect();
-    let spread = Spread::of(&percents, band.map(|b| 100.0 * b));
-    let Some(spread) = spread else {
-        return Err(CliError::NoSample.at_argument("--sample"));
-    };
+    let spread = Spread::of(&percents, band.map(|b| 100.0 * b))
+        .ok_or_else(|| CliError::NoSample.at_argument("--sample"))?;
     let own = design.force.rms_error_percent_of_mean;
-    let page = beside(&args.out, ".report.html");
-    write_whole(
-        &page,
-        report(args, &design.name, own, percents, &spread, band).as_bytes(),
-    )?;
+    let page = with_ending(&args.out, ".report.html");
+    let html = report(args, &design.name, own, percents, &spread, band);
+    write_whole(&page, html.as_bytes())?;
     if args.json {
-        let object = serde_json::json!({
+        let object = json!({
             "samples": count, "own_percent": own, "mean_percent": spread.mean, "deviation_percent": spread.deviation,
             "p5_percent": spread.quantiles[0], "median_percent": spread.quantiles[1], "p95_percent": spread.quantiles[2],
             "largest_percent": spread.largest, "band_percent": band.map(|b| 100.0 * b), "yield": spread.within,
@@ -91,7 +81,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     } else {
         print(&summary(&design.name, own, count, &spread, band));
         let (file, page) = (args.out.display().to_string(), page.display().to_string());
-        let files = serde_json::json!({"file": file, "page": page});
+        let files = json!({"file": file, "page": page});
         print(&words::fill("sweep-scatter-files", &files));
     }
     Ok(BUILT)
@@ -119,8 +109,8 @@ fn table(made: &[Made]) -> String {
 
 fn summary(name: &str, own: f64, count: u64, s: &Spread, band: Option<f64>) -> String {
     let [p5, median, p95] = s.quantiles.map(|x| fixed(x, 3));
-    let head = serde_json::json!({"name": name, "count": count.to_string(), "own": fixed(own, 3)});
-    let spread = serde_json::json!({"mean": fixed(s.mean, 3), "deviation": fixed(s.deviation, 3),
+    let head = json!({"name": name, "count": count.to_string(), "own": fixed(own, 3)});
+    let spread = json!({"mean": fixed(s.mean, 3), "deviation": fixed(s.deviation, 3),
         "p5": p5, "p95": p95, "median": median, "largest": fixed(s.largest, 3)});
     let mut out = format!(
         "{}\n  {}",
@@ -128,8 +118,7 @@ fn summary(name: &str, own: f64, count: u64, s: &Spread, band: Option<f64>) -> S
         words::fill("sweep-spread", &spread)
     );
     if let (Some(band), Some(within)) = (band, s.within) {
-        let share =
-            serde_json::json!({"within": fixed(100.0 * within, 2), "band": fixed(100.0 * band, 3)});
+        let share = json!({"within": fixed(100.0 * within, 2), "band": fixed(100.0 * band, 3)});
         let _ = write!(out, "\n  {}", words::fill("sweep-yield", &share));
     }
     out
@@ -153,26 +142,20 @@ fn report(
     if let Some(band) = band {
         levels.push((100.0 * band, limit.as_str()));
     }
-    let named = serde_json::json!({"name": name});
-    let picture = histogram(
-        &words::fill("scatter-picture", &named),
-        &quantity,
-        &levels,
-        language::current(),
-    );
+    let named = json!({"name": name});
+    let title = words::fill("scatter-picture", &named);
+    let picture = histogram(&title, &quantity, &levels, language::current());
     let heading = words::text("scatter-heading");
+    let tolerances = Table {
+        head: vec![words::text("scatter-tolerance")],
+        rows: args.tolerance.iter().map(|t| vec![t.clone()]).collect(),
+    };
     let page = Page {
         title: words::fill("scatter-title", &named),
         words: words::text("scatter-how"),
         cards: cards(own, s, band),
         pictures: vec![(&heading, &picture)],
-        tables: vec![(
-            words::text("scatter-tolerances"),
-            Table {
-                head: vec![words::text("scatter-tolerance")],
-                rows: args.tolerance.iter().map(|t| vec![t.clone()]).collect(),
-            },
-        )],
+        tables: vec![(words::text("scatter-tolerances"), tolerances)],
     };
     html(&page, language::current())
 }
@@ -190,7 +173,7 @@ fn cards(own: f64, s: &Spread, band: Option<f64>) -> Vec<(String, String, String
     ];
     if let (Some(band), Some(within)) = (band, s.within) {
         let (name, value, _) = card("scatter-yield", 100.0 * within);
-        let band = serde_json::json!({"band": fixed(100.0 * band, 3)});
+        let band = json!({"band": fixed(100.0 * band, 3)});
         out.push((name, value, words::fill("scatter-within", &band)));
     }
     out

@@ -36,18 +36,12 @@ const COLUMNS: [&str; 11] = [
 pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     let against = traded(pair).map_err(input::at_flag("--front"))?;
     let input = input::scene(&args.scene)?;
-    let folder = Folder::open(&input::result_folder(
-        &input,
-        args.out.as_deref(),
-        "-front",
-    )?)?;
+    let path = input::result_folder(&input, args.out.as_deref(), "-front")?;
+    let folder = Folder::open(&path)?;
     let target = input.target()?;
     let points = args.points.unwrap_or(POINTS) as usize;
-    let front = trade(
-        &Problem::resolve(&input.scene, target.as_ref())?,
-        against,
-        points,
-    )?;
+    let problem = Problem::resolve(&input.scene, target.as_ref())?;
+    let front = trade(&problem, against, points)?;
     if front.is_empty() {
         report(words::text("trade-none"));
         return Ok(NO_SUCH_CAM);
@@ -64,16 +58,11 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         ..column(against.key, &|t| factor * value(against, t))
     };
     let y = column("force_rms_error_n", &|t| t.design.force.rms_error_n);
-    let line: Vec<(f64, f64)> = x
-        .values
-        .iter()
-        .copied()
-        .zip(y.values.iter().copied())
-        .collect();
+    let line = x.values.iter().copied().zip(y.values.iter().copied());
+    let line: Vec<(f64, f64)> = line.collect();
     let title = title(&input.scene.name, against);
     let picture = sweep_plots::front(&title, &x, &y, &line, None).in_language(language::current());
-    folder.write("front.svg", picture.svg().as_bytes())?;
-    folder.write("front.png", &picture.png())?;
+    folder.write_picture("front", &picture)?;
     if args.json {
         let rows: Vec<_> = front
             .iter()
@@ -98,8 +87,8 @@ fn quantity_name(against: &Figure) -> String {
 }
 
 fn title(name: &str, against: &Figure) -> String {
-    let said = json!({"name": name, "quantity": quantity_name(against)});
-    words::fill("trade-title", &said)
+    let arguments = json!({"name": name, "quantity": quantity_name(against)});
+    words::fill("trade-title", &arguments)
 }
 
 /// Value of a figure in a design, SI.

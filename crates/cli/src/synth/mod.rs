@@ -215,17 +215,11 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
         let source = Source::new(design, answer.time(), &request.contents);
         remarks = files::write(&source, |name, bytes| folder.write(name, bytes))?;
     }
-    let explained = if args.explain && design.infeasible.is_none() {
-        let target = answer.target.as_ref();
-        Some(explain::lines(
-            &input.scene,
-            target,
-            design,
-            request.contents.points,
-        )?)
-    } else {
-        None
-    };
+    let mut explained = None;
+    if args.explain && design.infeasible.is_none() {
+        let (target, points) = (answer.target.as_ref(), request.contents.points);
+        explained = Some(explain::lines(&input.scene, target, design, points)?);
+    }
     let scene = input.resolved();
     let time = answer.time();
     let mut json = design::summary(design, &scene, time);

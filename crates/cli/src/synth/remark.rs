@@ -11,20 +11,20 @@ use gaitcam_files::Remark;
 /// A remark as a sentence, in the units of the follower.
 pub fn sentence(remark: &Remark, measures: Measures) -> String {
     match remark {
-        Remark::NoSolid(fault) => words::fill("synth-no-solid", &said(fault)),
-        Remark::NoStep(fault) => words::fill("synth-no-step", &said(fault)),
+        Remark::NoSolid(fault) => words::fill("synth-no-solid", &arguments(fault)),
+        Remark::NoStep(fault) => words::fill("synth-no-step", &arguments(fault)),
         Remark::Arcs { arcs, deviation } => {
             let deviation = words::power(1e3 * deviation, 2);
             words::fill("synth-arcs", &json!({"arcs": arcs, "deviation": deviation}))
         }
         Remark::NoBalanceHole => words::text("synth-no-balance-hole"),
         Remark::NoArcs => words::text("synth-no-arcs"),
-        Remark::NoProgram(fault) => words::fill("synth-no-program", &said(fault)),
+        Remark::NoProgram(fault) => words::fill("synth-no-program", &arguments(fault)),
         Remark::Gouge(gouge) => self::gouge(gouge, measures),
     }
 }
 
-fn said(fault: &Error) -> Value {
+fn arguments(fault: &Error) -> Value {
     json!({"fault": fault.sentence(language::current())})
 }
 

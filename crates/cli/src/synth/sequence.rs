@@ -3,7 +3,7 @@
 use gaitcam::synth::Design;
 use serde_json::json;
 
-use super::summary::row;
+use super::summary::{filled, row};
 use crate::{console::language, console::words};
 
 /// One line per step.
@@ -12,11 +12,9 @@ pub fn text(design: &Design) -> String {
     if solver.steps.is_empty() {
         return row("sequence", &words::text("synth-no-sequence"));
     }
+    let count = json!({"count": solver.steps.len()});
     let mut out = vec![
-        row(
-            "sequence",
-            &words::fill("synth-sequence", &json!({"count": solver.steps.len()})),
-        ),
+        filled("sequence", "synth-sequence", count),
         format!("  {}", words::text("synth-step-head")),
     ];
     for (i, step) in solver.steps.iter().enumerate() {

@@ -1,9 +1,9 @@
 //! The summary of a design on the console: verdict, reasons, numbers; at most 25 lines.
 
 use gaitcam::cam::{Check, Criterion, Hardness, Measures};
-use gaitcam::synth::{Binding, Design, SolverReport, in_units, sentences};
-use gaitcam_output::Timing;
-use serde_json::json;
+use gaitcam::synth::{Design, SolverReport, in_units, sentences};
+use gaitcam_output::{ActiveLimit, Timing};
+use serde_json::{Value, json};
 
 use crate::console::language;
 use crate::console::words::{self, fixed, power};
@@ -60,12 +60,17 @@ pub fn row(label: &str, text: &str) -> String {
     format!("  {label:<width$} {text}")
 }
 
+/// A sentence with its arguments in a row.
+pub fn filled(label: &str, key: &str, arguments: Value) -> String {
+    row(label, &words::fill(key, &arguments))
+}
+
 /// The first `most` lines, and how many more there are.
 fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
     if lines.len() > most {
         let left = lines.len() - (most - 1);
         lines.truncate(most - 1);
-        lines.push(row("", &words::fill(what, &json!({"count": left}))));
+        lines.push(filled("", what, json!({"count": left})));
     }
     lines
 }
@@ -79,13 +84,11 @@ fn check_line(mark: &str, check: &Check, measures: Measures) -> String {
         Criterion::RmsError => "synth-check-overall",
         _ => "synth-check",
     };
-    row(
+    filled(
         mark,
-        &words::fill(
-            message,
-            &json!({"name": words::name(check.name.name()), "value": value(check.worst), "limit": value(check.limit),
+        message,
+        json!({"name": words::name(check.name.name()), "value": value(check.worst), "limit": value(check.limit),
                 "at": words::decimal(measures.place(check.at, 2))}),
-        ),
     )
 }
 
@@ -116,21 +119,17 @@ fn force(design: &Design) -> Vec<String> {
     let f = &design.force;
     let factors = load_factors(design);
     let mut rows = vec![
-        row(
+        filled(
             "force",
-            &words::fill(
-                "synth-force-error",
-                &json!({"rms": fixed(f.rms_error_n, 2), "percent": fixed(f.rms_error_percent_of_mean, 3),
+            "synth-force-error",
+            json!({"rms": fixed(f.rms_error_n, 2), "percent": fixed(f.rms_error_percent_of_mean, 3),
                     "most": fixed(f.max_error_n, 2)}),
-            ),
         ),
-        row(
+        filled(
             "",
-            &words::fill(
-                "synth-force-range",
-                &json!({"low": fixed(without_negative_zero(f.min_n), 2), "high": fixed(f.max_n, 2),
+            "synth-force-range",
+            json!({"low": fixed(without_negative_zero(f.min_n), 2), "high": fixed(f.max_n, 2),
                     "mean": fixed(f.mean_n, 2)}),
-            ),
         ),
     ];
     rows.extend(factors);
@@ -145,12 +144,7 @@ fn load_factors(design: &Design) -> Option<String> {
         .map(|f| fixed(f.achieved, 3))
         .collect();
     let list = all.join("  ");
-    (!all.is_empty()).then(|| {
-        row(
-            "",
-            &words::fill("synth-load-factors", &json!({"list": list})),
-        )
-    })
+    (!all.is_empty()).then(|| filled("", "synth-load-factors", json!({"list": list})))
 }
 
 fn law(design: &Design) -> String {
@@ -164,13 +158,11 @@ fn law(design: &Design) -> String {
     } else {
         pieces
     };
-    row(
+    filled(
         "law",
-        &words::fill(
-            "synth-law",
-            &json!({"family": words::name(&design.family), "degree": design.degree, "pieces": pieces,
+        "synth-law",
+        json!({"family": words::name(&design.family), "degree": design.degree, "pieces": pieces,
                 "stroke": lift.after(&stroke)}),
-        ),
     )
 }
 
@@ -194,13 +186,11 @@ fn cam(design: &Design) -> String {
         0.0 => String::new(),
         offset => words::fill("synth-offset", &json!({"offset": mm(offset)})),
     };
-    row(
+    filled(
         "cam",
-        &words::fill(
-            "synth-cam",
-            &json!({"follower": words::name(follower.name()), "base": mm(follower.base_radius()),
+        "synth-cam",
+        json!({"follower": words::name(follower.name()), "base": mm(follower.base_radius()),
                 "prime": mm(follower.prime_radius()), "convex": mm(design.cam.curvature().convex.value), "offset": offset}),
-        ),
     )
 }
 
@@ -248,40 +238,19 @@ fn hertz(pressure: f64, hardness: Option<Hardness>) -> String {
     }
 }
 
-/// The contact points of one active limit, gathered.
-struct ActiveLimit<'a> {
-    strongest: &'a Binding,
-    points: usize,
-}
-
 /// One line per active limit, the largest multiplier first.
 fn active_limits(design: &Design) -> Vec<String> {
     let measures = design.cam.follower.measures();
-    let mut limits: Vec<ActiveLimit> = Vec::new();
-    for binding in &design.binding {
-        let known = limits
-            .iter_mut()
-            .find(|a| a.strongest.limit == binding.limit);
-        match known {
-            None => limits.push(ActiveLimit {
-                strongest: binding,
-                points: 1,
-            }),
-            Some(active) => {
-                active.points += 1;
-                if binding.multiplier.abs() > active.strongest.multiplier.abs() {
-                    active.strongest = binding;
-                }
-            }
-        }
-    }
-    let size = |a: &ActiveLimit| a.strongest.multiplier.abs();
-    limits.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    let mut limits = ActiveLimit::all(design);
+    limits.sort_by(|a, b| b.multiplier.abs().total_cmp(&a.multiplier.abs()));
     let lines = limits.iter().map(|a| {
-        let at = words::decimal(measures.place(a.strongest.at, 2));
-        let said =
-            json!({"limit": words::name(a.strongest.limit.name()), "points": a.points, "at": at});
-        row("active", &words::fill("synth-active", &said))
+        let at = words::decimal(measures.place(a.at, 2));
+        let limit = words::name(a.limit.name());
+        filled(
+            "active",
+            "synth-active",
+            json!({"limit": limit, "points": a.points, "at": at}),
+        )
     });
     at_most(ACTIVE_LIMITS, lines.collect(), "more-active")
 }
@@ -290,20 +259,14 @@ fn sensitivities(design: &Design) -> Vec<String> {
     let measures = design.cam.follower.measures();
     let lines = design.easing.iter().map(|easing| {
         let (name, unit, factor) = easing.in_words(measures, language::current());
-        row(
-            "relaxing",
-            &words::fill(
-                "synth-relaxing",
-                &json!({"limit": words::name(easing.limit.name()), "to": in_units(measures, easing.limit, easing.to, language::current()),
+        filled("relaxing", "synth-relaxing", json!({"limit": words::name(easing.limit.name()), "to": in_units(measures, easing.limit, easing.to, language::current()),
                     "name": name, "unit": unit, "after": fixed(factor * easing.after, 5),
-                    "before": fixed(factor * easing.before, 5)}),
-            ),
-        )
+                    "before": fixed(factor * easing.before, 5)}))
     });
     at_most(SENSITIVITIES, lines.collect(), "more-relaxing")
 }
 
-/// How the law was found and what simpler families missed.
+/// The solver's method, and the errors of simpler families.
 fn status(solver: &SolverReport) -> String {
     let language = language::current();
     let missed = solver.passed_over.iter().map(|p| p.sentence(language));
@@ -313,29 +276,22 @@ fn status(solver: &SolverReport) -> String {
 
 fn solver(design: &Design, time: Timing) -> Vec<String> {
     let solver = &design.solver;
-    let mut out = vec![row(
+    let mut out = vec![filled(
         "solved",
-        &words::fill(
-            "synth-solved",
-            &json!({"tier": words::name(solver.tier.name()), "solve": fixed(1e3 * time.solve_s, 3),
+        "synth-solved",
+        json!({"tier": words::name(solver.tier.name()), "solve": fixed(1e3 * time.solve_s, 3),
                 "total": fixed(1e3 * time.total_s, 0), "status": status(solver)}),
-        ),
     )];
     if let Some(c) = &solver.certificate {
-        out.push(row(
+        out.push(filled(
             "optimum",
-            &words::fill(
-                "synth-optimum",
-                &json!({"gap": power(c.relative_gap, 1), "kkt": power(c.stationarity, 1),
+            "synth-optimum",
+            json!({"gap": power(c.relative_gap, 1), "kkt": power(c.stationarity, 1),
                     "violation": power(c.violation, 1)}),
-            ),
         ));
         if let Some(doubt) = solver.doubt {
             let why = doubt.sentence(language::current());
-            out.push(row(
-                "",
-                &words::fill("synth-uncertified", &json!({ "why": why })),
-            ));
+            out.push(filled("", "synth-uncertified", json!({ "why": why })));
         }
     }
     out

@@ -6,7 +6,6 @@ mod picture;
 mod tables;
 
 pub use picture::picture;
-pub(crate) use picture::write_picture;
 pub use tables::{csv, markdown};
 
 /// One method at one size.

@@ -4,8 +4,6 @@ use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
 
 use super::{Across, Chart, Row};
-use gaitcam::error::Result;
-use gaitcam_output::folder::Folder;
 use gaitcam_output::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
 use gaitcam_output::{Picture, palette};
 
@@ -24,12 +22,6 @@ const COLOURS: [RGBAColor; 6] = [
     palette::ORANGE,
     palette::QUIET,
 ];
-
-/// Writes a picture as SVG and PNG.
-pub(crate) fn write_picture(folder: &Folder, name: &str, picture: &Picture) -> Result<()> {
-    folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
-    folder.write(&format!("{name}.png"), &picture.png())
-}
 
 /// The chart as a picture: a mark per row, the front as a stepped line, the default ringed.
 pub fn picture(chart: &Chart) -> Picture {

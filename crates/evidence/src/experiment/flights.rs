@@ -93,7 +93,7 @@ pub(super) fn restitution(out: &mut Page) {
             exponent: 1.5,
             restitution: e,
         };
-        let back = contact.pulse(1.0, 0.2, 0.0).rebound / 0.2;
+        let back = contact.rebound(1.0, 0.2) / 0.2;
         out.line(format_args!(
             "| {e} | {:.3} | {:.3} | {:.3} | {:.6} | {back:.8} |",
             returned_restitution(1.5 * (1.0 - e)),

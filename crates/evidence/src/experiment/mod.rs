@@ -2,13 +2,13 @@
 //! simulation. The text of reports/dynamics.md; everything in it is computed here but the times of
 //! [`peers`], which a benchmark measured.
 
-pub mod compliant;
+pub(crate) mod compliant;
 mod flights;
 mod give;
-pub mod motor;
+pub(crate) mod motor;
 mod outline;
-pub mod peers;
-pub mod pictures;
+pub(crate) mod peers;
+pub(crate) mod pictures;
 mod running;
 mod smoothing;
 

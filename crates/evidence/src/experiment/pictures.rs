@@ -1,41 +1,19 @@
-//! Curves for the pictures of reports/dynamics.md.
+//! The pictures of reports/dynamics.md.
 
+use super::peers::rapier;
 use super::{cams, scene, worst_force_error};
-use gaitcam::cam::Cam;
-use gaitcam::dynamics::{Model, Outcome, Row, simulate, thesis};
+use crate::chart::{self, Across, Chart, Row};
+use gaitcam::dynamics::{self, Model, Outcome, simulate, thesis};
 use gaitcam::error::Result;
+use gaitcam_output::Picture;
+use gaitcam_output::overlay::{Strip, diagrams};
 
-/// One curve of a picture.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Curve {
-    /// Name in the legend.
-    pub name: String,
-    /// Points (abscissa, ordinate).
-    pub points: Vec<(f64, f64)>,
-}
+/// A curve with its name in the legend.
+type Curve = (String, Vec<(f64, f64)>);
 
-/// One picture of the report.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Picture {
-    /// File name without extension.
-    pub name: &'static str,
-    /// Title.
-    pub title: &'static str,
-    /// What runs to the right, with its unit.
-    pub x: &'static str,
-    /// What runs upwards, with its unit.
-    pub y: &'static str,
-    /// Whether both axes are logarithmic.
-    pub logarithmic: bool,
-    /// The curves.
-    pub curves: Vec<Curve>,
-}
-
-/// The pictures that go with [`report`](super::report).
-pub fn pictures() -> Result<Vec<Picture>> {
-    let mut forces = Vec::new();
-    let mut torques = Vec::new();
-    let mut lifted = Vec::new();
+/// Every picture of [`report`](super::report) with its file name. Fails as the report does.
+pub fn pictures() -> Result<Vec<(&'static str, Picture)>> {
+    let (mut forces, mut torques, mut gaps) = (Vec::new(), Vec::new(), Vec::new());
     for (name, cam, fast) in cams() {
         for (machine, drive) in [
             ("real", thesis::real(thesis::SPEED)),
@@ -43,97 +21,90 @@ pub fn pictures() -> Result<Vec<Picture>> {
         ] {
             let out = simulate(&scene(&cam, drive), Model::Rigid)?;
             let name = format!("{name}, {machine}");
-            torques.push(over_the_turn(name.clone(), &out, |r| r.torque));
-            forces.push(over_the_turn(name, &out, |r| r.contact_force));
+            torques.push((name.clone(), over_the_turn(&out, |r| r.torque)));
+            forces.push((name, over_the_turn(&out, |r| r.contact_force)));
         }
         for e in [0.0, 0.5] {
-            let out = bouncing(&cam, fast, e)?;
+            let mut run = scene(&cam, thesis::real(fast));
+            run.machine.restitution = e;
+            let out = simulate(&run, Model::Contact)?;
             let name = format!("{name}, {fast} rad/s, e = {e}");
-            lifted.push(over_the_turn(name, &out, |r| 1e3 * r.gap));
+            gaps.push((name, over_the_turn(&out, |r| 1e3 * r.gap)));
         }
     }
-    let errors = cams()
-        .into_iter()
-        .map(|(name, cam, _)| {
-            let points = [90, 180, 360, 720, 1440, 2880]
-                .into_iter()
-                .map(|n| Ok((n as f64, worst_force_error(&cam, n, 20.0)?)))
-                .collect::<Result<_>>()?;
-            Ok(Curve {
-                name: name.to_string(),
-                points,
-            })
-        })
-        .collect::<Result<_>>()?;
-    let picture = |name, title, x, y, logarithmic, curves| Picture {
-        name,
-        title,
-        x,
-        y,
-        logarithmic,
-        curves,
-    };
+    let force = diagram("Contact force at 11.624 rad/s", "force, N", forces);
+    let torque = diagram("Shaft torque at 11.624 rad/s", "torque, N·m", torques);
+    let gap = diagram("Gap above the lift-off speed", "gap, mm", gaps);
     Ok(vec![
-        picture(
-            "dynamics_force",
-            "Contact force at 11.624 rad/s",
-            "cam angle (degrees)",
-            "force, N",
-            false,
-            forces,
-        ),
-        picture(
-            "dynamics_torque",
-            "Shaft torque at 11.624 rad/s",
-            "cam angle (degrees)",
-            "torque, N·m",
-            false,
-            torques,
-        ),
-        picture(
-            "dynamics_gap",
-            "Gap above the lift-off speed",
-            "cam angle (degrees)",
-            "gap, mm",
-            false,
-            lifted,
-        ),
-        picture(
-            "dynamics_convergence",
-            "Largest force error against points per turn, 20 rad/s",
-            "points",
-            "error (N)",
-            true,
-            errors,
-        ),
+        ("dynamics_force", force),
+        ("dynamics_torque", torque),
+        ("dynamics_gap", gap),
+        ("dynamics_convergence", convergence()?),
+        ("dynamics_rapier", against_time()),
     ])
 }
 
-fn over_the_turn(name: String, out: &Outcome, value: fn(&Row) -> f64) -> Curve {
+fn over_the_turn(out: &Outcome, value: fn(&dynamics::Row) -> f64) -> Vec<(f64, f64)> {
     let points = out.rows.iter().map(|r| (r.theta.to_degrees(), value(r)));
-    Curve {
-        name,
-        points: points.collect(),
-    }
+    points.collect()
 }
 
-fn bouncing(cam: &Cam, speed: f64, e: f64) -> Result<Outcome> {
-    let mut run = scene(cam, thesis::real(speed));
-    run.machine.restitution = e;
-    simulate(&run, Model::Contact)
+fn diagram(title: &str, quantity: &str, curves: Vec<Curve>) -> Picture {
+    let (names, curves): (Vec<String>, Vec<_>) = curves.into_iter().unzip();
+    let quantity = quantity.to_string();
+    diagrams(title, "", &names, &[Strip { quantity, curves }])
+}
+
+/// Force error of the emitted points against their number.
+fn convergence() -> Result<Picture> {
+    let mut rows = Vec::new();
+    for (name, cam, _) in cams() {
+        for n in [90, 180, 360, 720, 1440, 2880] {
+            rows.push(Row {
+                method: name.to_string(),
+                error: worst_force_error(&cam, n, 20.0)?,
+                points: Some(n),
+                ..Row::default()
+            });
+        }
+    }
+    Ok(chart::picture(&Chart {
+        title: "Largest force error against points per turn, 20 rad/s".to_string(),
+        error: "error (N)".to_string(),
+        across: Across::Points,
+        rows,
+        ..Chart::default()
+    }))
+}
+
+/// Height error of events and time steps against the wall time of a turn.
+fn against_time() -> Picture {
+    let row = |p: super::peers::Peer| Row {
+        method: p.method,
+        size: p.size,
+        error: p.rms,
+        seconds: p.seconds,
+        quartiles: (p.seconds, p.seconds),
+        ..Row::default()
+    };
+    chart::picture(&Chart {
+        title: "Eccentric at 35 rad/s: height error of one turn".to_string(),
+        error: "RMS error of the height, m".to_string(),
+        rows: rapier().into_iter().map(row).collect(),
+        ..Chart::default()
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-
     #[test]
-    fn every_picture_has_curves_with_finite_points() {
-        for picture in pictures().unwrap() {
-            assert!(!picture.curves.is_empty());
-            let points = picture.curves.iter().flat_map(|c| &c.points);
-            assert!(points.clone().count() > 5);
-            assert!(points.clone().all(|p| p.0.is_finite() && p.1.is_finite()));
+    fn every_picture_the_report_names_is_drawn() {
+        let text = crate::experiment::report().unwrap();
+        let pictures = super::pictures().unwrap();
+        for (name, picture) in &pictures {
+            assert!(text.contains(&format!("({name}.png)")), "{name}");
+            assert!(!picture.svg().contains("NaN"), "{name}");
         }
+        assert_eq!(text.matches(".png)").count(), pictures.len());
     }
 }

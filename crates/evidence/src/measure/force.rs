@@ -178,8 +178,8 @@ fn harmonics(
         rows.push(timing.row("harmonics", format!("{count}"), error));
     }
     // The default chooses the count as well, and pays for it.
-    let wanted = DEFAULT_ACCURACY * target.mean_n().abs();
-    let (law, timing) = watch.time(|| first_rung(target, drive, wanted).map(with_profile));
+    let allowed = DEFAULT_ACCURACY * target.mean_n().abs();
+    let (law, timing) = watch.time(|| first_rung(target, drive, allowed).map(with_profile));
     let law = law?.0;
     let size = format!("{}, chosen", law.waves(0).len());
     let row = timing.row("harmonics", size, force_error(&drive, &law, target));

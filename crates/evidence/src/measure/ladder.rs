@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use super::limits::violation;
+use super::limits::{peak, violation};
 use super::{Timing, Watch, footbridge, force_error};
 use crate::chart::{self, Across, Chart, Row};
 use crate::tiers::{self, Bound, Task};
@@ -54,7 +54,7 @@ impl Line {
 pub fn write(watch: &Watch, folder: &Folder, machine: &str) -> Result<()> {
     let lines = [closed_forms(watch)?, programs(watch)?, scenes(watch)?].concat();
     let spans = against_spans(watch)?;
-    chart::write_picture(folder, &spans.file, &chart::picture(&spans))?;
+    folder.write_picture(&spans.file, &chart::picture(&spans))?;
     folder.write("ladder.csv", csv(&lines, &spans).as_bytes())?;
     folder.write("ladder.md", page(&lines, &spans, machine).as_bytes())
 }
@@ -120,14 +120,10 @@ fn programs(watch: &Watch) -> Result<Vec<Line>> {
         force_error(&drive, &law, &target),
         "the force, RMS of the mean",
     )];
-    let peak = |order: usize| {
-        let (low, high) = law.extremes(order);
-        high.value.max(-low.value)
-    };
     for part in HELD {
         let bounds = [2, 3].map(|order| Bound {
             order,
-            most: part * peak(order),
+            most: part * peak(&law, order),
         });
         let task = Task {
             bounds: &bounds,
@@ -223,10 +219,9 @@ fn against_spans(watch: &Watch) -> Result<Chart> {
             });
         };
         push("equality: one factorisation", timing);
-        let (low, high) = answer?.law.extremes(2);
         let bounds = [Bound {
             order: 2,
-            most: 0.8 * high.value.max(-low.value),
+            most: 0.8 * peak(&answer?.law, 2),
         }];
         let task = Task {
             bounds: &bounds,

@@ -12,16 +12,20 @@ const SPANS: usize = 14;
 
 /// Largest |jerk| of a law beyond `most`, part of it; 0 when kept.
 pub fn violation(law: &Law, most: f64) -> f64 {
-    let (low, high) = law.extremes(3);
-    (high.value.max(-low.value) / most - 1.0).max(0.0)
+    (peak(law, 3) / most - 1.0).max(0.0)
+}
+
+/// Largest magnitude of a derivative of the lift.
+pub fn peak(law: &Law, order: usize) -> f64 {
+    let (low, high) = law.extremes(order);
+    high.value.max(-low.value)
 }
 
 /// A jerk limit on a quintic of 32 spans, held in every way.
 pub fn chart(watch: &Watch) -> Result<Chart> {
     let (target, drive) = footbridge()?;
     let free = Task::quintic(&target, drive, SPANS);
-    let (low, high) = free.free()?.law.extremes(3);
-    let most = ALLOWED * high.value.max(-low.value);
+    let most = ALLOWED * peak(&free.free()?.law, 3);
     let bounds = [Bound { order: 3, most }];
     let task = Task {
         bounds: &bounds,
@@ -31,11 +35,8 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
         tolerance: 1e-10,
         ..Settings::default()
     };
-    let truth = force_error(
-        &drive,
-        &task.conic(Between::Cone)?.solve(tight)?.law,
-        &target,
-    );
+    let best = task.conic(Between::Cone)?.solve(tight)?.law;
+    let truth = force_error(&drive, &best, &target);
     let mut rows = Vec::new();
     let mut push = |mut row: crate::chart::Row, law: &Law| {
         let (broken, error) = (violation(law, most), force_error(&drive, law, &target));

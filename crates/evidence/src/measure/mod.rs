@@ -55,7 +55,7 @@ pub fn write(quick: bool, out: &Path, say: &mut dyn FnMut(&str)) -> Result<()> {
         charts.push(chart);
     }
     for c in &charts {
-        chart::write_picture(&folder, &c.file, &chart::picture(c))?;
+        folder.write_picture(&c.file, &chart::picture(c))?;
     }
     folder.write("speed_accuracy.csv", chart::csv(&charts).as_bytes())?;
     let machine = machine(quick);

@@ -1,6 +1,6 @@
 //! Chart (e): settings and sizes of the interior-point solver.
 
-use super::limits::violation;
+use super::limits::{peak, violation};
 use super::{Watch, footbridge, force_error};
 use crate::chart::{Chart, Row};
 use crate::tiers::{Answer, Between, Bound, Settings, Task};
@@ -41,8 +41,7 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
     };
     for &spans in sizes {
         let free = Task::quintic(&target, drive, spans);
-        let (low, high) = free.free()?.law.extremes(3);
-        let most = 0.6 * high.value.max(-low.value);
+        let most = 0.6 * peak(&free.free()?.law, 3);
         let bounds = [Bound { order: 3, most }];
         let task = Task {
             bounds: &bounds,

@@ -83,15 +83,12 @@ pub(super) fn rows() -> Result<Vec<Row>> {
                 1e3 * value,
             );
             let text = groove.rho_pitch(theta, SURFACE).abs();
-            rows.add(
+            rows.misprint(
                 &here("radius of the middle line, R = 30 mm as the text says"),
                 "mm",
                 rho,
                 1e3 * text,
-                (
-                    Class::Misprint,
-                    "the table is for 21 mm and a roller of 5 mm, the text says 30 mm and 5.25 mm",
-                ),
+                "the table is for 21 mm and a roller of 5 mm, the text says 30 mm and 5.25 mm",
             );
         }
     }
@@ -105,15 +102,12 @@ pub(super) fn rows() -> Result<Vec<Row>> {
         .last()
         .copied()
         .unwrap_or(f64::NAN);
-    rows.add(
+    rows.misprint(
         "Berzak D: factor of x⁴ in the jerk",
         "",
         "-882",
         last,
-        (
-            Class::Misprint,
-            "the sign: the third derivative of 4.2x⁷ is +882x⁴",
-        ),
+        "the sign: the third derivative of 4.2x⁷ is +882x⁴",
     );
     let cycloidal = Rise::Cycloidal.factors()?.cj;
     let printed = format!("{:.3}", 4.0 * std::f64::consts::PI.powi(4));

@@ -1,6 +1,6 @@
 //! CAM-DAS: what its manual prints of its examples (theory §5), and misprints of its formulae.
 
-use super::{Class, Row, Rows, strip};
+use super::{Row, Rows, strip};
 use gaitcam::cam::{Cam, Closure, Conjugate, Follower, ProfilePoint};
 use gaitcam::error::Result;
 use gaitcam::law::{Extent, Law, Rise, Segment, constant_breadth, program};
@@ -263,15 +263,12 @@ fn geometry(rows: &mut Rows) -> Result<()> {
 fn formulae(rows: &mut Rows) -> Result<()> {
     let semi = Rise::SemicycloidalStart.ends()?.end.at.v;
     let harmonic = format!("{FRAC_PI_2:.4}");
-    rows.add(
+    rows.misprint(
         "semicycloidal, V_i = 0: end speed, printed π/2·L/β",
         "L/β",
         &harmonic,
         semi,
-        (
-            Class::Misprint,
-            "π/2 is the semiharmonic's; the semicycloidal leaves with 2L/β",
-        ),
+        "π/2 is the semiharmonic's; the semicycloidal leaves with 2L/β",
     );
     rows.silent(
         "semiharmonic, V_i = 0: end speed",
@@ -280,15 +277,12 @@ fn formulae(rows: &mut Rows) -> Result<()> {
         "",
     );
     let common = Rise::Freudenstein13.ends()?.start.at.v;
-    rows.add(
+    rows.misprint(
         "Freudenstein 1-3 with 1/54, as commonly printed: speed at the ends",
         "h/β",
         "0.000",
         common,
-        (
-            Class::Misprint,
-            "it does not rest at its ends (v = −1/56); with 1/81 it does: freudenstein-1-3-at-rest",
-        ),
+        "it does not rest at its ends (v = −1/56); with 1/81 it does: freudenstein-1-3-at-rest",
     );
     rows.stated(
         "Freudenstein 1-3 with 1/81: speed at the ends",
@@ -304,28 +298,22 @@ fn formulae(rows: &mut Rows) -> Result<()> {
         base_radius: base,
     };
     let printed = format!("{:.4}", (base / pivot).atan().to_degrees());
-    rows.add(
+    rows.misprint(
         "§4.2.4: start angle of a swinging face, base 30 mm and pivot 50 mm chosen",
         "°",
         &printed,
         face.start_angle().unwrap_or(f64::NAN).to_degrees(),
-        (
-            Class::Misprint,
-            "arctan is printed where the geometry, f + c·sin ξ₀ = Rb, asks for arcsin",
-        ),
+        "arctan is printed where the geometry, f + c·sin ξ₀ = Rb, asks for arcsin",
     );
     // §4: C = m + A cos[ξ(1 + ξ′)] is printed; the bracket belongs to the cosine alone.
     let (m, arm, xi, speed) = (80.0, 60.0, 2.0_f64, 0.2);
     let printed = format!("{:.4}", m + arm * (xi * (1.0 + speed)).cos());
-    rows.add(
+    rows.misprint(
         "oscillating roller: C for m 80, A 60 mm, ξ 2 rad, ξ′ 0.2, chosen",
         "mm",
         &printed,
         m + arm * xi.cos() * (1.0 + speed),
-        (
-            Class::Misprint,
-            "the bracket is misplaced: C = m + A cos ξ (1 + ξ′)",
-        ),
+        "the bracket is misplaced: C = m + A cos ξ (1 + ξ′)",
     );
     Ok(())
 }

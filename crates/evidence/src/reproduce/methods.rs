@@ -53,12 +53,12 @@ fn target() -> Result<ForceCurve> {
 
 fn measured(name: &str, law: &Law, drive: &Drive, target: &ForceCurve) -> Method {
     let angle = |i: usize| TAU * i as f64 / POINTS as f64;
-    let wanted: Vec<f64> = (0..POINTS).map(|i| target.at(angle(i))).collect();
+    let target_force: Vec<f64> = (0..POINTS).map(|i| target.at(angle(i))).collect();
     let own: Vec<f64> = (0..POINTS)
         .map(|i| drive.force(law.svaj(angle(i))))
         .collect();
     let distance = |shift: usize| {
-        let square = |i: usize| (own[(i + shift) % POINTS] - wanted[i]).powi(2);
+        let square = |i: usize| (own[(i + shift) % POINTS] - target_force[i]).powi(2);
         ((0..POINTS).map(square).sum::<f64>() / POINTS as f64).sqrt()
     };
     let (shift, rms_turned) = (0..POINTS)

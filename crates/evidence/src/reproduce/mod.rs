@@ -39,31 +39,27 @@ pub enum Class {
 }
 
 impl Class {
-    /// Every class with what it means.
-    const MEANINGS: [(Class, &str); 7] = [
-        (Class::Agrees, "equal to the digits printed"),
-        (
-            Class::Rounding,
-            "the last digits differ: rounded inputs or cut digits",
-        ),
-        (
-            Class::Sampling,
-            "the source reads extremes off whole degrees",
-        ),
-        (
-            Class::Misprint,
-            "the source's own formulas give the other value",
-        ),
-        (
-            Class::NotReproducible,
-            "no reading of the source gives the number",
-        ),
-        (
-            Class::Measured,
-            "a measurement, beside the value of the curve fitted to it",
-        ),
-        (Class::NotStated, "computed here; the source is silent"),
+    const ALL: [Class; 7] = [
+        Class::Agrees,
+        Class::Rounding,
+        Class::Sampling,
+        Class::Misprint,
+        Class::NotReproducible,
+        Class::Measured,
+        Class::NotStated,
     ];
+
+    fn meaning(self) -> &'static str {
+        match self {
+            Class::Agrees => "equal to the digits printed",
+            Class::Rounding => "the last digits differ: rounded inputs or cut digits",
+            Class::Sampling => "the source reads extremes off whole degrees",
+            Class::Misprint => "the source's own formulas give the other value",
+            Class::NotReproducible => "no reading of the source gives the number",
+            Class::Measured => "a measurement, beside the value of the curve fitted to it",
+            Class::NotStated => "computed here; the source is silent",
+        }
+    }
 
     /// The words of the report.
     pub fn name(self) -> &'static str {
@@ -130,42 +126,15 @@ impl Rows {
         recomputed: f64,
         reason: &str,
     ) {
-        self.add(
-            quantity,
-            unit,
-            stated,
-            recomputed,
-            (Class::Misprint, reason),
-        );
+        let otherwise = (Class::Misprint, reason);
+        self.add(quantity, unit, stated, recomputed, otherwise);
     }
 
     /// A number whose last printed digits may be cut or rounded.
     fn stated(&mut self, quantity: &str, unit: &'static str, stated: &str, recomputed: f64) {
         let reason = "the last printed digits are cut or rounded";
-        self.add(
-            quantity,
-            unit,
-            stated,
-            recomputed,
-            (Class::Rounding, reason),
-        );
-    }
-
-    /// A number printed as `stated`: agrees if equal to its digits, otherwise what `otherwise` says.
-    fn add(
-        &mut self,
-        quantity: &str,
-        unit: &'static str,
-        stated: &str,
-        recomputed: f64,
-        otherwise: (Class, &str),
-    ) {
-        let (class, reason) = if same_digits(stated, recomputed) {
-            (Class::Agrees, "")
-        } else {
-            otherwise
-        };
-        self.push(quantity, unit, stated, recomputed, class, reason);
+        let otherwise = (Class::Rounding, reason);
+        self.add(quantity, unit, stated, recomputed, otherwise);
     }
 
     /// An extreme that its source read off whole degrees.
@@ -188,18 +157,23 @@ impl Rows {
 
     /// A number that the source does not give.
     fn silent(&mut self, quantity: &str, unit: &'static str, recomputed: f64, reason: &str) {
-        self.push(quantity, unit, "", recomputed, Class::NotStated, reason);
+        self.add(quantity, unit, "", recomputed, (Class::NotStated, reason));
     }
 
-    fn push(
+    /// A number printed as `stated`: agrees if equal to its digits, otherwise what `otherwise` says.
+    fn add(
         &mut self,
         quantity: &str,
         unit: &'static str,
         stated: &str,
         recomputed: f64,
-        class: Class,
-        reason: &str,
+        otherwise: (Class, &str),
     ) {
+        let (class, reason) = if same_digits(stated, recomputed) {
+            (Class::Agrees, "")
+        } else {
+            otherwise
+        };
         self.list.push(Row {
             source: self.source,
             quantity: quantity.to_string(),
@@ -285,9 +259,9 @@ impl Reproduction {
             "# The papers' numbers, computed again\n\nWritten by `gaitcam reproduce`; every recomputed number comes from the library, none is copied.\n\n",
         );
         out.push_str("| class | meaning | numbers |\n|---|---|---:|\n");
-        for (class, meaning) in Class::MEANINGS {
-            let count = self.count(class);
-            let _ = writeln!(out, "| {} | {meaning} | {count} |", class.name());
+        for class in Class::ALL {
+            let (name, meaning, count) = (class.name(), class.meaning(), self.count(class));
+            let _ = writeln!(out, "| {name} | {meaning} | {count} |");
         }
         let mut source = "";
         for row in &self.rows {

@@ -59,15 +59,12 @@ pub(super) fn rows() -> Result<Vec<Row>> {
         "",
     );
     let rho = double.curvature().convex;
-    rows.add(
+    rows.misprint(
         "smallest radius of curvature, at 135°",
         "m",
         "0.02408",
         rho.value,
-        (
-            Class::Misprint,
-            "Rb + s + a at the thesis's own parameters gives the recomputed value",
-        ),
+        "Rb + s + a at the thesis's own parameters gives the recomputed value",
     );
     let (low, high) = double.law.extremes(1);
     let own = "3√3πh/(8β) at the thesis's own h and β gives the recomputed value";
@@ -94,7 +91,7 @@ pub(super) fn rows() -> Result<Vec<Row>> {
 /// The table of motor power against the time for 11.1 turns, with the fit of Campillo de Blas (2017) and the better one.
 fn motor_rows(rows: &mut Rows) -> Result<()> {
     let (factor, power) = motor::power_law(&thesis::MOTOR_TABLE)?;
-    let wanted = 6.0;
+    let seconds_asked = 6.0;
     let fit = (
         Class::NotReproducible,
         "least squares on the logarithms of the table as printed gives the other value",
@@ -105,10 +102,10 @@ fn motor_rows(rows: &mut Rows) -> Result<()> {
         "motor: power for 6 s",
         "%",
         "66.6",
-        motor::power_for(&thesis::MOTOR_TABLE, wanted)?,
+        motor::power_for(&thesis::MOTOR_TABLE, seconds_asked)?,
         fit,
     );
-    let own = (wanted / 347.9_f64).powf(1.0 / -0.967);
+    let own = (seconds_asked / 347.9_f64).powf(1.0 / -0.967);
     rows.stated(
         "motor: power for 6 s by the thesis's own fit",
         "%",

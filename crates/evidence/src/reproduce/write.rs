@@ -3,8 +3,7 @@
 use std::path::Path;
 
 use super::{Class, reproduce};
-use crate::thesis_run;
-use crate::{chart, experiment};
+use crate::experiment::{self, pictures::pictures};
 use gaitcam::error::Result;
 use gaitcam_output::folder::Folder;
 
@@ -19,11 +18,11 @@ pub fn write(out: &Path, say: &mut dyn FnMut(&str)) -> Result<()> {
     folder.write("reproduction.md", result.markdown().as_bytes())?;
     folder.write("reproduction.csv", result.csv().as_bytes())?;
     folder.write("dynamics.md", experiment::report()?.as_bytes())?;
-    for (name, picture) in thesis_run::all()?.iter().chain(&result.pictures) {
-        chart::write_picture(&folder, name, picture)?;
+    for (name, picture) in pictures()?.iter().chain(&result.pictures) {
+        folder.write_picture(name, picture)?;
     }
     say(&format!("{} numbers of the papers:", result.rows.len()));
-    for (class, _) in Class::MEANINGS {
+    for class in Class::ALL {
         say(&format!("  {:>4}  {}", result.count(class), class.name()));
     }
     for m in &result.methods {

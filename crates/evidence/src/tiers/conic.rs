@@ -163,11 +163,6 @@ impl Conic {
         }
     }
 
-    /// Number of rows.
-    pub fn rows(&self) -> usize {
-        self.rows.len()
-    }
-
     /// Objective in the solver's unit: the largest of H's diagonal counts 1.
     fn unit(&self) -> f64 {
         let largest = (self.hessian.iter())

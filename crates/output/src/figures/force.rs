@@ -41,21 +41,21 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
             panel.across(&words::across(words, measures))?;
             return f.key(legend, e, &[(BLUE, 2.6, &names.curve)]);
         };
-        let wanted = wanted(synthesis, target);
-        let asked = asked_band(synthesis, &wanted);
-        let band = asked.clone().or_else(|| spread(synthesis, &wanted));
+        let desired = desired(synthesis, target);
+        let tolerance = tolerance_band(synthesis, &desired);
+        let band = tolerance.clone().or_else(|| spread(synthesis, &desired));
         let frames = strips(frame, &[2.6, 1.0], 1.0 * e);
         let edges = band.iter().flat_map(|(u, l)| u.iter().chain(l));
-        let others = wanted.iter().chain(edges).map(|p| p.1);
+        let others = desired.iter().chain(edges).map(|p| p.1);
         let panel = achieved.panel(&f, synthesis, frames[0], others)?;
         if let Some((upper, lower)) = &band {
             panel.band(upper, lower, ORANGE.mix(0.22))?;
         }
-        panel.curve(&wanted, ORANGE.mix(0.55), 8.0)?;
+        panel.curve(&desired, ORANGE.mix(0.55), 8.0)?;
         panel.curve(&achieved.curve, BLUE, 2.4)?;
         achieved.marks(&panel)?;
         panel.quantity(&names.axis)?;
-        let held = asked.as_ref().map(|band| (band, wanted.as_slice()));
+        let held = tolerance.as_ref().map(|band| (band, desired.as_slice()));
         difference(&f, synthesis, target, frames[1], held, words)?;
 
         let text = |key: &str| words.text(key);
@@ -69,7 +69,7 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
             text("figure-difference")
         };
         let (target, given) = (text("figure-target"), text("figure-achieved"));
-        let around = text(match asked {
+        let around = text(match tolerance {
             Some(_) => "figure-tolerance-band",
             None => "figure-step-band",
         });
@@ -137,7 +137,7 @@ impl Achieved {
 }
 
 /// The target over the angle.
-fn wanted(synthesis: &Design, target: &ForceCurve) -> Vec<(f64, f64)> {
+fn desired(synthesis: &Design, target: &ForceCurve) -> Vec<(f64, f64)> {
     let law = synthesis.pressing();
     let factor = synthesis.cam.follower.measures().angle().factor;
     let mut curve: Vec<(f64, f64)> = ends_of(synthesis)
@@ -164,13 +164,13 @@ fn difference(
     let error: Vec<(f64, f64)> = motion(law)
         .iter()
         .map(|(t, m)| {
-            let wanted = target_at(target, law, *t);
-            (across(*t), synthesis.drive.force(*m) - wanted)
+            let desired = target_at(target, law, *t);
+            (across(*t), synthesis.drive.force(*m) - desired)
         })
         .collect();
     let rms = synthesis.force.rms_error_n;
     let bounds: Vec<Vec<(f64, f64)>> = match held {
-        Some(((upper, lower), wanted)) => [upper, lower].map(|e| apart(e, wanted)).to_vec(),
+        Some(((upper, lower), desired)) => [upper, lower].map(|e| apart(e, desired)).to_vec(),
         None => [rms, -rms]
             .map(|level| ends_of(synthesis).map(|t| (across(t), level)).to_vec())
             .to_vec(),
@@ -230,13 +230,13 @@ pub(crate) fn force_frame(layout: Layout) -> Frame {
 type Band = (Vec<(f64, f64)>, Vec<(f64, f64)>);
 
 /// Upper and lower edge of the tolerance band of the scene, at the angles of the target.
-fn asked_band(synthesis: &Design, wanted: &[(f64, f64)]) -> Option<Band> {
+fn tolerance_band(synthesis: &Design, desired: &[(f64, f64)]) -> Option<Band> {
     let [low, high] = synthesis.band.as_ref()?;
     let cam = &synthesis.cam;
     let factor = cam.follower.measures().angle().factor;
     let edge = |curve: &ForceCurve| {
         let at = |across: f64| target_at(curve, &cam.law, across / factor);
-        wanted.iter().map(|&(x, _)| (x, at(x))).collect()
+        desired.iter().map(|&(x, _)| (x, at(x))).collect()
     };
     Some((edge(high), edge(low)))
 }
@@ -248,7 +248,7 @@ fn apart(curve: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 /// Upper and lower edge of the step-to-step spread about the target force.
-fn spread(synthesis: &Design, wanted: &[(f64, f64)]) -> Option<Band> {
+fn spread(synthesis: &Design, desired: &[(f64, f64)]) -> Option<Band> {
     let target = synthesis.target.as_ref()?;
     let sd = target.spread_n.as_ref()?;
     let n = sd.len();
@@ -261,6 +261,11 @@ fn spread(synthesis: &Design, wanted: &[(f64, f64)]) -> Option<Band> {
         let (i, u) = (x.floor() as usize, x.fract());
         (1.0 - u) * sd[i % n] + u * sd[(i + 1) % n]
     };
-    let edge = |sign: f64| wanted.iter().map(|&(d, f)| (d, f + sign * at(d))).collect();
+    let edge = |sign: f64| {
+        desired
+            .iter()
+            .map(|&(d, f)| (d, f + sign * at(d)))
+            .collect()
+    };
     Some((edge(1.0), edge(-1.0)))
 }

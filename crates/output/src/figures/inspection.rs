@@ -18,13 +18,13 @@ const SHOWN: f64 = 0.08;
 /// Deviations along the normal and, where the cam's law is known, the force as designed and as made.
 pub fn diagram(
     design: &Design,
-    found: &Inspection,
+    inspected: &Inspection,
     made: Option<&MadeCam>,
     language: Language,
 ) -> Picture {
     let words = words::words(language);
     let measures = design.cam.follower.measures();
-    let points = found
+    let points = inspected
         .deviations
         .iter()
         .map(|d| (d.theta.to_degrees(), 1e6 * d.normal));
@@ -61,10 +61,10 @@ pub fn diagram(
 }
 
 /// The profile with the deviations drawn along its normals, exaggerated by a round factor.
-pub fn polar(design: &Design, found: &Inspection, language: Language) -> Picture {
+pub fn polar(design: &Design, inspected: &Inspection, language: Language) -> Picture {
     let words = words::words(language);
     let cam = &design.cam;
-    let largest = found
+    let largest = inspected
         .deviations
         .iter()
         .fold(0.0_f64, |m, d| m.max(d.normal.abs()));
@@ -72,7 +72,7 @@ pub fn polar(design: &Design, found: &Inspection, language: Language) -> Picture
     let profile = cam.profile(POINTS);
     let mut exact: Vec<[f64; 2]> = profile.iter().map(|p| [p.x, p.y]).collect();
     exact.extend(exact.first().copied());
-    let mut measured: Vec<[f64; 2]> = found
+    let mut measured: Vec<[f64; 2]> = inspected
         .deviations
         .iter()
         .map(|d| {

@@ -49,7 +49,7 @@ pub(crate) fn run_in(
         let within = |i: usize| start + (angle(i) - start) % length;
         let rigid = (outcome.model != Model::Rigid)
             .then(|| curve(&|i| synthesis.drive.force(law.svaj(within(i)))));
-        let wanted = synthesis
+        let target = synthesis
             .target
             .as_ref()
             .map(|t| curve(&|i| target_at(t, law, within(i))));
@@ -63,14 +63,14 @@ pub(crate) fn run_in(
         let values = force
             .iter()
             .chain(rigid.iter().flatten())
-            .chain(wanted.iter().flatten())
+            .chain(target.iter().flatten())
             .map(|p| p.1);
         let forces = panel(frames[0], padded(values.chain([0.0]), 0.08))?;
         let [target_name, rigid_name, run_name] =
             ["figure-target", "figure-rigid", "figure-simulated"].map(|k| words.text(k));
         let mut entries = Vec::new();
-        if let Some(wanted) = &wanted {
-            forces.curve(wanted, ORANGE.mix(0.55), 8.0)?;
+        if let Some(target) = &target {
+            forces.curve(target, ORANGE.mix(0.55), 8.0)?;
             entries.push((ORANGE.mix(0.55), 8.0, target_name.as_str()));
         }
         if let Some(rigid) = &rigid {

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::Running;
 use super::motion::{STEPS, angle_unit, motion, placed, slide};
-use crate::pose::{Pose, angles, face_reach, pose};
+use crate::pose::{Bounds, Pose, angles, face_reach, pose};
 use crate::words::Words;
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
 use gaitcam::dynamics::contact::two_cams::shifted;
@@ -16,21 +16,18 @@ const MM: f64 = 1000.0;
 /// Vertices of the outline.
 const POINTS: usize = 720;
 
-/// What the drawing must hold, mm, y up: left, right, bottom, top.
-struct Room {
-    left: f64,
-    right: f64,
-    bottom: f64,
-    top: f64,
-}
+/// Styles of the parts.
+const BODY: &str =
+    "style=\"fill:var(--blue);stroke:var(--blue)\" fill-opacity=\".16\" stroke-width=\"2.2\"";
+const SECOND: &str =
+    "style=\"fill:var(--purple);stroke:var(--purple)\" fill-opacity=\".12\" stroke-width=\"1.8\"";
+const PITCH: &str = "style=\"stroke:var(--orange)\" stroke-dasharray=\"3 3\" stroke-width=\"1.3\"";
+const FOLLOWER: &str = "style=\"fill:var(--grid);stroke:var(--ink)\" stroke-width=\"1.6\"";
 
-impl Room {
-    fn hold(&mut self, [x, y]: [f64; 2], margin: f64) {
-        self.left = self.left.min(x - margin);
-        self.right = self.right.max(x + margin);
-        self.bottom = self.bottom.min(y - margin);
-        self.top = self.top.max(y + margin);
-    }
+/// A path of the drawing.
+fn shape(out: &mut String, d: &str, style: &str) {
+    // Writing to a String cannot fail, here and below.
+    let _ = write!(out, "<path d=\"{d}\" {style}/>");
 }
 
 /// The drawing, its controls and the live values; of a run where there is one.
@@ -53,12 +50,7 @@ pub fn drawing(out: &mut String, synthesis: &Design, running: Option<&Running>, 
     let cam = &synthesis.cam;
     let rows = cam.profile(POINTS);
     let slides = slide(cam) > 0.0;
-    let mut room = Room {
-        left: 0.0,
-        right: 0.0,
-        bottom: 0.0,
-        top: 0.0,
-    };
+    let mut room = Bounds::default();
     let reach = reach(cam, &rows);
     let stem = 0.34 * reach;
     if slides {
@@ -72,10 +64,8 @@ pub fn drawing(out: &mut String, synthesis: &Design, running: Option<&Running>, 
     for follower in followers(synthesis) {
         for theta in angles(&follower.cam.law, STEPS) {
             let (at, _) = placed(follower.cam, theta);
-            let ([x, y], r) = (
-                at.map(|q| follower.sign * MM * q),
-                MM * follower.cam.follower.roller_radius(),
-            );
+            let [x, y] = at.map(|q| follower.sign * MM * q);
+            let r = MM * follower.cam.follower.roller_radius();
             room.hold([x, y], r);
             if follower.cam.follower.pivot().is_none() {
                 room.hold([x, y + follower.sign * (stem + r)], 0.0);
@@ -93,36 +83,32 @@ pub fn drawing(out: &mut String, synthesis: &Design, running: Option<&Running>, 
     if let Some(r) = running {
         let gap = r.outcome.rows.iter().fold(0.0_f64, |m, row| m.max(row.gap));
         if !cam.follower.is_oscillating() {
-            room.top += MM * gap;
+            room.high[1] += MM * gap;
         }
     }
-    let blank = 0.04 * (room.right - room.left);
-    let (width, height) = (
-        room.right - room.left + 2.0 * blank,
-        room.top - room.bottom + 2.0 * blank,
-    );
+    let [wide, high] = [0, 1].map(|k| room.high[k] - room.low[k]);
+    let blank = 0.04 * wide;
+    let (width, height) = (wide + 2.0 * blank, high + 2.0 * blank);
     let _ = write!(
         out,
         "<svg viewBox=\"{:.3} {:.3} {width:.3} {height:.3}\" role=\"img\" \
          aria-label=\"{}\" fill=\"none\"><g transform=\"scale(1 -1)\">\n\
          <g id=\"cam-turning\">",
-        room.left - blank,
-        -room.top - blank,
+        room.low[0] - blank,
+        -room.high[1] - blank,
         escaped(&words.text("report-alt-animation"))
     );
     if slides {
-        sliding_body(out, cam, &rows, room.bottom - blank);
+        sliding_body(out, cam, &rows, room.low[1] - blank);
     } else {
         turning_body(out, synthesis, running, &rows);
     }
     out.push_str("</g>\n");
     let mark = 0.06 * reach;
     if !slides {
-        let _ = writeln!(
-            out,
-            "<path d=\"M{:.3} 0H{mark:.3}M0 {:.3}V{mark:.3}\" style=\"stroke:var(--ink)\" stroke-width=\"1.4\"/>",
-            -mark, -mark
-        );
+        let d = format!("M{0:.3} 0H{mark:.3}M0 {0:.3}V{mark:.3}", -mark);
+        shape(out, &d, "style=\"stroke:var(--ink)\" stroke-width=\"1.4\"");
+        out.push('\n');
     }
     for follower in followers(synthesis) {
         draw_follower(out, &follower, reach, stem);
@@ -190,33 +176,21 @@ fn turning_body(
     }
     for other in &others {
         let outline = path(other.iter().map(|p| [p.x, p.y]), closed);
-        let _ = write!(
-            out,
-            "<path d=\"{outline}\" style=\"fill:var(--purple);stroke:var(--purple)\" fill-opacity=\".12\" stroke-width=\"1.8\"/>"
-        );
+        shape(out, &outline, SECOND);
     }
     let outline = path(rows.iter().map(|p| [p.x, p.y]), closed);
+    shape(out, &outline, BODY);
     let base = MM * cam.follower.base_radius();
     let _ = write!(
         out,
-        "<path d=\"{outline}\" style=\"fill:var(--blue);stroke:var(--blue)\" fill-opacity=\".16\" stroke-width=\"2.2\"/>\
-         <circle r=\"{base:.4}\" style=\"stroke:var(--green)\" stroke-dasharray=\"6 4\" stroke-width=\"1.3\"/>\
+        "<circle r=\"{base:.4}\" style=\"stroke:var(--green)\" stroke-dasharray=\"6 4\" stroke-width=\"1.3\"/>\
          <path d=\"M0 0V{:.4}\" style=\"stroke:var(--quiet)\" stroke-width=\"1.2\"/>",
         0.8 * base
     );
     if cam.follower.roller_radius() > 0.0 {
-        pitch(
-            out,
-            path(rows.iter().map(|p| [p.pitch_x, p.pitch_y]), closed),
-        );
+        let pitch = path(rows.iter().map(|p| [p.pitch_x, p.pitch_y]), closed);
+        shape(out, &pitch, PITCH);
     }
-}
-
-fn pitch(out: &mut String, path: String) {
-    let _ = write!(
-        out,
-        "<path d=\"{path}\" style=\"stroke:var(--orange)\" stroke-dasharray=\"3 3\" stroke-width=\"1.3\"/>"
-    );
 }
 
 /// A slide down to its foot, or the unrolled groove of a barrel with both walls; a closed law is shown
@@ -236,8 +210,6 @@ fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
             .collect()
     };
     let lower = along(|p| [p.x, p.y]);
-    let look =
-        "style=\"fill:var(--blue);stroke:var(--blue)\" fill-opacity=\".16\" stroke-width=\"2.2\"";
     let body = match cam.follower {
         Follower::Barrel { .. } => {
             let upper = along(|p| [2.0 * p.pitch_x - p.x, 2.0 * p.pitch_y - p.y]);
@@ -249,11 +221,9 @@ fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
             path(lower.into_iter().chain(ground), true)
         }
     };
-    let _ = write!(out, "<path d=\"{body}\" {look}/>");
-    pitch(
-        out,
-        path(along(|p| [p.pitch_x, p.pitch_y]).into_iter(), false),
-    );
+    shape(out, &body, BODY);
+    let pitch = along(|p| [p.pitch_x, p.pitch_y]);
+    shape(out, &path(pitch.into_iter(), false), PITCH);
 }
 
 /// The follower about its own origin: the foot of the stem, or the roller's centre. An arm lies along
@@ -261,39 +231,39 @@ fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
 fn draw_follower(out: &mut String, drawn: &Drawn, reach: f64, stem: f64) {
     let (cam, id) = (drawn.cam, drawn.id);
     let half = 0.04 * reach;
-    let look = "style=\"fill:var(--grid);stroke:var(--ink)\" stroke-width=\"1.6\"";
     let _ = write!(out, "<g id=\"{id}\">");
     let start = cam.law.extent().0;
     match (pose(cam, start), cam.follower.pivot()) {
         (Pose::Roller { radius, .. }, Some(_)) => {
             let arm = arm(&cam.follower);
-            bar(out, 0.0, arm, half, look);
+            let side = 0.7 * half;
+            let bar = format!("M0.000 {:.3}H{arm:.3}V{side:.3}H0.000Z", -side);
+            shape(out, &bar, FOLLOWER);
             // A knife edge at the end of an arm is its tip.
-            let r = if radius > 0.0 {
+            let tip = if radius > 0.0 {
                 MM * radius
             } else {
                 0.4 * half
             };
-            let _ = write!(out, "<circle r=\"{r:.4}\" {look}/>");
+            let _ = write!(out, "<circle r=\"{tip:.4}\" {FOLLOWER}/>");
             bearing(out, [0.0, 0.0], 0.2 * half);
             bearing(out, [arm, 0.0], 0.5 * half);
         }
         (Pose::Roller { radius: 0.0, .. }, None) => {
             let shoulder = 2.5 * half;
-            let _ = write!(
-                out,
-                "<path d=\"M0 0L{:.3} {shoulder:.3}V{stem:.3}H{half:.3}V{shoulder:.3}Z\" {look}/>",
-                -half
-            );
+            let left = -half;
+            let d = format!("M0 0L{left:.3} {shoulder:.3}V{stem:.3}H{half:.3}V{shoulder:.3}Z");
+            shape(out, &d, FOLLOWER);
         }
         (Pose::Roller { radius, .. }, None) => {
             let r = MM * radius;
             let top = r + stem;
-            let _ = write!(
+            shape(
                 out,
-                "<path d=\"M{:.3} 0V{top:.3}H{half:.3}V0\" {look}/><circle r=\"{r:.4}\" {look}/>",
-                -half
+                &format!("M{:.3} 0V{top:.3}H{half:.3}V0", -half),
+                FOLLOWER,
             );
+            let _ = write!(out, "<circle r=\"{r:.4}\" {FOLLOWER}/>");
             bearing(out, [0.0, 0.0], 0.2 * half);
         }
         (Pose::Face { .. }, pivot) => {
@@ -303,38 +273,21 @@ fn draw_follower(out: &mut String, drawn: &Drawn, reach: f64, stem: f64) {
             // The face's own normal away from the cam is −y where the pivot lies on +x.
             let up = pivot.map_or(1.0, |p| -p[0].signum());
             if pivot.is_none() {
-                let _ = write!(
-                    out,
-                    "<path d=\"M{:.3} {thick:.3}V{stem:.3}H{half:.3}V{thick:.3}\" {look}/>",
-                    -half
-                );
+                let d = format!("M{:.3} {thick:.3}V{stem:.3}H{half:.3}V{thick:.3}", -half);
+                shape(out, &d, FOLLOWER);
             }
-            let _ = write!(
-                out,
-                "<path d=\"M{low:.3} 0H{high:.3}V{:.3}H{low:.3}Z\" {look}/>",
-                up * thick
-            );
+            let d = format!("M{low:.3} 0H{high:.3}V{:.3}H{low:.3}Z", up * thick);
+            shape(out, &d, FOLLOWER);
             if let Follower::FlatOscillating { face_offset, .. } = cam.follower {
-                let _ = write!(
-                    out,
-                    "<path d=\"M0 {:.3}V0H{:.3}\" style=\"stroke:var(--ink)\" stroke-width=\"2.4\"/>",
-                    -up * MM * face_offset,
-                    if low + high < 0.0 { low } else { high }
-                );
-                bearing(out, [0.0, -up * MM * face_offset], 0.5 * half);
+                let pivot = -up * MM * face_offset;
+                let far = if low + high < 0.0 { low } else { high };
+                let d = format!("M0 {pivot:.3}V0H{far:.3}");
+                shape(out, &d, "style=\"stroke:var(--ink)\" stroke-width=\"2.4\"");
+                bearing(out, [0.0, pivot], 0.5 * half);
             }
         }
     }
     out.push_str("</g>\n");
-}
-
-fn bar(out: &mut String, from: f64, to: f64, half: f64, look: &str) {
-    let half = 0.7 * half;
-    let _ = write!(
-        out,
-        "<path d=\"M{from:.3} {:.3}H{to:.3}V{half:.3}H{from:.3}Z\" {look}/>",
-        -half
-    );
 }
 
 fn bearing(out: &mut String, [x, y]: [f64; 2], radius: f64) {
@@ -401,25 +354,19 @@ fn live_values(
     what: &'static str,
 ) -> Vec<(&'static str, &'static str)> {
     let slides = slide(cam) > 0.0 && !matches!(cam.follower, Follower::Barrel { .. });
+    let force = match cam.follower.is_oscillating() {
+        true => "report-now-moment",
+        false => "report-now-force",
+    };
+    let torque = match slides {
+        true => "report-push",
+        false => "report-torque",
+    };
     let mut rows = vec![
         ("now-angle", what),
         ("now-lift", "report-lift"),
-        (
-            "now-force",
-            if cam.follower.is_oscillating() {
-                "report-now-moment"
-            } else {
-                "report-now-force"
-            },
-        ),
-        (
-            "now-torque",
-            if slides {
-                "report-push"
-            } else {
-                "report-torque"
-            },
-        ),
+        ("now-force", force),
+        ("now-torque", torque),
     ];
     if running.is_some_and(|r| r.outcome.contact_lost) {
         rows.push(("now-gap", "report-gap"));

@@ -28,23 +28,15 @@ pub fn section(out: &mut String, synthesis: &Design, words: &Words) {
     figure(out, "svaj", Some(taller.frame()), &alt, &picture, words);
     heading(out, &words.text("report-cam-section"));
     let picture = cam_in(synthesis, Layout::figure(540), words);
-    figure(
-        out,
-        "cam",
-        None,
-        &cam_words(synthesis, words),
-        &picture,
-        words,
-    );
+    let alt = cam_words(synthesis, words);
+    figure(out, "cam", None, &alt, &picture, words);
     heading(out, &words.text("report-curvature-section"));
     let low = Layout::figure(430);
     let sharpest = synthesis.cam.curvature().convex;
     let place = synthesis.cam.follower.measures().place(sharpest.at, 1);
     let radius = millimetres(sharpest.value, 4);
-    let alt = words.fill(
-        "report-alt-curvature",
-        &[("radius", &radius), ("place", &place)],
-    );
+    let arguments = [("radius", &*radius), ("place", &place)];
+    let alt = words.fill("report-alt-curvature", &arguments);
     let picture = geometry_in(synthesis, low, words);
     figure(out, "geometry", Some(low.frame()), &alt, &picture, words);
 }
@@ -78,24 +70,14 @@ pub fn framed(out: &mut String, drawing: &str, words: &Words) {
 
 fn force(out: &mut String, synthesis: &Design, words: &Words) {
     let swings = synthesis.cam.follower.measures() == Measures::Oscillating;
-    heading(
-        out,
-        &words.text(if swings {
-            "report-moment-section"
-        } else {
-            "report-force-section"
-        }),
-    );
+    let (head, idle) = match swings {
+        true => ("report-moment-section", "report-idle-moment"),
+        false => ("report-force-section", "report-idle-force"),
+    };
+    heading(out, &words.text(head));
     comparison(out, synthesis, words);
     if synthesis.is_idle() {
-        paragraph(
-            out,
-            &words.text(if swings {
-                "report-idle-moment"
-            } else {
-                "report-idle-force"
-            }),
-        );
+        paragraph(out, &words.text(idle));
     }
     let tall = Layout::figure(500);
     let picture = force_in(synthesis, tall, words);

@@ -10,6 +10,8 @@ pub mod sweep;
 mod tables;
 mod workshop;
 
+pub use tables::ActiveLimit;
+
 use std::fmt::Write;
 
 use crate::Timing;
@@ -35,7 +37,7 @@ pub fn html(synthesis: &Design, time: Timing, language: Language) -> String {
 /// What is shown of a run.
 #[derive(Debug, Clone, Copy)]
 pub struct Running<'a> {
-    /// What the run found.
+    /// Results of the run.
     pub outcome: &'a Outcome,
     /// Angle by which a second, equal cam follows on the shaft, rad.
     pub second_cam: Option<f64>,

@@ -177,8 +177,8 @@ impl Barrel<'_> {
             }
             Place::Below | Place::Above => (k % n, place),
         };
-        let found = self.nodes[cut].iter().position(|node| node.place == place);
-        (cut, found.unwrap_or(0))
+        let index = self.nodes[cut].iter().position(|node| node.place == place);
+        (cut, index.unwrap_or(0))
     }
 
     /// The faces of a sector; the arcs of the barrel's ends go to `arcs`.

@@ -60,10 +60,10 @@ impl<'a> Sectors<'a> {
             openings: Vec::new(),
         };
         let middle = out.radii[out.radii.len() / 2];
-        let found: Vec<f64> = (out.meetings(0.0, &[middle])?.iter())
+        let meetings: Vec<f64> = (out.meetings(0.0, &[middle])?.iter())
             .map(|cut| cut.angles[0])
             .collect();
-        let start = out.free_angle(0.0, &found);
+        let start = out.free_angle(0.0, &meetings);
         let mut cuts = out.meetings(start, &out.radii)?;
         let all: Vec<f64> = cuts.iter().flat_map(|c| c.angles.clone()).collect();
         cuts.extend((0..PLAIN).map(|k| {
@@ -90,11 +90,11 @@ impl<'a> Sectors<'a> {
 
     /// θ with which a wall is touched at an angle on the cylinder of a radius.
     pub fn theta(&self, bound: Bound, angle: f64, radius: f64) -> f64 {
-        let wanted = angle + TAU * bound.turn as f64;
-        let beside = |theta: f64| self.groove.wall_at(theta, radius, bound.wall)[0] - wanted;
+        let target = angle + TAU * bound.turn as f64;
+        let difference = |theta: f64| self.groove.wall_at(theta, radius, bound.wall)[0] - target;
         // The contact is less than the roller's radius aside.
         let reach = (self.groove.roller_radius() / radius).min(1.0).asin();
-        root(beside, wanted - reach, wanted + reach)
+        root(difference, target - reach, target + reach)
     }
 
     /// Height of a wall, m.

@@ -55,8 +55,7 @@ pub fn run(args: &CompareArgs) -> Result<u8> {
     }
     let folder = Folder::open(&args.out)?;
     for (name, picture) in pictures(&designs) {
-        folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
-        folder.write(&format!("{name}.png"), &picture.png())?;
+        folder.write_picture(name, &picture)?;
     }
     folder.write("compare.md", table::markdown(&designs).as_bytes())?;
     if args.json {

@@ -15,7 +15,7 @@ use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::input::SceneArgs;
-use crate::sweep::beside;
+use crate::sweep::with_ending;
 use crate::synth::{self, SynthArgs};
 use gaitcam::error::{FileError, Placed, Result};
 use gaitcam::sweep::{Admission, Front, Key, Objective, Point};
@@ -61,8 +61,8 @@ pub struct FrontArgs {
 /// Rows of the front that are printed and shown on the page.
 const SHOWN: usize = 40;
 
-/// What was found in a table.
-struct Found {
+/// The designs of a table, judged by the objectives.
+struct Evaluation {
     columns: Columns,
     objectives: Vec<Objective>,
     kept: Kept,
@@ -73,8 +73,8 @@ struct Found {
 
 /// Finds the front and writes its files; exit code 3 when no design of the table will do.
 pub fn run(args: &FrontArgs) -> Result<u8> {
-    let found = gather(args)?;
-    let Some(best) = found.front.best().cloned() else {
+    let evaluated = gather(args)?;
+    let Some(best) = evaluated.front.best().cloned() else {
         let key = if args.all {
             "front-none-built"
         } else {
@@ -82,10 +82,10 @@ pub fn run(args: &FrontArgs) -> Result<u8> {
         };
         let file = args.file.display().to_string();
         report(words::fill(key, &json!({"file": file})));
-        report_left_out(&found);
+        report_left_out(&evaluated);
         return Ok(NO_SUCH_CAM);
     };
-    let sorted = found.front.sorted();
+    let sorted = evaluated.front.sorted();
     let folder = args.out.clone().unwrap_or_else(|| {
         let name = args
             .file
@@ -94,31 +94,31 @@ pub fn run(args: &FrontArgs) -> Result<u8> {
         PathBuf::from("out").join(format!("{}-front", name.unwrap_or_default()))
     });
     let folder = Folder::open(&folder)?;
-    folder.write("front.csv", csv(&found.columns, &sorted).as_bytes())?;
-    page::write(&args.file, &folder, &found, &sorted, &best)?;
+    folder.write("front.csv", csv(&evaluated.columns, &sorted).as_bytes())?;
+    page::write(&args.file, &folder, &evaluated, &sorted, &best)?;
     if args.json && !args.best {
-        print_json(&object(args, &found, &sorted, &best));
+        print_json(&object(args, &evaluated, &sorted, &best));
     } else if !args.json {
-        print(&text(args, &found, &sorted, &best));
-        report_left_out(&found);
+        print(&text(args, &evaluated, &sorted, &best));
+        report_left_out(&evaluated);
         print(&synth::files_in(folder.path(), "report.html"));
     }
     if args.best {
-        return open_best(args, &folder, &found.columns, &best);
+        return open_best(args, &folder, &evaluated.columns, &best);
     }
     Ok(BUILT)
 }
 
 /// Says how many designs do not count because they are not for high speed.
-fn report_left_out(found: &Found) {
-    if found.left_out > 0 {
-        let count = json!({"count": found.left_out});
+fn report_left_out(evaluated: &Evaluation) {
+    if evaluated.left_out > 0 {
+        let count = json!({"count": evaluated.left_out});
         report(words::fill("front-low-speed", &count));
     }
 }
 
 /// Reads the table once: the front, and enough rows for pictures.
-fn gather(args: &FrontArgs) -> Result<Found> {
+fn gather(args: &FrontArgs) -> Result<Evaluation> {
     let mut front = Front::default();
     let mut objectives: Vec<Objective> = Vec::new();
     let mut kept = Kept::default();
@@ -152,7 +152,7 @@ fn gather(args: &FrontArgs) -> Result<Found> {
     if objectives.is_empty() {
         return Err(CliError::EmptyTable.in_file(&args.file));
     }
-    Ok(Found {
+    Ok(Evaluation {
         columns,
         objectives,
         kept,
@@ -176,23 +176,23 @@ fn csv(columns: &Columns, front: &[&Point]) -> String {
 }
 
 /// The answer as JSON, SI.
-fn object(args: &FrontArgs, found: &Found, front: &[&Point], best: &Point) -> Value {
+fn object(args: &FrontArgs, evaluated: &Evaluation, front: &[&Point], best: &Point) -> Value {
     let named = |maximised: bool| -> Vec<&str> {
-        let all = found.objectives.iter();
+        let all = evaluated.objectives.iter();
         all.filter(|o| o.maximised == maximised)
             .map(|o| o.name.as_str())
             .collect()
     };
     let point = |p: &Point| {
         let mut out = json!({"row": p.row});
-        for (objective, cost) in found.objectives.iter().zip(&p.values) {
+        for (objective, cost) in evaluated.objectives.iter().zip(&p.values) {
             out[&objective.name] = json!(objective.value(*cost));
         }
         out
     };
     let points: Vec<Value> = front.iter().map(|p| point(p)).collect();
-    json!({"file": args.file.display().to_string(), "rows": found.kept.seen,
-        "candidates": found.kept.candidates, "not_for_high_speed_left_out": found.left_out,
+    json!({"file": args.file.display().to_string(), "rows": evaluated.kept.seen,
+        "candidates": evaluated.kept.candidates, "not_for_high_speed_left_out": evaluated.left_out,
         "minimise": named(false), "maximise": named(true), "front": points, "best": point(best)})
 }
 
@@ -206,19 +206,22 @@ fn row_name(columns: &Columns, point: &Point) -> String {
     }
 }
 
-fn text(args: &FrontArgs, found: &Found, front: &[&Point], best: &Point) -> String {
-    let kept = &found.kept;
+fn text(args: &FrontArgs, evaluated: &Evaluation, front: &[&Point], best: &Point) -> String {
+    let kept = &evaluated.kept;
     let mut out = vec![words::fill(
         "front-counts",
         &json!({"file": args.file.display().to_string(), "candidates": kept.candidates.to_string(),
             "seen": kept.seen.to_string(), "front": front.len().to_string()}),
     )];
-    let head: Vec<String> = found
+    let head: Vec<String> = evaluated
         .objectives
         .iter()
         .map(|o| format!("{:>28}", objective::label(o)))
         .collect();
-    let called: Vec<String> = front.iter().map(|p| row_name(&found.columns, p)).collect();
+    let called: Vec<String> = front
+        .iter()
+        .map(|p| row_name(&evaluated.columns, p))
+        .collect();
     let shown = called.iter().take(SHOWN);
     let wide = shown.map(|n| n.chars().count()).max().unwrap_or(0).max(12);
     out.push(format!(
@@ -227,7 +230,7 @@ fn text(args: &FrontArgs, found: &Found, front: &[&Point], best: &Point) -> Stri
         head.join(" ")
     ));
     for (p, name) in front.iter().zip(&called).take(SHOWN) {
-        let values: Vec<String> = found
+        let values: Vec<String> = evaluated
             .objectives
             .iter()
             .zip(&p.values)
@@ -252,7 +255,7 @@ fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point)
     let described = if args.file.is_dir() {
         args.file.join(PLAN)
     } else {
-        beside(&args.file, ".sweep.json")
+        with_ending(&args.file, ".sweep.json")
     };
     let bytes = read_bytes(&described)?;
     let sweep: Value = serde_json::from_slice(&bytes).map_err(|e| not_json(&described, &e))?;
@@ -304,17 +307,17 @@ fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point)
     })
 }
 
-/// The recording's path as it is found from here, since the new scene stands elsewhere.
+/// Makes the recording's path absolute, since the new scene is in another folder.
 fn absolute_file(table: &mut Table, folder: &Path) {
     let file = table.get_mut("gait").and_then(|g| g.get_mut("file"));
     if let Some(toml::Value::String(file)) = file {
-        let beside = folder.join(&*file);
-        let found = if beside.exists() {
-            beside
+        let in_folder = folder.join(&*file);
+        let path = if in_folder.exists() {
+            in_folder
         } else {
             PathBuf::from(&*file)
         };
-        if let Ok(path) = found.canonicalize() {
+        if let Ok(path) = path.canonicalize() {
             *file = path.to_string_lossy().into_owned();
         }
     }

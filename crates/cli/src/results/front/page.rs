@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::json;
 
-use super::{Found, SHOWN, objective, row_name};
+use super::{Evaluation, SHOWN, objective, row_name};
 use crate::console::language;
 use crate::console::words;
 use gaitcam::error::Result;
@@ -24,19 +24,18 @@ type Drawn = (&'static str, String, Picture);
 pub fn write(
     file: &Path,
     folder: &Folder,
-    found: &Found,
+    evaluated: &Evaluation,
     front: &[&Point],
     best: &Point,
 ) -> Result<()> {
     let name = file
         .file_name()
         .map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-    let drawn = pictures(&name, found, front, best);
+    let drawn = pictures(&name, evaluated, front, best);
     for (file, _, picture) in &drawn {
-        folder.write(&format!("{file}.svg"), picture.svg().as_bytes())?;
-        folder.write(&format!("{file}.png"), &picture.png())?;
+        folder.write_picture(file, picture)?;
     }
-    let page = page(&name, found, front, best, &drawn);
+    let page = page(&name, evaluated, front, best, &drawn);
     let html = sweep_report::html(&page, language::current());
     folder.write("report.html", html.as_bytes())
 }
@@ -49,14 +48,14 @@ fn fewer(mut q: Quantity) -> Quantity {
 }
 
 /// Heat map for two parameters, parallel coordinates for more, the front for two objectives.
-fn pictures(name: &str, found: &Found, front: &[&Point], best: &Point) -> Vec<Drawn> {
-    let kept = &found.kept;
+fn pictures(name: &str, evaluated: &Evaluation, front: &[&Point], best: &Point) -> Vec<Drawn> {
+    let kept = &evaluated.kept;
     let varied: Vec<usize> = (0..kept.inputs.len())
         .filter(|&k| kept.inputs[k].varies())
         .collect();
     let inputs: Vec<Quantity> = varied.iter().map(|&k| kept.inputs[k].quantity()).collect();
     let goals: Vec<Quantity> = (kept.goals.iter())
-        .zip(&found.objectives)
+        .zip(&evaluated.objectives)
         .map(|(values, objective)| Quantity {
             label: words::column(&objective.name),
             values: values.clone(),
@@ -65,12 +64,12 @@ fn pictures(name: &str, found: &Found, front: &[&Point], best: &Point) -> Vec<Dr
         .collect();
     let mut drawn = Vec::new();
     if let [x, y, ..] = &goals[..] {
-        let picture = plane(name, found, [x, y], front, best);
+        let picture = plane(name, evaluated, [x, y], front, best);
         drawn.push(("front", words::text("front-heading-front"), picture));
     }
     if let ([x, y], Some(z)) = (&inputs[..], goals.first()) {
         let shown = unit_for_people(&z.label).0;
-        let (title, sense) = if found.objectives[0].maximised {
+        let (title, sense) = if evaluated.objectives[0].maximised {
             ("front-picture-largest", sweep_plots::Best::Largest)
         } else {
             ("front-picture-least", sweep_plots::Best::Least)
@@ -82,7 +81,7 @@ fn pictures(name: &str, found: &Found, front: &[&Point], best: &Point) -> Vec<Dr
     }
     if inputs.len() + goals.len() > 1 {
         let all: Vec<Quantity> = inputs.into_iter().chain(goals).map(fewer).collect();
-        let picture = parallel(name, found, &varied, all, front, best);
+        let picture = parallel(name, evaluated, &varied, all, front, best);
         drawn.push(("parallel", words::text("front-heading-parallel"), picture));
     }
     drawn
@@ -91,12 +90,12 @@ fn pictures(name: &str, found: &Found, front: &[&Point], best: &Point) -> Vec<Dr
 /// The first two objectives of all designs, with the front.
 fn plane(
     name: &str,
-    found: &Found,
+    evaluated: &Evaluation,
     [x, y]: [&Quantity; 2],
     front: &[&Point],
     best: &Point,
 ) -> Picture {
-    let [a, b] = [0, 1].map(|k| &found.objectives[k]);
+    let [a, b] = [0, 1].map(|k| &evaluated.objectives[k]);
     let place = |p: &Point| (a.value(p.values[0]), b.value(p.values[1]));
     let points: Vec<(f64, f64)> = front.iter().map(|p| place(p)).collect();
     let title = words::fill("front-picture-front", &json!({"name": name}));
@@ -106,7 +105,7 @@ fn plane(
 
 fn parallel(
     name: &str,
-    found: &Found,
+    evaluated: &Evaluation,
     varied: &[usize],
     mut all: Vec<Quantity>,
     front: &[&Point],
@@ -116,11 +115,11 @@ fn parallel(
     let start = all[0].values.len();
     for p in front {
         for (k, q) in varied.iter().zip(&mut all) {
-            let input = &found.kept.inputs[*k];
+            let input = &evaluated.kept.inputs[*k];
             q.values.push(input.place(&p.cells[input.column]));
         }
         let goals = &mut all[varied.len()..];
-        for ((cost, objective), q) in p.values.iter().zip(&found.objectives).zip(goals) {
+        for ((cost, objective), q) in p.values.iter().zip(&evaluated.objectives).zip(goals) {
             q.values.push(objective.value(*cost));
         }
     }
@@ -135,34 +134,34 @@ fn parallel(
 
 fn page<'a>(
     name: &str,
-    found: &Found,
+    evaluated: &Evaluation,
     front: &[&Point],
     best: &Point,
     drawn: &'a [Drawn],
 ) -> sweep_report::Page<'a> {
-    let labels: Vec<String> = found.objectives.iter().map(objective::label).collect();
+    let labels: Vec<String> = evaluated.objectives.iter().map(objective::label).collect();
     let shown = |p: &Point| -> Vec<String> {
-        let both = found.objectives.iter().zip(&p.values);
+        let both = evaluated.objectives.iter().zip(&p.values);
         both.map(|(o, cost)| objective::shown(o, *cost)).collect()
     };
-    let counts = json!({"seen": found.kept.seen.to_string(),
-        "candidates": found.kept.candidates.to_string(), "front": front.len().to_string(),
+    let counts = json!({"seen": evaluated.kept.seen.to_string(),
+        "candidates": evaluated.kept.candidates.to_string(), "front": front.len().to_string(),
         "text": labels.join("; "), "row": best.row.to_string()});
-    let mut said = words::fill("front-page-counts", &counts);
-    if found.left_out > 0 {
-        let count = json!({"count": found.left_out});
-        said.push(' ');
-        said.push_str(&words::fill("front-page-low-speed", &count));
+    let mut sentence = words::fill("front-page-counts", &counts);
+    if evaluated.left_out > 0 {
+        let count = json!({"count": evaluated.left_out});
+        sentence.push(' ');
+        sentence.push_str(&words::fill("front-page-low-speed", &count));
     }
     let rows = front.iter().take(SHOWN).map(|p| {
-        let name = row_name(&found.columns, p);
+        let name = row_name(&evaluated.columns, p);
         std::iter::once(name).chain(shown(p)).collect()
     });
     let cards = labels.iter().cloned().zip(shown(best));
-    let cells = found.columns.names.iter().zip(&best.cells);
+    let cells = evaluated.columns.names.iter().zip(&best.cells);
     sweep_report::Page {
         title: words::fill("front-page-title", &json!({"name": name})),
-        words: said,
+        words: sentence,
         cards: cards
             .map(|(label, value)| (label, value, words::text("front-best")))
             .collect(),

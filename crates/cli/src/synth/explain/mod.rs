@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 
-use choices::{choices, chord_error, force_change, force_of_points, run};
+use choices::{Choice, choices, chord_error, force_change, force_of_points, run};
 use gaitcam::dynamics::{Model, simulate};
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
@@ -19,25 +19,16 @@ use crate::{console::language, console::words};
 /// Runs of which the quickest counts.
 const RUNS: usize = 5;
 
-/// One line of the explanation.
-pub struct Line {
-    subject: &'static str,
-    chosen: String,
-    because: String,
-    next: String,
-}
-
 /// Explains a design, running the next richer choices.
 pub fn lines(
     scene: &Scene,
     target: Option<&ForceCurve>,
     design: &Design,
     points: usize,
-) -> Result<Vec<Line>> {
+) -> Result<Vec<Choice>> {
     let mut out = Vec::new();
     let own = quickest(|| synthesise(scene, target)).1;
-    for choice in choices(scene, design) {
-        let mut next = choice.next;
+    for mut choice in choices(scene, design) {
         if let Some(richer) = &choice.richer {
             let (answer, seconds) = quickest(|| synthesise(richer, target));
             let change = match answer {
@@ -45,14 +36,9 @@ pub fn lines(
                 Ok(_) => words::text("explain-no-law"),
                 Err(fault) => fault.sentence(language::current()),
             };
-            next = instead(&next, &change, seconds, own);
+            choice.next = instead(&choice.next, &change, seconds, own);
         }
-        out.push(Line {
-            subject: choice.subject,
-            chosen: choice.chosen,
-            because: choice.because,
-            next,
-        });
+        out.push(choice);
     }
     if design.cam.law.is_closed() {
         out.extend(dynamics(design, points));
@@ -81,7 +67,7 @@ fn instead(next: &str, change: &str, seconds: f64, own: f64) -> String {
     )
 }
 
-fn dynamics(design: &Design, points: usize) -> Option<Line> {
+fn dynamics(design: &Design, points: usize) -> Option<Choice> {
     let run = run(design, points);
     let chosen = simulate(&run, Model::Auto).ok()?;
     let own = quickest(|| simulate(&run, chosen.model)).1;
@@ -96,45 +82,40 @@ fn dynamics(design: &Design, points: usize) -> Option<Line> {
                     &json!({"least": fixed(next.force_min, 4), "most": fixed(next.force_max, 4)}),
                 ),
             };
-            instead(
-                &crate::console::words::name(next.model.name()),
-                &change,
-                seconds,
-                own,
-            )
+            instead(&words::name(next.model.name()), &change, seconds, own)
         }
     };
-    Some(Line {
+    Some(Choice {
         subject: "dynamics",
-        chosen: crate::console::words::name(chosen.model.name()),
+        chosen: words::name(chosen.model.name()),
         because: chosen.why.sentence(language::current()),
         next,
+        richer: None,
     })
 }
 
-fn output(design: &Design, points: usize) -> Line {
+fn output(design: &Design, points: usize) -> Choice {
     let distance = |n: usize| {
-        let chord = 1e6 * chord_error(&design.cam, n);
-        let chord = fixed(chord, 4);
-        match force_of_points(design, n) {
-            Ok(force) => words::fill(
-                "explain-chords-force",
-                &json!({"chord": chord, "force": words::power(force, 2)}),
-            ),
-            Err(_) => words::fill("explain-chords", &json!({"chord": chord})),
-        }
+        let mut values = json!({"chord": fixed(1e6 * chord_error(&design.cam, n), 4)});
+        let Ok(force) = force_of_points(design, n) else {
+            return words::fill("explain-chords", &values);
+        };
+        values["force"] = words::power(force, 2).into();
+        words::fill("explain-chords-force", &values)
     };
     let time = |n: usize| quickest(|| design.cam.profile(n)).1;
-    Line {
+    let twice = 2 * points;
+    Choice {
         subject: "points",
         chosen: points.to_string(),
         because: distance(points),
         next: instead(
-            &(2 * points).to_string(),
-            &distance(2 * points),
-            time(2 * points),
+            &twice.to_string(),
+            &distance(twice),
+            time(twice),
             time(points),
         ),
+        richer: None,
     }
 }
 
@@ -156,13 +137,10 @@ fn ms(seconds: f64) -> String {
 }
 
 /// For people.
-pub fn text(name: &str, lines: &[Line]) -> String {
+pub fn text(name: &str, lines: &[Choice]) -> String {
     let subjects: Vec<String> = lines.iter().map(|l| words::name(l.subject)).collect();
-    let width = subjects
-        .iter()
-        .map(|s| s.chars().count())
-        .max()
-        .unwrap_or(0);
+    let width = subjects.iter().map(|s| s.chars().count()).max();
+    let width = width.unwrap_or(0);
     let mut out = vec![words::fill("explain-title", &json!({"name": name}))];
     for (line, subject) in lines.iter().zip(&subjects) {
         let because = words::fill("explain-because", &json!({"reason": line.because}));
@@ -175,7 +153,7 @@ pub fn text(name: &str, lines: &[Line]) -> String {
 }
 
 /// For programs: `explain` of summary.json.
-pub fn json(lines: &[Line]) -> Value {
+pub fn json(lines: &[Choice]) -> Value {
     lines
         .iter()
         .map(|l| json!({"subject": l.subject, "chosen": l.chosen, "because": l.because, "next": l.next}))

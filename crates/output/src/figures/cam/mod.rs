@@ -12,7 +12,7 @@ use crate::plot::layout::Layout;
 use crate::plot::palette::{AXIS, BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, RED};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn, Frame, Plane, fill, stroke, trace, units};
-use crate::pose::{Pose, face_reach, pose, turned};
+use crate::pose::{Bounds, Pose, face_reach, pose, turned};
 use crate::words::{self, Words};
 use gaitcam::cam::{Follower, ProfilePoint};
 use gaitcam::synth::Design;
@@ -128,8 +128,8 @@ impl<'a> Scene<'a> {
         pivot.map(|p| p.map(|x| MM * x))
     }
 
-    /// Left, right, bottom, top of everything drawn.
-    fn bounds(&self) -> [f64; 4] {
+    /// Everything drawn.
+    fn bounds(&self) -> Bounds {
         let round = if self.is_straight() {
             0.0
         } else if self.has_roller() {
@@ -137,58 +137,47 @@ impl<'a> Scene<'a> {
         } else {
             self.base
         };
-        let mut b = [-round, round, -round, round];
-        let mut hold = |x: f64, y: f64| {
-            b = [b[0].min(x), b[1].max(x), b[2].min(y), b[3].max(y)];
+        let mut out = Bounds {
+            low: [-round; 2],
+            high: [round; 2],
         };
+        let now = |p: [f64; 2]| turned(p.map(|x| MM * x), self.start);
         for p in &self.rows {
-            let now = |x: f64, y: f64| turned([MM * x, MM * y], self.start);
-            let [x, y] = now(p.x, p.y);
-            hold(x, y);
+            out.hold(now([p.x, p.y]), 0.0);
             if self.has_roller() {
-                let [x, y] = now(p.pitch_x, p.pitch_y);
-                hold(x, y);
+                out.hold(now([p.pitch_x, p.pitch_y]), 0.0);
             }
         }
-        for &[x, y] in self.others.iter().flatten() {
-            let [x, y] = turned([MM * x, MM * y], self.start);
-            hold(x, y);
+        for &p in self.others.iter().flatten() {
+            out.hold(now(p), 0.0);
         }
-        if let Some([x, y]) = self.pivot() {
-            let r = 0.06 * self.reach;
-            hold(x - r, y - r);
-            hold(x + r, y + r);
+        if let Some(pivot) = self.pivot() {
+            out.hold(pivot, 0.06 * self.reach);
         }
         match self.pose {
             Pose::Face { at, angle } if self.pivot().is_some() => {
-                let (_, high) = self.face();
-                hold(
-                    MM * at[0] + high * angle.cos(),
-                    MM * at[1] + high * angle.sin(),
-                );
-            }
-            Pose::Roller { centre, radius } if self.is_mushroom() => {
-                let [x, y] = centre.map(|c| MM * c);
-                hold(x - self.reach, y - MM * radius);
-                hold(x + self.reach, y - MM * radius + self.stem());
-            }
-            Pose::Roller { centre, radius } if self.pivot().is_some() => {
-                let [x, y] = centre.map(|c| MM * c);
-                hold(x - MM * radius, y - MM * radius);
-                hold(x + MM * radius, y + MM * radius);
+                let ([x, y], high) = (at.map(|c| MM * c), self.face().1);
+                out.hold([x + high * angle.cos(), y + high * angle.sin()], 0.0);
             }
             Pose::Face { at, .. } => {
                 let (low, high) = self.face();
-                hold(low, MM * at[1]);
-                hold(high, MM * at[1] + self.stem());
+                out.hold([low, MM * at[1]], 0.0);
+                out.hold([high, MM * at[1] + self.stem()], 0.0);
             }
             Pose::Roller { centre, radius } => {
-                let [x, y] = centre.map(|c| MM * c);
-                hold(x - MM * radius, y);
-                hold(x + MM * radius, y + MM * radius + self.stem());
+                let ([x, y], r) = (centre.map(|c| MM * c), MM * radius);
+                if self.is_mushroom() {
+                    out.hold([x - self.reach, y - r], 0.0);
+                    out.hold([x + self.reach, y - r + self.stem()], 0.0);
+                } else if self.pivot().is_some() {
+                    out.hold([x, y], r);
+                } else {
+                    out.hold([x - r, y], 0.0);
+                    out.hold([x + r, y + r + self.stem()], 0.0);
+                }
             }
         }
-        b
+        out
     }
 
     /// Length of the drawn stem.
@@ -205,14 +194,15 @@ impl<'a> Scene<'a> {
 
     /// Axes of one scale in both directions, centred in the space given, and the points per mm.
     fn plane<'c>(&self, canvas: &Canvas<'c>, frame: Frame) -> (Plane<'c>, f64) {
-        let [left, right, bottom, top] = self.bounds();
-        let (w, h) = (right - left, top - bottom);
+        let Bounds { low, high } = self.bounds();
+        let [w, h] = [0, 1].map(|k| high[k] - low[k]);
         let blank = MARGIN * w.max(h);
         let room = [frame.right - frame.left, frame.bottom - frame.top];
         let scale = (room[0] / (w + 2.0 * blank)).min(room[1] / (h + 2.0 * blank));
-        let middle = [0.5 * (left + right), 0.5 * (bottom + top)];
-        let half = [0.5 * room[0] / scale, 0.5 * room[1] / scale];
-        let [x, y] = [0, 1].map(|k| [middle[k] - half[k], middle[k] + half[k]]);
+        let [x, y] = [0, 1].map(|k| {
+            let (middle, half) = (0.5 * (low[k] + high[k]), 0.5 * room[k] / scale);
+            [middle - half, middle + half]
+        });
         (frame.plane(canvas, x, y), scale)
     }
 

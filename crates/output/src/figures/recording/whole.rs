@@ -181,8 +181,8 @@ fn draw_lanes(
         }
     }
     let mut y = top + (shown.len() as f64 * LANE + 1.0) * e;
-    for (number, (_, said)) in reasons.iter().enumerate() {
-        let text = format!("{}  {said}", number + 1);
+    for (number, (_, reason_text)) in reasons.iter().enumerate() {
+        let text = format!("{}  {reason_text}", number + 1);
         let plain = Lettering::new(0.9 * e, QUIET).anchored(HPos::Left, VPos::Center);
         f.write(&text, [frame.left, y], plain)?;
         y += 1.6 * e;

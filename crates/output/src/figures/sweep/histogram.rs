@@ -17,8 +17,8 @@ const BARS: usize = 40;
 
 /// How often each value occurs, with levels drawn across.
 pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)], language: Language) -> Picture {
-    let wanted = q.values.iter().copied().chain(levels.iter().map(|l| l.0));
-    let range = padded(wanted, 0.03);
+    let shown = q.values.iter().copied().chain(levels.iter().map(|l| l.0));
+    let range = padded(shown, 0.03);
     let mut counts = vec![0.0_f64; BARS];
     for v in q.values.iter().filter(|v| v.is_finite()) {
         let u = (v - range[0]) / (range[1] - range[0]);

@@ -41,11 +41,11 @@ const SHOWN: [(&str, &str, f64); 6] = [
 
 /// A label in the unit that people use, and SI's factor to it: `stroke, m` is read as `stroke, mm`.
 pub fn unit_for_people(label: &str) -> (String, f64) {
-    let found = label.rsplit_once(", ").and_then(|(name, unit)| {
+    let known = label.rsplit_once(", ").and_then(|(name, unit)| {
         let row = SHOWN.iter().find(|row| row.0 == unit)?;
         Some((name, row))
     });
-    match found {
+    match known {
         Some((name, (_, unit, factor))) => (format!("{name}, {unit}"), *factor),
         None => (label.to_string(), 1.0),
     }

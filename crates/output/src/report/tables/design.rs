@@ -166,34 +166,22 @@ fn machine(synthesis: &Design, words: &Words) -> Rows {
     let measures = synthesis.cam.follower.measures();
     let speed = measures.speed();
     let plain = |x: f64, unit: &str| format!("{}\u{a0}{unit}", number(x, 4));
+    let torque = |t: Option<f64>| t.map(|t| plain(t, "N·m"));
+    let liftoff = (m.liftoff_speed_rad_per_s).map(|w| speed.after(&number(speed.factor * w, 5)));
+    let pressure = m.hertz_pressure_max_pa.filter(|p| p.is_finite());
+    let pressure = pressure.map(|p| plain(1e-6 * p, "MPa"));
     let rows = [
-        (
-            "report-torque-max",
-            m.torque_max_n_m.map(|t| plain(t, "N·m")),
-        ),
-        (
-            "report-torque-rms",
-            m.torque_rms_n_m.map(|t| plain(t, "N·m")),
-        ),
+        ("report-torque-max", torque(m.torque_max_n_m)),
+        ("report-torque-rms", torque(m.torque_rms_n_m)),
         ("report-power-max", m.power_max_w.map(|p| plain(p, "W"))),
         ("report-power-mean", m.power_mean_w.map(|p| plain(p, "W"))),
-        (
-            "report-liftoff-speed",
-            m.liftoff_speed_rad_per_s
-                .map(|w| speed.after(&number(speed.factor * w, 5))),
-        ),
-        (
-            "report-hertz-pressure",
-            m.hertz_pressure_max_pa
-                .filter(|p| p.is_finite())
-                .map(|p| plain(1e-6 * p, "MPa")),
-        ),
+        ("report-liftoff-speed", liftoff),
+        ("report-hertz-pressure", pressure),
         ("report-hertz-allowable", allowable(synthesis, words)),
     ];
-    let known = rows.into_iter();
-    known
-        .filter_map(|(name, value)| Some((name, value?)))
-        .collect()
+    let defined = rows.into_iter();
+    let defined = defined.filter_map(|(name, value)| Some((name, value?)));
+    defined.collect()
 }
 
 /// Pressure that the hardness of the surface bears, with the margin.
@@ -205,13 +193,10 @@ fn allowable(synthesis: &Design, words: &Words) -> Option<String> {
         .filter(|p| *p > 0.0)
         .map_or(f64::INFINITY, |p| borne / p);
     let arguments = [
-        ("pressure", number(1e-6 * borne, 4)),
-        ("hardness", hardness.to_string()),
-        ("margin", number(margin, 3)),
+        ("pressure", &*number(1e-6 * borne, 4)),
+        ("hardness", &hardness.to_string()),
+        ("margin", &number(margin, 3)),
     ];
-    let arguments = arguments
-        .each_ref()
-        .map(|(key, value)| (*key, value.as_str()));
     Some(words.fill("report-hertz-borne", &arguments))
 }
 

@@ -119,32 +119,36 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
 }
 
 /// An active limit: its name, its largest multiplier and where that is, how many points it holds at.
-struct Active {
-    limit: Criterion,
-    multiplier: f64,
-    at: f64,
-    points: usize,
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(missing_docs)] // the names are the documentation
+pub struct ActiveLimit {
+    pub limit: Criterion,
+    pub multiplier: f64,
+    pub at: f64,
+    pub points: usize,
 }
 
-/// The limits that shape the law, each once.
-fn gathered(synthesis: &Design) -> Vec<Active> {
-    let mut all: Vec<Active> = Vec::new();
-    for b in &synthesis.binding {
-        let Some(known) = all.iter_mut().find(|a| a.limit == b.limit) else {
-            all.push(Active {
-                limit: b.limit,
-                multiplier: b.multiplier,
-                at: b.at,
-                points: 1,
-            });
-            continue;
-        };
-        known.points += 1;
-        if b.multiplier.abs() > known.multiplier.abs() {
-            (known.multiplier, known.at) = (b.multiplier, b.at);
+impl ActiveLimit {
+    /// The active limits of a design, each once.
+    pub fn all(design: &Design) -> Vec<ActiveLimit> {
+        let mut all: Vec<ActiveLimit> = Vec::new();
+        for b in &design.binding {
+            let Some(known) = all.iter_mut().find(|a| a.limit == b.limit) else {
+                all.push(ActiveLimit {
+                    limit: b.limit,
+                    multiplier: b.multiplier,
+                    at: b.at,
+                    points: 1,
+                });
+                continue;
+            };
+            known.points += 1;
+            if b.multiplier.abs() > known.multiplier.abs() {
+                (known.multiplier, known.at) = (b.multiplier, b.at);
+            }
         }
+        all
     }
-    all
 }
 
 /// The limits that shape the law.
@@ -162,7 +166,7 @@ pub fn active(out: &mut String, synthesis: &Design, words: &Words) {
     ];
     open(out, &columns.map(|key| words.text(key)), 1);
     let measures = synthesis.cam.follower.measures();
-    for a in gathered(synthesis) {
+    for a in ActiveLimit::all(synthesis) {
         row(out, &words.name(a.limit.name()));
         let (points, place) = (a.points.to_string(), measures.place(a.at, 1));
         cells(out, &[points, number(a.multiplier, 4), place]);

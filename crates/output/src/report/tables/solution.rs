@@ -1,4 +1,4 @@
-//! How a design was found, in the words of the report.
+//! How a design was computed: solver, certificate, remarks.
 
 use std::fmt::Write;
 
@@ -10,7 +10,7 @@ use gaitcam::synth::{Design, Tier};
 use gaitcam_base::text::escaped;
 use gaitcam_base::text::number;
 
-/// How the answer was found, and what was remarked on the way.
+/// Solver, time and certificate of the answer, and remarks.
 pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Words) {
     let solver = &synthesis.solver;
     let how = match solver.tier {
@@ -21,24 +21,17 @@ pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Word
         Tier::Scp => "report-scp",
     };
     let built = synthesis.infeasible.is_none();
-    heading(
-        out,
-        &words.text(if built {
-            "report-solution"
-        } else {
-            "report-attempt"
-        }),
-    );
+    let head = match built {
+        true => "report-solution",
+        false => "report-attempt",
+    };
+    heading(out, &words.text(head));
     let spent = format!("{} ms", number(1000.0 * time.solve_s, 3));
-    let iterations = solver.iterations.to_string();
     let arguments = [
-        ("how", words.text(how)),
-        ("time", spent),
-        ("iterations", iterations),
+        ("how", &*words.text(how)),
+        ("time", &spent),
+        ("iterations", &solver.iterations.to_string()),
     ];
-    let arguments = arguments
-        .each_ref()
-        .map(|(name, text)| (*name, text.as_str()));
     let mut text = words.fill("report-solved", &arguments);
     text += &sentence(&solver.status(words.language()));
     if built {
