@@ -1,4 +1,4 @@
-//! What a design is handed over as: tables, pictures, a report; drawings and solids are made by `gaitcam_cad`.
+//! Output formats of a design: tables, pictures, report; drawings and solids are made by `gaitcam_cad`.
 //!
 //! Every emitter is pure: it takes a finished [`Design`](gaitcam::synth::Design) and returns text or
 //! bytes; writing files is the command's business. Drawings are at true scale in millimetres, tables in

@@ -67,7 +67,7 @@ pub enum Pose {
     },
 }
 
-/// Where the follower stands when the cam has turned to `theta`.
+/// Pose of the follower at cam angle `theta`.
 ///
 /// A swinging face runs from the foot of its pivot along the arm; its reach counts from there.
 pub fn pose(cam: &Cam, theta: f64) -> Pose {

@@ -145,7 +145,7 @@ impl<'a> Barrel<'a> {
                 for i in 0..=count {
                     let angle = from + (to - from) * i as f64 / count as f64;
                     let turned = angle.rem_euclid(TAU);
-                    // Where the surface is cut open the line goes on at its other side.
+                    // The line is split at θ = 0, where the unrolled surface begins.
                     if line.last().is_some_and(|p| turned < p[0]) {
                         out.push(std::mem::take(&mut line));
                     }

@@ -27,7 +27,7 @@ const ARROW: [f64; 2] = [0.12, 0.5];
 /// Points of the bore's edge between its corners.
 const EDGE: usize = 180;
 
-/// Where the labels stand: side, and height as a part of the column's.
+/// Positions of the labels: side, and height as a fraction of the column's.
 const SLOTS: [[f64; 2]; 8] = [
     [1.0, 0.3],
     [-1.0, 0.3],

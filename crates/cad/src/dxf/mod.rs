@@ -117,7 +117,7 @@ pub fn drawing(synthesis: &Design, options: Options) -> Vec<u8> {
     sheet.drawing.bytes()
 }
 
-/// A vertex in mm from which a chord goes on.
+/// A vertex in mm at the start of a chord (bulge 0).
 fn chord([x, y]: [f64; 2]) -> [f64; 3] {
     [MM * x, MM * y, 0.0]
 }

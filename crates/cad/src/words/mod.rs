@@ -50,7 +50,7 @@ impl Words {
         self.own.text(key)
     }
 
-    /// A sentence with its arguments, which stand in it as they are.
+    /// A sentence with its arguments, inserted unchanged.
     pub fn fill(&self, key: &str, arguments: &[(&str, &str)]) -> String {
         let values = arguments.iter().map(|&(name, text)| {
             // Whole numbers choose plural forms.

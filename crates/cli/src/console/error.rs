@@ -1,4 +1,4 @@
-//! Faults that only the command can meet: files, flags, folders. Their sentences stand in `words/`.
+//! Errors of the command itself: files, flags, folders. Their sentences are in `words/`.
 
 use serde::Serialize;
 use strum::VariantNames;

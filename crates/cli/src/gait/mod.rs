@@ -82,7 +82,7 @@ pub struct GaitArgs {
 #[derive(Default)]
 struct Read {
     path: PathBuf,
-    /// How it was understood; `None` where it is one cycle as it stands.
+    /// Its interpretation; `None` for a file that is one cycle.
     understood: Option<Interpretation>,
     /// Its mean cycle.
     cycle: Option<Cycle>,

@@ -1,4 +1,4 @@
-//! A search that may take long: it shows itself after half a second, and ends at its time limit.
+//! A search that may take long: a progress line after half a second, a time limit.
 
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::{JoinHandle, spawn};
@@ -15,12 +15,12 @@ use serde_json::json;
 
 use crate::console::words;
 
-/// Time after which a search shows itself.
+/// Time after which the progress line appears.
 const SHOWN_AFTER: Duration = Duration::from_millis(500);
 /// Time limit of one design, and of one row of a sweep, s.
 const DESIGN_S: f64 = 60.0;
 const ROW_S: f64 = 5.0;
-/// A limit beyond this is none.
+/// Time limits above this are treated as this, s.
 const LONGEST_S: f64 = 1e9;
 
 /// How long searches may take.

@@ -31,7 +31,7 @@ enum Kind {
     Radius,
 }
 
-/// A column of the table: where it stands, and its factor to SI.
+/// A column of the table: its index, and its factor to SI.
 type Column = (usize, f64);
 
 /// Which columns make a point.

@@ -140,7 +140,7 @@ fn read_what_is_right(table: &Table) -> (Option<Scene>, Vec<Error>) {
             Ok(scene) => return (Some(scene), faults),
             Err(fault) => fault,
         };
-        // What is missing only because it was set aside is no fault of its own.
+        // A key that is missing because it was removed above is not reported again.
         if faults.iter().any(|known| known.place == fault.place) {
             break;
         }

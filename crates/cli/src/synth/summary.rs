@@ -78,7 +78,7 @@ fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
 fn check_line(mark: &str, check: &Check, measures: Measures) -> String {
     let value = |x: f64| in_units(measures, check.name, x, language::current());
     let message = match check.name {
-        // The limit is no more than rounding.
+        // The limit is a rounding tolerance.
         Criterion::Interference | Criterion::SecondInterference if check.pass => "synth-check-none",
         // Of the whole turn, not of a place.
         Criterion::RmsError => "synth-check-overall",
@@ -136,7 +136,7 @@ fn force(design: &Design) -> Vec<String> {
     rows
 }
 
-/// Dynamic load factors of the first harmonics of the step frequency; all six stand in summary.json.
+/// Dynamic load factors of the first harmonics of the step frequency; summary.json has all six.
 fn load_factors(design: &Design) -> Option<String> {
     let all: Vec<String> = (design.load_factors().iter())
         .filter(|f| f.of_step.fract() == 0.0)

@@ -166,7 +166,7 @@ fn second(cam: &Cam) -> Value {
     })
 }
 
-/// What the design asks of a rigid machine without friction.
+/// Loads of the design on a rigid machine without friction.
 fn machine(design: &Design) -> Value {
     let figures = Figures::of(design);
     let own = FIGURES.iter().filter(|f| f.section == "machine");

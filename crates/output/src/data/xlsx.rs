@@ -106,7 +106,7 @@ fn cam_sheet(
             } else {
                 (column.value)(synthesis, &row)
             };
-            // Excel knows no infinity: a flat spot's radius stays empty.
+            // Excel has no infinity: the radius of a flat spot is left empty.
             if value.is_finite() {
                 sheet.write(FIRST + i, column.at, value)?;
             }

@@ -99,7 +99,7 @@ pub fn diagrams_over(
     })
 }
 
-/// A curve whose next step would end a turn goes on to that end, where it meets its first point.
+/// Closes a curve whose next step would complete a turn with its first value.
 fn whole(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut out = curve.to_vec();
     if let ([first, ..], [.., before, last]) = (curve, curve) {

@@ -293,7 +293,7 @@ impl<'a, 'c> Panel<'a, 'c> {
 
     /// A dot with its value above (a maximum) or below (a minimum), kept inside the frame.
     ///
-    /// `ground`: the value has a ground of its own, where dashed levels would strike the number through.
+    /// `ground`: draws the value on a light rectangle, for diagrams whose dashed levels would cross the number.
     pub fn mark(
         &self,
         (x, value): (f64, f64),

@@ -181,7 +181,7 @@ fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
     out.push_str("</ul>\n</div>\n");
 }
 
-/// A figure one looks for first: its name, its value, what stands below.
+/// A main figure: its name, its value, a remark below it.
 pub type Card = (String, String, String);
 
 fn cards(out: &mut String, all: &[Card]) {

@@ -1,4 +1,4 @@
-//! What the page's script knows of the motion: one value per step, mm, N, degrees.
+//! Data of the animation: one value per step, mm, N, degrees.
 
 use serde::Serialize;
 
@@ -27,7 +27,7 @@ pub struct Motion {
     turns: usize,
     /// Time of one turn, s.
     period: f64,
-    /// mm by which a cam that slides moves per unit of its angle; 0 for one that turns.
+    /// Travel of a sliding cam, mm per unit of its angle; 0 for a rotating cam.
     slide: f64,
     /// The machine goes towards smaller angles.
     back: bool,
@@ -69,7 +69,7 @@ pub fn angle_unit(cam: &Cam) -> (f64, &'static str) {
     }
 }
 
-/// mm by which the cam slides per rad (or m) of θ; 0 where it turns.
+/// Travel of a sliding cam, mm per rad (or m) of θ; 0 for a rotating cam.
 pub fn slide(cam: &Cam) -> f64 {
     match cam.follower {
         Follower::TranslatingCam { .. } => MM,
@@ -122,7 +122,7 @@ fn row_at(rows: &[Row], theta: f64, step: f64) -> Row {
     }
 }
 
-/// Where the part that rides on the cam stands: foot or centre, m, and its direction, degrees.
+/// Position of the follower's contact part: foot or centre, m, and its direction, degrees.
 pub fn placed(cam: &Cam, theta: f64) -> ([f64; 2], f64) {
     match pose(cam, theta) {
         Pose::Face { at, angle } => (at, angle.to_degrees()),
@@ -162,7 +162,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     let (mut force, mut torque) = (0.0_f64, 0.0_f64);
     for i in 0..=STEPS * turns {
         let theta = start + length * i as f64 / STEPS as f64;
-        // A law of one turn goes on; one that ends is met at its end, not at its beginning.
+        // A closed law continues with its first turn; an open one is evaluated at its end.
         let within = if i % STEPS == 0 && i > 0 && !cam.law.is_closed() {
             start + length
         } else {

@@ -10,14 +10,14 @@ use gaitcam::cam::Criterion;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
-/// A figure one looks for first.
+/// A main figure.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Figure {
     /// Its name.
     pub name: String,
     /// Its value with the unit.
     pub value: String,
-    /// What stands below it; may be empty.
+    /// The remark below it; may be empty.
     pub more: String,
 }
 
@@ -65,7 +65,7 @@ pub fn drawing(design: &Design, language: Language) -> String {
     out
 }
 
-/// Where those parts stand at equal steps of one turn, with the values there; mm, N, degrees.
+/// Positions of those parts at equal steps of one turn, with the values there; mm, N, degrees.
 pub fn motion(design: &Design) -> Motion {
     motion::motion(design, None).without_readings()
 }

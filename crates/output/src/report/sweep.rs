@@ -25,7 +25,7 @@ pub struct Page<'a> {
     pub title: String,
     /// What was done, in one or two sentences.
     pub words: String,
-    /// Figures one looks for first: name, value, remark.
+    /// Main figures: name, value, remark.
     pub cards: Vec<Card>,
     /// Pictures with their headings.
     pub pictures: Vec<(&'a str, &'a Picture)>,

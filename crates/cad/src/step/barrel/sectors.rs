@@ -109,7 +109,7 @@ impl<'a> Sectors<'a> {
         self.cuts[k % self.cuts.len()].angles[r] + TAU * turns as f64
     }
 
-    /// The wall as cut `k` knows it, where `k` may be the cut after the last.
+    /// Index of cut `k`, which may be the cut after the last, and the wall in that cut's numbering.
     pub fn at_cut(&self, k: usize, bound: Bound) -> (usize, Bound) {
         let (n, passed) = (self.cuts.len(), k / self.cuts.len());
         let turn = (bound.turn + passed) % self.turns;

@@ -7,10 +7,10 @@ use crate::console::words;
 use gaitcam::synth;
 use gaitcam::wording::people;
 
-/// What stands where a result has no such number.
+/// Cell of a result that has no such number.
 const NONE: &str = "—";
 
-/// What stands in a row.
+/// Content of a row.
 enum Cell {
     /// A figure of [`FIGURES`](gaitcam::synth::FIGURES) by its column, with so many decimals.
     Figure(&'static str, usize),

@@ -183,7 +183,7 @@ impl Input {
         }
     }
 
-    /// Where a cell stands on the axis: its number, or the place of its word.
+    /// Position of a cell on the axis: its number, or the index of its word.
     pub fn place(&self, cell: &str) -> f64 {
         if self.is_number {
             return cell.parse().unwrap_or(f64::NAN);

@@ -25,7 +25,7 @@ const EXAMPLES: &str = "Examples:
 
 /// Longest line of a comment.
 const WIDTH: usize = 100;
-/// What stands before a key that is offered and left out.
+/// Prefix of an optional key that the scene leaves out.
 const OFFERED: &str = "#- ";
 
 /// Which machine, and where to.

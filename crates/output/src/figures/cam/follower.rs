@@ -1,4 +1,4 @@
-//! The follower where it stands: face or roller, stem or arm, pivot.
+//! The follower in its pose: face or roller, stem or arm, pivot.
 
 use plotters::style::Color;
 

@@ -17,7 +17,7 @@ impl Scene<'_> {
         self.facts(f, [x, y + 0.8 * f.e], words)
     }
 
-    /// The lines' names; returns where the column goes on.
+    /// The lines' names; returns the vertical position below them.
     fn lines(&self, f: &Figure, [x, mut y]: [f64; 2], words: &Words) -> Drawn<f64> {
         let e = f.e;
         let step = 1.75 * e;

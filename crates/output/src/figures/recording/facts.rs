@@ -10,7 +10,7 @@ use crate::words::Words;
 use gaitcam::force::{Interpretation, Note};
 use gaitcam::wording::{catalogue, sentence};
 
-/// Warnings written on the picture; all of them stand in the report and in JSON.
+/// Most warnings written on the picture; the report and the JSON have all of them.
 const WARNINGS: usize = 3;
 /// Lines of one warning.
 const LINES: usize = 2;

@@ -22,7 +22,7 @@ use gaitcam::wording::Language;
 /// A curve as it is drawn.
 type Curve = Vec<(f64, f64)>;
 
-/// The layout of a figure of the report: as tall as its lanes of contacts ask.
+/// The layout of a figure of the report; its height depends on the number of lanes of contacts.
 pub(crate) fn figure_layout(understood: &Interpretation, words: &Words) -> Layout {
     let letters = Layout::figure(0).letters;
     let lanes = whole::height(understood, letters, words);
@@ -73,7 +73,7 @@ pub(crate) fn recording_in(
             // A line of words in place of the means.
             (None, None) => &[1.0, 0.05],
         };
-        // Lanes of contacts and their key stand between the recording and the means.
+        // Lanes of contacts and their key are between the recording and the means.
         let above = Frame {
             bottom: frame.bottom - lanes,
             ..frame

@@ -74,7 +74,7 @@ pub fn parallel(
     })
 }
 
-/// The name of an axis, its unit below; neighbours stand at two heights, so that long names do not meet.
+/// The name of an axis, its unit below; neighbours have two heights, so that long names do not overlap.
 fn heading(canvas: &Canvas, q: &Quantity, x: f64, k: usize) -> Drawn {
     let e = LETTERS;
     let (name, unit) = q.label.rsplit_once(", ").unwrap_or((&q.label, ""));

@@ -71,7 +71,7 @@ pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Word
     }
 }
 
-/// A status as a sentence of its own after another; nothing for an empty one.
+/// A status as a separate sentence; empty for an empty status.
 fn sentence(status: &str) -> String {
     let mut letters = status.trim().trim_end_matches('.').chars();
     letters.next().map_or(String::new(), |first| {
