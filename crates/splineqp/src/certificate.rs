@@ -215,3 +215,6 @@ fn project_off_equalities<N: Names>(program: &Program<N>, residual: &mut Vec<f64
     }
     *residual = frame.split(residual).rest;
 }
+
+#[cfg(test)]
+mod tests;

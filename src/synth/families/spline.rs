@@ -9,11 +9,11 @@ use crate::law::Law;
 use crate::problem::{Note, Problem, Size};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::method::{Ended, Method};
-use crate::synth::design::proof::{Doubt, PROVED};
+use crate::synth::design::proof::Doubt;
 use crate::synth::design::{SolverReport, Step, Tier};
 use crate::synth::limits::{ENLARGED, NonconvexLimits};
 use crate::synth::qp::{
-    Certificate, Failure, OFFSET, Program, Quadratic, RADIUS, RISE, Solution, Stop,
+    Certificate, Failure, OFFSET, PROVED, Program, Quadratic, RADIUS, RISE, Solution, Stop,
 };
 use crate::synth::search::Search;
 use crate::synth::{limits, qp, scp, sizing};
