@@ -1,11 +1,11 @@
-//! Cholesky factors of symmetric matrices that are banded but for a few last rows.
+//! Cholesky factors of symmetric matrices that are banded except for a border of a few last rows.
 //!
-//! The Gram matrix of periodic B-splines is banded with two corner blocks. Ordering the last unknowns
-//! as a border leaves a plain band and a small dense block; cost is linear in the number of spans.
+//! The Gram matrix of periodic B-splines is banded with two corner blocks. With the last unknowns as a border, what remains
+//! is a band and a small dense block; cost is linear in the number of spans.
 
 use super::frame::dot;
 
-/// Entries of a column in the band of quintics, which are the rule: loops of known length cost half.
+/// Entries of a column in the band of quintics, the default degree: loops of constant length cost half.
 const QUINTIC: usize = 6;
 
 /// Symmetric positive definite matrix: half-bandwidth `band` on the first `n − border` unknowns, full
@@ -21,7 +21,7 @@ pub struct ArrowMatrix {
     rows: Vec<f64>,
 }
 
-/// Factor L of an [`ArrowMatrix`], same layout, its diagonal inverted: a solution waits for no division.
+/// Factor L of an [`ArrowMatrix`] in the same layout, with its diagonal inverted: substitution multiplies instead of dividing.
 #[derive(Debug, Clone)]
 pub struct ArrowFactor(ArrowMatrix);
 
@@ -40,11 +40,6 @@ impl ArrowMatrix {
         }
     }
 
-    /// Half-bandwidth and border.
-    pub fn pattern(&self) -> (usize, usize) {
-        (self.band, self.border)
-    }
-
     /// Number of unknowns.
     pub fn dimension(&self) -> usize {
         self.n
@@ -53,7 +48,7 @@ impl ArrowMatrix {
     /// Adds `value` to entries (i, j) and (j, i).
     ///
     /// # Panics
-    /// When the entry lies outside the pattern: a fault of the caller.
+    /// When the entry lies outside the pattern: an error of the caller.
     #[inline]
     pub fn add(&mut self, i: usize, j: usize, value: f64) {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };
@@ -82,7 +77,7 @@ impl ArrowMatrix {
         true
     }
 
-    /// Adds the circulant matrix with `row[k]` everywhere k beside the diagonal, counted round.
+    /// Adds the circulant matrix with `row[k]` at distance k from the diagonal, indices modulo n.
     pub fn add_circulant(&mut self, row: &[f64]) {
         let (n, m, w) = (self.n, self.n - self.border, self.band + 1);
         for (j, column) in self.core.chunks_exact_mut(w).enumerate() {
@@ -100,8 +95,8 @@ impl ArrowMatrix {
         }
     }
 
-    /// Adds the product of two functions `apart` from each other. Counted round they may be one and the same: then both
-    /// halves meet on the diagonal.
+    /// Adds the product of two functions whose indices differ by `apart` before they are taken modulo n. Where they are the same
+    /// afterwards, both symmetric entries fall on the diagonal.
     pub fn add_pair(&mut self, i: usize, j: usize, apart: usize, value: f64) {
         let twice = if i == j && apart > 0 { 2.0 } else { 1.0 };
         self.add(i, j, twice * value);
@@ -216,12 +211,12 @@ impl ArrowMatrix {
     }
 }
 
-/// The root of a pivot, if it has one.
+/// Square root of a pivot; `None` where it is not positive.
 fn positive_root(pivot: f64) -> Option<f64> {
     (pivot > 0.0 && pivot.is_finite()).then(|| pivot.sqrt())
 }
 
-/// Subtracts a multiple of another vector, as far as both go.
+/// Subtracts a multiple of another vector, up to the shorter length.
 #[inline(always)]
 fn take_off(from: &mut [f64], other: &[f64], part: f64) {
     for (x, &l) in from.iter_mut().zip(other) {
@@ -243,7 +238,7 @@ fn forward_of_width(core: &[f64], w: usize, x: &mut [f64], start: usize) {
         let value = x[i] * column[0];
         x[i] = value;
         let (column, below) = (&column[1..], &mut x[i + 1..]);
-        // Where the whole column lies inside, its length is known.
+        // Where the whole column lies inside the matrix, its length is constant.
         match below.get_mut(..w - 1) {
             Some(below) => take_off(below, column, value),
             None => take_off(below, column, value),
@@ -271,7 +266,7 @@ fn backward_of_width(core: &[f64], w: usize, x: &mut [f64]) {
     }
 }
 
-/// Inner product as far as both go, for few terms.
+/// Inner product up to the shorter length, for few terms.
 #[inline(always)]
 fn plain_dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |sum, (&a, &b)| sum + a * b)
@@ -286,7 +281,7 @@ fn factor_of_width(core: &mut [f64], w: usize) -> Option<()> {
         let inverse = 1.0 / positive_root(column[0])?;
         column[0] = inverse;
         column[1..].iter_mut().for_each(|l| *l *= inverse);
-        // What stands below the matrix is zero.
+        // Entries below the last row are zero.
         for (p, own) in (1..w).zip(later.chunks_exact_mut(w)) {
             take_off(&mut own[..w - p], &column[p..], column[p]);
         }
@@ -295,16 +290,6 @@ fn factor_of_width(core: &mut [f64], w: usize) -> Option<()> {
 }
 
 impl ArrowFactor {
-    /// Number of unknowns.
-    pub fn dimension(&self) -> usize {
-        self.0.n
-    }
-
-    /// Half-bandwidth and border.
-    pub fn pattern(&self) -> (usize, usize) {
-        self.0.pattern()
-    }
-
     /// Solves in place.
     pub fn solve(&self, x: &mut [f64]) {
         self.forward(x);
@@ -315,7 +300,7 @@ impl ArrowFactor {
     pub fn forward(&self, x: &mut [f64]) {
         let a = &self.0;
         let m = a.n - a.border;
-        // Rows of limits touch a few neighbours: what stands before the first stays zero.
+        // Rows of limits have few neighbouring entries: everything before the first stays zero.
         let start = x.iter().position(|v| *v != 0.0).unwrap_or(a.n);
         let start = start.min(m);
         forward_in_band(&a.core, a.band + 1, &mut x[..m], start);

@@ -1,6 +1,5 @@
 //! The functions a law is built from, and rows on their coefficients.
 
-use super::pieces::Pieces;
 use crate::poly::{PiecewisePoly, SplineSpace, Wave, add_taylor, subdivide};
 use std::f64::consts::TAU;
 
@@ -83,21 +82,11 @@ impl Basis {
         }
     }
 
-    /// Smallest value of a derivative of the function with the given coefficients.
+    /// Smallest value of a derivative of the law.
     pub(crate) fn least(&self, x: &[f64], order: usize) -> f64 {
         let mut weights = [0.0; 5];
         weights[order] = 1.0;
         self.combination(x, &weights).extremes().0.value
-    }
-
-    /// Smallest lift of the law with the given coefficients.
-    pub fn lowest(&self, x: &[f64]) -> f64 {
-        match self {
-            Basis::Spline { space, .. } if space.degree() < WIDEST => {
-                Pieces::new(space, x, 0).lowest()
-            }
-            _ => self.least(x, 0),
-        }
     }
 
     /// Breaks of the pieces the basis is smooth on, rad.
@@ -114,6 +103,18 @@ impl Basis {
                 (0..=n)
                     .map(|i| std::f64::consts::TAU * i as f64 / n as f64)
                     .collect()
+            }
+        }
+    }
+
+    /// Piece of [`Basis::breaks`] that contains a cam angle of the first turn, and u ∈ [0, 1] on it.
+    pub fn locate(&self, theta: f64) -> (usize, f64) {
+        match self {
+            Basis::Spline { space, .. } => space.locate(theta),
+            Basis::Harmonic { .. } => {
+                let breaks = self.breaks();
+                let i = breaks[1..breaks.len() - 1].partition_point(|b| *b <= theta);
+                (i, (theta - breaks[i]) / (breaks[i + 1] - breaks[i]))
             }
         }
     }
@@ -276,6 +277,14 @@ pub fn add(to: &mut Entries, (index, value): (usize, f64)) {
 #[inline]
 pub fn apply(entries: &Entries, x: &[f64]) -> f64 {
     entries.iter().map(|&(i, v)| v * x[i]).sum()
+}
+
+/// Size of a row's terms for coefficients of typical size; the length itself for a row over further variables alone.
+pub fn row_unit(entries: &Entries, length: f64) -> f64 {
+    let unit = entries
+        .iter()
+        .fold(0.0_f64, |m, e| m.max((e.1 * length).abs()));
+    if unit > 0.0 { unit } else { length }
 }
 
 #[cfg(test)]

@@ -12,9 +12,11 @@
 //! lift. The rows are limits at exact places of the law, so the bound holds for the whole
 //! turn and not for samples of it.
 
-use super::basis::{Basis, apply};
+use super::basis::Basis;
 use super::equality;
+use super::frame::{Frame, square};
 use super::program::{EXTRAS, OFFSET, PEAK, Program, RADIUS, RISE, SIZES, Solution};
+use super::settings::TOLERANCE;
 use crate::Names;
 use serde::Serialize;
 
@@ -58,7 +60,20 @@ pub struct Certificate {
     pub violation: f64,
 }
 
+/// Largest relative gap, and largest part of the gradient left over, of an optimum that counts as proved.
+pub const PROVED: f64 = 1e-6;
+
 impl Certificate {
+    /// Whether every limit holds to [`TOLERANCE`].
+    pub fn keeps_limits(&self) -> bool {
+        self.violation <= TOLERANCE * 1.000_001
+    }
+
+    /// Whether gap and stationarity prove the optimum: both at most [`PROVED`].
+    pub fn proves_optimum(&self) -> bool {
+        self.relative_gap <= PROVED && self.stationarity <= PROVED
+    }
+
     /// The same where only a larger gap is proved.
     pub fn widen(&mut self, gap: f64) {
         self.duality_gap = self.duality_gap.max(gap);
@@ -72,9 +87,11 @@ impl Certificate {
     }
 }
 
-/// The evidence for a solution of a program.
+/// The evidence for a solution of a program. A peak counts as the law itself has it, whatever the solution states.
 pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Certificate {
     let x = &solution.x[..program.basis.columns()];
+    let mut extra = solution.extra;
+    extra[PEAK] = program.own_peak(solution);
     let mut residual = program.hessian.times(x);
     let largest_term = residual
         .iter()
@@ -90,8 +107,7 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
     let mut slack = 0.0;
     let mut largest_of_rows = largest_term;
     for row in &solution.active {
-        let taken: f64 = (0..EXTRAS).map(|k| row.extra[k] * solution.extra[k]).sum();
-        slack += row.multiplier * (row.bound - taken - apply(&row.entries, x)).abs();
+        slack += row.multiplier * row.slack(x, &extra).abs();
         for &(i, a) in &row.entries {
             residual[i] += row.multiplier * a;
             level_gradient += row.multiplier * a;
@@ -103,14 +119,14 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
         }
     }
     let present = program.present();
-    let size = objective_size(program, solution);
+    let size = objective_size(program, x, &extra);
     let mut gap = slack;
     project_off_equalities(program, &mut residual);
     let mut left = largest(&residual) / largest_of_rows.max(f64::MIN_POSITIVE);
     let product = residual.iter().zip(x).map(|(r, x)| r * x);
     let plain = product.sum::<f64>().abs();
     let known = (plain > program.settings.certificate.small * size)
-        .then(|| equality::fall(program, &residual));
+        .then(|| equality::largest_decrease(program, &residual));
     let level = match program.basis {
         _ if !program.level_is_open() => 0.0,
         Basis::Spline { .. } => level_gradient * largest(x),
@@ -119,7 +135,7 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
     gap += known.flatten().map_or(plain, |own| own + level.abs());
     // A component of the gradient by a further variable is small relative to its largest term, or when a change of the variable
     // by its own size does not change the objective.
-    let lengths = solution.extra.iter().skip(PEAK + 1);
+    let lengths = extra.iter().skip(PEAK + 1);
     let length = lengths.fold(program.length, |m, e| m.max(e.abs()));
     let open = |component: f64, own: f64, at: f64| {
         let moved = if at > 0.0 {
@@ -135,24 +151,20 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
         // orthogonal to the sizes.
         let z = [RADIUS, RISE, OFFSET].map(|k| of_extra[k]);
         let outside = (z[1].hypot(z[2]) - z[0]).max(0.0);
-        let at = largest(&SIZES.map(|k| solution.extra[k]));
+        let at = largest(&SIZES.map(|k| extra[k]));
         left = left.max(open(outside, cost, at));
         let product: f64 = [RADIUS, RISE, OFFSET]
             .iter()
             .zip(z)
-            .map(|(&k, z)| solution.extra[k] * z)
+            .map(|(&k, z)| extra[k] * z)
             .sum();
         gap += product.abs();
     }
     for k in 0..EXTRAS {
         if present[k] && !(program.cone && SIZES.contains(&k)) {
-            let at = if k == PEAK {
-                solution.extra[PEAK].abs()
-            } else {
-                length
-            };
+            let at = if k == PEAK { extra[PEAK].abs() } else { length };
             left = left.max(open(of_extra[k].abs(), terms_of_extra[k], at));
-            gap += (of_extra[k] * solution.extra[k]).abs();
+            gap += (of_extra[k] * extra[k]).abs();
         }
     }
     Certificate {
@@ -170,8 +182,7 @@ fn largest(values: &[f64]) -> f64 {
 }
 
 /// Size of the objective: its value, or what counts as none of the terms that it is the sum of.
-fn objective_size<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
-    let x = &solution.x[..program.basis.columns()];
+fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
     let linear: f64 = program
         .gradient
         .iter()
@@ -179,7 +190,7 @@ fn objective_size<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64
         .map(|(g, x)| (g * x).abs())
         .sum();
     let beside: f64 = (0..EXTRAS)
-        .map(|k| (program.cost[k] * solution.extra[k]).abs())
+        .map(|k| (program.cost[k] * extra[k]).abs())
         .sum();
     let whole = program.objective(x) + program.constant;
     let value = whole
@@ -190,33 +201,20 @@ fn objective_size<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64
 }
 
 /// Projects a residual onto the orthogonal complement of the equalities' rows.
-fn project_off_equalities<N: Names>(program: &Program<N>, residual: &mut [f64]) {
-    let mut kept: Vec<Vec<f64>> = Vec::new();
-    for demand in &program.equalities {
-        let mut q = vec![0.0; residual.len()];
-        for &(i, a) in &demand.entries {
-            q[i] += a;
+fn project_off_equalities<N: Names>(program: &Program<N>, residual: &mut Vec<f64>) {
+    let mut frame = Frame::default();
+    for equality in &program.equalities {
+        let mut normal = vec![0.0; residual.len()];
+        for &(i, a) in &equality.entries {
+            normal[i] += a;
         }
-        let before: f64 = q.iter().map(|q| q * q).sum();
-        for _ in 0..2 {
-            for k in &kept {
-                subtract_component(&mut q, k);
-            }
-        }
-        let length: f64 = q.iter().map(|q| q * q).sum();
-        if length > program.settings.certificate.dependent * before {
-            q.iter_mut().for_each(|x| *x /= length.sqrt());
-            kept.push(q);
+        let apart = frame.split(&normal);
+        if apart.left > program.settings.certificate.dependent * square(&normal) {
+            frame.push(apart);
         }
     }
-    for q in &kept {
-        subtract_component(residual, q);
-    }
+    *residual = frame.split(residual).rest;
 }
 
-fn subtract_component(from: &mut [f64], unit: &[f64]) {
-    let part: f64 = from.iter().zip(unit).map(|(f, u)| f * u).sum();
-    for (f, u) in from.iter_mut().zip(unit) {
-        *f -= part * u;
-    }
-}
+#[cfg(test)]
+mod tests;

@@ -1,30 +1,29 @@
-//! The optimum without limits: one factorisation, and a small dense system for the demands.
+//! The optimum under equality constraints alone: one factorisation of H, and a dense system of the size of the equalities.
 
 use super::band::{ArrowFactor, ArrowMatrix};
 use super::basis::{Basis, apply};
 use super::program::{Equality, Failure, Program, Stop};
 use crate::Names;
 
-/// The optimum without limits and the factorisation that gave it.
+/// The optimum under the equalities alone, and the factorisation that it was computed with.
 pub struct Unlimited {
-    /// H made regular.
+    /// H, made positive definite by multiples of the equalities' outer products.
     pub hessian: ArrowMatrix,
-    /// Its factor.
+    /// Its Cholesky factor.
     pub factor: ArrowFactor,
-    /// −g of the objective that belongs to that H.
+    /// −g of the objective with that H.
     pub pull: Vec<f64>,
-    /// The optimum under the demands alone.
+    /// The optimum under the equalities alone.
     pub x: Vec<f64>,
-    /// The coefficient that is pinned because nothing settles the level, and the weight of the pin.
+    /// Where neither objective nor equalities fix the level: the coefficient with a quadratic term of its own, and its weight.
     pub pin: Option<(usize, f64)>,
 }
 
 /// Minimises ½xᵀHx + gᵀx subject to the equalities.
 ///
-/// H may be singular as long as the demands settle what it leaves open: multiples of the demands' own
-/// outer products make it regular without moving the constrained optimum. A constant that nothing
-/// settles (the moving axis knows no absolute lift) is pinned at one coefficient, lightly where limits
-/// will want to move it.
+/// H may be singular on directions that the equalities fix: multiples of their outer products make it positive definite and
+/// leave the constrained optimum where it is. A constant that nothing fixes (a moving axis does not depend on the absolute
+/// lift) gets a quadratic term on one coefficient, with a small weight where limits determine the level.
 ///
 /// # Errors
 /// Equalities that contradict each other, an objective without a factor.
@@ -46,14 +45,14 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Unlimited, Failure<N>> {
     })
 }
 
-/// Weight of the demands' outer products, in units of H.
+/// Weight of the equalities' outer products, in units of H.
 fn penalty<N: Names>(program: &Program<N>) -> f64 {
     let h = program.hessian.largest_diagonal();
     if h > 0.0 { h } else { 1.0 }
 }
 
-/// Demands at one angle: their outer products fit the band. One on an integral over the law does not, and
-/// is left to the small dense system alone.
+/// Equalities at one angle, whose outer products fit into the band. One on an integral over the law does not, and is treated
+/// by the dense system alone.
 fn local<N: Names>(program: &Program<N>) -> impl Iterator<Item = &Equality<N>> {
     let widest = match &program.basis {
         Basis::Spline { space, .. } => space.degree() + 1,
@@ -95,9 +94,9 @@ fn regular<N: Names>(program: &Program<N>) -> (ArrowMatrix, Option<(usize, f64)>
     (h, pin)
 }
 
-/// ½rᵀH⁻¹r: what an objective whose gradient is r can still fall while the demands hold and an open level stays. `None`
-/// where H leaves more than these open.
-pub fn fall<N: Names>(program: &Program<N>, gradient: &[f64]) -> Option<f64> {
+/// ½rᵀH⁻¹r: largest decrease of an objective with the gradient r under the equalities and at a fixed level. `None` where H
+/// is singular on further directions.
+pub fn largest_decrease<N: Names>(program: &Program<N>, gradient: &[f64]) -> Option<f64> {
     let factor = regular(program).0.factor()?;
     let mut whitened = gradient.to_vec();
     factor.forward(&mut whitened);
@@ -119,16 +118,17 @@ fn augmented_gradient<N: Names>(program: &Program<N>) -> Vec<f64> {
     g
 }
 
-/// Moves `x` onto the demands along H⁻¹Eᵀ, taking them in order of their pivots.
+/// Projects `x` onto the equalities along H⁻¹Eᵀ. Those that depend on others are left out, in the order of their pivots, and
+/// must hold at the result.
 fn correct<N: Names>(
     program: &Program<N>,
     factor: &ArrowFactor,
     mut x: Vec<f64>,
 ) -> Result<Vec<f64>, Failure<N>> {
     let settings = &program.settings.equality;
-    let demands = &program.equalities;
-    let k = demands.len();
-    let directions: Vec<Vec<f64>> = demands
+    let equalities = &program.equalities;
+    let k = equalities.len();
+    let directions: Vec<Vec<f64>> = equalities
         .iter()
         .map(|e| {
             let mut y = vec![0.0; x.len()];
@@ -140,7 +140,7 @@ fn correct<N: Names>(
         })
         .collect();
     // S = E H⁻¹ Eᵀ, scaled to a unit diagonal, by Cholesky with diagonal pivoting.
-    let raw = |i: usize, j: usize| apply(&demands[i].entries, &directions[j]);
+    let raw = |i: usize, j: usize| apply(&equalities[i].entries, &directions[j]);
     let unit: Vec<f64> = (0..k).map(|i| raw(i, i).max(0.0).sqrt()).collect();
     let safe = |u: f64| if u > 0.0 { u } else { 1.0 };
     let mut s: Vec<Vec<f64>> = (0..k)
@@ -174,25 +174,25 @@ fn correct<N: Names>(
     let kept = &order[..rank];
     let matrix = nalgebra::DMatrix::from_fn(rank, rank, |i, j| original[kept[i]][kept[j]]);
     let decomposed = matrix.lu();
-    // Twice: the second pass removes what the conditioning of S left over.
+    // The second pass removes the residual that the condition of S leaves.
     for _ in 0..2 {
         let rhs = nalgebra::DVector::from_fn(rank, |i, _| {
-            let e = &demands[kept[i]];
+            let e = &equalities[kept[i]];
             (e.value - apply(&e.entries, &x)) / safe(unit[kept[i]])
         });
         let Some(lambda) = decomposed.solve(&rhs) else {
             return Err(Stop::SingularEqualities.into());
         };
-        for (i, &demand) in kept.iter().enumerate() {
-            let step = lambda[i] / safe(unit[demand]);
-            for (xi, d) in x.iter_mut().zip(&directions[demand]) {
+        for (i, &equality) in kept.iter().enumerate() {
+            let step = lambda[i] / safe(unit[equality]);
+            for (xi, d) in x.iter_mut().zip(&directions[equality]) {
                 *xi += step * d;
             }
         }
     }
     let missed: Vec<N::Equality> = order[rank..]
         .iter()
-        .map(|&i| &demands[i])
+        .map(|&i| &equalities[i])
         .filter(|e| {
             let size = e.entries.iter().fold(0.0_f64, |m, e| m.max(e.1.abs())) * program.length;
             (apply(&e.entries, &x) - e.value).abs() > settings.consistent * size.max(e.value.abs())

@@ -57,7 +57,7 @@ mod solve;
 mod tests;
 
 pub use basis::{Basis, Entries, apply};
-pub use certificate::{Certificate, certificate};
+pub use certificate::{Certificate, PROVED, certificate};
 pub use equality::solve as solve_equalities;
 pub use exchange::clarabel::{prepared as clarabel_prepared, run as clarabel_run};
 pub use exchange::solve as solve_by_interior_point;

@@ -2,6 +2,7 @@
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries};
+use super::frame::dot;
 use crate::poly::{SplineSpace, gauss_legendre};
 
 /// ½xᵀHx + gᵀx + constant.
@@ -163,16 +164,20 @@ impl Quadratic {
 
     /// The value at `x`.
     pub fn value(&self, x: &[f64]) -> f64 {
-        let hx = self.hessian.times(x);
-        hx.iter().zip(x).map(|(h, x)| 0.5 * h * x).sum::<f64>()
-            + self.gradient.iter().zip(x).map(|(g, x)| g * x).sum::<f64>()
-            + self.constant
+        quadratic(&self.hessian, &self.gradient, x) + self.constant
     }
 
     /// The root of twice the value at `x`: the RMS of what half a mean square is the value of.
     pub fn root(&self, x: &[f64]) -> f64 {
         (2.0 * self.value(x)).max(0.0).sqrt()
     }
+}
+
+/// ½xᵀHx + gᵀx.
+pub fn quadratic(hessian: &ArrowMatrix, gradient: &[f64], x: &[f64]) -> f64 {
+    let hx = hessian.times(x);
+    hx.iter().zip(x).map(|(h, x)| 0.5 * h * x).sum::<f64>()
+        + gradient.iter().zip(x).map(|(g, x)| g * x).sum::<f64>()
 }
 
 /// The filling-in of values by a function of θ.
@@ -267,19 +272,4 @@ impl Table {
         let squares = target.iter().zip(&self.factors).map(|(b, f)| f * b * b);
         0.5 * squares.sum::<f64>()
     }
-}
-
-/// Σ aᵢbᵢ in four sums side by side: one alone waits for every addition.
-#[inline(always)]
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 4];
-    let (fours_a, fours_b) = (a.chunks_exact(4), b.chunks_exact(4));
-    let rest = fours_a.remainder().iter().zip(fours_b.remainder());
-    let rest: f64 = rest.map(|(a, b)| a * b).sum();
-    for (a, b) in fours_a.zip(fours_b) {
-        for k in 0..4 {
-            sums[k] += a[k] * b[k];
-        }
-    }
-    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
 }

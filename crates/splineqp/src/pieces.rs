@@ -51,29 +51,6 @@ impl Pieces {
         }
     }
 
-    /// Smallest lift.
-    pub fn lowest(&self) -> f64 {
-        let lift = Curve {
-            spans: self.spans,
-            rows: self.of_order(0).to_vec(),
-            tops: Vec::new(),
-        };
-        let least = |of: &[f64]| of.iter().fold(f64::INFINITY, |m, b| m.min(*b));
-        let last = self.degree * self.spans;
-        let mut lowest = least(&lift.rows[..self.spans]).min(least(&lift.rows[last..]));
-        let (mut room, mut critical) = ([0.0; WIDEST], Vec::new());
-        for piece in 0..self.spans {
-            let b = lift.on(piece, &mut room);
-            if least(b) < lowest {
-                critical.clear();
-                bernstein::add_critical(b, &mut critical);
-                let inside = critical.iter().map(|u| bernstein::eval(b, *u));
-                lowest = inside.fold(lowest, f64::min);
-            }
-        }
-        lowest
-    }
-
     /// Coefficients of one derivative.
     fn of_order(&self, order: usize) -> &[f64] {
         let before: usize = (0..order).map(|k| self.degree + 1 - k).sum();
@@ -285,15 +262,12 @@ mod tests {
     }
 
     #[test]
-    fn maxima_and_lowest_lift_are_those_of_the_piecewise_polynomial() {
+    fn maxima_are_those_of_the_piecewise_polynomial() {
         for space in spaces() {
             let x: Vec<f64> = (0..space.dimension())
                 .map(|i| ((i * i) % 7) as f64 - 2.0)
                 .collect();
-            let spline = space.spline(&x);
             let pieces = Pieces::new(&space, &x, 3);
-            let lowest = spline.extremes().0.value;
-            assert!((pieces.lowest() - lowest).abs() < 1e-13);
             let basis = Basis::Spline {
                 space: space.clone(),
                 closed: false,

@@ -2,7 +2,7 @@
 
 use super::basis::{Basis, Entries, WIDEST, add};
 use super::pieces::{Curve, Pieces};
-use super::program::{EXTRAS, Limit, Meaning, Program, Row};
+use super::program::{EXTRAS, Limit, Meaning, PEAK, Program, Row, Solution};
 use crate::Names;
 use crate::poly::{Peak, PiecewisePoly, SplineSpace, bernstein};
 
@@ -53,6 +53,25 @@ impl<N: Names> Program<N> {
         excess.fold(0.0, f64::max)
     }
 
+    /// The minimised peak, raised to what the law itself attains: its excess over the variable then counts in the objective,
+    /// and so in the duality gap, and not as a violation relative to the limit's scale.
+    pub fn own_peak(&self, solution: &Solution<N>) -> f64 {
+        let (x, extra) = (&solution.x, &solution.extra);
+        let mut raised = 0.0_f64;
+        if self.limits.iter().any(Limit::is_peak) {
+            let level = |limit: &Limit<N>| match limit.is_peak() {
+                true => self.room(limit, x, extra),
+                false => f64::INFINITY,
+            };
+            self.each_peak_above(x, level, |index, peak| {
+                let limit = &self.limits[index];
+                let excess = peak.value - self.room(limit, x, extra);
+                raised = raised.max(excess / limit.extra[PEAK].abs());
+            });
+        }
+        extra[PEAK] + raised
+    }
+
     /// Visits every local maximum of every limit's left side above its level, limit by limit.
     pub fn each_peak_above(
         &self,
@@ -74,9 +93,7 @@ impl<N: Names> Program<N> {
             let curve = self.curve(x, limit);
             for mut peak in curve.peaks_above(level, limit.domain.0, limit.domain.1) {
                 // A shape subdivides the curve; report the place on the pieces of the basis.
-                if let Basis::Spline { space, .. } = &self.basis {
-                    (peak.piece, peak.u) = space.locate(peak.at);
-                }
+                (peak.piece, peak.u) = self.basis.locate(peak.at);
                 visit(index, peak);
             }
         }

@@ -59,17 +59,12 @@ pub struct ActiveSetSettings {
     pub dependent: f64,
     /// A new row this near (in units of its piece) to an old one of the same limit replaces it.
     pub coincident: f64,
-    /// Contacts are refined together once limits are violated by less than this part of their scale …
-    pub refined_from: f64,
-    /// … at most this often.
+    /// Rounds in which contacts are refined, at most.
     pub refinements: usize,
     /// The pin of an open level is moved at most this often …
     pub pin_moves: usize,
     /// … until the level moves by no more than this part of the typical lift.
     pub pin_settled: f64,
-    /// Room kept in a second solution, in units of the violation of the first: two crests that share a row can end
-    /// slightly above a limit.
-    pub room: f64,
 }
 
 /// Settings of Newton's method on the contacts.
@@ -93,7 +88,7 @@ pub struct RefinementSettings {
     pub clean: f64,
     /// … and those accepted where rounding permits no better.
     pub proved: f64,
-    /// Limits exceeded by less than this part of their scale are near enough to begin.
+    /// Contacts are refined together once limits are violated by less than this part of their scale.
     pub from: f64,
     /// Steps to violations this many times those at the start have lost their contacts.
     pub divergence: f64,
@@ -135,12 +130,6 @@ pub struct RefinementSettings {
     pub dependent: f64,
     /// A plane that depends on the active ones and is violated by less than this is left to rounding.
     pub rounding: f64,
-    /// Relative residual up to which a polished point counts …
-    pub polish_residual: f64,
-    /// … with multipliers no further below zero than this part of the largest entry …
-    pub polish_negative: f64,
-    /// … and no violation above this.
-    pub polish_violation: f64,
 }
 
 /// Settings of the rounds of separation and interior-point solution.
@@ -148,20 +137,20 @@ pub struct RefinementSettings {
 pub struct ExchangeSettings {
     /// Rounds before giving up; a handful is usual.
     pub rounds: usize,
-    /// A point that violates limits by more than this part of their scale is not polished.
-    pub polish_below: f64,
+    /// Rounds in which contacts are refined, at most: a dense step costs as much as a round.
+    pub refinements: usize,
     /// A round that leaves more than this part of the least violation has stalled.
     pub stalled: f64,
     /// Then room is kept inside every limit: this many times the violation, and the room of the round before …
     pub margin_growth: f64,
     /// … but never more than this part of its scale.
     pub largest_margin: f64,
-    /// What the solver leaves unresolved of a second-order cone, which is not polished.
+    /// What the solver leaves unresolved of a second-order cone, which is not refined.
     pub cone_margin: f64,
     /// A new row this near (in units of its piece) to an old one of the same limit replaces it.
     pub coincident: f64,
     /// Gap and feasibility tolerance of the interior-point method: tighter ones end in "insufficient progress" on some
-    /// fits, and polishing restores the digits.
+    /// fits, and refinement restores the digits.
     pub solver_tolerance: f64,
     /// Iterations of the interior-point method; 20 are usual.
     pub solver_iterations: u32,
@@ -200,15 +189,13 @@ impl Default for Settings {
                 patience: 4,
                 dependent: 1e-13,
                 coincident: 1e-5,
-                refined_from: 1e-3,
                 refinements: 8,
                 pin_moves: 12,
                 pin_settled: 1e-9,
-                room: 2.0,
             },
             exchange: ExchangeSettings {
                 rounds: 60,
-                polish_below: 1e-5,
+                refinements: 3,
                 stalled: 0.5,
                 margin_growth: 2.0,
                 largest_margin: 1e-6,
@@ -260,9 +247,6 @@ impl Default for RefinementSettings {
             step_resolved: 1e-14,
             dependent: 1e-25,
             rounding: 1e-9,
-            polish_residual: 1e-9,
-            polish_negative: 1e-7,
-            polish_violation: 1e-9,
         }
     }
 }

@@ -8,7 +8,7 @@
 //! | Newton's method on the contacts | every solution whose certificate is open | `refine` |
 
 use super::basis::apply;
-use super::program::{EXTRAS, FACE_END, Failure, LOWEST, Meaning, Program, Solution};
+use super::program::{EXTRAS, FACE_END, Failure, LOWEST, PEAK, Program, Solution};
 use super::{active_set, equality, exchange, refine};
 use crate::Names;
 
@@ -18,6 +18,16 @@ impl<N: Names> Program<N> {
     /// # Errors
     /// Equalities that contradict each other, limits that leave nothing, a solver that stops without an answer.
     pub fn solve(&self) -> Result<Solution<N>, Failure<N>> {
+        let mut solution = self.solved()?;
+        let peak = self.own_peak(&solution);
+        if peak > solution.extra[PEAK] {
+            solution.extra[PEAK] = peak;
+            solution.violation = self.violation(&solution.x, &solution.extra);
+        }
+        Ok(solution)
+    }
+
+    fn solved(&self) -> Result<Solution<N>, Failure<N>> {
         // A range of values whose place is free adds two unknowns: only where the law without them exceeds it.
         if let Some(free) = self.without_windows() {
             let mut solution = refine::refined(&free, free.by_the_first_method()?);
@@ -38,44 +48,11 @@ impl<N: Names> Program<N> {
             return exchange::solve(self);
         }
         let mut unlimited = equality::solve(self)?;
-        if unlimited.pin.is_some() {
-            unlimited.x = self.with_lowest_at_zero(unlimited.x);
-        }
+        unlimited.x = self.on_base_circle(unlimited.x);
         if let Some(solution) = self.without_rows(&unlimited.x) {
             return Ok(solution);
         }
-        match active_set::solve(self, &unlimited) {
-            Ok(first) => Ok(self.with_room_kept(first, &unlimited)),
-            Err(rows) => exchange::from_rows(self, rows),
-        }
-    }
-
-    /// A solution that still exceeds a limit, solved again with room kept inside every limit.
-    fn with_room_kept(&self, first: Solution<N>, unlimited: &equality::Unlimited) -> Solution<N> {
-        if first.violation <= self.settings.tolerance {
-            return first;
-        }
-        let tighter = self.tightened(self.settings.active_set.room * first.violation);
-        let Ok(mut again) = active_set::solve(&tighter, unlimited) else {
-            return first;
-        };
-        again.violation = self.violation(&again.x, &again.extra);
-        if again.violation < first.violation {
-            again
-        } else {
-            first
-        }
-    }
-
-    /// The same program with this part of every limit's size kept free, where room can be kept.
-    fn tightened(&self, part: f64) -> Program<N> {
-        let mut out = self.clone();
-        for limit in &mut out.limits {
-            if limit.meaning != Meaning::Structure && !limit.is_peak() {
-                limit.bound -= part * limit.size(limit.bound);
-            }
-        }
-        out
+        active_set::solve(self, &unlimited).or_else(|rows| exchange::from_rows(self, rows))
     }
 
     /// The optimum without limits as the solution, where it satisfies them all.

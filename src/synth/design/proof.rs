@@ -3,11 +3,8 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use crate::synth::qp::{Certificate, TOLERANCE};
+use crate::synth::qp::Certificate;
 use crate::wording::{self, Language};
-
-/// Largest relative gap, and part of the gradient left over, of an optimum that is called certified.
-pub const PROVED: f64 = 1e-6;
 
 /// Why a law is not certified to be the optimum.
 ///
@@ -44,9 +41,9 @@ impl Doubt {
 
 /// What stands between a certificate and a proof.
 pub fn doubt(certificate: &Certificate) -> Option<Doubt> {
-    if certificate.violation > TOLERANCE * 1.000_001 {
+    if !certificate.keeps_limits() {
         Some(Doubt::Limits)
-    } else if certificate.relative_gap <= PROVED && certificate.stationarity <= PROVED {
+    } else if certificate.proves_optimum() {
         None
     } else {
         Some(Doubt::Gap)

@@ -8,12 +8,12 @@ mod touching;
 pub use refusal::{NoLaw, Refusal};
 
 use super::design::method::{Ended, Method};
-use super::design::proof::{self, Doubt, PROVED};
+use super::design::proof::{self, Doubt};
 use super::design::{SolverReport, Step, Tier};
 use super::limits::{self, ENLARGED, NonconvexLimits};
 use super::qp::{
-    self, Certificate, Demand, Equality, Failure, Limit, OFFSET, Program, Quadratic, RADIUS, RISE,
-    Solution, Stop, apply,
+    self, Certificate, Demand, Equality, Failure, Limit, OFFSET, PROVED, Program, Quadratic,
+    RADIUS, RISE, Solution, Stop, apply,
 };
 use super::search::Search;
 use super::sizing;

@@ -62,7 +62,7 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
             error,
         };
         let size = format!("{spans} spans");
-        let row = timing.row("gaitcam: exchange and polish", size, 0.0);
+        let row = timing.row("gaitcam: exchange and refinement", size, 0.0);
         rows.push(truth.judge(row.by_default(), &answer));
         settings(watch, &task, &truth, &mut rows)?;
     }

@@ -48,15 +48,15 @@ pub fn solve<N: Names>(
                 .filter(|b| b.violation < settings.resolved_at_last)
                 .ok_or(rows);
         }
-        let below = program.settings.refinement.below;
-        let peaks = program.peaks_near(&set.dual.x, &none, below);
+        let refinement = &program.settings.refinement;
+        let peaks = program.peaks_near(&set.dual.x, &none, refinement.below);
         let violation = program.worst(&peaks, &set.dual.x, &none);
         let candidate = set.solution(&rows, violation, round);
         if candidate.violation <= program.settings.tolerance {
             return Ok(candidate);
         }
         let broken = program.broken_among(&peaks, &set.dual.x, &none);
-        if candidate.violation < settings.refined_from && refinements < settings.refinements {
+        if candidate.violation < refinement.from && refinements < settings.refinements {
             refinements += 1;
             let refined = refine::on_band(program, unlimited, &candidate, peaks, set.pinned_at);
             if let Some(refined) = refined {

@@ -7,6 +7,7 @@ use clarabel::solver::{
     SupportedConeT,
 };
 
+use crate::basis::row_unit;
 use crate::program::{EXTRAS, Failure, OFFSET, PEAK, Program, RADIUS, RISE, Row, Stop};
 
 /// Minimise ½xᵀPx + qᵀx with b − Ax in the cones, in the solver's hands. Clarabel's code is generic: every crate that makes or
@@ -188,15 +189,6 @@ impl Columns {
         unit[PEAK] = if largest > 0.0 { largest } else { 1.0 };
         Columns { of, unit, total }
     }
-}
-
-/// Size of a row's terms for coefficients of typical size; the length for a row on sizes alone.
-pub fn row_unit(entries: &[(usize, f64)], length: f64) -> f64 {
-    let unit = entries
-        .iter()
-        .fold(0.0_f64, |m, e| m.max((e.1 * length).abs()));
-    // A row on a size alone.
-    if unit > 0.0 { unit } else { length }
 }
 
 fn upper_triangle(lower: &[(usize, usize, f64)], columns: usize, factor: f64) -> CscMatrix<f64> {

@@ -4,9 +4,11 @@
 pub mod clarabel;
 
 use crate::Names;
+use crate::basis::row_unit;
 use crate::poly::Peak;
-use crate::program::{EXTRAS, Failure, Program, Row, Solution, Stop};
+use crate::program::{EXTRAS, Failure, PEAK, Program, Row, Solution, Stop};
 use crate::{equality, refine};
+use clarabel::Point;
 
 /// The optimum by the interior-point method on exchanged rows, which begin with the program's seeds or with the worst points of
 /// its optimum without limits.
@@ -41,10 +43,10 @@ pub fn from_rows<N: Names>(
     mut rows: Vec<Row<N>>,
 ) -> Result<Solution<N>, Failure<N>> {
     let settings = &program.settings.exchange;
-    let mut iterations = 0;
+    let (mut iterations, mut refinements) = (0, 0);
     let mut best: Option<Solution<N>> = None;
-    // Room left inside every limit for what the solver does not resolve; grows only when needed. A cone is not polished,
-    // so there it is kept from the start.
+    // Room left inside every limit for what the solver does not resolve; grows only when needed. With a cone there is no
+    // refinement, so there it is kept from the start.
     let mut margin = if program.cone {
         settings.cone_margin
     } else {
@@ -61,16 +63,10 @@ pub fn from_rows<N: Names>(
             (Err(failure), _) => return Err(failure),
         };
         iterations += point.iterations;
-        // Far from the end the next rows matter, not the last digits.
-        let rough = program.violation(&point.x, &point.extra) > settings.polish_below;
-        let (x, extra) = if rough {
-            (point.x, point.extra)
-        } else {
-            refine::polish(program, &mut rows, &point)
-        };
+        let Point { x, extra, .. } = point;
         let broken = program.broken(&x, &extra);
         let violation = program.violation(&x, &extra);
-        let active = rows.iter().filter(|r| r.multiplier > 0.0);
+        let active = rows.iter().filter(|r| is_active(program, r, &x, &extra));
         let solution = Solution {
             active: active.cloned().collect(),
             x,
@@ -82,6 +78,13 @@ pub fn from_rows<N: Names>(
         };
         if broken.is_empty() {
             return Ok(solution);
+        }
+        let near = violation < program.settings.refinement.from;
+        if near && refinements < settings.refinements {
+            refinements += 1;
+            if let Some(refined) = refine::on_contacts(program, &solution) {
+                return Ok(refined);
+            }
         }
         let least = best.as_ref().map(|b| b.violation);
         if least.is_some_and(|least| violation > settings.stalled * least)
@@ -107,4 +110,16 @@ fn add_rows<N: Names>(program: &Program<N>, rows: &mut Vec<Row<N>>, broken: Vec<
         rows.retain(|r| !r.coincides(&row, coincident));
         rows.push(row);
     }
+}
+
+/// Whether the multiplier of a row outweighs its slack, both in the solver's scaled units.
+fn is_active<N: Names>(
+    program: &Program<N>,
+    row: &Row<N>,
+    x: &[f64],
+    extra: &[f64; EXTRAS],
+) -> bool {
+    let unit = row_unit(&row.entries, program.length);
+    let multiplier = row.multiplier * unit / program.multiplier_unit(extra[PEAK]);
+    multiplier > (row.slack(x, extra) / unit).max(0.0)
 }

@@ -7,7 +7,7 @@ use realfft::num_complex::Complex64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 thread_local! {
-    /// Planning a transform takes longer than a transform of usual length: each length is planned once.
+    /// Planning a transform costs more than one transform of usual length: each length is planned once.
     static PLANNER: RefCell<RealFftPlanner<f64>> = RefCell::new(RealFftPlanner::new());
 }
 
@@ -20,8 +20,8 @@ fn inverse(n: usize) -> Arc<dyn ComplexToReal<f64>> {
 }
 
 /// Mean, then (cosine, sine) amplitudes of harmonics 1 … n/2 of n ≥ 1 samples at equal steps of a turn:
-/// the sample at θ is the mean plus Σ aₕ cos hθ + bₕ sin hθ. The mean stands as (mean, 0); for even n the
-/// last cosine is counted twice, as samples cannot tell it from its mirror.
+/// the sample at θ is the mean plus Σ aₕ cos hθ + bₕ sin hθ. The first entry is (mean, 0); for even n the amplitude of the last
+/// cosine is twice that of the sum, because samples do not distinguish it from its alias.
 pub fn amplitudes(samples: &[f64]) -> Vec<(f64, f64)> {
     let n = samples.len();
     let fft = forward(n);

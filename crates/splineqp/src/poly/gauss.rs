@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-/// Largest rule used in one block; longer requests repeat it on equal parts.
+/// Most nodes of one rule; for more, rules are repeated on equal parts.
 const LARGEST: usize = 16;
 
 /// At least `n` nodes in (0, 1) with their weights (sum 1): one Gauss–Legendre rule, or several side by
@@ -10,7 +10,7 @@ const LARGEST: usize = 16;
 pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
     let parts = n.max(1).div_ceil(LARGEST);
     let m = n.max(1).div_ceil(parts);
-    let rule = known_rule(m);
+    let rule = cached_rule(m);
     let width = 1.0 / parts as f64;
     (0..parts)
         .flat_map(|p| {
@@ -20,8 +20,8 @@ pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The rule of m ≤ 16 nodes; each is worked out once, because every fit asks for the same few.
-fn known_rule(m: usize) -> &'static [(f64, f64)] {
+/// The rule of m ≤ 16 nodes, computed once each: all fits use the same few.
+fn cached_rule(m: usize) -> &'static [(f64, f64)] {
     static RULES: [OnceLock<Vec<(f64, f64)>>; LARGEST + 1] =
         [const { OnceLock::new() }; LARGEST + 1];
     RULES[m].get_or_init(|| single_rule(m))

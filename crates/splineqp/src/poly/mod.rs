@@ -1,7 +1,7 @@
 //! Piecewise polynomials: Bernstein form, exact derivatives, roots and extrema; B-splines. Sums of harmonics.
 //!
-//! Nothing here knows of cams. A polynomial of degree n on an interval is kept by its n + 1 Bernstein
-//! coefficients, whose hull bounds it and which do not lose digits as monomials do (theory §9).
+//! A polynomial of degree n on an interval is represented by its n + 1 Bernstein coefficients: their convex hull bounds it, and
+//! they are well conditioned where monomials are not (theory §9).
 
 pub mod bernstein;
 mod bspline;

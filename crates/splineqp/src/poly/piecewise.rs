@@ -26,7 +26,7 @@ pub struct PiecewisePoly {
     coef: Vec<f64>,
 }
 
-/// Values that differ by this part of them are one but for rounding.
+/// Relative difference up to which two values are equal except for rounding.
 const SAME: f64 = 1e-12;
 
 /// An extreme value and where it is taken.
@@ -53,7 +53,7 @@ struct Range {
 }
 
 impl Range {
-    /// Of two places that are equal but for rounding the first counts, whatever rounding does.
+    /// Of two places with equal values except for rounding, the first counts.
     fn take(&mut self, at: f64, value: f64) {
         let tie = SAME * value.abs();
         if value < self.low.value {
@@ -79,7 +79,7 @@ impl Range {
 /// let peaks = arc.peaks_above(0.5, 0.0, 1.0);
 /// assert!((peaks[0].at - 0.5).abs() < 1e-9 && (peaks[0].value - 1.0).abs() < 1e-12);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Peak {
     /// Index of the piece.
     pub piece: usize,
@@ -95,7 +95,7 @@ impl PiecewisePoly {
     /// From increasing breaks (n + 1 of them) and n·(degree + 1) Bernstein coefficients, piece by piece.
     ///
     /// # Panics
-    /// When the lengths do not fit or the breaks do not increase: a fault of the caller, not of input.
+    /// When the lengths do not fit or the breaks do not increase: an error of the caller, not of input.
     pub fn new(breaks: Vec<f64>, degree: usize, coef: Vec<f64>) -> Self {
         assert!(breaks.len() >= 2 && coef.len() == (breaks.len() - 1) * (degree + 1));
         assert!(
@@ -104,6 +104,15 @@ impl PiecewisePoly {
         );
         PiecewisePoly {
             breaks,
+            degree,
+            coef,
+        }
+    }
+
+    /// Another function on the same breaks.
+    fn with_pieces(&self, degree: usize, coef: Vec<f64>) -> Self {
+        PiecewisePoly {
+            breaks: self.breaks.clone(),
             degree,
             coef,
         }
@@ -166,11 +175,7 @@ impl PiecewisePoly {
             let scale = n as f64 / (ends[1] - ends[0]);
             coef.extend(b.windows(2).map(|w| (w[1] - w[0]) * scale));
         }
-        PiecewisePoly {
-            breaks: self.breaks.clone(),
-            degree: n - 1,
-            coef,
-        }
+        self.with_pieces(n - 1, coef)
     }
 
     /// Integral over the whole range.
@@ -183,16 +188,13 @@ impl PiecewisePoly {
 
     /// Integral of the square over the whole range, exact.
     pub fn integral_of_square(&self) -> f64 {
-        let n = self.degree + 1;
         let gram = bernstein::gram(self.degree);
-        (self.coef.chunks_exact(n).zip(self.breaks.windows(2)))
-            .map(|(b, ends)| {
-                let square: f64 = (b.iter().zip(gram.chunks_exact(n)))
-                    .map(|(x, row)| x * row.iter().zip(b).map(|(g, y)| g * y).sum::<f64>())
-                    .sum();
-                square * (ends[1] - ends[0])
-            })
-            .sum()
+        (self
+            .coef
+            .chunks_exact(self.degree + 1)
+            .zip(self.breaks.windows(2)))
+        .map(|(b, ends)| bernstein::square(&gram, b) * (ends[1] - ends[0]))
+        .sum()
     }
 
     /// Applies `f(coefficients, width)` to every piece; the result is written at `degree`.
@@ -202,11 +204,7 @@ impl PiecewisePoly {
             let piece = f(self.piece(i), self.breaks[i + 1] - self.breaks[i]);
             coef.extend(bernstein::elevate(&piece, degree));
         }
-        PiecewisePoly {
-            breaks: self.breaks.clone(),
-            degree,
-            coef,
-        }
+        self.with_pieces(degree, coef)
     }
 
     /// Weighted sum of functions on the same breaks, plus a constant.
@@ -235,11 +233,7 @@ impl PiecewisePoly {
                 }
             }
         }
-        PiecewisePoly {
-            breaks: first.breaks.clone(),
-            degree,
-            coef,
-        }
+        first.with_pieces(degree, coef)
     }
 
     /// Product of two functions on the same breaks.
@@ -253,11 +247,7 @@ impl PiecewisePoly {
         let coef = (0..self.pieces())
             .flat_map(|i| bernstein::product(self.piece(i), other.piece(i)))
             .collect();
-        PiecewisePoly {
-            breaks: self.breaks.clone(),
-            degree,
-            coef,
-        }
+        self.with_pieces(degree, coef)
     }
 
     /// Smallest and largest value, from the roots of the derivative and both sides of every break.
@@ -270,7 +260,7 @@ impl PiecewisePoly {
             low: start,
             high: start,
         };
-        // Ends first: where they surpass a piece's hull there is nothing to seek.
+        // Ends first: a piece whose hull lies between their extremes contains no extreme.
         let (mut lowest_end, mut highest_end) = (start.value, start.value);
         for b in self.coef.chunks_exact(self.degree + 1) {
             for end in [b[0], b[self.degree]] {
@@ -298,7 +288,7 @@ impl PiecewisePoly {
     }
 
     /// Every local maximum above `level` on [from, to] (clipped to the breaks), ends of pieces included
-    /// where the function rises towards them. Used to find where a limit is broken.
+    /// where the function rises towards them.
     pub fn peaks_above(&self, level: f64, from: f64, to: f64) -> Vec<Peak> {
         let mut out = Vec::new();
         for i in 0..self.pieces() {

@@ -1,30 +1,28 @@
-//! Polynomial stand-ins for smooth functions, so that their extremes come from roots, not from samples.
+//! Piecewise Chebyshev interpolants of smooth functions, so that their extremes come from roots, not from samples.
 
 use std::f64::consts::PI;
 
 use super::{PiecewisePoly, bernstein};
 
-/// Degree of the stand-in on each part; the part is halved until this is enough.
+/// Degree of the interpolant on each part; a part is halved until this degree is sufficient.
 const DEGREE: usize = 12;
-/// A part is not halved more often than this: a cusp or jump inside a piece ends there.
+/// Most halvings of a part: refinement at a cusp or jump inside a piece ends there.
 const MAX_HALVINGS: u32 = 30;
-/// One piece is not cut into more parts than this: a cusp takes one for each halving, noise all it gets.
+/// Most parts of one piece: a cusp needs one for each halving, noise would need any number.
 const MOST_PARTS: usize = 512;
-/// Last coefficients below this share of the scale that halving does not make smaller are rounding noise
-/// of the function itself: halving on would chase it through every part.
+/// Last coefficients below this share of the scale that halving does not reduce are rounding noise of the function itself:
+/// further halving would not reduce them anywhere.
 const NOISE: f64 = 1e-9;
 
 /// Piecewise polynomial that agrees with `f` to about `tolerance` times its scale on every interval of
-/// `breaks`; `f` must be smooth between breaks and is asked only strictly inside them, with the index
-/// of its interval.
+/// `breaks`; `f` must be smooth between breaks and is evaluated only strictly inside them, with the index of its interval.
 ///
 /// Interpolates at Chebyshev points and halves an interval until the last coefficients are negligible.
 pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -> PiecewisePoly {
     stand_in_for_difference(breaks, tolerance, 0.0, f)
 }
 
-/// The same for an `f` that is a difference of terms of this size: its rounding is theirs, and digits below
-/// are not chased.
+/// The same for an `f` that is a difference of terms of this size: their rounding limits the accuracy.
 pub fn stand_in_for_difference(
     breaks: &[f64],
     tolerance: f64,
@@ -34,8 +32,8 @@ pub fn stand_in_for_difference(
     let mut out_breaks = vec![breaks[0]];
     let mut coef = Vec::new();
     let transform = Transform::new();
-    // The scale of the whole comes first: judged by its own, a piece that is only rounding (a dwell)
-    // would be halved without end.
+    // The scale of the whole function comes first: relative to its own scale, a piece that is only rounding (a dwell) would be
+    // halved without end.
     let mut scale = terms;
     for (piece, w) in breaks.windows(2).enumerate() {
         for x in transform.nodes {
@@ -147,7 +145,7 @@ impl Part {
         }
     }
 
-    /// Whether halving it would bring anything.
+    /// Whether halving would reduce the error.
     fn is_rough(&self, tolerance: f64, scale: f64) -> bool {
         let [a, b] = self.ends;
         let mid = 0.5 * (a + b);

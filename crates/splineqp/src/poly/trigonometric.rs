@@ -10,7 +10,7 @@ const POINTS_PER_WAVE: usize = 16;
 const FEWEST_POINTS: usize = 64;
 /// Steps within a cell: Newton's method needs three or four, halving all of them.
 const STEPS: usize = 40;
-/// A crest is that flat within this angle, rad, that its value is found by one more parabola.
+/// Newton step, rad, below which a parabola gives the value of the maximum to rounding.
 const FLAT: f64 = 1e-5;
 
 /// Value and two derivatives at `x`.
@@ -99,7 +99,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Looks at a point of the grid with its value, and at the cells on both sides.
+    /// Considers a point of the grid with its value, and the cells on both sides.
     fn around(&mut self, i: usize, value: f64) {
         self.take(self.sign * value, i as f64 * self.step);
         for end in [i, i + 1] {
@@ -142,7 +142,7 @@ impl Search<'_> {
             let [value, slope, bend] = harmonic_sum(self.terms, x).map(|f| self.sign * f);
             let newton = -slope / bend;
             if bend < 0.0 && newton.abs() < FLAT {
-                // What is left of the way changes the value by less than rounding.
+                // The parabola's error is below rounding.
                 self.take(value + 0.5 * newton * slope, x + newton);
                 return;
             }

@@ -24,7 +24,7 @@ pub struct Wave {
     pub sin: f64,
 }
 
-/// Phase of a wave that one Taylor polynomial covers, rad: ±½ about its middle.
+/// Largest phase of a wave on one Taylor polynomial, rad: ±½ about its middle.
 const PHASE_PER_PIECE: f64 = 1.0;
 /// Degree of the Taylor polynomials: the remainder 0.5¹⁵/15! ≈ 2e-17 is below rounding.
 const TAYLOR_DEGREE: usize = 14;
@@ -43,7 +43,7 @@ impl Wave {
         out[3] -= square * slope;
     }
 
-    /// The wave seen from a later start: g(x) = f(x + later).
+    /// The wave shifted to a later start: g(x) = f(x + later).
     pub fn from(&self, later: f64) -> Wave {
         let (sin, cos) = (self.rate * later).sin_cos();
         Wave {
@@ -53,7 +53,7 @@ impl Wave {
         }
     }
 
-    /// The wave seen backwards from the end of a piece of given width: g(x) = f(width − x).
+    /// The wave reversed on a piece of given width: g(x) = f(width − x).
     pub fn mirrored(&self, width: f64) -> Wave {
         let (sin, cos) = (self.rate * width).sin_cos();
         Wave {
@@ -75,8 +75,8 @@ impl Wave {
     }
 }
 
-/// Splits pieces with waves until one Taylor polynomial covers every wave on a piece. The waves returned
-/// carry the x at the start of each new piece.
+/// Splits pieces until one Taylor polynomial is accurate for every wave on a piece. Each wave returned contains the x at
+/// the start of its new piece.
 pub fn subdivide(poly: &PiecewisePoly, waves: &[Vec<Wave>]) -> (PiecewisePoly, Vec<Vec<Shifted>>) {
     if waves.is_empty() {
         return (poly.clone(), Vec::new());
@@ -106,7 +106,7 @@ pub fn subdivide(poly: &PiecewisePoly, waves: &[Vec<Wave>]) -> (PiecewisePoly, V
     (PiecewisePoly::new(breaks, poly.degree(), coef), shifted)
 }
 
-/// A wave on a part of its piece that begins `start` after the piece does.
+/// A wave on a part of its piece; the part begins at x = `start` of the piece.
 pub struct Shifted {
     wave: Wave,
     start: f64,

@@ -16,7 +16,7 @@ pub use limit::{
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries, apply};
-use super::objective::Quadratic;
+use super::objective::{Quadratic, quadratic};
 use super::settings::{Settings, TOLERANCE};
 use crate::poly::{Peak, PiecewisePoly};
 use gaitcam_base::halt::Halt;
@@ -93,6 +93,12 @@ pub struct Row<N: Names> {
 }
 
 impl<N: Names> Row<N> {
+    /// Bound less left side.
+    pub(crate) fn slack(&self, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
+        let taken: f64 = (0..EXTRAS).map(|k| self.extra[k] * extra[k]).sum();
+        self.bound - taken - apply(&self.entries, x)
+    }
+
     /// Whether a row of the same limit lies within this part of the piece.
     pub(crate) fn coincides(&self, other: &Row<N>, part: f64) -> bool {
         self.limit == other.limit
@@ -294,18 +300,12 @@ impl<N: Names> Program<N> {
         !self.equalities.iter().any(fixes_level) && self.constant_is_free()
     }
 
-    /// Where nothing fixes the level, the law with its lowest point at zero: a stroke counts from there.
-    pub fn on_base_circle(&self, x: Vec<f64>) -> Vec<f64> {
-        if self.level_is_open() {
-            self.with_lowest_at_zero(x)
-        } else {
-            x
+    /// Where nothing fixes the level, the law raised until its lowest point is at zero: a stroke counts from there.
+    pub(crate) fn on_base_circle(&self, x: Vec<f64>) -> Vec<f64> {
+        if !self.level_is_open() {
+            return x;
         }
-    }
-
-    /// The law raised until its lowest point is at zero.
-    pub(crate) fn with_lowest_at_zero(&self, x: Vec<f64>) -> Vec<f64> {
-        let lowest = self.basis.lowest(&x);
+        let lowest = self.basis.least(&x, 0);
         self.basis.raised(x, -lowest)
     }
 
@@ -345,8 +345,6 @@ impl<N: Names> Program<N> {
 
     /// Value of the quadratic part of the objective.
     pub fn objective(&self, x: &[f64]) -> f64 {
-        let hx = self.hessian.times(&x[..self.basis.columns()]);
-        hx.iter().zip(x).map(|(h, x)| 0.5 * h * x).sum::<f64>()
-            + self.gradient.iter().zip(x).map(|(g, x)| g * x).sum::<f64>()
+        quadratic(&self.hessian, &self.gradient, &x[..self.basis.columns()])
     }
 }

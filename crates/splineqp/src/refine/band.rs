@@ -23,7 +23,7 @@ pub fn on_band<N: Names>(
     level: f64,
 ) -> Option<Solution<N>> {
     let settings = &program.settings.refinement;
-    let contacts = Contacts::new(program)?;
+    let contacts = Contacts::new(program);
     let mut current = start.clone();
     current.active = contacts.gathered(&current, &peaks, Way::Equalities);
     for _ in 0..settings.band_steps {

@@ -16,24 +16,20 @@
 //! | file | used |
 //! |---|---|
 //! | `band` | inside the active set, over the coefficients alone: cost linear in the spans |
-//! | `polish` | inside the exchange: the active rows as equalities, without curvature |
-//! | `step` | at the end: one dense step |
+//! | `step` | inside the exchange and at the end: one dense step, over the further variables as well |
 
 use crate::Names;
 mod band;
-mod polish;
 mod step;
 
 pub use band::on_band;
-pub use polish::polish;
 
 use step::Local;
 
 use super::band::ArrowMatrix;
-use super::basis::{Basis, apply};
+use super::basis::{Basis, apply, row_unit};
 use super::certificate::certificate;
 use super::program::{EXTRAS, Limit, PEAK, Program, Row, Solution};
-use crate::exchange::clarabel::row_unit;
 use crate::poly::{Peak, PiecewisePoly};
 
 struct Contacts<'a, N: Names> {
@@ -67,7 +63,7 @@ pub fn refined<N: Names>(program: &Program<N>, solution: Solution<N>) -> Solutio
     if before <= 1.0 {
         return solution;
     }
-    match searched(program, &solution) {
+    match on_contacts(program, &solution) {
         Some(closer) if openness(program, &closer) < before => closer,
         _ => solution,
     }
@@ -77,13 +73,13 @@ pub fn refined<N: Names>(program: &Program<N>, solution: Solution<N>) -> Solutio
 fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let settings = &program.settings.refinement;
     let proof = certificate(program, solution);
-    let excess = (solution.violation - program.settings.tolerance).max(0.0);
-    (proof.relative_gap / settings.gap).max(proof.stationarity / settings.stationarity)
-        + excess / settings.gap
+    (proof.relative_gap / settings.gap)
+        .max(proof.stationarity / settings.stationarity)
+        .max(proof.violation / program.settings.tolerance)
 }
 
-/// The optimum near a solution that nearly satisfies its limits; `None` where no search reaches it.
-fn searched<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
+/// The optimum near a solution that nearly satisfies its limits, with a closed certificate; `None` where no search reaches it.
+pub fn on_contacts<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
     let contacts = Contacts::small(program)?;
     [Way::Equalities, Way::Arcs, Way::Program]
         .into_iter()
@@ -98,23 +94,23 @@ impl<'a, N: Names> Contacts<'a, N> {
         if program.cone || too_large {
             return None;
         }
-        Contacts::new(program)
+        Some(Contacts::new(program))
     }
 
-    /// `None` for harmonics, which have no pieces.
-    fn new(program: &'a Program<N>) -> Option<Self> {
-        let Basis::Spline { space, .. } = &program.basis else {
-            return None;
+    fn new(program: &'a Program<N>) -> Self {
+        let degree = match &program.basis {
+            Basis::Spline { space, .. } => space.degree(),
+            Basis::Harmonic { .. } => usize::MAX,
         };
         let present = program.present();
-        Some(Contacts {
+        Contacts {
             program,
             bends: (program.shapes.iter())
                 .map(|s| s.derivative().derivative())
                 .collect(),
             free: (0..EXTRAS).filter(|&k| present[k]).collect(),
-            degree: space.degree(),
-        })
+            degree,
+        }
     }
 
     /// The start with its contacts as rows.
@@ -202,7 +198,7 @@ impl<'a, N: Names> Contacts<'a, N> {
                 mine.min_by(|a, b| away(&a.1).total_cmp(&away(&b.1)))
             });
             // A row on an arc that lies on its bound stays.
-            let value = row.bound - self.slack(row, solution);
+            let value = row.bound - row.slack(&solution.x, &solution.extra);
             let higher = nearest.filter(|(index, peak)| {
                 let taken = program.room(&program.limits[*index], &solution.x, &solution.extra);
                 let size = self.size(&program.limits[*index], solution);
@@ -293,7 +289,8 @@ impl<'a, N: Names> Contacts<'a, N> {
     /// limits on a size alone.
     fn violation(&self, at: &Solution<N>) -> f64 {
         let program = self.program;
-        let over = |row: &Row<N>| -self.slack(row, at) / row_unit(&row.entries, program.length);
+        let over =
+            |row: &Row<N>| -row.slack(&at.x, &at.extra) / row_unit(&row.entries, program.length);
         let of_rows = program.fixed.iter().map(over);
         let alone = program.limits.iter().filter(|l| l.is_on_size_alone());
         let of_sizes = alone.map(|limit| {
@@ -302,11 +299,6 @@ impl<'a, N: Names> Contacts<'a, N> {
         });
         let known = program.violation(&at.x, &at.extra);
         of_rows.chain(of_sizes).fold(known, f64::max)
-    }
-
-    fn slack(&self, row: &Row<N>, at: &Solution<N>) -> f64 {
-        let taken: f64 = (0..EXTRAS).map(|k| row.extra[k] * at.extra[k]).sum();
-        row.bound - taken - apply(&row.entries, &at.x)
     }
 
     /// Local maxima that come near their bound.
@@ -323,20 +315,6 @@ impl<'a, N: Names> Contacts<'a, N> {
         self.program
             .each_peak_above(&at.x, level, |index, peak| peaks.push((index, peak)));
         peaks
-    }
-
-    /// A peak that is minimised is what the law makes of it.
-    fn raise_peak(&self, solution: &mut Solution<N>) {
-        let program = self.program;
-        let mut most = 0.0_f64;
-        for (index, peak) in self.peaks_above(solution, |_| 0.0) {
-            let limit = &program.limits[index];
-            if limit.is_peak() {
-                let excess = peak.value - program.room(limit, &solution.x, &solution.extra);
-                most = most.max(excess / limit.extra[PEAK].abs());
-            }
-        }
-        solution.extra[PEAK] += most;
     }
 
     /// Rows of a step: the contacts, and what else is near its bound.
@@ -358,13 +336,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         // A limit on a size alone is one row, which no place of the law calls in.
         for (index, limit) in program.limits.iter().enumerate() {
             if limit.is_on_size_alone() && !rows.iter().any(|r| r.limit == Some(index)) {
-                let first = Peak {
-                    piece: 0,
-                    u: 0.0,
-                    at: 0.0,
-                    value: 0.0,
-                };
-                rows.push(program.row(index, first));
+                rows.push(program.row(index, Peak::default()));
             }
         }
         rows
@@ -428,7 +400,7 @@ impl<'a, N: Names> Contacts<'a, N> {
                     rows.push(row);
                 }
             }
-            self.raise_peak(&mut next);
+            next.extra[PEAK] = program.own_peak(&next);
             next.violation = self.violation(&next);
             last = Some(next);
             if rows.len() == count {

@@ -8,8 +8,7 @@ use super::Contacts;
 use crate::Names;
 use crate::active_set::dual::Dual;
 use crate::band::{ArrowFactor, ArrowMatrix};
-use crate::basis::{Entries, apply};
-use crate::exchange::clarabel::row_unit;
+use crate::basis::{Entries, apply, row_unit};
 use crate::program::{EXTRAS, PEAK, Row, Solution};
 use nalgebra::{DMatrix, DVector};
 

@@ -7,7 +7,7 @@ mod roots;
 
 pub use roots::{add_critical, add_roots, peaks_above, roots, rounding};
 
-/// Coefficients of a polynomial that needs no memory of its own.
+/// Most coefficients of a polynomial that is kept on the stack.
 const SHORT: usize = 16;
 
 /// Binomial coefficients of the degrees below [`SHORT`].
@@ -127,6 +127,13 @@ pub fn gram(n: usize) -> Vec<f64> {
         .collect()
 }
 
+/// Integral of the square over [0, 1], by the matrix that [`gram`] returns.
+pub fn square(gram: &[f64], b: &[f64]) -> f64 {
+    (b.iter().zip(gram.chunks_exact(b.len())))
+        .map(|(x, row)| x * row.iter().zip(b).map(|(g, y)| g * y).sum::<f64>())
+        .sum()
+}
+
 /// Binomial coefficient as a float; exact up to 2⁵³.
 pub fn binomial(n: usize, k: usize) -> f64 {
     let k = k.min(n - k);
@@ -145,7 +152,7 @@ pub fn from_power(p: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Monomial coefficients pₖ of Σ pₖ uᵏ: for output only, monomials lose digits.
+/// Monomial coefficients pₖ of Σ pₖ uᵏ: for output only, because they are ill conditioned.
 pub fn to_power(b: &[f64]) -> Vec<f64> {
     let n = b.len() - 1;
     let mut differences = b.to_vec();

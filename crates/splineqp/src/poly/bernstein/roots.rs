@@ -1,5 +1,5 @@
-//! Roots, crests and critical points of a polynomial on [0, 1] in Bernstein form: intervals are halved until each
-//! holds one change of sign.
+//! Roots, maxima and critical points of a polynomial on [0, 1] in Bernstein form: intervals are bisected until each contains
+//! one change of sign.
 
 use super::{SHORT, derivative, eval, split};
 
@@ -18,7 +18,7 @@ pub fn roots(b: &[f64]) -> Vec<f64> {
 pub fn add_roots(b: &[f64], out: &mut Vec<f64>) {
     let scale = b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     if scale > 0.0 && scale.is_finite() {
-        // Coefficients below this are rounding of the larger ones: subdivision would chase them.
+        // Coefficients below this are rounding of the larger ones and count as zero.
         let zero = scale * 4.0 * f64::EPSILON;
         match *b {
             [p, q] if p * q < 0.0 => out.push(p / (p - q)),
@@ -31,7 +31,7 @@ pub fn add_roots(b: &[f64], out: &mut Vec<f64>) {
     }
 }
 
-/// Hands the coefficients of d/du to `then`.
+/// Calls `then` with the coefficients of d/du.
 fn with_derivative<T>(b: &[f64], then: impl FnOnce(&[f64]) -> T) -> T {
     let n = b.len() - 1;
     if n == 0 || n > SHORT {
@@ -73,7 +73,7 @@ pub fn peaks_above(b: &[f64], level: f64, mut visit: impl FnMut(f64, f64)) {
             visit(u, value);
         }
     };
-    // A crest on the end itself may seem to lie beyond it on both sides of a break, by rounding.
+    // By rounding, a maximum on a break may seem to lie outside the piece on either side.
     let flat = rounding(b);
     if n == 0 || b[1] <= b[0] + flat {
         push(0.0, b[0]);
@@ -227,8 +227,8 @@ mod tests {
     }
 
     #[test]
-    fn a_crest_that_rounding_puts_beyond_an_end_is_seen_there() {
-        // The crest of a stroke that a break at 270° shared: each side put it on the other.
+    fn a_maximum_that_rounding_puts_beyond_an_end_is_found_at_the_end() {
+        // The maximum of a stroke on a break at 270°: the slopes of both sides placed it on the other side.
         let tiny = 1e-17;
         for b in [
             [0.04, 0.048, 0.049 + tiny, 0.049],

@@ -1,4 +1,4 @@
-//! Spaces on a knot vector: spans, and what turns B-splines into Bernstein polynomials on each.
+//! Spline spaces from knot vectors: spans and their extraction matrices.
 
 use std::borrow::Cow;
 use std::sync::OnceLock;
@@ -11,7 +11,7 @@ impl SplineSpace {
     /// multiplicity m joins with degree − m continuous derivatives.
     ///
     /// # Panics
-    /// When breaks do not increase or lengths do not fit: a fault of the caller.
+    /// When breaks do not increase or lengths do not fit: an error of the caller.
     pub fn periodic(degree: usize, breaks: &[f64], multiplicity: &[usize]) -> Self {
         let n = breaks.len() - 1;
         assert!(n >= 1 && multiplicity.len() == n);
@@ -23,7 +23,7 @@ impl SplineSpace {
 
     pub(super) fn around(degree: usize, one_turn: Vec<f64>, period: f64) -> Self {
         let dimension = one_turn.len();
-        // Enough copies of the turn on both sides for the widest support.
+        // Copies of the turn on both sides that contain the widest support.
         let turns = degree / dimension + 2;
         let knots: Vec<f64> = (0..2 * turns + 1)
             .flat_map(|t| {
@@ -59,7 +59,7 @@ impl SplineSpace {
         space
     }
 
-    /// Periodic splines with a knot at 0, 1 … n − 1: every span sees the same pattern, so all share a matrix.
+    /// Periodic splines with a knot at 0, 1 … n − 1: all spans have the same knot pattern and share an extraction matrix.
     pub(super) fn in_whole_numbers(degree: usize, n: usize) -> Self {
         let turns = degree / n + 1;
         let spans = (0..n).map(|i| Span {
@@ -95,7 +95,7 @@ impl SplineSpace {
     /// Splines on an open interval: full freedom at both ends, `multiplicity[i]` at inner break i + 1.
     ///
     /// # Panics
-    /// When breaks do not increase or lengths do not fit: a fault of the caller.
+    /// When breaks do not increase or lengths do not fit: an error of the caller.
     pub fn clamped(degree: usize, breaks: &[f64], multiplicity: &[usize]) -> Self {
         let n = breaks.len() - 1;
         assert!(n >= 1 && multiplicity.len() == n - 1);
@@ -125,7 +125,7 @@ impl SplineSpace {
     fn push_span(&mut self, knots: &[f64], at: usize, first: usize) {
         let (start, width) = (knots[at], knots[at + 1] - knots[at]);
         let local = &knots[at + 1 - self.degree..=at + self.degree];
-        // Equal knot patterns share a matrix; the previous span's is the likeliest twin.
+        // Spans with the same knot pattern share a matrix; only the previous span is compared.
         let same = self.spans.last().filter(|s| {
             let previous = &knots[at - self.degree..at + self.degree];
             (s.start + s.width - start).abs() < 1e-15
@@ -150,7 +150,7 @@ impl SplineSpace {
     }
 }
 
-/// Extraction matrix of equal spans; each usual one is worked out once.
+/// Extraction matrix of equal spans; those of usual degrees are computed once.
 fn uniform(degree: usize) -> Cow<'static, [f64]> {
     static USUAL: [OnceLock<Vec<f64>>; 10] = [const { OnceLock::new() }; 10];
     let own = || {
@@ -173,7 +173,7 @@ fn extraction(degree: usize, local: &[f64]) -> Vec<f64> {
         return matrix;
     }
     let (left, right) = (local[degree - 1], local[degree]);
-    // Row j holds what entry j of the de Boor triangle takes of each basis function.
+    // Row j contains the weights of the basis functions in entry j of the de Boor triangle.
     let mut triangle = vec![0.0; n * n];
     for k in 0..n {
         triangle.fill(0.0);

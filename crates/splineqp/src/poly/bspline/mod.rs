@@ -1,8 +1,8 @@
-//! B-splines on arbitrary knots, periodic or clamped, seen piece by piece in Bernstein form.
+//! B-splines on arbitrary knots, periodic or clamped, in Bernstein form on every span.
 //!
-//! On one span the degree + 1 basis functions that live there are polynomials; the *extraction matrix*
-//! of the span writes them in Bernstein form. Everything linear in a spline (values, derivatives, limits)
-//! then becomes a short row on a few neighbouring coefficients.
+//! On one span degree + 1 basis functions are not zero; the *extraction matrix* of the span contains their Bernstein
+//! coefficients. Every linear functional of a spline at one place (value, derivative, limit) is then a row with entries for
+//! these few neighbouring coefficients.
 
 mod knots;
 
@@ -29,7 +29,7 @@ pub struct Span {
 }
 
 impl Span {
-    /// Spans with equal numbers look alike: same knots around them, so same rows.
+    /// Index of the extraction matrix: spans with the same index have the same knot pattern around them, and the same rows.
     #[inline]
     pub fn matrix(&self) -> usize {
         self.matrix
@@ -57,7 +57,7 @@ pub struct SplineSpace {
     /// Knots of one turn of a periodic space, and its length; empty for a clamped one.
     turn: Vec<f64>,
     period: f64,
-    /// Length of the knots' own unit.
+    /// Length of one unit of the knots.
     unit: f64,
 }
 
@@ -129,7 +129,7 @@ impl SplineSpace {
         (self.spans[span].first + i) % self.dimension
     }
 
-    /// Whether the space repeats and all its spans look alike.
+    /// Whether the space is periodic and all its spans have the same width and knot pattern.
     #[inline]
     pub fn is_uniform(&self) -> bool {
         let first = &self.spans[0];
@@ -203,7 +203,7 @@ impl SplineSpace {
         let mut breaks = Vec::with_capacity(self.spans.len() + 1);
         breaks.extend(self.spans.iter().map(|s| s.start));
         breaks.push(self.spans.last().map_or(0.0, |s| s.start + s.width));
-        // Loops of known length cost half.
+        // Loops of constant length cost half.
         let coef = match self.degree + 1 {
             6 => self.bernstein(6, coefficients),
             n => self.bernstein(n, coefficients),

@@ -1,7 +1,7 @@
-//! A smooth periodic function as cubics on equal cells, integrated against polynomials and held against them.
+//! A smooth periodic function as cubics on equal cells: its best polynomial approximations and its distance from polynomials.
 //!
-//! A wanted force has a thousand cells and a law some ten pieces, so sums over cells are what costs: cells, or the nodes
-//! of a quadrature rule on one, stand side by side.
+//! A target force has a thousand cells and a law some ten pieces, so sums over cells determine the cost: cells, or the nodes of
+//! a quadrature rule on one cell, are processed in vector lanes.
 
 mod distance;
 mod nearest;

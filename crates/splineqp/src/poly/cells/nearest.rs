@@ -1,101 +1,40 @@
-//! The polynomials nearest to cells in the mean.
+//! Least-squares approximation of cells by polynomials.
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::rule::{Rule, cubic, restricted};
+use super::rule::restricted;
 use super::{Cells, Ends};
 use crate::poly::{bernstein, gauss_legendre};
 
-/// Highest degree of a nearest polynomial.
-const HIGHEST: usize = 30;
-/// A break nearer than this to the end of a cell, in cells, stands there.
+/// A break nearer to the end of a cell than this, in cells, counts as that end.
 const SAME: f64 = 1e-11;
 
 impl Cells {
     /// The polynomial of a degree nearest to the function on every range between breaks of the first period, in the mean:
     /// its values at the nodes of [`gauss_legendre`] for that degree, degree + 1 of them or more, range by range. Integrals
     /// against polynomials of that degree are those of the function itself: its kinks between the cells cost no accuracy.
+    ///
+    /// # Panics
+    /// For degrees above 9, where powers lose too many digits.
     pub fn nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
+        let arch = Arch::new();
         match degree {
-            3 => Arch::new().dispatch(Usual::<4>::new(self, breaks)),
-            4 => Arch::new().dispatch(Usual::<5>::new(self, breaks)),
-            5 => Arch::new().dispatch(Usual::<6>::new(self, breaks)),
-            6 => Arch::new().dispatch(Usual::<7>::new(self, breaks)),
-            7 => Arch::new().dispatch(Usual::<8>::new(self, breaks)),
-            _ => self.any_nearest(breaks, degree),
-        }
-    }
-
-    /// The same of any degree, by Legendre's polynomials at quadrature nodes of every cell.
-    pub(super) fn any_nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
-        let places = places(degree);
-        let moments = &mut [0.0; HIGHEST + 1][..=degree];
-        let mut out = Vec::with_capacity(places.len() * (breaks.len() - 1));
-        for ends in breaks.windows(2) {
-            let ends = (ends[0] * self.per_length(), ends[1] * self.per_length());
-            match (degree + 5).div_ceil(2) {
-                0..=4 => self.moments(&Rule::<4>::new(), ends, moments),
-                5..=6 => self.moments(&Rule::<6>::new(), ends, moments),
-                7..=8 => self.moments(&Rule::<8>::new(), ends, moments),
-                9..=12 => self.moments(&Rule::<12>::new(), ends, moments),
-                _ => self.moments(&Rule::<18>::new(), ends, moments),
-            }
-            for &place in &places {
-                let mut value = 0.0;
-                each_legendre(degree, [place], |k, [p]| {
-                    value += (2 * k + 1) as f64 * moments[k] * p;
-                });
-                out.push(value);
-            }
-        }
-        out
-    }
-
-    /// ∫ of the function times Legendre's polynomials over a range, as parts of its length; its ends in cells.
-    fn moments<const Q: usize>(
-        &self,
-        rule: &Rule<Q>,
-        (first, last): (f64, f64),
-        moments: &mut [f64],
-    ) {
-        let n = self.count();
-        let step = last - first;
-        let mut sums = [[0.0; Q]; HIGHEST + 1];
-        let mut a = first;
-        while a < last {
-            let i = self.cell(a);
-            // A rounding short of a cell's end is that end.
-            let b = if i + 1 == n {
-                last
-            } else {
-                (i as f64 + 1.0).min(last)
-            };
-            let whole = a == i as f64 && b == i as f64 + 1.0;
-            let values = if whole {
-                rule.on_cell(&self.ends(i))
-            } else {
-                rule.places(a - i as f64, b - i as f64)
-                    .map(|u| cubic(&self.cubic(i), u))
-            };
-            let part = (b - a) / step;
-            let weighed: [f64; Q] = std::array::from_fn(|q| part * rule.weights[q] * values[q]);
-            let x = rule
-                .places((a - first) / step, (b - first) / step)
-                .map(|u| 2.0 * u - 1.0);
-            each_legendre(moments.len() - 1, x, |k, p| {
-                for q in 0..Q {
-                    sums[k][q] += weighed[q] * p[q];
-                }
-            });
-            a = b;
-        }
-        for (moment, sum) in moments.iter_mut().zip(&sums) {
-            *moment = sum.iter().sum();
+            0 => arch.dispatch(Nearest::<1>::new(self, breaks)),
+            1 => arch.dispatch(Nearest::<2>::new(self, breaks)),
+            2 => arch.dispatch(Nearest::<3>::new(self, breaks)),
+            3 => arch.dispatch(Nearest::<4>::new(self, breaks)),
+            4 => arch.dispatch(Nearest::<5>::new(self, breaks)),
+            5 => arch.dispatch(Nearest::<6>::new(self, breaks)),
+            6 => arch.dispatch(Nearest::<7>::new(self, breaks)),
+            7 => arch.dispatch(Nearest::<8>::new(self, breaks)),
+            8 => arch.dispatch(Nearest::<9>::new(self, breaks)),
+            9 => arch.dispatch(Nearest::<10>::new(self, breaks)),
+            _ => panic!("no nearest polynomial of degree {degree}"),
         }
     }
 }
 
-/// Polynomials of the usual degrees, N − 1, by moments ∫ f xʲ dx with x ∈ [−1, 1] on the range: few enough for powers.
+/// Polynomials of degree N − 1, by moments ∫ f xʲ dx with x ∈ [−1, 1] on the range.
 ///
 /// On whole cells of the width w, f is the sum of Hermite's cubics about their ends X, one even and one odd. On the right
 /// of an end
@@ -106,7 +45,7 @@ impl Cells {
 ///
 /// and on its left (−1)ᵏ (aₖ f − bₖ s). So the sums Σ Xᵃ f and Σ Xᵃ s over the ends, several side by side, are all that is
 /// to be done for each cell; the first and the last end have one side only.
-struct Usual<'a, const N: usize> {
+struct Nearest<'a, const N: usize> {
     cells: &'a Cells,
     breaks: &'a [f64],
     /// C(j, k) times what belongs to each of the [`Sums`], of j and k.
@@ -118,7 +57,7 @@ struct Usual<'a, const N: usize> {
 /// Of Xᵃ f: both sides of the ends together, and the first end less the last; of Xᵃ s the same.
 type Sums<const N: usize> = [[f64; 4]; N];
 
-impl<'a, const N: usize> Usual<'a, N> {
+impl<'a, const N: usize> Nearest<'a, N> {
     fn new(cells: &'a Cells, breaks: &'a [f64]) -> Self {
         let mut shares = [[[0.0; 4]; N]; N];
         for (j, row) in shares.iter_mut().enumerate() {
@@ -143,7 +82,7 @@ impl<'a, const N: usize> Usual<'a, N> {
                 .zip(own)
                 .for_each(|(row, v)| row[place] = v);
         }
-        Usual {
+        Nearest {
             cells,
             breaks,
             shares,
@@ -202,7 +141,7 @@ impl<'a, const N: usize> Usual<'a, N> {
     }
 }
 
-impl<const N: usize> WithSimd for Usual<'_, N> {
+impl<const N: usize> WithSimd for Nearest<'_, N> {
     type Output = Vec<f64>;
 
     #[inline(always)]
@@ -305,10 +244,11 @@ fn by_moments<const N: usize>(x: f64) -> [f64; N] {
     let mut out = [0.0; N];
     // Coefficients and value of each Legendre polynomial.
     let (mut before, mut own) = ([0.0; N], [0.0; N]);
+    let (mut value_before, mut value) = (0.0, 1.0);
     own[0] = 1.0;
-    each_legendre(N - 1, [x], |k, [p]| {
+    for k in 0..N {
         for (out, c) in out.iter_mut().zip(&own) {
-            *out += (2 * k + 1) as f64 * p * c;
+            *out += (2 * k + 1) as f64 * value * c;
         }
         let n = k as f64;
         let (rise, fall) = ((2.0 * n + 1.0) / (n + 1.0), n / (n + 1.0));
@@ -318,23 +258,7 @@ fn by_moments<const N: usize>(x: f64) -> [f64; N] {
             next[j] = rise * lower - fall * before[j];
         }
         (before, own) = (own, next);
-    });
-    out
-}
-
-/// Visits Legendre's polynomials of degree 0 … `degree` at x ∈ [−1, 1].
-#[inline(always)]
-fn each_legendre<const Q: usize>(
-    degree: usize,
-    x: [f64; Q],
-    mut visit: impl FnMut(usize, [f64; Q]),
-) {
-    let (mut before, mut p) = ([0.0; Q], [1.0; Q]);
-    for k in 0..=degree {
-        visit(k, p);
-        let n = k as f64;
-        let (rise, fall) = ((2.0 * n + 1.0) / (n + 1.0), n / (n + 1.0));
-        let next = std::array::from_fn(|q| rise * x[q] * p[q] - fall * before[q]);
-        (before, p) = (p, next);
+        (value_before, value) = (value, rise * x * value - fall * value_before);
     }
+    out
 }
