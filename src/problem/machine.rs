@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::Course;
+use super::mean_force::MeanForce;
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
@@ -50,7 +50,7 @@ pub fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
 ///
 /// # Errors
 /// No speed or no mass where no force gives one.
-pub fn drive(spec: &DriveSpec, force: Option<Course>) -> Result<Drive> {
+pub fn drive(spec: &DriveSpec, force: Option<MeanForce>) -> Result<Drive> {
     let speed = match (spec.speed, force) {
         (Some(w), _) => w,
         (None, Some(force)) => TAU / force.period_s,

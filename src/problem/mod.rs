@@ -8,14 +8,16 @@ mod accuracy;
 mod changed;
 mod cycle;
 mod machine;
+mod mean_force;
 mod notes;
 mod requirements;
 mod size;
 mod target;
 
 use cycle::Cycle;
+pub use mean_force::MeanForce;
 pub use notes::Note;
-pub use requirements::{Course, Requirements};
+pub use requirements::Requirements;
 pub(crate) use size::outside_bore;
 pub use size::{Size, USUAL_PRESSURE_ANGLE};
 pub use target::Target;
@@ -26,13 +28,12 @@ use std::f64::consts::TAU;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
-use crate::drive::Drive;
 use crate::dynamics::Train;
 use crate::error::{Placed, Result, SynthError};
 use crate::force::{self, ForceCurve, OpenQuestion};
 use crate::law::Rise;
 use crate::scene::{
-    Family, Gait, LawSpec, Limits, MachineSpec, Minimise, Phase, PhaseWeight, Scene, Source,
+    Family, Gait, Limits, MachineSpec, Minimise, Phase, PhaseWeight, Scene, Source,
 };
 use crate::units::G;
 
@@ -124,7 +125,7 @@ impl Problem {
             (None, _) => None,
             (Some(_), force) => force,
         };
-        let required = Requirements::of(scene, force.map(Course::of))?;
+        let required = Requirements::of(scene, force.map(MeanForce::of))?;
         let factor = required.scaling.factor;
         let weight_n = gait.zip(force).map(|(g, force)| factor * weight(g, force));
         let band = gait.and_then(|g| g.band);

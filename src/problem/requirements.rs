@@ -1,52 +1,20 @@
 //! What a scene requires of a design, whatever the course of its force over the turn.
 
 use super::machine::{self, Scaling};
+use super::mean_force::MeanForce;
 use crate::drive::Drive;
 use crate::error::{Placed, Result, SynthError};
-use crate::force::ForceCurve;
 use crate::scene::{CamSpec, ForceScale, LawSpec, Limits, Scene};
-
-/// What is known of a cycle of force before its course.
-///
-/// ```
-/// use gaitcam::force::ForceCurve;
-/// use gaitcam::problem::Course;
-///
-/// let force = ForceCurve::from_samples("a step", 0.6, vec![700.0, 800.0, 700.0, 600.0])?;
-/// let course = Course::of(&force);
-/// assert_eq!((course.mean_n, course.period_s, course.spread_n), (700.0, 0.6, 0.0));
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Course {
-    /// Its mean, N.
-    pub mean_n: f64,
-    /// Its duration, s.
-    pub period_s: f64,
-    /// Root mean square of its step-to-step spread, N; 0 where none is known.
-    pub spread_n: f64,
-}
-
-impl Course {
-    /// Of a curve.
-    pub fn of(curve: &ForceCurve) -> Course {
-        Course {
-            mean_n: curve.mean_n(),
-            period_s: curve.period_s,
-            spread_n: curve.spread_rms_n().unwrap_or(0.0),
-        }
-    }
-}
 
 /// Machine, law, cam and limits with every number resolved, for a force of known mean.
 ///
 /// ```
-/// use gaitcam::problem::{Course, Requirements};
+/// use gaitcam::problem::{MeanForce, Requirements};
 /// use gaitcam::scene;
 ///
 /// // M g = 700 N, and 0.5 % of it as the force error, whatever the course of the force.
 /// let scene = scene::built_in("footbridge")?.scene()?;
-/// let force = Course { mean_n: 700.0, period_s: 0.5, spread_n: 0.0 };
+/// let force = MeanForce { mean_n: 700.0, period_s: 0.5, spread_n: 0.0 };
 /// let required = Requirements::of(&scene, Some(force))?;
 /// assert!((required.drive.mass - 700.0 / 9.81).abs() < 1e-9);
 /// assert_eq!(required.asked_error(), 3.5);
@@ -65,7 +33,7 @@ pub struct Requirements {
     /// RMS force error asked for, part of the mean force.
     pub accuracy: Option<f64>,
     /// The target force, scaled to the mass where the scene says so; `None` for a classical programme.
-    pub(super) force: Option<Course>,
+    pub(super) force: Option<MeanForce>,
     /// How it follows from the force given.
     pub(super) scaling: Scaling,
 }
@@ -76,14 +44,14 @@ impl Requirements {
     /// # Errors
     /// The scene needs a force and none is given; the mean force is not positive on a moving axis; the drive
     /// relates no lift to force.
-    pub fn of(scene: &Scene, force: Option<Course>) -> Result<Requirements> {
+    pub fn of(scene: &Scene, force: Option<MeanForce>) -> Result<Requirements> {
         let drive = machine::drive(&scene.drive, force)?;
         let how = scene.gait.as_ref().map_or(ForceScale::None, |g| g.scale);
         let scaling = machine::scaling(&drive, how, force.map_or(1.0, |f| f.mean_n))?;
         if force.is_some() && drive.weights() == [0.0; 4] {
             return Err(SynthError::NoLiftChangesForce.at_key("drive"));
         }
-        let target = |force: Course| Course {
+        let target = |force: MeanForce| MeanForce {
             mean_n: scaling.factor * force.mean_n + scaling.shift,
             spread_n: scaling.factor * force.spread_n,
             ..force

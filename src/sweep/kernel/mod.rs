@@ -15,7 +15,7 @@ use toml::Table;
 use crate::error::{Error, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::halt::Halt;
-use crate::problem::{Course, Problem, Requirements, open_questions};
+use crate::problem::{MeanForce, Problem, Requirements, open_questions};
 use crate::scene::{self, Gait, LawSpec, Scene, Source};
 use crate::sweep::plan::NamedScene;
 use crate::sweep::plan::batch::{Batch, Column};
@@ -245,12 +245,12 @@ impl<'a> Kernel<'a> {
         let force = self.force(index, scene, source)?;
         let series = force.series.get_or_init(|| series(gait, &force));
         let series = series.as_ref()?;
-        let mean_n = scale * series.course.mean_n;
-        let course = Course {
+        let mean_n = scale * series.mean_force.mean_n;
+        let mean_force = MeanForce {
             mean_n,
-            ..series.course
+            ..series.mean_force
         };
-        let required = Requirements::of(scene, Some(course)).ok()?;
+        let required = Requirements::of(scene, Some(mean_force)).ok()?;
         let recording = force.curve.as_ref().and_then(|curve| curve.as_ref().ok());
         spectral::figures(&required, series).map(|f| Row::spectral(&f, recording))
     }
@@ -350,12 +350,12 @@ fn series(gait: &Gait, force: &Force) -> Option<Series> {
     };
     if let Some((period_s, waves)) = force::fourier(name, gait.step_frequency, gait.feet).ok()? {
         let (mean_n, spread_n) = (1.0, 0.0);
-        let course = Course {
+        let mean_force = MeanForce {
             mean_n,
             period_s,
             spread_n,
         };
-        return Some(Series::new(course, waves, None));
+        return Some(Series::new(mean_force, waves, None));
     }
     let curve = force::model(name, gait.step_frequency, 1.0, gait.feet).ok()?;
     Some(Series::of_curve(curve))

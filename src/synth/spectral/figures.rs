@@ -44,7 +44,7 @@ pub fn figures(required: &Requirements, series: &Series) -> Option<Figures> {
     if !(mean > 0.0 && drive.speed > 0.0 && wanted > ROUNDING * mean) {
         return None;
     }
-    let scale = mean / series.course.mean_n;
+    let scale = mean / series.mean_force.mean_n;
     let count = series.count(required.law.harmonics, wanted / scale)?;
     let [k, c, m, _] = drive.weights();
     let own;

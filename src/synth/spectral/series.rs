@@ -10,33 +10,35 @@ use crate::drive::Drive;
 use crate::force::{ForceCurve, SAMPLES};
 use crate::law::Law;
 use crate::poly::{amplitudes, harmonic_extremes};
-use crate::problem::{Course, Target};
+use crate::problem::{MeanForce, Target};
 
 /// One turn of force with everything about it that depends on no scene.
 pub struct Series {
     /// Its mean, period and spread.
-    pub course: Course,
+    pub mean_force: MeanForce,
     /// Further harmonics are zero.
     waves: Vec<(f64, f64)>,
     /// The samples that are interpolated; `None` where the force is the series.
     curve: Option<ForceCurve>,
-    /// By the number of harmonics of a law: root mean square and largest of its distance from the force, N, and the law
-    /// for m ω² = 1 and nothing else.
-    fits: Vec<(OnceLock<[f64; 2]>, OnceLock<Option<Box<Shape>>>)>,
+    /// By the number of harmonics of a law.
+    fits: Vec<Fit>,
 }
+
+/// Root mean square and largest of the distance of a law from its force, N, and the law for m ω² = 1 and nothing else.
+type Fit = (OnceLock<[f64; 2]>, OnceLock<Option<Box<Shape>>>);
 
 impl Series {
     /// The harmonics that samples hold.
     pub fn of_curve(curve: ForceCurve) -> Series {
         let waves = &amplitudes(&curve.force_n)[1..=most(curve.force_n.len())];
-        Series::new(Course::of(&curve), waves.to_vec(), Some(curve))
+        Series::new(MeanForce::of(&curve), waves.to_vec(), Some(curve))
     }
 
     /// Of the harmonics, N, of a force that is their sum, or that has samples between which it is interpolated.
-    pub fn new(course: Course, waves: Vec<(f64, f64)>, curve: Option<ForceCurve>) -> Series {
+    pub fn new(mean_force: MeanForce, waves: Vec<(f64, f64)>, curve: Option<ForceCurve>) -> Series {
         let fits = (0..=waves.len()).map(|_| Default::default());
         Series {
-            course,
+            mean_force,
             fits: fits.collect(),
             waves,
             curve,
@@ -57,12 +59,12 @@ impl Series {
 
     /// The law of a drive from so many harmonics; `None` in resonance.
     pub fn shape(&self, count: usize, drive: &Drive) -> Option<Shape> {
-        Shape::of(self.course.mean_n, self.waves(count), drive)
+        Shape::of(self.mean_force.mean_n, self.waves(count), drive)
     }
 
     /// The same for m ω² = 1 without spring and damping, found once.
     pub fn inertia(&self, count: usize) -> Option<&Shape> {
-        let unit = Drive::moving_axis(1.0, self.course.mean_n, 1.0);
+        let unit = Drive::moving_axis(1.0, self.mean_force.mean_n, 1.0);
         let shape = || self.shape(count, &unit).map(Box::new);
         self.fits[count].1.get_or_init(shape).as_deref()
     }
@@ -71,7 +73,7 @@ impl Series {
     pub fn error(&self, count: usize) -> [f64; 2] {
         *self.fits[count].0.get_or_init(|| match &self.curve {
             Some(curve) => {
-                let own = Law::harmonic(self.course.mean_n, self.waves(count));
+                let own = Law::harmonic(self.mean_force.mean_n, self.waves(count));
                 let own = own.combination([1.0, 0.0, 0.0, 0.0], 0.0);
                 let apart = Target::new(curve.clone()).cells().distance(&own);
                 [(apart.square / TAU).max(0.0).sqrt(), apart.largest]
