@@ -1,11 +1,12 @@
 //! Properties of a law that are computed once and cached: extremes of the law and of linear combinations of its
 //! derivatives, its jumps, and scaled coefficients.
 
+use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex, OnceLock};
 
 use super::Law;
 use super::joint::{self, Joint};
-use crate::poly::{Extreme, PiecewisePoly, bernstein};
+use crate::poly::{Extreme, PiecewisePoly, bernstein, harmonic_extremes};
 
 /// Smallest and largest value.
 type Extremes = (Extreme, Extreme);
@@ -92,8 +93,25 @@ impl Law {
     }
 
     fn found_extremes(&self, weights: [f64; 4]) -> Extremes {
-        let search = || self.combination(weights, 0.0).extremes();
+        let search = || match self.harmonics() {
+            Some(harmonics) => {
+                let sum = weighted(&harmonics, weights);
+                let (low, high) = harmonic_extremes(&sum);
+                let mean = weights[0] * self.poly().coefficients()[0];
+                changed((low, high), 1.0, mean)
+            }
+            None => self.combination(weights, 0.0).extremes(),
+        };
         self.known.found(weights, search)
+    }
+
+    /// (cosine, sine) of harmonics 1, 2, … where the law is a mean with these.
+    fn harmonics(&self) -> Option<Vec<(f64, f64)>> {
+        let waves = self.waves(0);
+        let is_sum = self.breaks() == [0.0, TAU]
+            && self.poly().degree() == 0
+            && waves.iter().zip(1..).all(|(w, n)| w.rate == f64::from(n));
+        is_sum.then(|| waves.iter().map(|w| (w.cos, w.sin)).collect())
     }
 
     /// Jumps of s, v, a and j at every break, the wrap of a closed law included.
@@ -113,6 +131,17 @@ impl Law {
         let (low, high) = self.extremes(0);
         high.value - low.value
     }
+}
+
+/// Harmonics of w₀s + w₁v + w₂a + w₃j, s the sum of these.
+pub(crate) fn weighted(harmonics: &[(f64, f64)], [s, v, a, j]: [f64; 4]) -> Vec<(f64, f64)> {
+    let waves = (1..).zip(harmonics);
+    let wave = |(n, &(cos, sin)): (u32, &(f64, f64))| {
+        let n = f64::from(n);
+        let (even, odd) = (s - a * n * n, (v - j * n * n) * n);
+        (even * cos + odd * sin, even * sin - odd * cos)
+    };
+    waves.map(wave).collect()
 }
 
 fn times_binomials(p: &PiecewisePoly) -> Vec<f64> {

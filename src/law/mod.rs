@@ -21,6 +21,7 @@ pub use walk::{BATCH, Batch, Walk};
 
 use crate::poly::{PiecewisePoly, SplineSpace, add_taylor, bernstein, subdivide};
 use extremes::Known;
+pub(crate) use extremes::weighted;
 use serde::Serialize;
 use std::sync::Arc;
 

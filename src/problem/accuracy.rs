@@ -1,25 +1,21 @@
 //! Accuracy of the force: what is required, and the weight of each part of the cycle.
 
-use super::Problem;
 use super::target::weight_at;
+use super::{Problem, Requirements};
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
 
 /// RMS force error, part of the mean force, that is small enough where the scene asks for none.
-pub(crate) const USUAL_ACCURACY: f64 = 0.005;
+const USUAL_ACCURACY: f64 = 0.005;
 /// A mean force that differs from the weight by a smaller part is the same: masses are written with four
 /// digits.
 const SAME_MEAN: f64 = 1e-3;
 
-impl Problem {
+impl Requirements {
     /// Force error, N RMS, at which an automatic size of the law is large enough; 0 where no force is
     /// wanted.
     pub fn wanted_error(&self) -> f64 {
-        let mean = self.target_mean();
-        match self.accuracy {
-            Some(rms) => rms * mean,
-            None => self.noise().max(USUAL_ACCURACY * mean),
-        }
+        self.error_at_noise().unwrap_or(self.asked_error())
     }
 
     /// The same, whatever the recording's spread.
@@ -29,29 +25,11 @@ impl Problem {
 
     /// Force error, N RMS, above which a design misses its force: the accuracy asked for, otherwise 0.5 % of
     /// the mean or the step-to-step spread of the recording, whichever is larger; `None` where no force is
-    /// wanted, a band stands for the accuracy, or the scene has it not judged.
-    pub fn allowed_error(&self) -> Option<f64> {
-        let target = self.target.as_ref()?;
-        if self.limits.unjudged.accuracy || self.band.is_some() {
-            return None;
-        }
-        let mean = self.target_mean();
-        Some(match self.accuracy {
-            Some(rms) => rms * mean,
-            None => target
-                .curve
-                .spread_rms_n()
-                .unwrap_or(0.0)
-                .max(USUAL_ACCURACY * mean),
-        })
-    }
-
-    /// Mean target force less the weight that a moving axis carries, N: no cam changes the mean over a turn
-    /// (theory §1). `None` within the rounding of a mass.
-    pub fn mean_force_gap(&self) -> Option<f64> {
-        let gap = self.target_mean() - self.drive.rest_force;
-        let judged = self.drive.kind == DriveKind::MovingAxis && self.allowed_error().is_some();
-        (judged && gap.abs() > SAME_MEAN * self.target_mean()).then_some(gap)
+    /// wanted or the scene has it not judged.
+    pub fn largest_error(&self) -> Option<f64> {
+        let force = self.force.filter(|_| !self.limits.unjudged.accuracy)?;
+        let asked = self.asked_error();
+        Some(self.accuracy.map_or(asked.max(force.spread_n), |_| asked))
     }
 
     /// Smallest contact force that is judged where the scene gives none, N: 0 where only force closes the
@@ -71,20 +49,34 @@ impl Problem {
     /// Where the spread of the recording, not an accuracy, decides the size of the law: that error, N.
     pub fn error_at_noise(&self) -> Option<f64> {
         let noise = self.noise();
-        (self.accuracy.is_none() && noise > USUAL_ACCURACY * self.target_mean()).then_some(noise)
+        (self.accuracy.is_none() && noise > self.asked_error()).then_some(noise)
     }
 
     /// |mean| of the target force, N; 0 without one.
     pub fn target_mean(&self) -> f64 {
-        self.target.as_ref().map_or(0.0, |t| t.mean_n().abs())
+        self.force.map_or(0.0, |force| force.mean_n.abs())
     }
 
     /// Error below which a fit would follow the noise: a fifth of the step-to-step spread, N.
     ///
     /// Such an error adds 2 % to the walker's own variation (1 + 0.2² under the root).
     fn noise(&self) -> f64 {
-        let spread = self.target.as_ref().and_then(|t| t.curve.spread_rms_n());
-        0.2 * spread.unwrap_or(0.0)
+        0.2 * self.force.map_or(0.0, |force| force.spread_n)
+    }
+}
+
+impl Problem {
+    /// [`Requirements::largest_error`], unless a band stands for the accuracy.
+    pub fn allowed_error(&self) -> Option<f64> {
+        self.largest_error().filter(|_| self.band.is_none())
+    }
+
+    /// Mean target force less the weight that a moving axis carries, N: no cam changes the mean over a turn
+    /// (theory §1). `None` within the rounding of a mass.
+    pub fn mean_force_gap(&self) -> Option<f64> {
+        let gap = self.target_mean() - self.drive.rest_force;
+        let judged = self.drive.kind == DriveKind::MovingAxis && self.allowed_error().is_some();
+        (judged && gap.abs() > SAME_MEAN * self.target_mean()).then_some(gap)
     }
 
     /// Whether parts of the cycle count more or less than once.

@@ -2,49 +2,65 @@
 
 use std::f64::consts::TAU;
 
+use super::mean_force::MeanForce;
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
 use crate::scene::{DriveSpec, ForceScale};
 use crate::units::Quantity;
 
-/// The drive with every number, and the force scaled to its mass where that is asked for.
-///
-/// # Errors
-/// No speed or no mass where no force gives one; a mean force that no mass can rest under.
-pub fn resolve(
-    spec: &DriveSpec,
-    scale: ForceScale,
-    force: Option<&ForceCurve>,
-) -> Result<(Drive, Option<ForceCurve>)> {
-    let drive = drive_of(spec, force.map(|curve| (curve.mean_n(), curve.period_s)))?;
-    let on_mass = drive.kind == DriveKind::MovingAxis;
-    let scaled = force.map(|curve| match scale {
-        ForceScale::ToMass if on_mass => scaled_to(curve, drive.rest_force),
-        ForceScale::Alternating if on_mass => {
-            let shift = drive.rest_force - curve.mean_n();
-            Ok(ForceCurve {
-                force_n: curve.force_n.iter().map(|f| f + shift).collect(),
-                ..curve.clone()
-            })
-        }
-        ForceScale::None | ForceScale::ToMass | ForceScale::Alternating => Ok(curve.clone()),
-    });
-    Ok((drive, scaled.transpose()?))
+/// The target as a multiple of a force, plus a constant, N.
+#[derive(Debug, Clone, Copy)]
+pub struct Scaling {
+    pub factor: f64,
+    pub shift: f64,
 }
 
-/// The drive with every number, for a force of which mean, N, and period, s, are known.
-pub(crate) fn drive_of(spec: &DriveSpec, force: Option<(f64, f64)>) -> Result<Drive> {
+impl Scaling {
+    /// The target of a force.
+    pub fn of(self, force: &ForceCurve) -> ForceCurve {
+        let mut target = force.scaled(self.factor);
+        for f in &mut target.force_n {
+            *f += self.shift;
+        }
+        target
+    }
+}
+
+/// How a force of some mean, N, is scaled to the mass, where that is asked for.
+///
+/// # Errors
+/// A mean force that no mass can rest under.
+pub fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
+    let (mut factor, mut shift) = (1.0, 0.0);
+    match how {
+        ForceScale::ToMass | ForceScale::Alternating if drive.kind != DriveKind::MovingAxis => {}
+        ForceScale::ToMass if mean <= 0.0 => {
+            let (mean, weight) = (Quantity::force(mean), Quantity::force(drive.rest_force));
+            return Err(SynthError::NotScalable { mean, weight }.at_key("gait.scale"));
+        }
+        ForceScale::ToMass => factor = drive.rest_force / mean,
+        ForceScale::Alternating => shift = drive.rest_force - mean,
+        ForceScale::None => {}
+    }
+    Ok(Scaling { factor, shift })
+}
+
+/// The drive with every number.
+///
+/// # Errors
+/// No speed or no mass where no force gives one.
+pub fn drive(spec: &DriveSpec, force: Option<MeanForce>) -> Result<Drive> {
     let speed = match (spec.speed, force) {
         (Some(w), _) => w,
-        (None, Some((_, period_s))) => TAU / period_s,
+        (None, Some(force)) => TAU / force.period_s,
         (None, None) => {
             return Err(SynthError::ValueMissing.at_key("drive.speed"));
         }
     };
     Ok(match spec.kind {
         DriveKind::MovingAxis => {
-            let mass = moving_mass(spec, force.map(|f| f.0))?;
+            let mass = moving_mass(spec, force.map(|f| f.mean_n))?;
             Drive::moving_axis(mass, spec.gravity, speed)
         }
         DriveKind::FixedAxis => Drive {
@@ -76,16 +92,4 @@ fn moving_mass(spec: &DriveSpec, mean: Option<f64>) -> Result<f64> {
         .at_key("gait"));
     }
     Ok(mean / spec.gravity)
-}
-
-fn scaled_to(curve: &ForceCurve, weight: f64) -> Result<ForceCurve> {
-    let mean = curve.mean_n();
-    if mean <= 0.0 {
-        return Err(SynthError::NotScalable {
-            mean: Quantity::force(mean),
-            weight: Quantity::force(weight),
-        }
-        .at_key("gait.scale"));
-    }
-    Ok(curve.scaled(weight / mean))
 }

@@ -8,14 +8,16 @@ mod accuracy;
 mod changed;
 mod cycle;
 mod machine;
+mod mean_force;
 mod notes;
+mod requirements;
 mod size;
 mod target;
 
-pub(crate) use accuracy::USUAL_ACCURACY;
 use cycle::Cycle;
-pub(crate) use machine::drive_of;
+pub use mean_force::MeanForce;
 pub use notes::Note;
+pub use requirements::Requirements;
 pub(crate) use size::outside_bore;
 pub use size::{Size, USUAL_PRESSURE_ANGLE};
 pub use target::Target;
@@ -23,16 +25,15 @@ pub(crate) use target::piecewise;
 use target::typical_lift;
 
 use std::f64::consts::TAU;
+use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
-use crate::drive::{Drive, DriveKind};
 use crate::dynamics::Train;
 use crate::error::{Placed, Result, SynthError};
 use crate::force::{self, ForceCurve, OpenQuestion};
 use crate::law::Rise;
 use crate::scene::{
-    CamSpec, Family, ForceScale, Gait, LawSpec, Limits, MachineSpec, Minimise, Phase, PhaseWeight,
-    Scene, Source,
+    Family, Gait, Limits, MachineSpec, Minimise, Phase, PhaseWeight, Scene, Source,
 };
 use crate::units::G;
 
@@ -56,8 +57,8 @@ const DAMPED_DEGREE: usize = 7;
 pub struct Problem {
     /// Name of the scene.
     pub name: String,
-    /// The machine that turns lift into force.
-    pub drive: Drive,
+    /// What does not depend on the course of the force; its fields are those of the problem.
+    pub required: Requirements,
     /// One turn of the target force, scaled to the mass where the scene says so; `None` for a classical
     /// programme.
     pub target: Option<Target>,
@@ -69,16 +70,8 @@ pub struct Problem {
     pub phase_is_free: bool,
     /// Typical lift, m: the unit in which solvers work.
     pub length: f64,
-    /// Family, size and demands of the law.
-    pub law: LawSpec,
-    /// Follower and lengths.
-    pub cam: CamSpec,
-    /// Limits in force.
-    pub limits: Limits,
     /// What is known of the machine beyond its drive.
     pub machine: MachineSpec,
-    /// RMS force error asked for, part of the mean force.
-    pub accuracy: Option<f64>,
     /// The law has to stay above the base circle; dropped only to show what demands ask that cannot.
     pub above_base_circle: bool,
     /// What is open about the recording and was not accepted.
@@ -90,6 +83,20 @@ pub struct Problem {
     cycle: Option<Arc<Cycle>>,
     /// Notes on scene and recording.
     remarks: Vec<Note>,
+}
+
+impl Deref for Problem {
+    type Target = Requirements;
+
+    fn deref(&self) -> &Requirements {
+        &self.required
+    }
+}
+
+impl DerefMut for Problem {
+    fn deref_mut(&mut self) -> &mut Requirements {
+        &mut self.required
+    }
 }
 
 /// Weight of a force's walker, N; of another machine's force its mean.
@@ -118,23 +125,13 @@ impl Problem {
             (None, _) => None,
             (Some(_), force) => force,
         };
-        let scale = gait.map_or(ForceScale::None, |g| g.scale);
-        let (drive, scaled) = machine::resolve(&scene.drive, scale, force)?;
-        if scaled.is_some() && drive.weights() == [0.0; 4] {
-            return Err(SynthError::NoLiftChangesForce.at_key("drive"));
-        }
-        let weight = gait.zip(force).map(|(gait, force)| {
-            let is_scaled = drive.kind == DriveKind::MovingAxis && scale == ForceScale::ToMass;
-            let factor = if is_scaled {
-                drive.rest_force / force.mean_n()
-            } else {
-                1.0
-            };
-            weight(gait, force) * factor
-        });
+        let required = Requirements::of(scene, force.map(MeanForce::of))?;
+        let factor = required.scaling.factor;
+        let weight_n = gait.zip(force).map(|(g, force)| factor * weight(g, force));
         let band = gait.and_then(|g| g.band);
-        let cycle = scaled.map(|force| Cycle::new(force, band)).transpose()?;
-        let (law, phase) = (&scene.law, gait.map_or(Phase::At(0.0), |g| g.phase));
+        let cycle = force.map(|force| Cycle::new(required.scaling.of(force), band));
+        let cycle = cycle.transpose()?;
+        let phase = gait.map_or(Phase::At(0.0), |g| g.phase);
         let at = match phase {
             Phase::At(angle) => angle,
             Phase::Free => 0.0,
@@ -142,20 +139,16 @@ impl Problem {
         let (target, band) = cycle.as_ref().map_or((None, None), |c| c.at_phase(at));
         Ok(Problem {
             name: scene.name.clone(),
-            length: typical_lift(&drive, target.as_ref(), law),
-            drive,
+            length: typical_lift(&required.drive, target.as_ref(), &scene.law),
+            required,
             target,
             band,
             phase: at,
             phase_is_free: cycle.is_some() && phase == Phase::Free,
-            law: law.clone(),
-            cam: scene.cam.clone(),
-            limits: scene.limits.clone(),
             machine: scene.machine.clone(),
-            accuracy: scene.rms,
             above_base_circle: true,
             open_questions: open_questions(gait, force),
-            weight_n: weight,
+            weight_n,
             weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
             cycle: cycle.map(Arc::new),
             remarks: notes::remarks(scene, force),
@@ -179,11 +172,9 @@ impl Problem {
     /// The same with its force and demands, but without a limit and without a band.
     #[must_use]
     pub fn without_limits(&self) -> Problem {
-        Problem {
-            limits: Limits::default(),
-            band: None,
-            ..self.clone()
-        }
+        let mut out = self.clone();
+        (out.limits, out.band) = (Limits::default(), None);
+        out
     }
 
     /// What the law minimises: the force error where there is a target and no band, jerk otherwise.

@@ -11,18 +11,10 @@ const STRETCHED: f64 = 1e-4;
 impl Problem {
     /// How the size of the cam is determined.
     pub fn size(&self) -> Size {
-        let (cam, roller) = (&self.cam, self.cam.roller_radius);
-        match (cam.base_radius, cam.prime_radius) {
-            (Some(base), prime) => Size::Given {
-                base,
-                prime: prime.unwrap_or(base + roller),
-            },
-            (None, Some(prime)) => Size::Given {
-                base: prime - roller,
-                prime,
-            },
-            (None, None) if self.size_is_wanted() => Size::Sought,
-            (None, None) => Size::AfterLaw,
+        match self.cam.given_radii() {
+            Some([base, prime]) => Size::Given { base, prime },
+            None if self.size_is_wanted() => Size::Sought,
+            None => Size::AfterLaw,
         }
     }
 

@@ -31,7 +31,7 @@ mod stance;
 mod statistics;
 pub mod wording;
 
-pub use curve::{ForceCurve, SAMPLES, slope_corrections};
+pub use curve::{ForceCurve, SAMPLES};
 pub use cycle::{Cycle, JointMean, LeftOut, Trial, cycle, implausible, joint_mean, overlay};
 pub use gaitcam_base::units;
 pub use interpretation::{

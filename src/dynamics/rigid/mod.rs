@@ -89,20 +89,7 @@ pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Opti
 /// The worst angle at one speed gives, by its own quadratic in ω, a lower speed; from above, each is
 /// nearer, and the extremes are exact.
 pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
-    lowest_liftoff(
-        drive,
-        |[s, v, a], constant| law.extremes_of([s, v, a, 0.0], constant),
-        |extreme, size| one_sided(law, extreme, size),
-    )
-}
-
-/// The same for any periodic motion: `extremes` of w₀ s + w₁ v + w₂ a + constant, and the motion at one of
-/// them, on the side of a jump where the quantity given has the extreme's value.
-pub fn lowest_liftoff(
-    drive: &Drive,
-    extremes: impl Fn([f64; 3], f64) -> (Extreme, Extreme),
-    motion: impl Fn(Extreme, &dyn Fn(Svaj) -> f64) -> Svaj,
-) -> Option<f64> {
+    let extremes = |[s, v, a]: [f64; 3], constant| law.extremes_of([s, v, a, 0.0], constant);
     let (rest, most) = extremes([drive.spring_rate, 0.0, 0.0], drive.rest_force);
     if rest.value < -NO_PULL_AT_REST * most.value.abs() {
         return Some(0.0);
@@ -114,7 +101,7 @@ pub fn lowest_liftoff(
     let highest = most.value;
     let least_a = extremes([0.0, 0.0, 1.0], 0.0).0;
     let mut speed = if drive.mass > 0.0 && least_a.value < 0.0 {
-        let at = motion(least_a, &|at| at.a);
+        let at = one_sided(law, least_a, &|at| at.a);
         let pull = (drive.mass * at.a.min(least_a.value)).abs();
         2.0 * (highest.max(0.0) / pull).sqrt() + drive.damping * at.v.abs() / pull
     } else {
@@ -136,7 +123,7 @@ pub fn lowest_liftoff(
         if worst.value >= -NO_PULL * largest.value.abs() {
             break;
         }
-        let at = motion(worst, &|at| here.force(at));
+        let at = one_sided(law, worst, &|at| here.force(at));
         let (p, q, r) = (
             drive.mass * at.a,
             sign * drive.damping * at.v,

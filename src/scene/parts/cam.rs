@@ -120,6 +120,15 @@ impl CamSpec {
         }
     }
 
+    /// Radii of base and prime circle, m, where the scene fixes the size.
+    pub fn given_radii(&self) -> Option<[f64; 2]> {
+        let roller = self.roller_radius;
+        match (self.base_radius, self.prime_radius) {
+            (Some(base), prime) => Some([base, prime.unwrap_or(base + roller)]),
+            (None, prime) => prime.map(|prime| [prime - roller, prime]),
+        }
+    }
+
     /// The hole for the shaft; without a keyway where the standard has none for it.
     pub fn hole(&self) -> Option<Bore> {
         let diameter = self.bore?;

@@ -15,13 +15,13 @@ use toml::Table;
 use crate::error::{Error, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::halt::Halt;
-use crate::problem::{Problem, open_questions};
+use crate::problem::{MeanForce, Problem, Requirements, open_questions};
 use crate::scene::{self, Gait, LawSpec, Scene, Source};
 use crate::sweep::plan::NamedScene;
 use crate::sweep::plan::batch::{Batch, Column};
 use crate::sweep::plan::key::Key;
 use crate::sweep::table::results::Row;
-use crate::synth::spectral::{self, HarmonicTarget};
+use crate::synth::spectral::{self, Series};
 use crate::synth::{Search, design};
 
 /// Gives the force curve that a scene names in a file; the first argument is the base scene's index.
@@ -58,7 +58,7 @@ struct Force {
     /// Of a recording; `None` of a load model.
     curve: Option<Result<ForceCurve>>,
     /// `None` where the force has no Fourier series that a closed form takes.
-    harmonics: OnceLock<Option<HarmonicTarget>>,
+    series: OnceLock<Option<Series>>,
 }
 
 /// A combination of words, read.
@@ -243,11 +243,16 @@ impl<'a> Kernel<'a> {
             Source::Model(_) => gait.model_weight(),
         };
         let force = self.force(index, scene, source)?;
-        let target = force
-            .harmonics
-            .get_or_init(|| harmonics(gait, &force))
-            .as_ref()?;
-        spectral::figures(scene, target, scale).map(|f| Row::spectral(&f, target))
+        let series = force.series.get_or_init(|| series(gait, &force));
+        let series = series.as_ref()?;
+        let mean_n = scale * series.mean_force.mean_n;
+        let mean_force = MeanForce {
+            mean_n,
+            ..series.mean_force
+        };
+        let required = Requirements::of(scene, Some(mean_force)).ok()?;
+        let recording = force.curve.as_ref().and_then(|curve| curve.as_ref().ok());
+        spectral::figures(&required, series).map(|f| Row::spectral(&f, recording))
     }
 
     /// The row of a scene that is designed like any other.
@@ -314,7 +319,7 @@ impl<'a> Kernel<'a> {
         }
         let force = Arc::new(Force {
             curve: is_file.then(|| (self.targets)(index, scene)),
-            harmonics: OnceLock::new(),
+            series: OnceLock::new(),
         });
         let mut forces = self.forces.write().ok()?;
         if forces.len() >= KEPT_FORCES {
@@ -337,20 +342,23 @@ fn source(index: usize, scene: &Scene) -> Arc<str> {
 }
 
 /// The Fourier series of a force, of a load model for a body weight of 1 N.
-fn harmonics(gait: &Gait, force: &Force) -> Option<HarmonicTarget> {
+fn series(gait: &Gait, force: &Force) -> Option<Series> {
     let Source::Model(name) = &gait.source else {
         let curve = force.curve.as_ref()?.as_ref().ok()?;
         let is_certain = open_questions(Some(gait), Some(curve)).is_empty();
-        return is_certain.then(|| HarmonicTarget::of_curve(curve.clone()))?;
+        return is_certain.then(|| Series::of_curve(curve.clone()));
     };
-    let fourier = force::fourier(name, gait.step_frequency, gait.feet).ok()?;
-    let harmonics = fourier.and_then(|(period_s, terms)| {
-        HarmonicTarget::of_harmonics(period_s, terms, force::SAMPLES)
-    });
-    harmonics.or_else(|| {
-        let curve = force::model(name, gait.step_frequency, 1.0, gait.feet).ok()?;
-        HarmonicTarget::of_curve(curve)
-    })
+    if let Some((period_s, waves)) = force::fourier(name, gait.step_frequency, gait.feet).ok()? {
+        let (mean_n, spread_n) = (1.0, 0.0);
+        let mean_force = MeanForce {
+            mean_n,
+            period_s,
+            spread_n,
+        };
+        return Some(Series::new(mean_force, waves, None));
+    }
+    let curve = force::model(name, gait.step_frequency, 1.0, gait.feet).ok()?;
+    Some(Series::of_curve(curve))
 }
 
 /// A panic is an internal error; it must not stop the other rows.

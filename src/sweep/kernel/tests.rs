@@ -167,6 +167,36 @@ fn closed_rows_equal_single_syntheses_under_limits_sizes_and_counts() {
     ));
 }
 
+/// Torque, power and pressure hold or fail by the figures of the closed form; a stance of one foot is no finite sum.
+#[test]
+fn closed_rows_equal_single_syntheses_under_loads_and_of_single_feet() {
+    let loads = compared(
+        &["law.family=harmonic"],
+        &[
+            "limits.torque=5 N m:60 N m",
+            "limits.power=100 W:900 W",
+            "limits.hertz_pressure=20 MPa:200 MPa",
+            "limits.pressure_angle=1 deg:20 deg",
+        ],
+        60,
+    );
+    let passing = loads.iter().filter(|p| p.0.failed.is_empty()).count();
+    assert!((10..50).contains(&passing), "{passing}");
+    equal(&loads);
+    let feet = compared(
+        &["law.family=harmonic", "gait.model=li-2010"],
+        &[
+            "gait.step_frequency=1.6 Hz:2.2 Hz",
+            "law.harmonics=5,20",
+            "accuracy.rms=1 %:30 %",
+        ],
+        12,
+    );
+    let spectral = |row: &Row| row.tier == Some(crate::synth::Tier::Spectral);
+    assert!(feet.iter().filter(|p| spectral(&p.0)).count() > 3);
+    equal(&feet);
+}
+
 #[test]
 fn faults_are_rows() {
     let pairs = compared(

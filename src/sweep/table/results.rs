@@ -2,7 +2,6 @@
 
 use crate::cam::Verdict;
 use crate::force::ForceCurve;
-use crate::synth::spectral::HarmonicTarget;
 use crate::synth::{Design, FIGURES, Figures, Tier};
 
 /// Columns of numbers, SI: those of [`FIGURES`]. A number that does not exist is NaN here, empty in CSV and null in
@@ -119,11 +118,11 @@ impl Row {
         }
     }
 
-    /// The row of a spectral design that keeps every limit, for a force.
-    pub(crate) fn spectral(figures: &Figures, target: &HarmonicTarget) -> Row {
+    /// The row of a spectral design that keeps every limit, for a recording or a load model.
+    pub(crate) fn spectral(figures: &Figures, recording: Option<&ForceCurve>) -> Row {
         Row {
             numbers: FIGURES.each_ref().map(|f| f.value(figures)),
-            warnings: target.curve().map(warnings).unwrap_or_default(),
+            warnings: recording.map(warnings).unwrap_or_default(),
             outcome: Outcome::Built,
             verdict: Some(Verdict::Acceptable),
             tier: Some(Tier::Spectral),

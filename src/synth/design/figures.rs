@@ -123,6 +123,14 @@ impl Figure {
         (self.value)(figures)
     }
 
+    /// Whether its value keeps a limit.
+    pub(in crate::synth) fn keeps(&self, figures: &Figures, limit: f64) -> bool {
+        match self.limit {
+            Some(Limit::ForceMin | Limit::Curvature) => self.value(figures) >= limit,
+            _ => self.value(figures) <= limit,
+        }
+    }
+
     /// The figure of a column.
     pub fn of_column(column: &str) -> Option<&'static Figure> {
         FIGURES.iter().find(|f| f.column == column)

@@ -53,12 +53,30 @@ pub struct MachineReport {
 }
 
 /// A mean power, 0 where it is the rounding of the extremes that are given.
-pub(in crate::synth) fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
+fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
     let scale = extremes[0].abs().max(extremes[1].abs());
     if mean.abs() <= GIVEN_BACK * scale {
         0.0
     } else {
         mean
+    }
+}
+
+impl MachineReport {
+    /// From the range of a torque, its mean and its root mean square, N·m, at a speed of the shaft.
+    pub(in crate::synth) fn of_torque(
+        [low, high]: [f64; 2],
+        [mean, rms]: [f64; 2],
+        speed: f64,
+    ) -> MachineReport {
+        let powers = [low * speed, high * speed];
+        MachineReport {
+            torque_max_n_m: Some(high.max(-low)),
+            torque_rms_n_m: Some(rms),
+            power_max_w: Some(powers[0].max(powers[1])),
+            power_mean_w: Some(mean_power(speed * mean, powers)),
+            ..MachineReport::default()
+        }
     }
 }
 
@@ -73,18 +91,19 @@ impl Design {
         let torque = torque_curve(drive, law, &self.cam.law);
         let length = self.cam.law.extent().1;
         let (low, high) = torque.extremes();
-        let powers = [low.value * drive.speed, high.value * drive.speed];
-        let power_max = powers[0].max(powers[1]);
-        let mean = drive.speed * torque.integral() / length;
-        let turning = |x: f64| turns.then_some(x);
-        MachineReport {
-            torque_max_n_m: turning(high.value.max(-low.value)),
-            torque_rms_n_m: turning((torque.integral_of_square() / length).sqrt()),
-            power_max_w: Some(power_max),
-            power_mean_w: Some(mean_power(mean, powers)),
-            liftoff_speed_rad_per_s: self.liftoff().filter(|_| turns),
-            hertz_pressure_max_pa: self.pressure(),
+        let rms = (torque.integral_of_square() / length).sqrt();
+        let mut report = MachineReport::of_torque(
+            [low.value, high.value],
+            [torque.integral() / length, rms],
+            drive.speed,
+        );
+        if turns {
+            report.liftoff_speed_rad_per_s = self.liftoff();
+        } else {
+            (report.torque_max_n_m, report.torque_rms_n_m) = (None, None);
         }
+        report.hertz_pressure_max_pa = self.pressure();
+        report
     }
 
     /// The hole that balances each cam, where the scene wants it and it has room: of a pair the second as it stands on

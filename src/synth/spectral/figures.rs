@@ -1,23 +1,33 @@
 //! The figures of a spectral design in closed form.
 
-use std::sync::Arc;
+use std::f64::consts::PI;
 
-use super::machine::Load;
-use super::{Fit, HarmonicTarget, LawRanges, Terms};
+use super::Series;
+use super::shape::Shape;
 use crate::cam::FollowerKind;
-use crate::drive::{Drive, DriveKind};
-use crate::problem::{USUAL_ACCURACY, drive_of, outside_bore};
-use crate::scene::{Family, ForceScale, LimitKind, Minimise, Scene};
+use crate::drive::Drive;
+use crate::dynamics::hertz::{STEEL, modulus};
+use crate::dynamics::rigid::liftoff_speed;
+use crate::problem::{Requirements, outside_bore};
+use crate::scene::{Family, ForceScale, Gait, LimitKind, Minimise, Scene};
+use crate::synth::design::machine::MachineReport;
 use crate::synth::limits::GEOMETRY;
-use crate::synth::{Figures, ForceReport, MachineReport};
+use crate::synth::{FIGURES, Figures, ForceReport};
+
+/// A mean force within this part of the target's is the same.
+const SAME: f64 = 1e-13;
+/// Errors below this part of the mean are rounding, which would decide whether a smaller one is kept.
+const ROUNDING: f64 = 1e-5;
 
 /// Whether the law of this scene can be had without solving; what remains to be seen is whether it keeps
 /// the limits.
 pub fn suits(scene: &Scene) -> bool {
-    let law = &scene.law;
+    let (law, cam) = (&scene.law, &scene.cam);
+    let is_followed = |gait: &Gait| gait.band.is_none() && gait.scale != ForceScale::Alternating;
     law.family == Family::Harmonic
-        && scene.cam.follower == FollowerKind::FlatTranslating
-        && scene.gait.is_some()
+        && cam.follower == FollowerKind::FlatTranslating
+        && cam.conjugate.is_none()
+        && scene.gait.as_ref().is_some_and(is_followed)
         && matches!(law.minimise, None | Some(Minimise::ForceError))
         && law.points.is_empty()
         && law.dwells.is_empty()
@@ -26,244 +36,157 @@ pub fn suits(scene: &Scene) -> bool {
         && !law.polydyne
 }
 
-/// The law as a factor times a curve plus a constant.
-pub struct Motion {
-    /// Ranges of the curve.
-    pub unit: LawRanges,
-    /// Its harmonics.
-    pub terms: Terms,
-    /// The factor.
-    pub factor: f64,
-    /// The constant.
-    pub level: f64,
-    /// The force's harmonics and s + a of the curve on a grid.
-    pub grid: Arc<Vec<(f64, f64)>>,
-}
-
-impl Motion {
-    /// Smallest and largest value of a derivative of the law, without the constant.
-    pub fn range(&self, order: usize) -> (f64, f64) {
-        let (low, high) = self.unit.svaj[order];
-        (self.factor * low, self.factor * high)
-    }
-}
-
-/// The figures of a scene for which [`suits`] holds; `scale` times the target is the wanted force before any
-/// scaling to the mass. `None` when a limit is violated or the scene is at fault: then the synthesis itself
-/// has to answer.
-pub fn figures(scene: &Scene, target: &HarmonicTarget, scale: f64) -> Option<Figures> {
-    let gait = scene.gait.as_ref()?;
-    let (drive, scale) = settled(scene, target, scale, gait.scale)?;
-    let mean = scale * target.mean;
-    if !(mean > 0.0 && drive.speed > 0.0) {
+/// The figures of the design of a scene for which [`suits`] holds; a multiple of the series is its force. `None` where
+/// a limit is not surely kept: then the synthesis itself has to answer.
+pub fn figures(required: &Requirements, series: &Series) -> Option<Figures> {
+    let (drive, mean) = (&required.drive, required.target_mean());
+    let wanted = required.asked_error();
+    if !(mean > 0.0 && drive.speed > 0.0 && wanted > ROUNDING * mean) {
         return None;
     }
-    let count = match scene.law.harmonics {
-        Some(count) if count <= target.most() => count,
-        Some(_) => return None,
-        None => target.count(scene.rms.unwrap_or(USUAL_ACCURACY) * target.mean.abs())?,
-    };
-    let fit = target.fit(count)?;
-    let motion = motion(&drive, fit, scale, mean)?;
-    let mean_force = drive.rest_force + drive.spring_rate * motion.level;
-    kept(scene, &drive, fit, &motion, scale, mean, mean_force)
-}
-
-/// Drive and scale of the force with every number settled.
-fn settled(
-    scene: &Scene,
-    target: &HarmonicTarget,
-    scale: f64,
-    how: ForceScale,
-) -> Option<(Drive, f64)> {
-    let mean = scale * target.mean;
-    let drive = drive_of(&scene.drive, Some((mean, target.period_s))).ok()?;
-    let on_mass = drive.kind == DriveKind::MovingAxis;
-    if on_mass && mean <= 0.0 {
-        return None;
-    }
-    let scale = match how {
-        ForceScale::ToMass if on_mass => scale * (drive.rest_force / mean),
-        ForceScale::Alternating => return None,
-        ForceScale::None | ForceScale::ToMass => scale,
-    };
-    Some((drive, scale))
-}
-
-/// A gain below this part of the largest term that makes it up leaves the answer to the synthesis.
-const RESONANCE: f64 = 1e-8;
-
-/// Pure inertia and pure spring share a curve between rows; any other drive has its own.
-fn motion(drive: &Drive, fit: &Fit, scale: f64, mean: f64) -> Option<Motion> {
+    let scale = mean / series.mean_force.mean_n;
+    let count = series.count(required.law.harmonics, wanted / scale)?;
     let [k, c, m, _] = drive.weights();
-    let (unit, terms, factor, grid) = if c == 0.0 && k == 0.0 && m > 0.0 {
-        let terms = fit.inertia_terms();
-        let grid = fit.inertia_grid(&terms);
-        (*fit.inertia(), terms, scale / m, grid)
-    } else if c == 0.0 && m == 0.0 && k > 0.0 {
-        let terms = fit.harmonics().to_vec();
-        let grid = fit.spring_grid(&terms);
-        (*fit.spring(), terms, scale / k, grid)
+    let own;
+    let (shape, factor) = if k == 0.0 && c == 0.0 && m > 0.0 {
+        (series.inertia(count)?, scale / m)
     } else {
-        let clear = (1..=fit.count()).all(|n| {
-            let (re, im) = drive.gain(n);
-            let largest = k.abs().max(m * (n * n) as f64).max(im.abs());
-            re.hypot(im) > RESONANCE * largest
-        });
-        if !clear {
-            return None;
-        }
-        let terms = fit.divided(|n| drive.gain(n));
-        let grid = Arc::new(fit.grid(&terms));
-        (fit.ranges(&terms), terms, scale, grid)
+        own = series.shape(count, drive)?;
+        (&own, scale)
     };
+    let svaj = shape.svaj.map(|range| range.map(|x| factor * x));
+    // Where nothing fixes the lift, the lowest point stands on the base circle.
     let level = if k == 0.0 {
-        // Nothing fixes the lift: the lowest point stands on the base circle.
-        -factor * unit.svaj[0].0
+        -svaj[0][0]
     } else {
         (mean - drive.rest_force) / k
     };
-    Some(Motion {
-        unit,
-        terms,
+    let motion = Motion {
+        shape,
+        scale,
         factor,
         level,
-        grid,
-    })
+        svaj,
+    };
+    let closes = (drive.rest_force + k * level - mean).abs() <= SAME * mean;
+    let stands = svaj[0][0] + level >= 0.0;
+    let figures = (closes && stands).then(|| motion.figures(required, series.error(count)))?;
+    passes(required, &figures).then_some(figures)
 }
 
-fn kept(
-    scene: &Scene,
-    drive: &Drive,
-    fit: &Fit,
-    motion: &Motion,
+/// A law as a factor times a shape plus a level.
+struct Motion<'a> {
+    shape: &'a Shape,
+    /// Times the series is the force.
     scale: f64,
-    mean: f64,
-    mean_force: f64,
-) -> Option<Figures> {
-    let (bottom, top) = motion.range(0);
-    let (lowest, stroke) = (bottom + motion.level, top - bottom);
-    if lowest < 0.0 {
-        return None;
+    factor: f64,
+    level: f64,
+    /// Ranges of its derivatives; that of the lift without the level.
+    svaj: [[f64; 2]; 4],
+}
+
+impl Motion<'_> {
+    /// Figures on the cam that is required; `error` is that of the series.
+    fn figures(&self, required: &Requirements, error: [f64; 2]) -> Figures {
+        let (drive, mean, scale) = (&required.drive, required.target_mean(), self.scale);
+        let [rms_error_n, max_error_n] = error.map(|error| scale * error);
+        let [least, most] = self.shape.force_range.map(|force| mean + scale * force);
+        let bent = self.level + self.factor * self.shape.least_bent;
+        let (base, smallest_convex_radius) = size(required, bent);
+        let [[bottom, top], [slowest, fastest], ..] = self.svaj;
+        Figures {
+            force: ForceReport {
+                rms_error_n,
+                max_error_n,
+                rms_error_percent_of_mean: 100.0 * rms_error_n / mean,
+                target_mean_n: mean,
+                mean_n: mean,
+                min_n: least,
+                max_n: most,
+            },
+            mass: drive.mass,
+            speed: drive.speed,
+            stroke: top - bottom,
+            peaks: [1, 2, 3].map(|order| {
+                let [low, high] = self.svaj[order];
+                high.max(-low) * drive.speed.powi(order as i32)
+            }),
+            base_radius: base,
+            prime_radius: base,
+            offset: 0.0,
+            smallest_convex_radius,
+            largest_pressure_angle: 0.0,
+            face_width: Some(fastest - slowest),
+            machine: self.machine(required, base),
+        }
     }
-    let force = force(fit, scale, mean, mean_force);
-    if !is_judged_well(scene, drive, &force) {
-        return None;
+
+    fn machine(&self, required: &Requirements, base_radius: f64) -> MachineReport {
+        let (drive, mean) = (&required.drive, required.target_mean());
+        let unit = self.scale * self.factor;
+        let radius = [base_radius + self.level, self.factor];
+        let quotient = self.shape.highest_quotient([mean, self.scale], radius);
+        let pressure = modulus(STEEL, STEEL) / (PI * required.cam.thickness) * quotient;
+        MachineReport {
+            liftoff_speed_rad_per_s: self.liftoff(drive),
+            hertz_pressure_max_pa: Some(pressure.max(0.0).sqrt()),
+            ..MachineReport::of_torque(
+                self.shape.torque_range.map(|torque| unit * torque),
+                self.shape.torque_mean_and_rms.map(|torque| unit * torque),
+                drive.speed,
+            )
+        }
     }
-    let peaks = [1, 2, 3].map(|order| {
-        let (low, high) = motion.range(order);
-        high.max(-low) * drive.speed.powi(order as i32)
-    });
-    let (slowest, fastest) = motion.range(1);
-    let bend = motion.level + motion.factor * motion.unit.bend;
-    let wanted = scene.limits[LimitKind::Curvature].unwrap_or(0.0);
-    let given = scene.cam.base_radius.or(scene.cam.prime_radius);
-    let base = given.unwrap_or_else(|| (wanted - bend).max(0.0).max(outside_bore(&scene.cam)));
-    let mut figures = Figures {
-        force,
-        mass: drive.mass,
-        speed: drive.speed,
-        stroke,
-        peaks,
-        base_radius: base,
-        prime_radius: base,
-        offset: 0.0,
-        smallest_convex_radius: base + bend,
-        largest_pressure_angle: 0.0,
-        face_width: Some(fastest - slowest),
-        machine: MachineReport::default(),
+
+    /// Speed of lift-off: F = M(g + ω²a) vanishes where ω² = g/(−a).
+    fn liftoff(&self, drive: &Drive) -> Option<f64> {
+        if drive.spring_rate != 0.0 || drive.damping != 0.0 {
+            let law = self.shape.law.scaled(self.factor).raised(self.level);
+            return liftoff_speed(&law, drive);
+        }
+        let pull = -drive.mass * self.svaj[2][0];
+        (pull > 0.0).then(|| (drive.rest_force / pull).sqrt())
+    }
+}
+
+/// Base radius, given or the smallest that curvature and bore allow, and the smallest radius of curvature on it, from the
+/// least of s + a.
+fn size(required: &Requirements, bent: f64) -> (f64, f64) {
+    let wanted = required.limits[LimitKind::Curvature].unwrap_or(0.0);
+    if let Some([base, _]) = required.cam.given_radii() {
+        return (base, base + bent);
+    }
+    let base = (wanted - bent).max(0.0).max(outside_bore(&required.cam));
+    (base, (base + bent).max(wanted))
+}
+
+/// Whether every limit is kept that has a figure, and what a cam is judged by without limits; with any other limit
+/// nothing is said.
+fn passes(required: &Requirements, figures: &Figures) -> bool {
+    let (limits, force) = (&required.limits, &figures.force);
+    let keeps = |kind: LimitKind| {
+        let Some(limit) = limits[kind] else {
+            return true;
+        };
+        let (of_figure, limit) = match kind {
+            LimitKind::PressureAngleRise | LimitKind::PressureAngleFall => {
+                (LimitKind::PressureAngle, limit)
+            }
+            // Power that is given back is limited, too.
+            LimitKind::Power => (LimitKind::Torque, limit / required.drive.speed),
+            other => (other, limit),
+        };
+        let mut own = FIGURES.iter().filter(|f| f.limit == Some(of_figure));
+        own.next().is_some_and(|f| f.keeps(figures, limit))
     };
-    // A base circle made for the curvature meets it to rounding.
-    let rounding = if given.is_none() { 1e-12 * base } else { 0.0 };
-    if !keeps_limits(scene, &figures, lowest + stroke, wanted - rounding) {
-        return None;
-    }
-    let load = Load {
-        drive,
-        fit,
-        motion,
-        scale,
-        mean,
-        mean_force,
-        base_radius: base,
-        thickness: scene.cam.thickness,
-    };
-    figures.machine = load.report();
-    Some(figures)
-}
-
-/// Force against target: exact for the sum of the harmonics and what interpolation adds.
-fn force(fit: &Fit, scale: f64, mean: f64, mean_force: f64) -> ForceReport {
-    let shift = mean_force - mean;
-    let square =
-        shift * shift + 2.0 * shift * scale * fit.error_mean + scale * scale * fit.error_square;
-    let rms = square.max(0.0).sqrt();
-    ForceReport {
-        rms_error_n: rms,
-        max_error_n: (shift + scale * fit.error.1).max(-shift - scale * fit.error.0),
-        rms_error_percent_of_mean: 100.0 * rms / mean,
-        target_mean_n: mean,
-        mean_n: mean_force,
-        min_n: mean_force + scale * fit.force.0,
-        max_n: mean_force + scale * fit.force.1,
-    }
-}
-
-/// The limits that are looked at here. A pressure angle under a flat face is none.
-const HERE: [LimitKind; 12] = [
-    LimitKind::Stroke,
-    LimitKind::Velocity,
-    LimitKind::Acceleration,
-    LimitKind::Jerk,
-    LimitKind::ForceMin,
-    LimitKind::ForceMax,
-    LimitKind::Curvature,
-    LimitKind::PressureAngle,
-    LimitKind::PressureAngleRise,
-    LimitKind::PressureAngleFall,
-    LimitKind::PrimeRadius,
-    LimitKind::FaceWidth,
-];
-/// A mean force nearer to the weight, as a part of it, is the weight.
-const CLOSED: f64 = 1e-6;
-
-/// Whether force, contact and mean are what the verdict asks for where no limit says otherwise; what is left
-/// in doubt here the synthesis judges.
-fn is_judged_well(scene: &Scene, drive: &Drive, force: &ForceReport) -> bool {
-    let pressed = drive.kind != DriveKind::Hydraulic && scene.limits[LimitKind::ForceMin].is_none();
-    let allowed = scene.rms.unwrap_or(USUAL_ACCURACY) * force.target_mean_n;
-    let gap = (force.mean_n - force.target_mean_n).abs();
-    (!pressed || force.min_n >= 0.0)
-        && force.rms_error_n <= allowed
-        && (drive.kind != DriveKind::MovingAxis || gap <= CLOSED * force.target_mean_n)
-}
-
-/// Whether every limit holds; limits of the running machine are the solver's business. The solver counts a
-/// stroke limit from the base circle, so `highest` is the largest lift above it.
-fn keeps_limits(scene: &Scene, figures: &Figures, highest: f64, least_radius: f64) -> bool {
-    let limits = &scene.limits;
-    let within = |value: f64, limit: Option<f64>| limit.is_none_or(|l| value <= l);
-    let mut others = LimitKind::ALL.iter().filter(|kind| !HERE.contains(kind));
-    let machine = others.any(|&kind| limits[kind].is_some());
-    let force = &figures.force;
-    !machine
-        && within(highest, limits[LimitKind::Stroke])
-        && within(figures.peaks[0], limits[LimitKind::Velocity])
-        && within(figures.peaks[1], limits[LimitKind::Acceleration])
-        && within(figures.peaks[2], limits[LimitKind::Jerk])
-        && within(force.max_n, limits[LimitKind::ForceMax])
-        && limits[LimitKind::ForceMin].is_none_or(|l| force.min_n >= l)
-        && within(
-            figures.face_width.unwrap_or(0.0),
-            limits[LimitKind::FaceWidth],
-        )
-        && within(figures.base_radius, limits[LimitKind::PrimeRadius])
-        && figures.smallest_convex_radius >= least_radius
-        && (limits[LimitKind::Curvature].is_some_and(|rho| rho > 0.0)
-            || figures.smallest_convex_radius > GEOMETRY * figures.base_radius)
-        && figures.base_radius >= scene.cam.hole().map_or(0.0, |hole| hole.reach())
-        && within(
-            force.rms_error_n,
-            scene.rms.map(|r| r * force.target_mean_n),
-        )
+    let presses = limits[LimitKind::ForceMin].is_some()
+        || (required.usual_force_min()).is_none_or(|least| force.min_n >= least);
+    let is_round = limits[LimitKind::Curvature].is_some_and(|rho| rho > 0.0)
+        || figures.smallest_convex_radius > GEOMETRY * figures.base_radius;
+    let hole = required.cam.hole();
+    LimitKind::ALL.iter().all(|kind| keeps(*kind))
+        && presses
+        && is_round
+        && hole.is_none_or(|hole| figures.base_radius >= hole.reach())
+        && (required.largest_error()).is_none_or(|most| force.rms_error_n <= most)
 }

@@ -1,12 +1,14 @@
 //! The spectral inverse: ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²), harmonic by harmonic (theory §1).
 
-use super::MOST_AUTO;
+use super::Waves;
 use crate::drive::Drive;
 use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::amplitudes;
 
+/// Most harmonics that an automatic count takes.
+const MOST_AUTO: usize = 60;
 /// A gain below this part of the largest term that makes it up is a resonance: the force there cannot be
 /// had from any finite lift.
 const RESONANCE: f64 = 1e-9;
@@ -57,55 +59,74 @@ pub fn invert(
     wanted: f64,
 ) -> Result<Spectral> {
     let n = target.force_n.len();
-    let most = (n - 1) / 2;
+    let most = most(n);
     if count.is_some_and(|c| c > most) {
         return Err(SynthError::TooManyHarmonics { samples: n, most }.at_key("law.harmonics"));
     }
-    let spectrum = amplitudes(&target.force_n);
-    let power = |k: usize| 0.5 * (spectrum[k].0.powi(2) + spectrum[k].1.powi(2));
-    // From the highest down, so that small remainders keep their digits.
-    let mut left = 0.0;
-    let mut fewest = most;
-    let stop = count.unwrap_or(1);
-    while fewest > stop && (count.is_some() || left + power(fewest) <= wanted * wanted) {
-        left += power(fewest);
-        fewest -= 1;
-    }
-    if count.is_none() && fewest > MOST_AUTO {
-        left += (MOST_AUTO + 1..=fewest).map(power).sum::<f64>();
-        fewest = MOST_AUTO;
-    }
-    let (count, left_over) = (fewest, left.sqrt());
+    let spectrum = &amplitudes(&target.force_n)[..=most];
+    let (mean, waves) = (spectrum[0].0, &spectrum[1..]);
+    let count = count.unwrap_or_else(|| fewest(waves, wanted));
+    let k = drive.spring_rate;
     let mut x = Vec::with_capacity(2 * count + 1);
-    let k0 = drive.spring_rate;
-    x.push(if k0 != 0.0 {
-        (spectrum[0].0 - drive.rest_force) / k0
-    } else {
+    x.push(if k == 0.0 {
         0.0
+    } else {
+        (mean - drive.rest_force) / k
     });
-    for (h, &(a, b)) in spectrum.iter().enumerate().take(count + 1).skip(1) {
-        let (re, im) = drive.gain(h);
-        let square = re * re + im * im;
-        let nw = h as f64 * drive.speed;
-        let largest = drive
-            .spring_rate
-            .abs()
-            .max(drive.mass * nw * nw)
-            .max(im.abs());
-        if square.sqrt() <= RESONANCE * largest {
-            if a.hypot(b) <= RESONANCE * target.mean_n().abs() {
-                x.extend([0.0, 0.0]);
-                continue;
-            }
-            return Err(SynthError::Resonance { harmonic: h }.at_key("drive"));
-        }
-        // F = a cos + b sin = Re((a − ib) e^{ihθ}); dividing by re + i·im.
-        x.push((a * re - b * im) / square);
-        x.push((b * re + a * im) / square);
+    for (harmonic, &(a, b)) in (1..).zip(&waves[..count]) {
+        let is_nothing = a.hypot(b) <= RESONANCE * mean.abs();
+        let (cos, sin) = match lift_of(drive, harmonic, (a, b)) {
+            Some(lift) => lift,
+            None if is_nothing => (0.0, 0.0),
+            None => return Err(SynthError::Resonance { harmonic }.at_key("drive")),
+        };
+        x.extend([cos, sin]);
     }
     Ok(Spectral {
         x,
         count,
-        left_over,
+        left_over: rms(&waves[count..]),
     })
+}
+
+/// Harmonics that so many samples hold.
+pub fn most(samples: usize) -> usize {
+    (samples - 1) / 2
+}
+
+/// Fewest harmonics that leave at most `wanted` RMS; one at least.
+pub fn fewest(waves: &Waves, wanted: f64) -> usize {
+    let (mut left, mut count) = (0.0, waves.len());
+    while count > 1 && left + power(waves[count - 1]) <= wanted * wanted {
+        left += power(waves[count - 1]);
+        count -= 1;
+    }
+    count.min(MOST_AUTO)
+}
+
+/// Root mean square of a sum of harmonics; from the highest down, so that small remainders keep their digits.
+pub fn rms(waves: &Waves) -> f64 {
+    waves
+        .iter()
+        .rev()
+        .map(|wave| power(*wave))
+        .sum::<f64>()
+        .sqrt()
+}
+
+fn power((a, b): (f64, f64)) -> f64 {
+    0.5 * (a * a + b * b)
+}
+
+/// The harmonic of lift under one of force; `None` in resonance.
+pub fn lift_of(drive: &Drive, harmonic: usize, (a, b): (f64, f64)) -> Option<(f64, f64)> {
+    let (re, im) = drive.gain(harmonic);
+    let square = re * re + im * im;
+    let nw = harmonic as f64 * drive.speed;
+    let largest = (drive.spring_rate.abs())
+        .max(drive.mass * nw * nw)
+        .max(im.abs());
+    // F = a cos + b sin = Re((a − ib) e^{ihθ}); dividing by re + i·im.
+    let lift = ((a * re - b * im) / square, (b * re + a * im) / square);
+    (square.sqrt() > RESONANCE * largest).then_some(lift)
 }

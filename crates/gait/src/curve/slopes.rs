@@ -1,29 +1,25 @@
 //! Slopes of the interpolation between samples.
 //!
-//! The slope per sample at the middle of five samples is the fourth-order centred difference, limited to three times the
-//! smaller neighbouring step, so that a sharp heel strike is not overshot (Fritsch and Carlson's bound). At a local extreme
-//! of the samples half that bound applies to either sign, so that a smooth peak between two samples is not flattened.
+//! The slope per sample at the middle of five samples is the fourth-order centred difference. Where the samples bend
+//! steadily, as at a smooth crest, it stays: the cubics are of fourth order there. Elsewhere it is limited to three times
+//! the smaller neighbouring step, so that a sharp heel strike is not overshot (Fritsch and Carlson's bound), and at a
+//! local extreme of the samples to half of that, of either sign.
 
 /// Slopes at all samples of a period, four or more, and at its end.
 pub fn slopes(f: &[f64]) -> Vec<f64> {
     let n = f.len();
     let mut out = vec![0.0; n + 1];
-    inner(f, &mut out[2..n - 2], limited);
+    // Five slices of one length: no index is checked, and several slopes are computed at once.
+    let inner = &mut out[2..n - 2];
+    let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|k| &f[k..k + inner.len()]);
+    for (i, slope) in inner.iter_mut().enumerate() {
+        *slope = limited([a[i], b[i], c[i], d[i], e[i]]);
+    }
     for i in [0, 1, n - 2, n - 1] {
         out[i] = slope_at(f, i);
     }
     out[n] = out[0];
     out
-}
-
-/// Applies `slope` at all samples but the first two and the last two.
-#[inline]
-fn inner(f: &[f64], out: &mut [f64], slope: impl Fn([f64; 5]) -> f64) {
-    let n = out.len();
-    let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|k| &f[k..k + n]);
-    for i in 0..n {
-        out[i] = slope([a[i], b[i], c[i], d[i], e[i]]);
-    }
 }
 
 /// The slope at one sample of a period, counted round.
@@ -32,36 +28,28 @@ pub fn slope_at(f: &[f64], i: usize) -> f64 {
     limited([n - 2, n - 1, 0, 1, 2].map(|k| f[(i + k) % n]))
 }
 
-/// Slopes at all samples but the first two and the last two, less the centred differences: zero but near crests and steps.
-///
-/// ```
-/// // At a step of the samples the centred differences would overshoot.
-/// let steps = [0.0, 0.0, 0.0, 800.0, 800.0, 800.0];
-/// assert!(gaitcam_gait::slope_corrections(&steps).iter().all(|correction| *correction < -400.0));
-/// ```
-pub fn slope_corrections(f: &[f64]) -> Vec<f64> {
-    let mut out = vec![0.0; f.len() - 4];
-    inner(f, &mut out, |five| limited(five) - centred(five));
-    out
-}
-
-fn centred(f: [f64; 5]) -> f64 {
-    2.0 / 3.0 * (f[3] - f[1]) - 1.0 / 12.0 * (f[4] - f[0])
-}
+/// The second differences of five samples agree in sign and within this factor where the samples bend steadily. With
+/// second differences p, q, r the centred difference is the step before plus q/2 + (p − r)/12: between both steps then.
+const STEADY: f64 = 6.0;
 
 /// Selections instead of branches: the compiler computes several slopes at once.
 fn limited(f: [f64; 5]) -> f64 {
-    let (before, after) = (f[2] - f[1], f[3] - f[2]);
-    let centred = centred(f);
-    let smaller = smaller(before.abs(), after.abs());
-    let is_steady = before * after > 0.0;
-    let bound = if is_steady { 3.0 } else { 1.5 } * smaller;
-    let within = -self::smaller(-self::smaller(centred, bound), bound);
-    if is_steady & (centred * before < 0.0) {
-        0.0
-    } else {
-        within
-    }
+    let steps = [f[1] - f[0], f[2] - f[1], f[3] - f[2], f[4] - f[3]];
+    let centred = 2.0 / 3.0 * (f[3] - f[1]) - 1.0 / 12.0 * (f[4] - f[0]);
+    let (before, after) = (steps[1], steps[2]);
+    let smaller_step = smaller(before.abs(), after.abs());
+    let is_monotone = before * after > 0.0;
+    let bound = if is_monotone { 3.0 } else { 1.5 } * smaller_step;
+    let within = -smaller(-smaller(centred, bound), bound);
+    let is_opposed = is_monotone & (centred * before < 0.0);
+    let limited = if is_opposed { 0.0 } else { within };
+    let bends = [steps[1] - steps[0], after - before, steps[3] - after];
+    let near = |one: f64, other: f64| {
+        let (product, square) = (one * other, one * one);
+        (STEADY * product >= square) & (product <= STEADY * square) & (product > 0.0)
+    };
+    let bends_steadily = near(bends[1], bends[0]) & near(bends[1], bends[2]);
+    if bends_steadily { centred } else { limited }
 }
 
 /// The smaller of two numbers, neither NaN; one instruction, unlike `f64::min`.

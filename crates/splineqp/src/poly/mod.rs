@@ -20,5 +20,5 @@ pub use gauss::gauss_legendre;
 pub use piecewise::Peak;
 pub use piecewise::{Extreme, PiecewisePoly};
 pub use proxy::{stand_in, stand_in_for_difference};
-pub use trigonometric::{harmonic_extremes, harmonic_sum, harmonic_values};
+pub use trigonometric::{harmonic_extremes, harmonic_sums, harmonic_values};
 pub use wave::{Wave, add_taylor, subdivide};

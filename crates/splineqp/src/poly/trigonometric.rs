@@ -13,30 +13,33 @@ const STEPS: usize = 40;
 /// Newton step, rad, below which a parabola gives the value of the maximum to rounding.
 const FLAT: f64 = 1e-5;
 
-/// Value and two derivatives at `x`.
-pub fn harmonic_sum(terms: &[(f64, f64)], x: f64) -> [f64; 3] {
+/// Values and two derivatives at `x` of sums of equally many terms.
+pub fn harmonic_sums<const K: usize>(sums: [&[(f64, f64)]; K], x: f64) -> [[f64; 3]; K] {
     let (sin, cos) = x.sin_cos();
     let (mut c, mut s) = (1.0, 0.0);
-    let mut out = [0.0; 3];
-    for (n, &(a, b)) in (1..).zip(terms) {
+    let mut out = [[0.0; 3]; K];
+    for i in 0..sums[0].len() {
         (c, s) = (c * cos - s * sin, s * cos + c * sin);
-        let n = f64::from(n);
-        let (even, odd) = (a * c + b * s, b * c - a * s);
-        out[0] += even;
-        out[1] += n * odd;
-        out[2] -= n * n * even;
+        let n = (i + 1) as f64;
+        for (terms, out) in sums.iter().zip(&mut out) {
+            let (a, b) = terms[i];
+            let (even, odd) = (a * c + b * s, b * c - a * s);
+            out[0] += even;
+            out[1] += n * odd;
+            out[2] -= n * n * even;
+        }
     }
     out
 }
 
-/// Values at even steps over the turn: a power of two of them, at least `points` and 16 for the fastest wave.
-pub fn harmonic_values(terms: &[(f64, f64)], points: usize) -> Vec<f64> {
-    fourier::samples(terms, 0, grid_for(terms.len(), points))
+/// Values at even steps over the turn: a power of two of them, at least 16 for the fastest wave.
+pub fn harmonic_values(terms: &[(f64, f64)]) -> Vec<f64> {
+    fourier::samples(terms, 0, grid_for(terms.len()))
 }
 
-/// Number of grid points for so many harmonics, at least `points`.
-fn grid_for(harmonics: usize, points: usize) -> usize {
-    let least = (POINTS_PER_WAVE * harmonics).max(points);
+/// Number of grid points for so many harmonics.
+fn grid_for(harmonics: usize) -> usize {
+    let least = POINTS_PER_WAVE * harmonics;
     least.max(FEWEST_POINTS).next_power_of_two()
 }
 
@@ -49,7 +52,7 @@ pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
     if bend == 0.0 {
         return (NOTHING, NOTHING);
     }
-    let grid = grid_for(terms.len(), 1);
+    let grid = grid_for(terms.len());
     let [values, slopes] = [0, 1].map(|order| fourier::samples(terms, order, grid));
     let (mut low, mut high) = (values[0], values[0]);
     for &v in &values {
@@ -139,7 +142,8 @@ impl Search<'_> {
             low
         };
         for _ in 0..STEPS {
-            let [value, slope, bend] = harmonic_sum(self.terms, x).map(|f| self.sign * f);
+            let [sum] = harmonic_sums([self.terms], x);
+            let [value, slope, bend] = sum.map(|f| self.sign * f);
             let newton = -slope / bend;
             if bend < 0.0 && newton.abs() < FLAT {
                 // The parabola's error is below rounding.
@@ -158,7 +162,7 @@ impl Search<'_> {
                 0.5 * (low + high)
             };
         }
-        self.take(self.sign * harmonic_sum(self.terms, x)[0], x);
+        self.take(self.sign * harmonic_sums([self.terms], x)[0][0], x);
     }
 }
 
@@ -207,11 +211,11 @@ mod tests {
             let (low, high) = harmonic_extremes(&terms);
             let size = high.value - low.value;
             for i in 0..5000 {
-                let value = harmonic_sum(&terms, TAU * f64::from(i) / 5000.0)[0];
+                let value = harmonic_sums([&terms], TAU * f64::from(i) / 5000.0)[0][0];
                 assert!(value <= high.value + 1e-13 * size && value >= low.value - 1e-13 * size);
             }
             for end in [low, high] {
-                let [value, slope, _] = harmonic_sum(&terms, end.at);
+                let [[value, slope, _]] = harmonic_sums([&terms], end.at);
                 assert!((value - end.value).abs() < 1e-13 * size, "{case}");
                 assert!(slope.abs() < 1e-4 * size, "{case}");
             }

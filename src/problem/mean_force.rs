@@ -1,0 +1,35 @@
+//! Mean, duration and spread of a cycle of force.
+
+use crate::force::ForceCurve;
+
+/// Mean of a cycle of force, with what else is known of it without its samples.
+///
+/// ```
+/// use gaitcam::force::ForceCurve;
+/// use gaitcam::problem::MeanForce;
+///
+/// let force = ForceCurve::from_samples("a step", 0.6, vec![700.0, 800.0, 700.0, 600.0])?;
+/// let mean = MeanForce::of(&force);
+/// assert_eq!((mean.mean_n, mean.period_s, mean.spread_n), (700.0, 0.6, 0.0));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeanForce {
+    /// Its mean, N.
+    pub mean_n: f64,
+    /// Its duration, s.
+    pub period_s: f64,
+    /// Root mean square of its step-to-step spread, N; 0 where none is known.
+    pub spread_n: f64,
+}
+
+impl MeanForce {
+    /// Of a curve.
+    pub fn of(curve: &ForceCurve) -> MeanForce {
+        MeanForce {
+            mean_n: curve.mean_n(),
+            period_s: curve.period_s,
+            spread_n: curve.spread_rms_n().unwrap_or(0.0),
+        }
+    }
+}
