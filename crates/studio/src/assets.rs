@@ -2,6 +2,7 @@
 
 use crate::http::Response;
 use gaitcam::wording::Language;
+use gaitcam_output::report::MOTION_SCRIPT;
 
 const PAGE: &str = include_str!("../page/index.html");
 const HTML: &str = "text/html; charset=utf-8";
@@ -10,7 +11,10 @@ const STYLE: &str = "text/css; charset=utf-8";
 
 macro_rules! files {
     ($($name:literal: $kind:expr),+ $(,)?) => {
-        &[$(($name, $kind, include_str!(concat!("../page/", $name)))),+]
+        &[
+            ("core/motion.js", SCRIPT, MOTION_SCRIPT),
+            $(($name, $kind, include_str!(concat!("../page/", $name)))),+
+        ]
     };
 }
 

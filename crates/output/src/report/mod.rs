@@ -24,6 +24,8 @@ use gaitcam_base::text::escaped;
 use gaitcam_base::text::{millimetres, number, page_in_language, range};
 
 const STYLE: &str = include_str!("page.css");
+/// Where the parts of the drawing stand after some turns, as a module: of the report and of the studio.
+pub const MOTION_SCRIPT: &str = include_str!("motion.js");
 const SCRIPT: &str = include_str!("page.js");
 
 /// The report of a design: verdict, force, law, cam in motion, checks, numbers, how it was solved.
@@ -88,7 +90,7 @@ fn page(synthesis: &Design, time: Timing, running: Option<&Running>, language: L
     // Writing to a String cannot fail, here and below.
     let _ = writeln!(out, "</main>\n<footer>{}</footer>", escaped(&footer));
     if synthesis.infeasible.is_none() {
-        let _ = write!(out, "<script>\n{SCRIPT}</script>\n");
+        let _ = write!(out, "<script type=\"module\">\n{MOTION_SCRIPT}\n{SCRIPT}</script>\n");
     }
     out.push_str("</body>\n</html>\n");
     page_in_language(out, language)

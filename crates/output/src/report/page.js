@@ -1,28 +1,13 @@
 (function () {
-  "use strict";
   var source = document.getElementById("motion");
   if (!source) return;
   var data = JSON.parse(source.textContent);
   var get = function (id) { return document.getElementById(id); };
-  var cam = get("cam-turning"), follower = get("cam-follower"), second = get("cam-second");
-  var contact = get("cam-contact"), push = get("cam-push");
+  var parts = partsOf(document);
   var play = get("play"), angle = get("angle"), speed = get("speed");
-  if (!cam || !play) return;
-  var turns = data.turns, n = (data.s.length - 1) / turns, at = 0, running = false, last = 0;
-  var most = data.f.reduce(function (m, f) { return Math.max(m, Math.abs(f)); }, 0) || 1;
+  if (!parts["cam-turning"] || !play) return;
+  var turns = data.turns, at = 0, running = false, last = 0;
 
-  // Value of a sampled quantity after u turns; null where it has none.
-  function value(list, u) {
-    var x = u * n, i = Math.min(Math.floor(x), list.length - 2), f = x - i;
-    var a = list[i], b = list[i + 1];
-    return a === null || b === null ? null : a + f * (b - a);
-  }
-  // Angles go the short way where they wrap.
-  function turned(list, u) {
-    var x = u * n, i = Math.min(Math.floor(x), list.length - 2), f = x - i;
-    var d = ((list[i + 1] - list[i]) % 360 + 540) % 360 - 180;
-    return list[i] + f * d;
-  }
   function text(id, v, digits, unit) {
     var cell = get(id);
     if (!cell) return;
@@ -42,36 +27,20 @@
     svg.appendChild(line);
     return { line: line, left: +svg.dataset.left, right: +svg.dataset.right, turns: +(svg.dataset.turns || 1) };
   });
-  function stand(part, x, y, a) {
-    part.setAttribute("transform", "translate(" + x + " " + y + ") rotate(" + a + ")");
-  }
-
   function show(u) {
     at = u;
     var here = u - Math.floor(u) || (u > 0 && data.slide && u === turns ? 1 : 0);
     var theta = data.start + here * data.length;
-    cam.setAttribute("transform", data.slide
-      ? "translate(" + -theta * data.slide + " 0)" : "rotate(" + theta + ")");
-    stand(follower, value(data.px, u), value(data.py, u), turned(data.pa, u));
-    if (second) stand(second, value(data.qx, u), value(data.qy, u), turned(data.qa, u));
-    var x = value(data.cx, u), y = value(data.cy, u), f = value(data.f, u);
-    var touching = x !== null;
-    contact.setAttribute("visibility", touching ? "visible" : "hidden");
-    push.setAttribute("visibility", touching && Math.abs(f) > 0.01 * most ? "visible" : "hidden");
-    if (touching) {
-      contact.setAttribute("cx", x);
-      contact.setAttribute("cy", y);
-      var size = f / most * push.dataset.reach;
-      push.setAttribute("transform", "translate(" + x + " " + y + ") rotate(" + turned(data.push, u) + ") scale(" + size + ")");
-    }
+    move(parts, data, u, theta);
+    var now = function (list) { return value(data, list, u); };
     var shown = data.start + u * data.length;
     text("now-angle", shown, 1, data.angle_unit);
-    text("now-lift", value(data.s, u), 3, (data.unit === "\u00b0" ? "" : " ") + data.unit);
-    text("now-force", f, data.digits[0], " " + data.force_unit);
-    text("now-torque", value(data.readings.torque, u), data.digits[1], data.slide && data.angle_unit !== "\u00b0" ? " N" : " N\u00b7m");
-    text("now-gap", value(data.readings.gap, u), 3, (data.unit === "\u00b0" ? "" : " ") + data.unit);
-    text("now-phi", value(data.readings.phi, u), 2, "\u00b0");
-    text("now-rho", value(data.readings.rho, u), 2, " mm");
+    text("now-lift", now(data.s), 3, (data.unit === "\u00b0" ? "" : " ") + data.unit);
+    text("now-force", now(data.f), data.digits[0], " " + data.force_unit);
+    text("now-torque", now(data.readings.torque), data.digits[1], data.slide && data.angle_unit !== "\u00b0" ? " N" : " N\u00b7m");
+    text("now-gap", now(data.readings.gap), 3, (data.unit === "\u00b0" ? "" : " ") + data.unit);
+    text("now-phi", now(data.readings.phi), 2, "\u00b0");
+    text("now-rho", now(data.readings.rho), 2, " mm");
     angle.value = shown;
     cursors.forEach(function (c) {
       var part = (c.turns === 1 ? here : u / turns);

@@ -10,7 +10,6 @@ export class Fault extends Error {
 let language = "en";
 export function speak(tag) {
   language = tag;
-  disconnect();
 }
 
 function address(path) {
@@ -21,10 +20,7 @@ function address(path) {
 
 async function read(response) {
   if (!response.ok && response.status !== 400) throw new Fault({ code: "http", status: response.status, message: "" });
-  return checked(await response.json());
-}
-
-function checked(value) {
+  const value = await response.json();
   if (value && value.error) throw new Fault(value.error);
   return value;
 }
@@ -45,56 +41,6 @@ export async function get(path) {
 
 export async function post(path, question, signal) {
   return read(await ask(path, { method: "POST", body: JSON.stringify(question), signal }));
-}
-
-// The open WebSocket, or its promise. It carries one question at a time.
-let connection = null;
-
-function disconnect() {
-  connection?.then((socket) => socket.close(), () => {});
-  connection = null;
-}
-
-function connect(path) {
-  return new Promise((resolve, reject) => {
-    const url = address(path);
-    url.protocol = "ws:";
-    const socket = new WebSocket(url);
-    socket.onopen = () => resolve(socket);
-    socket.onclose = () => reject(new Error("no connection"));
-  });
-}
-
-// What post does, over a WebSocket that stays open: an answer comes ten milliseconds sooner. Where it has ended the
-// question is asked once more as a request, which also says what is wrong.
-export async function askOverSocket(path, question, signal) {
-  try {
-    connection ??= connect(path);
-    return checked(JSON.parse(await exchange(await connection, JSON.stringify(question), signal)));
-  } catch (error) {
-    if (error.name === "AbortError" || error instanceof Fault) throw error;
-    disconnect();
-    return post(path, question, signal);
-  }
-}
-
-// Sends one message and waits for the next. Who no longer waits disconnects, so that a late answer is nobody's.
-function exchange(socket, text, signal) {
-  return new Promise((resolve, reject) => {
-    signal.throwIfAborted();
-    // Between two questions nobody waits for the end.
-    if (socket.readyState !== WebSocket.OPEN) throw new Error("the connection has ended");
-    signal.onabort = () => {
-      disconnect();
-      reject(signal.reason);
-    };
-    socket.onmessage = (message) => {
-      signal.onabort = null;
-      resolve(message.data);
-    };
-    socket.onclose = () => reject(new Error("the connection has ended"));
-    socket.send(text);
-  });
 }
 
 export async function send(path, body) {

@@ -1,7 +1,7 @@
 // One question at a time; of those that wait only the latest is asked. Intermediate states may be skipped, the last
 // never.
 
-import { post, askOverSocket, Fault } from "./net.js";
+import { post, Fault } from "./net.js";
 import { state, settle } from "./store.js";
 
 export const page = Math.random().toString(36).slice(2);
@@ -32,7 +32,7 @@ async function run(since) {
   handlers.working(true, since);
   try {
     const question = { scene: state.scene, changes: state.changes, page, number: mine, colour: handlers.colour() };
-    const answer = await askOverSocket("design", question, control.signal);
+    const answer = await post("design", question, control.signal);
     if (mine === number && !answer.superseded) {
       const more = waiting !== null;
       // The next answer is on its way while this one is drawn.

@@ -3,6 +3,7 @@
 import { $, svg, make, clear } from "../core/dom.js";
 import { t, quantity, onLanguage } from "../core/words.js";
 import * as clock from "../core/clock.js";
+import { move, partsOf, value } from "../core/motion.js";
 
 const COLOURS = ["none", "pressure_angle", "curvature", "curvature_use", "force", "hertz"];
 const UNITS = { pressure_angle: "°", curvature: "1/m", curvature_use: "%", force: "N", hertz: "MPa" };
@@ -49,8 +50,7 @@ export function show(next) {
     style: e.style, width: Number(e.getAttribute("stroke-width") ?? 1), dashes: e.getAttribute("stroke-dasharray")?.split(/[ ,]+/).map(Number),
   }));
   keepFrame(picture);
-  parts = {};
-  for (const id of ["cam-turning", "cam-follower", "cam-second", "cam-push", "cam-contact"]) parts[id] = picture.querySelector(`#${id}`);
+  parts = partsOf(picture);
   const body = parts["cam-turning"];
   parts.circles = [...body.querySelectorAll("circle[stroke-dasharray]")];
   parts.pitch = [...body.querySelectorAll("path[stroke-dasharray]")];
@@ -177,53 +177,17 @@ function colour() {
   legend.append(quantity(low, UNITS[name], 3), bar, quantity(high, UNITS[name], 3));
 }
 
-// Value of a sampled quantity after part `u` of a turn; null where it has none.
-function value(list, u) {
-  const x = u * (list.length - 1);
-  const i = Math.min(Math.floor(x), list.length - 2);
-  const [a, b] = [list[i], list[i + 1]];
-  return a === null || b === null ? null : a + (x - i) * (b - a);
-}
-
-// Angles go the short way where they wrap.
-function turned(list, u) {
-  const x = u * (list.length - 1);
-  const i = Math.min(Math.floor(x), list.length - 2);
-  return list[i] + (x - i) * ((((list[i + 1] - list[i]) % 360) + 540) % 360 - 180);
-}
-
-function stand(part, x, y, a) {
-  part.setAttribute("transform", `translate(${x} ${y}) rotate(${a})`);
-}
-
 function follow() {
   if (!answer) return;
   const { motion } = answer;
   const theta = clock.angle();
   const u = Math.max(0, Math.min(1, (theta - motion.start) / motion.length));
-  parts["cam-turning"].setAttribute("transform", motion.slide ? `translate(${-theta * motion.slide} 0)` : `rotate(${theta})`);
-  stand(parts["cam-follower"], value(motion.px, u), value(motion.py, u), turned(motion.pa, u));
-  if (parts["cam-second"]) stand(parts["cam-second"], value(motion.qx, u), value(motion.qy, u), turned(motion.qa, u));
-  touch(motion, u);
+  move(parts, motion, u, theta);
   bend(theta);
   $("angle").value = theta;
   const text = quantity(theta, motion.angle_unit.trim(), 4);
   $("stage").setAttribute("aria-valuenow", theta.toFixed(2));
-  $("stage").setAttribute("aria-valuetext", `${text}, ${t("studio-chart-s")} ${quantity(value(motion.s, u), motion.unit)}`);
-}
-
-function touch(motion, u) {
-  const [x, y, force] = [value(motion.cx, u), value(motion.cy, u), value(motion.f, u)];
-  const [contact, push] = [parts["cam-contact"], parts["cam-push"]];
-  const touching = x !== null;
-  contact.setAttribute("visibility", touching ? "visible" : "hidden");
-  if (!motion.most) motion.most = motion.f.reduce((m, f) => Math.max(m, Math.abs(f)), 0) || 1;
-  push.setAttribute("visibility", touching && Math.abs(force) > 0.01 * motion.most ? "visible" : "hidden");
-  if (!touching) return;
-  contact.setAttribute("cx", x);
-  contact.setAttribute("cy", y);
-  const size = force / motion.most * push.dataset.reach;
-  push.setAttribute("transform", `translate(${x} ${y}) rotate(${turned(motion.push, u)}) scale(${size})`);
+  $("stage").setAttribute("aria-valuetext", `${text}, ${t("studio-chart-s")} ${quantity(value(motion, motion.s, u), motion.unit)}`);
 }
 
 // Contact normal and osculating circle, in the cam's frame.

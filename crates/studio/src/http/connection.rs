@@ -2,108 +2,129 @@
 
 use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpStream};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use super::{Head, Method, Request, Response, Service, Status, answered, socket};
+use super::places::Places;
+use super::{Head, Method, Request, Response, Service, Status};
 
 /// Largest head, bytes.
 const HEAD: usize = 16 << 10;
-/// A request has this long to arrive, and an idle connection to ask again.
+/// An idle connection has this long to ask again, and an admitted request to arrive.
 const PATIENCE: Duration = Duration::from_secs(20);
+/// A head has this long from its first byte on.
+const OF_HEAD: Duration = Duration::from_secs(5);
 /// What is still being sent after a refusal is read away this long, so that the refusal arrives.
 const FAREWELL: Duration = Duration::from_secs(5);
 
+/// A connection with the bytes that have arrived and are not used yet.
+struct Connection {
+    stream: Arc<TcpStream>,
+    buffer: Vec<u8>,
+}
+
 /// Serves a connection until one side ends it.
-pub fn serve(mut stream: TcpStream, service: &impl Service) {
+pub fn serve(stream: TcpStream, service: &impl Service, places: &Places) {
     let _ = stream.set_nodelay(true);
     let _ = stream.set_write_timeout(Some(PATIENCE));
-    let mut buffer = Vec::new();
-    while let Ok(true) = one(&mut stream, &mut buffer, service) {}
+    let (stream, buffer) = (Arc::new(stream), Vec::new());
+    let mut connection = Connection { stream, buffer };
+    while let Ok(true) = connection.one(service, places) {}
 }
 
-/// One request and its answer; whether the connection goes on.
-fn one(stream: &mut TcpStream, buffer: &mut Vec<u8>, service: &impl Service) -> io::Result<bool> {
-    let deadline = Instant::now() + PATIENCE;
-    let (head, length) = match head(stream, buffer, deadline)? {
-        Some(Ok(found)) => found,
-        Some(Err(refusal)) => return refuse(stream, &refusal),
-        None => return Ok(false),
-    };
-    buffer.drain(..length);
-    if let Err(refusal) = service.admit(&head) {
-        return refuse(stream, &refusal);
-    }
-    if let Some(key) = head.socket() {
-        let key = key.to_string();
-        socket::serve(stream, std::mem::take(buffer), head, &key, service)?;
-        return Ok(false);
-    }
-    if head.length > service.most(&head) {
-        return refuse(stream, &Response::refusal(Status::TooLarge));
-    }
-    if head.expects {
-        stream.write_all(b"HTTP/1.1 100 Continue\r\n\r\n")?;
-    }
-    while buffer.len() < head.length {
-        if more(stream, buffer, deadline)? == 0 {
+impl Connection {
+    /// One request and its answer; whether the connection goes on.
+    fn one(&mut self, service: &impl Service, places: &Places) -> io::Result<bool> {
+        let waiting = places.wait(&self.stream);
+        let head = match self.head()? {
+            Some(Ok(head)) => head,
+            Some(Err(refusal)) => return self.refuse(&refusal),
+            None => return Ok(false),
+        };
+        if let Err(refusal) = service.admit(&head) {
+            return self.refuse(&refusal);
+        }
+        let Some(_place) = places.answer() else {
+            return self.refuse(&Response::refusal(Status::Busy));
+        };
+        drop(waiting);
+        if head.length > service.most(&head) {
+            return self.refuse(&Response::refusal(Status::TooLarge));
+        }
+        let Some(body) = self.body(&head)? else {
             return Ok(false);
-        }
+        };
+        let request = Request { head, body };
+        // A panic costs this answer and nothing else.
+        let answer = catch_unwind(AssertUnwindSafe(|| service.answer(&request)));
+        let answer = answer.unwrap_or_else(|_| Response::refusal(Status::Internal));
+        let head = &request.head;
+        answer.write(&mut &*self.stream, head.closes, head.method != Method::Head)?;
+        Ok(!head.closes)
     }
-    let rest = buffer.split_off(head.length);
-    let request = Request {
-        head,
-        body: std::mem::replace(buffer, rest),
-    };
-    let answer = answered(service, &request);
-    let head = &request.head;
-    answer.write(stream, head.closes, head.method != Method::Head)?;
-    Ok(!head.closes)
-}
 
-type Found = Result<(Head, usize), Response>;
-
-/// The next head; `None` where the other side has ended.
-fn head(
-    stream: &mut TcpStream,
-    buffer: &mut Vec<u8>,
-    deadline: Instant,
-) -> io::Result<Option<Found>> {
-    loop {
-        match Head::read(buffer) {
-            Ok(Some(found)) => return Ok(Some(Ok(found))),
-            Err(refusal) => return Ok(Some(Err(refusal))),
-            Ok(None) if buffer.len() > HEAD => {
-                return Ok(Some(Err(Response::refusal(Status::HeadTooLarge))));
-            }
-            Ok(None) => {}
-        }
-        if more(stream, buffer, deadline)? == 0 {
+    /// The next head; `None` where the other side has ended.
+    fn head(&mut self) -> io::Result<Option<Result<Head, Response>>> {
+        if self.buffer.is_empty() && self.more(Instant::now() + PATIENCE)? == 0 {
             return Ok(None);
         }
+        let deadline = Instant::now() + OF_HEAD;
+        loop {
+            match Head::read(&self.buffer) {
+                Ok(Some((head, length))) => {
+                    self.buffer.drain(..length);
+                    return Ok(Some(Ok(head)));
+                }
+                Err(refusal) => return Ok(Some(Err(refusal))),
+                Ok(None) if self.buffer.len() > HEAD => {
+                    return Ok(Some(Err(Response::refusal(Status::HeadTooLarge))));
+                }
+                Ok(None) => {}
+            }
+            if self.more(deadline)? == 0 {
+                return Ok(None);
+            }
+        }
     }
-}
 
-/// Reads what has arrived; 0 at the end.
-fn more(stream: &mut TcpStream, buffer: &mut Vec<u8>, deadline: Instant) -> io::Result<usize> {
-    let left = deadline.saturating_duration_since(Instant::now());
-    if left.is_zero() {
-        return Ok(0);
+    /// The body of a request; `None` where the other side has ended before.
+    fn body(&mut self, head: &Head) -> io::Result<Option<Vec<u8>>> {
+        let deadline = Instant::now() + PATIENCE;
+        if head.expects {
+            (&*self.stream).write_all(b"HTTP/1.1 100 Continue\r\n\r\n")?;
+        }
+        while self.buffer.len() < head.length {
+            if self.more(deadline)? == 0 {
+                return Ok(None);
+            }
+        }
+        let rest = self.buffer.split_off(head.length);
+        Ok(Some(std::mem::replace(&mut self.buffer, rest)))
     }
-    stream.set_read_timeout(Some(left))?;
-    let mut piece = [0; 16 << 10];
-    let read = stream.read(&mut piece)?;
-    buffer.extend_from_slice(&piece[..read]);
-    Ok(read)
-}
 
-/// Says no and ends the connection.
-fn refuse(stream: &mut TcpStream, refusal: &Response) -> io::Result<bool> {
-    refusal.write(stream, true, true)?;
-    stream.shutdown(Shutdown::Write)?;
-    let deadline = Instant::now() + FAREWELL;
-    let mut thrown_away = Vec::new();
-    while more(stream, &mut thrown_away, deadline)? > 0 {
-        thrown_away.clear();
+    /// Reads what has arrived; 0 at the end.
+    fn more(&mut self, deadline: Instant) -> io::Result<usize> {
+        let left = deadline.saturating_duration_since(Instant::now());
+        if left.is_zero() {
+            return Ok(0);
+        }
+        self.stream.set_read_timeout(Some(left))?;
+        let mut piece = [0; 16 << 10];
+        let read = (&*self.stream).read(&mut piece)?;
+        self.buffer.extend_from_slice(&piece[..read]);
+        Ok(read)
     }
-    Ok(false)
+
+    /// Says no and ends the connection.
+    fn refuse(&mut self, refusal: &Response) -> io::Result<bool> {
+        refusal.write(&mut &*self.stream, true, true)?;
+        self.stream.shutdown(Shutdown::Write)?;
+        let deadline = Instant::now() + FAREWELL;
+        self.buffer.clear();
+        while self.more(deadline)? > 0 {
+            self.buffer.clear();
+        }
+        Ok(false)
+    }
 }

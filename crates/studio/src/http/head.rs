@@ -35,10 +35,6 @@ pub struct Head {
     pub expects: bool,
     /// The connection ends after the answer.
     pub closes: bool,
-    /// The connection is to become a WebSocket.
-    upgrades: bool,
-    /// What a client sends so that the server shows that it knows WebSockets.
-    key: Option<String>,
 }
 
 impl Head {
@@ -46,20 +42,6 @@ impl Head {
     pub fn asked(&self, name: &str) -> Option<&str> {
         let found = self.query.iter().find(|(n, _)| n == name);
         found.map(|(_, value)| value.as_str())
-    }
-
-    /// The head of a question that arrives over the WebSocket that this head has asked for.
-    pub fn into_question(self) -> Head {
-        Head {
-            method: Method::Post,
-            ..self
-        }
-    }
-
-    /// The key of a client that asks for a WebSocket here.
-    pub fn socket(&self) -> Option<&str> {
-        let key = self.key.as_deref().filter(|_| self.upgrades);
-        key.filter(|_| self.method == Method::Get)
     }
 
     /// Reads a head with its length in bytes; `None` while it is incomplete.
@@ -96,8 +78,6 @@ impl Head {
             length: 0,
             expects: false,
             closes: parsed.version == Some(0),
-            upgrades: false,
-            key: None,
         };
         for header in parsed.headers.iter() {
             let value = std::str::from_utf8(header.value).map_err(|_| bad())?;
@@ -116,8 +96,6 @@ impl Head {
             }
             "transfer-encoding" => return Err(Response::refusal(Status::LengthRequired)),
             "expect" => self.expects = value.eq_ignore_ascii_case("100-continue"),
-            "upgrade" => self.upgrades = value.eq_ignore_ascii_case("websocket"),
-            "sec-websocket-key" => self.key = Some(value.to_string()),
             "connection" if value.eq_ignore_ascii_case("close") => self.closes = true,
             _ => {}
         }

@@ -1,17 +1,13 @@
 //! HTTP/1.1 for one person on one machine: `httparse` reads the heads, one thread serves a connection.
 //!
 //! A server of its own because limits and time-outs must hold before a body is read: the ready-made small servers have
-//! neither. No chunked bodies, no compression, no ranges. A WebSocket at the address of a question takes the bodies of
-//! questions one after another and sends back the bodies of their answers.
+//! neither. No chunked bodies, no compression, no ranges.
 
 mod connection;
-mod frame;
 mod head;
+mod places;
 mod response;
 mod server;
-mod socket;
-
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pub use head::{Head, Method};
 pub use response::{Response, Status};
@@ -34,10 +30,4 @@ pub trait Service: Send + Sync + 'static {
     fn most(&self, head: &Head) -> usize;
     /// The answer.
     fn answer(&self, request: &Request) -> Response;
-}
-
-/// The answer to a request; a panic costs this answer and nothing else.
-fn answered(service: &impl Service, request: &Request) -> Response {
-    let answer = catch_unwind(AssertUnwindSafe(|| service.answer(request)));
-    answer.unwrap_or_else(|_| Response::refusal(Status::Internal))
 }

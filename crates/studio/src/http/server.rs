@@ -1,16 +1,13 @@
-//! Listening on the loopback address, with a bound on connections.
+//! Listening on the loopback address.
 
 use std::io;
-use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::net::{Ipv4Addr, TcpListener};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use super::{Response, Service, Status, connection};
-
-/// Most connections at a time: a few pages of six each.
-const MOST: usize = 96;
+use super::places::Places;
+use super::{Service, connection};
 
 /// A listener on the loopback address.
 pub struct Server {
@@ -34,41 +31,19 @@ impl Server {
         self.port
     }
 
-    /// Serves for ever.
+    /// Serves for ever, each connection on a thread of its own.
     pub fn serve(self, service: impl Service) -> ! {
-        let service = Arc::new(service);
-        let open = Arc::new(AtomicUsize::new(0));
+        let shared = Arc::new((service, Places::default()));
         loop {
-            match self.listener.accept() {
-                Ok((stream, _)) => take(stream, &service, &open),
-                // Out of file handles: wait until some are given back.
-                Err(_) => thread::sleep(Duration::from_millis(50)),
+            let spawned = self.listener.accept().and_then(|(stream, _)| {
+                let shared = Arc::clone(&shared);
+                let serve = move || connection::serve(stream, &shared.0, &shared.1);
+                thread::Builder::new().spawn(serve)
+            });
+            // Out of file handles or threads: wait until some are given back.
+            if spawned.is_err() {
+                thread::sleep(Duration::from_millis(50));
             }
         }
     }
-}
-
-/// A place among the open connections, given back when it is dropped.
-struct Seat(Arc<AtomicUsize>);
-
-impl Drop for Seat {
-    fn drop(&mut self) {
-        self.0.fetch_sub(1, Ordering::SeqCst);
-    }
-}
-
-fn take(mut stream: TcpStream, service: &Arc<impl Service>, open: &Arc<AtomicUsize>) {
-    let taken = open.fetch_add(1, Ordering::SeqCst);
-    let seat = Seat(Arc::clone(open));
-    if taken >= MOST {
-        let _ = stream.set_write_timeout(Some(Duration::from_millis(50)));
-        let _ = Response::refusal(Status::Busy).write(&mut stream, true, true);
-        return;
-    }
-    let service = Arc::clone(service);
-    let spawned = thread::Builder::new().spawn(move || {
-        connection::serve(stream, service.as_ref());
-        drop(seat);
-    });
-    drop(spawned);
 }

@@ -3,5 +3,4 @@
 mod answers;
 mod client;
 mod security;
-mod socket;
 mod words;

@@ -250,6 +250,44 @@ fn a_thousand_connections_leave_it_alive() {
 }
 
 #[test]
+fn connections_that_ask_nothing_keep_no_page_waiting() {
+    let studio = Running::new();
+    let (host, token) = (studio.host(), &studio.token);
+    let answered = format!("GET /{token}/laws.json HTTP/1.1\r\nHost: {host}\r\n\r\n");
+    for begun in ["", "GET / HTTP/1.1\r\nHo", &answered] {
+        let connect = |_| {
+            let mut stream = TcpStream::connect(("127.0.0.1", studio.port)).unwrap();
+            stream.write_all(begun.as_bytes()).unwrap();
+            if begun.len() > 30 {
+                let mut status = [0; 12];
+                stream.read_exact(&mut status).unwrap();
+                assert_eq!(&status, b"HTTP/1.1 200");
+            }
+            stream
+        };
+        let open: Vec<TcpStream> = (0..120).map(connect).collect();
+        let start = Instant::now();
+        for _ in 0..8 {
+            assert!(is_alive(&studio), "{begun:?}");
+        }
+        assert!(start.elapsed() < Duration::from_secs(5), "{begun:?}");
+        drop(open);
+    }
+}
+
+#[test]
+fn a_head_that_does_not_end_is_given_up_soon() {
+    let studio = Running::new();
+    let mut stream = TcpStream::connect(("127.0.0.1", studio.port)).unwrap();
+    let start = Instant::now();
+    let patience = Some(Duration::from_secs(15));
+    stream.set_read_timeout(patience).unwrap();
+    stream.write_all(b"GET / HTTP/1.1\r\nHo").unwrap();
+    assert_eq!(stream.read(&mut [0]).unwrap(), 0);
+    assert!(start.elapsed() < Duration::from_secs(10));
+}
+
+#[test]
 fn answers_may_not_be_framed_guessed_or_kept() {
     let studio = Running::new();
     let page = studio.get(&format!("/?token={}", studio.token));
