@@ -6,7 +6,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use gaitcam::error::{Placed, Result, WriteError};
-use tempfile::Builder;
+use tempfile::{Builder, NamedTempFile};
 
 use crate::Picture;
 
@@ -67,12 +67,34 @@ pub fn put_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     through_temporary(path, ".", bytes, fs::File::sync_all)
 }
 
+/// Writes a file that must not be there yet, whole or not at all.
+///
+/// # Errors
+/// [`AlreadyExists`](std::io::ErrorKind::AlreadyExists), or a file that cannot be written.
+pub fn write_new(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let temporary = temporary(path, ".", bytes)?;
+    temporary.persist_noclobber(path).map_err(|e| e.error)?;
+    Ok(())
+}
+
 fn through_temporary(
     path: &Path,
     prefix: &str,
     bytes: &[u8],
     sync: impl FnOnce(&fs::File) -> std::io::Result<()>,
 ) -> Result<()> {
+    let written = temporary(path, prefix, bytes).and_then(|temporary| {
+        sync(temporary.as_file())?;
+        temporary.persist(path).map_err(|e| e.error)
+    });
+    written.map(|_| ()).map_err(|e| {
+        let fault = e.to_string();
+        WriteError::FileRefuses { fault }.in_file(path)
+    })
+}
+
+/// A file with a name of its own in the folder of `path`; removed where it is dropped.
+fn temporary(path: &Path, prefix: &str, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
     let mut name = OsString::from(prefix);
     name.push(path.file_name().unwrap_or_default());
     name.push(".");
@@ -80,18 +102,11 @@ fn through_temporary(
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    let written = Builder::new()
+    let mut temporary = Builder::new()
         .prefix(&name)
         .suffix(".partial")
         // With the rights that the user's files have, not those of a secret.
-        .make_in(folder, |p| fs::File::create_new(p))
-        .and_then(|mut temporary| {
-            temporary.as_file_mut().write_all(bytes)?;
-            sync(temporary.as_file())?;
-            temporary.persist(path).map_err(|e| e.error)
-        });
-    written.map(|_| ()).map_err(|e| {
-        let fault = e.to_string();
-        WriteError::FileRefuses { fault }.in_file(path)
-    })
+        .make_in(folder, |p| fs::File::create_new(p))?;
+    temporary.as_file_mut().write_all(bytes)?;
+    Ok(temporary)
 }

@@ -1,13 +1,13 @@
 //! The opened folder: what lies in it may be read, new files may be written, nothing outside is touched.
 
 use std::fs;
-use std::io::Write;
 use std::path::{Component, Path, PathBuf};
 
 use serde::Serialize;
 
 use crate::fault::StudioError;
 use gaitcam::error::{Error, Place, Placed, Result};
+use gaitcam_output::folder::write_new;
 
 /// Largest file that is read, bytes.
 const LARGEST: u64 = 256 << 20;
@@ -98,13 +98,14 @@ impl Folder {
                 k => format!("{stem}-{k}.{ending}"),
             };
             let path = self.root.join(&name);
-            // An equal file needs no second one.
-            if fs::read(&path).is_ok_and(|old| old == bytes) {
-                return Ok(name);
-            }
-            match place(&path, bytes) {
+            match write_new(&path, bytes) {
                 Ok(()) => return Ok(name),
-                Err(e) if e.kind() == std::io::ErrorKind::AlreadyExists => {}
+                Err(e) if e.kind() == std::io::ErrorKind::AlreadyExists => {
+                    // An equal file needs no second one.
+                    if self.read(name.as_ref()).is_ok_and(|old| old == bytes) {
+                        return Ok(name);
+                    }
+                }
                 Err(e) => {
                     let fault = e.to_string();
                     return Err(
@@ -136,6 +137,10 @@ impl Folder {
             if kind.is_dir() && depth < DEPTH && name != "target" && name != "node_modules" {
                 self.look(&path, depth + 1, out);
             }
+            // Links and pipes are not even looked into: they may never end.
+            if !kind.is_file() {
+                continue;
+            }
             let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
             let scene = match ending.as_deref() {
                 Some("toml") => is_scene(&path),
@@ -144,11 +149,7 @@ impl Folder {
                 _ => continue,
             };
             let recording = path.extension().is_none_or(|e| e != "toml");
-            if let (true, true, Ok(inside)) = (
-                kind.is_file(),
-                scene || recording,
-                path.strip_prefix(&self.root),
-            ) {
+            if let (true, Ok(inside)) = (scene || recording, path.strip_prefix(&self.root)) {
                 let parts = inside.components().map(|c| c.as_os_str().to_string_lossy());
                 let path = parts.collect::<Vec<_>>().join("/");
                 out.push(Listed { path, scene });
@@ -167,19 +168,6 @@ fn is_scene(path: &Path) -> bool {
     };
     let tables = ["[cam]", "[gait]", "[law]", "[drive]", "[limits]"];
     text.lines().any(|line| tables.contains(&line.trim()))
-}
-
-/// Writes a file that must not be there yet, whole or not at all.
-fn place(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let mut beside = path.as_os_str().to_owned();
-    beside.push(format!(".{}.partial", std::process::id()));
-    let beside = PathBuf::from(beside);
-    let written = fs::File::create(&beside)
-        .and_then(|mut file| file.write_all(bytes))
-        // A hard link fails where the name is taken; renaming would replace.
-        .and_then(|()| fs::hard_link(&beside, path));
-    let _ = fs::remove_file(&beside);
-    written
 }
 
 fn unread(path: &Path, e: &std::io::Error) -> Error {
@@ -203,6 +191,48 @@ mod tests {
         for name in ["../a.toml", "a/b.toml", "", ".toml", "a\0.toml", "C:a"] {
             assert!(folder.write_new(name, b"x").is_err(), "{name:?}");
         }
+    }
+
+    #[test]
+    fn saves_of_one_name_at_once_keep_their_own_text() {
+        let here = tempfile::tempdir().unwrap();
+        let folder = Folder::open(here.path()).unwrap();
+        let save = &|i: usize| {
+            let text = format!("scene {i}").repeat(1000);
+            let name = folder.write_new("a.toml", text.as_bytes()).unwrap();
+            (name, text)
+        };
+        let saved: Vec<(String, String)> = std::thread::scope(|scope| {
+            let threads: Vec<_> = (0..60).map(|i| scope.spawn(move || save(i))).collect();
+            threads.into_iter().map(|t| t.join().unwrap()).collect()
+        });
+        for (name, text) in saved {
+            assert_eq!(
+                fs::read_to_string(here.path().join(&name)).unwrap(),
+                text,
+                "{name}"
+            );
+        }
+        assert_eq!(fs::read_dir(here.path()).unwrap().count(), 60);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_may_never_end_is_neither_listed_nor_read() {
+        let here = tempfile::tempdir().unwrap();
+        std::os::unix::fs::symlink("/dev/zero", here.path().join("a.toml")).unwrap();
+        let made = std::process::Command::new("mkfifo")
+            .arg(here.path().join("b.toml"))
+            .status();
+        assert!(made.unwrap().success());
+        fs::write(here.path().join("c.toml"), "[cam]\n").unwrap();
+        let folder = Folder::open(here.path()).unwrap();
+        let listed: Vec<String> = folder.list().into_iter().map(|l| l.path).collect();
+        assert_eq!(listed, ["c.toml"]);
+        for name in ["a.toml", "b.toml"] {
+            assert!(folder.read(Path::new(name)).is_err());
+        }
+        assert_eq!(folder.write_new("b.toml", b"x").unwrap(), "b-2.toml");
     }
 
     #[cfg(unix)]
