@@ -4,6 +4,8 @@ mod csv;
 pub(super) mod records;
 pub(super) mod results;
 
+pub use csv::{cell_text, text_cell};
+
 /// Endings of columns with the units they stand for.
 const UNITS: [(&str, &str); 18] = [
     ("_m_per_s3", "m/s^3"),

@@ -13,6 +13,7 @@ use crate::input::{self, SceneArgs};
 use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
+use gaitcam::sweep::table::cell_text;
 use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values};
 use gaitcam_files::read::read_bytes;
 use gaitcam_files::target::target;
@@ -116,7 +117,7 @@ fn list(path: &Path) -> Result<List> {
                 let line = record.position().map_or(1, |p| p.line() as usize);
                 return Err(CliError::ListCell.at_line(path, line));
             }
-            column.push(cell.to_string());
+            column.push(cell_text(cell).to_string());
         }
     }
     if columns.first().is_none_or(Vec::is_empty) {

@@ -18,6 +18,7 @@ use crate::input::SceneArgs;
 use crate::sweep::with_ending;
 use crate::synth::{self, SynthArgs};
 use gaitcam::error::{FileError, Placed, Result};
+use gaitcam::sweep::table::text_cell;
 use gaitcam::sweep::{Admission, Front, Key, Objective, Point};
 use gaitcam_files::{blocks::PLAN, read::read_bytes, scene::not_json};
 use gaitcam_output::folder::Folder;
@@ -166,7 +167,7 @@ fn csv(columns: &Columns, front: &[&Point]) -> String {
     // Writing to memory cannot fail.
     let _ = writer.write_record(&columns.names);
     for p in front {
-        let _ = writer.write_record(&p.cells);
+        let _ = writer.write_record(p.cells.iter().map(|c| text_cell(c).into_owned()));
     }
     writer
         .into_inner()

@@ -8,6 +8,7 @@ use crate::console::error::CliError;
 use crate::console::words;
 use crate::input;
 use gaitcam::error::{Placed, Result};
+use gaitcam::sweep::table::cell_text;
 use gaitcam::sweep::{Key, NUMBERS, Objective};
 use gaitcam_files::blocks;
 use gaitcam_files::read::cannot_be_read;
@@ -76,7 +77,7 @@ impl Row<'_> {
 
     fn text(&self, column: usize) -> Cow<'_, str> {
         match self {
-            Row::Csv(record) => Cow::Borrowed(record.get(column).unwrap_or("")),
+            Row::Csv(record) => Cow::Borrowed(cell_text(record.get(column).unwrap_or(""))),
             #[cfg(feature = "parquet")]
             Row::Parquet(batch, row) => {
                 use gaitcam_output::parquet::{number_at, word_at};

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use super::{rows, sweep};
-use crate::support::stderr;
+use crate::support::{run_in, stderr, stdout, walk};
 
 #[test]
 fn rows_are_the_same_for_any_number_of_threads() {
@@ -167,4 +167,43 @@ fn values_that_do_not_go_with_another_key_cost_their_rows_only() {
     let text = fs::read_to_string(&table).unwrap();
     let faults = text.lines().filter(|l| l.contains("bore")).count();
     assert_eq!((text.lines().count(), faults), (5, 1), "{text}");
+}
+
+#[test]
+fn a_name_that_is_a_formula_to_a_spreadsheet_stands_in_the_table_as_text() {
+    let folder = tempfile::tempdir().unwrap();
+    walk(&folder.path().join("=1+2.csv"));
+    let run = |arguments: &[&str]| {
+        let output = run_in(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        stdout(&output)
+    };
+    let sweep = [
+        "sweep",
+        "--recordings",
+        "=1+2.csv",
+        "--set",
+        "law.family=harmonic",
+    ];
+    run(&[
+        &sweep[..],
+        &[
+            "--set",
+            "limits={}",
+            "--set",
+            "accuracy.rms=50 %",
+            "--out",
+            "t.csv",
+        ],
+    ]
+    .concat());
+    let table = fs::read_to_string(folder.path().join("t.csv")).unwrap();
+    assert!(
+        table.contains(",'=1+2.csv,") && !table.contains(",="),
+        "{table}"
+    );
+    let front = run(&["front", "t.csv", "--out", "front"]);
+    assert!(front.contains(" =1+2.csv"), "{front}");
+    let front = fs::read_to_string(folder.path().join("front/front.csv")).unwrap();
+    assert!(front.contains("'=1+2.csv"), "{front}");
 }
