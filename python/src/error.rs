@@ -1,5 +1,7 @@
 //! Faults as Python exceptions: what is wrong, at which key, what would be right.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use gaitcam::error::{Error, Place, Placed};
 use gaitcam::wording::Language;
 use pyo3::create_exception;
@@ -23,6 +25,27 @@ create_exception!(
     PyRuntimeError,
     "There is no cam to run: the limits conflict, or a flat face cannot touch the profile."
 );
+
+create_exception!(
+    gaitcam,
+    InternalError,
+    PyRuntimeError,
+    "A fault of gaitcam itself. Please report it with the scene."
+);
+
+/// Work without the interpreter's lock; a panic, on whatever thread, becomes an exception that ``except Exception``
+/// catches.
+pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let done = py.detach(|| catch_unwind(AssertUnwindSafe(work)));
+    done.map_err(|cause| {
+        let said = cause.downcast_ref::<String>().map(String::as_str);
+        let said = said.or_else(|| cause.downcast_ref::<&str>().copied());
+        let said = said.unwrap_or("a thread panicked");
+        InternalError::new_err(format!(
+            "internal error ({said}); please report it with the scene"
+        ))
+    })
+}
 
 /// The exception of a fault.
 pub fn raised(py: Python<'_>, fault: Error) -> PyErr {

@@ -12,7 +12,7 @@ use pyo3::types::{PyBytes, PyDict};
 use toml::{Table, Value};
 
 use crate::convert::{self, Reduced};
-use crate::error::Raise;
+use crate::error::{Raise, detached};
 
 /// One cycle of vertical force.
 ///
@@ -77,7 +77,7 @@ impl Force {
             let options = gait.read_options(metadata.clone())?;
             force::force_curve(&path, &bytes, &options, gait.feet)
         };
-        let curve = py.detach(read).raise(py)?;
+        let curve = detached(py, read)?.raise(py)?;
         let origin = Origin::Recording {
             gait,
             bytes,
@@ -293,7 +293,7 @@ pub fn read_gait(
     path: PathBuf,
     options: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Force> {
-    let bytes = py.detach(|| read::read_bytes(&path)).raise(py)?;
+    let bytes = detached(py, || read::read_bytes(&path))?.raise(py)?;
     let place = std::path::absolute(&path).unwrap_or_else(|_| path.clone());
     let gait = gait(options, &place)?;
     Force::of_recording(py, gait, bytes.into(), target::metadata(&path))

@@ -23,7 +23,7 @@ mod _native {
     #[pymodule_export]
     use crate::design::{Design, synth};
     #[pymodule_export]
-    use crate::error::{InputError, NoSuchCam};
+    use crate::error::{InputError, InternalError, NoSuchCam};
     #[pymodule_export]
     use crate::force::{Force, read_gait};
     #[pymodule_export]

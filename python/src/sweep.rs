@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
 use crate::convert::{self, Reduced};
-use crate::error::{Raise, argument};
+use crate::error::{Raise, argument, detached};
 use crate::interrupt::{self, Interrupt};
 use crate::scene::Scene;
 use crate::table::Table;
@@ -131,12 +131,12 @@ impl Sweep {
             let all = Arc::clone(&interrupt);
             Halt::when(move || row.is_asked() || all.is_raised())
         };
-        let found = py.detach(|| {
+        let found = detached(py, || {
             self.study
                 .run(rows, jobs, &halts, &|| interrupt.is_raised())
         });
         interrupt.result()?;
-        let records = found.raise(py)?.unwrap_or_default();
+        let records = found?.raise(py)?.unwrap_or_default();
         Ok(Table::new(records, self.study.metadata()))
     }
 
@@ -159,12 +159,12 @@ impl Sweep {
             return Err(argument(py, "block_rows", what));
         }
         let folder = std::path::absolute(&folder).unwrap_or(folder);
-        let blocks = py.detach(|| {
+        let blocks = detached(py, || {
             let blocks = SharedBlocks::open(&folder, &self.study, block_rows, Language::En)?;
             let missing = blocks.missing()?;
             Ok((blocks.blocks, missing))
         });
-        let (blocks, missing) = blocks.raise(py)?;
+        let (blocks, missing) = blocks?.raise(py)?;
         let entry = |rows: Range<u64>| (rows.start, rows.end, blocks.path(&rows));
         Ok(missing.into_iter().map(entry).collect())
     }

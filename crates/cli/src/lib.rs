@@ -24,8 +24,8 @@ use clap::{FromArgMatches, Parser, Subcommand};
 
 pub use console::exit_code;
 use console::terminal::{final_exit_code, print_json, record_write_error, report};
-use console::{help, language, usage, words};
-use exit_code::{BAD_INPUT, BUILT, INTERNAL_ERROR};
+use console::{help, internal, language, usage};
+use exit_code::{BAD_INPUT, BUILT};
 use gaitcam::error::{Error, Result};
 use reference::{completions, keys, laws, manual};
 use results::{compare, front};
@@ -95,13 +95,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Err(e) => return refused(&usage::fault(&e), arguments.iter().any(|a| a == "--json")),
     };
     let json = cli.command.as_ref().is_some_and(Command::json);
-    match std::panic::catch_unwind(|| dispatch(cli)) {
+    match internal::caught(json, || dispatch(cli)) {
         Ok(Ok(code)) => final_exit_code(code),
         Ok(Err(error)) => refused(&error, json),
-        Err(_) => {
-            report(words::text("run-internal-error"));
-            INTERNAL_ERROR
-        }
+        Err(code) => code,
     }
 }
 
@@ -128,7 +125,7 @@ fn dispatch(cli: Cli) -> Result<u8> {
 }
 
 /// Says what is wrong, for programs too where they asked.
-fn refused(error: &Error, json: bool) -> u8 {
+pub(crate) fn refused(error: &Error, json: bool) -> u8 {
     report(error.sentence(language::current()));
     if json {
         print_json(&error_json(error));

@@ -38,6 +38,8 @@ pub fn run(args: &StudioArgs) -> Result<u8> {
         port: args.port,
         language: language::current(),
     })?;
+    // A panic costs one answer; its trace belongs into the terminal.
+    let _ = std::panic::take_hook();
     // Nothing is half written between two requests: an interrupt is the usual end.
     let _ = ctrlc::set_handler(|| exit(i32::from(BUILT)));
     print(&ready.url());

@@ -3,6 +3,7 @@
 pub mod error;
 pub mod exit_code;
 pub mod help;
+pub mod internal;
 pub mod language;
 pub mod terminal;
 pub mod usage;

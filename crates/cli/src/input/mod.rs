@@ -10,6 +10,7 @@ use clap::Args;
 use toml::Table;
 
 use crate::console::error::{CliError, NameFault};
+use crate::console::internal;
 use gaitcam::error::{Error, Placed, Result};
 use gaitcam::scene;
 use gaitcam::units::{Dimension, parse as parse_quantity};
@@ -34,6 +35,7 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
     for change in &args.set {
         scene::set(&mut table, change).map_err(at_flag("--set"))?;
     }
+    internal::keep(&table);
     Input::new(table, folder, file)
 }
 

@@ -114,8 +114,6 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         return tolerance::run(args);
     }
     let start = Instant::now();
-    // A row that fails by an internal error says so in the table; its trace would only hide the others.
-    std::panic::set_hook(Box::new(|_| {}));
     if let Some(share) = args.shard {
         return shard::run(args, share);
     }

@@ -100,7 +100,10 @@ cli-flag-count = the number of values is wrong
 cli-arguments = { $fault }
 
 # Every verb.
-run-internal-error = internal error; please report it with the scene
+run-internal-error = internal error; please report it with { $file ->
+        [none] the scene
+       *[other] { $file }
+    }
 run-stdout = the answer cannot be written to standard output ({ $fault })
 run-files = Files in { $folder }; open { $first } first.
 

@@ -100,7 +100,10 @@ cli-flag-count = el número de valores no es correcto
 cli-arguments = { $fault }
 
 # Todas las órdenes.
-run-internal-error = error interno; comuníquelo junto con la escena
+run-internal-error = error interno; comuníquelo junto con { $file ->
+        [none] la escena
+       *[other] { $file }
+    }
 run-stdout = la respuesta no se puede escribir en la salida estándar ({ $fault })
 run-files = Archivos en { $folder }; abra primero { $first }.
 
