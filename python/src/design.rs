@@ -10,14 +10,14 @@ use gaitcam::scene;
 use gaitcam::synth::Search;
 use gaitcam_files::design::{self, check_inputs_stay, finish};
 use gaitcam_files::files::{self, Source};
-use gaitcam_files::{Contents, Input, ROWS, ResultFolder};
+use gaitcam_files::{Contents, Input, PATIENCE, ROWS, ResultFolder};
 use gaitcam_output::{self as output, Language, Timing};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
 use crate::asked::{Asked, language, rows};
 use crate::convert::{self, Reduced};
-use crate::error::Raise;
+use crate::error::{Raise, detached};
 use crate::force::{FILE, Force, Origin};
 use crate::interrupt::{self, Interrupt};
 use crate::law::Law;
@@ -75,9 +75,9 @@ pub fn synth(
         None => asked.whole(py)?.clone(),
     };
     let interrupt = Interrupt::after(interrupt::limit(py, time_limit)?);
-    let made = py.detach(|| made(&input, force.as_ref(), &interrupt));
+    let made = detached(py, || made(&input, force.as_ref(), &interrupt));
     interrupt.result()?;
-    let (design, solve_s) = made.raise(py)?;
+    let (design, solve_s) = made?.raise(py)?;
     let time = Timing {
         solve_s,
         total_s: interrupt.elapsed_s(),
@@ -216,12 +216,12 @@ impl Design {
     fn tables(&self, py: Python<'_>, points: usize) -> PyResult<(Table, Table)> {
         let points = rows(py, points)?;
         self.has_cam(py)?;
-        let (law, profile) = py.detach(|| {
+        let (law, profile) = detached(py, || {
             (
                 output::csv::law_columns(&self.design, points),
                 output::csv::profile_columns(&self.design, points),
             )
-        });
+        })?;
         Ok((Table::of_numbers(law), Table::of_numbers(profile)))
     }
 
@@ -291,15 +291,15 @@ impl Design {
             lang,
         };
         let contents = asked.contents(py, self.input.title())?;
-        let written = py.detach(|| {
+        let written = detached(py, || {
             check_inputs_stay(&folder, &self.input)?;
-            let place = ResultFolder::open(&folder)?;
+            let place = ResultFolder::open(&folder, PATIENCE)?;
             self.write(&contents, |name, bytes| place.write(name, bytes))?;
             let scene = self.input.resolved();
             let summary = design::summary(&self.design, &scene, self.time);
             finish(place, &self.input, &scene, &summary)
         });
-        written.raise(py)
+        written?.raise(py)
     }
 
     /// The files that :meth:`save` writes, in memory: a dictionary from names to bytes.
@@ -329,7 +329,7 @@ impl Design {
             lang,
         };
         let contents = asked.contents(py, self.input.title())?;
-        let files = py.detach(|| {
+        let files = detached(py, || {
             let mut files = BTreeMap::new();
             self.write(&contents, |name, bytes| {
                 files.insert(name.to_string(), bytes.to_vec());
@@ -344,13 +344,13 @@ impl Design {
             Ok(files)
         });
         let out = PyDict::new(py);
-        for (name, bytes) in files.raise(py)? {
+        for (name, bytes) in files?.raise(py)? {
             out.set_item(name, PyBytes::new(py, &bytes))?;
         }
         Ok(out)
     }
 
-    fn _repr_html_(&self, py: Python<'_>) -> String {
+    fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
         let design = &self.design;
         let text = |s: &str| s.replace('&', "&amp;").replace('<', "&lt;");
         let head = format!(
@@ -360,9 +360,9 @@ impl Design {
             text(&design.reason(Language::En))
         );
         if design.infeasible.is_some() {
-            return head;
+            return Ok(head);
         }
-        let pictures = py.detach(|| {
+        let pictures = detached(py, || {
             let language = Language::En;
             [
                 output::plots::cam(design, language),
@@ -370,10 +370,12 @@ impl Design {
                 output::plots::svaj(design, language),
             ]
             .map(|picture| picture.svg())
-        });
+        })?;
         let cell = |svg: &String| format!("<div style=\"flex:1 1 24em\">{svg}</div>");
         let cells: String = pictures.iter().map(cell).collect();
-        format!("<div>{head}<div style=\"display:flex;flex-wrap:wrap\">{cells}</div></div>")
+        Ok(format!(
+            "<div>{head}<div style=\"display:flex;flex-wrap:wrap\">{cells}</div></div>"
+        ))
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (Scene, Option<Force>, f64)> {

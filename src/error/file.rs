@@ -24,6 +24,10 @@ pub enum FileError {
     CannotPlace {
         fault: String,
     },
+    Foreign,
+    Held {
+        process: Option<String>,
+    },
     Folder,
     Device,
     TooLarge {

@@ -20,8 +20,8 @@ use gaitcam::error::{Place, Placed, Result};
 use gaitcam::scene::{MachineSpec, Scene};
 use gaitcam::synth::{self, Design};
 use gaitcam::units::Dimension;
-use gaitcam_files::ResultFolder;
 use gaitcam_files::design::{check_inputs_stay, of_another_design, write_scene};
+use gaitcam_files::{PATIENCE, ResultFolder};
 use gaitcam_output::report::{Running, html_of_run};
 use gaitcam_output::{Timing, simulation};
 
@@ -71,7 +71,10 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     })?;
     let start = Instant::now();
     let input = input::scene(&args.scene)?;
-    let folder = ResultFolder::open(&input::result_folder(&input, args.out.as_deref(), "")?)?;
+    let folder = ResultFolder::open(
+        &input::result_folder(&input, args.out.as_deref(), "")?,
+        PATIENCE,
+    )?;
     let scene = toml::to_string(&input.resolved()).unwrap_or_default();
     let others = of_another_design(folder.path(), &scene);
     if !others.is_empty() {

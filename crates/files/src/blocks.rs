@@ -1,6 +1,7 @@
 //! A folder that holds a sweep in blocks: one file per range of rows, each whole or not there.
 //!
-//! `_plan.json` says which sweep it is. A block is named by its rows, `rows-000000131072-000000262144.parquet`. It is
+//! `_plan.json` says which sweep it is. A block is named by its rows, `rows-000000131072-000000262144.parquet`, in the
+//! unfinished table of one process by its checksum too, `rows-000000000008-000000000072.1c291ca3.csv`. It is
 //! written beside its place and renamed, so that any number of processes on any number of machines may share the folder,
 //! and a second start computes only what is missing.
 
@@ -16,6 +17,7 @@ use gaitcam_output::Language;
 use gaitcam_output::folder::{put_whole, write_whole};
 use serde_json::{Value, json};
 
+use crate::lock::is_plain;
 use crate::read::read_bytes;
 use crate::scene::not_json;
 
@@ -71,6 +73,26 @@ impl Blocks {
     /// A file that cannot be written.
     pub fn put(&self, rows: &Range<u64>, bytes: &[u8]) -> Result<()> {
         put_whole(&self.path(rows), bytes)
+    }
+
+    /// The same under a name that holds the checksum (CRC-32) of its bytes.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn put_with_checksum(&self, rows: &Range<u64>, bytes: &[u8]) -> Result<()> {
+        let ending = format!("{}.{}", checksum(bytes), self.ending);
+        put_whole(&self.path(rows).with_extension(ending), bytes)
+    }
+
+    /// Removes what processes that were killed have begun to write.
+    pub fn remove_abandoned(&self) {
+        for entry in fs::read_dir(&self.folder).into_iter().flatten().flatten() {
+            let (name, path) = (entry.file_name(), entry.path());
+            let name = name.to_string_lossy();
+            if name.starts_with(".rows-") && name.ends_with(".partial") && is_plain(&path) {
+                let _ = fs::remove_file(path);
+            }
+        }
     }
 
     /// The blocks that are there, in the order of their rows.
@@ -168,6 +190,19 @@ pub fn files(folder: &Path) -> Result<Vec<(Range<u64>, PathBuf)>> {
     Ok(out)
 }
 
+fn checksum(bytes: &[u8]) -> String {
+    format!("{:08x}", crc32fast::hash(bytes))
+}
+
+/// Whether a block is a plain file with the bytes whose checksum is in its name.
+pub fn is_whole(block: &Path) -> bool {
+    let named = block
+        .file_stem()
+        .and_then(|name| Path::new(name).extension());
+    let bytes = is_plain(block).then(|| fs::read(block).ok()).flatten();
+    bytes.is_some_and(|bytes| named == Some(OsStr::new(&checksum(&bytes))))
+}
+
 /// The rows that the name of a block says.
 fn rows_of(name: &str) -> Option<Range<u64>> {
     let (rows, ending) = name.strip_prefix(NAME)?.split_once('.')?;
@@ -177,6 +212,7 @@ fn rows_of(name: &str) -> Option<Range<u64>> {
         text.parse::<u64>().ok().filter(|_| is_number)
     };
     let rows = number(start)?..number(end)?;
+    let (_, ending) = ending.split_once('.').unwrap_or(("", ending));
     matches!(ending, "csv" | "parquet").then_some(rows)
 }
 

@@ -7,15 +7,10 @@ use gaitcam::synth::Design;
 use gaitcam_output::{Timing, json};
 use serde_json::Value;
 
-use crate::earlier;
-pub use crate::earlier::of_another_design;
+use crate::earlier::{self, SCENE, SCENE_BESIDE_INPUT, SUMMARY};
+pub use crate::earlier::{OF_INSPECTION, of_another_design};
 use crate::result_folder::ResultFolder;
 use crate::scene::Input;
-
-/// The resolved scene.
-const SCENE: &str = "scene.toml";
-/// The same where the input itself has that name.
-const SCENE_BESIDE_INPUT: &str = "scene.used.toml";
 
 /// `summary.json`: the design in numbers, and the scene that it was made from.
 pub fn summary(design: &Design, scene: &toml::Table, time: Timing) -> Value {
@@ -37,7 +32,7 @@ pub fn finish(
     let scene = toml::to_string(scene).unwrap_or_default();
     write_scene(&folder, input, &scene)?;
     let text = serde_json::to_string_pretty(summary).unwrap_or_default();
-    folder.write("summary.json", text.as_bytes())?;
+    folder.write(SUMMARY, text.as_bytes())?;
     let path = folder.path().to_path_buf();
     let stale = earlier::stale(&path, &scene);
     folder.commit(&stale)?;

@@ -4,9 +4,34 @@ use std::fs;
 use std::path::Path;
 
 use crate::files;
+use crate::lock::is_plain;
 
+/// The resolved scene.
+pub(crate) const SCENE: &str = "scene.toml";
+/// The same where the input itself has that name.
+pub(crate) const SCENE_BESIDE_INPUT: &str = "scene.used.toml";
 /// What `simulate` adds to the design that it runs.
 const OF_RUN: [&str; 2] = ["dynamics.csv", "simulation.json"];
+
+/// What `inspect` adds.
+pub const OF_INSPECTION: [&str; 6] = [
+    "inspection.csv",
+    "inspection.json",
+    "deviation.svg",
+    "deviation.png",
+    "deviation_polar.svg",
+    "deviation_polar.png",
+];
+
+/// Present only while the files of the folder belong together.
+pub(crate) const SUMMARY: &str = "summary.json";
+
+/// Every file that a result may have.
+pub(crate) fn own() -> impl Iterator<Item = &'static str> {
+    let design = files::ALL.iter().map(|file| file.name);
+    let rest = [SCENE, SCENE_BESIDE_INPUT].into_iter().chain(OF_RUN);
+    design.chain(rest).chain(OF_INSPECTION)
+}
 
 /// Every file that `synth` may write, and so may remove.
 pub(crate) fn of_design() -> Vec<&'static str> {
@@ -36,19 +61,27 @@ pub fn of_another_design(folder: &Path, scene: &str) -> Vec<&'static str> {
 }
 
 fn holds_design(folder: &Path) -> bool {
-    holds(folder, "summary.json", ["outcome", "solver"])
+    holds(folder, SUMMARY, ["outcome", "solver"])
 }
 
 /// Whether a file of the folder is a JSON object with these keys.
 fn holds(folder: &Path, name: &str, keys: [&str; 2]) -> bool {
-    let bytes = fs::read(folder.join(name)).unwrap_or_default();
+    let bytes = content(&folder.join(name));
     let object = serde_json::from_slice::<serde_json::Value>(&bytes);
     object.is_ok_and(|o| keys.iter().all(|key| o.get(key).is_some()))
 }
 
 /// Whether the folder's result is of this scene.
 fn is_of(folder: &Path, scene: &str) -> bool {
-    ["scene.toml", "scene.used.toml"]
+    [SCENE, SCENE_BESIDE_INPUT]
         .iter()
-        .any(|name| fs::read_to_string(folder.join(name)).is_ok_and(|text| text == scene))
+        .any(|name| content(&folder.join(name)) == scene.as_bytes())
+}
+
+/// The content of a plain file; nothing of what may never end.
+fn content(path: &Path) -> Vec<u8> {
+    match is_plain(path) {
+        true => fs::read(path).unwrap_or_default(),
+        false => Vec::new(),
+    }
 }

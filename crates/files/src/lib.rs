@@ -12,6 +12,7 @@ mod contents;
 pub mod design;
 mod earlier;
 pub mod files;
+pub mod lock;
 pub mod read;
 pub mod result_folder;
 pub mod scene;
@@ -19,5 +20,6 @@ pub mod target;
 
 pub use contents::{Contents, ROWS, Remark};
 pub use files::Source;
+pub use lock::{Lock, PATIENCE};
 pub use result_folder::ResultFolder;
 pub use scene::Input;

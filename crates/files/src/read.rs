@@ -11,6 +11,8 @@ use gaitcam::scene::LARGEST_MOTION;
 const LARGEST_SCENE: u64 = 64 << 20;
 /// Largest other input that is held in memory, bytes.
 const LARGEST_FILE: u64 = 64 << 30;
+/// Most that is taken from standard input or another source that may never end, bytes.
+const LARGEST_STREAM: u64 = 512 << 20;
 
 /// A whole file: a recording, a table, a summary.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
@@ -47,6 +49,10 @@ fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
     if !about.is_file() && !is_open_already(path) {
         return Err(FileError::Device.in_file(path));
     }
+    let most = match about.is_file() {
+        true => most,
+        false => most.min(LARGEST_STREAM),
+    };
     if about.len() > most {
         return Err(too_large(path, most));
     }

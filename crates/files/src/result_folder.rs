@@ -1,15 +1,24 @@
 //! A folder that holds one result, replaced as a whole.
 //!
 //! New files are written into a hidden folder inside. When all are there, that folder is renamed to
-//! `READY`: from then on every gaitcam that opens the folder completes the move, so
+//! `READY`: from then on every gaitcam that writes into the folder completes the move first, so
 //! a process that is killed leaves the old result or the new one. A lock keeps a second writer waiting.
 //! `summary.json` goes first and comes last, so that whoever sees one sees the files that belong to it.
+//!
+//! A folder may come from anybody. Names of files are never taken from it: only plain files are moved or removed, and
+//! only those that gaitcam itself writes under their names.
 
 use std::cell::RefCell;
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use gaitcam::error::{FileError, Placed, Result, WriteError};
+
+use crate::earlier::{SUMMARY, own};
+use crate::lock::{Lock, is_plain};
+use crate::read::read_bytes;
 
 /// New files that wait to be moved into place.
 const READY: &str = ".gaitcam.ready";
@@ -17,8 +26,6 @@ const READY: &str = ".gaitcam.ready";
 const STALE: &str = ".stale";
 /// Held by the writer.
 const LOCK: &str = ".gaitcam.lock";
-/// Present only while the files of the folder belong together.
-const SUMMARY: &str = "summary.json";
 
 /// A result folder that is being written.
 pub struct ResultFolder {
@@ -29,16 +36,19 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Creates the folder where needed, waits for other writers, and checks that it can be written, before
-    /// any work is done.
-    pub fn open(path: &Path) -> Result<ResultFolder> {
-        let fault = |e: std::io::Error| {
+    /// Creates the folder where needed, waits `patience` long for another writer, and checks that it can be written,
+    /// before any work is done.
+    ///
+    /// # Errors
+    /// A folder that cannot be written, or that another process still holds.
+    pub fn open(path: &Path, patience: Duration) -> Result<ResultFolder> {
+        let fault = |e: io::Error| {
             let fault = e.to_string();
             WriteError::FolderRefuses { fault }.in_file(path)
         };
         fs::create_dir_all(path).map_err(fault)?;
-        let lock = Lock::wait(&path.join(LOCK)).map_err(fault)?;
-        complete(path).map_err(fault)?;
+        let lock = Lock::wait(path, LOCK, patience)?;
+        complete(path)?;
         remove_abandoned_stages(path);
         let stage = path.join(format!(".gaitcam.{}.new", std::process::id()));
         fs::create_dir(&stage).map_err(fault)?;
@@ -55,11 +65,13 @@ impl ResultFolder {
         &self.path
     }
 
-    /// Writes a file of the new result.
+    /// Writes a file of the new result, by one of the names that results have.
     ///
     /// # Errors
-    /// A file that cannot be written.
+    /// A file that cannot be written, or a folder in its place.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
+        debug_assert!(own().any(|own| own == name), "{name} would stay for ever");
+        check_place(&self.path.join(name))?;
         fs::write(self.stage.join(name), bytes).map_err(|e| {
             let fault = e.to_string();
             WriteError::FileRefuses { fault }.in_file(&self.path.join(name))
@@ -69,69 +81,114 @@ impl ResultFolder {
     }
 
     /// Puts the new files into place and removes those of `others` that the new result does not have.
+    ///
+    /// # Errors
+    /// Files that cannot be moved.
     pub fn commit(self, others: &[&str]) -> Result<()> {
-        let fault = |e: std::io::Error| {
-            let fault = e.to_string();
-            FileError::CannotPlace { fault }.in_file(&self.path)
-        };
         let written = self.written.borrow();
         let stale: Vec<&str> = others
             .iter()
             .copied()
             .filter(|name| !written.iter().any(|w| w == name))
             .collect();
-        fs::write(self.stage.join(STALE), stale.join("\n")).map_err(fault)?;
-        fs::rename(&self.stage, self.path.join(READY)).map_err(fault)?;
-        complete(&self.path).map_err(fault)
+        fs::write(self.stage.join(STALE), stale.join("\n"))
+            .and_then(|()| fs::rename(&self.stage, self.path.join(READY)))
+            .map_err(|e| cannot_place(&self.path, &e))?;
+        complete(&self.path)
     }
 }
 
 impl Drop for ResultFolder {
     fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.stage);
+        let _ = discard(&self.stage);
     }
 }
 
-/// Completes the move that a killed process began, before the folder is read.
-pub fn settle(path: &Path) {
-    if path.join(READY).exists()
-        && let Ok(_lock) = Lock::wait(&path.join(LOCK))
+/// A file of the result in a folder, wherever a writer that was killed has left it; changes nothing.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn read(folder: &Path, name: &str) -> Result<Vec<u8>> {
+    let ready = folder.join(READY);
+    let new = ready.join(name);
+    if is_folder(&ready)
+        && is_plain(&new)
+        && let Ok(bytes) = read_bytes(&new)
     {
-        let _ = complete(path);
+        return Ok(bytes);
     }
+    read_bytes(&folder.join(name))
 }
 
 /// Moves the files of [`READY`] into place; each step may be repeated.
-fn complete(path: &Path) -> std::io::Result<()> {
+fn complete(path: &Path) -> Result<()> {
     let ready = path.join(READY);
-    if !ready.is_dir() {
+    if !is_folder(&ready) {
         return Ok(());
     }
-    let mut names = Vec::new();
-    for entry in fs::read_dir(&ready)? {
-        names.push(entry?.file_name());
+    let new: Vec<&str> = own().filter(|name| is_plain(&ready.join(name))).collect();
+    for name in &new {
+        check_place(&path.join(name))?;
     }
-    if names.iter().any(|n| n == SUMMARY) {
-        remove_if_there(&path.join(SUMMARY))?;
-    }
-    for name in names.iter().filter(|n| *n != SUMMARY && *n != STALE) {
-        fs::rename(ready.join(name), path.join(name))?;
-    }
-    let stale = fs::read_to_string(ready.join(STALE)).unwrap_or_default();
-    for name in stale.lines() {
-        remove_if_there(&path.join(name))?;
-    }
-    if names.iter().any(|n| n == SUMMARY) {
-        fs::rename(ready.join(SUMMARY), path.join(SUMMARY))?;
-    }
-    fs::remove_dir_all(&ready)
+    put(path, &ready, &new).map_err(|e| cannot_place(path, &e))?;
+    discard(&ready).map_err(|_| FileError::Foreign.in_file(&ready))
 }
 
-fn remove_if_there(path: &Path) -> std::io::Result<()> {
-    match fs::remove_file(path) {
-        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(e),
-        _ => Ok(()),
+fn put(path: &Path, ready: &Path, new: &[&str]) -> io::Result<()> {
+    let listed = ready.join(STALE);
+    let listed = match is_plain(&listed) {
+        true => fs::read_to_string(listed).unwrap_or_default(),
+        false => String::new(),
+    };
+    let (last, first): (Vec<&str>, Vec<&str>) = new.iter().partition(|name| **name == SUMMARY);
+    for name in &last {
+        remove_plain(&path.join(name))?;
     }
+    for name in first {
+        fs::rename(ready.join(name), path.join(name))?;
+    }
+    for name in own().filter(|own| listed.lines().any(|line| line == *own)) {
+        if !new.contains(&name) {
+            remove_plain(&path.join(name))?;
+        }
+    }
+    for name in last {
+        fs::rename(ready.join(name), path.join(name))?;
+    }
+    Ok(())
+}
+
+/// Refuses a folder where a file is to be put.
+fn check_place(place: &Path) -> Result<()> {
+    match is_folder(place) {
+        true => Err(FileError::Foreign.in_file(place)),
+        false => Ok(()),
+    }
+}
+
+fn cannot_place(path: &Path, e: &io::Error) -> gaitcam::error::Error {
+    let fault = e.to_string();
+    FileError::CannotPlace { fault }.in_file(path)
+}
+
+/// Whether a path is itself a folder, not a link to one.
+fn is_folder(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|about| about.is_dir())
+}
+
+fn remove_plain(path: &Path) -> io::Result<()> {
+    match is_plain(path) {
+        true => fs::remove_file(path),
+        false => Ok(()),
+    }
+}
+
+/// Removes a hidden folder with the files that gaitcam writes there; it stays where it holds others.
+fn discard(folder: &Path) -> io::Result<()> {
+    for name in own().chain([STALE]) {
+        remove_plain(&folder.join(name))?;
+    }
+    fs::remove_dir(folder)
 }
 
 /// Removes the hidden folders of processes that were killed; the lock says that none of them still runs.
@@ -139,74 +196,14 @@ fn remove_abandoned_stages(path: &Path) {
     for entry in fs::read_dir(path).into_iter().flatten().flatten() {
         let name = entry.file_name();
         let name = name.to_string_lossy();
-        if name.starts_with(".gaitcam.") && name.ends_with(".new") {
-            let _ = fs::remove_dir_all(entry.path());
+        let process = name
+            .strip_prefix(".gaitcam.")
+            .and_then(|n| n.strip_suffix(".new"));
+        let is_stage = process.is_some_and(|p| p.bytes().all(|b| b.is_ascii_digit()));
+        if is_stage && is_folder(&entry.path()) {
+            let _ = discard(&entry.path());
         }
     }
-}
-
-/// A lock file, removed when the lock is released.
-pub struct Lock {
-    path: PathBuf,
-    _file: File,
-}
-
-impl Lock {
-    fn open(path: &Path) -> std::io::Result<File> {
-        let mut options = OpenOptions::new();
-        options.write(true).create(true).truncate(false).open(path)
-    }
-
-    /// The lock if the file is still at its path: its last holder may have removed it between opening and locking.
-    fn if_still_there(file: File, path: &Path) -> Option<Lock> {
-        let path = path.to_path_buf();
-        is_still_there(&file, &path).then_some(Lock { path, _file: file })
-    }
-
-    fn wait(path: &Path) -> std::io::Result<Lock> {
-        loop {
-            let file = Lock::open(path)?;
-            file.lock()?;
-            if let Some(lock) = Lock::if_still_there(file, path) {
-                return Ok(lock);
-            }
-        }
-    }
-
-    /// The lock, `None` where another process holds it.
-    ///
-    /// # Errors
-    /// A file that cannot be created or locked.
-    pub fn unless_held(path: &Path) -> std::io::Result<Option<Lock>> {
-        let file = Lock::open(path)?;
-        match file.try_lock() {
-            Ok(()) => Ok(Lock::if_still_there(file, path)),
-            Err(TryLockError::WouldBlock) => Ok(None),
-            Err(TryLockError::Error(e)) => Err(e),
-        }
-    }
-}
-
-impl Drop for Lock {
-    fn drop(&mut self) {
-        let _ = fs::remove_file(&self.path);
-    }
-}
-
-/// Whether an open file is still the one at its path.
-#[cfg(unix)]
-fn is_still_there(file: &File, path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    match (file.metadata(), fs::metadata(path)) {
-        (Ok(a), Ok(b)) => a.ino() == b.ino() && a.dev() == b.dev(),
-        _ => false,
-    }
-}
-
-/// Whether an open file is still the one at its path.
-#[cfg(not(unix))]
-fn is_still_there(_: &File, path: &Path) -> bool {
-    path.exists()
 }
 
 #[cfg(test)]
@@ -242,7 +239,7 @@ mod tests {
         ] {
             fs::write(ready.join(name), text).unwrap();
         }
-        settle(path);
+        drop(ResultFolder::open(path, Duration::ZERO).unwrap());
         assert_eq!(names(path), ["law.csv", "summary.json"]);
         assert_eq!(fs::read_to_string(path.join("law.csv")).unwrap(), "new");
     }
@@ -251,7 +248,7 @@ mod tests {
     fn a_result_that_was_not_committed_leaves_nothing() {
         let folder = tempfile::tempdir().unwrap();
         fs::create_dir(folder.path().join(".gaitcam.1.new")).unwrap();
-        let result = ResultFolder::open(folder.path()).unwrap();
+        let result = ResultFolder::open(folder.path(), Duration::ZERO).unwrap();
         result.write("law.csv", b"half").unwrap();
         drop(result);
         assert_eq!(names(folder.path()), Vec::<String>::new());

@@ -1,6 +1,5 @@
 //! The force curve that a scene names.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::read::read_bytes;
@@ -51,5 +50,5 @@ pub fn find(folder: &Path, path: &Path) -> PathBuf {
 
 /// The table of subjects in the folder of a table of stances, if there is one.
 pub fn metadata(path: &Path) -> Option<Vec<u8>> {
-    fs::read(force::metadata_name(path)?).ok()
+    read_bytes(&force::metadata_name(path)?).ok()
 }

@@ -2,6 +2,13 @@
 file-cannot-read = cannot be read ({ $fault })
     .help = check the path
 file-cannot-place = the files cannot be moved into place ({ $fault })
+file-foreign = is not a file of gaitcam, but stands in the place of one
+    .help = remove it, or choose another folder
+file-held = another gaitcam{ $process ->
+        [none] {""}
+       *[other] {" "}(process { $process })
+    } is writing here
+    .help = wait for it, end it, or choose another --out
 file-folder = is a folder
     .help = give a file
 file-device = is a pipe or a device, not a file

@@ -2,6 +2,13 @@
 file-cannot-read = no se puede leer ({ $fault })
     .help = compruebe la ruta
 file-cannot-place = no se pueden colocar los archivos en su sitio ({ $fault })
+file-foreign = no es un archivo de gaitcam, pero ocupa el lugar de uno
+    .help = quítelo, o elija otra carpeta
+file-held = otro gaitcam{ $process ->
+        [none] {""}
+       *[other] {" "}(proceso { $process })
+    } está escribiendo aquí
+    .help = espere a que termine, deténgalo, o elija otro --out
 file-folder = es una carpeta
     .help = indique un archivo
 file-device = es una tubería o un dispositivo, no un archivo

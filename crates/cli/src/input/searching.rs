@@ -6,20 +6,24 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use gaitcam::Problem;
-use gaitcam::error::Result;
+use gaitcam::error::{Placed, Result};
 use gaitcam::halt::Halt;
 use gaitcam::synth::{self, Design, Search};
-use gaitcam_files::Input;
+use gaitcam_files::{Input, PATIENCE};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 
+use crate::console::error::CliError;
 use crate::console::words;
+use crate::refused;
 
 /// Time after which the progress line appears.
 const SHOWN_AFTER: Duration = Duration::from_millis(500);
 /// Time limit of one design, and of one row of a sweep, s.
 const DESIGN_S: f64 = 60.0;
 const ROW_S: f64 = 5.0;
+/// What holds up the input has this long to say so itself.
+const GRACE: Duration = Duration::from_millis(300);
 /// Time limits above this are treated as this, s.
 const LONGEST_S: f64 = 1e9;
 
@@ -50,8 +54,31 @@ impl TimeLimit {
         after(self.time_limit.unwrap_or(ROW_S))
     }
 
+    /// How long to wait for another process that writes into the same folder.
+    pub fn patience(self) -> Duration {
+        self.time_limit.map_or(PATIENCE, duration)
+    }
+
+    /// Ends the program where what is returned is not dropped within a limit that was given: an input may never end.
+    pub fn of_input(self, json: bool) -> Option<Watch> {
+        let limit = self.time_limit?;
+        let (done, waits) = channel();
+        let thread = spawn(move || {
+            let late = duration(limit) + GRACE;
+            if waits.recv_timeout(late) == Err(RecvTimeoutError::Timeout) {
+                let limit = limit.to_string();
+                let error = CliError::InputTime { limit }.at_argument("--time-limit");
+                std::process::exit(i32::from(refused(&error, json)));
+            }
+        });
+        Some(Watch {
+            done: Some(done),
+            thread: Some(thread),
+        })
+    }
+
     /// Shows that a design is being searched for, until what is returned is dropped.
-    pub fn shown(self) -> Shown {
+    pub fn shown(self) -> Watch {
         let limit = self.time_limit.unwrap_or(DESIGN_S);
         let (done, waits) = channel();
         let thread = spawn(move || {
@@ -67,7 +94,7 @@ impl TimeLimit {
             let _ = waits.recv();
             bar.finish_and_clear();
         });
-        Shown {
+        Watch {
             done: Some(done),
             thread: Some(thread),
         }
@@ -87,17 +114,21 @@ pub fn search() -> Search {
 }
 
 fn after(seconds: f64) -> Halt {
-    let end = Instant::now() + Duration::from_secs_f64(seconds.min(LONGEST_S));
+    let end = Instant::now() + duration(seconds);
     Halt::when(move || Instant::now() >= end)
 }
 
-/// The progress line of a search, removed when this is dropped.
-pub struct Shown {
+fn duration(seconds: f64) -> Duration {
+    Duration::from_secs_f64(seconds.min(LONGEST_S))
+}
+
+/// A thread beside the work, which ends when this is dropped.
+pub struct Watch {
     done: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
 
-impl Drop for Shown {
+impl Drop for Watch {
     fn drop(&mut self) {
         drop(self.done.take());
         if let Some(thread) = self.thread.take() {

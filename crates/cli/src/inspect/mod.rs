@@ -21,7 +21,8 @@ use gaitcam::error::{FileError, Place, Placed, Result};
 use gaitcam::sweep::{Behaviour, MadeCam};
 use gaitcam::synth::{Design, sentences};
 use gaitcam::units::Dimension;
-use gaitcam_files::ResultFolder;
+use gaitcam_files::design::OF_INSPECTION;
+use gaitcam_files::{PATIENCE, ResultFolder};
 use gaitcam_output::inspection;
 use points::Points;
 
@@ -114,16 +115,6 @@ fn folder(args: &InspectArgs, input: &input::Input) -> Result<Option<PathBuf>> {
     }
 }
 
-/// Every file that is written.
-const FILES: [&str; 6] = [
-    "inspection.csv",
-    "inspection.json",
-    "deviation.svg",
-    "deviation.png",
-    "deviation_polar.svg",
-    "deviation_polar.png",
-];
-
 type Results<'a> = (&'a Design, &'a Inspection, Option<&'a MadeCam>);
 
 fn write(
@@ -133,14 +124,14 @@ fn write(
     (points, json): (&Points, &Value),
 ) -> Result<PathBuf> {
     let measured = args.measured.canonicalize().ok();
-    let replaced = FILES
+    let replaced = OF_INSPECTION
         .iter()
         .any(|name| measured.is_some() && path.join(name).canonicalize().ok() == measured);
     if replaced {
         let file = args.measured.display().to_string();
         return Err(FileError::Replaced { file }.in_file(path));
     }
-    let folder = ResultFolder::open(path)?;
+    let folder = ResultFolder::open(path, PATIENCE)?;
     folder.write("inspection.csv", table(inspected, points).as_bytes())?;
     let text = serde_json::to_string_pretty(json).unwrap_or_default();
     folder.write("inspection.json", text.as_bytes())?;

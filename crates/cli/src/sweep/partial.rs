@@ -5,6 +5,7 @@
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use super::format::Format;
 use crate::console::error::CliError;
@@ -13,8 +14,8 @@ use crate::results::front::read::each_row;
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Placed, Result};
 use gaitcam::sweep::{Outcome, Records};
+use gaitcam_files::Lock;
 use gaitcam_files::blocks::{self, Blocks, PLAN};
-use gaitcam_files::result_folder::Lock;
 use gaitcam_output::folder::write_whole;
 use serde_json::{Value, json};
 
@@ -129,7 +130,7 @@ impl PartialTable {
     ) -> Result<Option<PartialTable>> {
         let folder = with_ending(table, ".partial");
         if resume
-            && !folder.exists()
+            && !folder.join(PLAN).exists()
             && table.exists()
             && let Some(finished) = described(&with_ending(table, ".sweep.json"))
         {
@@ -139,7 +140,7 @@ impl PartialTable {
         if folder.is_file() {
             return Err(CliError::NotPartial.in_file(&folder));
         }
-        let lock = locked(&folder, table)?;
+        let lock = locked(&folder)?;
         let rows = blocks::files(&folder)?.last().map_or(0, |f| f.0.end);
         if rows == 0 {
             let _ = fs::remove_file(folder.join(PLAN));
@@ -162,10 +163,12 @@ impl PartialTable {
     /// Counts the rows of the blocks; removes those from the first on that is not whole.
     fn count_blocks(&mut self) -> Result<()> {
         for (rows, path) in blocks::files(&self.folder)? {
-            let counts = Counts::of_block(&path, rows.start);
-            if rows == (self.counts.rows..self.counts.rows + counts.rows) {
-                self.counts.add(counts);
-                continue;
+            if rows.start == self.counts.rows && blocks::is_whole(&path) {
+                let counts = Counts::of_block(&path, rows.start);
+                if counts.rows == rows.end - rows.start {
+                    self.counts.add(counts);
+                    continue;
+                }
             }
             let file = json!({"file": path.display().to_string()});
             self.damaged
@@ -198,7 +201,7 @@ impl PartialTable {
         let start = self.counts.rows;
         let rows = start..start + records.len() as u64;
         let bytes = self.format.block(records, lines)?;
-        self.blocks.put(&rows, &bytes).map_err(|e| {
+        self.blocks.put_with_checksum(&rows, &bytes).map_err(|e| {
             let fault = e.sentence(language::current());
             CliError::RowsSafe { fault, rows: start }.in_file(&self.folder)
         })?;
@@ -236,22 +239,21 @@ impl PartialTable {
         for path in paths.iter().chain([&self.folder.join(PLAN)]) {
             fs::remove_file(path).map_err(fault)?;
         }
-        let (folder, counts) = (self.folder, self.counts);
+        self.blocks.remove_abandoned();
         drop(self._lock);
-        // Files of other processes that were killed may be left in it.
-        let _ = fs::remove_dir_all(folder);
-        Ok(counts)
+        // What others have put into it stays.
+        let _ = fs::remove_dir(self.folder);
+        Ok(self.counts)
     }
 }
 
 /// The lock of the folder, which is created where needed.
-fn locked(folder: &Path, table: &Path) -> Result<Lock> {
-    let lock = fs::create_dir_all(folder).and_then(|()| Lock::unless_held(&folder.join(LOCK)));
-    let lock = lock.map_err(|e| {
+fn locked(folder: &Path) -> Result<Lock> {
+    fs::create_dir_all(folder).map_err(|e| {
         let fault = e.to_string();
         CliError::CannotOpen { fault }.in_file(folder)
     })?;
-    lock.ok_or_else(|| CliError::Busy.in_file(table))
+    Lock::wait(folder, LOCK, Duration::ZERO)
 }
 
 /// A description of a sweep, where one lies.

@@ -140,6 +140,9 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     let points = rows(args)?;
     let tool = input::quantity("--tool", args.tool.as_deref(), Dimension::Length)?;
     let wire = input::quantity("--wire", args.wire.as_deref(), Dimension::Length)?;
+    let waiting = args.time.of_input(args.json);
+    // A limit that was given covers the reading too.
+    let limit = waiting.as_ref().map(|_| args.time.of_design());
     let input = input::scene(&args.scene)?;
     let request = Request {
         contents: Contents {
@@ -156,9 +159,10 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
         folder: folder(args, &input)?,
     };
     let target = input.target()?;
+    drop(waiting);
     let solving = Instant::now();
     let shown = args.time.shown();
-    let search = Search::until(args.time.of_design());
+    let search = Search::until(limit.unwrap_or_else(|| args.time.of_design()));
     let problem = Problem::resolve(&input.scene, target.as_ref())?;
     let design = synth::design(&problem, &search)?;
     let solve_s = solving.elapsed().as_secs_f64();
@@ -195,7 +199,7 @@ fn folder(args: &SynthArgs, input: &Input) -> Result<Option<ResultFolder>> {
     }
     let path = input::result_folder(input, args.out.as_deref(), "")?;
     check_inputs_stay(&path, input).map_err(|e| e.placed(Place::Argument("--out".to_string())))?;
-    ResultFolder::open(&path).map(Some)
+    ResultFolder::open(&path, args.time.patience()).map(Some)
 }
 
 impl Answer {

@@ -3,6 +3,7 @@
 mod all_scenes;
 mod explain;
 mod folder;
+mod foreign;
 mod front_and_compare;
 mod gait;
 mod input_and_output;

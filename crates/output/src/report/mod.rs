@@ -90,7 +90,10 @@ fn page(synthesis: &Design, time: Timing, running: Option<&Running>, language: L
     // Writing to a String cannot fail, here and below.
     let _ = writeln!(out, "</main>\n<footer>{}</footer>", escaped(&footer));
     if synthesis.infeasible.is_none() {
-        let _ = write!(out, "<script type=\"module\">\n{MOTION_SCRIPT}\n{SCRIPT}</script>\n");
+        let _ = write!(
+            out,
+            "<script type=\"module\">\n{MOTION_SCRIPT}\n{SCRIPT}</script>\n"
+        );
     }
     out.push_str("</body>\n</html>\n");
     page_in_language(out, language)

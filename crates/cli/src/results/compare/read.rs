@@ -6,8 +6,7 @@ use serde_json::Value;
 
 use crate::console::error::CliError;
 use gaitcam::error::{Placed, Result};
-use gaitcam_files::read::read_bytes;
-use gaitcam_files::result_folder::settle;
+use gaitcam_files::result_folder;
 use gaitcam_files::scene::not_json;
 
 /// One result.
@@ -27,14 +26,13 @@ pub struct Design {
 impl Design {
     /// Reads a folder that `gaitcam synth` wrote.
     pub fn read(folder: &Path) -> Result<Design> {
-        settle(folder);
         let path = folder.join("summary.json");
-        let summary: Value =
-            serde_json::from_slice(&read_bytes(&path)?).map_err(|e| not_json(&path, &e))?;
+        let bytes = result_folder::read(folder, "summary.json")?;
+        let summary: Value = serde_json::from_slice(&bytes).map_err(|e| not_json(&path, &e))?;
         // A result without a cam has no tables.
         let table = |name: &str| match summary["outcome"] == "infeasible" {
             true => Ok(Columns::default()),
-            false => Columns::read(&folder.join(name)),
+            false => Columns::read(folder, name),
         };
         Ok(Design {
             name: summary["name"].as_str().unwrap_or("cam").to_string(),
@@ -82,8 +80,8 @@ pub struct Columns {
 }
 
 impl Columns {
-    fn read(path: &Path) -> Result<Columns> {
-        let bytes = read_bytes(path)?;
+    fn read(folder: &Path, name: &str) -> Result<Columns> {
+        let (path, bytes) = (&folder.join(name), result_folder::read(folder, name)?);
         let mut reader = csv::Reader::from_reader(bytes.as_slice());
         let broken =
             |line: usize, fault: String| CliError::BrokenTable { fault }.at_line(path, line);

@@ -1,5 +1,6 @@
 //! Sweeps from the outside: nothing is lost, whatever ends the process; bad input is refused in words.
 
+mod damaged;
 mod front;
 mod interrupted;
 mod refused;

@@ -1,0 +1,119 @@
+//! Lock files: one writer of a folder at a time.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{ErrorKind, Read, Result, Write};
+use std::path::{Path, PathBuf};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use gaitcam::error::{self, FileError, Placed, WriteError};
+
+/// How long a writer waits for another one unless the user says otherwise.
+pub const PATIENCE: Duration = Duration::from_secs(60);
+/// Time between two attempts.
+const PAUSE: Duration = Duration::from_millis(20);
+
+/// A lock file that holds the number of its process; removed when the lock is released.
+pub struct Lock {
+    path: PathBuf,
+    _file: File,
+}
+
+impl Lock {
+    /// Locks `name` in a folder; waits `patience` long for another process that holds the lock.
+    ///
+    /// # Errors
+    /// The process that still holds it then; anything but a plain file in its place; a folder that refuses it.
+    pub fn wait(folder: &Path, name: &str, patience: Duration) -> error::Result<Lock> {
+        let (path, begun) = (folder.join(name), Instant::now());
+        loop {
+            let lock = Lock::attempt(&path).map_err(|e| match e.kind() {
+                ErrorKind::InvalidInput => FileError::Foreign.in_file(&path),
+                _ => {
+                    let fault = e.to_string();
+                    WriteError::FolderRefuses { fault }.in_file(folder)
+                }
+            })?;
+            if let Some(lock) = lock {
+                return Ok(lock);
+            }
+            if begun.elapsed() >= patience {
+                let process = holder(&path);
+                return Err(FileError::Held { process }.in_file(folder));
+            }
+            sleep(PAUSE);
+        }
+    }
+
+    /// The lock, `None` where another process holds it.
+    fn attempt(path: &Path) -> Result<Option<Lock>> {
+        loop {
+            let mut options = OpenOptions::new();
+            let (mut file, is_new) = match options.write(true).create_new(true).open(path) {
+                Ok(file) => (file, true),
+                Err(e) if e.kind() != ErrorKind::AlreadyExists => return Err(e),
+                // A link could lead anywhere, and a pipe would never open.
+                Err(_) if !is_plain(path) => match fs::symlink_metadata(path) {
+                    Ok(_) => return Err(ErrorKind::InvalidInput.into()),
+                    Err(_) => continue,
+                },
+                Err(_) => match OpenOptions::new().write(true).open(path) {
+                    Ok(file) => (file, false),
+                    Err(e) if e.kind() == ErrorKind::NotFound => continue,
+                    Err(e) => return Err(e),
+                },
+            };
+            match file.try_lock() {
+                Ok(()) => {}
+                Err(TryLockError::WouldBlock) => return Ok(None),
+                Err(TryLockError::Error(e)) => return Err(e),
+            }
+            // Its last holder may have removed it between opening and locking.
+            if !is_still_there(&file, path) {
+                continue;
+            }
+            if is_new {
+                write!(file, "{}", std::process::id())?;
+                let path = path.to_path_buf();
+                return Ok(Some(Lock { path, _file: file }));
+            }
+            // Left by a process that was killed, and perhaps the user's under another name: not written into.
+            fs::remove_file(path)?;
+        }
+    }
+}
+
+impl Drop for Lock {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.path);
+    }
+}
+
+/// Whether a path is itself a plain file, not a link to one.
+pub(crate) fn is_plain(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|about| about.is_file())
+}
+
+/// The number of the process that holds a lock, as it has written it there.
+fn holder(path: &Path) -> Option<String> {
+    let mut text = String::new();
+    let file = File::open(path).ok()?;
+    file.take(20).read_to_string(&mut text).ok()?;
+    text.parse::<u32>().ok().map(|process| process.to_string())
+}
+
+/// Whether an open file is still the one at its path.
+#[cfg(unix)]
+fn is_still_there(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    match (file.metadata(), fs::symlink_metadata(path)) {
+        (Ok(a), Ok(b)) => a.ino() == b.ino() && a.dev() == b.dev(),
+        _ => false,
+    }
+}
+
+/// Whether an open file is still the one at its path.
+#[cfg(not(unix))]
+fn is_still_there(_: &File, path: &Path) -> bool {
+    path.exists()
+}
