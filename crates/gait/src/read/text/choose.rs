@@ -7,6 +7,9 @@ use crate::error::{Error, Placed, ReadError, Result, nearest};
 use crate::read::columns::{Role, bracketed, foot, role, words};
 use crate::recording::{Axis, Foot, ForceUnit};
 
+/// Most columns of force: some hundred plates of three components. Each takes a channel of its own.
+const MOST_FORCES: usize = 1000;
+
 /// Which columns of a table to read, and how.
 pub(super) struct Plan {
     pub time: Option<usize>,
@@ -41,6 +44,10 @@ pub(super) fn plan(file: &TextFile, table: &Table) -> Result<Option<Plan>> {
     }
     if force.is_empty() {
         return Ok(None);
+    }
+    if options.force.is_empty() && force.len() > MOST_FORCES {
+        let found = force.len();
+        return Err(ReadError::ManyForceColumns { found }.at_line(file.path, table.header_line()));
     }
     let place = |wanted: &Role| roles.iter().position(|r| r == wanted);
     let (time, counts) = match &options.time {
