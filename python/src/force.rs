@@ -57,7 +57,7 @@ pub enum Origin {
 }
 
 /// The file of a force from arrays, in the folder of the result.
-pub const FILE: &str = "force.csv";
+pub use gaitcam_files::design::FORCE as FILE;
 
 impl Force {
     fn of_recording(

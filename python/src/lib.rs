@@ -41,6 +41,16 @@ mod _native {
 
     use pyo3::prelude::*;
 
+    /// Panics on a thread of its own, so that tests see what becomes of an internal error.
+    #[pyfunction]
+    fn _panic(py: Python<'_>) -> PyResult<()> {
+        crate::error::detached(py, || {
+            std::thread::scope(|scope| {
+                scope.spawn(|| panic!("on purpose"));
+            });
+        })
+    }
+
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))

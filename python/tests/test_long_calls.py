@@ -109,3 +109,12 @@ def test_ctrl_c_ends_a_long_call_at_once(call, jobs):
     assert child.stdout.readline() == "interrupted\n"
     assert time.monotonic() - begun < 8
     assert child.wait(timeout=20) == 0
+
+
+def test_an_internal_error_is_an_exception_that_programs_catch():
+    from gaitcam import _native
+
+    with pytest.raises(Exception, match="internal error") as caught:  # noqa: B017, PT011
+        _native._panic()
+    assert type(caught.value) is gaitcam.InternalError
+    assert gaitcam.synth().verdict == "acceptable"

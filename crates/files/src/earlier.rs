@@ -23,13 +23,16 @@ pub const OF_INSPECTION: [&str; 6] = [
     "deviation_polar.png",
 ];
 
+/// The force that a design was made for, where it came from arrays and not from a file.
+pub const FORCE: &str = "force.csv";
+
 /// Present only while the files of the folder belong together.
 pub(crate) const SUMMARY: &str = "summary.json";
 
 /// Every file that a result may have.
 pub(crate) fn own() -> impl Iterator<Item = &'static str> {
     let design = files::ALL.iter().map(|file| file.name);
-    let rest = [SCENE, SCENE_BESIDE_INPUT].into_iter().chain(OF_RUN);
+    let rest = [SCENE, SCENE_BESIDE_INPUT, FORCE].into_iter().chain(OF_RUN);
     design.chain(rest).chain(OF_INSPECTION)
 }
 

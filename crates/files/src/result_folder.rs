@@ -70,7 +70,7 @@ impl ResultFolder {
     /// # Errors
     /// A file that cannot be written, or a folder in its place.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
-        debug_assert!(own().any(|own| own == name), "{name} would stay for ever");
+        assert!(own().any(|own| own == name), "{name} would stay for ever");
         check_place(&self.path.join(name))?;
         fs::write(self.stage.join(name), bytes).map_err(|e| {
             let fault = e.to_string();
