@@ -170,7 +170,7 @@ fn begin(folder: &Path, place: &Path, plan: &Value) -> Result<()> {
     write_whole(place, text.as_bytes())
 }
 
-/// The blocks in a folder with their rows, in the order of these.
+/// The blocks in a folder, plain files, with their rows, in the order of these.
 ///
 /// # Errors
 /// A folder that cannot be read.
@@ -182,8 +182,9 @@ pub fn files(folder: &Path) -> Result<Vec<(Range<u64>, PathBuf)>> {
     let mut out = Vec::new();
     for entry in fs::read_dir(folder).map_err(fault)? {
         let path = entry.map_err(fault)?.path();
-        if let Some(rows) = path.file_name().and_then(OsStr::to_str).and_then(rows_of) {
-            out.push((rows, path));
+        match path.file_name().and_then(OsStr::to_str).and_then(rows_of) {
+            Some(rows) if is_plain(&path) => out.push((rows, path)),
+            _ => {}
         }
     }
     out.sort_by_key(|(rows, _)| (rows.start, rows.end));
@@ -194,13 +195,12 @@ fn checksum(bytes: &[u8]) -> String {
     format!("{:08x}", crc32fast::hash(bytes))
 }
 
-/// Whether a block is a plain file with the bytes whose checksum is in its name.
+/// Whether a block has the bytes whose checksum is in its name.
 pub fn is_whole(block: &Path) -> bool {
     let named = block
         .file_stem()
         .and_then(|name| Path::new(name).extension());
-    let bytes = is_plain(block).then(|| fs::read(block).ok()).flatten();
-    bytes.is_some_and(|bytes| named == Some(OsStr::new(&checksum(&bytes))))
+    fs::read(block).is_ok_and(|bytes| named == Some(OsStr::new(&checksum(&bytes))))
 }
 
 /// The rows that the name of a block says.

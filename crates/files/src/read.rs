@@ -1,6 +1,6 @@
 //! Reading input files whole, within limits.
 
-use std::fs::{self, File};
+use std::fs::{self, File, Metadata};
 use std::io::Read;
 use std::path::Path;
 
@@ -39,16 +39,32 @@ pub fn read_standard_input() -> Result<String> {
         .map_err(|e| FileError::NotUtf8.at_byte(place, e.utf8_error().valid_up_to()))
 }
 
-/// Pipes and devices, which may never end, are refused before they are opened.
-fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
-    let fault = |e: std::io::Error| cannot_be_read(path, &e);
-    let about = fs::metadata(path).map_err(fault)?;
+/// A file to be read piece by piece.
+///
+/// # Errors
+/// Folders; pipes and devices, which may never end, before they are opened.
+pub fn open(path: &Path) -> Result<File> {
+    checked(path)?;
+    File::open(path).map_err(|e| cannot_be_read(path, &e))
+}
+
+fn checked(path: &Path) -> Result<Metadata> {
+    let about = fs::metadata(path).map_err(|e| cannot_be_read(path, &e))?;
     if about.is_dir() {
         return Err(FileError::Folder.in_file(path));
     }
     if !about.is_file() && !is_open_already(path) {
         return Err(FileError::Device.in_file(path));
     }
+    Ok(about)
+}
+
+/// A whole file of at most so many bytes.
+///
+/// # Errors
+/// As [`open`]; a larger file.
+pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
+    let about = checked(path)?;
     let most = match about.is_file() {
         true => most,
         false => most.min(LARGEST_STREAM),
@@ -56,7 +72,7 @@ fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
     if about.len() > most {
         return Err(too_large(path, most));
     }
-    limited(File::open(path).map_err(fault)?, path, most)
+    limited(open(path)?, path, most)
 }
 
 fn limited(reader: impl Read, path: &Path, most: u64) -> Result<Vec<u8>> {

@@ -25,9 +25,7 @@ impl Folder {
             .in_file(path)
         };
         fs::create_dir_all(path).map_err(fault)?;
-        let probe = path.join(format!(".gaitcam.{}.partial", std::process::id()));
-        fs::write(&probe, b"").map_err(fault)?;
-        fs::remove_file(&probe).map_err(fault)?;
+        drop(temporary(&path.join(".gaitcam"), "", b"").map_err(fault)?);
         Ok(Folder {
             path: path.to_path_buf(),
         })

@@ -18,8 +18,6 @@ pub enum StudioError {
     CannotRead { fault: String },
     /// The system does not take a file.
     CannotWrite { fault: String },
-    /// No plain file, or too large.
-    NoFile { mib: u64 },
     /// A name that no file may have.
     FileName { name: String },
     /// No text, or no TOML.

@@ -222,7 +222,8 @@ impl PartialTable {
             .map(|f| f.1)
             .collect();
         let joined = with_ending(&self.table, &format!(".{}.partial", std::process::id()));
-        let placed = File::create(&joined)
+        let _ = fs::remove_file(&joined);
+        let placed = File::create_new(&joined)
             .map_err(fault)
             .and_then(|file| self.format.join(&paths, file))
             .and_then(|file| file.sync_all().map_err(fault))

@@ -303,37 +303,33 @@ fn a_folder_that_a_stopped_process_holds_is_given_up_within_the_time_limit() {
 }
 
 #[test]
-fn a_pipe_in_the_place_of_a_lock_is_refused_at_once() {
+fn a_pipe_in_the_place_of_a_file_is_refused_at_once() {
     let here = tempfile::tempdir().unwrap();
-    for (folder, lock, arguments) in [
-        (
-            "R",
-            "R/.gaitcam.lock",
-            vec!["synth", "--no-png", "--out", "R"],
-        ),
-        (
-            "t.csv.partial",
-            "t.csv.partial/.lock",
-            vec![
-                "sweep",
-                "--vary",
-                "limits.stroke=50 mm:60 mm:2",
-                "--out",
-                "t.csv",
-            ],
-        ),
+    let lock = "is not a file of gaitcam";
+    let table = "is a pipe or a device";
+    let sweep = "sweep --vary law.family=spline,harmonic --out t.csv";
+    for (pipe, arguments, said) in [
+        ("R/.gaitcam.lock", "synth --no-png --out R", lock),
+        ("t.csv.partial/.lock", sweep, lock),
+        ("table/table.csv", "front table/table.csv", table),
+        ("R2/summary.json", "compare R2 R2", table),
+        ("R2/summary.json", "inspect R2 R2/summary.json", table),
     ] {
-        fs::create_dir(here.path().join(folder)).unwrap();
-        let made = Command::new("mkfifo").arg(here.path().join(lock)).status();
-        assert!(made.unwrap().success());
+        let pipe = here.path().join(pipe);
+        let _ = fs::create_dir(pipe.parent().unwrap());
+        let _ = fs::remove_file(&pipe);
+        assert!(
+            Command::new("mkfifo")
+                .arg(&pipe)
+                .status()
+                .unwrap()
+                .success()
+        );
         let begun = Instant::now();
+        let arguments: Vec<&str> = arguments.split(' ').collect();
         let output = run_in(here.path(), &arguments);
         assert_eq!(output.status.code(), Some(2));
-        assert!(
-            stderr(&output).contains("is not a file of gaitcam"),
-            "{}",
-            stderr(&output)
-        );
+        assert!(stderr(&output).contains(said), "{}", stderr(&output));
         assert!(begun.elapsed() < Duration::from_secs(5));
     }
 }
@@ -361,6 +357,32 @@ fn an_input_that_does_not_end_is_given_up_within_the_time_limit() {
         assert_eq!(child.0.wait().unwrap().code(), Some(2));
         assert!(begun.elapsed().as_secs_f64() < 2.1, "{:?}", begun.elapsed());
         assert!(answer.contains("cli-input-time"), "{answer}");
+    }
+}
+
+#[test]
+fn a_million_columns_are_read_or_refused_in_seconds() {
+    let here = tempfile::tempdir().unwrap();
+    let file = here.path().join("wide.csv");
+    for (name, separator) in [("c", ","), ("fz", ","), ("Force [N]", ";"), ("", "\t")] {
+        let row = |cell: &str| format!("0.1{}\n", format!("{separator}{cell}").repeat(1_000_000));
+        let header = row(name).replace("0.1", "time");
+        let header = if name.is_empty() { "" } else { &header };
+        fs::write(
+            &file,
+            [header, &row("1.5"), &row("1.6"), &row("1.7")].concat(),
+        )
+        .unwrap();
+        let begun = Instant::now();
+        let output = run_in(here.path(), &["gait", "wide.csv"]);
+        // Other work may share the machine: a second alone.
+        assert!(
+            begun.elapsed() < Duration::from_secs(20),
+            "{name}: {:?}",
+            begun.elapsed()
+        );
+        assert_eq!(output.status.code(), Some(2), "{name}");
+        println!("{name:?}: {:?}", begun.elapsed());
     }
 }
 

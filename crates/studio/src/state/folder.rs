@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::fault::StudioError;
 use gaitcam::error::{Error, Place, Placed, Result};
+use gaitcam_files::read::read_at_most;
 use gaitcam_output::folder::write_new;
 
 /// Largest file that is read, bytes.
@@ -68,12 +69,7 @@ impl Folder {
     /// As [`Folder::find`]; what is no plain file, or too large.
     pub fn read(&self, path: &Path) -> Result<Vec<u8>> {
         let found = self.find(path)?;
-        let about = fs::metadata(&found).map_err(|e| unread(path, &e))?;
-        if !about.is_file() || about.len() > LARGEST {
-            let mib = LARGEST >> 20;
-            return Err(StudioError::NoFile { mib }.in_file(path));
-        }
-        fs::read(found).map_err(|e| unread(path, &e))
+        read_at_most(&found, LARGEST).map_err(|e| e.placed(Place::File(path.to_path_buf())))
     }
 
     /// Writes a new file under a plain name and returns the name: that of the first free number where it is

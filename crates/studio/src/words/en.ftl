@@ -4,7 +4,6 @@ fault-outside = the path leads out of the opened folder
 fault-cannot-read = cannot be read ({ $fault })
     .help = drop the file on the page, or put it into the opened folder
 fault-cannot-write = cannot be written ({ $fault })
-fault-no-file = not a file of at most { $mib } MiB
 fault-file-name = invalid file name "{ $name }"
     .help = give a plain name such as footbridge.toml
 fault-not-toml = not TOML in line { $line }: { $fault }

@@ -4,7 +4,6 @@ fault-outside = la ruta sale de la carpeta abierta
 fault-cannot-read = no se puede leer ({ $fault })
     .help = suelte el archivo sobre la página o póngalo en la carpeta abierta
 fault-cannot-write = no se puede escribir ({ $fault })
-fault-no-file = no es un archivo de { $mib } MiB como máximo
 fault-file-name = nombre de archivo no válido: «{ $name }»
     .help = dé un nombre sencillo, por ejemplo footbridge.toml
 fault-not-toml = no es TOML en la línea { $line }: { $fault }

@@ -11,7 +11,7 @@ use gaitcam::error::{Placed, Result};
 use gaitcam::sweep::table::cell_text;
 use gaitcam::sweep::{Key, NUMBERS, Objective};
 use gaitcam_files::blocks;
-use gaitcam_files::read::cannot_be_read;
+use gaitcam_files::read::open;
 use gaitcam_output::sweep_plots::Quantity;
 
 /// Where the columns of a table are.
@@ -106,7 +106,7 @@ pub fn each_row(path: &Path, mut each: impl FnMut(&Columns, Row) -> Result<()>) 
 }
 
 fn each_row_of(path: &Path, each: &mut impl FnMut(&Columns, Row) -> Result<()>) -> Result<Columns> {
-    let file = File::open(path).map_err(|e| cannot_be_read(path, &e))?;
+    let file = open(path)?;
     if path
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("parquet"))
