@@ -25,40 +25,24 @@ pub enum ReadError {
     /// The file is empty.
     Empty,
     /// The file is of a kind that is not read.
-    Foreign {
-        kind: FileKind,
-    },
+    Foreign { kind: FileKind },
     /// The sampling rate given is not positive.
-    RateNotPositive {
-        rate: Quantity,
-    },
+    RateNotPositive { rate: Quantity },
     /// The mass given is not positive.
-    MassNotPositive {
-        mass: Quantity,
-    },
+    MassNotPositive { mass: Quantity },
 
     /// No table of numbers; `start` is the start of the file.
-    NoTable {
-        start: String,
-    },
+    NoTable { start: String },
     /// A header names a column of force, and no row of numbers follows it.
-    HeaderWithoutRows {
-        column: String,
-    },
+    HeaderWithoutRows { column: String },
     /// No column of vertical force.
-    NoForceColumn {
-        columns: String,
-    },
-    ManyForceColumns {
-        found: usize,
-    },
+    NoForceColumn { columns: String },
+    /// More columns of force than a walkway has.
+    ManyForces { found: usize },
     /// The file names no columns and none resembles a vertical force.
     NamelessColumns,
     /// No column of this name.
-    NoColumn {
-        column: String,
-        columns: String,
-    },
+    NoColumn { column: String, columns: String },
     /// No column of this name; one is spelt similarly.
     MisspeltColumn {
         column: String,
@@ -66,59 +50,34 @@ pub enum ReadError {
         columns: String,
     },
     /// A nameless column was asked for by something else than its number.
-    NoColumnNumber {
-        column: String,
-        count: usize,
-    },
+    NoColumnNumber { column: String, count: usize },
     /// The column of force is the one of time.
     ForceIsTime,
     /// Time goes backwards.
-    TimeBackwards {
-        time: f64,
-        after: f64,
-    },
+    TimeBackwards { time: f64, after: f64 },
     /// A time is missing.
-    TimeMissing {
-        after: f64,
-    },
+    TimeMissing { after: f64 },
     /// Rows are much shorter than the header.
-    ShortRows {
-        fields: usize,
-    },
+    ShortRows { fields: usize },
     /// There are no samples, or only one.
-    FewSamples {
-        samples: usize,
-    },
+    FewSamples { samples: usize },
     /// Time does not increase.
-    TimeStandsStill {
-        at: Quantity,
-    },
+    TimeStandsStill { at: Quantity },
     /// Most of the time is without samples.
-    MostlyGaps {
-        lost: Quantity,
-        whole: Quantity,
-    },
+    MostlyGaps { lost: Quantity, whole: Quantity },
     /// Neither time nor sampling rate.
     NoRate,
     /// Converter counts without calibration, and no mass to scale them by.
     CountsWithoutMass,
     /// Force in body weights, and no mass.
-    MassMissing {
-        unit: &'static str,
-    },
+    MassMissing { unit: &'static str },
 
     /// A sample of a stance is not a number.
-    StanceSample {
-        sample: usize,
-        text: String,
-    },
+    StanceSample { sample: usize, text: String },
     /// A table of stances without a stance.
     NoStanceRow,
     /// Force in body weights, and no mass for this row.
-    RowMassMissing {
-        unit: &'static str,
-        row: usize,
-    },
+    RowMassMissing { unit: &'static str, row: usize },
 
     /// The table of a cycle lacks a column.
     CycleColumnMissing {
@@ -132,46 +91,28 @@ pub enum ReadError {
     /// A value of a cycle is missing or not a number.
     CycleValue,
     /// The samples of a cycle last longer than its period.
-    CycleTooLong {
-        span: Quantity,
-        period: Quantity,
-    },
+    CycleTooLong { span: Quantity, period: Quantity },
     /// Critical points without a period.
     CyclePeriodMissing,
     /// Critical points that do not follow each other in time.
     PointsNotRising,
     /// A critical point beyond the period.
-    PointBeyondPeriod {
-        at: Quantity,
-        period: Quantity,
-    },
+    PointBeyondPeriod { at: Quantity, period: Quantity },
 
     /// The processor type of a C3D file is none that exists.
-    Processor {
-        code: u8,
-    },
+    Processor { code: u8 },
     /// A C3D file without analog samples.
     NoAnalog,
     /// Analog values per frame that do not make whole samples.
-    OddAnalog {
-        values: usize,
-        samples: usize,
-    },
+    OddAnalog { values: usize, samples: usize },
     /// A C3D file without one whole frame.
-    NoFrame {
-        bytes: usize,
-    },
+    NoFrame { bytes: usize },
     /// A C3D file without a frame rate.
     NoFrameRate,
     /// No analog channel of this name.
-    NoChannel {
-        channel: String,
-        channels: String,
-    },
+    NoChannel { channel: String, channels: String },
     /// Neither a force plate nor an analog channel of force.
-    NoPlate {
-        channels: String,
-    },
+    NoPlate { channels: String },
     /// The only force plates are of a TYPE that is not read.
     PlateTypeUnknown {
         plate: usize,

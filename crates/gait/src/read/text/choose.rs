@@ -47,7 +47,7 @@ pub(super) fn plan(file: &TextFile, table: &Table) -> Result<Option<Plan>> {
     }
     if options.force.is_empty() && force.len() > MOST_FORCES {
         let found = force.len();
-        return Err(ReadError::ManyForceColumns { found }.at_line(file.path, table.header_line()));
+        return Err(ReadError::ManyForces { found }.at_line(file.path, table.header_line()));
     }
     let place = |wanted: &Role| roles.iter().position(|r| r == wanted);
     let (time, counts) = match &options.time {
