@@ -34,6 +34,9 @@ const WORTHWHILE: f64 = 0.02;
 /// Below this number of spans the error is not monotone in it where limits are active, and there may be no law at all.
 const TELLING: usize = 12;
 
+/// Tangents of the limit on residual vibration, per dwell; five are usual.
+const MOST_TANGENTS: usize = 40;
+
 /// Relative rounding of a lower bound of the force error.
 const BOUND_ROUNDING: f64 = 1e-6;
 
@@ -247,17 +250,23 @@ fn misses_accuracy(problem: &Problem, optimum: &Optimum) -> bool {
         .is_some_and(|most| (2.0 * optimum.least()).max(0.0).sqrt() > (1.0 + BOUND_ROUNDING) * most)
 }
 
-/// Where the law leaves more vibration in a dwell than allowed, the best law that leaves none.
+/// Tangents of the limit on residual vibration, one after the other, until the law keeps it.
 fn without_vibration(problem: &Problem, fitted: &mut Fitted) {
-    if !limits::rings(problem, &fitted.optimum.law()) {
+    let Some(vibrations) = limits::Vibrations::of(problem, &fitted.optimum.program.basis) else {
         return;
-    }
-    let mut program = fitted.optimum.program.clone();
-    let basis = &program.basis;
-    program.equalities.extend(limits::silence(problem, basis));
-    // Without a solution the check reports the residual vibration.
-    if let Ok(silent) = touching::solve(problem, program) {
-        fitted.optimum = silent;
+    };
+    for _ in 0..MOST_TANGENTS {
+        let tangents = vibrations.tangents(&fitted.optimum.solution.x);
+        if tangents.is_empty() {
+            return;
+        }
+        let mut program = fitted.optimum.program.clone();
+        program.fixed.extend(tangents);
+        // Without a solution the check reports the residual vibration.
+        let Ok(quieter) = touching::solve(problem, program) else {
+            return;
+        };
+        fitted.optimum = quieter;
     }
 }
 

@@ -18,7 +18,7 @@ mod profile;
 mod size;
 mod slack;
 
-pub use dwell_vibration::{rings, silence};
+pub use dwell_vibration::Vibrations;
 pub use force::{ReportKey, about_the_target, report as force_report};
 pub use hertz_pressure::Press;
 pub use kinematic::{above_base_circle, monotone, peak};

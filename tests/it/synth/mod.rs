@@ -13,6 +13,7 @@ mod power;
 mod problem;
 mod random;
 mod relaxations;
+mod residual;
 mod scale;
 mod spans;
 mod targets;
