@@ -42,7 +42,7 @@ pub struct MachineReport {
     pub torque_max_n_m: Option<f64>,
     /// Root mean square of the torque, N·m.
     pub torque_rms_n_m: Option<f64>,
-    /// Largest power that the shaft takes in, W.
+    /// Largest absolute power of the shaft, W: driving or braking.
     pub power_max_w: Option<f64>,
     /// Its mean, W: what damping uses up.
     pub power_mean_w: Option<f64>,
@@ -74,13 +74,12 @@ impl Design {
         let length = self.cam.law.extent().1;
         let (low, high) = torque.extremes();
         let powers = [low.value * drive.speed, high.value * drive.speed];
-        let power_max = powers[0].max(powers[1]);
         let mean = drive.speed * torque.integral() / length;
         let turning = |x: f64| turns.then_some(x);
         MachineReport {
             torque_max_n_m: turning(high.value.max(-low.value)),
             torque_rms_n_m: turning((torque.integral_of_square() / length).sqrt()),
-            power_max_w: Some(power_max),
+            power_max_w: Some(powers[1].max(-powers[0])),
             power_mean_w: Some(mean_power(mean, powers)),
             liftoff_speed_rad_per_s: self.liftoff().filter(|_| turns),
             hertz_pressure_max_pa: self.pressure(),

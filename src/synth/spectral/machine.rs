@@ -49,7 +49,7 @@ impl Load<'_> {
         MachineReport {
             torque_max_n_m: Some(high.max(-low)),
             torque_rms_n_m: Some(torque.square.sqrt()),
-            power_max_w: Some((low * speed).max(high * speed)),
+            power_max_w: Some(high.max(-low) * speed),
             power_mean_w: Some(mean_power(
                 speed * torque.mean,
                 [low, high].map(|t| t * speed),
