@@ -133,6 +133,7 @@ impl Scene {
 /// # Errors
 /// Faults of the input.
 pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
+    sizing::check_arm(problem)?;
     let problem = phase::resolve(problem, |at| least_error(at, search))?;
     match sized(&problem, &problem, search) {
         Ok(sized) => finished(&problem, search, sized, None),
