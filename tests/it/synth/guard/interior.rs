@@ -9,12 +9,14 @@ use clarabel::solver::{
 use nalgebra::DVector;
 
 /// Units and tolerances: where rounding stops the solver under the first, others may do.
-const TRIES: [(f64, f64); 5] = [
+const TRIES: [(f64, f64); 7] = [
     (1.0, 1e-12),
     (1.0, 1e-10),
     (0.1, 1e-11),
     (10.0, 1e-11),
     (1.0, 1e-9),
+    (0.01, 1e-9),
+    (100.0, 1e-9),
 ];
 /// Residuals and gap, in the solver's own units, with which an answer counts.
 const GOOD: f64 = 1e-7;
