@@ -18,7 +18,7 @@ use crate::certificate::certificate;
 use crate::equality;
 use crate::objective::Quadratic;
 use crate::poly::Peak;
-use crate::program::{EXTRAS, Limit, PEAK, Program, Row, Solution};
+use crate::program::{EXTRAS, Equality, Limit, PEAK, Program, Row, Solution};
 
 /// ε: weight of a change of the law by its own size, in units of the peak, at first …
 const NEARNESS: f64 = 1e-2;
@@ -30,8 +30,6 @@ const FALL: f64 = 0.2;
 const KEPT: f64 = 0.3;
 /// Laws that exceed other limits by less than this part of them are compared by their peaks.
 const COMPARED: f64 = 1e-4;
-/// Weight of the level of a law that the peak does not see, as a part of the largest of a coefficient.
-const LEVEL: f64 = 1e-6;
 /// Rounds of rows and centres; 20 are usual.
 const ROUNDS: usize = 150;
 /// A law whose certificate is open by no more than so many times what needs no refinement is left to that.
@@ -56,7 +54,7 @@ pub fn suits<N: Names>(program: &Program<N>) -> bool {
 /// Where the search begins, and its metric.
 struct Start {
     centre: Vec<f64>,
-    /// mean (w·s)²
+    /// mean (w·s)², regular where the demands settle what it leaves open: along what keeps them it is no other.
     square: ArrowMatrix,
     /// Columns of the further variables.
     free: Vec<usize>,
@@ -82,7 +80,8 @@ fn start<N: Names>(program: &Program<N>) -> Option<Start> {
     let mut least = program.clone();
     least.hessian.clone_from(&square.hessian);
     least.gradient = square.gradient;
-    let mut centre = equality::solve(&least).ok()?.x;
+    let unlimited = equality::solve(&least).ok()?;
+    let mut centre = unlimited.x;
     let peak = largest(program, &centre);
     if !(peak > 0.0 && peak.is_finite()) {
         return None;
@@ -96,7 +95,7 @@ fn start<N: Names>(program: &Program<N>) -> Option<Start> {
     );
     Some(Start {
         centre,
-        square: square.hessian,
+        square: unlimited.hessian,
         free,
         peak,
     })
@@ -157,8 +156,6 @@ impl<'a, N: Names> Search<'a, N> {
         for (i, j, value) in square.lower_entries() {
             matrix.add(i, j, self.nearness * unit * value);
         }
-        let level = LEVEL * square.largest_diagonal();
-        matrix.add(n - 1, n - 1, self.nearness * unit * level);
         let by_length = (peak / self.program.length).powi(2);
         for (c, &k) in free.iter().enumerate() {
             let weight = if k == PEAK {
@@ -324,7 +321,15 @@ impl<'a, N: Names> Search<'a, N> {
         let mut broken = Vec::new();
         let level = |l: &Limit<N>| room(l) + part * self.size(l);
         program.each_peak_above(&x, level, |index, peak| broken.push((index, peak)));
-        let (mut raised, mut violation) = (0.0_f64, 0.0_f64);
+        let missed = |e: &Equality<N>| {
+            let size = e.entries.iter().fold(0.0_f64, |m, e| m.max(e.1.abs())) * program.length;
+            (apply(&e.entries, &x) - e.value).abs() / size.max(e.value.abs())
+        };
+        // Demands that depend on others are not among the planes.
+        let off = program.equalities.iter().map(missed).fold(0.0, f64::max);
+        let consistent = program.settings.equality.consistent;
+        let mut violation = if off > consistent { off } else { 0.0 };
+        let mut raised = 0.0_f64;
         for (index, peak) in &broken {
             let limit = &program.limits[*index];
             let excess = peak.value - room(limit);
