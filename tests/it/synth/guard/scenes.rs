@@ -201,6 +201,11 @@ struct Free {
 }
 
 fn free(asked: &Asked) -> Free {
+    unlimited(asked).expect("demands that go together")
+}
+
+/// The same; `None` where the demands contradict each other.
+fn unlimited(asked: &Asked) -> Option<Free> {
     let mut own = asked.clone();
     own.limits = Limits::default();
     own.objective = match asked.objective {
@@ -209,10 +214,7 @@ fn free(asked: &Asked) -> Free {
         other => other,
     };
     let reference = Reference::new(&own);
-    let x = reference
-        .space(None)
-        .expect("demands that go together")
-        .origin;
+    let x = reference.space(None)?.origin;
     let x = x.as_slice().to_vec();
     let (mut ranges, mut force) = ([(f64::MAX, f64::MIN); ORDERS], (f64::MAX, f64::MIN));
     let widen = |range: &mut (f64, f64), value: f64| {
@@ -226,12 +228,14 @@ fn free(asked: &Asked) -> Free {
         let [k, c, m] = own.weights;
         widen(&mut force, own.rest + k * at[0] + c * at[1] + m * at[2]);
     }
-    Free { ranges, force, x }
+    Some(Free { ranges, force, x })
 }
 
 /// One to three limits.
 fn limited(mut asked: Asked, r: &mut Random) -> Asked {
-    let free = free(&asked);
+    let Some(free) = unlimited(&asked) else {
+        return asked;
+    };
     let largest = |order: usize| free.ranges[order].1.max(-free.ranges[order].0);
     let timed = |order: usize| largest(order) * asked.speed.powi(order as i32);
     let stroke = free.ranges[0].1 - free.ranges[0].0;
