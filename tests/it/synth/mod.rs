@@ -9,6 +9,7 @@ mod interruption;
 mod loads;
 mod machine;
 mod out_of_reach;
+mod peaks;
 mod power;
 mod problem;
 mod random;

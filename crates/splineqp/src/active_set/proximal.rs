@@ -26,8 +26,12 @@ const NEARNESS: f64 = 1e-2;
 const LEAST_NEARNESS: f64 = 1e-9;
 /// … and from one centre to the next.
 const FALL: f64 = 0.2;
+/// … and times as much where rounding ends a step.
+const HEAVIER: f64 = 100.0;
 /// A law becomes the centre when its own peak falls by this part of what the rows promise.
 const KEPT: f64 = 0.3;
+/// Part of the gap that a step may leave where its rows are those of its law.
+const PROVED: f64 = 0.3;
 /// Laws that exceed other limits by less than this part of them are compared by their peaks.
 const COMPARED: f64 = 1e-4;
 /// Rounds of rows and centres; 20 are usual.
@@ -35,7 +39,7 @@ const ROUNDS: usize = 150;
 /// A law whose certificate is open by no more than so many times what needs no refinement is left to that.
 const ACCEPTED: f64 = 1e3;
 /// Rounds without a better certificate that end the search.
-const PATIENCE: usize = 15;
+const PATIENCE: usize = 25;
 
 /// The law of the least peak; `Err` with the rows gathered where none was found.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Vec<Row<N>>> {
@@ -197,7 +201,13 @@ impl<'a, N: Names> Search<'a, N> {
                 break;
             }
             let Some(at) = self.step() else {
-                break;
+                // Nearly dependent rows leave a light step no digits: a heavier one has them.
+                if self.nearness >= NEARNESS {
+                    break;
+                }
+                self.nearness = NEARNESS.min(HEAVIER * self.nearness);
+                self.active.clear();
+                continue;
             };
             let (solution, promised, broken) = self.solution(&at, round);
             let (peak, violation) = (solution.extra[PEAK], solution.violation);
@@ -213,13 +223,17 @@ impl<'a, N: Names> Search<'a, N> {
             if open <= 1.0 || since > PATIENCE {
                 break;
             }
+            // Once the multipliers prove what the rows promise, only rows are wanted.
+            let above = (peak - promised) * self.program.cost[PEAK] / proof.size;
+            let proved = proof.stationarity <= settings.refinement.stationarity
+                && proof.relative_gap - above <= PROVED * settings.refinement.gap;
             // Between laws that keep the other limits the peak decides.
             let falls = violation <= COMPARED && reached.0 - peak >= KEPT * (reached.0 - promised);
             let lawful = reached.1 > settings.tolerance && violation < 0.5 * reached.1;
-            if falls || broken.is_empty() {
+            if (falls || broken.is_empty()) && !proved {
                 self.nearness = (FALL * self.nearness).max(LEAST_NEARNESS);
             }
-            if falls || lawful || broken.is_empty() {
+            if (falls || lawful || broken.is_empty()) && !proved {
                 self.start.centre = at;
                 reached = (peak, violation);
             }
