@@ -1,5 +1,7 @@
 //! Accuracy of the force: what is required, and the weight of each part of the cycle.
 
+use std::f64::consts::TAU;
+
 use super::target::weight_at;
 use super::{Problem, Requirements};
 use crate::cam::FollowerKind;
@@ -87,6 +89,15 @@ impl Problem {
     /// Weight of the force error at a cam angle.
     pub fn weight(&self, theta: f64) -> f64 {
         weight_at(&self.weights, theta + self.phase)
+    }
+
+    /// Cam angles inside the turn at which the weight may jump, in order.
+    pub fn weight_edges(&self) -> Vec<f64> {
+        let ends = self.weights.iter().flat_map(|w| [w.from, w.to]);
+        let mut edges: Vec<f64> = ends.map(|at| (at - self.phase).rem_euclid(TAU)).collect();
+        edges.sort_by(f64::total_cmp);
+        edges.dedup();
+        edges
     }
 
     /// The lowest weight of any part of the cycle.

@@ -99,7 +99,7 @@ impl DerefMut for Problem {
     }
 }
 
-/// Weight of a force's walker, N; of another machine's force its mean.
+/// Weight of a force's walker, N; of a written cycle, which no recording of feet is behind, its mean.
 fn weight(gait: &Gait, force: &ForceCurve) -> f64 {
     let mean = force.mean_n();
     match (&gait.source, gait.period) {
@@ -107,7 +107,12 @@ fn weight(gait: &Gait, force: &ForceCurve) -> f64 {
         (Source::File(_), Some(_)) => mean,
         (Source::File(_), None) => {
             let known = force.mass_kg.map(|m| m * G);
-            known.unwrap_or(mean / gait.feet.share())
+            let walks = force.recording.is_some();
+            known.unwrap_or(if walks {
+                mean / gait.feet.share()
+            } else {
+                mean
+            })
         }
     }
 }

@@ -131,6 +131,7 @@ impl Scene {
 /// # Errors
 /// Faults of the input.
 pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
+    sizing::check_arm(problem)?;
     let problem = phase::resolve(problem, |at| least_error(at, search))?;
     let (sized, infeasible) = match sized(&problem, &problem, search) {
         Ok(sized) => (sized, None),

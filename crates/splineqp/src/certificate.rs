@@ -122,7 +122,10 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
     let size = objective_size(program, x, &extra);
     let mut gap = slack;
     project_off_equalities(program, &mut residual);
+    // A gradient is small beside its largest term, or where the whole typical lift along it is nothing to the objective.
+    let along: f64 = residual.iter().map(|r| r.abs()).sum::<f64>() * program.length;
     let mut left = largest(&residual) / largest_of_rows.max(f64::MIN_POSITIVE);
+    left = left.min(along / size);
     let product = residual.iter().zip(x).map(|(r, x)| r * x);
     let plain = product.sum::<f64>().abs();
     let known = (plain > program.settings.certificate.small * size)
@@ -192,10 +195,17 @@ fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &[f64; EXTRA
     let beside: f64 = (0..EXTRAS)
         .map(|k| (program.cost[k] * extra[k]).abs())
         .sum();
+    // A size of a typical lift and a peak of its limits' scale are terms too, also where they are 0.
+    let sizes = SIZES
+        .iter()
+        .map(|&k| program.cost[k].abs() * program.length);
+    let peaks = program.limits.iter().filter(|l| l.is_peak());
+    let peaks = peaks.map(|l| program.cost[PEAK].abs() * l.scale);
+    let terms = sizes.chain(peaks).fold(linear, f64::max);
     let whole = program.objective(x) + program.constant;
     let value = whole
         .abs()
-        .max(program.settings.certificate.least_objective * linear)
+        .max(program.settings.certificate.least_objective * terms)
         .max(beside);
     if value > 0.0 { value } else { 1.0 }
 }

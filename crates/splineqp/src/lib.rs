@@ -25,6 +25,7 @@
 //! | `separation` | exact points at which a law violates its limits |
 //! | `dual` | dual active-set method of Goldfarb and Idnani |
 //! | `active_set` | its rounds with separation, on the banded factor |
+//! | `proximal` | the same for a peak that is minimised |
 //! | `frame` | active planes as an orthonormal basis and a triangle |
 //! | `solve` | which method solves |
 //! | `exchange` | rounds of separation and solution |

@@ -116,7 +116,8 @@ impl Quadratic {
         self.hessian.add_circulant(&row);
     }
 
-    fn add_row(&mut self, row: &Entries, factor: f64, b: f64) {
+    /// Adds ½·factor·(row·x − b)².
+    pub fn add_row(&mut self, row: &Entries, factor: f64, b: f64) {
         self.constant += 0.5 * factor * b * b;
         for (p, &(i, a)) in row.iter().enumerate() {
             self.gradient[i] -= factor * b * a;

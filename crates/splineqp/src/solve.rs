@@ -3,12 +3,14 @@
 //! | method | used for | file |
 //! |---|---|---|
 //! | equality-constrained least squares | limits that the unconstrained optimum satisfies | `equality` |
+//! | proximal steps of the dual active set | a peak that is minimised | `active_set/proximal` |
 //! | dual active set | the coefficients alone, at most 400 rows | `active_set` |
 //! | interior point on exchanged rows | sizes, a peak or a cone among the variables; what the active set leaves open | `exchange` |
 //! | Newton's method on the contacts | every solution whose certificate is open | `refine` |
 
+use super::active_set::proximal;
 use super::basis::apply;
-use super::program::{EXTRAS, FACE_END, Failure, LOWEST, PEAK, Program, Solution};
+use super::program::{EXTRAS, FACE_END, Failure, LOWEST, PEAK, Program, Solution, Stop};
 use super::{active_set, equality, exchange, refine};
 use crate::Names;
 
@@ -44,6 +46,13 @@ impl<N: Names> Program<N> {
 
     /// The solution of the first method that has one.
     fn by_the_first_method(&self) -> Result<Solution<N>, Failure<N>> {
+        if proximal::suits(self) {
+            match proximal::solve(self) {
+                Ok(solution) => return Ok(solution),
+                Err(_) if self.halt.is_asked() => return Err(Stop::OutOfTime.into()),
+                Err(_) => (),
+            }
+        }
         if self.present().contains(&true) {
             return exchange::solve(self);
         }

@@ -8,8 +8,10 @@
 
 pub mod linear;
 pub mod polydyne;
+mod rest;
 pub mod train;
 
+pub use rest::in_rests;
 pub use train::Train;
 
 use super::piecewise_force::{combination, steps};

@@ -174,6 +174,8 @@ pub enum Idle {
     Model,
     /// The follower is rigid: neither stiffness nor natural frequency is given.
     RigidFollower,
+    /// The law has no dwell.
+    NoDwell,
 }
 
 impl Idle {

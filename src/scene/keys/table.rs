@@ -14,6 +14,7 @@ use super::special::{
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
 use crate::force::{Feet, Kind as Movement};
+use crate::law::Rise;
 use crate::scene::{Family, ForceScale, Gait, LimitKind, Minimise, Scene};
 use crate::units::Dimension::{self, *};
 
@@ -138,7 +139,7 @@ pub static KEYS: &[Key] = &[
     limit!("limits.power",          Power,         Up,   number(Power, Positive)),
     limit!("limits.torque_rate",    TorqueRate,    Up,   number(AngularRate, Positive)),
     limit!("limits.hertz_pressure", HertzPressure, Up,   number(Pressure, Positive)),
-    limit!("limits.residual",       Residual,      Up,   by_arm(Length, Angle, Positive)),
+    limit!("limits.residual",       Residual,      Up,   by_arm(Length, Angle, Positive)).idle_when(no_dwell),
 
     row("machine.natural_frequency", number(Frequency, Positive),               "",     field!(machine.natural_frequency)),
     row("machine.stiffness",         by_arm(SpringRate, AngularRate, Positive), "",     field!(machine.stiffness)),
@@ -287,6 +288,13 @@ fn rigid(scene: &Scene) -> Option<Idle> {
     let machine = &scene.machine;
     let is_flexible = machine.natural_frequency.is_some() || machine.stiffness.is_some();
     (!is_flexible).then_some(Idle::RigidFollower)
+}
+
+/// Vibration is limited in dwells.
+fn no_dwell(scene: &Scene) -> Option<Idle> {
+    let law = &scene.law;
+    let rests = law.segments.iter().any(|s| s.motion == Rise::Dwell);
+    (!rests && law.dwells.is_empty()).then_some(Idle::NoDwell)
 }
 
 fn unless(scene: &Scene, families: &[Family]) -> Option<Idle> {

@@ -42,7 +42,7 @@ pub struct MachineReport {
     pub torque_max_n_m: Option<f64>,
     /// Root mean square of the torque, N·m.
     pub torque_rms_n_m: Option<f64>,
-    /// Largest power that the shaft takes in, W.
+    /// Largest absolute power of the shaft, W: driving or braking.
     pub power_max_w: Option<f64>,
     /// Its mean, W: what damping uses up.
     pub power_mean_w: Option<f64>,
@@ -73,7 +73,7 @@ impl MachineReport {
         MachineReport {
             torque_max_n_m: Some(high.max(-low)),
             torque_rms_n_m: Some(rms),
-            power_max_w: Some(powers[0].max(powers[1])),
+            power_max_w: Some(powers[1].max(-powers[0])),
             power_mean_w: Some(mean_power(speed * mean, powers)),
             ..MachineReport::default()
         }

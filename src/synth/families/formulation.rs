@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use super::demands::{dwell_demands, implied_by_limits, point_demands};
 use crate::error::{Placed, Result, SynthError};
 use crate::law::Law;
-use crate::poly::SplineSpace;
-use crate::problem::{Problem, Size};
+use crate::poly::{SplineSpace, gauss_legendre};
+use crate::problem::{Problem, Size, Target};
 use crate::scene::{Dwell, Minimise, Weigh};
 use crate::synth::limits;
 use crate::synth::optimum::Formulation;
@@ -24,6 +24,11 @@ const MOST_DEMANDS: usize = 2000;
 const SIZE_JERK: f64 = 1e3;
 /// Objectives over more spans than this are not kept: they take much memory, and more time to solve than to make.
 const MOST_KEPT_SPANS: usize = 128;
+
+/// Quadrature nodes on half a wave of the highest harmonic.
+const HARMONIC_NODES: usize = 8;
+/// Edges of a weight nearer to a break than this stand there, rad.
+const SAME_ANGLE: f64 = 1e-12;
 
 /// The program without limits, and the force distance alone.
 pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Program, Quadratic)> {
@@ -288,10 +293,13 @@ fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     let Some(target) = &problem.target else {
         return force;
     };
+    if problem.is_weighed() {
+        return weighed_distance(problem, basis, target);
+    }
     let (w, rest) = (problem.drive.weights(), problem.drive.rest_force);
     match basis {
         // Against polynomials the target is its nearest polynomial on every span.
-        Basis::Spline { space, .. } if !problem.is_weighed() => {
+        Basis::Spline { space, .. } => {
             let degree = space.degree();
             let nearest = target.nearest(&basis.breaks(), degree);
             let mut pieces = nearest.chunks_exact(degree + 1);
@@ -308,15 +316,8 @@ fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
             );
             force.constant = 0.5 * target.mean_square_from(rest);
         }
-        _ => {
-            let pieces = basis.breaks().len() - 1;
-            let degree = match basis {
-                Basis::Spline { space, .. } => space.degree(),
-                Basis::Harmonic { .. } => 6,
-            };
-            let nodes = (degree + 2).max(target.curve.force_n.len().div_ceil(pieces));
-            let weight = |x: f64| problem.weight(x);
-            let weighed = problem.is_weighed();
+        Basis::Harmonic { .. } => {
+            let nodes = harmonic_nodes(basis, target);
             force.add_distance(
                 basis,
                 &w,
@@ -325,9 +326,78 @@ fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
                     target.cells().on((start, width), places, out);
                     out.iter_mut().for_each(|f| *f -= rest);
                 },
-                weighed.then_some(&weight),
+                None,
             );
         }
     }
     force
+}
+
+/// Nodes on every piece between whose ends harmonics and the cells of a force are smooth.
+fn harmonic_nodes(basis: &Basis, target: &Target) -> usize {
+    let pieces = basis.breaks().len() - 1;
+    HARMONIC_NODES.max(target.curve.force_n.len().div_ceil(pieces))
+}
+
+/// The same weighed by phase: a quadrature of its own on every range over which law and weight are smooth (theory §9).
+fn weighed_distance(problem: &Problem, basis: &Basis, target: &Target) -> Quadratic {
+    let mut force = Quadratic::zero(basis);
+    let (w, rest) = (problem.drive.weights(), problem.drive.rest_force);
+    let own = basis.breaks();
+    let breaks = merged(&own, &problem.weight_edges());
+    let (nodes, nearest) = match basis {
+        Basis::Spline { space, .. } => {
+            let nodes = space.degree() + 1;
+            (nodes, Some(target.nearest(&breaks, space.degree())))
+        }
+        Basis::Harmonic { .. } => (harmonic_nodes(basis, target), None),
+    };
+    let rule = gauss_legendre(nodes);
+    let mut values = vec![0.0; nodes];
+    for (range, ends) in breaks.windows(2).enumerate() {
+        let (start, width) = (ends[0], ends[1] - ends[0]);
+        let middle = start + 0.5 * width;
+        let piece = own.partition_point(|b| *b <= middle) - 1;
+        let along = |u: f64| (start + u * width - own[piece]) / (own[piece + 1] - own[piece]);
+        match &nearest {
+            Some(all) => values.copy_from_slice(&all[range * nodes..(range + 1) * nodes]),
+            None => target.cells().on((start, width), &rule, &mut values),
+        }
+        let weight = problem.weight(middle) * width / TAU;
+        for (&(u, part), value) in rule.iter().zip(&values) {
+            let row = basis.row_on(piece, along(u), &w);
+            force.add_row(&row, part * weight, value - rest);
+        }
+    }
+    force.constant = 0.5 * weighed_square(problem, target, rest);
+    force
+}
+
+/// Weighed mean square of the distance of the target from a force, N²: four nodes on every cell are exact.
+fn weighed_square(problem: &Problem, target: &Target, rest: f64) -> f64 {
+    let count = target.cells().count();
+    let cells: Vec<f64> = (0..=count).map(|i| TAU * i as f64 / count as f64).collect();
+    let rule = gauss_legendre(4);
+    let mut values = [0.0; 4];
+    let breaks = merged(&cells, &problem.weight_edges());
+    let of = |ends: &[f64]| {
+        let (start, width) = (ends[0], ends[1] - ends[0]);
+        target.cells().on((start, width), &rule, &mut values);
+        let square = rule
+            .iter()
+            .zip(&values)
+            .map(|((_, w), f)| w * (f - rest).powi(2));
+        problem.weight(start + 0.5 * width) * width / TAU * square.sum::<f64>()
+    };
+    breaks.windows(2).map(of).sum()
+}
+
+/// Breaks from 0 to 2π with edges among them; an edge at a break to rounding is that break.
+fn merged(breaks: &[f64], edges: &[f64]) -> Vec<f64> {
+    let apart = |x: &f64| breaks.iter().all(|b| (b - x).abs() > SAME_ANGLE);
+    let mut out: Vec<f64> = (breaks.iter().copied())
+        .chain(edges.iter().copied().filter(apart))
+        .collect();
+    out.sort_by(f64::total_cmp);
+    out
 }

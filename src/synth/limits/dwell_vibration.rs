@@ -1,29 +1,23 @@
-//! Vibration that is left over in a dwell.
+//! Vibration that is left over in a dwell (theory §10).
 //!
-//! The law without it is looked at first; where it leaves more than allowed, two equalities per motion leave
-//! none. Whatever shaped the law, the finished cam is checked.
+//! The state (q, p) of the vibration at the start of a dwell is linear in the law; its length is the amplitude. The law
+//! without the limit is looked at first. Where it leaves more than allowed, the disc |(q, p)| ≤ limit enters by its tangents.
+//! Whatever shaped the law, the finished cam is checked with the model that simulates it.
 
 use std::f64::consts::TAU;
 
 use super::finished::Finished;
 use crate::cam::{Check, LimitKind};
+use crate::dynamics::flexible::in_rests;
 use crate::dynamics::flexible::linear::gauss_points;
 use crate::dynamics::flexible::polydyne::end_error;
 use crate::law::Law;
-use crate::poly::Extreme;
+use crate::poly::{Extreme, Peak};
 use crate::problem::Problem;
-use crate::synth::qp::{Basis, Demand, Entries, Equality};
-use crate::units::Quantity;
+use crate::synth::qp::{Basis, EXTRAS, Entries, Row, TOLERANCE, apply};
 
 /// A limit counts as kept within this part of it.
 const SLACK: f64 = 1e-6;
-
-/// Whether a dwell is left with more vibration than the scene allows. A polydyne follower's end rests where
-/// its law does, whatever the natural frequency.
-pub fn rings(problem: &Problem, law: &Law) -> bool {
-    let silenced = problem.limits[LimitKind::Residual].filter(|_| !problem.law.polydyne);
-    silenced.is_some_and(|r| left_over(problem, law).is_some_and(|x| x.value > r * (1.0 + SLACK)))
-}
 
 /// The vibration of the finished cam: of a polydyne follower's end, what it misses of its law.
 pub fn check(design: &Finished) -> Option<Check> {
@@ -39,26 +33,163 @@ pub fn check(design: &Finished) -> Option<Check> {
     Some(Check::at_most(LimitKind::Residual, worst?, limit, SLACK))
 }
 
+/// Largest amplitude in a dwell, m; infinite where nothing bounds it. `None` without dwells or a compliant follower.
+fn left_over(problem: &Problem, law: &Law) -> Option<Extreme> {
+    let train = problem.train().ok()??;
+    let starts: Vec<f64> = problem.rests().iter().map(|r| r.0).collect();
+    let amplitudes = in_rests(law, &problem.drive, &train, &starts);
+    let amplitudes = amplitudes.unwrap_or_else(|_| vec![f64::INFINITY; starts.len()]);
+    (starts.into_iter().zip(amplitudes))
+        .map(|(at, value)| Extreme { at, value })
+        .max_by(|a, b| a.value.total_cmp(&b.value))
+}
+
+/// det(1 − e^{2πA}) below this is an undamped resonance.
+const RESONANCE: f64 = 1e-11;
+
 /// Motions from the end of one rest to the begin of the next, as angles counted on over the turn.
-fn motions(problem: &Problem) -> Vec<(f64, f64)> {
-    let rests = problem.rests();
+fn motions(rests: &[(f64, f64)]) -> Vec<(f64, f64)> {
     (0..rests.len())
         .map(|k| {
             let from = rests[k].1;
-            match rests.get(k + 1) {
-                Some(next) => (from, next.0),
-                None => (from, rests[0].0 + TAU),
+            let last = k + 1 == rests.len();
+            let to = if last {
+                rests[0].0 + TAU
+            } else {
+                rests[k + 1].0
+            };
+            // A rest over the end of the turn ends in the next one.
+            if from < rests[k].0 {
+                (from + TAU, to)
+            } else {
+                (from, to)
             }
         })
         .collect()
 }
 
-/// Angles with weights for ∫ f(θ) cos and sin of ratio·θ over one motion: Gauss points on parts of at
-/// most a radian of phase between the breaks, eight to a part (1e-14 for the degrees used here).
-fn quadrature(breaks: &[f64], (from, to): (f64, f64), ratio: f64) -> Vec<(f64, [f64; 2])> {
+/// Free vibration of the follower, by the angle: a unit of q at rest is after φ at e^{−ζrφ}(C + ζS, −S).
+struct Free {
+    /// r = √(K/m)/ω.
+    rate: f64,
+    /// ζ of all dampers.
+    damping: f64,
+}
+
+impl Free {
+    /// C and S: cos and sin/√(1 − ζ²) of √(1 − ζ²) rφ, or what they become at ζ ≥ 1; both times e^{−ζrφ}.
+    fn waves(&self, angle: f64) -> [f64; 2] {
+        let (z, x) = (self.damping, self.rate * angle);
+        let square = 1.0 - z * z;
+        let root = square.abs().sqrt();
+        if root * x < 1e-8 {
+            return [1.0, x].map(|w| w * (-z * x).exp());
+        }
+        if square > 0.0 {
+            let (sin, cos) = (root * x).sin_cos();
+            return [cos, sin / root].map(|w| w * (-z * x).exp());
+        }
+        let (slow, fast) = (((root - z) * x).exp(), ((-root - z) * x).exp());
+        [0.5 * (slow + fast), 0.5 * (slow - fast) / root]
+    }
+
+    /// e^{A φ} with A = r (0 1; −1 −2ζ).
+    fn carried(&self, angle: f64) -> [[f64; 2]; 2] {
+        let ([c, s], z) = (self.waves(angle), self.damping);
+        [[c + z * s, s], [-s, c - z * s]]
+    }
+}
+
+/// The vibrations at the starts of the dwells as rows over the coefficients of a law: q and p of each, in the periodic
+/// steady state.
+pub struct Vibrations {
+    rests: Vec<(f64, f64)>,
+    rows: Vec<[Vec<f64>; 2]>,
+    limit: f64,
+}
+
+impl Vibrations {
+    /// Those that a problem limits; `None` without a limit, a dwell, or a steady state. The end of a polydyne follower rests
+    /// where its law does.
+    pub fn of(problem: &Problem, basis: &Basis) -> Option<Vibrations> {
+        let limit = problem.limits[LimitKind::Residual].filter(|_| !problem.law.polydyne)?;
+        let (train, rests) = (problem.train().ok()??, problem.rests());
+        let drive = &problem.drive;
+        if rests.is_empty() || drive.mass <= 0.0 {
+            return None;
+        }
+        let stiffness = train.stiffness + drive.spring_rate;
+        let inertia = drive.mass * drive.speed * drive.speed;
+        let free = Free {
+            rate: (stiffness / inertia).sqrt(),
+            damping: 0.5 * (train.damping + drive.damping) / (stiffness * drive.mass).sqrt(),
+        };
+        let [k, c, m, _] = drive.weights();
+        // By a motion q gains F′/K at every angle: the static deflection moves away from under the mass.
+        let gained = [0.0, k, c, m].map(|w| w / stiffness);
+        let own: Vec<[Vec<f64>; 2]> = (motions(&rests).into_iter())
+            .map(|motion| of_motion(basis, motion, &free, &gained))
+            .collect();
+        let rows = steady(&rests, own, &free);
+        Some(Vibrations { rests, rows, limit })
+    }
+
+    /// Tangents of the discs at the vibrations of a law that lie outside of them.
+    pub fn tangents(&self, x: &[f64]) -> Vec<Row> {
+        let sum = |row: &[f64]| row.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
+        let mut out = Vec::new();
+        for (k, [q, p]) in self.rows.iter().enumerate() {
+            let state = [sum(q), sum(p)];
+            let length = state[0].hypot(state[1]);
+            if length <= self.limit * (1.0 + TOLERANCE) {
+                continue;
+            }
+            let normal = state.map(|s| s / length);
+            let entries: Entries = (q.iter().zip(p).enumerate())
+                .map(|(i, (q, p))| (i, normal[0] * q + normal[1] * p))
+                .filter(|e| e.1 != 0.0)
+                .collect();
+            debug_assert!((apply(&entries, x) - length).abs() <= 1e-6 * length);
+            out.push(Row {
+                limit: None,
+                name: LimitKind::Residual.into(),
+                peak: Peak {
+                    piece: 0,
+                    u: 0.0,
+                    at: self.rests[k].0,
+                    value: 0.0,
+                },
+                weights: [0.0; 5],
+                entries,
+                touching: Vec::new(),
+                extra: [0.0; EXTRAS],
+                bound: self.limit,
+                scale: 0.0,
+                multiplier: 0.0,
+            });
+        }
+        out
+    }
+}
+
+/// What one motion leaves of a follower at rest before it: (q, p) = ∫ e^{A(θ₁ − θ)} (1, 0) F′(θ)/K dθ.
+fn of_motion(basis: &Basis, motion: (f64, f64), free: &Free, gained: &[f64; 4]) -> [Vec<f64>; 2] {
+    let mut out = [vec![0.0; basis.columns()], vec![0.0; basis.columns()]];
+    for (theta, weight) in quadrature(&basis.breaks(), motion, free.rate) {
+        let [[q, _], [p, _]] = free.carried(motion.1 - theta);
+        for (i, x) in basis.row(theta, gained) {
+            out[0][i] += weight * q * x;
+            out[1][i] += weight * p * x;
+        }
+    }
+    out
+}
+
+/// Angles with weights for ∫ f(θ) e^{irθ} dθ over one motion: Gauss points on parts of at most a radian of phase between
+/// the breaks, eight to a part (1e-14 for the degrees used here).
+fn quadrature(breaks: &[f64], (from, to): (f64, f64), rate: f64) -> Vec<(f64, f64)> {
     let gauss = gauss_points(8);
-    let mut cuts: Vec<f64> = breaks
-        .iter()
+    let mut cuts: Vec<f64> = (breaks.iter())
         .flat_map(|b| [*b, b + TAU])
         .filter(|b| *b > from && *b < to)
         .collect();
@@ -66,68 +197,62 @@ fn quadrature(breaks: &[f64], (from, to): (f64, f64), ratio: f64) -> Vec<(f64, [
     cuts.sort_by(f64::total_cmp);
     let mut out = Vec::new();
     for pair in cuts.windows(2).filter(|w| w[1] - w[0] > 1e-12) {
-        let parts = ((pair[1] - pair[0]) * ratio).ceil().max(1.0) as usize;
+        let parts = ((pair[1] - pair[0]) * rate).ceil().max(1.0) as usize;
         let width = (pair[1] - pair[0]) / parts as f64;
         for p in 0..parts {
-            for (x, w) in &gauss {
-                let theta = pair[0] + (p as f64 + x) * width;
-                let (sin, cos) = (ratio * (theta - to)).sin_cos();
-                out.push((theta, [w * width * cos, w * width * sin]));
-            }
+            let places = gauss.iter();
+            out.extend(places.map(|(x, w)| (pair[0] + (p as f64 + x) * width, w * width)));
         }
     }
     out
 }
 
-/// Largest amplitude that rings on in a rest, m: the follower, at rest and undamped before each motion,
-/// obeys ẍ + ω²x = −s̈, so |(∫a cos, ∫a sin)|/ratio is left. `None` without rests or frequency.
-fn left_over(problem: &Problem, law: &Law) -> Option<Extreme> {
-    let ratio = problem.frequency_ratio()?;
-    motions(problem)
-        .into_iter()
-        .map(|motion| {
-            let mut parts = [0.0; 2];
-            for (theta, weights) in quadrature(law.breaks(), motion, ratio) {
-                let a = law.svaj(theta).a;
-                parts[0] += weights[0] * a;
-                parts[1] += weights[1] * a;
-            }
-            Extreme {
-                at: motion.1.rem_euclid(TAU),
-                value: parts[0].hypot(parts[1]) / ratio,
-            }
-        })
-        .max_by(|a, b| a.value.total_cmp(&b.value))
-}
-
-/// Two equalities per motion that leave no vibration in the rest after it.
-pub fn silence(problem: &Problem, basis: &Basis) -> Vec<Equality> {
-    let Some(ratio) = problem.frequency_ratio() else {
-        return Vec::new();
+/// The same in the steady state: zₖ = e^{A(θₖ − θₖ₋₁)} zₖ₋₁ + rₖ around the turn. Without damping nothing fades, and what is
+/// left of each motion stands for its dwell.
+fn steady(rests: &[(f64, f64)], own: Vec<[Vec<f64>; 2]>, free: &Free) -> Vec<[Vec<f64>; 2]> {
+    let n = rests.len();
+    // own[k] ends at the start of rest k + 1.
+    let end = |k: usize| (k + 1) % n;
+    let apart = |k: usize| {
+        let turn = if k + 1 == n { TAU } else { 0.0 };
+        rests[end(k)].0 + turn - rests[k].0
     };
-    let mut out = Vec::new();
-    for motion in motions(problem) {
-        let points = quadrature(&basis.breaks(), motion, ratio);
-        for k in 0..2 {
-            let mut dense = vec![0.0; basis.columns()];
-            for (theta, weights) in &points {
-                for (i, x) in basis.row(*theta, &[0.0, 0.0, 1.0, 0.0]) {
-                    dense[i] += weights[k] * x;
-                }
-            }
-            let entries: Entries = dense
-                .into_iter()
-                .enumerate()
-                .filter(|e| e.1 != 0.0)
-                .collect();
-            out.push(Equality {
-                name: Demand::NoVibration {
-                    after: Quantity::angle(motion.1),
-                },
-                entries,
-                value: 0.0,
-            });
+    let moved = |m: &[[f64; 2]; 2], z: &[Vec<f64>; 2]| -> [Vec<f64>; 2] {
+        [0, 1].map(|i| {
+            let both = z[0].iter().zip(&z[1]);
+            both.map(|(q, p)| m[i][0] * q + m[i][1] * p).collect()
+        })
+    };
+    let add = |to: &mut [Vec<f64>; 2], more: &[Vec<f64>; 2]| {
+        for (to, more) in to.iter_mut().zip(more) {
+            to.iter_mut().zip(more).for_each(|(a, b)| *a += b);
         }
+    };
+    // Once around from rest at the start of rest 0.
+    let mut around = [vec![0.0; own[0][0].len()], vec![0.0; own[0][0].len()]];
+    for (k, left) in own.iter().enumerate() {
+        around = moved(&free.carried(apart(k)), &around);
+        add(&mut around, left);
+    }
+    let turn = free.carried(TAU);
+    let [[a, b], [c, d]] = [
+        [1.0 - turn[0][0], -turn[0][1]],
+        [-turn[1][0], 1.0 - turn[1][1]],
+    ];
+    let determinant = a * d - b * c;
+    let mut out = vec![[Vec::new(), Vec::new()]; n];
+    if determinant.abs() < RESONANCE {
+        for (k, left) in own.into_iter().enumerate() {
+            out[end(k)] = left;
+        }
+        return out;
+    }
+    let inverse = [[d, -b], [-c, a]].map(|row| row.map(|x| x / determinant));
+    let mut state = moved(&inverse, &around);
+    for (k, left) in own.iter().enumerate() {
+        out[k] = state.clone();
+        state = moved(&free.carried(apart(k)), &state);
+        add(&mut state, left);
     }
     out
 }

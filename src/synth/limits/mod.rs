@@ -19,7 +19,7 @@ mod profile;
 mod size;
 mod slack;
 
-pub use dwell_vibration::{rings, silence};
+pub use dwell_vibration::Vibrations;
 pub use finished::{Finished, GEOMETRY};
 pub use force::{about_the_target, report as force_report};
 pub use hertz_pressure::Press;

@@ -17,19 +17,26 @@ pub fn priced(problem: &Problem, program: &mut Program) {
         _ => 0.0,
     };
     let limit = problem.limits[LimitKind::PrimeRadius];
+    // No cam is smaller than its bore, and none has a negative base radius. A limit below that is for the checks to report.
+    let least = problem.outside_bore() + problem.cam.roller_radius;
+    let below = limit.map_or(f64::INFINITY, |limit| limit * (1.0 - 4.0 * ENLARGED));
+    let least = least.min(below);
     if let Some([least, most]) = problem.reach_of_arm() {
         // A limit larger than the arm can reach is inactive.
         let limit = limit.filter(|limit| *limit <= most);
         let most = limit.map_or_else(
-            || of_arm(problem, 1.0, most),
+            || on_size(problem, RADIUS, 1.0, most),
             |limit| at_most(problem, limit, RADIUS),
         );
-        program.limits.extend([most, of_arm(problem, -1.0, -least)]);
+        program
+            .limits
+            .extend([most, at_least(problem, least, RADIUS)]);
         program.cost[RADIUS] = cost;
     } else if problem.cam.follower == FollowerKind::FlatTranslating {
         program
             .limits
             .extend(limit.map(|r| at_most(problem, r, RADIUS)));
+        program.limits.push(at_least(problem, least, RADIUS));
         program.cost[RADIUS] = cost;
     } else if let Some(offset) = problem.offset() {
         // With the offset given, the prime radius grows with D alone.
@@ -37,11 +44,18 @@ pub fn priced(problem: &Problem, program: &mut Program) {
         program
             .limits
             .extend(limit.map(|r| at_most(problem, rise(r), RISE)));
+        program.limits.push(at_least(problem, rise(least), RISE));
         program.cost[RISE] = cost;
     } else {
         program
             .limits
             .extend(limit.map(|r| at_most(problem, r, RADIUS)));
+        // The cone alone would let D be negative.
+        let physical = [
+            at_least(problem, least, RADIUS),
+            at_least(problem, 0.0, RISE),
+        ];
+        program.limits.extend(physical);
         program.cost[RADIUS] = cost;
         program.cone = true;
     }
@@ -67,11 +81,16 @@ fn at_most(problem: &Problem, radius: f64, variable: usize) -> Limit {
     limit
 }
 
-/// Implicit bound on the prime radius from the geometry of the arm: weight · radius ≤ bound.
-fn of_arm(problem: &Problem, weight: f64, bound: f64) -> Limit {
+/// The smallest size that a cam has, whatever the objective.
+fn at_least(problem: &Problem, size: f64, variable: usize) -> Limit {
+    on_size(problem, variable, -1.0, -size)
+}
+
+/// A bound on the size from the geometry, which no scene gives: weight · size ≤ bound.
+fn on_size(problem: &Problem, variable: usize, weight: f64, bound: f64) -> Limit {
     let scale = problem.length * problem.lever();
     let mut limit = Limit::new(Criterion::BaseCircle, [0.0; 5], bound, scale);
-    limit.extra[RADIUS] = weight;
+    limit.extra[variable] = weight;
     limit.domain = (0.0, 0.0);
     limit
 }

@@ -22,6 +22,8 @@ use crate::law::Law;
 use crate::problem::{Problem, Size};
 use crate::scene::Minimise;
 
+/// Tangents of the limit on residual vibration, per dwell; five are usual.
+const MOST_TANGENTS: usize = 40;
 /// Relative rounding of a lower bound of the force error.
 const BOUND_ROUNDING: f64 = 1e-6;
 
@@ -114,13 +116,7 @@ pub fn solve(
     if search.only_passing && misses_accuracy(problem, &optimum) {
         return Err(Refusal::of(optimum.formulation.program, Failure::Infeasible).into());
     }
-    if limits::rings(problem, &optimum.law()) {
-        // The best law that leaves no vibration; without one the check reports what is left.
-        let mut silent = optimum.formulation.clone();
-        let silence = limits::silence(problem, &silent.program.basis);
-        silent.program.equalities.extend(silence);
-        optimum = convex(silent).unwrap_or(optimum);
-    }
+    without_vibration(problem, &mut optimum);
     match with_loads(problem, &mut optimum) {
         None => Ok(optimum),
         Some(limits) => {
@@ -248,6 +244,27 @@ impl Optimum {
             program.limits.extend(self.formulation.above_base_circle);
         }
         (program, solution)
+    }
+}
+
+/// Tangents of the limit on residual vibration, one after the other, until the law keeps it.
+fn without_vibration(problem: &Problem, optimum: &mut Optimum) {
+    let basis = &optimum.formulation.program.basis;
+    let Some(vibrations) = limits::Vibrations::of(problem, basis) else {
+        return;
+    };
+    for _ in 0..MOST_TANGENTS {
+        let tangents = vibrations.tangents(&optimum.solution.x);
+        if tangents.is_empty() {
+            return;
+        }
+        let mut formulation = optimum.formulation.clone();
+        formulation.program.fixed.extend(tangents);
+        // Without a solution the check reports the residual vibration.
+        let Ok(quieter) = convex(formulation) else {
+            return;
+        };
+        *optimum = quieter;
     }
 }
 

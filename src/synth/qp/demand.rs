@@ -33,11 +33,6 @@ pub enum Demand {
     },
     /// The law stands on its base circle somewhere.
     OnBaseCircle,
-    /// No vibration is left after a motion.
-    NoVibration {
-        /// Cam angle at which the motion ends.
-        after: Quantity,
-    },
 }
 
 /// What a point of a law gives.
@@ -84,9 +79,6 @@ impl Demand {
             }
             Demand::InDwell { dwell } => format!("law.dwell[{dwell}]"),
             Demand::OnBaseCircle => "base circle".to_string(),
-            Demand::NoVibration { after } => {
-                format!("no vibration after {:.2}°", degrees(after))
-            }
         }
     }
 }

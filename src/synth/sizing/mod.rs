@@ -368,6 +368,24 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     new(cam.law, follower.with_base_radius(base)).map_err(|e| e.at(place))
 }
 
+/// Whether an arm of given lengths reaches the prime circle: no law changes that.
+///
+/// # Errors
+/// The length at fault.
+pub fn check_arm(problem: &Problem) -> Result<()> {
+    let Some(base) = problem
+        .base_radius()
+        .filter(|_| problem.cam.follower.is_oscillating())
+    else {
+        return Ok(());
+    };
+    let cam = Cam {
+        law: Law::harmonic(0.0, &[]),
+        follower: other(problem, base)?,
+    };
+    cam.check_beside().map_err(|e| e.at_key("cam"))
+}
+
 /// The scene's follower on a base circle of the given radius.
 fn other(problem: &Problem, base_radius: f64) -> Result<Follower> {
     let spec = &problem.cam;

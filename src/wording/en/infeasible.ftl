@@ -19,4 +19,3 @@ reason-change = { $key } { $to } instead of { $from }
 demand-at-point = { $given } at point { $point } ({ $at })
 demand-in-dwell = dwell { $dwell }
 demand-on-base-circle = contact with the base circle
-demand-no-vibration = no vibration after { $after }

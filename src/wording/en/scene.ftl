@@ -155,5 +155,6 @@ scene-no-effect = { $key } has no effect: { $why ->
         [no-force] no target force is given
         [recording] the force is a recording
         [model] the force is a load model
+        [no-dwell] the law has no dwell
        *[rigid-follower] the follower is rigid without machine.natural_frequency or machine.stiffness
     }

@@ -19,4 +19,3 @@ reason-change = { $key } { $to } en lugar de { $from }
 demand-at-point = { $given } en el punto { $point } ({ $at })
 demand-in-dwell = detenimiento { $dwell }
 demand-on-base-circle = contacto con el círculo base
-demand-no-vibration = sin vibración después de { $after }

@@ -155,5 +155,6 @@ scene-no-effect = { $key } no tiene efecto: { $why ->
         [no-force] no se da ninguna fuerza objetivo
         [recording] la fuerza es un registro
         [model] la fuerza es un modelo de carga
+        [no-dwell] la ley no tiene detenimientos
        *[rigid-follower] el seguidor es rígido sin machine.natural_frequency o machine.stiffness
     }

@@ -130,17 +130,19 @@ fn left_over(law: &Law, from: f64, to: f64, ratio: f64) -> f64 {
 fn a_dwell_is_left_quiet_where_vibration_is_limited() {
     let ratio = TAU * 5.0 / 10.0;
     let motion = (60f64.to_radians(), 170f64.to_radians());
-    let free = design(RISE, &[]);
+    let undamped = "machine.damping_ratio=0";
+    let free = design(RISE, &[undamped]);
     let rings = left_over(&free.cam.law, motion.0, motion.1, ratio);
     assert!(rings > 1e-4, "{rings}");
-    let s = design(RISE, &["limits.residual=0.001 mm"]);
+    let s = design(RISE, &[undamped, "limits.residual=0.001 mm"]);
     assert!(check(&s, "residual").pass, "{:?}", s.checks);
     for (from, to) in [motion, (230f64.to_radians(), TAU)] {
         let quiet = left_over(&s.cam.law, from, to, ratio);
-        assert!(quiet < 1e-9, "{quiet}");
+        // What was left in the dwell before goes on beside it.
+        assert!(quiet < 2e-6, "{quiet}");
     }
     // Asked for more than it leaves anyway, the law stays as it is.
-    let wide = design(RISE, &["limits.residual=50 mm"]);
+    let wide = design(RISE, &[undamped, "limits.residual=50 mm"]);
     assert_eq!(wide.coefficients, free.coefficients);
 }
 

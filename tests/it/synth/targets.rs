@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use gaitcam::force::{Feet, ForceCurve, model};
+use gaitcam::force::{Feet, ForceCurve, ReadOptions, force_curve, model};
 use gaitcam::scene;
 use gaitcam::synth::{Design, synthesise};
 
@@ -64,6 +64,34 @@ fn a_smaller_mass_gives_the_alternating_part_alone() {
     let factors = design.load_factors();
     assert!((factors[0].achieved - share).abs() < 1e-6, "{factors:?}");
     assert_eq!((factors.len(), factors[0].of_step), (6, 1.0));
+}
+
+#[test]
+fn the_load_factors_of_a_written_cycle_are_parts_of_its_mean_whoever_walks() {
+    // F = W (1 + 0.4 sin θ + 0.2 sin 2θ): the file says nothing of a walker.
+    let lines = (0..=200).map(|i| {
+        let t = TAU * f64::from(i) / 200.0;
+        let force = 750.0 * (1.0 + 0.4 * t.sin() + 0.2 * (2.0 * t).sin());
+        format!("{},{force}\n", 0.526 * f64::from(i) / 200.0)
+    });
+    let text = format!(
+        "# cycle, period_s = 0.526\ntime_s,force_n\n{}",
+        lines.collect::<String>()
+    );
+    for feet in ["one", "both", "left", "right", "total"] {
+        let scene = format!(
+            "[gait]\nfile = \"cycle.csv\"\nfeet = \"{feet}\"\n[drive]\nkind = \"moving-axis\"\n"
+        );
+        let scene = gaitcam_test_support::scene(&scene, &[] as &[&str]).unwrap();
+        let (path, options) = ("cycle.csv".as_ref(), ReadOptions::default());
+        let of = scene.gait.as_ref().unwrap().feet;
+        let force = force_curve(path, text.as_bytes(), &options, of).unwrap();
+        let design = scene.design_for(&force).unwrap();
+        let factors = design.load_factors();
+        for (factor, wanted) in factors.iter().zip([0.4, 0.2]) {
+            assert!((factor.target - wanted).abs() < 1e-3, "{feet}: {factor:?}");
+        }
+    }
 }
 
 #[test]

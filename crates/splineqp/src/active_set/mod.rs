@@ -4,6 +4,7 @@
 //! so no active set returns. Once all contacts are nearly right, Newton's method moves them together (`refine`).
 
 pub mod dual;
+pub mod proximal;
 
 use crate::Names;
 use crate::band::ArrowFactor;

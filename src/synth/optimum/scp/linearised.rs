@@ -76,7 +76,7 @@ pub fn contacts(program: &Program, solution: &Solution) -> Vec<Row> {
     out
 }
 
-/// Rows of h₀ + ∇h·(step) ≥ room·w where h is small enough for one step to matter.
+/// Rows of h₀ + ∇h·(step) ≥ room·w where h is small enough for one step to matter, after the program's own.
 pub fn linearised(
     program: &Program,
     current: &Solution,
@@ -85,7 +85,7 @@ pub fn linearised(
 ) -> Vec<Row> {
     let law = Law::of(&program.basis, &current.x);
     let (limits, free) = (&at_size.of(current), at_size.free());
-    let mut out = Vec::new();
+    let mut out = program.fixed.clone();
     let mut places = Vec::new();
     each_place(program, |place| places.push(place));
     // The rows of the grid bound h between them only to second order; its own low points are rows too.

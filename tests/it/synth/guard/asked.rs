@@ -14,6 +14,20 @@ pub enum Objective {
     Peak(usize),
     /// Base radius of a flat-faced cam.
     Size,
+    /// (e/e₁)² + R/R₁ + (j/j₁)² under a flat face: a part of the mean force, m, m/s³.
+    Weighed {
+        error: Option<f64>,
+        radius: Option<f64>,
+        jerk: f64,
+    },
+}
+
+/// A range of the cycle whose force error counts more or less.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    pub from: f64,
+    pub to: f64,
+    pub weight: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,6 +87,8 @@ pub struct Asked {
     pub points: Vec<Point>,
     pub dwells: Vec<Dwell>,
     pub limits: Limits,
+    /// Weights of the force error.
+    pub ranges: Vec<Range>,
     /// `[gait]` and `[drive]` of the scene file.
     pub machine: String,
 }
@@ -93,6 +109,23 @@ impl Asked {
             Follower::Knife { .. } => true,
         };
         sized && !self.level_is_known()
+    }
+
+    /// Weight of the force error at an angle; the last range counts.
+    pub fn weight(&self, theta: f64) -> f64 {
+        let inside = |r: &&Range| {
+            let (from, to) = (r.from, r.to);
+            if from < to {
+                theta >= from && theta < to
+            } else {
+                theta >= from || theta < to
+            }
+        };
+        self.ranges
+            .iter()
+            .rev()
+            .find(inside)
+            .map_or(1.0, |r| r.weight)
     }
 
     /// Largest lift that is written or that the force alone would need, m.
@@ -162,6 +195,19 @@ impl Asked {
             Objective::Energy(k) => writeln!(out, "minimise = \"{}\"", derivative(k))?,
             Objective::Peak(k) => writeln!(out, "minimise = \"peak-{}\"", derivative(k))?,
             Objective::Size => writeln!(out, "minimise = \"size\"")?,
+            Objective::Weighed {
+                error,
+                radius,
+                jerk,
+            } => {
+                writeln!(out, "[law.weigh]\njerk = \"{jerk} m/s^3\"")?;
+                if let Some(part) = error {
+                    writeln!(out, "force_error = \"{} %\"", 100.0 * part)?;
+                }
+                if let Some(one) = radius {
+                    writeln!(out, "prime_radius = \"{one} m\"")?;
+                }
+            }
         }
         for p in &self.points {
             writeln!(out, "[[law.point]]\nangle = \"{} rad\"", p.angle)?;
@@ -172,6 +218,13 @@ impl Asked {
             if let Some(a) = p.acceleration {
                 writeln!(out, "acceleration = \"{a} m/rad^2\"")?;
             }
+        }
+        for range in &self.ranges {
+            let Range { from, to, weight } = range;
+            writeln!(
+                out,
+                "[[gait.weight]]\nfrom = \"{from} rad\"\nto = \"{to} rad\"\nweight = {weight}"
+            )?;
         }
         for d in &self.dwells {
             writeln!(

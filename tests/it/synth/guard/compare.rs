@@ -58,8 +58,14 @@ pub fn design(asked: &Asked) -> Result<Design, String> {
 
 /// Compares both routes; the words say where they differ.
 pub fn compare(asked: &Asked) -> Result<Seen, String> {
-    let design = design(asked)?;
     let reference = Reference::new(asked);
+    let design = match design(asked) {
+        Ok(design) => design,
+        Err(words) if reference.space(None).is_some() => {
+            return refused(asked, &reference).map_err(|_| words);
+        }
+        Err(_) => return Ok(Seen::Refused),
+    };
     if design.infeasible.is_some() {
         return refused(asked, &reference);
     }
@@ -145,6 +151,11 @@ fn size(reference: &Reference, value: f64) -> (f64, bool) {
     let floor = match reference.asked.objective {
         super::asked::Objective::ForceError => 0.5 * (FORCE_FLOOR * mean).powi(2) / AGREED,
         super::asked::Objective::PeakForceError => FORCE_FLOOR * mean / AGREED,
+        super::asked::Objective::Weighed {
+            radius: Some(one), ..
+        } => HELD * reference.asked.length() / AGREED / one,
+        // The radius is a limit as well as the objective: its tolerance is that of a limit.
+        super::asked::Objective::Size => HELD * reference.asked.length() / AGREED,
         _ => 0.0,
     };
     (value.abs().max(floor), value.abs() < floor)

@@ -48,11 +48,9 @@ impl Exchange<'_> {
         });
         let far = far.filter(|f| f.is_finite());
         let far = far.fold(0.0, f64::max);
-        if far > 0.0 {
-            far
-        } else {
-            start.value.abs().sqrt()
-        }
+        // A row that the law touches is broken by rounding alone.
+        let size = start.value.abs().sqrt();
+        if far > 1e-9 * size { far } else { size }
     }
 
     /// Lengths of the rows for laws of size `unit`, and the units of the variables beside the law: what moves

@@ -55,6 +55,7 @@ pub fn bare(r: &mut Random) -> Asked {
         points: Vec::new(),
         dwells: Vec::new(),
         limits: Limits::default(),
+        ranges: Vec::new(),
         machine: String::new(),
     }
 }

@@ -41,6 +41,9 @@ fn share(kind: Kind) -> (usize, usize) {
         Kind::FlatSize => (180, 160),
         Kind::PressureAngle => (220, 180),
         Kind::Peaks => (220, 190),
+        Kind::Ranges => (120, 110),
+        Kind::Weighed => (120, 110),
+        Kind::Many => (80, 50),
     }
 }
 
@@ -51,11 +54,17 @@ const BUILT: usize = 2000;
 
 #[test]
 fn two_thousand_random_scenes_are_solved_as_a_second_route_solves_them() {
+    // GAITCAM_GUARD=4 draws four times as many: 10 000 scenes.
+    let times = std::env::var("GAITCAM_GUARD")
+        .ok()
+        .and_then(|n| n.parse().ok());
+    let times: usize = times.unwrap_or(1);
     let mut disagreements = Vec::new();
     let mut all = 0;
     println!("one scene in {THINNED} is drawn");
     for kind in KINDS {
         let (drawn, least) = share(kind);
+        let (drawn, least) = (drawn * times, least * times);
         let seen: Vec<(usize, Result<Seen, String>)> = (0..drawn)
             .into_par_iter()
             .step_by(THINNED)
@@ -118,4 +127,14 @@ fn line(kind: Kind, seen: &[(usize, Result<Seen, String>)], built: &[Built]) -> 
 fn without_panic(kind: Kind, seed: usize) -> Result<Seen, String> {
     let seen = std::panic::catch_unwind(|| compare(&scenes::scene(kind, seed)));
     seen.unwrap_or_else(|_| Err("panic".to_string()))
+}
+
+#[test]
+#[ignore = "shows one scene"]
+fn one() {
+    let text = std::env::var("GAITCAM_ONE").unwrap();
+    let (kind, seed) = text.split_once(' ').unwrap();
+    let kind = KINDS.iter().find(|k| format!("{k:?}") == kind).unwrap();
+    let asked = scenes::scene(*kind, seed.parse().unwrap());
+    println!("{}\n{:?}", asked.toml(), compare(&asked));
 }

@@ -31,6 +31,7 @@ fn fixed(name: &str, frequency: f64, [mass, spring, preload, damping]: [f64; 4])
         points: Vec::new(),
         dwells: Vec::new(),
         limits: Limits::default(),
+        ranges: Vec::new(),
         machine: format!(
             "[gait]\nmodel = \"{name}\"\nstep_frequency = \"{frequency} Hz\"\nbody_weight = \"700 N\"\nfeet = \"both\"\n[drive]\nkind = \"fixed-axis\"\nmass = \"{mass} kg\"\nspring_rate = \"{spring} N/m\"\npreload = \"{preload} N\"\ndamping = \"{damping} N s/m\"\n"
         ),
@@ -51,6 +52,7 @@ fn light(speed: f64, points: Vec<Point>) -> Asked {
         points,
         dwells: Vec::new(),
         limits: Limits::default(),
+        ranges: Vec::new(),
         machine: format!(
             "[drive]\nkind = \"fixed-axis\"\nspeed = \"{speed} rad/s\"\nmass = \"2 kg\"\n"
         ),
@@ -122,6 +124,7 @@ fn the_touching_angle_is_the_best_of_all() {
             stroke: Some(0.03457),
             ..Limits::default()
         },
+        ranges: Vec::new(),
         machine: "[gait]\nmodel = \"kerr\"\nstep_frequency = \"1.986 Hz\"\nbody_weight = \"700 N\"\nfeet = \"both\"\n[drive]\nkind = \"moving-axis\"\nmass = \"auto\"\n".to_string(),
     };
     certified(&asked);

@@ -285,9 +285,10 @@ fn splines(asked: &Asked) -> Splines {
     Splines::new(asked.degree, breaks, &multiplicity)
 }
 
-/// The breaks of the splines and of the wanted force.
+/// The breaks of the splines, of the weights and of the wanted force.
 fn cut_at_samples(asked: &Asked, splines: &Splines) -> Vec<f64> {
     let mut cuts = splines.breaks().to_vec();
+    cuts.extend(asked.ranges.iter().flat_map(|r| [r.from, r.to]));
     if let Some((target, _)) = &asked.target {
         let n = target.force_n.len();
         cuts.extend((1..n).map(|i| TAU * i as f64 / n as f64));
@@ -300,25 +301,44 @@ fn cut_at_samples(asked: &Asked, splines: &Splines) -> Vec<f64> {
 /// Gauss points of the square part of the objective; for a force on every piece of span and target, where four
 /// are exact for the target's square.
 fn nodes(asked: &Asked, splines: &Splines) -> Vec<Node> {
-    let (order, factor) = match asked.objective {
-        Objective::ForceError => (None, 1.0),
-        Objective::Energy(order) => (Some(order), 1.0),
-        Objective::Size => (Some(3), 1.0 / (asked.length() * SIZE_JERK * SIZE_JERK)),
-        Objective::Peak(_) | Objective::PeakForceError => return Vec::new(),
+    let parts = match asked.objective {
+        Objective::ForceError => vec![(None, 1.0)],
+        Objective::Energy(order) => vec![(Some(order), 1.0)],
+        Objective::Size => vec![(Some(3), 1.0 / (asked.length() * SIZE_JERK * SIZE_JERK))],
+        Objective::Weighed { error, jerk, .. } => {
+            let mean = asked.target.as_ref().map_or(0.0, |t| t.0.mean_n());
+            let by_angle = jerk / asked.speed.powi(3);
+            let of_jerk = (Some(3), 2.0 / (by_angle * by_angle));
+            let of_force = error.map(|part| (None, 2.0 / (part * mean).powi(2)));
+            of_force.into_iter().chain([of_jerk]).collect()
+        }
+        Objective::Peak(_) | Objective::PeakForceError => Vec::new(),
     };
+    let one = |(order, factor)| part(asked, splines, order, factor);
+    parts.into_iter().flat_map(one).collect()
+}
+
+/// Those of one part of it: the force, or a derivative.
+fn part(asked: &Asked, splines: &Splines, order: Option<usize>, factor: f64) -> Vec<Node> {
     let cuts = if order.is_none() {
         cut_at_samples(asked, splines)
     } else {
         splines.breaks().to_vec()
     };
-    let rule = gauss(if order.is_some() { asked.degree + 1 } else { 4 });
+    let rule = gauss(if order.is_some() {
+        asked.degree + 1
+    } else {
+        4.max(asked.degree + 1)
+    });
     let [k, c, m] = asked.weights;
     let weights = order.map_or([k, c, m, 0.0], |order| {
         std::array::from_fn(|d| f64::from(u8::from(d == order)))
     });
     let mut out = Vec::new();
     for ends in cuts.windows(2) {
-        let span = splines.span_of(0.5 * (ends[0] + ends[1]));
+        let middle = 0.5 * (ends[0] + ends[1]);
+        let span = splines.span_of(middle);
+        let own = order.map_or_else(|| asked.weight(middle), |_| 1.0);
         for (u, w) in &rule {
             let theta = ends[0] + u * (ends[1] - ends[0]);
             let values = splines.values(span, theta);
@@ -330,7 +350,7 @@ fn nodes(asked: &Asked, splines: &Splines) -> Vec<Node> {
                 span,
                 row,
                 wanted: target.map_or(0.0, |t| t.0.at(theta) - asked.rest),
-                weight: factor * w * (ends[1] - ends[0]) / TAU,
+                weight: factor * own * w * (ends[1] - ends[0]) / TAU,
             });
         }
     }

@@ -124,9 +124,24 @@ impl List {
         match asked.follower {
             Follower::Flat { base } => {
                 let rho = limits.curvature.unwrap_or(0.0);
-                if asked.objective == Objective::Size {
-                    let radius = self.variable(1.0);
+                let cost = match asked.objective {
+                    Objective::Size => Some(1.0),
+                    Objective::Weighed { radius, .. } => radius.map(|one| 1.0 / one),
+                    _ => None,
+                };
+                if let Some(cost) = cost {
+                    let radius = self.variable(cost);
                     self.beside("curvature", bend, -rho, self.length, (radius, -1.0));
+                    self.beside("radius", [0.0; ORDERS], 0.0, self.length, (radius, -1.0));
+                    if let Some(most) = limits.prime_radius {
+                        self.beside(
+                            "prime radius",
+                            [0.0; ORDERS],
+                            most,
+                            self.length,
+                            (radius, 1.0),
+                        );
+                    }
                 } else if let (Some(base), Some(rho)) =
                     (base.or(limits.prime_radius), limits.curvature)
                 {

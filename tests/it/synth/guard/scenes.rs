@@ -1,7 +1,7 @@
 //! Random scenes by kind. Limits are drawn about what the law without them does, so that most of them bind and
 //! some leave nothing.
 
-use super::asked::{Asked, Dwell, Follower, Limits, Objective, Point};
+use super::asked::{Asked, Dwell, Follower, Limits, Objective, Point, Range};
 use super::machines::{Random, fixed, hydraulic, light, moving};
 use super::reference::Reference;
 use super::splines::ORDERS;
@@ -28,9 +28,15 @@ pub enum Kind {
     PressureAngle,
     /// Smallest peak of acceleration, jerk or force error.
     Peaks,
+    /// Force error that counts more in parts of the cycle, whose edges lie inside spans.
+    Ranges,
+    /// Force error, radius of a flat face and jerk together, also where no radius is left.
+    Weighed,
+    /// A limit under which peaks and energies have many spans.
+    Many,
 }
 
-pub const KINDS: [Kind; 9] = [
+pub const KINDS: [Kind; 12] = [
     Kind::Moving,
     Kind::Fixed,
     Kind::Hydraulic,
@@ -40,6 +46,9 @@ pub const KINDS: [Kind; 9] = [
     Kind::FlatSize,
     Kind::PressureAngle,
     Kind::Peaks,
+    Kind::Ranges,
+    Kind::Weighed,
+    Kind::Many,
 ];
 
 /// The scene of a kind and seed.
@@ -64,7 +73,58 @@ pub fn scene(kind: Kind, seed: usize) -> Asked {
         Kind::FlatSize => flat_size(r),
         Kind::PressureAngle => pressure_angle(r),
         Kind::Peaks => peaks(r),
+        Kind::Ranges => ranges(r),
+        Kind::Weighed => weighed(r),
+        Kind::Many => many(r),
     }
+}
+
+fn ranges(r: &mut Random) -> Asked {
+    let mut asked = match r.below(3) {
+        0 => moving(r),
+        1 => hydraulic(r),
+        _ => fixed(r),
+    };
+    for _ in 0..1 + r.below(3) {
+        let (from, to) = (r.within(0.0, TAU), r.within(0.0, TAU));
+        let weight = 10f64.powf(r.within(-1.0, 2.0));
+        asked.ranges.push(Range { from, to, weight });
+    }
+    let limits = r.chance(0.5);
+    if limits { limited(asked, r) } else { asked }
+}
+
+fn weighed(r: &mut Random) -> Asked {
+    let mut asked = if r.chance(0.5) {
+        fixed(r)
+    } else {
+        hydraulic(r)
+    };
+    if asked.weights[0] == 0.0 {
+        asked = hydraulic(r);
+    }
+    asked.degree = asked.degree.max(4);
+    let free = free(&asked);
+    let largest = free.ranges[3].1.max(-free.ranges[3].0) * asked.speed.powi(3);
+    let radius = r.within(0.01, 0.1);
+    asked.objective = Objective::Weighed {
+        error: Some(r.within(0.02, 0.3)),
+        radius: r.maybe(0.8, radius),
+        jerk: r.within(0.2, 2.0) * largest,
+    };
+    let rho = r.within(0.0, 0.03);
+    asked.limits.curvature = r.maybe(0.6, rho);
+    asked
+}
+
+fn many(r: &mut Random) -> Asked {
+    let mut asked = if r.chance(0.5) { points(r) } else { dwells(r) };
+    asked.spans = [4, 5, 6, 48, 64, 100][r.below(6)];
+    asked.degree = asked.degree.max(4);
+    if r.chance(0.5) {
+        asked.objective = Objective::Peak(2 + r.below(2));
+    }
+    asked
 }
 
 fn points(r: &mut Random) -> Asked {
@@ -141,18 +201,20 @@ struct Free {
 }
 
 fn free(asked: &Asked) -> Free {
+    unlimited(asked).expect("demands that go together")
+}
+
+/// The same; `None` where the demands contradict each other.
+fn unlimited(asked: &Asked) -> Option<Free> {
     let mut own = asked.clone();
     own.limits = Limits::default();
     own.objective = match asked.objective {
         Objective::Peak(_) | Objective::Size => Objective::Energy(asked.degree.min(4) - 1),
-        Objective::PeakForceError => Objective::ForceError,
+        Objective::PeakForceError | Objective::Weighed { .. } => Objective::ForceError,
         other => other,
     };
     let reference = Reference::new(&own);
-    let x = reference
-        .space(None)
-        .expect("demands that go together")
-        .origin;
+    let x = reference.space(None)?.origin;
     let x = x.as_slice().to_vec();
     let (mut ranges, mut force) = ([(f64::MAX, f64::MIN); ORDERS], (f64::MAX, f64::MIN));
     let widen = |range: &mut (f64, f64), value: f64| {
@@ -166,12 +228,14 @@ fn free(asked: &Asked) -> Free {
         let [k, c, m] = own.weights;
         widen(&mut force, own.rest + k * at[0] + c * at[1] + m * at[2]);
     }
-    Free { ranges, force, x }
+    Some(Free { ranges, force, x })
 }
 
 /// One to three limits.
 fn limited(mut asked: Asked, r: &mut Random) -> Asked {
-    let free = free(&asked);
+    let Some(free) = unlimited(&asked) else {
+        return asked;
+    };
     let largest = |order: usize| free.ranges[order].1.max(-free.ranges[order].0);
     let timed = |order: usize| largest(order) * asked.speed.powi(order as i32);
     let stroke = free.ranges[0].1 - free.ranges[0].0;

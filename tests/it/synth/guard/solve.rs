@@ -4,6 +4,7 @@
 use super::judge::{Judged, crests, judge};
 use super::reference::{Reference, Space};
 use super::rows::Limit;
+use super::splines::ORDERS;
 use nalgebra::DVector;
 
 /// An excess below this part of its limit is none.
@@ -160,6 +161,11 @@ impl<'a> Exchange<'a> {
 
 impl Exchange<'_> {
     fn push(&mut self, limit: &Limit, span: usize, theta: f64) {
+        let alone = limit.weights == [0.0; ORDERS];
+        let known = |r: &Row| r.beside.first() == limit.extra.as_ref() && r.own.amax() == 0.0;
+        if alone && self.rows.iter().any(known) {
+            return;
+        }
         let row = DVector::from_vec(self.reference.splines.row(span, theta, limit.weights));
         let bound = self.reference.bound(limit, theta) + self.room * limit.scale
             - row.dot(&self.space.origin);

@@ -1,0 +1,380 @@
+//! Programs that minimise a peak: proximal steps, each of them a strictly convex program for the dual active set.
+//!
+//! The peak t is linear in the objective and the law is free where it stays below t, so H is zero. About a centre (s̄, t̄)
+//!
+//! ```text
+//! minimise  c·t + (εc/2T) mean (w·(s − s̄))² + (c/2T) (t − t̄)²      under the rows at hand
+//! ```
+//!
+//! has a banded factor. Its solution is the next centre, and the worst points of its law are further rows (theory §9). The
+//! multipliers of a step, scaled to those of t alone, leave εM(x − x̄) of the gradient: with ε falling from step to step
+//! their lower bound closes in on the peak, whatever the law does where the peak leaves it free.
+
+use super::dual::Dual;
+use crate::Names;
+use crate::band::{ArrowFactor, ArrowMatrix};
+use crate::basis::{Basis, Entries, apply};
+use crate::certificate::certificate;
+use crate::equality;
+use crate::objective::Quadratic;
+use crate::poly::Peak;
+use crate::program::{EXTRAS, Equality, Limit, PEAK, Program, Row, Solution};
+
+/// ε: weight of a change of the law by its own size, in units of the peak, at first …
+const NEARNESS: f64 = 1e-2;
+/// … at last …
+const LEAST_NEARNESS: f64 = 1e-9;
+/// … and from one centre to the next.
+const FALL: f64 = 0.2;
+/// … and times as much where rounding ends a step.
+const HEAVIER: f64 = 100.0;
+/// A law becomes the centre when its own peak falls by this part of what the rows promise.
+const KEPT: f64 = 0.3;
+/// Part of the gap that a step may leave where its rows are those of its law.
+const PROVED: f64 = 0.3;
+/// Laws that exceed other limits by less than this part of them are compared by their peaks.
+const COMPARED: f64 = 1e-4;
+/// Rounds of rows and centres; 20 are usual.
+const ROUNDS: usize = 150;
+/// A law whose certificate is open by no more than so many times what needs no refinement is left to that.
+const ACCEPTED: f64 = 1e3;
+/// Rounds without a better certificate that end the search.
+const PATIENCE: usize = 25;
+
+/// The law of the least peak; `Err` with the rows gathered where none was found.
+pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Vec<Row<N>>> {
+    match start(program) {
+        Some(start) => Search::new(program, start).run(),
+        None => Err(Vec::new()),
+    }
+}
+
+/// Whether it serves a program.
+pub fn suits<N: Names>(program: &Program<N>) -> bool {
+    let splines = matches!(program.basis, Basis::Spline { .. });
+    splines && !program.cone && program.cost[PEAK] > 0.0
+}
+
+/// Where the search begins, and its metric.
+struct Start {
+    centre: Vec<f64>,
+    /// mean (w·s)², regular where the demands settle what it leaves open: along what keeps them it is no other.
+    square: ArrowMatrix,
+    /// Columns of the further variables.
+    free: Vec<usize>,
+    /// T.
+    peak: f64,
+}
+
+/// The law of least mean square of what the peak is of.
+fn start<N: Names>(program: &Program<N>) -> Option<Start> {
+    let limit = program.limits.iter().find(|l| l.is_peak())?;
+    let basis = &program.basis;
+    let Basis::Spline { space, .. } = basis else {
+        return None;
+    };
+    let mut square = Quadratic::zero(basis);
+    let wanted = |start: f64, width: f64, rule: &[(f64, f64)], out: &mut [f64]| {
+        for (out, (u, _)) in out.iter_mut().zip(rule) {
+            let shape = limit.shape.map(|i| &program.shapes[i]);
+            *out = shape.map_or(0.0, |s| s.eval(start + u * width));
+        }
+    };
+    square.add_distance(basis, &limit.weights, space.degree() + 1, wanted, None);
+    let mut least = program.clone();
+    least.hessian.clone_from(&square.hessian);
+    least.gradient = square.gradient;
+    let unlimited = equality::solve(&least).ok()?;
+    let mut centre = unlimited.x;
+    let peak = largest(program, &centre);
+    if !(peak > 0.0 && peak.is_finite()) {
+        return None;
+    }
+    let present = program.present();
+    let free: Vec<usize> = (0..EXTRAS).filter(|&k| present[k]).collect();
+    let windows = program.windows(&centre);
+    centre.extend(
+        free.iter()
+            .map(|&k| if k == PEAK { peak } else { windows[k] }),
+    );
+    Some(Start {
+        centre,
+        square: unlimited.hessian,
+        free,
+        peak,
+    })
+}
+
+/// The least peak variable that a law allows.
+fn largest<N: Names>(program: &Program<N>, x: &[f64]) -> f64 {
+    let none = [0.0; EXTRAS];
+    let mut most = 0.0_f64;
+    let room = |l: &Limit<N>| program.room(l, x, &none);
+    let level = |l: &Limit<N>| if l.is_peak() { room(l) } else { f64::INFINITY };
+    program.each_peak_above(x, level, |index, peak| {
+        let limit = &program.limits[index];
+        most = most.max((peak.value - room(limit)) / limit.extra[PEAK].abs());
+    });
+    most
+}
+
+struct Search<'a, N: Names> {
+    program: &'a Program<N>,
+    start: Start,
+    rows: Vec<Row<N>>,
+    /// The rows over coefficients and further variables.
+    entries: Vec<Entries>,
+    /// Rows that are active, with their multipliers.
+    active: Vec<(usize, f64)>,
+    nearness: f64,
+    steps: usize,
+}
+
+impl<'a, N: Names> Search<'a, N> {
+    fn new(program: &'a Program<N>, start: Start) -> Self {
+        let mut search = Search {
+            program,
+            start,
+            rows: Vec::new(),
+            entries: Vec::new(),
+            active: Vec::new(),
+            nearness: NEARNESS,
+            steps: 0,
+        };
+        let mut first: Vec<Row<N>> = program.fixed.clone();
+        first.extend(program.seeds.iter().cloned());
+        program.seed_rows(&mut first);
+        first.into_iter().for_each(|row| search.push(row));
+        search
+    }
+
+    /// The matrix of a step.
+    fn factor(&self) -> Option<ArrowFactor> {
+        let Start {
+            square, free, peak, ..
+        } = &self.start;
+        let n = square.dimension();
+        let (band, border) = self.program.basis.pattern();
+        let mut matrix = ArrowMatrix::zero(n + free.len(), band, border + free.len());
+        let unit = self.program.cost[PEAK] / peak;
+        for (i, j, value) in square.lower_entries() {
+            matrix.add(i, j, self.nearness * unit * value);
+        }
+        let by_length = (peak / self.program.length).powi(2);
+        for (c, &k) in free.iter().enumerate() {
+            let weight = if k == PEAK {
+                unit
+            } else {
+                self.nearness * unit * by_length
+            };
+            matrix.add(n + c, n + c, weight);
+        }
+        matrix.factor()
+    }
+
+    fn push(&mut self, row: Row<N>) {
+        let n = self.program.basis.columns();
+        let mut entries = row.entries.clone();
+        let columns = (n..).zip(&self.start.free);
+        entries.extend(
+            columns
+                .map(|(c, &k)| (c, row.extra[k]))
+                .filter(|e| e.1 != 0.0),
+        );
+        let coincident = self.program.settings.active_set.coincident;
+        let twin = |r: &Row<N>| row.limit.is_some() && r.coincides(&row, coincident);
+        match self.rows.iter().position(twin) {
+            Some(at) => (self.rows[at], self.entries[at]) = (row, entries),
+            None => {
+                self.rows.push(row);
+                self.entries.push(entries);
+            }
+        }
+    }
+
+    fn run(mut self) -> Result<Solution<N>, Vec<Row<N>>> {
+        let settings = &self.program.settings;
+        let mut best: Option<(f64, Solution<N>)> = None;
+        let (mut since, mut reached) = (0, (f64::INFINITY, f64::INFINITY));
+        for round in 1..=ROUNDS {
+            if self.program.halt.is_asked() {
+                break;
+            }
+            let Some(at) = self.step() else {
+                // Nearly dependent rows leave a light step no digits: a heavier one has them.
+                if self.nearness >= NEARNESS {
+                    break;
+                }
+                self.nearness = NEARNESS.min(HEAVIER * self.nearness);
+                self.active.clear();
+                continue;
+            };
+            let (solution, promised, broken) = self.solution(&at, round);
+            let (peak, violation) = (solution.extra[PEAK], solution.violation);
+            let proof = certificate(self.program, &solution);
+            let open = (proof.relative_gap / settings.refinement.gap)
+                .max(proof.stationarity / settings.refinement.stationarity)
+                .max(violation / settings.tolerance);
+            since += 1;
+            if best.as_ref().is_none_or(|b| open < 0.9 * b.0) {
+                best = Some((open, solution));
+                since = 0;
+            }
+            if open <= 1.0 || since > PATIENCE {
+                break;
+            }
+            // Once the multipliers prove what the rows promise, only rows are wanted.
+            let above = (peak - promised) * self.program.cost[PEAK] / proof.size;
+            let proved = proof.stationarity <= settings.refinement.stationarity
+                && proof.relative_gap - above <= PROVED * settings.refinement.gap;
+            // Between laws that keep the other limits the peak decides.
+            let falls = violation <= COMPARED && reached.0 - peak >= KEPT * (reached.0 - promised);
+            let lawful = reached.1 > settings.tolerance && violation < 0.5 * reached.1;
+            if (falls || broken.is_empty()) && !proved {
+                self.nearness = (FALL * self.nearness).max(LEAST_NEARNESS);
+            }
+            if (falls || lawful || broken.is_empty()) && !proved {
+                self.start.centre = at;
+                reached = (peak, violation);
+            }
+            for (limit, place) in broken {
+                let row = self.program.row(limit, place);
+                self.push(row);
+            }
+        }
+        let halted = self.program.halt.is_asked();
+        match best {
+            Some((open, solution)) if open < ACCEPTED => Ok(solution),
+            Some((_, solution)) if halted && solution.violation < COMPARED => Ok(solution),
+            _ => Err(self.rows),
+        }
+    }
+
+    /// The solution about the centre; `None` where rows exclude each other, or steps or time end.
+    fn step(&mut self) -> Option<Vec<f64>> {
+        let factor = self.factor()?;
+        let (program, centre) = (self.program, &self.start.centre);
+        // Counted from the centre, so that no digit is lost to the size of the law.
+        let mut pull: Vec<f64> = program.gradient.iter().map(|g| -g).collect();
+        pull.extend(self.start.free.iter().map(|&k| -program.cost[k]));
+        let away = |entries: &Entries, bound: f64| bound - apply(entries, centre);
+        let bounds: Vec<f64> = (self.entries.iter().zip(&self.rows))
+            .map(|(entries, row)| away(entries, row.bound))
+            .collect();
+        let settings = &program.settings.active_set;
+        let most_steps = settings.steps_per_unknown * pull.len();
+        let zero = vec![0.0; pull.len()];
+        let mut dual = Dual::new(&factor, pull, zero, settings.dependent, most_steps);
+        for e in &program.equalities {
+            dual.hold(None, &e.entries, away(&e.entries, e.value), 0.0);
+        }
+        for &(i, multiplier) in &self.active {
+            dual.hold(Some(i), &self.entries[i], bounds[i], multiplier);
+        }
+        dual.retreat();
+        self.settle(&mut dual, &bounds)?;
+        self.steps += dual.steps;
+        self.active = dual.multipliers().filter(|m| m.1 > 0.0).collect();
+        Some(centre.iter().zip(dual.x).map(|(c, d)| c + d).collect())
+    }
+
+    /// Until no row is violated.
+    fn settle(&self, dual: &mut Dual, bounds: &[f64]) -> Option<()> {
+        let resolved = self.program.settings.active_set.resolved;
+        let units: Vec<f64> = (self.rows.iter())
+            .map(|row| {
+                let of_row = row.scale.max(row.bound.abs());
+                row.limit
+                    .map_or(of_row, |l| self.size(&self.program.limits[l]))
+            })
+            .collect();
+        loop {
+            let mut worst = (0.0, None);
+            for (i, entries) in self.entries.iter().enumerate() {
+                let (mut value, mut terms) = (0.0, 0.0);
+                for &(k, v) in entries {
+                    let term = v * dual.x[k];
+                    value += term;
+                    terms += f64::abs(term);
+                }
+                let gap = (value - bounds[i] - f64::EPSILON * terms) / units[i] - resolved;
+                if gap > worst.0 && !dual.holds(i) {
+                    worst = (gap, Some(i));
+                }
+            }
+            let Some(i) = worst.1 else {
+                dual.refresh();
+                return Some(());
+            };
+            if self.program.halt.is_asked() {
+                return None;
+            }
+            dual.bring_in(i, &self.entries[i], bounds[i]).ok()?;
+        }
+    }
+
+    /// Of what an excess of a limit is a part: of a peak the peak itself.
+    fn size(&self, limit: &Limit<N>) -> f64 {
+        if limit.is_peak() {
+            return self.start.peak;
+        }
+        limit.scale
+    }
+
+    /// A law with its own peak, the peak of its rows, and where it breaks them.
+    fn solution(&self, at: &[f64], round: usize) -> (Solution<N>, f64, Vec<(usize, Peak)>) {
+        let program = self.program;
+        let n = program.basis.columns();
+        let x = at[..n].to_vec();
+        let mut extra = [0.0; EXTRAS];
+        for (c, &k) in self.start.free.iter().enumerate() {
+            extra[k] = at[n + c];
+        }
+        let part = 0.1 * program.settings.tolerance;
+        let room = |l: &Limit<N>| program.room(l, &x, &extra);
+        let mut broken = Vec::new();
+        let level = |l: &Limit<N>| room(l) + part * self.size(l);
+        program.each_peak_above(&x, level, |index, peak| broken.push((index, peak)));
+        let missed = |e: &Equality<N>| {
+            let size = e.entries.iter().fold(0.0_f64, |m, e| m.max(e.1.abs())) * program.length;
+            (apply(&e.entries, &x) - e.value).abs() / size.max(e.value.abs())
+        };
+        // Demands that depend on others are not among the planes.
+        let off = program.equalities.iter().map(missed).fold(0.0, f64::max);
+        let consistent = program.settings.equality.consistent;
+        let mut violation = if off > consistent { off } else { 0.0 };
+        let mut raised = 0.0_f64;
+        for (index, peak) in &broken {
+            let limit = &program.limits[*index];
+            let excess = peak.value - room(limit);
+            if limit.is_peak() {
+                raised = raised.max(excess / limit.extra[PEAK].abs());
+            } else {
+                violation = violation.max(excess / limit.size(room(limit)));
+            }
+        }
+        let promised = extra[PEAK];
+        extra[PEAK] += raised;
+        let of_peak = |(i, m): &(usize, f64)| -m * self.rows[*i].extra[PEAK];
+        let sum: f64 = self.active.iter().map(of_peak).sum();
+        let scale = if sum > 0.0 {
+            program.cost[PEAK] / sum
+        } else {
+            1.0
+        };
+        let active = self.active.iter().map(|&(i, multiplier)| Row {
+            multiplier: scale * multiplier,
+            ..self.rows[i].clone()
+        });
+        let solution = Solution {
+            active: active.collect(),
+            x,
+            extra,
+            used_rows: true,
+            iterations: self.steps,
+            rounds: round,
+            violation,
+        };
+        (solution, promised, broken)
+    }
+}

@@ -1,0 +1,71 @@
+//! Residual vibration: what a motion leaves of the follower's vibration in the dwell after it.
+//!
+//! In a dwell the rigid force is a constant F and the follower swings about its static deflection −F/K, with K = k + k₁ of
+//! return spring and train. Amplitude is √(2 E/K) with the energy E of that vibration at the dwell's start: the motion is
+//! nowhere in the dwell larger, and without damping that large once in every cycle (theory §10).
+
+use super::{Kicks, Train, linear, model, resonance, still, widest};
+use crate::drive::Drive;
+use crate::error::Result;
+use crate::law::Law;
+
+/// Damping ratio that stands for none where an undamped natural frequency meets a harmonic: a law that excites it swings
+/// without bound, one that does not is at rest in its dwells.
+const HARDLY_DAMPED: f64 = 1e-6;
+/// Angles nearer than this are one, rad.
+const SAME: f64 = 1e-9;
+
+/// Amplitude, m, in the periodic steady state at each of these angles, where a dwell begins.
+///
+/// ```
+/// use gaitcam::drive::{Drive, DriveKind};
+/// use gaitcam::dynamics::flexible::{Train, in_rests};
+/// use gaitcam::law::Law;
+///
+/// // s = h cos θ with mω² = 100 N/m and K = 10 kN/m: at its top the follower stands mω²h (1/(K − mω²) − 1/K) beside its
+/// // static deflection.
+/// let kind = DriveKind::FixedAxis;
+/// let drive = Drive { kind, rest_force: 5.0, spring_rate: 0.0, damping: 0.0, mass: 1.0, speed: 10.0 };
+/// let law = Law::harmonic(0.01, &[(0.01, 0.0)]);
+/// let found = in_rests(&law, &drive, &Train { stiffness: 1e4, damping: 0.0 }, &[0.0])?[0];
+/// assert!((found - (1.0 / 9900.0 - 1e-4)).abs() < 1e-10);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Invalid stiffness or damping.
+pub fn in_rests(law: &Law, drive: &Drive, train: &Train, starts: &[f64]) -> Result<Vec<f64>> {
+    train.check()?;
+    let quiet = || vec![0.0; starts.len()];
+    if drive.mass <= 0.0 && still(drive, train) || drive.speed <= f64::MIN_POSITIVE {
+        return Ok(quiet());
+    }
+    let mut own = model(law, drive, train);
+    let is_break = |start: f64| own.force.breaks().iter().any(|b| (b - start).abs() < SAME);
+    let cuts: Vec<f64> = starts.iter().copied().filter(|s| !is_break(*s)).collect();
+    own.force = own.force.cut_at(&cuts);
+    if own.linear.rates.norm() * widest(&own.force) > linear::STIFFEST {
+        return Ok(quiet());
+    }
+    let kicks = Kicks::new(law, &own);
+    let Some(states) = own.linear.periodic(&[&own.force], |i| kicks.at(i)) else {
+        let damping = 2.0 * HARDLY_DAMPED * (train.stiffness * drive.mass).sqrt();
+        if train.damping >= damping {
+            return Err(resonance(drive, train));
+        }
+        return in_rests(law, drive, &Train { damping, ..*train }, starts);
+    };
+    let give = 1.0 / (train.stiffness + drive.spring_rate);
+    let breaks = own.force.breaks();
+    let amplitude = |start: &f64| {
+        let piece = breaks.partition_point(|b| *b < start + SAME).max(1) - 1;
+        let piece = piece % own.force.pieces();
+        let swing = states[piece][0] + give * own.force.piece(piece)[0];
+        swing.hypot(if own.scale > 0.0 {
+            states[piece][1]
+        } else {
+            0.0
+        })
+    };
+    Ok(starts.iter().map(amplitude).collect())
+}
