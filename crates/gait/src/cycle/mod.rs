@@ -17,17 +17,19 @@ mod warnings;
 
 use std::f64::consts::SQRT_2;
 
+use average::{Mean, MeanStance, place};
 use refusal::no_stance;
 use single::{both_feet, one_foot};
 use stride::{averaged, whole_strides};
 use total::{total_of_plates, total_stride};
 use warnings::{confirm_clock, warnings};
 
-use crate::curve::ForceCurve;
+use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::Result;
 use crate::interpretation::Period;
 use crate::recording::{CycleSource, Feet, Foot, Kind, MassSource, Note, PeriodSource, Recording};
 use crate::stance::{RejectReason, Rejected, Stances};
+use crate::statistics::{mean, sample_deviation};
 use crate::units::G;
 use plausibility::{ADULT_KG, mean_of_weight, ranges};
 
@@ -84,6 +86,46 @@ struct Average {
     spread_n: Option<Vec<f64>>,
     averaged: usize,
     source: CycleSource,
+}
+
+impl Average {
+    /// The mean of whole cycles of some durations, s.
+    fn of_cycles(cycles: Mean, durations: &[f64], from: PeriodSource, source: CycleSource) -> Self {
+        let (force_n, spread_n) = cycles.finish();
+        Average {
+            period: Period {
+                seconds: mean(durations),
+                from,
+                spread_s: sample_deviation(durations),
+            },
+            force_n,
+            spread_n,
+            averaged: durations.len(),
+            source,
+        }
+    }
+
+    /// A stride of mean stances, each from a phase on.
+    fn of_stances(
+        period: Period,
+        stances: &[(&MeanStance, f64)],
+        averaged: usize,
+        source: CycleSource,
+    ) -> Self {
+        let (mut force_n, mut variance) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
+        for (stance, phase) in stances {
+            place(stance, period.seconds, *phase, &mut force_n, &mut variance);
+        }
+        let known = stances.iter().all(|(stance, _)| stance.spread.is_some());
+        let deviations = || variance.iter().map(|v| v.sqrt()).collect();
+        Average {
+            period,
+            force_n,
+            spread_n: known.then(deviations),
+            averaged,
+            source,
+        }
+    }
 }
 
 /// Averages the stances of a recording into one cycle.

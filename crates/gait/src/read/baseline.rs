@@ -99,12 +99,7 @@ fn bridge(force: &mut [f64]) -> Vec<(usize, usize)> {
         let end = end.map_or(force.len(), |e| i + e);
         let before = i.checked_sub(1).map(|b| force[b]);
         let after = force.get(end).copied();
-        let (a, b) = match (before, after) {
-            (Some(a), Some(b)) => (a, b),
-            (Some(a), None) => (a, a),
-            (None, Some(b)) => (b, b),
-            (None, None) => (0.0, 0.0),
-        };
+        let [a, b] = [before.or(after), after.or(before)].map(|x| x.unwrap_or(0.0));
         let steps = (end - i + 1) as f64;
         for (k, x) in force[i..end].iter_mut().enumerate() {
             *x = a + (b - a) * (k as f64 + 1.0) / steps;
