@@ -56,8 +56,8 @@ pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) ->
         None => ForceError::NoStance {
             duration,
             contacts: stances.rejected.len(),
-            from: seconds(first.from_s),
-            to: seconds(first.to_s),
+            from: seconds(recording.start_s + first.from_s),
+            to: seconds(recording.start_s + first.to_s),
             reason,
         },
     }

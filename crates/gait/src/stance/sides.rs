@@ -67,6 +67,9 @@ pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfal
     falls
 }
 
+/// A pause in one column shorter than this part of a running stance comes before the other foot.
+const ALTERNATE: f64 = 0.9;
+
 /// Whether two stances that follow each other are of one foot; `None` if unknown.
 ///
 /// In walking the next foot lands before this one has left; the same foot only after its swing. In running (`runs`)
@@ -82,7 +85,9 @@ pub(crate) fn same_foot(a: &Footfall, b: &Footfall, runs: bool) -> Option<bool> 
     } else {
         (0.15, 0.3..1.2)
     };
-    if pause < next * duration && !(runs && a.channel == b.channel) {
+    // Both feet of a runner in one column: no foot lands again after less than its stance.
+    let alternate = pause < ALTERNATE * duration;
+    if pause < next * duration && (alternate || !(runs && a.channel == b.channel)) {
         return Some(false);
     }
     (a.channel == b.channel && same.contains(&(pause / duration))).then_some(true)
