@@ -9,6 +9,9 @@ use crate::recording::Recording;
 use crate::stance::{Footfall, Stances, footfalls, same_foot};
 use crate::statistics::mean;
 
+/// Largest part of their sum by which the impulses of two stances may differ.
+const UNEVEN: f64 = 0.05;
+
 /// Whole stances of two feet in turn.
 pub(super) struct Pairs<'a> {
     recording: &'a Recording,
@@ -43,6 +46,12 @@ impl<'a> Pairs<'a> {
         samples.iter().sum::<f64>() / rate
     }
 
+    /// Whether both stances carry alike: of a limping walker two half strides are no whole one.
+    fn is_even(&self, [a, b]: &[Footfall; 2]) -> bool {
+        let [a, b] = [a, b].map(|f| self.impulse(f, f.start_s, f.end_s));
+        (a - b).abs() < UNEVEN * (a + b)
+    }
+
     /// Mean total force over the half strides that a pair shows, N.
     fn force(&self, [a, b]: &[Footfall; 2], period_s: f64) -> f64 {
         let spans = [
@@ -56,7 +65,8 @@ impl<'a> Pairs<'a> {
 
     /// Mean total force, N; `None` without two whole stances in turn.
     pub fn mean_force(&self, period_s: f64) -> Option<f64> {
-        let all: Vec<f64> = self.pairs.iter().map(|p| self.force(p, period_s)).collect();
+        let even = self.pairs.iter().filter(|pair| self.is_even(pair));
+        let all: Vec<f64> = even.map(|pair| self.force(pair, period_s)).collect();
         let force = mean(&all);
         (force.is_finite() && force > 0.0).then_some(force)
     }

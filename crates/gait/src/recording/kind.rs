@@ -95,6 +95,11 @@ impl OpenQuestion {
         self.into()
     }
 
+    /// Whether a user may accept the recording as it is.
+    pub fn is_acceptable(self) -> bool {
+        self != OpenQuestion::Clipped
+    }
+
     /// Reads a list of questions that may be accepted, such as `kind, clock, mass`.
     ///
     /// # Errors
@@ -102,9 +107,10 @@ impl OpenQuestion {
     /// On a word that is none of the three.
     pub fn list(words: &str) -> Result<Vec<OpenQuestion>> {
         let parts = words.split([',', ' ']).filter(|w| !w.is_empty());
-        let accepted = |word: &str| match word.parse()? {
-            OpenQuestion::Clipped => Err(unknown_question(word)),
-            question => Ok(question),
+        let accepted = |word: &str| {
+            let question: OpenQuestion = word.parse()?;
+            let accepted = question.is_acceptable().then_some(question);
+            accepted.ok_or_else(|| unknown_question(word))
         };
         parts.map(accepted).collect()
     }

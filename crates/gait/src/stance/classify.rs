@@ -37,6 +37,7 @@ pub(super) struct Usual {
     peak_n: Option<f64>,
     weight_n: Option<f64>,
     slow: bool,
+    insoles: bool,
 }
 
 impl Usual {
@@ -57,6 +58,7 @@ impl Usual {
             weight_n: recording.mass_kg.map(|m| m * G),
             main,
             slow,
+            insoles: recording.is_insole(),
         }
     }
 
@@ -153,7 +155,7 @@ fn too_long(
     let longest = if usual.slow { SLOW_STEP_S } else { STANDING_S };
     if duration > longest {
         // A standing person's load does not come in humps.
-        let walks = shape.humps >= 3 && usual.main.len() >= 3;
+        let walks = !usual.insoles && shape.humps >= 3 && usual.main.len() >= 3;
         return Some(if walks {
             RejectReason::CrossOver
         } else {
@@ -187,14 +189,8 @@ pub(super) enum Beside {
 /// Contacts at the same time as one on another plate: one foot on two plates, or cross-talk between their amplifiers.
 ///
 /// Insoles cannot share a foot; belts can, whatever their columns are called.
-pub(super) fn beside(
-    contacts: &[Contact],
-    shapes: &[Shape],
-    usual: &Usual,
-    recording: &Recording,
-) -> Vec<Beside> {
+pub(super) fn beside(contacts: &[Contact], shapes: &[Shape], usual: &Usual) -> Vec<Beside> {
     let mut found = vec![Beside::Apart; contacts.len()];
-    let insoles = recording.is_insole();
     for (i, a) in contacts.iter().enumerate() {
         let later = contacts.iter().enumerate().skip(i + 1);
         for (j, b) in later.take_while(|(_, b)| b.start_s < a.end_s) {
@@ -211,7 +207,7 @@ pub(super) fn beside(
             let weak = contacts[low].peak_n < CROSS_TALK * contacts[high].peak_n;
             if weak {
                 found[low] = Beside::CrossTalk;
-            } else if !insoles && a.cut.is_none() && b.cut.is_none() {
+            } else if !usual.insoles && a.cut.is_none() && b.cut.is_none() {
                 for k in [i, j] {
                     if found[k] == Beside::Apart {
                         found[k] = Beside::Shared;

@@ -72,7 +72,7 @@ fn judged(contacts: &[Contact], recording: &Recording) -> Stances {
     };
     let kind = recording.kind.or(out.recognised).unwrap_or(Kind::Walking);
     let usual = Usual::of(contacts, recording);
-    let beside = beside(contacts, &shapes, &usual, recording);
+    let beside = beside(contacts, &shapes, &usual);
     for (place, (contact, shape)) in contacts.iter().zip(&shapes).enumerate() {
         let channel = &recording.channels[contact.channel];
         let judged = Judged {

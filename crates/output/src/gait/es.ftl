@@ -20,6 +20,7 @@ gait-spread = dispersión
 gait-repeatability = repetib.
 gait-samples = muestras
 gait-doubt = abierto
+gait-unacceptable = El registro no se puede usar: { $list }.
 gait-doubts = Compruebe { $list }; indique después la opción citada, o acepte con gait.accept = "{ $names }".
 gait-trial-columns = archivo  tipo  usados  rechazados  zancada s  masa kg  media N  notas  media conjunta
 gait-used = usado

@@ -64,6 +64,7 @@ pub(super) struct Lines {
 #[serde(rename_all = "kebab-case")]
 enum Label {
     More { count: usize },
+    Unacceptable { list: String },
     Doubts { list: String, names: String },
 }
 
@@ -196,9 +197,13 @@ impl Lines {
         }
         let sentences = questions.iter().map(|q| self.words.sentence("open", q));
         let list = sentences.collect::<Vec<_>>().join(", ");
-        let names: Vec<&str> = questions.iter().map(|q| q.name()).collect();
-        let names = names.join(", ");
-        let text = self.words.sentence("gait", &Label::Doubts { list, names });
+        let acceptable = questions.iter().filter(|q| q.is_acceptable());
+        let names = acceptable.map(|q| q.name()).collect::<Vec<_>>().join(", ");
+        let label = match names.is_empty() {
+            true => Label::Unacceptable { list },
+            false => Label::Doubts { list, names },
+        };
+        let text = self.words.sentence("gait", &label);
         self.row("gait-doubt", text);
     }
 

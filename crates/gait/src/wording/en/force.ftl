@@ -92,7 +92,7 @@ note-insole-mass = the mass of { $mass } is computed from the mean total force o
 note-clipped = the readings of { $column } stop at { $level } in several stances, equal to the last digit: the amplifier was saturated, and the peaks and the mass are too low; record again with a larger range, or leave the column out
 note-drift-removed = the unloaded reading of { $column } drifts by { $rise } per second; the drift was removed
 note-stride-varies = the strides last { $period } ± { $spread }: more than one speed, or no steady walk; give a recording of one speed
-note-stride-from-one = the stride time of { $period } is from one step and uncertain by { $error }; the stroke of a cam grows with its square and is uncertain by { $stroke }
+note-stride-from-one = the stride time of { $period } is from one step or stride and uncertain by { $error }; the stroke of a cam grows with its square and is uncertain by { $stroke }
 note-one-foot-for-both = { $stances ->
         [one] one stance of one foot is
        *[other] { $stances } stances of one foot are averaged and

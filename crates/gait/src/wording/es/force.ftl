@@ -92,7 +92,7 @@ note-insole-mass = la masa de { $mass } se calcula con la fuerza total media de 
 note-clipped = las lecturas de { $column } se detienen en { $level } en varios apoyos, iguales hasta la última cifra: el amplificador estaba saturado, y los picos y la masa son demasiado bajos; registre de nuevo con un rango mayor, o excluya la columna
 note-drift-removed = la lectura sin carga de { $column } deriva { $rise } por segundo; la deriva se ha eliminado
 note-stride-varies = las zancadas duran { $period } ± { $spread }: más de una velocidad, o una marcha no estable; indique un registro de una sola velocidad
-note-stride-from-one = el tiempo de zancada de { $period } procede de un solo paso y tiene una incertidumbre de { $error }; la carrera de una leva crece con su cuadrado y tiene una incertidumbre de { $stroke }
+note-stride-from-one = el tiempo de zancada de { $period } procede de un solo paso o zancada y tiene una incertidumbre de { $error }; la carrera de una leva crece con su cuadrado y tiene una incertidumbre de { $stroke }
 note-one-foot-for-both = { $stances ->
         [one] un apoyo de un pie se repite
        *[other] { $stances } apoyos de un pie se promedian y se repiten
