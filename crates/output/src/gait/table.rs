@@ -26,6 +26,9 @@ pub fn table(
     out.stances(recording, stances);
     out.rejected(understood);
     out.cycle(cycle);
+    if let Ok(cycle) = cycle {
+        out.feet(stances, cycle);
+    }
     out.open_questions(understood);
     out.text
 }
@@ -214,7 +217,7 @@ impl Lines {
         })
     }
 
-    fn foot(&self, foot: Option<Foot>) -> String {
+    pub fn foot(&self, foot: Option<Foot>) -> String {
         foot.map_or("-".to_string(), |f| self.words.name(f.name()))
     }
 
