@@ -5,7 +5,9 @@ use std::fmt::{Display, Write as _};
 use serde::Serialize;
 
 use super::WORDS;
-use gaitcam::force::{Cycle, Foot, ForceCurve, Interpretation, Note, Point, Recording, Stances};
+use gaitcam::force::{
+    Cycle, Foot, ForceCurve, Interpretation, Note, Period, Point, Recording, Stances,
+};
 use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
 
@@ -186,7 +188,19 @@ impl Lines {
             Err(why) => return self.line(format_args!("{}: {why}", words.text("gait-no-cycle"))),
         };
         self.row("gait-cycle", words.sentence("cycle", &c.source));
-        self.period(c.curve.period_s, c.period_spread_s);
+        let period = Period {
+            seconds: c.curve.period_s,
+            from: c.period_from,
+            spread_s: c.period_spread_s,
+        };
+        match period.uncertainty_s() {
+            // From one step or stride: more digits would promise what is not known.
+            Some(error) => {
+                let [period, error] = [period.seconds, error].map(|x| words.fixed(x, 2));
+                self.row("gait-period", format_args!("{period} s ± {error} s"));
+            }
+            None => self.period(period.seconds, period.spread_s),
+        }
         self.mean(&c.curve, c.mass_kg);
         self.notes("gait-warning", &c.notes);
         self.spread(&c.curve, c.repeatability_n, c.mass_kg);
