@@ -60,6 +60,7 @@ fn open((question, because): (OpenQuestion, Vec<Note>)) -> Reason {
         OpenQuestion::Kind => Reason::RecordingKind { because, keys },
         OpenQuestion::Clock => Reason::RecordingClock { because, keys },
         OpenQuestion::Mass => Reason::RecordingMass { because, keys },
+        OpenQuestion::Clipped => Reason::RecordingClipped { because, keys },
     }
 }
 

@@ -21,11 +21,25 @@ pub(super) fn kilograms(value: f64) -> Quantity {
     Quantity::new(rounded(value), Dimension::Mass)
 }
 
+/// A share, printed as a percentage of two digits.
+pub(super) fn share(value: f64) -> Quantity {
+    Quantity::share(digits(value, 2))
+}
+
+/// A ratio of three digits: no calibration is better.
+pub(super) fn short(value: f64) -> f64 {
+    digits(value, 3)
+}
+
 fn rounded(value: f64) -> f64 {
+    digits(value, DIGITS)
+}
+
+fn digits(value: f64, count: i32) -> f64 {
     if value == 0.0 || !value.is_finite() {
         return value;
     }
-    let places = DIGITS - 1 - value.abs().log10().floor() as i32;
+    let places = count - 1 - value.abs().log10().floor() as i32;
     // Division by a power of ten prints short; multiplication by 0.01 does not.
     if places >= 0 {
         let scale = 10f64.powi(places);

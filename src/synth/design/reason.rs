@@ -53,6 +53,11 @@ pub enum Reason {
         because: Vec<Note>,
         keys: Vec<&'static str>,
     },
+    /// The readings of the recording are clipped.
+    RecordingClipped {
+        because: Vec<Note>,
+        keys: Vec<&'static str>,
+    },
     /// The lift jumps.
     LiftJumps { at: Quantity },
     /// The velocity jumps.

@@ -55,6 +55,7 @@ impl Design {
                     | Reason::RecordingKind { .. }
                     | Reason::RecordingClock { .. }
                     | Reason::RecordingMass { .. }
+                    | Reason::RecordingClipped { .. }
                     | Reason::LiftJumps { .. }
                     | Reason::VelocityJumps { .. }
                     | Reason::LimitUnbounded { .. }

@@ -214,7 +214,11 @@ fn examine_recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result
     for doubt in &doubts {
         let sentence = sentences.sentence("open", doubt);
         bad(&finding(
-            "doubt",
+            if doubt.is_acceptable() {
+                "doubt"
+            } else {
+                "unacceptable"
+            },
             &json!({"sentence": sentence, "name": doubt.name()}),
         ));
     }

@@ -392,6 +392,7 @@ doctor-recording = { $file }: { $columns ->
         [one] una columna de fuerza
        *[other] { $columns } columnas de fuerza
     }, { $used } apoyos usados, { $rejected } descartados
+doctor-unacceptable = { $sentence } Indique otro registro u otra columna.
 doctor-doubt = { $sentence } Resuélvalo, o acéptelo con gait.accept = "{ $name }".
 doctor-recording-options = Lo que el archivo no dice se puede indicar: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (véase gaitcam keys gait).
 

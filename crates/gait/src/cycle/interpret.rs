@@ -3,7 +3,7 @@
 use super::{Cycle, overlay};
 use crate::interpretation::{Clock, Column, Contact, Interpretation, Period};
 use crate::recording::{Channel, CycleSource, Feet, Recording};
-use crate::stance::{RejectReason, Stances};
+use crate::stance::{Footfall, RejectReason, Stances, footfalls};
 
 /// Points of a channel that are kept for its picture: lowest and highest force of so many pieces.
 const PIECES: usize = 700;
@@ -73,11 +73,8 @@ fn envelope(force: &[f64], pieces: usize) -> Vec<[f64; 2]> {
     let ends = |piece: &[f64]| {
         piece
             .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |e, x| {
-                [
-                    if *x < e[0] { *x } else { e[0] },
-                    if *x > e[1] { *x } else { e[1] },
-                ]
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
+                [x.min(low), x.max(high)]
             })
     };
     force.chunks(length).map(ends).collect()
@@ -90,23 +87,16 @@ fn contacts(r: &Recording, stances: &Stances, cycle: Option<&Cycle>) -> Vec<Cont
         cycle.map(|c| c.source),
         Some(CycleSource::WholeStrides { .. })
     );
-    let used = stances.used.iter().map(|s| Contact {
-        column: s.channel,
-        foot: s.foot,
-        from_s: r.start_s + s.start_s,
-        to_s: r.start_s + s.end_s,
-        rejected: (s.unlike && !whole).then_some(RejectReason::Unlike),
-    });
-    let rejected = stances.rejected.iter().map(|x| Contact {
-        column: x.channel,
-        foot: r.channels.get(x.channel).and_then(|c| c.foot),
-        from_s: r.start_s + x.from_s,
-        to_s: r.start_s + x.to_s,
-        rejected: Some(x.reason),
-    });
-    let mut all: Vec<Contact> = used.chain(rejected).collect();
-    all.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));
-    all
+    let contact = |f: &Footfall| Contact {
+        column: f.channel,
+        foot: f.foot,
+        from_s: r.start_s + f.start_s,
+        to_s: r.start_s + f.end_s,
+        rejected: f
+            .rejected
+            .or((f.unlike && !whole).then_some(RejectReason::Unlike)),
+    };
+    footfalls(r, stances).iter().map(contact).collect()
 }
 
 #[cfg(test)]

@@ -139,63 +139,50 @@ impl JointMean {
 ///
 /// Where no trial is left.
 pub fn joint_mean(trials: &[Trial]) -> Result<JointMean> {
+    let open = |trial: &Trial| {
+        let questions = trial.open.to_vec();
+        (!questions.is_empty()).then_some(LeftOut::Open { questions })
+    };
     let mut left_out: Vec<Option<LeftOut>> = trials.iter().map(open).collect();
-    let Some(kind) = most_frequent_kind(trials, &left_out) else {
+    let kinds: Vec<Kind> = (kept(trials, &left_out).iter().map(|c| c.kind)).collect();
+    let count = |kind: &Kind| kinds.iter().filter(|k| *k == kind).count();
+    let Some(&most) = kinds.iter().max_by_key(|k| count(k)) else {
         let trials = trials.len();
         return Err(ForceError::NoJointMean { trials }.into());
     };
-    for (trial, out) in trials.iter().zip(&mut left_out) {
-        let own = trial.cycle.kind;
-        if out.is_none() && own != kind {
-            *out = Some(LeftOut::OtherKind {
-                movement: own,
-                most: kind,
-            });
-        }
-    }
-    leave_out_other_speeds(trials, &mut left_out);
-    let used: Vec<&Cycle> = trials
-        .iter()
-        .zip(&left_out)
-        .filter(|(_, out)| out.is_none())
+    leave_out(trials, &mut left_out, |cycle| {
+        let movement = cycle.kind;
+        (movement != most).then_some(LeftOut::OtherKind { movement, most })
+    });
+    let cycles = kept(trials, &left_out);
+    let mut periods: Vec<f64> = cycles.iter().map(|c| c.curve.period_s).collect();
+    periods.sort_by(f64::total_cmp);
+    let (low, high, _) = largest_group(&periods);
+    leave_out(trials, &mut left_out, |cycle| {
+        let period = cycle.curve.period_s;
+        let other = !(low..=high).contains(&period);
+        let [period, low, high] = [period, low, high].map(seconds);
+        other.then_some(LeftOut::OtherSpeed { period, low, high })
+    });
+    average(&kept(trials, &left_out), most, left_out)
+}
+
+/// The cycles that are not left out.
+fn kept<'a>(trials: &[Trial<'a>], left_out: &[Option<LeftOut>]) -> Vec<&'a Cycle> {
+    let all = trials.iter().zip(left_out);
+    all.filter(|(_, out)| out.is_none())
         .map(|(trial, _)| trial.cycle)
-        .collect();
-    average(&used, kind, left_out)
+        .collect()
 }
 
-fn open(trial: &Trial) -> Option<LeftOut> {
-    let questions = trial.open.to_vec();
-    (!questions.is_empty()).then_some(LeftOut::Open { questions })
-}
-
-fn most_frequent_kind(trials: &[Trial], left_out: &[Option<LeftOut>]) -> Option<Kind> {
-    let kinds = || {
-        let all = trials.iter().zip(left_out);
-        all.filter(|(_, out)| out.is_none())
-            .map(|(t, _)| t.cycle.kind)
-    };
-    let count = |kind: Kind| kinds().filter(|k| *k == kind).count();
-    kinds().max_by_key(|k| count(*k))
-}
-
-/// Keeps the trials whose strides last within one range, the fullest.
-fn leave_out_other_speeds(trials: &[Trial], left_out: &mut [Option<LeftOut>]) {
-    let period = |t: &Trial| t.cycle.curve.period_s;
-    let kept = trials.iter().zip(left_out.iter());
-    let mut sorted: Vec<f64> = kept
-        .filter(|(_, out)| out.is_none())
-        .map(|(t, _)| period(t))
-        .collect();
-    sorted.sort_by(f64::total_cmp);
-    let (low, high, _) = largest_group(&sorted);
+/// Leaves out those of the cycles that are kept for which there is a reason.
+fn leave_out(
+    trials: &[Trial],
+    left_out: &mut [Option<LeftOut>],
+    reason: impl Fn(&Cycle) -> Option<LeftOut>,
+) {
     for (trial, out) in trials.iter().zip(left_out) {
-        if out.is_none() && !(low..=high).contains(&period(trial)) {
-            *out = Some(LeftOut::OtherSpeed {
-                period: seconds(period(trial)),
-                low: seconds(low),
-                high: seconds(high),
-            });
-        }
+        *out = out.take().or_else(|| reason(trial.cycle));
     }
 }
 
@@ -209,27 +196,24 @@ fn average(used: &[&Cycle], kind: Kind, left_out: Vec<Option<LeftOut>>) -> Resul
     let period_s = weighted(&|i| used[i].curve.period_s);
     let mut notes = Vec::new();
     let masses = || used.iter().map(|c| c.mass_kg);
-    let (low, high) = masses().fold((f64::INFINITY, 0.0), |m: (f64, f64), x| {
-        (m.0.min(x), m.1.max(x))
-    });
+    let (low, high) = (
+        masses().fold(f64::INFINITY, f64::min),
+        masses().fold(0.0, f64::max),
+    );
     let several = high > (1.0 + ONE_WALKER) * low;
     if several {
         let (low, high, mean) = (kilograms(low), kilograms(high), kilograms(mass_kg));
         notes.push(Note::SeveralMasses { low, high, mean });
     }
-    let rows = on_one_phase(used);
-    let scale = |i: usize| {
-        if several {
-            mass_kg / used[i].mass_kg
-        } else {
-            1.0
+    let (mut trials_n, mut spreads) = on_one_phase(used);
+    if several {
+        for (i, cycle) in used.iter().enumerate() {
+            let scale = mass_kg / cycle.mass_kg;
+            for x in trials_n[i].iter_mut().chain(&mut spreads[i]) {
+                *x *= scale;
+            }
         }
-    };
-    let scaled = |row: &[f64], i: usize| -> Vec<f64> { row.iter().map(|x| scale(i) * x).collect() };
-    let rows = rows.iter().enumerate();
-    let (trials_n, spreads): (Vec<_>, Vec<_>) = rows
-        .map(|(i, (force, spread))| (scaled(force, i), scaled(spread, i)))
-        .unzip();
+    }
     let samples = trials_n.first().map_or(0, Vec::len);
     let force: Vec<f64> = (0..samples)
         .map(|k| weighted(&|i| trials_n[i][k]))
@@ -290,11 +274,11 @@ fn cycles(cycle: &Cycle) -> usize {
 ///
 /// A cycle that begins with the left heel strike is shifted to the right one; a total force, which has no heel
 /// strike, to where it is most like the others.
-fn on_one_phase(used: &[&Cycle]) -> Vec<(Vec<f64>, Vec<f64>)> {
+fn on_one_phase(used: &[&Cycle]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     let total = |c: &&&Cycle| matches!(c.source, CycleSource::TotalForce { .. });
     let first = used.iter().find(|c| !total(c)).or(used.first());
     let Some(reference) = first else {
-        return Vec::new();
+        return (Vec::new(), Vec::new());
     };
     let start = foot(reference);
     let shifted = |cycle: &Cycle| {
@@ -314,7 +298,7 @@ fn on_one_phase(used: &[&Cycle]) -> Vec<(Vec<f64>, Vec<f64>)> {
         let shift = most_alike(&reference.curve.force_n, force, places);
         (rotated(force, shift), rotated(&spread, shift))
     };
-    used.iter().map(|c| shifted(c)).collect()
+    used.iter().map(|c| shifted(c)).unzip()
 }
 
 /// The foot whose heel strike begins a cycle of both feet.
@@ -322,10 +306,7 @@ fn foot(cycle: &Cycle) -> Option<Foot> {
     match cycle.source {
         CycleSource::WholeStrides { from, .. } => from,
         CycleSource::RightAndLeft { .. } => Some(Foot::Right),
-        CycleSource::TwoFeet { .. }
-        | CycleSource::AnyFoot { .. }
-        | CycleSource::OneFoot { .. }
-        | CycleSource::TotalForce { .. } => None,
+        _ => None,
     }
 }
 
@@ -336,9 +317,6 @@ fn most_alike(reference: &[f64], row: &[f64], shifts: std::ops::Range<usize>) ->
         reference.iter().zip(later).map(|(a, b)| a * b).sum()
     };
     let first = shifts.start;
-    if shifts.len() < 2 {
-        return first;
-    }
     let all = shifts.map(|s| (s, likeness(s)));
     all.max_by(|a, b| a.1.total_cmp(&b.1))
         .map_or(first, |best| best.0)

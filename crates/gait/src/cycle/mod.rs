@@ -4,6 +4,7 @@
 //! Elsewhere a stride is built from single stances: the mean left and the mean right one, half a stride apart.
 
 mod average;
+mod balance;
 mod interpret;
 mod joint;
 mod overlay;
@@ -17,17 +18,20 @@ mod warnings;
 
 use std::f64::consts::SQRT_2;
 
+use average::{Mean, MeanStance, place};
+use balance::Pairs;
 use refusal::no_stance;
 use single::{both_feet, one_foot};
 use stride::{averaged, whole_strides};
 use total::{total_of_plates, total_stride};
 use warnings::{confirm_clock, warnings};
 
-use crate::curve::ForceCurve;
+use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::Result;
 use crate::interpretation::Period;
 use crate::recording::{CycleSource, Feet, Foot, Kind, MassSource, Note, PeriodSource, Recording};
 use crate::stance::{RejectReason, Rejected, Stances};
+use crate::statistics::{mean, sample_deviation};
 use crate::units::G;
 use plausibility::{ADULT_KG, mean_of_weight, ranges};
 
@@ -86,6 +90,46 @@ struct Average {
     source: CycleSource,
 }
 
+impl Average {
+    /// The mean of whole cycles of some durations, s.
+    fn of_cycles(cycles: Mean, durations: &[f64], from: PeriodSource, source: CycleSource) -> Self {
+        let (force_n, spread_n) = cycles.finish();
+        Average {
+            period: Period {
+                seconds: mean(durations),
+                from,
+                spread_s: sample_deviation(durations),
+            },
+            force_n,
+            spread_n,
+            averaged: durations.len(),
+            source,
+        }
+    }
+
+    /// A stride of mean stances, each from a phase on.
+    fn of_stances(
+        period: Period,
+        stances: &[(&MeanStance, f64)],
+        averaged: usize,
+        source: CycleSource,
+    ) -> Self {
+        let (mut force_n, mut variance) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
+        for (stance, phase) in stances {
+            place(stance, period.seconds, *phase, &mut force_n, &mut variance);
+        }
+        let known = stances.iter().all(|(stance, _)| stance.spread.is_some());
+        let deviations = || variance.iter().map(|v| v.sqrt()).collect();
+        Average {
+            period,
+            force_n,
+            spread_n: known.then(deviations),
+            averaged,
+            source,
+        }
+    }
+}
+
 /// Averages the stances of a recording into one cycle.
 ///
 /// `feet`: both feet summed, one foot (all stances taken alike), or one side.
@@ -99,6 +143,7 @@ pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cyc
     let ranges = ranges(kind, recording.mass_kg.unwrap_or(ADULT_KG.start), slow);
     let average = match feet {
         Feet::Both if stances.used.is_empty() => both_in_one(recording, stances, false)
+            .or_else(|| crossed(recording, stances, 0))
             .ok_or_else(|| no_stance(recording, stances, feet))?,
         Feet::Total => both_in_one(recording, stances, true)
             .ok_or_else(|| no_stance(recording, stances, feet))?,
@@ -138,11 +183,25 @@ fn crossed(recording: &Recording, stances: &Stances, whole: usize) -> Option<Ave
             RejectReason::TwoPlates | RejectReason::CrossOver | RejectReason::Standing
         )
     };
-    let named = recording.channels.iter().any(|c| c.foot.is_some());
-    if named || !stances.rejected.iter().any(both) {
+    if recording.is_insole() || !stances.rejected.iter().any(both) {
         return None;
     }
     total_of_plates(recording, stances).filter(|total| total.averaged > 2 * whole)
+}
+
+/// Mean total force where both feet are on record, N, of a stride that is built from single stances.
+fn on_record(
+    recording: &Recording,
+    stances: &Stances,
+    source: &CycleSource,
+    period: &Period,
+) -> Option<f64> {
+    let summed = matches!(
+        source,
+        CycleSource::WholeStrides { .. } | CycleSource::TotalForce { .. }
+    );
+    let pairs = (!summed).then(|| Pairs::of(recording, stances))?;
+    pairs.mean_force(period.seconds)
 }
 
 /// Settles mass and repeatability of a mean cycle and compares its mean force with the weight.
@@ -153,7 +212,11 @@ fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet
     let repeatability_n = curve.spread_rms_n().map(|s| 1.96 * SQRT_2 * s);
     let (mass_kg, mass_from) = match (recording.mass_kg, recording.mass_from) {
         (Some(m), from) => (m, from.unwrap_or(MassSource::File)),
-        (None, _) => (curve.mean_n() / (feet.share() * G), MassSource::MeanForce),
+        (None, _) => {
+            let both = on_record(recording, stances, &average.source, &period);
+            let force = both.unwrap_or(curve.mean_n() / feet.share());
+            (force / G, MassSource::MeanForce)
+        }
     };
     let counts = |n: &Note| matches!(n, Note::CountsScaled { .. });
     if recording.notes.iter().any(counts) && curve.mean_n() > 0.0 {

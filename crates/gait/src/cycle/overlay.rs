@@ -4,6 +4,7 @@ use super::average::{mean_mass, mean_within, stance_row};
 use crate::interpretation::{MeanStanceCurve, Overlay};
 use crate::recording::{Foot, Recording};
 use crate::stance::{Point, Stance, Stances};
+use crate::statistics::mean as average;
 
 /// Lays the used stances over each other; `None` where there is none.
 ///
@@ -40,9 +41,10 @@ fn mean_of(recording: &Recording, own: &[&Stance]) -> MeanStanceCurve {
     let point = |of: fn(&Stance) -> Option<Point>| {
         let all: Vec<Point> = own.iter().filter_map(|s| of(s)).collect();
         // A landmark that half of the stances lack is none.
+        let of = |of: fn(&Point) -> f64| average(&all.iter().map(of).collect::<Vec<f64>>());
         (2 * all.len() > own.len()).then(|| Point {
-            force_n: all.iter().map(|p| p.force_n).sum::<f64>() / all.len() as f64,
-            at: all.iter().map(|p| p.at).sum::<f64>() / all.len() as f64,
+            force_n: of(|p| p.force_n),
+            at: of(|p| p.at),
         })
     };
     // A stance with one hump has one peak only, which is neither of the two.

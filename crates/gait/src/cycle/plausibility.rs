@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use crate::curve::ForceCurve;
-use crate::quantity::{kilograms, newtons, seconds};
+use crate::quantity::{kilograms, newtons, seconds, share, short};
 use crate::recording::{Feet, Kind, Note, WeightShare};
-use crate::units::{G, Quantity};
+use crate::units::G;
 
 /// Largest relative difference of mean force and weight that calibration explains.
 const TOLERANCE: f64 = 0.1;
@@ -78,6 +78,7 @@ pub fn implausible(curve: &ForceCurve, feet: Feet) -> Option<Note> {
             Feet::Both | Feet::Total => WeightShare::Whole,
             Feet::One | Feet::Left | Feet::Right => WeightShare::Half,
         };
+        let ratio = short(ratio);
         return Some(Note::MeanForceNotWeight { ratio, mass, share });
     }
     let mean = newtons(curve.mean_n());
@@ -96,7 +97,7 @@ pub(super) fn out_of_range(
     peak_n: Option<f64>,
 ) -> Vec<Note> {
     let mut notes = Vec::new();
-    let percent = |r: &Range<f64>| [Quantity::share(r.start), Quantity::share(r.end)];
+    let percent = |r: &Range<f64>| [share(r.start), share(r.end)];
     if !ranges.stride_s.contains(&period_s) {
         notes.push(Note::StrideImplausible {
             period: seconds(period_s),
@@ -106,13 +107,13 @@ pub(super) fn out_of_range(
     }
     let duty = stance_s.map(|s| s / period_s);
     if let Some(duty) = duty.filter(|d| !ranges.duty.contains(d)) {
-        let duty = Quantity::share(duty);
+        let duty = share(duty);
         let [low, high] = percent(&ranges.duty);
         notes.push(Note::DutyImplausible { duty, low, high });
     }
     let ratio = peak_n.map(|p| p / (mass_kg * G));
     if let Some(ratio) = ratio.filter(|r| !ranges.peak_bw.contains(r)) {
-        let (low, high) = (ranges.peak_bw.start, ranges.peak_bw.end);
+        let (ratio, low, high) = (short(ratio), ranges.peak_bw.start, ranges.peak_bw.end);
         notes.push(Note::PeakImplausible { ratio, low, high });
     }
     notes

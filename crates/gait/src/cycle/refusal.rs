@@ -5,6 +5,7 @@ use crate::error::ForceError;
 use crate::quantity::seconds;
 use crate::recording::{Feet, Kind, Note, Recording};
 use crate::stance::{RejectReason, Stances};
+use crate::statistics::mean;
 use crate::units::Quantity;
 
 /// Typical duty factor of walking.
@@ -31,13 +32,9 @@ pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) ->
     let guessed = |n: &Note| matches!(n, Note::MillisecondsGuessed { .. });
     if recording.notes.iter().any(guessed) {
         // With a wrong clock, walking resembles running or standing.
-        let mean = stances
-            .rejected
-            .iter()
-            .map(|r| r.to_s - r.from_s)
-            .sum::<f64>()
-            / stances.rejected.len() as f64;
-        let period = seconds(mean / USUAL_DUTY);
+        let rejected = stances.rejected.iter();
+        let durations: Vec<f64> = rejected.map(|r| r.to_s - r.from_s).collect();
+        let period = seconds(mean(&durations) / USUAL_DUTY);
         return ForceError::ClockImplausible { period };
     }
     if let Some(refusal) = another_movement(stances, duration) {
@@ -59,8 +56,8 @@ pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) ->
         None => ForceError::NoStance {
             duration,
             contacts: stances.rejected.len(),
-            from: seconds(first.from_s),
-            to: seconds(first.to_s),
+            from: seconds(recording.start_s + first.from_s),
+            to: seconds(recording.start_s + first.to_s),
             reason,
         },
     }

@@ -1,9 +1,8 @@
 //! A stride built from single stances: both feet half a stride apart, or one foot with its swing.
 
 use super::Average;
-use super::average::{mean_stance, place};
+use super::average::mean_stance;
 use super::stride_time::stride_time;
-use crate::curve::SAMPLES;
 use crate::cycle::plausibility::Ranges;
 use crate::error::{ForceError, Result};
 use crate::recording::{CycleSource, Foot, Recording};
@@ -19,11 +18,7 @@ pub(super) fn both_feet(recording: &Recording, stances: &Stances, ranges: &Range
     let [first, second] = pair.map(|stances| mean_stance(recording, stances));
     let impulse = first.impulse_ns + second.impulse_ns;
     let period = stride_time(recording, stances, impulse, &first, ranges);
-    let (period_s, from) = (period.seconds, period.from);
-    let (mut force_n, mut variance) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
-    place(&first, period_s, 0.0, &mut force_n, &mut variance);
-    place(&second, period_s, 0.5, &mut force_n, &mut variance);
-    let known = first.spread.is_some() && second.spread.is_some();
+    let from = period.from;
     let named = all.iter().any(|s| s.foot.is_some());
     let source = match (sides, named) {
         (true, true) => CycleSource::RightAndLeft {
@@ -41,17 +36,7 @@ pub(super) fn both_feet(recording: &Recording, stances: &Stances, ranges: &Range
             period: from,
         },
     };
-    Average {
-        period,
-        force_n,
-        spread_n: known.then(|| roots(&variance)),
-        averaged: all.len(),
-        source,
-    }
-}
-
-fn roots(variance: &[f64]) -> Vec<f64> {
-    variance.iter().map(|v| v.sqrt()).collect()
+    Average::of_stances(period, &[(&first, 0.0), (&second, 0.5)], all.len(), source)
 }
 
 /// The stances that are not outliers; all, if every one is.
@@ -120,17 +105,14 @@ pub(super) fn one_foot(
     let wanted = fellows(wanted);
     let mean = mean_stance(recording, &wanted);
     let period = stride_time(recording, stances, 2.0 * mean.impulse_ns, &mean, ranges);
-    let (period_s, from) = (period.seconds, period.from);
-    let (mut force_n, mut variance) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
-    place(&mean, period_s, 0.0, &mut force_n, &mut variance);
-    Ok(Average {
+    let source = CycleSource::OneFoot {
+        stances: mean.count,
+        period: period.from,
+    };
+    Ok(Average::of_stances(
         period,
-        force_n,
-        spread_n: mean.spread.is_some().then(|| roots(&variance)),
-        averaged: wanted.len(),
-        source: CycleSource::OneFoot {
-            stances: wanted.len(),
-            period: from,
-        },
-    })
+        &[(&mean, 0.0)],
+        mean.count,
+        source,
+    ))
 }

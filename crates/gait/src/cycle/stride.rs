@@ -3,10 +3,9 @@
 use super::Average;
 use super::average::{Mean, at, periodic, whole_span};
 use crate::curve::SAMPLES;
-use crate::interpretation::Period;
 use crate::recording::{CycleSource, Foot, PeriodSource, Recording};
 use crate::stance::{Footfall, RejectReason, Stances, footfalls};
-use crate::statistics::{mean, median, sample_deviation};
+use crate::statistics::median;
 
 /// Time from a heel strike to the next of the same foot, with every contact that carries force in it.
 #[derive(Debug, Clone)]
@@ -62,20 +61,10 @@ pub(super) fn averaged(recording: &Recording, strides: &[Stride]) -> Average {
         sample_stride(recording, stride, &mut row);
         average.add(&row);
     }
-    let n = kept.len();
     let durations: Vec<f64> = kept.iter().map(|s| s.end_s - s.start_s).collect();
-    let (force_n, spread_n) = average.finish();
-    Average {
-        period: Period {
-            seconds: mean(&durations),
-            from: PeriodSource::HeelStrikes,
-            spread_s: sample_deviation(&durations),
-        },
-        force_n,
-        spread_n,
-        averaged: n,
-        source: CycleSource::WholeStrides { strides: n, from },
-    }
+    let strides = kept.len();
+    let source = CycleSource::WholeStrides { strides, from };
+    Average::of_cycles(average, &durations, PeriodSource::HeelStrikes, source)
 }
 
 /// Strides of usual duration that begin with the same foot, and that foot.

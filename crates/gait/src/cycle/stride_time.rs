@@ -8,7 +8,18 @@ use crate::stance::{RejectReason, Stances, footfalls, same_foot};
 use crate::statistics::{mean, median, sample_deviation};
 use crate::units::G;
 
+/// Standard uncertainty of a stride time that is from one stride or one doubled step, as a part of it: root mean square
+/// against all strides of the same walks.
+const OF_ONE: f64 = 0.02;
+
 impl Period {
+    /// Standard uncertainty, s, of a duration that is from one stride or one step; `None` of any other.
+    pub fn uncertainty_s(&self) -> Option<f64> {
+        use PeriodSource::{DoubledSteps, HeelStrikes, MarkedStrikes};
+        let measured = matches!(self.from, HeelStrikes | MarkedStrikes | DoubledSteps);
+        (measured && self.spread_s.is_none()).then_some(OF_ONE * self.seconds)
+    }
+
     fn of(strides: &[f64], from: PeriodSource) -> Option<Self> {
         Some(Period {
             seconds: median(strides.to_vec())?,
@@ -97,8 +108,9 @@ fn strikes(
     if let Some(stride) = Period::of(&marked, PeriodSource::MarkedStrikes) {
         return Some(stride);
     }
-    (!steps.is_empty()).then_some(Period {
-        seconds: 2.0 * mean(&steps),
+    let doubled = (!steps.is_empty()).then(|| 2.0 * mean(&steps))?;
+    Some(Period {
+        seconds: doubled,
         from: PeriodSource::DoubledSteps,
         spread_s: sample_deviation(&steps).map(|d| 2.0 * d),
     })

@@ -3,10 +3,9 @@
 use super::Average;
 use super::average::{Mean, at, periodic};
 use crate::curve::SAMPLES;
-use crate::interpretation::Period;
 use crate::recording::{CycleSource, PeriodSource, Recording};
 use crate::stance::{RejectReason, Rejected, Stances, footfalls};
-use crate::statistics::{mean, mean_and_deviation, sample_deviation};
+use crate::statistics::{mean, mean_and_deviation};
 
 /// A total force that varies by less than this part of its mean is standing.
 const STEADY: f64 = 0.05;
@@ -153,19 +152,9 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
         average.add(&row);
         durations.push(pair[0] + pair[1]);
     }
-    let (force_n, spread_n) = average.finish();
     let strides = durations.len();
-    (strides > 0).then(|| Average {
-        period: Period {
-            seconds: mean(&durations),
-            from: PeriodSource::TotalForce,
-            spread_s: sample_deviation(&durations),
-        },
-        force_n,
-        spread_n,
-        averaged: strides,
-        source: CycleSource::TotalForce { strides },
-    })
+    let source = CycleSource::TotalForce { strides };
+    (strides > 0).then(|| Average::of_cycles(average, &durations, PeriodSource::TotalForce, source))
 }
 
 /// Longest part of a total that is looked at for its repetition, s, and the rate at which it is, Hz.

@@ -4,11 +4,12 @@ use super::Cycle;
 use super::single::by_side;
 use crate::cycle::plausibility::{ADULT_KG, out_of_range, ranges};
 use crate::error::{ForceError, Result};
-use crate::quantity::{kilograms, seconds};
+use crate::interpretation::Period;
+use crate::quantity::{kilograms, seconds, share};
 use crate::recording::{CycleSource, Kind, Note, PeriodSource, Recording, UnitSource};
 use crate::stance::{Stance, Stances};
 use crate::statistics::median;
-use crate::units::{G, Quantity};
+use crate::units::G;
 
 /// Warnings about a mean cycle, other than about its mass.
 pub(super) fn warnings(
@@ -26,8 +27,20 @@ pub(super) fn warnings(
     let period_s = cycle.curve.period_s;
     if cycle.period_from == PeriodSource::UsualDuty {
         let period = seconds(period_s);
-        notes.push(Note::StrideAssumed { period });
+        let duty = share(ranges(cycle.kind, cycle.mass_kg, false).usual_duty);
+        notes.push(Note::StrideAssumed { period, duty });
     }
+    notes.extend(varies(cycle));
+    let period = Period {
+        seconds: period_s,
+        from: cycle.period_from,
+        spread_s: cycle.period_spread_s,
+    };
+    notes.extend(period.uncertainty_s().map(|error| Note::StrideFromOne {
+        period: seconds(period_s),
+        error: share(error / period_s),
+        stroke: share(2.0 * error / period_s),
+    }));
     let used: Vec<&Stance> = stances.used.iter().filter(|s| !s.unlike).collect();
     let mean = |of: fn(&Stance) -> f64| {
         let sum = used.iter().map(|s| of(s)).sum::<f64>();
@@ -54,6 +67,20 @@ pub(super) fn warnings(
     notes.extend(differ(recording, &used, cycle));
     notes.extend(mass_is_guessed(recording, cycle));
     notes
+}
+
+/// Coefficient of variation of the strides of one speed; steady walkers have 0.01 to 0.03.
+const ONE_SPEED: f64 = 0.05;
+
+/// Strides that differ more than those of one speed.
+fn varies(cycle: &Cycle) -> Option<Note> {
+    let (period, spread) = (cycle.curve.period_s, cycle.period_spread_s?);
+    // Steps of a limping walker differ, strides do not.
+    let strides = cycle.period_from != PeriodSource::DoubledSteps;
+    (strides && spread > ONE_SPEED * period).then(|| Note::StrideVaries {
+        period: seconds(period),
+        spread: seconds(spread),
+    })
 }
 
 /// What a mass that follows from the mean force depends on.
@@ -113,13 +140,11 @@ fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note
     // Few stances have no average to hide in: one that is off its fellows is a partial contact.
     let few = (3..=FEW).contains(&used.len());
     let off = if few { off_fellows(used) } else { 0.0 };
-    let share = spread.max(feet).max(if off > OFF {
-        off.max(DIFFERENCE + 1e-9)
-    } else {
-        0.0
-    });
-    (share > DIFFERENCE).then(|| Note::StancesDiffer {
-        share: Quantity::share(share),
+    let differs = [(spread.max(feet), DIFFERENCE), (off, OFF)];
+    let (found, most) = differs.into_iter().find(|(found, most)| found > most)?;
+    Some(Note::StancesDiffer {
+        share: share(found),
+        most: share(most),
     })
 }
 

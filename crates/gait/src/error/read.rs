@@ -51,6 +51,8 @@ pub enum ReadError {
     },
     /// A nameless column was asked for by something else than its number.
     NoColumnNumber { column: String, count: usize },
+    /// The unit of a column of force is none of force.
+    NoForceUnit { column: String, unit: String },
     /// The column of force is the one of time.
     ForceIsTime,
     /// Time goes backwards.

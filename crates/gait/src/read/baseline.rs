@@ -1,7 +1,9 @@
 //! From the raw reading of a plate to upward force: missing samples, sign, unloaded baseline, constant channels.
 
+use super::clipped::clipped;
+use super::drift::drift;
 use crate::quantity::newtons;
-use crate::recording::{Channel, Idle};
+use crate::recording::{Channel, Idle, Note};
 use crate::statistics::{mean_and_deviation, sorted_sample};
 
 /// A channel with a smaller range was never loaded, N.
@@ -26,6 +28,7 @@ pub(super) fn channel(
     mut raw: Vec<f64>,
     rate_hz: f64,
     zero: Option<(usize, usize)>,
+    notes: &mut Vec<Note>,
 ) -> Channel {
     let missing = bridge(&mut raw);
     let lacking: usize = missing.iter().map(|(a, b)| b - a).sum();
@@ -55,6 +58,18 @@ pub(super) fn channel(
         for x in &mut sorted {
             *x = -*x;
         }
+    }
+    if let Some(level) = clipped(&out.force_n, rate_hz) {
+        let (column, level) = (out.name.clone(), newtons(level));
+        notes.push(Note::Clipped { column, level });
+    }
+    if let Some(slope) = drift(&out.force_n, rate_hz) {
+        for (i, x) in out.force_n.iter_mut().enumerate() {
+            *x -= slope * i as f64;
+        }
+        sorted = sorted_sample(&out.force_n, SAMPLE);
+        let (column, rise) = (out.name.clone(), newtons(slope * rate_hz));
+        notes.push(Note::DriftRemoved { column, rise });
     }
     let found = baseline(&sorted, &out.force_n, rate_hz);
     if let Some((level, noise)) = found.or_else(|| quiet(out.force_n.get(zero?.0..zero?.1)?)) {
@@ -99,12 +114,7 @@ fn bridge(force: &mut [f64]) -> Vec<(usize, usize)> {
         let end = end.map_or(force.len(), |e| i + e);
         let before = i.checked_sub(1).map(|b| force[b]);
         let after = force.get(end).copied();
-        let (a, b) = match (before, after) {
-            (Some(a), Some(b)) => (a, b),
-            (Some(a), None) => (a, a),
-            (None, Some(b)) => (b, b),
-            (None, None) => (0.0, 0.0),
-        };
+        let [a, b] = [before.or(after), after.or(before)].map(|x| x.unwrap_or(0.0));
         let steps = (end - i + 1) as f64;
         for (k, x) in force[i..end].iter_mut().enumerate() {
             *x = a + (b - a) * (k as f64 + 1.0) / steps;
@@ -227,7 +237,7 @@ mod tests {
             (1.0, 120.0),
         ] {
             let raw = walk().iter().map(|f| sign * f + offset).collect();
-            let c = channel(String::new(), raw, 100.0, None);
+            let c = channel(String::new(), raw, 100.0, None, &mut Vec::new());
             let worst = c
                 .force_n
                 .iter()
@@ -244,7 +254,7 @@ mod tests {
         let raw: Vec<f64> = (0..2000)
             .map(|i| 700.0 + 250.0 * (f64::from(i) * 0.115).sin())
             .collect();
-        let c = channel(String::new(), raw.clone(), 100.0, None);
+        let c = channel(String::new(), raw.clone(), 100.0, None, &mut Vec::new());
         assert_eq!(c.baseline_n, 0.0);
         assert!(c.force_n == raw);
     }
@@ -260,13 +270,13 @@ mod tests {
                 _ => 690.0,
             })
             .collect();
-        let c = channel(String::new(), raw, 1000.0, None);
+        let c = channel(String::new(), raw, 1000.0, None, &mut Vec::new());
         assert!(c.baseline_n.abs() < 10.0, "{}", c.baseline_n);
     }
 
     #[test]
     fn dead_plates_are_named() {
-        let idle = |v: Vec<f64>| channel(String::new(), v, 100.0, None).idle;
+        let idle = |v: Vec<f64>| channel(String::new(), v, 100.0, None, &mut Vec::new()).idle;
         let constant = |level: f64| {
             let level = newtons(level);
             Some(Idle::Constant { level })

@@ -3,7 +3,10 @@
 //! Names are taken apart into words: `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]`,
 //! `left total force[N]` all give force, component and owner in some order.
 
-use super::vocabulary::{FORCE, FRAME, LEFT, OTHER, RIGHT, TIME, VERTICAL, VERTICAL_FORCE};
+use super::vocabulary::{
+    FRAME, LEFT, OTHER, RIGHT, SIDE, STRONG_FORCE, TIME, VERTICAL, VERTICAL_FORCE, WEAK_FORCE,
+    WEAK_TIME, WHOLE, is,
+};
 use crate::recording::{Axis, Foot};
 
 /// What a column holds.
@@ -63,7 +66,7 @@ pub(super) fn bracketed(name: &str) -> Option<&str> {
 /// Reads one column name.
 pub(super) fn role(name: &str) -> Role {
     let words = words(name);
-    let has = |list: &[&str]| words.iter().any(|w| list.contains(&w.as_str()));
+    let has = |list: &str| words.iter().any(|w| is(w, list));
     if words.iter().any(|w| w.starts_with("sub")) && has(FRAME) {
         return Role::SubFrame;
     }
@@ -76,8 +79,8 @@ pub(super) fn role(name: &str) -> Role {
             foot: foot(&words),
         };
     }
-    let first_is = |list: &[&str]| words.first().is_some_and(|w| list.contains(&w.as_str()));
-    if first_is(TIME) || has(&TIME[..5]) {
+    let first_is = |list: &str| words.first().is_some_and(|w| is(w, list));
+    if first_is(WEAK_TIME) || has(TIME) {
         return Role::Time;
     }
     if first_is(FRAME) || name.trim() == "#" {
@@ -88,17 +91,14 @@ pub(super) fn role(name: &str) -> Role {
 
 /// Whether a name states that the force is vertical, total or normal, not only that it is a force.
 pub(super) fn says_vertical(name: &str) -> bool {
-    const WHOLE: [&str; 4] = ["total", "gesamt", "sum", "plate"];
-    let is = |w: &String| {
-        let w = w.as_str();
-        VERTICAL.contains(&w) || VERTICAL_FORCE.contains(&w) || WHOLE.contains(&w)
-    };
-    words(name).iter().any(is)
+    let lists = [VERTICAL, VERTICAL_FORCE, WHOLE];
+    let says = |w: &String| lists.iter().any(|list| is(w, list));
+    words(name).iter().any(says)
 }
 
 /// The side that a name states.
 pub(super) fn foot(words: &[String]) -> Option<Foot> {
-    let has = |list: &[&str]| words.iter().any(|w| list.contains(&w.as_str()));
+    let has = |list: &str| words.iter().any(|w| is(w, list));
     match (has(LEFT), has(RIGHT)) {
         (true, false) => Some(Foot::Left),
         (false, true) => Some(Foot::Right),
@@ -117,10 +117,11 @@ fn axis_letter(word: &str) -> Option<Axis> {
 
 /// The component, where the words name a force at all.
 fn force_axis(words: &[String]) -> Option<Axis> {
-    let is = |list: &[&str], w: &String| list.contains(&w.as_str());
-    let named = words.iter().any(|w| is(FORCE, w));
-    if words.iter().any(|w| is(VERTICAL_FORCE, w)) || named && words.iter().any(|w| is(VERTICAL, w))
-    {
+    let has = |list: &str| words.iter().any(|w| is(w, list));
+    let is_force = |w: &String| is(w, STRONG_FORCE) || is(w, WEAK_FORCE);
+    let is_side = |w: &String| is(w, LEFT) || is(w, RIGHT);
+    let named = words.iter().any(is_force);
+    if has(VERTICAL_FORCE) || named && has(VERTICAL) {
         return Some(Axis::Vertical);
     }
     let axis = words.iter().rev().find_map(|w| Some((w, axis_letter(w)?)));
@@ -129,7 +130,7 @@ fn force_axis(words: &[String]) -> Option<Axis> {
         let before = words.iter().rev().skip_while(|w| *w != word).nth(1);
         let marker = before.is_some_and(|b| {
             let lone = b.chars().count() == 1 && !b.starts_with(|c: char| c.is_ascii_digit());
-            lone && !is(LEFT, b) && !is(RIGHT, b) && !is(FORCE, b) && !is(VERTICAL, b)
+            lone && !is_side(b) && !is_force(b) && !is(b, VERTICAL)
         });
         if marker {
             return None;
@@ -139,25 +140,15 @@ fn force_axis(words: &[String]) -> Option<Axis> {
     }
     // `f1_3`: the third component of force 1.
     if let [f, _, component] = words
-        && is(FORCE, f)
+        && is_force(f)
+        && let Some(place) = ["1", "2", "3"].iter().position(|c| c == component)
     {
-        match component.as_str() {
-            "1" => return Some(Axis::X),
-            "2" => return Some(Axis::Y),
-            "3" => return Some(Axis::Z),
-            _ => (),
-        }
+        return Some([Axis::X, Axis::Y, Axis::Z][place]);
     }
-    // A lone `F` or `for` is a force only next to nothing but a number or a side.
-    let strong = words
-        .iter()
-        .any(|w| is(&FORCE[..2], w) || is(&FORCE[4..], w));
-    let bare = |w: &String| {
-        is(FORCE, w) || is(LEFT, w) || is(RIGHT, w) || w == "n" || w.parse::<u8>().is_ok()
-    };
-    let named = strong || named && words.iter().all(bare);
-    let sides = words.len() == 1 && (is(&LEFT[..2], &words[0]) || is(&RIGHT[..2], &words[0]));
-    (named || sides).then_some(Axis::Vertical)
+    let bare = |w: &String| is_force(w) || is_side(w) || w == "n" || w.parse::<u8>().is_ok();
+    let force = has(STRONG_FORCE) || named && words.iter().all(bare);
+    let side = words.len() == 1 && is(&words[0], SIDE);
+    (force || side).then_some(Axis::Vertical)
 }
 
 #[cfg(test)]

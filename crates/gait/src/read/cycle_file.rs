@@ -12,6 +12,7 @@ use super::keys;
 use super::text::{
     Lines, Position, Table, TextFile, column, next_table, numbers, plain, text, unit_label,
 };
+use super::timebase::polyline;
 use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::{CycleColumn, Error, ForceError, Placed, ReadError, Result};
 use crate::quantity::seconds;
@@ -157,16 +158,10 @@ impl CycleColumns {
 fn kind(comment: &str) -> Option<Kind> {
     let lower = comment.to_lowercase();
     if lower.starts_with("critical points") {
-        Some(Kind::CriticalPoints)
-    } else if lower == "cycle"
-        || lower.starts_with("cycle,")
-        || lower.starts_with("cycle ")
-        || lower.starts_with("cycle:")
-    {
-        Some(Kind::Cycle)
-    } else {
-        None
+        return Some(Kind::CriticalPoints);
     }
+    let rest = lower.strip_prefix("cycle")?;
+    (rest.is_empty() || rest.starts_with([',', ' ', ':'])).then_some(Kind::Cycle)
 }
 
 /// `period_s = 0.5` or `period 0.5 s` in a comment.
@@ -260,22 +255,11 @@ fn spanned(
     }
     let length = times[n - 1] - times[0];
     let period = period.unwrap_or(length / share);
-    let mut piece = 0;
+    let since: Vec<f64> = times.iter().map(|t| t - times[0]).collect();
+    let mut line = polyline(&since, force);
     let samples = (0..SAMPLES).map(|k| {
         let t = period * k as f64 / SAMPLES as f64;
-        if t > length {
-            return 0.0;
-        }
-        while piece + 2 < n && times[piece + 1] - times[0] <= t {
-            piece += 1;
-        }
-        let (a, b) = (times[piece] - times[0], times[piece + 1] - times[0]);
-        let x = if b > a {
-            ((t - a) / (b - a)).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-        force[piece] + x * (force[piece + 1] - force[piece])
+        if t > length { 0.0 } else { line(t) }
     });
     ForceCurve::from_samples(name, period, samples.collect())
 }

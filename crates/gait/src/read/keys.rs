@@ -13,19 +13,9 @@ pub(super) struct Keys {
 }
 
 /// Words that announce a sampling rate, lower case.
-const RATE: &[&str] = &[
-    "rate",
-    "freq",
-    "abtast",
-    "hz",
-    "frecuencia",
-    "fréquence",
-    "sampling",
-];
+const RATE: &str = "rate freq abtast hz frecuencia fréquence sampling";
 /// Words that announce a mass or weight.
-const MASS: &[&str] = &[
-    "mass", "gewicht", "weight", "masse", "peso", "poids", "masa",
-];
+const MASS: &str = "mass gewicht weight masse peso poids masa";
 
 /// Reads the keys of header lines such as `SampleRate=450`, `Gewicht [kg];56,8`, `nRows=1501`.
 ///
@@ -48,19 +38,15 @@ pub(super) fn read(head: &[String], comma: bool) -> Keys {
         let Some(x) = number(value, comma) else {
             continue;
         };
-        let says = |words: &[&str]| words.iter().any(|w| key.contains(w));
-        let per_frame = ["per_frame", "per frame", "perframe"];
-        if says(&per_frame) && x > 0.0 {
+        let says = |words: &str| words.split(' ').any(|w| key.contains(w));
+        if (says("per_frame perframe") || key.contains("per frame")) && x > 0.0 {
             // `SECONDS_PER_FRAME 0.01`, `time per frame [secs]: 0.01`.
             keys.rate_hz.get_or_insert(1.0 / x);
         } else if says(RATE) && !key.contains("heart") && x > 0.0 {
             keys.rate_hz.get_or_insert(x);
         } else if says(MASS) && x > 0.0 {
             keys.mass_kg = keys.mass_kg.or(mass(key, value, x));
-        } else if key.contains("nrows")
-            || key.contains("datarows")
-            || key.contains("numberofsamples")
-        {
+        } else if says("nrows datarows numberofsamples") {
             keys.rows = (x >= 0.0).then_some(x as usize);
         }
     }

@@ -6,9 +6,11 @@
 mod arrays;
 mod baseline;
 mod c3d;
+mod clipped;
 mod columns;
 mod critical_points;
 mod cycle_file;
+mod drift;
 mod keys;
 mod number;
 mod number_table;

@@ -74,21 +74,11 @@ pub(super) fn value(bytes: &[u8], comma: bool) -> f64 {
 }
 
 /// Cuts blanks and one pair of quotes from both ends.
-pub(super) fn trim(mut b: &[u8]) -> &[u8] {
-    let cut = |c: &u8| matches!(c, b' ' | b'\t' | b'\r' | b'"' | b'\'' | 0);
-    while let Some((first, rest)) = b.split_first() {
-        if !cut(first) {
-            break;
-        }
-        b = rest;
-    }
-    while let Some((last, rest)) = b.split_last() {
-        if !cut(last) {
-            break;
-        }
-        b = rest;
-    }
-    b
+pub(super) fn trim(b: &[u8]) -> &[u8] {
+    let kept = |c: &u8| !matches!(c, b' ' | b'\t' | b'\r' | b'"' | b'\'' | 0);
+    let start = b.iter().position(kept).unwrap_or(b.len());
+    let end = b.iter().rposition(kept).map_or(start, |last| last + 1);
+    &b[start..end]
 }
 
 /// Numbers with exponents, many digits or grouped thousands, and odd spellings of nothing.

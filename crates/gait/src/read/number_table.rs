@@ -7,7 +7,9 @@ use std::path::Path;
 use super::columns::bracketed;
 use super::foreign;
 use super::number::{Field, field, trim};
-use super::text::{Fields, Layout, Lines, Position, Table, detect, next_table, plain, text};
+use super::text::{
+    Fields, Layout, Lines, Position, Table, detect, next_table, no_table, plain, text,
+};
 use crate::error::{Placed, ReadError, Result};
 
 /// A table of a delimited text, its rows not yet read.
@@ -56,12 +58,7 @@ impl<'a> NumberTable<'a> {
         let bytes = plain(bytes);
         let layout = detect(&bytes);
         let Some(table) = next_table(&bytes, layout, Position::START) else {
-            if bytes.trim_ascii().is_empty() {
-                return Err(ReadError::Empty.in_file(path));
-            }
-            let start = text(&bytes[..bytes.len().min(60)]);
-            let start = start.chars().take(40).collect();
-            return Err(ReadError::NoTable { start }.in_file(path));
+            return Err(no_table(&bytes).in_file(path));
         };
         Ok(NumberTable {
             bytes,

@@ -53,12 +53,9 @@ impl TimeBase {
     /// Fewer than two samples; a time that does not increase.
     pub fn from_times(times: &[f64]) -> Result<Self> {
         let n = times.len();
-        let (Some(first), Some(last)) = (times.first(), times.last()) else {
-            return Err(ReadError::FewSamples { samples: 0 }.into());
-        };
-        if n < 2 {
+        let [first, .., last] = times else {
             return Err(ReadError::FewSamples { samples: n }.into());
-        }
+        };
         let whole = last - first;
         if whole <= 0.0 {
             let at = seconds(*first);
@@ -112,26 +109,27 @@ impl TimeBase {
         };
         let last = at.last().copied().unwrap_or(0.0);
         let count = last.round() as usize + 1;
-        let mut out = Vec::with_capacity(count);
-        let mut i = 0;
-        for k in 0..count {
-            let t = (k as f64).min(last);
-            while i + 2 < at.len() && at[i + 1] <= t {
-                i += 1;
-            }
-            let (a, b) = (at[i], at[i + 1]);
-            let x = if b > a {
-                ((t - a) / (b - a)).clamp(0.0, 1.0)
-            } else {
-                1.0
-            };
-            out.push(match x {
-                x if x < 1e-9 => values[i],
-                x if x > 1.0 - 1e-9 => values[i + 1],
-                x => values[i] + x * (values[i + 1] - values[i]),
-            });
+        let mut line = polyline(at, &values);
+        (0..count).map(|k| line((k as f64).min(last))).collect()
+    }
+}
+
+/// Values on straight lines between two or more samples, for places that do not fall.
+///
+/// At a sample its own value, whatever its neighbours are: they may be missing.
+pub(super) fn polyline(at: &[f64], values: &[f64]) -> impl FnMut(f64) -> f64 {
+    let mut i = 0;
+    move |place| {
+        while i + 2 < at.len() && at[i + 1] <= place {
+            i += 1;
         }
-        out
+        let (a, b) = (at[i], at[i + 1]);
+        let x = if b > a { (place - a) / (b - a) } else { 1.0 };
+        match x.clamp(0.0, 1.0) {
+            x if x < 1e-9 => values[i],
+            x if x > 1.0 - 1e-9 => values[i + 1],
+            x => values[i] + x * (values[i + 1] - values[i]),
+        }
     }
 }
 

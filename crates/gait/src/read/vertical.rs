@@ -62,7 +62,8 @@ pub(super) fn recording(
                 *x *= factor;
             }
         }
-        let mut channel = baseline::channel(column.name, values, base.rate_hz, facts.zero);
+        let mut channel =
+            baseline::channel(column.name, values, base.rate_hz, facts.zero, &mut notes);
         channel.foot = column.foot;
         channels.push(channel);
     }
@@ -181,7 +182,9 @@ fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> (Forc
         notes.push(Note::LowForce { peak });
         return (ForceUnit::Newton, UnitSource::File);
     }
-    let unit = if !believable(ForceUnit::Newton) && (0.3..=6.0).contains(&peak) {
+    let level = |r: &RawForce| r.values.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let small = raw.iter().all(|r| level(r) < 60.0);
+    let unit = if small && !believable(ForceUnit::Newton) && (0.3..=6.0).contains(&peak) {
         ForceUnit::BodyWeight
     } else {
         ForceUnit::Newton

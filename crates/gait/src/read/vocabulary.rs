@@ -1,139 +1,31 @@
-//! Words of column names, lower case, in the languages of laboratory software.
+//! Words of column names, lower case and parted by blanks, in the languages of laboratory software.
 
-pub(super) const LEFT: &[&str] = &[
-    "left",
-    "l",
-    "lfx",
-    "lfy",
-    "lfz",
-    "lf",
-    "lt",
-    "lgr",
-    "lgrf",
-    "links",
-    "linker",
-    "linke",
-    "gauche",
-    "izquierda",
-    "izquierdo",
-    "sinistra",
-    "sinistro",
-    "esquerda",
-    "esquerdo",
-];
-pub(super) const RIGHT: &[&str] = &[
-    "right", "r", "rfx", "rfy", "rfz", "rf", "rt", "rgr", "rgrf", "rechts", "rechter", "rechte",
-    "droit", "droite", "derecha", "derecho", "destra", "destro", "direita", "direito",
-];
-pub(super) const FORCE: &[&str] = &[
-    "force",
-    "forces",
-    "for",
-    "f",
-    "grf",
-    "vgrf",
-    "grfs",
-    "reaction",
-    "kraft",
-    "fuerza",
-    "forza",
-    "força",
-    "forca",
-    "bodenreaktionskraft",
-    "load",
-    "lgrf",
-    "rgrf",
-];
-pub(super) const VERTICAL: &[&str] = &[
-    "vertical",
-    "vert",
-    "vertikal",
-    "verticale",
-    "v",
-    "normal",
-    "up",
-];
-pub(super) const VERTICAL_FORCE: &[&str] = &["vgrf", "fv", "grfv", "fvert", "vforce"];
-pub(super) const TIME: &[&str] = &[
-    "time",
-    "zeit",
-    "temps",
-    "tiempo",
-    "tempo",
-    "t",
-    "timestamp",
-    "sec",
-    "secs",
-    "seconds",
-];
-pub(super) const FRAME: &[&str] = &[
-    "frame",
-    "frames",
-    "sample",
-    "samples",
-    "field",
-    "bild",
-    "index",
-    "nr",
-    "no",
-    "item",
-    "row",
-    "point",
-    "framenumber",
-];
+pub(super) const LEFT: &str = "left l lfx lfy lfz lf lt lgr lgrf links linker linke gauche izquierda izquierdo \
+    lhs lfs sinistra sinistro esquerda esquerdo";
+pub(super) const RIGHT: &str = "right r rfx rfy rfz rf rt rgr rgrf rechts rechter rechte droit droite derecha derecho \
+    destra destro direita direito rhs rfs";
+/// A side that is a whole name: the column of an insole or a belt.
+pub(super) const SIDE: &str = "left l right r";
+/// Words for a force that stand for one beside any other word.
+pub(super) const STRONG_FORCE: &str = "force forces grf vgrf grfs reaction kraft fuerza forza força forca \
+    bodenreaktionskraft load lgrf rgrf";
+/// Words for a force that stand for one beside nothing but a number or a side.
+pub(super) const WEAK_FORCE: &str = "for f";
+pub(super) const VERTICAL: &str = "vertical vert vertikal verticale v normal up";
+pub(super) const VERTICAL_FORCE: &str = "vgrf fv grfv fvert vforce";
+/// A force of a whole plate or foot.
+pub(super) const WHOLE: &str = "total gesamt sum plate";
+pub(super) const TIME: &str = "time zeit temps tiempo tempo";
+/// Words for time that count at the start of a name only.
+pub(super) const WEAK_TIME: &str = "t timestamp sec secs seconds";
+pub(super) const FRAME: &str =
+    "frame frames sample samples field bild index nr no item row point framenumber";
 /// Words that exclude a force, whatever the other words of the name.
-pub(super) const OTHER: &[&str] = &[
-    "m",
-    "mx",
-    "my",
-    "mz",
-    "moment",
-    "moments",
-    "mom",
-    "torque",
-    "torques",
-    "tx",
-    "ty",
-    "tz",
-    "free",
-    "cop",
-    "cofp",
-    "copx",
-    "copy",
-    "copz",
-    "px",
-    "py",
-    "pz",
-    "ax",
-    "ay",
-    "az",
-    "cx",
-    "cy",
-    "cz",
-    "center",
-    "centre",
-    "pressure",
-    "position",
-    "pos",
-    "acceleration",
-    "acc",
-    "angular",
-    "gyro",
-    "angle",
-    "velocity",
-    "emg",
-    "power",
-    "temperature",
-    "cadence",
-    "trigger",
-    "sync",
-    "event",
-    "coefficient",
-    "friction",
-    "rate",
-    "impulse",
-    "normalised",
-    "normalized",
-    "ml",
-    "ap",
-];
+pub(super) const OTHER: &str = "m mx my mz moment moments mom torque torques tx ty tz free cop cofp copx copy copz \
+    px py pz ax ay az cx cy cz center centre pressure position pos acceleration acc angular gyro angle velocity emg \
+    power temperature cadence trigger sync event coefficient friction rate impulse normalised normalized ml ap";
+
+/// Whether a word stands in a list.
+pub(super) fn is(word: &str, list: &str) -> bool {
+    list.split(' ').any(|w| w == word)
+}

@@ -85,6 +85,8 @@ pub enum OpenQuestion {
     Clock,
     /// The mass of the walker, and with it the size of the forces.
     Mass,
+    /// Readings that stop below the peaks of the force: no acceptance makes them right.
+    Clipped,
 }
 
 impl OpenQuestion {
@@ -93,14 +95,24 @@ impl OpenQuestion {
         self.into()
     }
 
-    /// Reads a list such as `kind, clock, mass`.
+    /// Whether a user may accept the recording as it is.
+    pub fn is_acceptable(self) -> bool {
+        self != OpenQuestion::Clipped
+    }
+
+    /// Reads a list of questions that may be accepted, such as `kind, clock, mass`.
     ///
     /// # Errors
     ///
     /// On a word that is none of the three.
     pub fn list(words: &str) -> Result<Vec<OpenQuestion>> {
         let parts = words.split([',', ' ']).filter(|w| !w.is_empty());
-        parts.map(str::parse).collect()
+        let accepted = |word: &str| {
+            let question: OpenQuestion = word.parse()?;
+            let accepted = question.is_acceptable().then_some(question);
+            accepted.ok_or_else(|| unknown_question(word))
+        };
+        parts.map(accepted).collect()
     }
 }
 
@@ -122,7 +134,8 @@ mod tests {
         assert!("dancing".parse::<Kind>().is_err());
         let all = OpenQuestion::list("kind, clock,mass").unwrap();
         let names: Vec<&str> = all.into_iter().map(OpenQuestion::name).collect();
-        assert_eq!(names, OpenQuestion::VARIANTS);
+        assert_eq!(names, OpenQuestion::VARIANTS[..3]);
+        assert!(OpenQuestion::list("clipped").is_err());
         assert_eq!(OpenQuestion::list("").unwrap(), []);
         assert!(OpenQuestion::list("time").is_err());
     }

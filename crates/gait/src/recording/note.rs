@@ -39,7 +39,7 @@ pub enum Axis {
 /// use gaitcam_gait::units::Quantity;
 ///
 /// // A stride whose duration was assumed leaves the clock open until the user answers.
-/// let note = Note::StrideAssumed { period: Quantity::time(1.1) };
+/// let note = Note::StrideAssumed { period: Quantity::time(1.1), duty: Quantity::share(0.62) };
 /// assert_eq!((note.code(), note.doubt()), ("stride-assumed", Some(OpenQuestion::Clock)));
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, IntoStaticStr, VariantNames)]
@@ -84,6 +84,18 @@ pub enum Note {
     },
     /// No force is large enough to be a step.
     LowForce { peak: Quantity },
+    /// The readings of a column stop at a level below the peaks of the force.
+    Clipped { column: String, level: Quantity },
+    /// The unloaded reading of a column drifts by some newtons per second, which were removed.
+    DriftRemoved { column: String, rise: Quantity },
+    /// The strides last differently: more than one speed, or no steady walk.
+    StrideVaries { period: Quantity, spread: Quantity },
+    /// The stride time is from one step or one stride.
+    StrideFromOne {
+        period: Quantity,
+        error: Quantity,
+        stroke: Quantity,
+    },
     /// Two components are of similar size; the larger was taken as vertical.
     VerticalGuessed { vertical: Axis, other: Axis },
     /// `ground_force` was taken for the right foot and `1_ground_force` for the left, as OpenSim's examples have it.
@@ -103,7 +115,7 @@ pub enum Note {
     /// Stances of one foot were used for both.
     OneFootForBoth { stances: usize },
     /// The recording does not give the stride time; a typical duty factor was assumed.
-    StrideAssumed { period: Quantity },
+    StrideAssumed { period: Quantity, duty: Quantity },
     /// A stride time outside the range of the movement.
     StrideImplausible {
         period: Quantity,
@@ -143,7 +155,7 @@ pub enum Note {
         high: Quantity,
     },
     /// Stances or feet differ more than those of one walker on whole plates.
-    StancesDiffer { share: Quantity },
+    StancesDiffer { share: Quantity, most: Quantity },
     /// The mean is of the total of both feet in one column.
     TotalColumn,
     /// Feet lie across plates, so the forces of all plates are added.
@@ -350,8 +362,11 @@ impl Note {
             | Note::StrideAssumed { .. }
             | Note::StrideImplausible { .. }
             | Note::DurationsLost { .. }
-            | Note::RatesDiffer { .. } => Some(OpenQuestion::Clock),
+            | Note::RatesDiffer { .. }
+            | Note::StrideVaries { .. } => Some(OpenQuestion::Clock),
+            Note::Clipped { .. } => Some(OpenQuestion::Clipped),
             Note::UnitUnconfirmed { .. }
+            | Note::InsoleMass { .. }
             | Note::PeakImplausible { .. }
             | Note::MeanForceNotWeight { .. }
             | Note::MassImplausible { .. }
@@ -375,6 +390,9 @@ impl Note {
             Note::MeanForceNotWeight { .. } => &["gait.mass", "gait.unit", "gait.feet"],
             Note::MassImplausible { .. } => &["gait.unit", "gait.feet"],
             Note::StancesDiffer { .. } => &["gait.force", "gait.feet"],
+            Note::InsoleMass { .. } => &["gait.mass"],
+            Note::Clipped { .. } => &["gait.file", "gait.force"],
+            Note::StrideVaries { .. } => &["gait.file"],
             _ => &[],
         }
     }

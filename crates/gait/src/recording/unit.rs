@@ -1,8 +1,9 @@
 //! Units of force in files.
 
 use serde::Serialize;
+use strum::{EnumString, IntoStaticStr};
 
-use crate::error::{Error, ForceError, Result};
+use crate::error::{Error, ForceError};
 use crate::units::{G, LBF};
 
 /// Unit of the force columns of a file.
@@ -17,43 +18,52 @@ use crate::units::{G, LBF};
 /// assert_eq!(ForceUnit::BodyWeight.newtons(None), None);
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, EnumString, IntoStaticStr)]
+#[serde(into = "&'static str")]
+#[strum(ascii_case_insensitive, parse_err_ty = Error, parse_err_fn = unknown_unit)]
 pub enum ForceUnit {
     /// Newtons.
-    #[serde(rename = "N")]
+    #[strum(to_string = "N", serialize = "newton", serialize = "newtons")]
     Newton,
     /// Kilonewtons.
-    #[serde(rename = "kN")]
+    #[strum(to_string = "kN")]
     Kilonewton,
     /// Pounds-force.
-    #[serde(rename = "lbf")]
+    #[strum(to_string = "lbf", serialize = "lb", serialize = "lbs")]
     PoundForce,
     /// Kilograms-force.
-    #[serde(rename = "kgf")]
+    #[strum(to_string = "kgf", serialize = "kp", serialize = "kg")]
     KilogramForce,
     /// Newtons per kilogram of body mass.
-    #[serde(rename = "N/kg")]
+    #[strum(to_string = "N/kg", serialize = "N / kg")]
     NewtonPerKilogram,
     /// Body weights.
-    #[serde(rename = "BW")]
+    #[strum(
+        to_string = "BW",
+        serialize = "N/BW",
+        serialize = "xBW",
+        serialize = "N/N"
+    )]
     BodyWeight,
     /// Hundredths of body weight.
-    #[serde(rename = "%BW")]
+    #[strum(
+        to_string = "%BW",
+        serialize = "% BW",
+        serialize = "BW%",
+        serialize = "percentBW"
+    )]
     PercentBodyWeight,
+}
+
+fn unknown_unit(word: &str) -> Error {
+    let word = word.to_string();
+    ForceError::UnknownUnit { word }.into()
 }
 
 impl ForceUnit {
     /// The name used in scenes and on the command line.
     pub fn name(self) -> &'static str {
-        match self {
-            ForceUnit::Newton => "N",
-            ForceUnit::Kilonewton => "kN",
-            ForceUnit::PoundForce => "lbf",
-            ForceUnit::KilogramForce => "kgf",
-            ForceUnit::NewtonPerKilogram => "N/kg",
-            ForceUnit::BodyWeight => "BW",
-            ForceUnit::PercentBodyWeight => "%BW",
-        }
+        self.into()
     }
 
     /// Newtons per unit; `None` where that needs a body mass and none is known.
@@ -67,29 +77,6 @@ impl ForceUnit {
             ForceUnit::BodyWeight => mass_kg.map(|m| m * G),
             ForceUnit::PercentBodyWeight => mass_kg.map(|m| m * G / 100.0),
         }
-    }
-}
-
-impl std::str::FromStr for ForceUnit {
-    type Err = Error;
-
-    fn from_str(word: &str) -> Result<Self> {
-        let plain: String = word.chars().filter(|c| !c.is_whitespace()).collect();
-        Ok(match plain.to_lowercase().as_str() {
-            "n" | "newton" | "newtons" => ForceUnit::Newton,
-            "kn" => ForceUnit::Kilonewton,
-            "lbf" | "lb" | "lbs" => ForceUnit::PoundForce,
-            "kgf" | "kp" | "kg" => ForceUnit::KilogramForce,
-            "n/kg" => ForceUnit::NewtonPerKilogram,
-            "bw" | "n/bw" | "xbw" | "n/n" => ForceUnit::BodyWeight,
-            "%bw" | "bw%" | "percentbw" => ForceUnit::PercentBodyWeight,
-            _ => {
-                return Err(ForceError::UnknownUnit {
-                    word: word.to_string(),
-                }
-                .into());
-            }
-        })
     }
 }
 

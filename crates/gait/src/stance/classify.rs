@@ -37,6 +37,7 @@ pub(super) struct Usual {
     peak_n: Option<f64>,
     weight_n: Option<f64>,
     slow: bool,
+    insoles: bool,
 }
 
 impl Usual {
@@ -57,6 +58,7 @@ impl Usual {
             weight_n: recording.mass_kg.map(|m| m * G),
             main,
             slow,
+            insoles: recording.is_insole(),
         }
     }
 
@@ -152,7 +154,13 @@ fn too_long(
 ) -> Option<RejectReason> {
     let longest = if usual.slow { SLOW_STEP_S } else { STANDING_S };
     if duration > longest {
-        return Some(RejectReason::Standing);
+        // A standing person's load does not come in humps.
+        let walks = !usual.insoles && shape.humps >= 3 && usual.main.len() >= 3;
+        return Some(if walks {
+            RejectReason::CrossOver
+        } else {
+            RejectReason::Standing
+        });
     }
     let longer = |factor: f64| typical.is_some_and(|d| duration > factor * d);
     if longer(LONG) && duration > TWO_STEPS_S {
@@ -180,15 +188,9 @@ pub(super) enum Beside {
 
 /// Contacts at the same time as one on another plate: one foot on two plates, or cross-talk between their amplifiers.
 ///
-/// Sides that are named (insoles, split belts) cannot share a foot.
-pub(super) fn beside(
-    contacts: &[Contact],
-    shapes: &[Shape],
-    usual: &Usual,
-    recording: &Recording,
-) -> Vec<Beside> {
+/// Insoles cannot share a foot; belts can, whatever their columns are called.
+pub(super) fn beside(contacts: &[Contact], shapes: &[Shape], usual: &Usual) -> Vec<Beside> {
     let mut found = vec![Beside::Apart; contacts.len()];
-    let is_plate = |c: &Contact| recording.channels[c.channel].foot.is_none();
     for (i, a) in contacts.iter().enumerate() {
         let later = contacts.iter().enumerate().skip(i + 1);
         for (j, b) in later.take_while(|(_, b)| b.start_s < a.end_s) {
@@ -205,7 +207,7 @@ pub(super) fn beside(
             let weak = contacts[low].peak_n < CROSS_TALK * contacts[high].peak_n;
             if weak {
                 found[low] = Beside::CrossTalk;
-            } else if is_plate(a) && is_plate(b) && a.cut.is_none() && b.cut.is_none() {
+            } else if !usual.insoles && a.cut.is_none() && b.cut.is_none() {
                 for k in [i, j] {
                     if found[k] == Beside::Apart {
                         found[k] = Beside::Shared;

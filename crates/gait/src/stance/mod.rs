@@ -72,7 +72,7 @@ fn judged(contacts: &[Contact], recording: &Recording) -> Stances {
     };
     let kind = recording.kind.or(out.recognised).unwrap_or(Kind::Walking);
     let usual = Usual::of(contacts, recording);
-    let beside = beside(contacts, &shapes, &usual, recording);
+    let beside = beside(contacts, &shapes, &usual);
     for (place, (contact, shape)) in contacts.iter().zip(&shapes).enumerate() {
         let channel = &recording.channels[contact.channel];
         let judged = Judged {
@@ -112,8 +112,14 @@ fn unasked(kind: Kind, recording: &Recording) -> Option<RejectReason> {
 /// contacts do not have.
 fn settle_kind(out: &mut Stances, contacts: &[Contact], recording: &Recording) {
     if out.recognised.is_none() {
+        let crosses =
+            |r: &&Rejected| matches!(r.reason, RejectReason::TwoPlates | RejectReason::CrossOver);
         out.recognised = if out.used.is_empty() {
-            without_stance(contacts, recording)
+            // Feet that cross between belts walk, although no stance is whole.
+            let crossed = out.rejected.iter().filter(crosses).count() >= 3;
+            (!crossed)
+                .then(|| without_stance(contacts, recording))
+                .flatten()
         } else {
             Some(Kind::Walking)
         };

@@ -14,20 +14,13 @@ pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
         s.foot = strike.filter(|k| near(k.at_s) < 0.15).map(|k| k.foot);
     }
     let n = stances.len();
-    let turns: Vec<usize> = (1..n).chain((1..n).rev()).collect();
-    for (k, &i) in turns.iter().enumerate() {
-        let (known, open) = if k < n.saturating_sub(1) {
-            (i - 1, i)
-        } else {
-            (i, i - 1)
-        };
+    let onwards = (1..n).map(|i| (i - 1, i));
+    let back = (1..n).rev().map(|i| (i, i - 1));
+    for (known, open) in onwards.chain(back) {
+        let [a, b] = [known.min(open), known.max(open)].map(|i| Footfall::from(&stances[i]));
         if stances[open].foot.is_none()
             && let Some(foot) = stances[known].foot
-            && let Some(same) = same_foot(
-                &(&stances[i - 1]).into(),
-                &(&stances[i]).into(),
-                recording.runs(),
-            )
+            && let Some(same) = same_foot(&a, &b, recording.runs())
         {
             stances[open].foot = Some(if same { foot } else { foot.other() });
         }
@@ -42,6 +35,8 @@ pub(crate) struct Footfall {
     pub start_s: f64,
     pub end_s: f64,
     pub rejected: Option<RejectReason>,
+    /// Whether it is used and yet an outlier of its channel.
+    pub unlike: bool,
 }
 
 impl From<&Stance> for Footfall {
@@ -52,6 +47,7 @@ impl From<&Stance> for Footfall {
             start_s: s.start_s,
             end_s: s.end_s,
             rejected: None,
+            unlike: s.unlike,
         }
     }
 }
@@ -65,10 +61,14 @@ pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfal
         start_s: r.from_s,
         end_s: r.to_s,
         rejected: Some(r.reason),
+        unlike: false,
     }));
     falls.sort_by(|a, b| a.start_s.total_cmp(&b.start_s));
     falls
 }
+
+/// A pause in one column shorter than this part of a running stance comes before the other foot.
+const ALTERNATE: f64 = 0.9;
 
 /// Whether two stances that follow each other are of one foot; `None` if unknown.
 ///
@@ -85,7 +85,9 @@ pub(crate) fn same_foot(a: &Footfall, b: &Footfall, runs: bool) -> Option<bool> 
     } else {
         (0.15, 0.3..1.2)
     };
-    if pause < next * duration && !(runs && a.channel == b.channel) {
+    // Both feet of a runner in one column: no foot lands again after less than its stance.
+    let alternate = pause < ALTERNATE * duration;
+    if pause < next * duration && (alternate || !(runs && a.channel == b.channel)) {
         return Some(false);
     }
     (a.channel == b.channel && same.contains(&(pause / duration))).then_some(true)

@@ -257,7 +257,15 @@ fn every_unit_comes_out_in_newtons_and_wrong_labels_are_seen_through() {
     holds_right_foot(&with("BW", 1.0 / weight), &mass);
     holds_right_foot(&with("%BW", 100.0 / weight), &mass);
     holds_right_foot(&with("N/kg", 1.0 / 70.0), &mass);
-    holds_right_foot(&with("mV", 1.0), &none());
+    for label in ["mV", "V", "kPa", "N.mm"] {
+        let e = read(Path::new("made.txt"), with(label, 1.0).as_bytes(), &none()).unwrap_err();
+        assert_eq!(fault(&e), "made.txt line 1: read-no-force-unit", "{label}");
+    }
+    let newtons = ReadOptions {
+        unit: Some(gaitcam_gait::ForceUnit::Newton),
+        ..none()
+    };
+    holds_right_foot(&with("mV", 1.0), &newtons);
     let r = holds_right_foot(&with("N", 1.0 / weight), &mass);
     assert!(
         notes(&r).contains(&"note-unit-label-rejected".to_string()),

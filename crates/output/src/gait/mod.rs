@@ -1,5 +1,6 @@
 //! Results of reading recordings: tables for people, JSON for programs.
 
+mod feet;
 mod json;
 mod table;
 mod trials;

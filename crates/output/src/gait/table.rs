@@ -5,7 +5,9 @@ use std::fmt::{Display, Write as _};
 use serde::Serialize;
 
 use super::WORDS;
-use gaitcam::force::{Cycle, Foot, ForceCurve, Interpretation, Note, Point, Recording, Stances};
+use gaitcam::force::{
+    Cycle, Foot, ForceCurve, Interpretation, Note, Period, Point, Recording, Stances,
+};
 use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
 
@@ -26,6 +28,9 @@ pub fn table(
     out.stances(recording, stances);
     out.rejected(understood);
     out.cycle(cycle);
+    if let Ok(cycle) = cycle {
+        out.feet(stances, cycle);
+    }
     out.open_questions(understood);
     out.text
 }
@@ -64,6 +69,7 @@ pub(super) struct Lines {
 #[serde(rename_all = "kebab-case")]
 enum Label {
     More { count: usize },
+    Unacceptable { list: String },
     Doubts { list: String, names: String },
 }
 
@@ -182,7 +188,19 @@ impl Lines {
             Err(why) => return self.line(format_args!("{}: {why}", words.text("gait-no-cycle"))),
         };
         self.row("gait-cycle", words.sentence("cycle", &c.source));
-        self.period(c.curve.period_s, c.period_spread_s);
+        let period = Period {
+            seconds: c.curve.period_s,
+            from: c.period_from,
+            spread_s: c.period_spread_s,
+        };
+        match period.uncertainty_s() {
+            // From one step or stride: more digits would promise what is not known.
+            Some(error) => {
+                let [period, error] = [period.seconds, error].map(|x| words.fixed(x, 2));
+                self.row("gait-period", format_args!("{period} s ± {error} s"));
+            }
+            None => self.period(period.seconds, period.spread_s),
+        }
         self.mean(&c.curve, c.mass_kg);
         self.notes("gait-warning", &c.notes);
         self.spread(&c.curve, c.repeatability_n, c.mass_kg);
@@ -196,9 +214,13 @@ impl Lines {
         }
         let sentences = questions.iter().map(|q| self.words.sentence("open", q));
         let list = sentences.collect::<Vec<_>>().join(", ");
-        let names: Vec<&str> = questions.iter().map(|q| q.name()).collect();
-        let names = names.join(", ");
-        let text = self.words.sentence("gait", &Label::Doubts { list, names });
+        let acceptable = questions.iter().filter(|q| q.is_acceptable());
+        let names = acceptable.map(|q| q.name()).collect::<Vec<_>>().join(", ");
+        let label = match names.is_empty() {
+            true => Label::Unacceptable { list },
+            false => Label::Doubts { list, names },
+        };
+        let text = self.words.sentence("gait", &label);
         self.row("gait-doubt", text);
     }
 
@@ -209,7 +231,7 @@ impl Lines {
         })
     }
 
-    fn foot(&self, foot: Option<Foot>) -> String {
+    pub fn foot(&self, foot: Option<Foot>) -> String {
         foot.map_or("-".to_string(), |f| self.words.name(f.name()))
     }
 

@@ -19,7 +19,7 @@ use super::keys;
 use super::timebase::TimeBase;
 use super::vertical::{self, Facts};
 use crate::error::{Placed, ReadError, Result};
-use crate::recording::{ClockSource, Foot, Processor, ReadOptions, Recording, Strike};
+use crate::recording::{ClockSource, Processor, ReadOptions, Recording, Strike};
 
 /// Bytes of one block.
 const BLOCK: usize = 512;
@@ -99,16 +99,9 @@ fn strikes(parameters: &Parameters, analog: &Analog) -> Vec<Strike> {
     for (i, pair) in times.chunks_exact(2).enumerate() {
         let label = labels.get(i).map_or("", String::as_str).to_lowercase();
         let context = contexts.get(i).map_or("", String::as_str);
-        let is_strike = ["strike", "contact", "heel on", "rhs", "lhs", "touch"]
-            .iter()
-            .any(|w| label.contains(w));
-        let side = foot(&words(context)).or_else(|| {
-            foot(&words(&label)).or(match label.as_str() {
-                "rhs" | "rfs" => Some(Foot::Right),
-                "lhs" | "lfs" => Some(Foot::Left),
-                _ => None,
-            })
-        });
+        let says = ["strike", "contact", "heel on", "rhs", "lhs", "touch"];
+        let is_strike = says.iter().any(|w| label.contains(w));
+        let side = foot(&words(context)).or_else(|| foot(&words(&label)));
         let at_s = 60.0 * pair[0] + pair[1] - begin;
         if let (true, Some(foot), true) = (is_strike, side, at_s.is_finite()) {
             found.push(Strike { at_s, foot });

@@ -141,21 +141,14 @@ impl<'a> Parameters<'a> {
     }
 
     fn values(&self, p: &Parameter) -> Vec<f64> {
-        let words = self.words;
-        let of_width = |width: usize, number: &dyn Fn(&[u8]) -> Option<f64>| {
-            let cells = p.data.chunks_exact(width).take(MOST_VALUES);
-            cells.filter_map(number).collect()
+        let width = usize::from(p.kind.unsigned_abs()).max(1);
+        let number = |cell: &[u8]| match p.kind {
+            1 => Some(f64::from(cell[0])),
+            2 => self.words.i16(cell, 0).map(f64::from),
+            4 => self.words.f32(cell, 0).map(f64::from),
+            _ => None,
         };
-        match p.kind {
-            1 => p
-                .data
-                .iter()
-                .take(MOST_VALUES)
-                .map(|&b| f64::from(b))
-                .collect(),
-            2 => of_width(2, &|c| words.i16(c, 0).map(f64::from)),
-            4 => of_width(4, &|c| words.f32(c, 0).map(f64::from)),
-            _ => Vec::new(),
-        }
+        let cells = p.data.chunks_exact(width).take(MOST_VALUES);
+        cells.filter_map(number).collect()
     }
 }

@@ -243,31 +243,19 @@ fn tilted(parameters: &Parameters, used: usize, notes: &mut Vec<Note>) {
     let Some(Some(first)) = normals.first() else {
         return;
     };
-    for (i, n) in normals.iter().enumerate().skip(1) {
-        if let Some(n) = n {
-            let cosine: f64 = n.iter().zip(first).map(|(a, b)| a * b).sum();
-            if cosine.abs() < 0.9 {
-                notes.push(Note::PlateTilted { plate: i + 1 });
-            }
+    for (i, n) in normals.iter().enumerate() {
+        let cosine = |n: &[f64; 3]| (0..3).map(|k| n[k] * first[k]).sum::<f64>();
+        if n.as_ref().is_some_and(|n| cosine(n).abs() < 0.9) {
+            notes.push(Note::PlateTilted { plate: i + 1 });
         }
     }
 }
 
-/// Unit normal of a plate from its four corners; `None` where they span nothing.
-fn normal(c: &[f64]) -> Option<[f64; 3]> {
-    let d = |a: usize, b: usize| {
-        [
-            c[3 * a] - c[3 * b],
-            c[3 * a + 1] - c[3 * b + 1],
-            c[3 * a + 2] - c[3 * b + 2],
-        ]
-    };
-    let (u, v) = (d(0, 2), d(1, 3));
-    let n = [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ];
+/// Unit normal of a plate from its four corners: the product of its diagonals; `None` where they span nothing.
+fn normal(corners: &[f64]) -> Option<[f64; 3]> {
+    let diagonal = |a: usize, b: usize| [0, 1, 2].map(|k| corners[3 * a + k] - corners[3 * b + k]);
+    let (u, v) = (diagonal(0, 2), diagonal(1, 3));
+    let n = [(1, 2), (2, 0), (0, 1)].map(|(j, k)| u[j] * v[k] - u[k] * v[j]);
     let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
     (length.is_finite() && length > 0.0).then(|| n.map(|x| x / length))
 }

@@ -1,6 +1,6 @@
 //! Which columns of a table to read.
 
-use super::header::Table;
+use super::header::{Table, is_unit};
 use super::layout::TextFile;
 use super::listed;
 use crate::error::{Error, Placed, ReadError, Result, nearest};
@@ -48,6 +48,22 @@ pub(super) fn plan(file: &TextFile, table: &Table) -> Result<Option<Plan>> {
     if options.force.is_empty() && force.len() > MOST_FORCES {
         let found = force.len();
         return Err(ReadError::ManyForces { found }.at_line(file.path, table.header_line()));
+    }
+    // `L::heel, L::toes, L`: the zones of an insole beside their total.
+    let name = |i: usize| table.names[i].trim();
+    let totals: Vec<String> = force.iter().map(|f| format!("{}::", name(f.0))).collect();
+    force.retain(|f| !totals.iter().any(|total| name(f.0).starts_with(total)));
+    if options.unit.is_none() {
+        let foreign = force
+            .iter()
+            .find_map(|f| Some((f.0, foreign_unit(table, f.0)?)));
+        force.retain(|f| foreign_unit(table, f.0).is_none());
+        if let (true, Some((i, unit))) = (force.is_empty(), foreign) {
+            let (column, unit) = (table.names[i].trim().to_string(), unit.to_string());
+            return Err(
+                ReadError::NoForceUnit { column, unit }.at_line(file.path, table.header_line())
+            );
+        }
     }
     let place = |wanted: &Role| roles.iter().position(|r| r == wanted);
     let (time, counts) = match &options.time {
@@ -107,6 +123,13 @@ fn is_newtons(table: &Table, i: usize) -> bool {
             unit_label(table, i),
             Some(ForceUnit::Newton | ForceUnit::BodyWeight | ForceUnit::PercentBodyWeight)
         )
+}
+
+/// The unit of a column, where it is one and none of force: `mV`, `kPa`.
+fn foreign_unit(table: &Table, i: usize) -> Option<&str> {
+    let unit = table.unit(i).or_else(|| bracketed(&table.names[i]))?;
+    let bare = !matches!(unit, "-" | "%") && is_unit(unit);
+    (bare && unit.parse::<ForceUnit>().is_err()).then_some(unit)
 }
 
 pub(crate) fn unit_label(table: &Table, i: usize) -> Option<ForceUnit> {

@@ -125,16 +125,18 @@ fn is_group_row(row: &[String], below: &[String], width: usize, layout: Layout) 
     fits && (over_names || repeats && filled(row) * 2 >= width)
 }
 
-/// Whether a cell is nothing but the name of a unit.
-fn is_unit_row(row: &[String]) -> bool {
+/// Whether a word is the name of a unit.
+pub(super) fn is_unit(word: &str) -> bool {
     const UNITS: &str = " s sec secs seconds ms min n kn newton newtons lbf lb lbs kgf kg mm cm m nmm n.mm n*mm nm n.m n*m n-m \
         n·m n·mm v mv uv µv volt volts deg ° deg/s rad hz - % bw %bw n/kg n/bw adc bits a.u. g mm/s m/s m/s^2 m/s² n/cm² kpa frame frames ";
-    let unit = |c: &&String| {
-        let bare = c.trim_matches(['[', ']', '(', ')', ' ']).to_lowercase();
-        !bare.is_empty() && UNITS.contains(&format!(" {bare} "))
-    };
+    let bare = word.trim_matches(['[', ']', '(', ')', ' ']).to_lowercase();
+    !bare.is_empty() && UNITS.contains(&format!(" {bare} "))
+}
+
+/// Whether the cells of a row are nothing but names of units.
+fn is_unit_row(row: &[String]) -> bool {
     let named = filled(row);
-    named > 0 && row.iter().filter(unit).count() * 4 >= named * 3
+    named > 0 && row.iter().filter(|c| is_unit(c)).count() * 4 >= named * 3
 }
 
 /// Joins the rows of a header column by column; a group name holds until the next one.

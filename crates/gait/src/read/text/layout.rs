@@ -143,12 +143,9 @@ pub(crate) fn detect(bytes: &[u8]) -> Layout {
         let having = sample.iter().filter(|l| l.contains(&b)).count();
         having > 0 && 2 * having > sample.len()
     };
-    let separator = if all_have(b'\t') {
-        Separator::Byte(b'\t')
-    } else if all_have(b';') {
-        Separator::Byte(b';')
-    } else if all_have(b'|') {
-        Separator::Byte(b'|')
+    let plain = [b'\t', b';', b'|'].into_iter().find(|b| all_have(*b));
+    let separator = if let Some(byte) = plain {
+        Separator::Byte(byte)
     } else if all_have(b',') && !sample.iter().all(|l| blanks_part_decimal_commas(l))
         || sample.is_empty() && bytes.contains(&b',')
     {

@@ -22,7 +22,7 @@ use table::{Numbers, skip};
 use times::{time_base, time_unit};
 
 use super::columns::{Role, role};
-use super::keys;
+use super::keys::{self, Keys};
 use super::number::trim;
 use super::vertical::{self, Facts, RawForce};
 use crate::error::{Error, Placed, ReadError, Result};
@@ -52,11 +52,10 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
         }
         if table.names.is_empty() && options.force.iter().all(|f| f.parse::<usize>().is_ok()) {
             if let Some(raw) = headerless::read(file, &table)? {
-                return finish(file, &table, &head, raw);
+                return with_head(file, &table, &head, raw);
             }
         } else if let Some(plan) = plan(file, &table)? {
-            let raw = extract(file, &table, &plan)?;
-            return finish(file, &table, &head, raw);
+            return with_head(file, &table, &head, extract(file, &table, &plan)?);
         }
         let room = 200usize.saturating_sub(seen.len());
         seen.extend(table.names.iter().take(room).cloned());
@@ -66,34 +65,24 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
 }
 
 /// Reads the plates of a file of converter counts.
-fn converter_counts(file: &TextFile, table: &Table, rate: Option<f64>) -> Result<Recording> {
-    let place = |e: Error| e.in_file(file.path);
+fn converter_counts(file: &TextFile, table: &Table, rate_hz: Option<f64>) -> Result<Recording> {
     let Some(plan) = converter::plates(file, table)? else {
         return Err(nothing_found(file, &table.names));
     };
     let mut raw = extract(file, table, &plan)?;
-    let mut notes: Vec<Note> = Vec::new();
-    notes.extend(converter::scale(file, &mut raw.forces)?);
-    let base = time_base(&raw, file.options, rate, &mut notes).map_err(place)?;
-    let facts = Facts {
-        format: Format::ConverterCounts,
-        samples: raw.samples,
-        mass_kg: None,
-        zero: None,
-        notes,
-    };
-    let mut forces = raw.forces;
-    for f in &mut forces {
-        f.unit = Some(ForceUnit::Newton);
+    raw.notes.extend(converter::scale(file, &mut raw.forces)?);
+    for force in &mut raw.forces {
+        force.unit = Some(ForceUnit::Newton);
     }
-    vertical::recording(forces, base, facts, file.options).map_err(place)
+    let keys = Keys {
+        rate_hz,
+        ..Keys::default()
+    };
+    finish(file, table, raw, keys, Format::ConverterCounts)
 }
 
 fn nothing_found(file: &TextFile, seen: &[String]) -> Error {
     let (path, bytes) = (file.path, file.bytes);
-    if bytes.trim_ascii().is_empty() {
-        return ReadError::Empty.in_file(path);
-    }
     // A table whose rows start with words has no numbers to go by; its first line may name its columns.
     let first = bytes.split(|&b| b == b'\n').next().unwrap_or(bytes);
     let head = Fields::new(first, file.layout)
@@ -106,11 +95,7 @@ fn nothing_found(file: &TextFile, seen: &[String]) -> Error {
         seen
     };
     if names.is_empty() {
-        let start = text(&bytes[..bytes.len().min(60)])
-            .chars()
-            .take(40)
-            .collect();
-        return ReadError::NoTable { start }.in_file(path);
+        return no_table(bytes).in_file(path);
     }
     let force = names.iter().find(|n| matches!(role(n), Role::Force { .. }));
     if let (true, Some(column)) = (seen.is_empty(), force.cloned()) {
@@ -118,6 +103,16 @@ fn nothing_found(file: &TextFile, seen: &[String]) -> Error {
     }
     let columns = listed(names);
     ReadError::NoForceColumn { columns }.in_file(path)
+}
+
+/// A text without a table of numbers.
+pub(super) fn no_table(bytes: &[u8]) -> ReadError {
+    if bytes.trim_ascii().is_empty() {
+        return ReadError::Empty;
+    }
+    let start = text(&bytes[..bytes.len().min(60)]);
+    let start = start.chars().take(40).collect();
+    ReadError::NoTable { start }
 }
 
 /// The first names of columns, for a message.
@@ -160,10 +155,21 @@ fn extract(file: &TextFile, table: &Table, plan: &Plan) -> Result<Raw> {
     })
 }
 
-/// Puts raw columns on a time base and makes channels of vertical force of them.
-fn finish(file: &TextFile, table: &Table, head: &[String], raw: Raw) -> Result<Recording> {
-    let (path, options) = (file.path, file.options);
+/// Makes the recording of raw columns with the keys above their table.
+fn with_head(file: &TextFile, table: &Table, head: &[String], raw: Raw) -> Result<Recording> {
     let keys = keys::read(head, file.layout.comma);
+    finish(file, table, raw, keys, format(file, table, head))
+}
+
+/// Puts raw columns on a time base and makes channels of vertical force of them.
+fn finish(
+    file: &TextFile,
+    table: &Table,
+    raw: Raw,
+    keys: Keys,
+    format: Format,
+) -> Result<Recording> {
+    let (path, options) = (file.path, file.options);
     let samples = raw.samples;
     if samples < 2 {
         return Err(ReadError::FewSamples { samples }.at_line(path, table.start.line));
@@ -181,7 +187,7 @@ fn finish(file: &TextFile, table: &Table, head: &[String], raw: Raw) -> Result<R
     let place = |e: Error| e.in_file(path);
     let base = time_base(&raw, options, keys.rate_hz, &mut notes).map_err(place)?;
     let facts = Facts {
-        format: format(file, table, head),
+        format,
         samples,
         mass_kg: keys.mass_kg,
         zero: None,

@@ -16,6 +16,7 @@ use crate::read::number::{trim, value};
 use crate::recording::{
     Channel, ClockSource, ForceUnit, Format, MassSource, Note, Recording, Row, UnitSource,
 };
+use crate::statistics::mean;
 use crate::units::G;
 
 /// Numbered columns from which a table is one of stances.
@@ -117,7 +118,7 @@ fn mean_mass(rows: &[Row], notes: &mut Vec<Note>) -> Option<f64> {
             rows: rows.len(),
         });
     }
-    (!masses.is_empty()).then(|| masses.iter().sum::<f64>() / masses.len() as f64)
+    (!masses.is_empty()).then(|| mean(&masses))
 }
 
 /// Samples of all stances one behind the other, and the place of each.

@@ -15,9 +15,9 @@ force-unknown-kind = "{ $word }" is not a kind of movement
 force-unknown-doubt = "{ $word }" cannot be accepted
     .help = list what you accept about the recording: kind, clock, mass
 force-no-joint-mean = { $trials ->
-        [one] the recording gives
-       *[other] none of the { $trials } recordings gives
-    } a cycle for a joint mean
+        [one] the recording gives no
+       *[other] none of the { $trials } recordings gives a
+    } cycle for a joint mean
     .help = the table gives the reason for each; settle what is open with the option that it names, or accept it with --accept
 force-unknown-unit = "{ $word }" is not a unit of force
     .help = units are N, kN, lbf, kgf, N/kg, BW and %BW
@@ -43,7 +43,7 @@ force-not-walking = the recording of { $duration } is not of walking: { $movemen
         [sit-to-stand] the load rises from that of the feet alone to the body weight
        *[other] no periodic gait is found
     }
-    .help = give a recording of walking or running; for any other periodic force use gait.period
+    .help = give a recording of walking or running; for very slow steps use kind = "walking"; for any other periodic force use gait.period
 force-total-of-both-feet = no complete stance of one foot in { $duration } of recording: the column is the total force of both feet, which does not return to zero
     .help = use feet = "both"
 force-no-stance = no complete walking stance in { $duration } of recording
@@ -89,11 +89,15 @@ note-plate-channel-missing = plate { $plate } is ignored: its channel { $channel
 note-plate-matrix-missing = plate { $plate } is ignored: its calibration matrix is missing
 note-plate-tilted = plate { $plate } is not parallel to plate 1: at most one of their normal forces is vertical
 note-insole-mass = the mass of { $mass } is computed from the mean total force of the insoles, which are seldom calibrated: give the walker's mass
+note-clipped = the readings of { $column } stop at { $level } in several stances, equal to the last digit: the amplifier was saturated, and the peaks and the mass are too low; record again with a larger range, or leave the column out
+note-drift-removed = the unloaded reading of { $column } drifts by { $rise } per second; the drift was removed
+note-stride-varies = the strides last { $period } ± { $spread }: more than one speed, or no steady walk; give a recording of one speed
+note-stride-from-one = the stride time of { $period } is from one step or stride and uncertain by { $error }; the stroke of a cam grows with its square and is uncertain by { $stroke }
 note-one-foot-for-both = { $stances ->
         [one] one stance of one foot is
        *[other] { $stances } stances of one foot are averaged and
     } repeated half a stride apart for the other foot (gait.feet = "both"); gait.feet = "one" gives the force of one foot
-note-stride-assumed = the recording does not give the stride time; { $period } is assumed, with a stance of 62 % of the stride
+note-stride-assumed = the recording does not give the stride time; { $period } is assumed, with a stance of { $duty } of the stride
 note-stride-implausible = the stride time of { $period } is outside the range of { $low } to { $high } for this movement: check the sampling rate (option rate) and the kind of movement (option kind)
 note-duty-implausible = the stance takes { $duty } of the stride, outside the range of { $low } to { $high } for this movement: check the kind of movement (option kind) and the sampling rate (option rate)
 note-peak-implausible = the peak force of a stance is { $ratio } body weights, outside the range of { $low } to { $high } for this movement: check the mass, the unit of force and the kind of movement (options mass, unit and kind)
@@ -113,7 +117,7 @@ note-kind-differs = kind { $typed } is given, but the contacts are those of { $m
        *[other] { kind-other }
     }
 note-speed-changes = the speed changes during the recording; the mean is of the { $used } of { $stances } stances that last { $low } to { $high }, the largest group of one speed
-note-stances-differ = the stances differ by { $share } of the body weight, or of the mean impulse between the feet, where at most 20 % is expected: partial contacts, cross-talk or two feet on one plate
+note-stances-differ = the stances differ by { $share } of the body weight, or of the mean impulse between the feet, where at most { $most } is expected: partial contacts, cross-talk or two feet on one plate
 note-total-column = the column is taken as the total force of both feet
 note-plates-summed = feet cross from plate to plate: the mean cycle is of the sum of { $plates } plates, which carry the walker all the time
 note-several-masses = the recordings are of walkers of { $low } to { $high }: forces are averaged in body weights and scaled to { $mean }
@@ -152,11 +156,13 @@ kind-other = another movement
 open-kind = the kind of movement
 open-clock = the time scale
 open-mass = the mass and the unit of force
+open-clipped = readings that are clipped below the peaks of the force
 
 left-out-open = open: { $questions }
 left-out-kind = { open-kind }
 left-out-clock = { open-clock }
 left-out-mass = { open-mass }
+left-out-clipped = { open-clipped }
 left-out-other-kind = { $movement ->
         [running] { kind-running }
        *[walking] { kind-walking }
@@ -178,7 +184,7 @@ name-heel-strikes = consecutive heel strikes of one foot
 name-marked-strikes = consecutive marked strikes of one foot
 name-doubled-steps = twice the mean step time
 name-impulse = the impulse balance with the body mass
-name-usual-duty = an assumed stance of 62 % of the stride (not in the recording)
+name-usual-duty = an assumed share of the stance in the stride (not in the recording)
 name-total-force = upward crossings of the mean total force
 
 mass-from-user = given

@@ -43,7 +43,7 @@ force-not-walking = el registro de { $duration } no es de marcha: { $movement ->
         [sit-to-stand] la carga sube desde la de los pies solos hasta el peso corporal
        *[other] no se encuentra una marcha periódica
     }
-    .help = dé un registro de marcha o carrera; para cualquier otra fuerza periódica use gait.period
+    .help = dé un registro de marcha o carrera; para pasos muy lentos use kind = "walking"; para cualquier otra fuerza periódica use gait.period
 force-total-of-both-feet = ningún apoyo completo de un pie en { $duration } de registro: la columna es la fuerza total de ambos pies, que no vuelve a cero
     .help = use feet = "both"
 force-no-stance = ningún apoyo completo de marcha en { $duration } de registro
@@ -89,11 +89,15 @@ note-plate-channel-missing = se omite la plataforma { $plate }: su canal { $chan
 note-plate-matrix-missing = se omite la plataforma { $plate }: falta su matriz de calibración
 note-plate-tilted = la plataforma { $plate } no es paralela a la plataforma 1: como máximo una de sus fuerzas normales es vertical
 note-insole-mass = la masa de { $mass } se calcula con la fuerza total media de las plantillas, que rara vez están calibradas: indique la masa de la persona
+note-clipped = las lecturas de { $column } se detienen en { $level } en varios apoyos, iguales hasta la última cifra: el amplificador estaba saturado, y los picos y la masa son demasiado bajos; registre de nuevo con un rango mayor, o excluya la columna
+note-drift-removed = la lectura sin carga de { $column } deriva { $rise } por segundo; la deriva se ha eliminado
+note-stride-varies = las zancadas duran { $period } ± { $spread }: más de una velocidad, o una marcha no estable; indique un registro de una sola velocidad
+note-stride-from-one = el tiempo de zancada de { $period } procede de un solo paso o zancada y tiene una incertidumbre de { $error }; la carrera de una leva crece con su cuadrado y tiene una incertidumbre de { $stroke }
 note-one-foot-for-both = { $stances ->
         [one] un apoyo de un pie se repite
        *[other] { $stances } apoyos de un pie se promedian y se repiten
     } con medio ciclo de diferencia para el otro pie (gait.feet = "both"); gait.feet = "one" da la fuerza de un pie
-note-stride-assumed = el registro no da la duración de la zancada; se supone { $period }, con un apoyo del 62 % de la zancada
+note-stride-assumed = el registro no da la duración de la zancada; se supone { $period }, con un apoyo del { $duty } de la zancada
 note-stride-implausible = la zancada de { $period } está fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la frecuencia de muestreo (opción rate) y el tipo de movimiento (opción kind)
 note-duty-implausible = el apoyo ocupa { $duty } de la zancada, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe el tipo de movimiento (opción kind) y la frecuencia de muestreo (opción rate)
 note-peak-implausible = la fuerza máxima de un apoyo es { $ratio } pesos corporales, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la masa, la unidad de fuerza y el tipo de movimiento (opciones mass, unit y kind)
@@ -113,7 +117,7 @@ note-kind-differs = se indica kind { $typed }, pero los contactos son de { $move
        *[other] { kind-other }
     }
 note-speed-changes = la velocidad cambia durante el registro; la media es de los { $used } de { $stances } apoyos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
-note-stances-differ = los apoyos difieren en { $share } del peso corporal, o del impulso medio entre los pies, cuando se espera como máximo 20 %: contactos parciales, diafonía o dos pies en una plataforma
+note-stances-differ = los apoyos difieren en { $share } del peso corporal, o del impulso medio entre los pies, cuando se espera como máximo { $most }: contactos parciales, diafonía o dos pies en una plataforma
 note-total-column = la columna se toma como la fuerza total de ambos pies
 note-plates-summed = los pies pasan de una plataforma a otra: el ciclo medio es de la suma de { $plates } plataformas, que llevan a la persona todo el tiempo
 note-several-masses = los registros son de personas de { $low } a { $high }: las fuerzas se promedian en pesos corporales y se escalan a { $mean }
@@ -152,11 +156,13 @@ kind-other = otro movimiento
 open-kind = el tipo de movimiento
 open-clock = la escala de tiempo
 open-mass = la masa y la unidad de fuerza
+open-clipped = lecturas recortadas por debajo de los picos de la fuerza
 
 left-out-open = abierto: { $questions }
 left-out-kind = { open-kind }
 left-out-clock = { open-clock }
 left-out-mass = { open-mass }
+left-out-clipped = { open-clipped }
 left-out-other-kind = { $movement ->
         [running] { kind-running }
        *[walking] { kind-walking }
@@ -178,7 +184,7 @@ name-heel-strikes = contactos de talón consecutivos de un pie
 name-marked-strikes = contactos marcados consecutivos de un pie
 name-doubled-steps = el doble de la duración media del paso
 name-impulse = balance de impulso con la masa corporal
-name-usual-duty = apoyo supuesto del 62 % de la zancada (no consta en el registro)
+name-usual-duty = parte supuesta del apoyo en la zancada (no consta en el registro)
 name-total-force = cruces ascendentes de la fuerza total media
 
 mass-from-user = indicada

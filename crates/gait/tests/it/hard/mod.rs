@@ -3,6 +3,7 @@
 
 mod cases;
 mod dice;
+mod faults;
 mod layout;
 mod person;
 

@@ -295,6 +295,7 @@ fn recordings_are_as_their_readme_says() {
         named(movements::belts_that_feet_cross_are_summed),
         named(plates::stances_mass_rate_and_peaks_are_those_of_the_readme),
         named(landmarks::peaks_and_valleys_lie_where_the_readme_says),
+        named(plates::two_stances_in_turn_weigh_the_walker),
         named(a_long_walk_in_an_old_header_gives_the_subjects_mass),
         named(strides_that_the_plates_cover_weigh_the_walker),
         named(a_treadmill_foot_without_header_and_with_jitter_gives_46_stances),

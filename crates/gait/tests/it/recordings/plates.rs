@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use gaitcam_gait::units::G;
-use gaitcam_gait::{RejectReason, Stance};
+use gaitcam_gait::{RejectReason, Stance, stances};
 
 use super::{both, highest, open, slivers};
 
@@ -185,4 +185,31 @@ pub fn stances_mass_rate_and_peaks_are_those_of_the_readme(folder: &Path) {
             );
         }
     }
+}
+
+/// Every two stances in turn of a long walk, alone on two plates: the mass from the force while both feet are on record
+/// against that from the impulse of both over a doubled step.
+pub fn two_stances_in_turn_weigh_the_walker(folder: &Path) {
+    let (r, s) = open(folder, "opensim/subject01_walk1_grf_15s_oldheader.mot");
+    let (mut window, mut doubled, mut count) = (0.0, 0.0, 0.0);
+    for pair in s.used.windows(2) {
+        let mut alone = r.clone();
+        let forces = alone.channels.iter_mut().map(|c| &mut c.force_n);
+        for (channel, force) in forces.enumerate() {
+            for (i, x) in force.iter_mut().enumerate() {
+                let t = i as f64 / r.rate_hz;
+                let of = |s: &Stance| s.channel == channel && s.start_s <= t && t <= s.end_s;
+                *x = if pair.iter().any(of) { *x } else { 0.0 };
+            }
+        }
+        let mean = both(&alone, &stances(&alone));
+        window += (mean.mass_kg / 72.6 - 1.0).powi(2);
+        doubled += (mean.curve.mean_n() / (72.6 * G) - 1.0).powi(2);
+        count += 1.0;
+    }
+    let [window, doubled] = [window, doubled].map(|sum: f64| 100.0 * (sum / count).sqrt());
+    println!(
+        "mass of {count} pairs: window {window:.2} %, impulse over a doubled step {doubled:.2} %"
+    );
+    assert!(count > 15.0 && window < 0.5 && window < 0.5 * doubled);
 }

@@ -1,0 +1,25 @@
+//! Clipping: the amplifier or converter stops at a level below the peaks of the force.
+
+/// Shortest plateau that is counted, s.
+const HELD_S: f64 = 0.03;
+/// Curvature of a walking peak over its force, 1/s²: rounding to a step q makes a plateau of 2 √(2q/(κF)).
+const CURVATURE: f64 = 40.0;
+
+/// The level at which readings stop: their maximum, where two contacts (or one for twice as long) hold it to the last
+/// digit for longer than the rounding of the readings explains.
+pub(super) fn clipped(force: &[f64], rate_hz: f64) -> Option<f64> {
+    let top = force.iter().copied().fold(0.0, f64::max);
+    let steps = force.windows(2).map(|w| (w[1] - w[0]).abs());
+    let rounding = steps.filter(|s| *s > 1e-9 * top).fold(top, f64::min);
+    let rounded_s = 2.5 * (2.0 * rounding / (CURVATURE * top)).sqrt();
+    let fewest = ((HELD_S.max(rounded_s) * rate_hz).round() as usize).max(3);
+    let is_top = |x: &f64| top - x <= 1e-9 * top;
+    let plateau = |contact: &[f64]| {
+        let runs = contact.chunk_by(|a, b| is_top(a) == is_top(b));
+        let at_top = runs.filter(|run| is_top(&run[0]));
+        at_top.map(<[f64]>::len).max().unwrap_or(0)
+    };
+    let contacts = force.split(|f| *f < 0.5 * top);
+    let plateaus: Vec<usize> = contacts.map(plateau).filter(|n| *n >= fewest).collect();
+    (plateaus.len() > 1 || plateaus.iter().any(|n| *n >= 2 * fewest)).then_some(top)
+}

@@ -1,0 +1,47 @@
+//! Drift: an unloaded reading that rises or falls steadily through a recording.
+
+use crate::statistics::median;
+
+/// Duration in which a walker's foot leaves the plate at least once, s.
+const WINDOW_S: f64 = 2.0;
+/// Fewest windows that show a drift.
+const FEWEST: usize = 4;
+/// A smaller change over the whole recording is left to the baseline, N.
+const SMALLEST_N: f64 = 15.0;
+/// Largest deviation of the unloaded level from a straight line, N.
+const STRAIGHT_N: f64 = 6.0;
+
+/// Slope of the unloaded level, N per sample, of readings whose load is positive; `None` without a steady drift.
+///
+/// Level of a window: its 10th percentile. Slope: the median over pairs of windows (Theil and Sen), so that windows in
+/// which the plate is loaded throughout do not matter while they are few.
+pub(super) fn drift(force: &[f64], rate_hz: f64) -> Option<f64> {
+    let length = ((WINDOW_S * rate_hz) as usize).max(10);
+    let level = |window: &[f64]| {
+        let mut sorted = window.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        sorted[sorted.len() / 10]
+    };
+    let levels: Vec<f64> = force.chunks_exact(length).map(level).collect();
+    if levels.len() < FEWEST {
+        return None;
+    }
+    let windows = || levels.iter().enumerate().step_by(levels.len() / 200 + 1);
+    let pairs = windows().flat_map(|(i, a)| {
+        let later = windows().filter(move |(j, _)| *j > i);
+        later.map(move |(j, b)| (b - a) / (j - i) as f64)
+    });
+    let slope = median(pairs.collect())?;
+    let rests: Vec<f64> = windows()
+        .map(|(i, level)| level - slope * i as f64)
+        .collect();
+    let rest = median(rests.clone())?;
+    let off = rests
+        .iter()
+        .filter(|r| (*r - rest).abs() > STRAIGHT_N)
+        .count();
+    let change = slope * levels.len() as f64;
+    let reach = force.iter().copied().fold(0.0, f64::max);
+    let unloaded = (rest + 0.5 * change).abs() < 0.3 * reach;
+    (change.abs() > SMALLEST_N && 5 * off <= rests.len() && unloaded).then(|| slope / length as f64)
+}
