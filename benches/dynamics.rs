@@ -6,7 +6,8 @@ use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::recover::{Emitted, recover};
 use gaitcam::dynamics::surface::Surface;
-use gaitcam::dynamics::{Machine, Model, Run, rigid, simulate, thesis};
+use gaitcam::dynamics::{Machine, Model, Run, simulate, thesis, touch};
+use gaitcam::law::Svaj;
 
 fn main() {
     divan::main();
@@ -26,9 +27,14 @@ fn recover_1440_points(bencher: divan::Bencher) {
 /// Asked for: ≤ 50 µs.
 #[divan::bench]
 fn rigid_cycle(bencher: divan::Bencher) {
-    let emitted = emitted(&thesis::double_harmonic());
+    let cam = thesis::double_harmonic();
+    let emitted = emitted(&cam);
     let drive = thesis::real(thesis::SPEED);
-    bencher.bench(|| rigid::cycle(divan::black_box(&emitted.nodes), &drive, 0.1, 0.03));
+    let torque = |at: &Svaj| touch(&cam.follower, drive.speed, 0.1, *at, drive.force(*at)).torque;
+    bencher.bench(|| -> Vec<f64> {
+        let nodes = divan::black_box(&emitted.nodes);
+        nodes.iter().map(torque).collect()
+    });
 }
 
 /// Asked for: ≤ 200 µs, from the emitted lift to the steady state.

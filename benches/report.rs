@@ -13,10 +13,11 @@ use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::recover;
 use gaitcam::dynamics::surface::Surface;
-use gaitcam::dynamics::{rigid, thesis};
+use gaitcam::dynamics::{thesis, touch};
 use gaitcam::error::{Error, Result};
 use gaitcam::force::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances};
 use gaitcam::halt::Halt;
+use gaitcam::law::Svaj;
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Runner, Sampling};
@@ -419,7 +420,11 @@ fn dynamics(report: &mut Report) {
     let cam = thesis::double_harmonic();
     let emitted = recover(&cam.follower, &cam.profile(1440)).expect("a curve");
     let drive = thesis::real(thesis::SPEED);
-    let seconds = times(|| rigid::cycle(black_box(&emitted.nodes), &drive, 0.1, 0.03));
+    let torques = || -> Vec<f64> {
+        let of = |at: &Svaj| touch(&cam.follower, drive.speed, 0.1, *at, drive.force(*at)).torque;
+        black_box(&emitted.nodes).iter().map(of).collect()
+    };
+    let seconds = times(torques);
     report.time("dynamics", "rigid, cycle of 1440 points", 50e-6, seconds);
     let train = Train::from_frequency(&drive, 30.0, 0.05).expect("a fine train");
     let seconds = times(|| flexible::steady(black_box(&emitted.law), &drive, &train));

@@ -42,6 +42,22 @@ pub enum Rollers {
     },
 }
 
+impl Rollers {
+    fn radius(self) -> f64 {
+        match self {
+            Rollers::One { radius } | Rollers::TwoEccentric { radius, .. } => radius,
+        }
+    }
+
+    /// Distance of each roller's axis from the groove's middle, m.
+    fn eccentricity(self) -> f64 {
+        match self {
+            Rollers::One { .. } => 0.0,
+            Rollers::TwoEccentric { eccentricity, .. } => eccentricity,
+        }
+    }
+}
+
 /// One side of the groove.
 ///
 /// ```
@@ -107,13 +123,7 @@ impl BarrelGroove {
             }
             .into());
         }
-        let (radius, eccentricity) = match rollers {
-            Rollers::One { radius } => (radius, 0.0),
-            Rollers::TwoEccentric {
-                radius,
-                eccentricity,
-            } => (radius, eccentricity),
-        };
+        let (radius, eccentricity) = (rollers.radius(), rollers.eccentricity());
         if !(radius > 0.0 && eccentricity >= 0.0 && eccentricity.is_finite()) {
             return Err(CamError::GrooveRollers {
                 radius: Quantity::length(radius),
@@ -148,17 +158,12 @@ impl BarrelGroove {
 
     /// Radius of the rollers, m.
     pub fn roller_radius(&self) -> f64 {
-        match self.rollers {
-            Rollers::One { radius } | Rollers::TwoEccentric { radius, .. } => radius,
-        }
+        self.rollers.radius()
     }
 
     /// Offset along z of the axis of the roller that touches a wall, m.
     pub fn axis_offset(&self, wall: Wall) -> f64 {
-        match self.rollers {
-            Rollers::One { .. } => 0.0,
-            Rollers::TwoEccentric { eccentricity, .. } => wall.sign() * eccentricity,
-        }
+        wall.sign() * self.rollers.eccentricity()
     }
 
     /// Pressure angle on a roller's axis at `radius`, rad, positive when rising: tan φ = v/R.
@@ -265,13 +270,8 @@ impl BarrelGroove {
     /// Clearance between a roller and the opposite wall, m: 0 for one roller, about
     /// 2·eccentricity·cos φ for two; least over the law at the floor.
     pub fn clearance(&self) -> f64 {
-        match self.rollers {
-            Rollers::One { .. } => 0.0,
-            Rollers::TwoEccentric { eccentricity, .. } => {
-                let (low, high) = self.pressure_angle_extremes(self.inner);
-                2.0 * eccentricity * low.value.cos().min(high.value.cos())
-            }
-        }
+        let (low, high) = self.pressure_angle_extremes(self.inner);
+        2.0 * self.rollers.eccentricity() * low.value.cos().min(high.value.cos())
     }
 }
 

@@ -121,7 +121,7 @@ impl NullaryFnOnce for Rows<'_> {
         let step = length / steps as f64;
         let geometry = Geometry::new(&cam.follower);
         let turns = Turns::of(step);
-        let mut contacts = Contacts::new();
+        let mut contacts = Contacts::default();
         let mut rows = [ProfilePoint::default(); BATCH];
         let mut out = Vec::with_capacity(n);
         let mut walk = cam.law.walk(start, step, n);

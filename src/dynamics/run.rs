@@ -17,7 +17,7 @@ use crate::drive::Drive;
 /// assert_eq!((machine.friction, machine.restitution), (0.0, 0.0));
 /// assert!(machine.train.is_none() && machine.second_cam.is_none());
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Machine {
     /// The elastic train between cam and mass, where it is known.
     pub train: Option<Train>,
@@ -37,21 +37,6 @@ pub struct Machine {
     pub groove_floor: Option<f64>,
     /// How long a contact run may take to settle.
     pub limits: Limits,
-}
-
-impl Default for Machine {
-    fn default() -> Self {
-        Machine {
-            train: None,
-            friction: 0.0,
-            restitution: 0.0,
-            second_cam: None,
-            conjugate: None,
-            face: None,
-            groove_floor: None,
-            limits: Limits::default(),
-        }
-    }
 }
 
 /// Cylindrical surfaces that press on each other along a line.

@@ -22,34 +22,30 @@ use crate::units::Quantity;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // the messages of wording/en/cam.ftl say what each field is
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum CamError {
-    NotPositive {
-        length: CamLength,
-        value: Quantity,
-    },
-    NotFinite {
-        length: CamLength,
-    },
-    RollerFillsCam {
-        radius: Quantity,
-        prime: Quantity,
-    },
-    Offset {
-        offset: Quantity,
-        prime: Quantity,
-    },
+    /// A length has to be more than 0.
+    NotPositive { length: CamLength, value: Quantity },
+    /// A length is not a finite number.
+    NotFinite { length: CamLength },
+    /// Roller or arc are as large as the prime circle.
+    RollerFillsCam { radius: Quantity, prime: Quantity },
+    /// The offset is not smaller than the prime radius.
+    Offset { offset: Quantity, prime: Quantity },
+    /// The law falls below the centre of the cam.
     BelowCentre {
         lift: Quantity,
         height: Quantity,
         least: Quantity,
     },
+    /// An oscillating flat face cannot touch its base circle.
     FaceReach {
         offset: Quantity,
         base: Quantity,
         pivot: Quantity,
         least: Quantity,
     },
+    /// An arm does not reach its prime circle.
     ArmReach {
         arm: Quantity,
         fault: ArmFault,
@@ -58,6 +54,7 @@ pub enum CamError {
         least: Quantity,
         most: Quantity,
     },
+    /// The arm swings beyond its dead centres.
     Swing {
         from: Quantity,
         to: Quantity,
@@ -66,56 +63,51 @@ pub enum CamError {
         rise: Quantity,
         fall: Quantity,
     },
-    FaceSpeed {
-        at: Quantity,
-        speed: f64,
-    },
+    /// The arm of a flat face turns as fast as the cam.
+    FaceSpeed { at: Quantity, speed: f64 },
+    /// The pivot lies inside the cam.
     PivotInside {
         pivot: Quantity,
         reach: Quantity,
         at: Quantity,
     },
+    /// A distance does not define a pair of oscillating followers.
     ArmsByDistance,
+    /// An angle does not define a pair of translating followers.
     SlidesByAngle,
-    NoConjugateOf {
-        follower: &'static str,
-    },
-    SecondCam {
-        because: Box<CamError>,
-    },
+    /// The follower has no conjugate cam.
+    NoConjugateOf { follower: &'static str },
+    /// The second cam of a pair does not exist.
+    SecondCam { because: Box<CamError> },
+    /// No second cam closes the pair at this total.
     NoConjugate {
         total: Quantity,
         reach: Quantity,
         least: Option<Quantity>,
         base: Option<Quantity>,
     },
+    /// The base height of a translating cam has no smallest value.
     TranslatingHeight,
-    NoSize {
-        follower: &'static str,
-    },
-    GrooveDepth {
-        floor: Quantity,
-        surface: Quantity,
-    },
+    /// No base radius satisfies the limits.
+    NoSize { follower: &'static str },
+    /// The floor of a groove is not below its surface.
+    GrooveDepth { floor: Quantity, surface: Quantity },
+    /// Rollers that fit no groove.
     GrooveRollers {
         radius: Quantity,
         eccentricity: Quantity,
     },
-    GrooveFloor {
-        radius: Quantity,
-        floor: Quantity,
-    },
-    MeasuredFew {
-        points: usize,
-        least: usize,
-    },
-    MeasuredNotFinite {
-        row: usize,
-    },
-    MeasuredUnrolled {
-        follower: &'static str,
-    },
+    /// The roller is as large as the floor radius of its groove.
+    GrooveFloor { radius: Quantity, floor: Quantity },
+    /// Too few measured points.
+    MeasuredFew { points: usize, least: usize },
+    /// A measured point is not finite.
+    MeasuredNotFinite { row: usize },
+    /// Only cams that turn can be fitted to measured points.
+    MeasuredUnrolled { follower: &'static str },
+    /// Points of a circle do not show the zero angle.
     MeasuredCircle,
+    /// The points are those of another cam.
     MeasuredOther {
         distance: Quantity,
         low: Quantity,

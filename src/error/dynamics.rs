@@ -21,50 +21,55 @@ use crate::units::Quantity;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // the messages of wording/en/dynamics.ftl say what each field is
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum DynamicsError {
+    /// Machine data out of range.
     Machine,
-    Friction {
-        friction: f64,
-    },
+    /// Invalid coefficient of friction.
+    Friction { friction: f64 },
+    /// Invalid contact line or material.
     ContactLine,
+    /// The target force is empty or not finite.
     Target,
+    /// An open law cannot run backwards.
     SlideBackwards,
+    /// The follower or its law admits no second cam on the shaft.
     SecondCam,
-    Restitution {
-        restitution: f64,
-    },
-    FewRows {
-        rows: usize,
-    },
+    /// Invalid coefficient of restitution.
+    Restitution { restitution: f64 },
+    /// Too few points of a profile.
+    FewRows { rows: usize },
+    /// A point of the profile is not at its equal step.
     RowAngle {
         row: usize,
         at: Quantity,
         expected: Quantity,
     },
-    RowReach {
-        row: usize,
-        follower: &'static str,
-    },
-    Concave {
-        at: Quantity,
-        radius: Quantity,
-    },
-    Frequency {
-        frequency: f64,
-        ratio: f64,
-    },
+    /// The follower cannot touch a point of the profile.
+    RowReach { row: usize, follower: &'static str },
+    /// The profile is undercut or concave under a flat face.
+    Concave { at: Quantity, radius: Quantity },
+    /// Invalid natural frequency or damping ratio.
+    Frequency { frequency: f64, ratio: f64 },
+    /// A natural frequency needs a mass.
     FrequencyWithoutMass,
+    /// Invalid stiffness or damping.
     Train,
-    Resonance {
-        cycles: f64,
-    },
+    /// An undamped natural frequency equals a harmonic.
+    Resonance { cycles: f64 },
+    /// The flexible model needs a stiffness.
     NoTrain,
+    /// An open law has no steady vibration.
     OpenVibration,
+    /// A groove holds the roller from both sides.
     HeldByGroove,
+    /// A conjugate pair holds the follower from both sides.
     HeldByPair,
+    /// The contact model needs a law of one turn.
     NotOneTurn,
+    /// A polydyne cam needs a closed law.
     OpenPolydyne,
+    /// The target of a polydyne cam is not smooth enough.
     PolydyneJump {
         derivative: &'static str,
         at: Quantity,

@@ -16,64 +16,53 @@ use strum::VariantNames;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // the messages of wording/en/file.ftl say what each field is
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum FileError {
-    CannotRead {
-        fault: String,
-    },
-    CannotPlace {
-        fault: String,
-    },
+    /// The operating system refuses to read it.
+    CannotRead { fault: String },
+    /// The operating system refuses to move the files into place.
+    CannotPlace { fault: String },
+    /// A name that this program does not write stands in its way.
     Foreign,
-    Held {
-        process: Option<String>,
-    },
+    /// Another process holds the folder.
+    Held { process: Option<String> },
+    /// A folder in place of a file.
     Folder,
+    /// A pipe or device in place of a file.
     Device,
-    TooLarge {
-        mib: u64,
-    },
+    /// Larger than is read.
+    TooLarge { mib: u64 },
+    /// Not UTF-8 text.
     NotUtf8,
-    NotToml {
-        fault: String,
-    },
-    NotJson {
-        fault: String,
-    },
+    /// Not TOML.
+    NotToml { fault: String },
+    /// Not JSON.
+    NotJson { fault: String },
+    /// A summary without a scene.
     NoSceneInSummary,
-    Replaced {
-        file: String,
-    },
-    AnotherSweep {
-        differences: String,
-    },
-    NotSweepFolder {
-        file: String,
-    },
+    /// A file exists that would be replaced.
+    Replaced { file: String },
+    /// The folder holds another sweep.
+    AnotherSweep { differences: String },
+    /// The folder holds files that are no block of a sweep.
+    NotSweepFolder { file: String },
+    /// A motion lacks a column.
     MotionColumn {
         column: String,
         example: String,
         columns: String,
     },
-    MotionUnit {
-        column: String,
-        example: String,
-    },
-    MotionControlAngle {
-        column: String,
-    },
-    MotionValue {
-        column: String,
-        typed: String,
-    },
-    MotionOrder {
-        column: String,
-        x: f64,
-        before: f64,
-    },
-    MotionManyRows {
-        most: usize,
-    },
+    /// A column of a motion has no unit, or one of another kind.
+    MotionUnit { column: String, example: String },
+    /// Control points of a spline have no angles.
+    MotionControlAngle { column: String },
+    /// A cell of a motion is not a number.
+    MotionValue { column: String, typed: String },
+    /// The angles of a motion do not increase.
+    MotionOrder { column: String, x: f64, before: f64 },
+    /// A motion has too many rows.
+    MotionManyRows { most: usize },
+    /// The segment states another extent or lift than its file.
     MotionDiffers {
         column: String,
         covered: f64,

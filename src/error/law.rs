@@ -21,43 +21,49 @@ use crate::units::Quantity;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // the messages of wording/en/law.ftl say what each field is
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum LawError {
+    /// A programme without segments.
     NoSegment,
-    Extent {
-        length: f64,
-    },
-    SegmentNotFinite {
-        segment: SegmentName,
-    },
+    /// The extent of a programme is not positive.
+    Extent { length: f64 },
+    /// Lift or length of a segment are not finite.
+    SegmentNotFinite { segment: SegmentName },
+    /// The length of a segment is not positive.
     SegmentLength {
         segment: SegmentName,
         length: Quantity,
     },
+    /// A dwell with a lift.
     DwellLift {
         segment: SegmentName,
         lift: Quantity,
     },
+    /// The segments do not fill the extent.
     Uncovered {
         covered: Quantity,
         wanted: Quantity,
         missing: Quantity,
     },
+    /// The segments exceed the extent.
     Overfull {
         covered: Quantity,
         wanted: Quantity,
         excess: Quantity,
     },
+    /// Two adjacent general polynomials have no end conditions.
     GeneralNeighbours {
         first: SegmentName,
         second: SegmentName,
     },
+    /// The lift jumps between two segments.
     LiftJump {
         before: SegmentName,
         after: SegmentName,
         at: Quantity,
         jump: Quantity,
     },
+    /// The velocity jumps between two segments.
     VelocityJump {
         before: SegmentName,
         after: SegmentName,
@@ -67,123 +73,104 @@ pub enum LawError {
         to: Quantity,
         cure: JoinCure,
     },
+    /// The lift falls below the base circle.
     BelowBaseCircle {
         segment: SegmentName,
         depth: Quantity,
         at: Quantity,
     },
-    BreadthAngle {
-        covered: Quantity,
-    },
-    BreadthPolynomial {
-        segment: usize,
-    },
+    /// The half turn of a constant-breadth cam is not half a turn.
+    BreadthAngle { covered: Quantity },
+    /// A general polynomial in the half turn of a constant-breadth cam.
+    BreadthPolynomial { segment: usize },
+    /// The half turn of a constant-breadth cam does not lead from 0 to its largest lift.
     BreadthLift {
         lift: Quantity,
         low: Quantity,
         high: Quantity,
     },
+    /// A polynomial without conditions.
     NoCondition,
-    Interval {
-        start: f64,
-        end: f64,
-    },
+    /// Invalid interval of a polynomial.
+    Interval { start: f64, end: f64 },
+    /// Too many conditions on a polynomial.
     ManyConditions {
         conditions: usize,
         degree: usize,
         most: usize,
     },
-    ConditionNotFinite {
-        condition: usize,
-    },
+    /// A condition is not finite.
+    ConditionNotFinite { condition: usize },
+    /// A condition lies outside the interval.
     ConditionOutside {
         condition: usize,
         at: Quantity,
         start: Quantity,
         end: Quantity,
     },
+    /// A condition fixes a derivative above the degree.
     ConditionOrder {
         condition: usize,
         order: usize,
         degree: usize,
     },
+    /// Two conditions fix the same derivative at the same angle.
     ConditionTwice {
         first: usize,
         second: usize,
         order: usize,
         at: Quantity,
     },
-    NotFixed {
-        conditions: usize,
-        degree: usize,
-    },
-    Parameter {
-        word: String,
-        motion: String,
-    },
-    Parameters {
-        motion: String,
-        given: usize,
-    },
+    /// The conditions do not determine a polynomial.
+    NotFixed { conditions: usize, degree: usize },
+    /// A parameter of a motion is not a number.
+    Parameter { word: String, motion: String },
+    /// Wrong number of parameters.
+    Parameters { motion: String, given: usize },
+    /// No motion has this name.
     UnknownMotion {
         motion: String,
         nearest: Option<String>,
         catalogue: Vec<String>,
     },
-    MotionNeedsPoints {
-        motion: String,
-    },
-    MotionFile {
-        motion: String,
-        file: String,
-    },
-    GeneralDegree {
-        degree: usize,
-    },
-    SccaShares {
-        b: f64,
-        c: f64,
-        d: f64,
-    },
-    EccentricRatio {
-        ratio: f64,
-    },
-    TablePairs {
-        numbers: usize,
-    },
-    TableRows {
-        table: String,
-        rows: usize,
-    },
-    TableNotFinite {
-        table: String,
-        row: usize,
-    },
+    /// A table or spline without numbers.
+    MotionNeedsPoints { motion: String },
+    /// A motion in a file, which the caller has to read.
+    MotionFile { motion: String, file: String },
+    /// A general polynomial of another degree than 5 or 7.
+    GeneralDegree { degree: usize },
+    /// The shares of an SCCA law do not add to 1.
+    SccaShares { b: f64, c: f64, d: f64 },
+    /// The eccentric does not enclose its shaft.
+    EccentricRatio { ratio: f64 },
+    /// A table with an odd number of numbers.
+    TablePairs { numbers: usize },
+    /// Too few rows of a table.
+    TableRows { table: String, rows: usize },
+    /// A row of a table is not finite.
+    TableNotFinite { table: String, row: usize },
+    /// The x of a table does not increase.
     TableOrder {
         table: String,
         row: usize,
         x: f64,
         before: f64,
     },
-    TableLevel {
-        table: String,
-    },
-    TableSpacing {
-        table: String,
-    },
-    SplineDegree {
-        spline: String,
-        degree: usize,
-    },
+    /// A table ends at its first lift.
+    TableLevel { table: String },
+    /// The spacing of a table is too uneven for a spline.
+    TableSpacing { table: String },
+    /// Degree of a spline out of range.
+    SplineDegree { spline: String, degree: usize },
+    /// Too few control points for the degree.
     SplinePoints {
         spline: String,
         points: usize,
         degree: usize,
         least: usize,
     },
-    SplineLevel {
-        spline: String,
-    },
+    /// A spline ends at its first lift.
+    SplineLevel { spline: String },
 }
 
 /// A segment of a programme in a message.

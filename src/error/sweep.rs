@@ -16,72 +16,68 @@ use strum::VariantNames;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // the messages of wording/en/sweep.ftl say what each field is
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum SweepError {
-    NoAssignment {
-        typed: String,
-    },
+    /// An axis without `=`.
+    NoAssignment { typed: String },
+    /// An axis without values.
     NoValues,
+    /// A sampled range with a count.
     SampledCount,
+    /// A range of a grid without its count.
     NoCount,
-    NotCount {
-        typed: String,
-    },
-    DifferentUnits {
-        first: String,
-        last: String,
-    },
-    NotNumber {
-        typed: String,
-    },
+    /// The count of a range is not a whole number.
+    NotCount { typed: String },
+    /// The ends of a range have different units.
+    DifferentUnits { first: String, last: String },
+    /// The end of a range is not a number.
+    NotNumber { typed: String },
+    /// A plan without rows.
     NoRows,
-    TooManyRows {
-        rows: String,
-    },
+    /// More rows than row numbers can count.
+    TooManyRows { rows: String },
+    /// Columns of a list differ in length.
     ListLengths {
         key: String,
         values: u64,
         first: u64,
     },
+    /// A recording that the sweep does not carry.
     NotCarried,
+    /// No cam exists whose errors could be sampled.
     NoDesign,
+    /// The time limit ended the search of a row.
     OutOfTime,
-    Fixed {
-        key: String,
-        known: String,
-    },
-    KeyTwice {
-        key: String,
-    },
+    /// A key that cannot vary.
+    Fixed { key: String, known: String },
+    /// A key that is given twice.
+    KeyTwice { key: String },
+    /// A sample over no key.
     NothingToSample,
-    SobolAxes {
-        most: usize,
-    },
-    NoScene {
-        scene: usize,
-    },
-    NoToleranceValue {
-        typed: String,
-    },
-    NoTolerance {
-        typed: String,
-    },
-    NegativeTolerance {
-        part: String,
-        typed: String,
-    },
+    /// More keys than Sobol sequences have axes.
+    SobolAxes { most: usize },
+    /// A row names a base scene that does not exist.
+    NoScene { scene: usize },
+    /// A tolerance without `=`.
+    NoToleranceValue { typed: String },
+    /// A part without tolerance.
+    NoTolerance { typed: String },
+    /// A negative tolerance.
+    NegativeTolerance { part: String, typed: String },
+    /// A scene without target force has no force error.
     NoForceError,
+    /// A front over lift-off speed needs a moving axis.
     FrontWithoutMovingAxis,
+    /// A front needs a base or prime radius here.
     FrontWithoutSize,
+    /// No column of numbers has this name.
     NoColumn {
         typed: String,
         nearest: Option<String>,
         known: String,
     },
-    Arrow {
-        fault: String,
-    },
-    Parquet {
-        fault: String,
-    },
+    /// A fault of the Arrow library.
+    Arrow { fault: String },
+    /// A fault of the Parquet library.
+    Parquet { fault: String },
 }

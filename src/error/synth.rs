@@ -22,89 +22,87 @@ use crate::units::Quantity;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // the messages of wording/en/synth.ftl say what each field is
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum SynthError {
+    /// The force curve was not read.
     ForceNotRead,
+    /// The drive has neither spring, damper nor mass.
     NoLiftChangesForce,
+    /// A value is needed where no force is given.
     ValueMissing,
-    MeanForceNegative {
-        mean: Quantity,
-    },
-    NotScalable {
-        mean: Quantity,
-        weight: Quantity,
-    },
+    /// No mass rests on a cam under a negative mean force.
+    MeanForceNegative { mean: Quantity },
+    /// The force cannot be scaled to the weight.
+    NotScalable { mean: Quantity, weight: Quantity },
+    /// The target is one cycle and has no spread.
     NoSpread,
-    PairIncomplete {
-        pair: String,
-        known: String,
-    },
-    PairWithoutForceError {
-        known: String,
-    },
-    PairUnknown {
-        typed: String,
-        known: String,
-    },
+    /// A trade-off is between two quantities.
+    PairIncomplete { pair: String, known: String },
+    /// One quantity of a trade-off is the force error.
+    PairWithoutForceError { known: String },
+    /// Unknown quantity of a trade-off.
+    PairUnknown { typed: String, known: String },
+    /// The trade-off needs a target force.
     NoTarget,
+    /// The trade-off is for splines.
     OnlySplines,
+    /// The scene fixes the size of the cam.
     SizeFixed,
     /// No law even without the limits; a [`Reason`](crate::synth::Reason) as it serialises.
-    NoLaw {
-        reason: Value,
-    },
-    SearchFailed {
-        fault: String,
-    },
-    TooManyHarmonics {
-        samples: usize,
-        most: usize,
-    },
-    Resonance {
-        harmonic: usize,
-    },
+    /// No law exists, with the reason as data.
+    NoLaw { reason: Value },
+    /// The solver failed.
+    SearchFailed { fault: String },
+    /// More harmonics than the samples of the force hold.
+    TooManyHarmonics { samples: usize, most: usize },
+    /// Spring and inertia cancel at a harmonic of the force.
+    Resonance { harmonic: usize },
+    /// The law does not keep a breadth.
     NoConstantBreadth {
         sum: Quantity,
         miss: Quantity,
         at: Quantity,
     },
-    BreadthTooSmall {
-        breadth: Quantity,
-        lift: Quantity,
-    },
+    /// The breadth is smaller than base circle and lift need.
+    BreadthTooSmall { breadth: Quantity, lift: Quantity },
+    /// No prime circle is large enough.
     NoPrimeCircle,
+    /// The follower needs this key.
     FollowerNeeds,
-    NoRange {
-        start: Quantity,
-        end: Quantity,
-    },
+    /// A range of angles is not within one turn.
+    NoRange { start: Quantity, end: Quantity },
+    /// More conditions than the degree of the polynomial admits.
     DegreeTooLow {
         conditions: usize,
         fixed: usize,
         degree: usize,
         excess: usize,
     },
+    /// Fewer conditions than the degree of the polynomial needs.
     DegreeTooHigh {
         conditions: usize,
         fixed: usize,
         degree: usize,
         missing: usize,
     },
-    ManyDemands {
-        given: usize,
-        most: usize,
-    },
-    LawOpen {
-        rise: Quantity,
-    },
+    /// More conditions than are solved.
+    ManyDemands { given: usize, most: usize },
+    /// The law does not close.
+    LawOpen { rise: Quantity },
+    /// The drive does not turn a force into a lift.
     ForceGivesNoLift,
+    /// The points give no condition.
     PointsEmpty,
+    /// The family follows a force.
     FamilyNeedsForce,
+    /// The search found no double harmonic law.
     NoDoubleHarmonic,
+    /// No double harmonic comes nearer to the force than rest.
     DoubleHarmonicUseless,
+    /// Two dwells overlap.
     DwellsOverlap,
+    /// The dwells fill the whole turn.
     DwellsFillTurn,
-    PointOutside {
-        at: Quantity,
-    },
+    /// A point lies outside the turn.
+    PointOutside { at: Quantity },
 }

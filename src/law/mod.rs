@@ -1,12 +1,11 @@
 //! Laws of motion: lift s over the cam angle θ with exact derivatives v = ds/dθ, a, j.
 
-mod envelope;
+mod derived;
 mod extremes;
 mod hermite;
 mod joint;
 mod pieces;
 mod program;
-mod reversed;
 mod rise;
 mod walk;
 
@@ -153,9 +152,10 @@ impl Law {
     /// When `waves` has a length other than 0 or the number of pieces: an error of the caller.
     pub fn with_waves(poly: PiecewisePoly, waves: Vec<Vec<Wave>>, closed: bool) -> Self {
         assert!(waves.is_empty() || waves.len() == poly.pieces());
+        let has_waves = waves.iter().any(|on_piece| !on_piece.is_empty());
         Law {
             poly,
-            waves,
+            waves: if has_waves { waves } else { Vec::new() },
             closed,
             derivatives: None,
             known: Known::default(),

@@ -113,11 +113,6 @@ impl Pieces {
             .flat_map(|c| bernstein::elevate(c, degree))
             .collect();
         let poly = PiecewisePoly::new(self.breaks, degree, coef);
-        let waves = if self.waves.iter().all(Vec::is_empty) {
-            Vec::new()
-        } else {
-            self.waves
-        };
-        Some(Law::with_waves(poly, waves, closed))
+        Some(Law::with_waves(poly, self.waves, closed))
     }
 }

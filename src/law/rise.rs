@@ -10,7 +10,7 @@ mod user;
 
 pub use ends::{End, Ends, Factors};
 
-use super::{Condition, Law, Svaj, hermite_birkhoff, pieces::Pieces};
+use super::{Condition, Law, Svaj, hermite_birkhoff};
 use crate::error::{Error, LawError, Result, nearest};
 use std::f64::consts::PI;
 use std::mem::discriminant;
@@ -260,20 +260,6 @@ impl Rise {
             Rise::Eccentric { ratio } => shapes::eccentric(*ratio)?,
             Rise::User { law, .. } => (**law).clone(),
         })
-    }
-
-    /// The normalised fall: from 1 to 0 over x ∈ [0, 1]. For motions whose two ends differ by nature
-    /// (double harmonic, eccentric) it is the rise seen backwards, otherwise the rise upside down.
-    ///
-    /// # Errors
-    /// Parameters out of range.
-    pub fn fall(&self) -> Result<Law> {
-        let mut pieces = Pieces::starting_at(0.0);
-        let base = if *self == Rise::Dwell { 0.0 } else { 1.0 };
-        pieces.push_shape(&self.law()?, 1.0, base, -1.0, self.mirrors());
-        pieces
-            .finish(false)
-            .ok_or_else(|| LawError::NoSegment.into())
     }
 
     /// Whether a fall is the rise seen backwards in x.

@@ -17,7 +17,7 @@ pub const BATCH: usize = 32;
 /// let first = walk.next_batch().unwrap();
 /// assert!((first.s[3] - law.svaj(0.03).s).abs() < 1e-15);
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Batch {
     /// Number of points.
     pub len: usize,
@@ -97,14 +97,7 @@ impl Law {
             left: 0,
             piece: 0,
             turns: Vec::new(),
-            batch: Batch {
-                len: 0,
-                at_rest: false,
-                theta: [0.0; BATCH],
-                s: [0.0; BATCH],
-                v: [0.0; BATCH],
-                a: [0.0; BATCH],
-            },
+            batch: Batch::default(),
         }
     }
 
@@ -185,38 +178,30 @@ const SIDE_BY_SIDE: usize = 8;
 
 /// Σ cₖ uᵏ(1−u)ⁿ⁻ᵏ at every u, for three polynomials of falling degree with their powers in common.
 #[inline(always)]
-fn polynomials([s, v, a]: [&[f64]; 3], u: &[f64; BATCH], batch: &mut Batch) {
+fn polynomials(coefficients: [&[f64]; 3], u: &[f64; BATCH], batch: &mut Batch) {
     for first in (0..BATCH).step_by(SIDE_BY_SIDE) {
         let (mut up, mut down) = ([0.0; SIDE_BY_SIDE], [0.0; SIDE_BY_SIDE]);
         let mut power = [1.0; SIDE_BY_SIDE];
-        let mut sums = [
-            [s[0]; SIDE_BY_SIDE],
-            [v[0]; SIDE_BY_SIDE],
-            [a[0]; SIDE_BY_SIDE],
-        ];
+        let mut sums = coefficients.map(|c| [c[0]; SIDE_BY_SIDE]);
         for k in 0..SIDE_BY_SIDE {
             up[k] = u[first + k];
             down[k] = 1.0 - up[k];
         }
-        for (i, cs) in s.iter().enumerate().skip(1) {
+        for i in 1..coefficients[0].len() {
             for k in 0..SIDE_BY_SIDE {
                 power[k] *= up[k];
-                sums[0][k] = sums[0][k] * down[k] + power[k] * cs;
             }
-            if let Some(cv) = v.get(i) {
+            for (sum, c) in sums.iter_mut().zip(coefficients) {
+                let Some(c) = c.get(i) else { continue };
                 for k in 0..SIDE_BY_SIDE {
-                    sums[1][k] = sums[1][k] * down[k] + power[k] * cv;
-                }
-            }
-            if let Some(ca) = a.get(i) {
-                for k in 0..SIDE_BY_SIDE {
-                    sums[2][k] = sums[2][k] * down[k] + power[k] * ca;
+                    sum[k] = sum[k] * down[k] + power[k] * c;
                 }
             }
         }
-        batch.s[first..first + SIDE_BY_SIDE].copy_from_slice(&sums[0]);
-        batch.v[first..first + SIDE_BY_SIDE].copy_from_slice(&sums[1]);
-        batch.a[first..first + SIDE_BY_SIDE].copy_from_slice(&sums[2]);
+        let orders = [&mut batch.s, &mut batch.v, &mut batch.a];
+        for (values, sum) in orders.into_iter().zip(&sums) {
+            values[first..first + SIDE_BY_SIDE].copy_from_slice(sum);
+        }
     }
 }
 

@@ -160,15 +160,6 @@ impl Measures {
         unit(1.0, if self.swings() { "kg·m²" } else { "kg" })
     }
 
-    /// Its name.
-    pub fn mass_words(self) -> &'static str {
-        if self.swings() {
-            "moved inertia"
-        } else {
-            "moved mass"
-        }
-    }
-
     /// Force per lift.
     pub fn spring_rate(self) -> Unit {
         if self.swings() {

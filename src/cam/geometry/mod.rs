@@ -165,6 +165,7 @@ impl Geometry {
 }
 
 /// Contacts of a batch, field by field; entries beyond the batch's length are undefined.
+#[derive(Default)]
 pub(super) struct Contacts {
     pub x: [f64; BATCH],
     pub y: [f64; BATCH],
@@ -176,17 +177,6 @@ pub(super) struct Contacts {
 }
 
 impl Contacts {
-    pub fn new() -> Self {
-        Contacts {
-            x: [0.0; BATCH],
-            y: [0.0; BATCH],
-            pitch_x: [0.0; BATCH],
-            pitch_y: [0.0; BATCH],
-            rho: [0.0; BATCH],
-            pressure_angle: [0.0; BATCH],
-        }
-    }
-
     /// Writes contact `k`, the tangent in place of its angle.
     #[inline(always)]
     pub fn set(&mut self, k: usize, c: Contact) {

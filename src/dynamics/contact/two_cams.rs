@@ -1,45 +1,7 @@
-//! Two cams on one shaft: the second turned back, and the lift of whichever stands higher.
+//! Two cams on one shaft: the lift of whichever stands higher.
 
 use crate::law::Law;
 use crate::poly::{PiecewisePoly, bernstein};
-
-/// The law seen `angle` later: s(θ − angle), for a second cam turned back by `angle` on the same shaft.
-///
-/// The law must be closed over one turn and keep its first angle; a wave or a piece cut by the new
-/// beginning is split there.
-pub fn shifted(law: &Law, angle: f64) -> Law {
-    let (start, length) = law.extent();
-    let angle = angle.rem_euclid(length);
-    let poly = law.combination([1.0, 0.0, 0.0, 0.0], 0.0);
-    let cut = start + length - angle;
-    let (mut head, mut tail) = (Vec::new(), Vec::new());
-    for i in 0..poly.pieces() {
-        let (a, b) = (poly.breaks()[i], poly.breaks()[i + 1]);
-        let within = (cut - a) / (b - a);
-        // A cut within rounding of a break is that break.
-        if within >= 1.0 - 1e-9 {
-            tail.push((a + angle, poly.piece(i).to_vec()));
-        } else if within <= 1e-9 {
-            head.push((a + angle - length, poly.piece(i).to_vec()));
-        } else {
-            let (left, right) = bernstein::split(poly.piece(i), within);
-            tail.push((a + angle, left));
-            head.push((start, right));
-        }
-    }
-    let mut breaks: Vec<f64> = head
-        .iter()
-        .chain(&tail)
-        .map(|p: &(f64, Vec<f64>)| p.0)
-        .collect();
-    breaks[0] = start;
-    breaks.push(start + length);
-    let coef = head.into_iter().chain(tail).flat_map(|p| p.1).collect();
-    Law::from_poly(
-        PiecewisePoly::new(breaks, poly.degree(), coef),
-        law.is_closed(),
-    )
-}
 
 /// The lift of the higher of two polynomial laws at every angle: breaks of both, and new ones where they
 /// cross. Its slope steps up at the crossings, which are impacts.
@@ -80,21 +42,19 @@ pub fn envelope(one: &Law, other: &Law) -> Law {
     Law::from_poly(PiecewisePoly::new(finer, degree, coef), one.is_closed())
 }
 
-/// The law on finer breaks.
+/// The law on finer breaks, of the degree given.
 fn cut(p: &PiecewisePoly, breaks: &[f64], degree: usize) -> PiecewisePoly {
-    let mut coef = Vec::with_capacity((breaks.len() - 1) * (degree + 1));
-    for pair in breaks.windows(2) {
+    let on = |pair: &[f64]| {
         let (i, _) = p.locate(0.5 * (pair[0] + pair[1]));
         let (from, to) = (p.breaks()[i], p.breaks()[i + 1]);
-        let (u, w) = (
-            (pair[0] - from) / (to - from),
-            (pair[1] - from) / (to - from),
-        );
-        let (_, right) = bernstein::split(p.piece(i), u);
-        let (middle, _) = bernstein::split(&right, (w - u) / (1.0 - u));
-        coef.extend(bernstein::elevate(&middle, degree));
-    }
-    PiecewisePoly::new(breaks.to_vec(), degree, coef)
+        let [low, high] = [pair[0], pair[1]].map(|x| (x - from) / (to - from));
+        bernstein::elevate(&bernstein::between(p.piece(i), low, high), degree)
+    };
+    PiecewisePoly::new(
+        breaks.to_vec(),
+        degree,
+        breaks.windows(2).flat_map(on).collect(),
+    )
 }
 
 #[cfg(test)]
@@ -109,7 +69,7 @@ mod tests {
         for n in [360, 361] {
             let cam: Cam = thesis::double_harmonic();
             let one = recover(&cam.follower, &cam.profile(n)).unwrap().law;
-            let other = shifted(&one, PI);
+            let other = one.ahead(-PI);
             let both = envelope(&one, &other);
             for i in 0..1000 {
                 let t = 0.006_283 * f64::from(i);

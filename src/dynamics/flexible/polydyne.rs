@@ -84,11 +84,6 @@ pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
             target.waves(i).iter().map(passed).collect()
         })
         .collect();
-    let waves = if waves.iter().all(Vec::is_empty) {
-        Vec::new()
-    } else {
-        waves
-    };
     Ok(Law::with_waves(sum, waves, true))
 }
 
@@ -254,9 +249,6 @@ fn finely(law: &Law) -> Law {
             law.waves(own).iter().map(|w| w.from(later)).collect()
         })
         .collect();
-    if waves.iter().all(Vec::is_empty) {
-        return Law::from_poly(poly, law.is_closed());
-    }
     Law::with_waves(poly, waves, law.is_closed())
 }
 

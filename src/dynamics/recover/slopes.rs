@@ -5,36 +5,9 @@ pub fn spline_slopes(values: &[f64], step: f64, closed: bool) -> Vec<f64> {
     if closed {
         periodic_slopes(values, step)
     } else {
-        open_slopes(values, step)
+        let angles: Vec<f64> = (0..values.len()).map(|i| step * i as f64).collect();
+        slopes_at(&angles, values)
     }
-}
-
-/// As above for open data: the slopes at both ends are those of the quartics through the five
-/// values next to them, so the order of the spline is kept.
-fn open_slopes(values: &[f64], step: f64) -> Vec<f64> {
-    const ONE_SIDED: [f64; 5] = [-25.0, 48.0, -36.0, 16.0, -3.0];
-    let n = values.len();
-    let end = |at: &dyn Fn(usize) -> f64| -> f64 {
-        let sum: f64 = ONE_SIDED.iter().enumerate().map(|(k, w)| w * at(k)).sum();
-        sum / (12.0 * step)
-    };
-    let mut slopes = vec![0.0; n];
-    slopes[0] = end(&|k| values[k]);
-    slopes[n - 1] = -end(&|k| values[n - 1 - k]);
-    // mᵢ₋₁ + 4mᵢ + mᵢ₊₁ = 3(yᵢ₊₁ − yᵢ₋₁)/step between the ends, by elimination.
-    let mut ratio = vec![0.0; n];
-    let mut pivot = 1.0;
-    for i in 1..n - 1 {
-        ratio[i - 1] = if i == 1 { 0.0 } else { 1.0 / pivot };
-        pivot = 4.0 - ratio[i - 1];
-        let right = 3.0 * (values[i + 1] - values[i - 1]) / step;
-        let known = if i + 2 == n { slopes[n - 1] } else { 0.0 };
-        slopes[i] = (right - slopes[i - 1] - known) / pivot;
-    }
-    for i in (1..n - 2).rev() {
-        slopes[i] -= ratio[i] * slopes[i + 1];
-    }
-    slopes
 }
 
 /// Slopes at the nodes of the periodic C² cubic spline through equally spaced values:

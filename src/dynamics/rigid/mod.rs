@@ -18,49 +18,6 @@ const ROUNDS: usize = 60;
 /// to their spline's error only, and a law's dwell to its solver's tolerance.
 const NO_PULL_AT_REST: f64 = 1e-6;
 
-/// State of the machine at one cam angle.
-///
-/// ```
-/// use gaitcam::drive::Drive;
-/// use gaitcam::dynamics::rigid::cycle;
-/// use gaitcam::law::Law;
-///
-/// // At the middle of the rise of a harmonic lift the mass is not accelerated: F = M g, T = F v.
-/// let at = Law::harmonic(0.01, &[(0.0, 0.01)]).svaj(0.0);
-/// let now = cycle(&[at], &Drive::moving_axis(10.0, 9.81, 5.0), 0.0, 0.0)[0];
-/// assert!((now.force - 98.1).abs() < 1e-9 && (now.torque - 0.981).abs() < 1e-9);
-/// assert!((now.power - 5.0 * 0.981).abs() < 1e-9);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Instant {
-    /// Lift, m.
-    pub lift: f64,
-    /// Force along the follower's motion, N: what a plate or load cell feels.
-    pub force: f64,
-    /// Torque the shaft must give in the sense of growing θ, N·m.
-    pub torque: f64,
-    /// Power of the shaft, W.
-    pub power: f64,
-}
-
-/// Force, torque and power at every angle of a table of the motion; `friction` is μ between cam and flat
-/// face, `reach` the height of the contact over the cam's centre at s = 0, m (0 where the follower rolls).
-pub fn cycle(motion: &[Svaj], drive: &Drive, friction: f64, reach: f64) -> Vec<Instant> {
-    let [k, c, m, _] = drive.weights();
-    let rub = friction * drive.speed.signum();
-    let instant = |at: &Svaj| {
-        let force = drive.rest_force + k * at.s + c * at.v + m * at.a;
-        let torque = force * at.v + rub * force.abs() * (reach + at.s);
-        Instant {
-            lift: at.s,
-            force,
-            torque,
-            power: torque * drive.speed,
-        }
-    };
-    motion.iter().map(instant).collect()
-}
-
 /// Height over the centre at which friction acts when s = 0: the base radius under a flat face; a
 /// roller's friction is in its bearing and is left out.
 pub fn reach(follower: &Follower) -> f64 {

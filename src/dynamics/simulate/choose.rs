@@ -2,6 +2,7 @@
 
 use super::models::{contact_run, flexible_run, rigid_run};
 use super::prepared::Prepared;
+use super::run_under;
 use crate::cam::Measures;
 use crate::dynamics::flexible::Train;
 use crate::dynamics::outcome::{Difference, Model, Outcome};
@@ -27,54 +28,52 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     let rigid = rigid_run(input, p)?;
     let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
     let mean = forces.iter().sum::<f64>() / forces.len() as f64;
-    let contact = !p.held && p.cycle == Cycle::TURN;
-    if contact && let Some(why) = asks_for_contact(p, &rigid, mean) {
-        let mut out = contact_run(input, p)?;
-        out.why = why;
-        out.next = input
-            .machine
-            .train
-            .map(|_| difference(&out, Model::Flexible, flexible_run(input, p)));
-        return Ok(out);
+    let can_lift_off = !p.held && p.cycle == Cycle::TURN;
+    if can_lift_off && let Some(why) = asks_for_contact(p, &rigid, mean) {
+        let next = input.machine.train.map(|_| Model::Flexible);
+        return Ok(compared(input, p, contact_run(input, p)?, why, next));
     }
+    let contact = can_lift_off.then_some(Model::Contact);
     let margin = force_margin(p, &rigid, &forces, mean);
     let Some(train) = &input.machine.train else {
-        let mut out = rigid;
-        out.why = ModelReason::NothingVibrates { margin };
-        if contact {
-            out.next = Some(difference(&out, Model::Contact, contact_run(input, p)));
-        }
-        return Ok(out);
+        let why = ModelReason::NothingVibrates { margin };
+        return Ok(compared(input, p, rigid, why, contact));
     };
-    let (ringing, vibration) = vibration(train, p, &forces, mean);
+    let (change, vibration) = vibration(train, p, &forces, mean);
     let allowed = Quantity::share(RIGID_ENOUGH);
-    if ringing > RIGID_ENOUGH {
-        let mut out = flexible_run(input, p)?;
-        if out.contact_lost {
-            let force = p.load(out.force.min);
-            out = contact_run(input, p)?;
-            out.why = ModelReason::VibrationLosesContact { vibration, force };
-            out.next = Some(difference(&out, Model::Flexible, flexible_run(input, p)));
-            return Ok(out);
-        }
-        out.why = ModelReason::Vibrates {
+    if change <= RIGID_ENOUGH {
+        let why = ModelReason::HardlyVibrates {
             vibration,
             allowed,
             margin,
         };
-        if contact {
-            out.next = Some(difference(&out, Model::Contact, contact_run(input, p)));
-        }
-        return Ok(out);
+        return Ok(compared(input, p, rigid, why, Some(Model::Flexible)));
     }
-    let mut out = rigid;
-    out.why = ModelReason::HardlyVibrates {
+    let flexible = flexible_run(input, p)?;
+    if flexible.contact_lost {
+        let force = p.load(flexible.force.min);
+        let why = ModelReason::VibrationLosesContact { vibration, force };
+        let contact = contact_run(input, p)?;
+        return Ok(compared(input, p, contact, why, Some(Model::Flexible)));
+    }
+    let why = ModelReason::Vibrates {
         vibration,
         allowed,
         margin,
     };
-    out.next = Some(difference(&out, Model::Flexible, flexible_run(input, p)));
-    Ok(out)
+    Ok(compared(input, p, flexible, why, contact))
+}
+
+/// The outcome with its reason, and its differences to the next finer model, which is run for that.
+fn compared(
+    input: &Run,
+    p: &Prepared,
+    out: Outcome,
+    why: ModelReason,
+    next: Option<Model>,
+) -> Outcome {
+    let next = next.map(|model| difference(&out, model, run_under(input, p, model)));
+    Outcome { why, next, ..out }
 }
 
 fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<ModelReason> {
@@ -167,26 +166,18 @@ fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vi
 }
 
 fn difference(base: &Outcome, model: Model, next: Result<Outcome>) -> Difference {
-    match next {
-        Ok(next) => Difference {
-            model,
-            force_min: next.force.min - base.force.min,
-            force_max: next.force.max - base.force.max,
-            rms_error: next
-                .force
-                .rms_error
-                .zip(base.force.rms_error)
-                .map(|(a, b)| a - b),
-            lost_fraction: next.lost_fraction - base.lost_fraction,
-            failed: None,
-        },
-        Err(error) => Difference {
-            model,
-            force_min: 0.0,
-            force_max: 0.0,
-            rms_error: None,
-            lost_fraction: 0.0,
-            failed: Some(error),
-        },
+    let (next, failed) = match next {
+        Ok(next) => (Some(next), None),
+        Err(error) => (None, Some(error)),
+    };
+    let next = next.as_ref();
+    let change = |of: fn(&Outcome) -> f64| next.map_or(0.0, |next| of(next) - of(base));
+    Difference {
+        model,
+        force_min: change(|out| out.force.min),
+        force_max: change(|out| out.force.max),
+        rms_error: next.and_then(|next| Some(next.force.rms_error? - base.force.rms_error?)),
+        lost_fraction: change(|out| out.lost_fraction),
+        failed,
     }
 }

@@ -9,7 +9,7 @@ use crate::dynamics::outcome::{Model, Outcome};
 use crate::dynamics::run::Run;
 use crate::error::Result;
 use models::{contact_run, flexible_run, rigid_run};
-use prepared::prepare;
+use prepared::{Prepared, prepare};
 
 /// Runs the emitted cam under `model`.
 ///
@@ -32,12 +32,15 @@ use prepared::prepare;
 /// On profiles that are no curve for their follower (see [`recover`](crate::dynamics::recover())), on machine data out of
 /// range, on an undamped resonance, and on `flexible` without a [`Train`](super::Train).
 pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
-    let prepared = prepare(input)?;
+    run_under(input, &prepare(input)?, model)
+}
+
+fn run_under(input: &Run, prepared: &Prepared, model: Model) -> Result<Outcome> {
     match model {
-        Model::Auto => choose::auto(input, &prepared),
-        Model::Rigid => rigid_run(input, &prepared),
-        Model::Flexible => flexible_run(input, &prepared),
-        Model::Contact => contact_run(input, &prepared),
+        Model::Auto => choose::auto(input, prepared),
+        Model::Rigid => rigid_run(input, prepared),
+        Model::Flexible => flexible_run(input, prepared),
+        Model::Contact => contact_run(input, prepared),
     }
 }
 

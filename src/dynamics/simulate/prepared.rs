@@ -3,10 +3,9 @@
 use crate::cam::{Cam, Follower, Measures};
 use crate::drive::Drive;
 use crate::dynamics::contact::impact::check_restitution;
-use crate::dynamics::contact::two_cams::{envelope, shifted};
+use crate::dynamics::contact::two_cams::envelope;
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::recover::{Cycle, recover_cam};
-use crate::dynamics::rigid;
 use crate::dynamics::rigid::hertz::Material;
 use crate::dynamics::rigid::touch::{held, rubs, touch};
 use crate::dynamics::run::Run;
@@ -28,7 +27,6 @@ pub(super) struct Prepared {
     pub start: f64,
     pub cycle: Cycle,
     pub step: f64,
-    pub reach: f64,
     /// The follower at its largest contact pressure: a barrel's at the floor of its groove.
     pub bearing: Follower,
     /// Units of the law, for messages.
@@ -93,7 +91,6 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         start,
         cycle,
         step,
-        reach: rigid::reach(follower),
         bearing: bearing(input),
         measures: follower.measures(),
         held,
@@ -133,7 +130,7 @@ fn lifts(input: &Run, law: Law, reversed: bool) -> (Vec<Law>, Law) {
     let Some(angle) = input.machine.second_cam else {
         return (vec![first.clone()], first);
     };
-    let second = shifted(&first, if reversed { -angle } else { angle });
+    let second = first.ahead(if reversed { angle } else { -angle });
     let lift = envelope(&first, &second);
     (vec![first, second], lift)
 }
@@ -220,16 +217,8 @@ fn conjugate_nodes(
 impl Prepared {
     /// Torque in the sense of turning for force and motion, N·m.
     pub fn torque(&self, input: &Run, force: f64, at: Svaj) -> f64 {
-        let friction = input.machine.friction;
-        if self.rubs {
-            return touch(&input.cam.follower, self.drive.speed, friction, at, force).torque;
-        }
-        match input.cam.follower {
-            Follower::FlatTranslating { .. } => {
-                force * at.v + friction * force.abs() * (self.reach + at.s)
-            }
-            _ => force * at.v,
-        }
+        let (follower, friction) = (&input.cam.follower, input.machine.friction);
+        touch(follower, self.drive.speed, friction, at, force).torque
     }
 }
 
@@ -242,6 +231,12 @@ fn phase_value(values: &[f64], part: f64) -> f64 {
     if (x - nearest).abs() < 1e-6 {
         return values[nearest as usize % n];
     }
-    let (i, u) = (x.floor() as usize, x.fract());
+    row_value(values, x)
+}
+
+/// Value at row `x` of a periodic table, linear between its rows.
+pub(super) fn row_value(values: &[f64], x: f64) -> f64 {
+    let n = values.len();
+    let (i, u) = (x.floor().rem_euclid(n as f64) as usize, x - x.floor());
     values[i % n] * (1.0 - u) + values[(i + 1) % n] * u
 }

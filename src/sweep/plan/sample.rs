@@ -10,7 +10,8 @@
 /// slices.sort_unstable();
 /// assert_eq!(slices, (0..10).collect::<Vec<u64>>());
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Method {
     /// Each of the N equal slices of every axis holds exactly one point, at a random place in it.
     Latin,
@@ -24,10 +25,7 @@ pub const SOBOL_AXES: usize = 21;
 impl Method {
     /// The name on the command line.
     pub fn name(self) -> &'static str {
-        match self {
-            Method::Latin => "latin",
-            Method::Sobol => "sobol",
-        }
+        self.into()
     }
 
     /// Coordinate `axis` ∈ [0, 1) of point `index` of `count`; the same for the same arguments, always.

@@ -33,7 +33,8 @@ pub const TIME: &str = "time_s";
 ///
 /// assert_eq!(Outcome::Infeasible.name(), "infeasible");
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Outcome {
     /// A cam was designed; the verdict says how good it is.
     Built,
@@ -46,11 +47,7 @@ pub enum Outcome {
 impl Outcome {
     /// The word of the table.
     pub fn name(self) -> &'static str {
-        match self {
-            Outcome::Built => "built",
-            Outcome::Infeasible => "infeasible",
-            Outcome::Error => "error",
-        }
+        self.into()
     }
 }
 

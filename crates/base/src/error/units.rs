@@ -19,32 +19,26 @@ use crate::wording::{Catalogue, WORDS};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // the messages of wording/en/units.ftl say what each field is
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum UnitsError {
-    NoNumber {
-        text: String,
-        example: String,
-    },
-    NoUnit {
-        text: String,
-        example: String,
-    },
-    BareShare {
-        text: String,
-        percent: f64,
-    },
+    /// No number at the start.
+    NoNumber { text: String, example: String },
+    /// A number without its unit.
+    NoUnit { text: String, example: String },
+    /// A share that could be meant in per cent.
+    BareShare { text: String, percent: f64 },
+    /// A unit of another dimension.
     WrongDimension {
         text: String,
         unit: String,
         dimension: String,
         example: String,
     },
-    NotFinite {
-        text: String,
-    },
-    Exponent {
-        factor: String,
-    },
+    /// The quantity overflows.
+    NotFinite { text: String },
+    /// An exponent that is not a small integer.
+    Exponent { factor: String },
+    /// No unit has this name.
     UnknownUnit {
         unit: String,
         nearest: Option<String>,

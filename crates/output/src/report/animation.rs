@@ -7,7 +7,6 @@ use super::motion::{STEPS, angle_unit, motion, placed, slide};
 use crate::pose::{Bounds, Pose, angles, face_reach, pose};
 use crate::words::Words;
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
-use gaitcam::dynamics::contact::two_cams::shifted;
 use gaitcam::synth::Design;
 use gaitcam_base::text::append;
 use gaitcam_base::text::escaped;
@@ -170,7 +169,7 @@ fn turning_body(
         others.push(pair.second_profile(POINTS));
     }
     if let Some(angle) = running.and_then(|r| r.second_cam) {
-        let law = shifted(&cam.law, angle);
+        let law = cam.law.ahead(-angle);
         let follower = cam.follower;
         others.push(Cam { law, follower }.profile(POINTS));
     }

@@ -7,7 +7,6 @@ use crate::pose::lift_unit;
 use crate::pose::{Pose, pose, turned};
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::dynamics::Row;
-use gaitcam::dynamics::contact::two_cams::shifted;
 use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
 
@@ -143,7 +142,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     let (per, angle_unit) = angle_unit(cam);
     let turns = running.map_or(1, |r| r.outcome.period_turns.clamp(1, MOST_TURNS));
     let later = running.and_then(|r| r.second_cam).map(|angle| Cam {
-        law: shifted(&cam.law, angle),
+        law: cam.law.ahead(-angle),
         follower: cam.follower,
     });
     let mut out = Motion {

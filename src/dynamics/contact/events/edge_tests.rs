@@ -70,7 +70,7 @@ fn two_cams_hand_over_at_the_crossing_with_the_step_of_their_slopes() {
     let cam = thesis::double_harmonic();
     let drive = thesis::real(thesis::SPEED);
     let one = recover(&cam.follower, &cam.profile(1440)).unwrap().law;
-    let other = crate::dynamics::contact::two_cams::shifted(&one, PI);
+    let other = one.ahead(-PI);
     let surfaces = [Surface::new(one, &drive), Surface::new(other, &drive)];
     let run = run(&surfaces, &drive, 0.0, &Limits::default());
     assert_eq!((run.settle.is_some(), run.period), (true, 1));

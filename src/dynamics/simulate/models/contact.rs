@@ -5,7 +5,7 @@ use crate::dynamics::outcome::{Force, Model, Outcome, Torque};
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::recover::Cycle;
 use crate::dynamics::run::Run;
-use crate::dynamics::simulate::prepared::Prepared;
+use crate::dynamics::simulate::prepared::{Prepared, row_value};
 use crate::dynamics::surface::Surface;
 use crate::error::{DynamicsError, Result};
 use std::f64::consts::TAU;
@@ -184,10 +184,4 @@ impl Sums {
         self.torque_min = self.torque_min.min(torque);
         self.torque_max = self.torque_max.max(torque);
     }
-}
-
-fn row_value(values: &[f64], x: f64) -> f64 {
-    let n = values.len();
-    let (i, u) = (x.floor().rem_euclid(n as f64) as usize, x - x.floor());
-    values[i % n] * (1.0 - u) + values[(i + 1) % n] * u
 }

@@ -24,8 +24,9 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     let curve = if p.rubs {
         None
     } else {
-        let friction = if p.reach > 0.0 { friction } else { 0.0 };
-        rigid::torque_curve(&p.lift, &p.drive, friction, p.reach)
+        let reach = rigid::reach(&input.cam.follower);
+        let friction = if reach > 0.0 { friction } else { 0.0 };
+        rigid::torque_curve(&p.lift, &p.drive, friction, reach)
     };
     if let Some(curve) = curve {
         let (low, high) = curve.extremes();

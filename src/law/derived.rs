@@ -1,7 +1,10 @@
-//! A law run backwards.
+//! The same law run backwards or mounted at another angle.
 
-use super::Law;
+use super::{Law, pieces::Pieces};
 use crate::poly::PiecewisePoly;
+
+/// Angles closer to a break than this part of its neighbouring piece are that break.
+const AT_BREAK: f64 = 1e-9;
 
 impl Law {
     /// The law run backwards: s(−θ), for a cam that turns clockwise. Its extent is mirrored about zero.
@@ -22,11 +25,37 @@ impl Law {
                     .collect::<Vec<_>>(),
             );
         }
-        if waves.iter().all(Vec::is_empty) {
-            waves.clear();
-        }
         let poly = PiecewisePoly::new(breaks, poly.degree(), coef);
         Law::with_waves(poly, waves, self.is_closed())
+    }
+
+    /// The closed law as it looks when the cam is mounted `ahead` rad ahead: s(θ + ahead), on the same
+    /// extent. Open laws come back unchanged.
+    #[must_use]
+    pub fn ahead(&self, ahead: f64) -> Law {
+        let (start, length) = self.extent();
+        let cut = self.near_break(self.wrap(start + ahead));
+        if !self.is_closed() || cut == start {
+            return self.clone();
+        }
+        let mut pieces = Pieces::starting_at(start);
+        pieces.push_part(self, cut, start + length);
+        pieces.push_part(self, start, cut);
+        pieces.end_exactly_at(start + length);
+        match pieces.finish(true) {
+            Some(law) => law,
+            None => self.clone(),
+        }
+    }
+
+    /// The break of a piece that lies within rounding of an angle, otherwise the angle itself.
+    fn near_break(&self, theta: f64) -> f64 {
+        let (i, u) = self.poly().locate(theta);
+        match u {
+            u if u <= AT_BREAK => self.breaks()[i],
+            u if u >= 1.0 - AT_BREAK => self.wrap(self.breaks()[i + 1]),
+            _ => theta,
+        }
     }
 }
 
