@@ -225,6 +225,3 @@ fn project_off_equalities<N: Names>(program: &Program<N>, residual: &mut Vec<f64
     }
     *residual = frame.split(residual).rest;
 }
-
-#[cfg(test)]
-mod tests;

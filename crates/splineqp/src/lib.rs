@@ -39,35 +39,28 @@
 #![deny(clippy::missing_errors_doc)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
-mod active_set;
 mod band;
 mod basis;
 mod certificate;
 mod equality;
-mod exchange;
 mod frame;
 mod objective;
-mod pieces;
 pub mod poly;
 mod program;
-mod refine;
-mod separation;
 mod settings;
 mod solve;
-#[cfg(test)]
-mod tests;
 
 pub use basis::{Basis, Entries, apply};
 pub use certificate::{Certificate, PROVED, certificate};
 pub use equality::solve as solve_equalities;
-pub use exchange::clarabel::{prepared as clarabel_prepared, run as clarabel_run};
-pub use exchange::solve as solve_by_interior_point;
-pub use objective::Quadratic;
+pub use objective::{Quadratic, pointwise};
 pub use program::{
     EXTRAS, Equality, FACE_END, Failure, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS,
     RISE, Row, SIZES, Solution, Stop, only,
 };
 pub use settings::{Settings, TOLERANCE};
+pub use solve::exchange::clarabel::{prepared as clarabel_prepared, run as clarabel_run};
+pub use solve::exchange::solve as solve_by_interior_point;
 
 /// The types by which a caller names limits and equalities.
 ///

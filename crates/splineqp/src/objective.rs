@@ -181,8 +181,7 @@ pub fn quadratic(hessian: &ArrowMatrix, gradient: &[f64], x: &[f64]) -> f64 {
         + gradient.iter().zip(x).map(|(g, x)| g * x).sum::<f64>()
 }
 
-/// The filling-in of values by a function of θ.
-#[cfg(test)]
+/// The filling-in of values by a function of θ, as [`Quadratic::add_distance`] takes it.
 pub fn pointwise(f: impl Fn(f64) -> f64) -> impl Fn(f64, f64, &[(f64, f64)], &mut [f64]) {
     move |start, width, rule, out| {
         for (value, (u, _)) in out.iter_mut().zip(rule) {

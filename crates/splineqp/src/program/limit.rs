@@ -119,7 +119,7 @@ impl<N: Names> Limit<N> {
     }
 
     /// Highest derivative in its left side.
-    pub(crate) fn highest_order(&self) -> usize {
+    pub fn highest_order(&self) -> usize {
         self.weights.iter().rposition(|w| *w != 0.0).unwrap_or(0)
     }
 

@@ -8,6 +8,8 @@
 use crate::Names;
 mod failure;
 mod limit;
+mod pieces;
+mod separation;
 
 pub use failure::{Failure, Stop};
 pub use limit::{

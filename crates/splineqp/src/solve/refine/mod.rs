@@ -26,11 +26,11 @@ pub use band::on_band;
 
 use step::Local;
 
-use super::band::ArrowMatrix;
-use super::basis::{Basis, apply, row_unit};
-use super::certificate::certificate;
-use super::program::{EXTRAS, Limit, PEAK, Program, Row, Solution};
+use crate::band::ArrowMatrix;
+use crate::basis::{Basis, apply, row_unit};
+use crate::certificate::certificate;
 use crate::poly::{Peak, PiecewisePoly};
+use crate::program::{EXTRAS, Limit, PEAK, Program, Row, Solution};
 
 struct Contacts<'a, N: Names> {
     program: &'a Program<N>,

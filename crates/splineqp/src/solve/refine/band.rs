@@ -8,10 +8,10 @@
 
 use super::{Contacts, Way};
 use crate::Names;
-use crate::active_set::ActiveSet;
 use crate::equality::Unlimited;
 use crate::poly::Peak;
 use crate::program::{EXTRAS, Program, Row, Solution};
+use crate::solve::active_set::ActiveSet;
 
 /// Improves a law whose contacts are nearly right; `peaks` are its maxima near their bounds, `level` is where an open level is
 /// pinned. `None` where the steps lose the contacts.

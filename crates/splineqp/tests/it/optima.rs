@@ -1,14 +1,13 @@
 //! Optima with known closed forms, limits that hold between samples, demands that contradict.
 
-use super::basis::Basis;
-use super::exchange;
-use super::objective::{Quadratic, pointwise};
-use super::program::{Equality, Limit, Meaning, PEAK};
-use crate::poly::{PiecewisePoly, SplineSpace};
+use splineqp::poly::{PiecewisePoly, SplineSpace};
+use splineqp::{
+    Basis, Equality, Limit, Meaning, PEAK, Quadratic, pointwise, solve_by_interior_point,
+};
 use std::f64::consts::PI;
 
-type Program = super::Program<()>;
-type Failure = super::Failure<()>;
+type Program = splineqp::Program<()>;
+type Failure = splineqp::Failure<()>;
 
 /// Rest to rest on [0, 1] with h = 1, the first n − 1 derivatives zero at both ends.
 fn rest_to_rest(n: usize, degree: usize, breaks: &[f64]) -> Program {
@@ -112,9 +111,9 @@ fn a_certificate_sees_the_gradient_of_a_peak() {
     let mut program = rest_to_rest(2, 3, &uniform(16));
     minimise_peak(&mut program, 2);
     let solution = program.solve().unwrap();
-    assert!(super::certificate(&program, &solution).stationarity < 1e-6);
+    assert!(splineqp::certificate(&program, &solution).stationarity < 1e-6);
     program.cost[PEAK] = 2.0;
-    let other = super::certificate(&program, &solution);
+    let other = splineqp::certificate(&program, &solution);
     assert!(other.stationarity > 0.1, "{}", other.stationarity);
 }
 
@@ -258,7 +257,7 @@ fn active_set_and_interior_point_find_the_same_optimum() {
     for (degree, spans, parts) in cases {
         let program = humps(degree, spans, parts);
         let ours = program.solve().unwrap();
-        let other = exchange::solve(&program).unwrap();
+        let other = solve_by_interior_point(&program).unwrap();
         let (a, b) = (program.objective(&ours.x), program.objective(&other.x));
         // Both keep the limits to 1e-9 or a little more; the objective follows at about that.
         assert!(

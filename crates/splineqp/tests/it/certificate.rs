@@ -1,14 +1,12 @@
 //! Certificates of optima, and of laws near them that are not: what is certified is true by an evaluation that shares nothing
 //! with the solver.
 
-use super::*;
-use crate::objective::pointwise;
-use crate::poly::SplineSpace;
-use crate::program::Limit;
+use splineqp::poly::SplineSpace;
+use splineqp::*;
 use std::f64::consts::TAU;
 
-type Program = crate::Program<()>;
-type Solution = crate::Solution<()>;
+type Program = splineqp::Program<()>;
+type Solution = splineqp::Solution<()>;
 
 /// Cardinal B-spline of a degree on [0, degree + 1], by its recursion.
 fn cardinal(degree: usize, x: f64) -> f64 {
@@ -85,7 +83,7 @@ impl Case {
             space: SplineSpace::periodic_uniform(degree, spans, TAU),
             closed: true,
         };
-        let mut distance = crate::Quadratic::zero(&basis);
+        let mut distance = splineqp::Quadratic::zero(&basis);
         let at = move |x| target(x, seed);
         distance.add_distance(&basis, &[1.0], 24, pointwise(at), None);
         let mut program = Program::new(basis, distance, Vec::new(), 1.0);
@@ -256,14 +254,14 @@ fn a_certified_peak_is_the_peak_of_the_law() {
                 for (piece, u) in [(0, 0.0), (n - 1, 1.0)] {
                     let mut weights = [0.0; 5];
                     weights[order] = 1.0;
-                    equalities.push(crate::Equality {
+                    equalities.push(splineqp::Equality {
                         name: "at rest",
                         entries: basis.row_on(piece, u, &weights),
                         value: if order == 0 { u } else { 0.0 },
                     });
                 }
             }
-            let zero = crate::Quadratic::zero(&basis);
+            let zero = splineqp::Quadratic::zero(&basis);
             let mut program = Program::new(basis, zero, equalities, 1.0);
             program.cost[PEAK] = 1.0;
             for sign in [1.0, -1.0] {

@@ -8,11 +8,14 @@
 //! | interior point on exchanged rows | sizes, a peak or a cone among the variables; what the active set leaves open | `exchange` |
 //! | Newton's method on the contacts | every solution whose certificate is open | `refine` |
 
-use super::active_set::proximal;
-use super::basis::apply;
-use super::program::{EXTRAS, FACE_END, Failure, LOWEST, PEAK, Program, Solution, Stop};
-use super::{active_set, equality, exchange, refine};
-use crate::Names;
+mod active_set;
+pub mod exchange;
+mod refine;
+
+use crate::basis::apply;
+use crate::program::{EXTRAS, FACE_END, Failure, LOWEST, PEAK, Program, Solution, Stop};
+use crate::{Names, equality};
+use active_set::proximal;
 
 impl<N: Names> Program<N> {
     /// The optimum under all limits, on the continuum.

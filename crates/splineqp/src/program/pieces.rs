@@ -1,8 +1,8 @@
 //! The law's derivatives in Bernstein form on all spans at once, and the maxima of what limits ask of them.
 
-use super::basis::WIDEST;
-use super::program::Limit;
+use super::Limit;
 use crate::Names;
+use crate::basis::WIDEST;
 use crate::poly::{Peak, Span, SplineSpace, bernstein};
 
 /// Bernstein coefficients of s, v, a, j and the fourth derivative on every span, up to the highest that a limit contains.

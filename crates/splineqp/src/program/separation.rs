@@ -1,9 +1,9 @@
 //! Where a law breaks its limits: exact worst points, from the roots of the limits' own derivatives.
 
-use super::basis::{Basis, Entries, WIDEST, add};
 use super::pieces::{Curve, Pieces};
-use super::program::{EXTRAS, Limit, Meaning, PEAK, Program, Row, Solution};
+use super::{EXTRAS, Limit, Meaning, PEAK, Program, Row, Solution};
 use crate::Names;
+use crate::basis::{Basis, Entries, WIDEST, add};
 use crate::poly::{Peak, PiecewisePoly, SplineSpace, bernstein};
 
 impl<N: Names> Program<N> {

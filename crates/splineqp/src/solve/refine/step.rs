@@ -6,10 +6,10 @@
 
 use super::Contacts;
 use crate::Names;
-use crate::active_set::dual::Dual;
 use crate::band::{ArrowFactor, ArrowMatrix};
 use crate::basis::{Entries, apply, row_unit};
 use crate::program::{EXTRAS, PEAK, Row, Solution};
+use crate::solve::active_set::dual::Dual;
 use nalgebra::{DMatrix, DVector};
 
 /// A plane aᵀd ≤ bound, or aᵀd = bound, of entries near 1.

@@ -12,8 +12,8 @@ use crate::basis::{Entries, apply};
 use crate::equality::Unlimited;
 use crate::poly::Peak;
 use crate::program::{EXTRAS, Program, Row, Solution};
-use crate::refine;
 use crate::settings::ActiveSetSettings;
+use crate::solve::refine;
 use dual::{Dual, Stuck};
 
 /// Solves a program over the coefficients alone, starting from its optimum without limits.

@@ -5,9 +5,10 @@ pub mod clarabel;
 
 use crate::Names;
 use crate::basis::row_unit;
+use crate::equality;
 use crate::poly::Peak;
 use crate::program::{EXTRAS, Failure, PEAK, Program, Row, Solution, Stop};
-use crate::{equality, refine};
+use crate::solve::refine;
 use clarabel::Point;
 
 /// The optimum by the interior-point method on exchanged rows, which begin with the program's seeds or with the worst points of

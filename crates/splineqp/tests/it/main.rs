@@ -1,0 +1,4 @@
+//! Optima and certificates against closed forms and independent computation.
+
+mod certificate;
+mod optima;
