@@ -5,7 +5,7 @@
 //! polynomial times exponential to rounding on a short part, and doubling takes it to the full width.
 //! Nothing cancels, whatever the frequency; no time is stepped.
 
-use crate::poly::{PiecewisePoly, bernstein};
+use crate::poly::{PiecewisePoly, bernstein, gauss_legendre};
 pub use nalgebra::{Matrix4, Vector4};
 
 /// Norm of A times the width that one set of Gauss points covers.
@@ -169,11 +169,10 @@ fn push_once(
     degree: usize,
     width: f64,
 ) -> Vec<Vector4<f64>> {
-    let (nodes, weights) = gauss((degree + SERIES) / 2 + 1);
     let mut sum = vec![Vector4::zeros(); degree + 1];
-    for (u, weight) in nodes.iter().zip(weights) {
+    for (u, weight) in gauss_legendre((degree + SERIES) / 2 + 1) {
         let answer = exponential_on(z, input, 1.0 - u) * (weight * width);
-        for (g, b) in sum.iter_mut().zip(bernstein_basis(degree, *u)) {
+        for (g, b) in sum.iter_mut().zip(bernstein_basis(degree, u)) {
             *g += answer * b;
         }
     }
@@ -244,37 +243,6 @@ fn power(base: Matrix4<f64>, mut n: usize) -> Matrix4<f64> {
     out
 }
 
-/// Gauss–Legendre nodes and weights on [0, 1], in pairs.
-pub fn gauss_points(n: usize) -> Vec<(f64, f64)> {
-    let (nodes, weights) = gauss(n);
-    nodes.into_iter().zip(weights).collect()
-}
-
-/// Gauss–Legendre nodes and weights on [0, 1]: roots of the Legendre polynomial by Newton.
-fn gauss(n: usize) -> (Vec<f64>, Vec<f64>) {
-    let mut nodes = Vec::with_capacity(n);
-    let mut weights = Vec::with_capacity(n);
-    for i in 0..n {
-        let mut x = (std::f64::consts::PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
-        let mut slope = 1.0;
-        for _ in 0..8 {
-            let (mut p, mut before) = (x, 1.0);
-            for k in 2..=n {
-                let k = k as f64;
-                (p, before) = (((2.0 * k - 1.0) * x * p - (k - 1.0) * before) / k, p);
-            }
-            if n == 1 {
-                before = 1.0;
-            }
-            slope = n as f64 * (x * p - before) / (x * x - 1.0);
-            x -= p / slope;
-        }
-        nodes.push(0.5 * (1.0 - x));
-        weights.push(1.0 / ((1.0 - x * x) * slope * slope));
-    }
-    (nodes, weights)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -292,9 +260,9 @@ mod tests {
 
     #[test]
     fn gauss_points_integrate_polynomials_exactly() {
-        let (x, w) = gauss(9);
+        let points = gauss_legendre(9);
         for k in 0..18 {
-            let sum: f64 = x.iter().zip(&w).map(|(x, w)| w * x.powi(k)).sum();
+            let sum: f64 = points.iter().map(|(x, w)| w * x.powi(k)).sum();
             assert!((sum - 1.0 / f64::from(k + 1)).abs() < 1e-15, "{k}");
         }
     }

@@ -7,6 +7,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use nalgebra::{DMatrix, DVector};
+
 use crate::cam::{Cam, Inspection};
 use crate::dynamics::rigid::liftoff_speed;
 use crate::dynamics::rigid::touch::held;
@@ -169,11 +171,15 @@ impl Series {
         let most = MOST_WAVES
             .min(n.saturating_sub(1) / POINTS_PER_WAVE)
             .min((PI / widest_gap(values)) as usize);
-        let columns = orthonormal(values, 2 * most + 1);
-        let mut square: f64 = values.iter().map(|v| v.1 * v.1).sum();
+        let columns = DMatrix::from_fn(n, 2 * most + 1, |i, k| column(k, values[i].0));
+        let qr = columns.qr();
+        // Components of the values along the orthogonalised columns: each lowers the sum of squares by its own square.
+        let mut shares = DVector::from_iterator(n, values.iter().map(|v| v.1));
+        let mut square = shares.norm_squared();
+        qr.q_tr_mul(&mut shares);
         let mut best = (f64::INFINITY, 0, 0.0);
-        for (k, column) in columns.iter().enumerate() {
-            square = (square - column.share * column.share).max(0.0);
+        for k in 0..=2 * most {
+            square = (square - shares[k] * shares[k]).max(0.0);
             if k % 2 == 0 {
                 let mean = (square / n as f64).max(ROUNDING * ROUNDING);
                 let score = n as f64 * mean.ln() + (k + 1) as f64 * (n as f64).ln();
@@ -183,15 +189,13 @@ impl Series {
             }
         }
         let (_, kept, left) = best;
-        let coefficients = back_substituted(&columns[..kept]);
+        let triangle = qr.r().view((0, 0), (kept, kept)).into_owned();
+        let solution = triangle.solve_upper_triangular(&shares.rows(0, kept).into_owned());
+        let coefficients: Vec<f64> = solution.iter().flat_map(|c| c.iter().copied()).collect();
+        let waves = coefficients.get(1..).unwrap_or_default();
         Series {
             mean: coefficients.first().copied().unwrap_or(0.0),
-            terms: coefficients
-                .get(1..)
-                .unwrap_or_default()
-                .chunks_exact(2)
-                .map(|c| (c[0], c[1]))
-                .collect(),
+            terms: waves.chunks_exact(2).map(|c| (c[0], c[1])).collect(),
             left: (left / n as f64).sqrt(),
         }
     }
@@ -225,56 +229,12 @@ fn widest_gap(values: &[(f64, f64)]) -> f64 {
         .fold(seam, f64::max)
 }
 
-/// A column of 1, cos θ, sin θ, cos 2θ …, orthogonalised against those before it.
-struct Orthonormal {
-    unit: Vec<f64>,
-    /// Its components along those before it, and its norm.
-    parts: Vec<f64>,
-    /// Component of the values along it.
-    share: f64,
-}
-
-/// Gram–Schmidt, applied twice, which keeps the columns orthogonal to rounding.
-fn orthonormal(values: &[(f64, f64)], count: usize) -> Vec<Orthonormal> {
-    let mut out: Vec<Orthonormal> = Vec::with_capacity(count);
-    for k in 0..count {
-        let wave = k.div_ceil(2) as f64;
-        let function = |theta: f64| match k % 2 {
-            1 => (wave * theta).cos(),
-            _ if k == 0 => 1.0,
-            _ => (wave * theta).sin(),
-        };
-        let mut column: Vec<f64> = values.iter().map(|v| function(v.0)).collect();
-        let mut parts = vec![0.0; k + 1];
-        for _ in 0..2 {
-            for (i, before) in out.iter().enumerate() {
-                let part: f64 = column.iter().zip(&before.unit).map(|(a, b)| a * b).sum();
-                parts[i] += part;
-                for (x, unit) in column.iter_mut().zip(&before.unit) {
-                    *x -= part * unit;
-                }
-            }
-        }
-        let length = column.iter().map(|x| x * x).sum::<f64>().sqrt();
-        parts[k] = length;
-        column.iter_mut().for_each(|x| *x /= length);
-        let share = column.iter().zip(values).map(|(a, v)| a * v.1).sum();
-        out.push(Orthonormal {
-            unit: column,
-            parts,
-            share,
-        });
+/// Function number k of 1, cos θ, sin θ, cos 2θ …
+fn column(k: usize, theta: f64) -> f64 {
+    let wave = k.div_ceil(2) as f64;
+    match k % 2 {
+        1 => (wave * theta).cos(),
+        _ if k == 0 => 1.0,
+        _ => (wave * theta).sin(),
     }
-    out
-}
-
-/// Coefficients of the columns before orthogonalisation.
-fn back_substituted(columns: &[Orthonormal]) -> Vec<f64> {
-    let n = columns.len();
-    let mut out = vec![0.0; n];
-    for i in (0..n).rev() {
-        let later: f64 = (i + 1..n).map(|k| columns[k].parts[i] * out[k]).sum();
-        out[i] = (columns[i].share - later) / columns[i].parts[i];
-    }
-    out
 }

@@ -9,10 +9,9 @@ use std::f64::consts::TAU;
 use super::finished::Finished;
 use crate::cam::{Check, LimitKind};
 use crate::dynamics::flexible::in_rests;
-use crate::dynamics::flexible::linear::gauss_points;
 use crate::dynamics::flexible::polydyne::end_error;
 use crate::law::Law;
-use crate::poly::{Extreme, Peak};
+use crate::poly::{Extreme, Peak, gauss_legendre};
 use crate::problem::Problem;
 use crate::synth::qp::{Basis, EXTRAS, Entries, Row, TOLERANCE, apply};
 
@@ -188,7 +187,7 @@ fn of_motion(basis: &Basis, motion: (f64, f64), free: &Free, gained: &[f64; 4]) 
 /// Angles with weights for ∫ f(θ) e^{irθ} dθ over one motion: Gauss points on parts of at most a radian of phase between
 /// the breaks, eight to a part (1e-14 for the degrees used here).
 fn quadrature(breaks: &[f64], (from, to): (f64, f64), rate: f64) -> Vec<(f64, f64)> {
-    let gauss = gauss_points(8);
+    let gauss = gauss_legendre(8);
     let mut cuts: Vec<f64> = (breaks.iter())
         .flat_map(|b| [*b, b + TAU])
         .filter(|b| *b > from && *b < to)
