@@ -1,8 +1,8 @@
 //! The emitted cam in motion.
 
 use gaitcam::dynamics::{self, Model, Outcome};
-use gaitcam::problem::Problem;
 use gaitcam::wording::Language;
+use gaitcam_files::design::{drive_on, is_of_machine};
 use gaitcam_output::simulation;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -79,16 +79,15 @@ fn machine_of(
 ) -> PyResult<(gaitcam::scene::MachineSpec, gaitcam::Drive)> {
     for key in changes.keys() {
         let key: String = key.extract()?;
-        if !(key.starts_with("drive.") || key.starts_with("machine.")) {
+        if !is_of_machine(&key) {
             let what = "the cam is cut: only keys of drive and machine change".to_string();
             return Err(argument(py, &key, what));
         }
     }
     let scene = Scene::of_input(design.input.clone()).changed(py, changes)?;
     let scene = scene.input.scene;
-    let target = design.design.target.as_ref();
-    let problem = Problem::resolve(&scene, target).raise(py)?;
-    Ok((scene.machine, problem.drive))
+    let drive = drive_on(&design.design, &scene).raise(py)?;
+    Ok((scene.machine, drive))
 }
 
 #[pymethods]

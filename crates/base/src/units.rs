@@ -1,7 +1,8 @@
 //! Quantities with units: `"3 in"` becomes 0.0762 m.
 //!
 //! A quantity is a number, a blank (optional) and a unit expression of factors joined by `*`, a blank,
-//! `/` and `^`: `"30 psi/in^3"`, `"40 m/s^2"`, `"2 N m"`. Angles are a dimension of their own, so that
+//! `/` and `^`: `"30 psi/in^3"`, `"40 m/s^2"`, `"2 N m"`. The number may have a decimal comma or be a fraction: `"2,5 mm"`,
+//! `"3/8 in"`, `"1 3/8 in"`. Angles are a dimension of their own, so that
 //! degrees cannot be given for metres. Results are in SI and radians.
 
 use crate::error::{Error, Result, UnitsError, nearest};
@@ -68,13 +69,13 @@ const LB: f64 = 0.453_592_37;
 /// Text that is no quantity, another dimension, a value that is not finite.
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
     let text = text.trim();
-    let (number, unit) = split_number(text);
-    let value: f64 = number.parse().map_err(|_| {
+    let no_number = || {
         Error::from(UnitsError::NoNumber {
             text: text.to_string(),
             example: dimension.example().to_string(),
         })
-    })?;
+    };
+    let (value, unit) = leading_number(text).ok_or_else(no_number)?;
     let unit = unit.trim();
     if unit.is_empty() {
         if value == 0.0 || dimension == Dimension::Ratio {
@@ -126,7 +127,41 @@ fn name(dimension: Dimension) -> String {
         .to_string()
 }
 
-/// Splits "1.85e-3mm" into "1.85e-3" and "mm"; an `e` counts as exponent only before a digit.
+/// The number that a text begins with, a whole number and a fraction included, and what follows it.
+fn leading_number(text: &str) -> Option<(f64, &str)> {
+    let (number, rest) = split_number(text);
+    let value: f64 = number.replace(',', ".").parse().ok()?;
+    if let Some(share) = quotient(value, rest) {
+        return Some(share);
+    }
+    let whole = !number.is_empty()
+        && number
+            .bytes()
+            .all(|b| b.is_ascii_digit() || b"+-".contains(&b));
+    let (upper, after) = split_number(rest.trim_start());
+    let mixed = (whole && rest.starts_with(' ')).then(|| quotient(upper.parse().ok()?, after));
+    Some(match mixed.flatten() {
+        Some((share, after)) if upper.as_bytes()[0].is_ascii_digit() => {
+            let share = if number.starts_with('-') {
+                -share
+            } else {
+                share
+            };
+            (value + share, after)
+        }
+        _ => (value, rest),
+    })
+}
+
+/// `value` divided by the number that follows a slash, and what follows that.
+fn quotient(value: f64, rest: &str) -> Option<(f64, &str)> {
+    let (number, after) = split_number(rest.trim_start().strip_prefix('/')?.trim_start());
+    let divisor: f64 = number.replace(',', ".").parse().ok()?;
+    (divisor > 0.0).then(|| (value / divisor, after))
+}
+
+/// Splits "1.85e-3mm" into "1.85e-3" and "mm"; an `e` counts as exponent only before a digit, a comma as decimal sign
+/// only between digits and where no other sign is.
 fn split_number(text: &str) -> (&str, &str) {
     let b = text.as_bytes();
     let digit = |i: usize| b.get(i).is_some_and(u8::is_ascii_digit);
@@ -134,7 +169,14 @@ fn split_number(text: &str) -> (&str, &str) {
     if matches!(b.first(), Some(b'+' | b'-')) {
         i = 1;
     }
-    while digit(i) || b.get(i) == Some(&b'.') {
+    let start = i;
+    while digit(i)
+        || b.get(i) == Some(&b'.')
+        || (b.get(i) == Some(&b',')
+            && i > start
+            && digit(i + 1)
+            && !b[start..i].iter().any(|c| b".,".contains(c)))
+    {
         i += 1;
     }
     if matches!(b.get(i), Some(b'e' | b'E')) {
@@ -191,6 +233,13 @@ fn lookup(unit: &str, dimension: Dimension) -> Option<(f64, Exponents)> {
             _ => (LBF, [1, 1, -2, 0]),
         });
     }
+    let unit = match unit {
+        "\"" | "″" | "inch" | "inches" => "in",
+        "'" | "′" | "foot" | "feet" => "ft",
+        "r" | "revs" | "turns" => "rev",
+        "RPM" => "rpm",
+        _ => unit,
+    };
     UNITS
         .iter()
         .find(|(n, ..)| *n == unit)
@@ -240,6 +289,47 @@ mod tests {
     }
 
     #[test]
+    fn numbers_and_units_are_read_as_people_type_them() {
+        let inch = 0.0254;
+        let turn = std::f64::consts::TAU / 60.0;
+        for (text, dimension, expected) in [
+            ("2,5 bar", Dimension::Pressure, 2.5e5),
+            ("0,4 s", Dimension::Time, 0.4),
+            ("-7,5rad/s", Dimension::AngularSpeed, -7.5),
+            ("1,5e-3 m", Dimension::Length, 1.5e-3),
+            ("3/8 in", Dimension::Length, 0.375 * inch),
+            ("3/8\"", Dimension::Length, 0.375 * inch),
+            ("1 3/8\"", Dimension::Length, 1.375 * inch),
+            ("-1 1/2 in", Dimension::Length, -1.5 * inch),
+            ("1 / 4 inch", Dimension::Length, 0.25 * inch),
+            ("2 inches", Dimension::Length, 2.0 * inch),
+            ("100 RPM", Dimension::AngularSpeed, 100.0 * turn),
+            ("100 r/min", Dimension::AngularSpeed, 100.0 * turn),
+            ("100 rev/min", Dimension::AngularSpeed, 100.0 * turn),
+            ("1/3", Dimension::Ratio, 1.0 / 3.0),
+            ("1 /s", Dimension::Frequency, 1.0),
+        ] {
+            let got = parse(text, dimension);
+            let near = got
+                .as_ref()
+                .is_ok_and(|x| (x / expected - 1.0).abs() < 1e-12);
+            assert!(near, "{text}: {got:?}");
+        }
+        // What may be a list or thousands, and what divides by nothing, stays refused.
+        for text in [
+            "1,000.5 mm",
+            "1.000,5 mm",
+            "1,2,3 mm",
+            "1, 2 mm",
+            ",5 mm",
+            "1/0 in",
+            "1 2 mm",
+        ] {
+            assert!(parse(text, Dimension::Length).is_err(), "{text}");
+        }
+    }
+
+    #[test]
     fn bare_numbers_wrong_kinds_and_unknown_units_are_refused_with_advice() {
         let message = |t, d| parse(t, d).unwrap_err().to_string();
         assert!(message("3", Dimension::Length).contains("has no unit"));
@@ -257,7 +347,6 @@ mod tests {
         assert_eq!(parse("50 Nm", Dimension::Torque), Ok(50.0));
         for (text, dimension, meant) in [
             ("60 MM", Dimension::Length, "\"mm\""),
-            ("111 RPM", Dimension::AngularSpeed, "\"rpm\""),
             ("5 mpa", Dimension::Pressure, "\"MPa\""),
             ("1 KG", Dimension::Mass, "\"kg\""),
         ] {

@@ -1,5 +1,6 @@
 //! `gaitcam simulate`: runs the emitted cam, not the law it came from.
 
+use std::f64::consts::PI;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -11,14 +12,13 @@ use crate::console::exit_code::{self, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
-use crate::input::searching;
+use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
-use gaitcam::Problem;
 use gaitcam::dynamics::{Model, Run, simulate};
 use gaitcam::error::{Place, Placed, Result};
 use gaitcam::scene::{MachineSpec, Scene};
-use gaitcam::synth::{self, Design};
+use gaitcam::synth::Design;
 use gaitcam::units::Dimension;
 use gaitcam_files::design::{check_inputs_stay, of_another_design, write_scene};
 use gaitcam_files::{PATIENCE, ResultFolder};
@@ -27,6 +27,7 @@ use gaitcam_output::{Timing, simulation};
 
 const EXAMPLES: &str = "Examples:
   gaitcam simulate scenes/footbridge.toml
+  gaitcam simulate out/footbridge --speed '96 rpm'
   gaitcam simulate scenes/heel_tester.toml --model flexible --natural-frequency '60 Hz'
   gaitcam simulate scenes/thesis_iteration_3.toml --set 'drive.speed=300 rpm' --restitution 0.5";
 
@@ -36,6 +37,9 @@ const EXAMPLES: &str = "Examples:
 pub struct SimulateArgs {
     #[command(flatten)]
     scene: SceneArgs,
+    /// Run the cam as made at this speed of the shaft: --speed '96 rpm'
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    speed: Option<String>,
     /// auto (the simplest that is sufficient), rigid, flexible, contact
     #[arg(long, default_value = "auto")]
     model: String,
@@ -62,7 +66,7 @@ pub struct SimulateArgs {
     second_cam: Option<String>,
 }
 
-/// Designs the scene's cam, emits its profile and runs that; exit code 3 when there is no cam to run, or one
+/// Designs the scene's cam (of a result folder: its own again), emits its profile and runs that; exit code 3 when there is no cam to run, or one
 /// that is unacceptable, be it for contact lost in this run.
 pub fn run(args: &SimulateArgs) -> Result<u8> {
     let model = Model::parse(&args.model).ok_or_else(|| {
@@ -70,21 +74,17 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         CliError::NoModel { typed }.at_argument("--model")
     })?;
     let start = Instant::now();
-    let input = input::scene(&args.scene)?;
-    let folder = ResultFolder::open(
-        &input::result_folder(&input, args.out.as_deref(), "")?,
-        PATIENCE,
-    )?;
+    let made = Made::read(&args.scene, args.speed.as_deref())?;
+    let input = &made.input;
+    let folder = ResultFolder::open(&folder(args, &made)?, PATIENCE)?;
     let scene = toml::to_string(&input.resolved()).unwrap_or_default();
     let others = of_another_design(folder.path(), &scene);
     if !others.is_empty() {
-        check_inputs_stay(folder.path(), &input)
+        check_inputs_stay(folder.path(), input)
             .map_err(|e| e.placed(Place::Argument("--out".to_string())))?;
     }
-    let target = input.target()?;
     let solving = Instant::now();
-    let problem = Problem::resolve(&input.scene, target.as_ref())?;
-    let mut design = synth::design(&problem, &searching::search())?;
+    let mut design = made.design()?;
     let solve_s = solving.elapsed().as_secs_f64();
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("simulate-no-cam", &json!({"why": why})));
@@ -93,7 +93,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         }
         return Ok(NO_SUCH_CAM);
     }
-    let run = emitted(args, &input.scene, &design)?;
+    let run = emitted(args, &made.running, &design)?;
     let outcome = simulate(&run, model)?;
     if outcome.contact_lost {
         design.loses_contact(outcome.lost_fraction);
@@ -108,12 +108,13 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     };
     let mut json = simulation::json(&outcome);
     json["verdict"] = design.verdict.name().into();
+    json["speed_rad_per_s"] = run.drive.speed.into();
     let text = serde_json::to_string_pretty(&json).unwrap_or_default();
     folder.write("dynamics.csv", simulation::csv(&outcome).as_bytes())?;
     folder.write("simulation.json", text.as_bytes())?;
     let page = html_of_run(&design, time, &running, language::current());
     folder.write("report.html", page.as_bytes())?;
-    write_scene(&folder, &input, &scene)?;
+    write_scene(&folder, input, &scene)?;
     let place = folder.path().to_path_buf();
     folder.commit(&others)?;
     if args.json {
@@ -125,6 +126,9 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
             words::name(design.verdict.name())
         ));
         print(&format!("  {}", design.reason(language::current())));
+        if let Some(remark) = remark(args, &made, &design) {
+            print(&format!("  {remark}"));
+        }
         print(&simulation::table(
             &outcome,
             run.cam.follower.measures(),
@@ -133,6 +137,28 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         print(&files_in(&place, "report.html"));
     }
     Ok(exit_code::of(design.verdict))
+}
+
+/// Where the files go: the result folder that is run unchanged, otherwise a folder of the scene's name.
+fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
+    match (&args.out, &args.scene.scene) {
+        (None, Some(result)) if result.is_dir() && !made.other_machine => Ok(result.clone()),
+        (out, _) => {
+            let ending = if made.other_machine { "_run" } else { "" };
+            input::result_folder(&made.input, out.as_deref(), ending)
+        }
+    }
+}
+
+/// Which cam was run where that may be mistaken.
+fn remark(args: &SimulateArgs, made: &Made, design: &Design) -> Option<String> {
+    if made.other_machine {
+        let rpm = words::fixed(design.drive.speed * 30.0 / PI, 3);
+        return Some(words::fill("simulate-as-made", &json!({"rpm": rpm})));
+    }
+    let speed = |change: &String| change.trim_start().starts_with("drive.speed");
+    let again = design.target.is_some() && args.scene.set.iter().any(speed);
+    again.then(|| words::text("simulate-designed-again"))
 }
 
 /// The scene's machine, with what the command line says in its place.

@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use gaitcam::error::{FileError, Placed, Result};
+use gaitcam::scene::Scene;
 use gaitcam::synth::Design;
+use gaitcam::{Drive, Problem};
 use gaitcam_output::{Timing, json};
 use serde_json::Value;
 
@@ -17,6 +19,20 @@ pub fn summary(design: &Design, scene: &toml::Table, time: Timing) -> Value {
     let mut out = json::summary(design, time);
     out["scene"] = serde_json::to_value(scene).unwrap_or_default();
     out
+}
+
+/// Whether a key of a scene changes the machine around a cam and not the cam.
+pub fn is_of_machine(key: &str) -> bool {
+    key.starts_with("drive.") || key.starts_with("machine.")
+}
+
+/// The drive of another scene under a cam that is cut for the force of its own.
+///
+/// # Errors
+/// A drive without speed or mass.
+pub fn drive_on(design: &Design, scene: &Scene) -> Result<Drive> {
+    let problem = Problem::resolve(scene, design.target.as_ref())?;
+    Ok(problem.drive)
 }
 
 /// Writes scene and summary and puts the whole result into place.

@@ -123,7 +123,7 @@ fn least_peak_errors_of_the_force_are_certified_under_limits() {
         (
             gait("setra", 1.6, oil),
             "velocity = \"1.0547 m/s\"",
-            "degree = 7\nspans = 16",
+            "degree = 5\nspans = 12",
         ),
     ] {
         let design = design(&format!("{scene}[limits]\n{limits}\n{law}{size}\n"));

@@ -24,6 +24,7 @@ pub enum CliError {
     NoModel { typed: String },
     Restitution { value: f64 },
     NegativeFriction { typed: String },
+    CamIsMade { key: String },
     BrokenTable { fault: String },
     FieldNotNumber,
     EmptyTable,

@@ -1,5 +1,6 @@
 //! Scenes as the command line gives them: a file, standard input or the built-in scene, with changes.
 
+pub mod made;
 pub mod recordings;
 pub mod searching;
 

@@ -13,7 +13,7 @@ use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words::{self, fixed};
-use crate::input::searching;
+use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
 use gaitcam::cam::{Inspection, Measures};
@@ -44,7 +44,7 @@ pub struct InspectArgs {
     /// The points are centres of a probing ball of this radius: --ball '1 mm'
     #[arg(long, value_name = "RADIUS")]
     ball: Option<String>,
-    /// Change a value of the scene: --set 'drive.speed=60 rpm' (may be repeated)
+    /// Change a value of the scene, or drive and machine of a result: --set 'drive.speed=60 rpm' (may be repeated)
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<String>,
     /// Folder for the files (default: the design's folder, or out/NAME_inspected)
@@ -63,17 +63,12 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         return Err(CliError::NegativeBall { typed }.at_argument("--ball"));
     }
     let points = points::read(&args.measured)?;
-    let summary = args.design.join("summary.json");
-    let scene = if args.design.is_dir() {
-        &summary
-    } else {
-        &args.design
-    };
-    let input = input::scene(&SceneArgs {
-        scene: Some(scene.clone()),
+    let named = SceneArgs {
+        scene: Some(args.design.clone()),
         set: args.set.clone(),
-    })?;
-    let design = searching::design(&input)?;
+    };
+    let made = Made::read(&named, None)?;
+    let (design, input) = (made.design()?, made.input);
     if let Some(infeasible) = &design.infeasible {
         let why = sentences(&infeasible.reasons, language::current());
         report(words::fill("inspect-no-cam", &json!({"why": why})));

@@ -1,6 +1,7 @@
 //! The command as users call it: files, messages, exit codes.
 
 mod all_scenes;
+mod as_made;
 mod explain;
 mod folder;
 mod foreign;

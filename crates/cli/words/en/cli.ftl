@@ -28,7 +28,9 @@ cli-no-model = "{ $typed }" is not a model
 cli-restitution = invalid value { $value }
     .help = a coefficient of restitution lies in [0, 1]: 0 for a plastic impact, 1 for an elastic one
 cli-negative-friction = a coefficient of friction is 0 or more, not { $typed }
-    .help = relax its limits as the summary says, or leave it out
+    .help = 0 for none; oiled steel on steel about 0.1
+cli-cam-is-made = the cam of a result is made: { $key } would design another
+    .help = give only keys of drive and machine, or design the other cam with gaitcam synth SUMMARY.json --set …
 cli-broken-table = { $fault }
     .help = write it again with gaitcam synth
 cli-field-not-number = a field is not a number
@@ -192,6 +194,8 @@ gait-mean-cycle-of = mean cycle of { $file }
 
 # simulate.
 simulate-no-cam = there is no cam to run: { $why }
+simulate-as-made = the cam as it was made, at { $rpm } rpm
+simulate-designed-again = the cam was designed for this drive.speed; --speed runs one cam at another speed
 
 # sweep.
 sweep-skipped = { $count } file(s) beside the recordings are skipped ({ $first }{ $count ->

@@ -28,7 +28,9 @@ cli-no-model = "{ $typed }" no es un modelo
 cli-restitution = valor no válido { $value }
     .help = el coeficiente de restitución está en [0, 1]: 0 en un choque plástico, 1 en uno elástico
 cli-negative-friction = un coeficiente de rozamiento es 0 o mayor, no { $typed }
-    .help = relaje sus límites como dice el resumen, o quítelo
+    .help = 0 si no hay; acero sobre acero con aceite, alrededor de 0.1
+cli-cam-is-made = la leva de un resultado ya está hecha: { $key } diseñaría otra
+    .help = dé solo claves de drive y machine, o diseñe la otra leva con gaitcam synth SUMMARY.json --set …
 cli-broken-table = { $fault }
     .help = escríbala de nuevo con gaitcam synth
 cli-field-not-number = un campo no es un número
@@ -192,6 +194,8 @@ gait-mean-cycle-of = ciclo medio de { $file }
 
 # simulate.
 simulate-no-cam = no hay ninguna leva que simular: { $why }
+simulate-as-made = la leva tal como se hizo, a { $rpm } rpm
+simulate-designed-again = la leva se diseñó para este drive.speed; --speed hace girar una misma leva a otra velocidad
 
 # sweep.
 sweep-skipped = se omiten { $count } archivos junto a los registros ({ $first }{ $count ->

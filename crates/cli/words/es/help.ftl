@@ -100,6 +100,7 @@ gait-period = El archivo es exactamente un ciclo de esta duración, de cualquier
 gait-span = El archivo cubre esta parte de la vuelta; en el resto la fuerza es cero: "256 deg"
 gait-accept = Incluye en la media conjunta un registro aunque esto quede abierto: kind, clock, mass
 
+simulate-speed = Hace girar la leva tal como se hizo a esta velocidad del árbol: --speed '96 rpm'
 simulate-model = auto (el más simple que basta) | rigid | flexible | contact
 simulate-out = Carpeta de dynamics.csv, simulation.json y report.html (por defecto out/NOMBRE)
 simulate-natural_frequency = Primera frecuencia propia del tren del seguidor: "60 Hz"
@@ -164,5 +165,6 @@ chart-out = Carpeta de tablas y figuras
 inspect-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incluida
 inspect-measured = Puntos medidos del perfil, con el centro y el ángulo cero que tenga la máquina de medir: un csv con las columnas x_mm,y_mm o angle_deg,radius_mm (o m, in, rad), un punto por línea, en cualquier orden
 inspect-ball = Los puntos son centros de una bola palpadora de este radio: --ball '1 mm'
+inspect-set = Cambia un valor de la escena, o accionamiento y máquina de un resultado: --set 'drive.speed=60 rpm' (se puede repetir)
 inspect-out = Carpeta de los archivos (por defecto la del diseño, o out/NOMBRE_inspected)
 inspect-json = Escribe inspection.json en lugar del resumen; sin --out no se escribe ningún archivo

@@ -302,3 +302,24 @@ fn bands_weights_phases_and_fronts_are_refused_with_their_cure() {
         &["limits.prime_radius", "not positive"],
     );
 }
+
+#[test]
+fn values_are_read_as_people_type_them_in_every_place() {
+    let json = |arguments: &[&str]| object(&gaitcam(arguments));
+    let speed = |typed: &str| {
+        let set = format!("drive.speed={typed}");
+        let design = json(&["synth", "thesis_iteration_4", "--set", &set, "--json"]);
+        design["drive"]["speed_rad_per_s"].as_f64().unwrap()
+    };
+    assert!((speed("7,5 rad/s") - 7.5).abs() < 1e-12);
+    assert!((speed("100 r/min") - speed("100 RPM")).abs() < 1e-12);
+    let roller = |typed: &str| {
+        let set = format!("cam.roller_radius={typed}");
+        json(&["synth", "camdas_01_roller", "--set", &set, "--json"])["cam"]["prime_radius_m"]
+            .as_f64()
+            .unwrap()
+    };
+    for typed in ["3/8 in", "3/8\"", "9,525 mm", "0.375 inch"] {
+        assert!((roller(typed) - 0.059_525).abs() < 1e-12, "{typed}");
+    }
+}

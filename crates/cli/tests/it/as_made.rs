@@ -1,0 +1,142 @@
+//! A cam that is cut stays the same: `simulate` and `inspect` of a result change the machine around it.
+
+use std::f64::consts::PI;
+use std::fs;
+
+use crate::support::{gaitcam, object, stderr, stdout};
+
+/// A force of two sines, so that the force of its cam at any speed is known: F = M g + (ω/ω₀)² f(θ).
+const SCENE: &str = "name = \"shaker\"
+[gait]
+file = \"one.csv\"
+feet = \"one\"
+period = \"0.5 s\"
+[drive]
+kind = \"moving-axis\"
+mass = \"auto\"
+speed = \"120 rpm\"
+";
+
+/// The force over its mean at a share of the turn, N.
+fn swing(turn: f64) -> f64 {
+    let theta = 2.0 * PI * turn;
+    210.0 * theta.sin() + 60.0 * (2.0 * theta).sin()
+}
+
+#[test]
+fn a_result_runs_at_any_speed_with_the_cam_that_was_made() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let mut rows = String::from("time_s,force_n\n");
+    for i in 0..=100 {
+        let turn = f64::from(i) / 100.0;
+        rows += &format!("{},{}\n", 0.5 * turn, 700.0 + swing(turn));
+    }
+    fs::write(path("one.csv"), rows).unwrap();
+    fs::write(path("scene.toml"), SCENE).unwrap();
+    let made = path("made");
+    let run = gaitcam(&["synth", &path("scene.toml"), "--out", &made, "--no-png"]);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let summary = path("made/summary.json");
+    let most = (0..10_000)
+        .map(|i| swing(f64::from(i) / 1e4))
+        .fold(0.0, f64::max);
+    let lift_off = 4.0 * PI * (700.0 / most).sqrt();
+    for result in [&made, &summary] {
+        for rpm in [60.0, 96.0, 150.0, 240.0] {
+            let speed = format!("{rpm} rpm");
+            let set = format!("drive.speed={rpm} rpm");
+            for flags in [["--speed", &speed], ["--set", &set]] {
+                let out = path("run");
+                let run =
+                    gaitcam(&[&["simulate", result, "--json", "--out", &out], &flags[..]].concat());
+                let found = object(&run);
+                let number = |at: &str| found.pointer(at).unwrap().as_f64().unwrap();
+                let share = (rpm / 120.0_f64).powi(2);
+                let lost = most * share > 700.0;
+                assert_eq!(found["contact_lost"], lost, "{rpm} {flags:?}");
+                if !lost {
+                    let highest = 700.0 + most * share;
+                    assert!(
+                        (number("/force/max") - highest).abs() < 1.0,
+                        "{rpm}: {highest}"
+                    );
+                }
+                assert!((number("/speed_rad_per_s") - rpm * PI / 30.0).abs() < 1e-9);
+                assert!((number("/liftoff_speed_rad_per_s") - lift_off).abs() < 0.05);
+            }
+        }
+    }
+    // What would be another cam is refused.
+    for key in [
+        "limits.stroke=10 mm",
+        "cam.base_radius=40 mm",
+        "gait.phase=10 deg",
+        "law.spans=9",
+    ] {
+        for verb in [vec!["simulate", &made], vec!["inspect", &made, &summary]] {
+            let run = gaitcam(&[verb, vec!["--set", key]].concat());
+            assert_eq!(run.status.code(), Some(2), "{key}");
+        }
+        let said = stderr(&gaitcam(&["simulate", &made, "--set", key]));
+        assert!(
+            said.contains("made") && said.contains(key.split('=').next().unwrap()),
+            "{said}"
+        );
+    }
+    // A scene is designed anew for its speed, which is said; at --speed it is not.
+    let scene = path("scene.toml");
+    let anew = stdout(&gaitcam(&[
+        "simulate",
+        &scene,
+        "--set",
+        "drive.speed=96 rpm",
+        "--out",
+        &path("anew"),
+    ]));
+    assert!(anew.contains("--speed runs one cam"), "{anew}");
+    let same = object(&gaitcam(&[
+        "simulate",
+        &scene,
+        "--speed",
+        "96 rpm",
+        "--json",
+        "--out",
+        &path("same"),
+    ]));
+    assert!((same["force"]["max"].as_f64().unwrap() - 700.0 - most * 0.64).abs() < 1.0);
+}
+
+#[test]
+fn measured_points_are_those_of_the_same_cam_at_every_speed() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let made = path("made");
+    gaitcam(&[
+        "synth",
+        "scenes/heel_tester.toml",
+        "--out",
+        &made,
+        "--no-png",
+    ]);
+    let profile = fs::read_to_string(path("made/profile.csv")).unwrap();
+    let points = profile.lines().skip(1).map(|row| {
+        let cells: Vec<&str> = row.split(',').collect();
+        format!("{},{}\n", cells[1], cells[2])
+    });
+    fs::write(
+        path("points.csv"),
+        "x_m,y_m\n".to_string() + &points.collect::<String>(),
+    )
+    .unwrap();
+    let at = |flags: &[&str]| {
+        let arguments = ["inspect", &made, &path("points.csv"), "--json"].map(str::to_string);
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        object(&gaitcam(&[&arguments, flags].concat()))
+    };
+    let at = |speed: &str| at(&["--set", &format!("drive.speed={speed}")]);
+    let (fast, slow) = (at("120 rpm"), at("60 rpm"));
+    assert!(slow["deviation"]["rms_m"].as_f64().unwrap() < 1e-8);
+    let peak = |run: &serde_json::Value| run["made"]["acceleration_max"].as_f64().unwrap();
+    assert!((peak(&fast) / peak(&slow) - 4.0).abs() < 1e-6);
+}
