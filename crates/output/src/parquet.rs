@@ -155,7 +155,7 @@ pub fn join<W: Write + Send>(files: &[PathBuf], sink: W) -> Result<W> {
             writer.iter_mut().try_for_each(|w| w.write(batch))
         })?;
     }
-    let empty = || SweepError::NoRows.into();
+    let empty = || gaitcam::error::Error::from(SweepError::NoRows);
     writer.ok_or_else(empty)?.close()
 }
 

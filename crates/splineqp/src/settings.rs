@@ -98,8 +98,6 @@ pub struct RefinementSettings {
     pub flat: f64,
     /// Contacts nearer than this part of a piece are one.
     pub same: f64,
-    /// A row moves to a place where its limit's left side is higher by more than this part of its size.
-    pub stays: f64,
     /// Rows whose multiplier is below this part of the largest are no contacts.
     pub weakest: f64,
     /// A multiplier below zero by this part of the largest means that the row is not active.
@@ -231,7 +229,6 @@ impl Default for RefinementSettings {
             below: 0.05,
             flat: 1e-6,
             same: 1e-7,
-            stays: 1e-12,
             weakest: 1e-6,
             negative_multiplier: 1e-9,
             rows_per_unknown: 24,

@@ -43,13 +43,26 @@ pub fn simpler(problem: &Problem, search: &Search) -> Result<Simpler, NoLaw> {
                 continue;
             }
         };
-        match missed_by(problem, search, &law, candidate.name())? {
-            Some(miss) => passed_over.push(miss),
-            None => {
-                law.solver.passed_over = passed_over;
-                return Ok(Simpler::Passes(Box::new(law)));
-            }
+        let family = candidate.name();
+        let checked = checked_cam(problem, search, &law.law, None)?;
+        // Without a required accuracy the usual one applies.
+        let excess = checked.force.rms_error_n - problem.wanted_error();
+        if problem.target.is_some() && problem.accuracy.is_none() && excess > 0.0 {
+            let excess = Quantity::force(excess);
+            passed_over.push(PassedOver::Accuracy { family, excess });
+            continue;
         }
+        let Some(broken) = checked.broken() else {
+            law.solver.passed_over = passed_over;
+            return Ok(Simpler::Passes(Box::new(law)));
+        };
+        let measures = checked.cam.follower.measures();
+        passed_over.push(PassedOver::Check {
+            family,
+            value: quantity(measures, broken.name, broken.worst),
+            limit: quantity(measures, broken.name, broken.limit),
+            check: broken.name,
+        });
     }
     Ok(Simpler::Missed(passed_over))
 }
@@ -120,28 +133,4 @@ fn attempt(
             limits: explain(problem, &refusal).conflict,
         }),
     })
-}
-
-/// What the cam of a law breaks first; `None` when it passes.
-fn missed_by(
-    problem: &Problem,
-    search: &Search,
-    found: &SolvedLaw,
-    family: &'static str,
-) -> Result<Option<PassedOver>, NoLaw> {
-    let checked = checked_cam(problem, search, &found.law, None)?;
-    let error = checked.force.rms_error_n;
-    // Without a required accuracy the usual one applies.
-    let wanted = problem.wanted_error();
-    if problem.target.is_some() && problem.accuracy.is_none() && error > wanted {
-        let excess = Quantity::force(error - wanted);
-        return Ok(Some(PassedOver::Accuracy { family, excess }));
-    }
-    let measures = checked.cam.follower.measures();
-    Ok(checked.broken().map(|c| PassedOver::Check {
-        family,
-        value: quantity(measures, c.name, c.worst),
-        limit: quantity(measures, c.name, c.limit),
-        check: c.name,
-    }))
 }

@@ -69,13 +69,13 @@ fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
         return Ok(Spans::Given(SPANS_WITHOUT_FORCE));
     }
     let wanted = problem.wanted_error();
+    let fewest = |_: &SpanKey| fewest_without_limits(problem, search, wanted);
     let key = SpanKey {
         wanted,
         phase: problem.phase,
         drive: problem.drive,
         degree: problem.spline_degree(),
     };
-    let fewest = |_: &SpanKey| fewest_without_limits(problem, search, wanted);
     Ok(Spans::AtLeast(
         search.cache.spans.try_get(key, fewest)?,
         wanted,

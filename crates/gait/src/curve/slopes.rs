@@ -44,11 +44,11 @@ fn limited(f: [f64; 5]) -> f64 {
     let is_opposed = is_monotone & (centred * before < 0.0);
     let limited = if is_opposed { 0.0 } else { within };
     let bends = [steps[1] - steps[0], after - before, steps[3] - after];
-    let near = |one: f64, other: f64| {
-        let (product, square) = (one * other, one * one);
-        (STEADY * product >= square) & (product <= STEADY * square) & (product > 0.0)
-    };
-    let bends_steadily = near(bends[1], bends[0]) & near(bends[1], bends[2]);
+    let (with_before, with_after) = (bends[1] * bends[0], bends[1] * bends[2]);
+    let square = bends[1] * bends[1];
+    let least = smaller(with_before, with_after);
+    let most = -smaller(-with_before, -with_after);
+    let bends_steadily = (STEADY * least > square) & (most <= STEADY * square);
     if bends_steadily { centred } else { limited }
 }
 

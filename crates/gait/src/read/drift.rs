@@ -18,9 +18,9 @@ const STRAIGHT_N: f64 = 6.0;
 pub(super) fn drift(force: &[f64], rate_hz: f64) -> Option<f64> {
     let length = ((WINDOW_S * rate_hz) as usize).max(10);
     let level = |window: &[f64]| {
-        let mut sorted = window.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        sorted[sorted.len() / 10]
+        let mut values = window.to_vec();
+        let tenth = values.len() / 10;
+        *values.select_nth_unstable_by(tenth, f64::total_cmp).1
     };
     let levels: Vec<f64> = force.chunks_exact(length).map(level).collect();
     if levels.len() < FEWEST {

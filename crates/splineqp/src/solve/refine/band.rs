@@ -6,7 +6,7 @@
 //! H + Σ λ/(−c″) a′a′ᵀ, which is still banded; violations square from step to step where an exchange of rows only
 //! quarters them.
 
-use super::{Contacts, Way};
+use super::Contacts;
 use crate::Names;
 use crate::equality::Unlimited;
 use crate::poly::Peak;
@@ -25,7 +25,7 @@ pub fn on_band<N: Names>(
     let settings = &program.settings.refinement;
     let contacts = Contacts::new(program);
     let mut current = start.clone();
-    current.active = contacts.gathered(&current, &peaks, Way::Equalities);
+    current.active = contacts.gathered(&current, &peaks);
     for _ in 0..settings.band_steps {
         let (x, active) = step(&contacts, unlimited, &current, level)?;
         peaks = program.peaks_near(&x, &[0.0; EXTRAS], settings.below);
@@ -33,7 +33,7 @@ pub fn on_band<N: Names>(
         (current.x, current.active) = (x, active);
         current.iterations += 1;
         // A row moved to where its contact went carries the curvature's part of the gradient.
-        current.active = contacts.gathered(&current, &peaks, Way::Equalities);
+        current.active = contacts.gathered(&current, &peaks);
         if current.violation <= program.settings.tolerance {
             return Some(current);
         }

@@ -48,8 +48,6 @@ enum Way {
     Equalities,
     /// A program of its own over all places near their bound.
     Program,
-    /// The same where rows on arcs that lie on their bound stay where they are.
-    Arcs,
 }
 
 /// The solution with its last digits, where its certificate is open and that closes it. Intermediate programs of a sequence,
@@ -81,7 +79,7 @@ fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
 /// The optimum near a solution that nearly satisfies its limits, with a closed certificate; `None` where no search reaches it.
 pub fn on_contacts<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
     let contacts = Contacts::small(program)?;
-    [Way::Equalities, Way::Arcs, Way::Program]
+    [Way::Equalities, Way::Program]
         .into_iter()
         .find_map(|way| contacts.searched(start, way))
 }
@@ -114,21 +112,21 @@ impl<'a, N: Names> Contacts<'a, N> {
     }
 
     /// The start with its contacts as rows.
-    fn start(&self, start: &Solution<N>, way: Way) -> Solution<N> {
+    fn start(&self, start: &Solution<N>) -> Solution<N> {
         let push = |r: &Row<N>| r.multiplier * row_unit(&r.entries, self.program.length);
         let largest = start.active.iter().map(push).fold(0.0, f64::max);
         let weakest = self.program.settings.refinement.weakest;
         let mut current = start.clone();
         (current.active).retain(|r| push(r) > weakest * largest);
         let peaks = self.peaks_near(&current);
-        current.active = self.gathered(&current, &peaks, way);
+        current.active = self.gathered(&current, &peaks);
         current
     }
 
     fn searched(&self, start: &Solution<N>, way: Way) -> Option<Solution<N>> {
         let program = self.program;
         let settings = &program.settings.refinement;
-        let mut current = self.start(start, way);
+        let mut current = self.start(start);
         // No vertex has more contacts than unknowns; far more are an interior point's.
         let unknowns = program.basis.columns() + program.equalities.len();
         if way == Way::Equalities && current.active.len() > 2 * unknowns {
@@ -143,14 +141,14 @@ impl<'a, N: Names> Contacts<'a, N> {
             }
             let next = match way {
                 Way::Equalities => self.held_step(&current, &mut solves),
-                Way::Program | Way::Arcs => self.program_step(&current),
+                Way::Program => self.program_step(&current),
             };
             let Some(mut next) = next.filter(|n| n.violation <= most) else {
                 break;
             };
             // A row moved to its contact changes the gradient; near the contact the row itself may have the better certificate.
             let gathered = Solution {
-                active: self.gathered(&next, &self.peaks_near(&next), way),
+                active: self.gathered(&next, &self.peaks_near(&next)),
                 ..next.clone()
             };
             since += 1;
@@ -186,7 +184,7 @@ impl<'a, N: Names> Contacts<'a, N> {
     }
 
     /// Active rows moved to the nearest local maxima; rows that share one are one contact.
-    fn gathered(&self, solution: &Solution<N>, peaks: &[(usize, Peak)], way: Way) -> Vec<Row<N>> {
+    fn gathered(&self, solution: &Solution<N>, peaks: &[(usize, Peak)]) -> Vec<Row<N>> {
         let program = self.program;
         let mut out: Vec<Row<N>> = Vec::new();
         for row in &solution.active {
@@ -197,16 +195,7 @@ impl<'a, N: Names> Contacts<'a, N> {
                 let mine = peaks.iter().filter(|p| p.0 == limit && away(&p.1) < width);
                 mine.min_by(|a, b| away(&a.1).total_cmp(&away(&b.1)))
             });
-            // A row on an arc that lies on its bound stays.
-            let value = row.bound - row.slack(&solution.x, &solution.extra);
-            let higher = nearest.filter(|(index, peak)| {
-                let taken = program.room(&program.limits[*index], &solution.x, &solution.extra);
-                let size = self.size(&program.limits[*index], solution);
-                way != Way::Arcs
-                    || peak.value - taken
-                        > value - row.bound + program.settings.refinement.stays * size
-            });
-            let moved = higher.map_or_else(
+            let moved = nearest.map_or_else(
                 || row.clone(),
                 |&(limit, peak)| Row {
                     multiplier: row.multiplier,
