@@ -6,11 +6,9 @@
 mod arrays;
 mod baseline;
 mod c3d;
-mod clipped;
 mod columns;
 mod critical_points;
 mod cycle_file;
-mod drift;
 mod keys;
 mod number;
 mod number_table;

@@ -1,10 +1,13 @@
 //! From the raw reading of a plate to upward force: missing samples, sign, unloaded baseline, constant channels.
 
-use super::clipped::clipped;
-use super::drift::drift;
+mod clipped;
+mod drift;
+
 use crate::quantity::newtons;
 use crate::recording::{Channel, Idle, Note};
 use crate::statistics::{mean_and_deviation, sorted_sample};
+use clipped::clipped;
+use drift::drift;
 
 /// A channel with a smaller range was never loaded, N.
 const TOUCHED_N: f64 = 30.0;
