@@ -1,6 +1,6 @@
 """From a vertical walking force to the cam that reproduces it: law of motion, profile, checks, sweeps.
 
-A scene says what is wanted, a force may come from arrays or a recording, and :func:`synth` gives the cam::
+A scene states target and limits, a force may come from arrays or a recording, and :func:`synth` gives the cam::
 
     scene = gaitcam.Scene.builtin("footbridge").set({"limits.stroke": "60 mm"})
     design = gaitcam.synth(scene)

@@ -145,7 +145,7 @@ impl Optimum {
         self.formulation.force.root(&self.solution.x)
     }
 
-    /// The report of a method, with how near to the optimum the law is proved to be.
+    /// The report of a method with its certificate.
     pub fn proved(&self, report: SolverReport) -> SolverReport {
         let (certificate, doubt) = self.evidence();
         let doubt = doubt.or_else(|| proof::doubt(&certificate));
@@ -157,7 +157,7 @@ impl Optimum {
         }
     }
 
-    /// How near to the optimum the law is, and what is in doubt of that beside the certificate itself.
+    /// The certificate of the law, and what else keeps it from being a proof.
     fn evidence(&self) -> (Certificate, Option<Doubt>) {
         let Some(sequence) = &self.sequence else {
             let (certificate, doubt) = self.of_convex();

@@ -1,7 +1,8 @@
 //! The law nearest to the unlimited one: the dual active-set method on rows at the exact worst points of the law.
 //!
-//! Each round goes on from the last. Between rounds the worst points of the law join as rows; the objective only grows,
-//! so no active set returns. Once all contacts are nearly right, Newton's method moves them together (`refine`).
+//! Each round starts from the solution of the last. Between rounds the worst points of the law are added as rows; the
+//! objective only grows, so no active set returns. Once all contacts are nearly right, Newton's method moves them together
+//! (`refine`).
 
 pub mod dual;
 pub mod proximal;
