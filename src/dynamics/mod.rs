@@ -13,7 +13,6 @@
 pub mod contact;
 pub mod flexible;
 mod outcome;
-mod piecewise_force;
 mod reason;
 pub mod recover;
 pub mod rigid;

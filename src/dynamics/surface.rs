@@ -1,6 +1,5 @@
 //! One profile of the contact model: its lift, and where the contact force would be negative.
 
-use super::piecewise_force::combination;
 use crate::drive::Drive;
 use crate::law::{Law, Svaj};
 use crate::poly::PiecewisePoly;
@@ -44,9 +43,8 @@ pub struct Surface {
 impl Surface {
     /// A surface under the given machine (its speed positive).
     pub fn new(law: Law, drive: &Drive) -> Self {
-        let [k, c, m, _] = drive.weights();
-        let force = combination(&law, [k, c, m], drive.rest_force);
-        let (low, high) = combination(&law, [0.0, 0.0, 1.0], 0.0).extremes();
+        let force = drive.force_curve(&law);
+        let (low, high) = law.extremes(2);
         let none = if drive.mass > 0.0 {
             NO_PULL
         } else {

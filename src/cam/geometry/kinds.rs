@@ -31,6 +31,7 @@ impl Kind for Flat {
         Contact {
             point,
             pitch: point,
+            normal: [0.0, 1.0],
             rho: height + a,
             tan_pressure: 0.0,
         }
@@ -58,6 +59,7 @@ impl Kind for Circle {
         Contact {
             point: [self.offset + y * unit, x - x * unit],
             pitch: [self.offset, x],
+            normal: [-y / length, x / length],
             rho: square * length / bend - self.radius,
             tan_pressure: y / x,
         }
@@ -84,6 +86,7 @@ impl Kind for Unrolled {
         Contact {
             point: [slope * unit, height - unit],
             pitch: [0.0, height],
+            normal: [-slope / length, 1.0 / length],
             rho: if a == 0.0 { f64::INFINITY } else { rho },
             tan_pressure: slope,
         }
@@ -127,6 +130,7 @@ impl Kind for FlatOnArm {
         Contact {
             point,
             pitch: point,
+            normal: [side * sin, cos],
             rho,
             // From the foot of the pivot on the face the contact lies c cos ξ/(1 + σξ′) along it.
             tan_pressure: side * offset / (pivot * cos * speed) + 0.0,
@@ -177,6 +181,7 @@ impl Kind for CircleOnArm {
         Contact {
             point: [x + t[1] * unit, y - t[0] * unit],
             pitch: [x, y],
+            normal: [-t[1] / length, t[0] / length],
             rho: square * length / bend - self.radius,
             tan_pressure: lean / push,
         }

@@ -21,11 +21,13 @@ use kinds::{Circle, CircleOnArm, Flat, FlatOnArm, Kind, Unrolled};
 
 /// One contact in the fixed frame; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Contact {
+pub(crate) struct Contact {
     /// Contact point.
     pub point: [f64; 2],
     /// Centre of the circle; the contact point itself for a flat face.
     pub pitch: [f64; 2],
+    /// Unit normal, from the cam towards the follower.
+    pub normal: [f64; 2],
     /// Signed radius of curvature of the cam.
     pub rho: f64,
     /// tan of the signed pressure angle: angle from the motion of the follower's point to the contact normal,
@@ -35,7 +37,7 @@ pub(super) struct Contact {
 
 /// A follower with everything that does not change with θ computed once.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Geometry {
+pub(crate) enum Geometry {
     Flat(Flat),
     FlatOnArm(FlatOnArm),
     Circle(Circle),
@@ -166,7 +168,7 @@ impl Geometry {
 
 /// Contacts of a batch, field by field; entries beyond the batch's length are undefined.
 #[derive(Default)]
-pub(super) struct Contacts {
+pub(crate) struct Contacts {
     pub x: [f64; BATCH],
     pub y: [f64; BATCH],
     pub pitch_x: [f64; BATCH],

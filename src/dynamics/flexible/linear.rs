@@ -1,12 +1,12 @@
 //! Exact response of a small linear system to piecewise polynomial forcing.
 //!
-//! z′ = A z + Σ bᵢ fᵢ(θ). Over a piece of width w, z(w) = e^{Aw} z(0) + ∫₀ʷ e^{A(w−x)} b f(x) dx; the
+//! z′ = A z + b f(θ). Over a piece of width w, z(w) = e^{Aw} z(0) + ∫₀ʷ e^{A(w−x)} b f(x) dx; the
 //! integral is a fixed vector per Bernstein coefficient of f, found once per width: Gauss points integrate
 //! polynomial times exponential to rounding on a short part, and doubling takes it to the full width.
 //! Nothing cancels, whatever the frequency; no time is stepped.
 
 use crate::poly::{PiecewisePoly, bernstein, gauss_legendre};
-pub use nalgebra::{Matrix4, Vector4};
+pub use nalgebra::{Matrix2, Vector2};
 
 /// Norm of A times the width that one set of Gauss points covers.
 const REACH: f64 = 1.0;
@@ -15,69 +15,63 @@ const SERIES: usize = 24;
 /// Largest norm of A times one piece that is still resolved; beyond it the response is quasi-static.
 pub const STIFFEST: f64 = 1e9;
 
-/// A linear system of up to four states; unused states decay and do not couple.
+/// A linear system of two states under one forcing; an unused state decays and does not couple.
 ///
 /// ```
-/// use gaitcam::dynamics::flexible::linear::{Linear, Matrix4, Vector4};
+/// use gaitcam::dynamics::flexible::linear::{Linear, Matrix2, Vector2};
 /// use gaitcam::law::Law;
 ///
 /// // z′ = −z + sin θ: after many turns z = (sin θ − cos θ)/2, so −½ at the start of a turn.
 /// let forcing = Law::harmonic(0.0, &[(0.0, 1.0)]).combination([1.0, 0.0, 0.0, 0.0], 0.0);
 /// let linear = Linear {
-///     rates: -Matrix4::identity(),
-///     inputs: vec![Vector4::new(1.0, 0.0, 0.0, 0.0)],
+///     rates: -Matrix2::identity(),
+///     input: Vector2::new(1.0, 0.0),
 /// };
-/// let states = linear.periodic(&[&forcing], |_| Vector4::zeros()).unwrap();
+/// let states = linear.periodic(&forcing, |_| Vector2::zeros()).unwrap();
 /// assert!((states[0][0] + 0.5).abs() < 1e-6);
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linear {
     /// Rates, per radian.
-    pub rates: Matrix4<f64>,
-    /// Input vectors, per radian.
-    pub inputs: Vec<Vector4<f64>>,
+    pub rates: Matrix2<f64>,
+    /// Input vector, per radian.
+    pub input: Vector2<f64>,
 }
 
 /// Propagation of the state over one piece of given width.
 struct Step {
     width: f64,
-    carry: Matrix4<f64>,
-    /// For each input, one vector per Bernstein coefficient.
-    push: Vec<Vec<Vector4<f64>>>,
+    carry: Matrix2<f64>,
+    /// One vector per Bernstein coefficient of the forcing.
+    push: Vec<Vector2<f64>>,
 }
 
 impl Linear {
     /// States at the breaks of the forcing (one more than pieces), from `start`; `kick(i)` is added at the start of piece i > 0.
-    ///
-    /// # Panics
-    /// When the forcings' breaks differ or their number is not that of the inputs: an error of the caller.
     pub fn through(
         &self,
-        forcing: &[&PiecewisePoly],
-        start: Vector4<f64>,
-        kick: impl Fn(usize) -> Vector4<f64>,
-    ) -> Vec<Vector4<f64>> {
+        forcing: &PiecewisePoly,
+        start: Vector2<f64>,
+        kick: impl Fn(usize) -> Vector2<f64>,
+    ) -> Vec<Vector2<f64>> {
         let steps = self.steps(forcing);
         run(&steps, forcing, start, &kick)
     }
 
     /// States at the breaks in the periodic steady state; `None` when an undamped natural frequency meets
     /// a harmonic, so that there is none. `kick(i)` is added at the start of every piece i.
-    ///
-    /// # Panics
-    /// As [`Linear::through`].
     pub fn periodic(
         &self,
-        forcing: &[&PiecewisePoly],
-        kick: impl Fn(usize) -> Vector4<f64>,
-    ) -> Option<Vec<Vector4<f64>>> {
+        forcing: &PiecewisePoly,
+        kick: impl Fn(usize) -> Vector2<f64>,
+    ) -> Option<Vec<Vector2<f64>>> {
         let steps = self.steps(forcing);
         let once = run(&steps, forcing, kick(0), &kick);
-        let mut turn = Matrix4::identity();
+        let mut turn = Matrix2::identity();
         for alike in steps.1.chunk_by(|a, b| a == b) {
             turn = power(steps.0[alike[0]].carry, alike.len()) * turn;
         }
-        let closing = Matrix4::identity() - turn;
+        let closing = Matrix2::identity() - turn;
         // The smallest singular value measures the distance from an eigenvalue 1 of the turn.
         let singular = closing.singular_values();
         let margin = NEAR_RESONANCE * singular.max().max(1.0);
@@ -90,12 +84,9 @@ impl Linear {
         Some(run(&steps, forcing, start + kick(0), &kick))
     }
 
-    fn steps(&self, forcing: &[&PiecewisePoly]) -> (Vec<Step>, Vec<usize>) {
-        assert_eq!(forcing.len(), self.inputs.len());
-        let breaks = forcing[0].breaks();
-        assert!(forcing.iter().all(|f| f.breaks() == breaks));
+    fn steps(&self, forcing: &PiecewisePoly) -> (Vec<Step>, Vec<usize>) {
+        let breaks = forcing.breaks();
         let extent = breaks[breaks.len() - 1] - breaks[0];
-        let degrees: Vec<usize> = forcing.iter().map(|f| f.degree()).collect();
         let mut steps: Vec<Step> = Vec::new();
         let mut which = Vec::with_capacity(breaks.len() - 1);
         for pair in breaks.windows(2) {
@@ -106,26 +97,21 @@ impl Linear {
             let known = recent.or_else(|| steps.iter().position(same));
             which.push(known.unwrap_or(steps.len()));
             if known.is_none() {
-                steps.push(self.step(width, &degrees));
+                steps.push(self.step(width, forcing.degree()));
             }
         }
         (steps, which)
     }
 
-    fn step(&self, width: f64, degrees: &[usize]) -> Step {
+    fn step(&self, width: f64, degree: usize) -> Step {
         let scaled = self.rates * width;
         let halvings = (scaled.norm().min(STIFFEST) / REACH).log2().ceil().max(0.0) as i32;
         let part = 0.5_f64.powi(halvings);
         let small = scaled * part;
         let mut carry = exponential(&small);
-        let mut push: Vec<Vec<Vector4<f64>>> = self
-            .inputs
-            .iter()
-            .zip(degrees)
-            .map(|(input, &degree)| push_once(&small, input, degree, width * part))
-            .collect();
+        let mut push = push_once(&small, &self.input, degree, width * part);
         for _ in 0..halvings {
-            push = push.iter().map(|p| doubled(&carry, p)).collect();
+            push = doubled(&carry, &push);
             carry *= carry;
         }
         Step { width, carry, push }
@@ -138,10 +124,10 @@ const NEAR_RESONANCE: f64 = 1e-11;
 
 fn run(
     (steps, which): &(Vec<Step>, Vec<usize>),
-    forcing: &[&PiecewisePoly],
-    start: Vector4<f64>,
-    kick: &impl Fn(usize) -> Vector4<f64>,
-) -> Vec<Vector4<f64>> {
+    forcing: &PiecewisePoly,
+    start: Vector2<f64>,
+    kick: &impl Fn(usize) -> Vector2<f64>,
+) -> Vec<Vector2<f64>> {
     let mut state = start;
     let mut out = Vec::with_capacity(which.len() + 1);
     for (i, &w) in which.iter().enumerate() {
@@ -151,10 +137,8 @@ fn run(
         out.push(state);
         let step = &steps[w];
         let mut next = step.carry * state;
-        for (push, f) in step.push.iter().zip(forcing) {
-            for (g, c) in push.iter().zip(f.piece(i)) {
-                next += g * *c;
-            }
+        for (g, c) in step.push.iter().zip(forcing.piece(i)) {
+            next += g * *c;
         }
         state = next;
     }
@@ -164,12 +148,12 @@ fn run(
 
 /// ∫ e^{Z(1−u)} b Bₖ(u) du·width for every Bernstein polynomial of the degree, ‖Z‖ ≤ about 1.
 fn push_once(
-    z: &Matrix4<f64>,
-    input: &Vector4<f64>,
+    z: &Matrix2<f64>,
+    input: &Vector2<f64>,
     degree: usize,
     width: f64,
-) -> Vec<Vector4<f64>> {
-    let mut sum = vec![Vector4::zeros(); degree + 1];
+) -> Vec<Vector2<f64>> {
+    let mut sum = vec![Vector2::zeros(); degree + 1];
     for (u, weight) in gauss_legendre((degree + SERIES) / 2 + 1) {
         let answer = exponential_on(z, input, 1.0 - u) * (weight * width);
         for (g, b) in sum.iter_mut().zip(bernstein_basis(degree, u)) {
@@ -181,9 +165,9 @@ fn push_once(
 
 /// The same for twice the width: the forcing's halves have coefficients that are averages (de Casteljau
 /// at ½), the first half's answer is carried through the second.
-fn doubled(carry: &Matrix4<f64>, push: &[Vector4<f64>]) -> Vec<Vector4<f64>> {
+fn doubled(carry: &Matrix2<f64>, push: &[Vector2<f64>]) -> Vec<Vector2<f64>> {
     let n = push.len() - 1;
-    let mut out = vec![Vector4::zeros(); n + 1];
+    let mut out = vec![Vector2::zeros(); n + 1];
     for (i, g) in push.iter().enumerate() {
         let carried = carry * g;
         let halves = |k: usize, c: usize| bernstein::binomial(k, c) * 0.5_f64.powi(k as i32);
@@ -211,7 +195,7 @@ fn bernstein_basis(degree: usize, u: f64) -> Vec<f64> {
 }
 
 /// e^{Z t} b by its series; ‖Z‖ ≤ about 1, t ∈ [0, 1].
-fn exponential_on(z: &Matrix4<f64>, b: &Vector4<f64>, t: f64) -> Vector4<f64> {
+fn exponential_on(z: &Matrix2<f64>, b: &Vector2<f64>, t: f64) -> Vector2<f64> {
     let mut term = *b;
     let mut sum = term;
     for k in 1..SERIES {
@@ -221,8 +205,8 @@ fn exponential_on(z: &Matrix4<f64>, b: &Vector4<f64>, t: f64) -> Vector4<f64> {
     sum
 }
 
-fn exponential(z: &Matrix4<f64>) -> Matrix4<f64> {
-    let mut term = Matrix4::identity();
+fn exponential(z: &Matrix2<f64>) -> Matrix2<f64> {
+    let mut term = Matrix2::identity();
     let mut sum = term;
     for k in 1..SERIES {
         term = z * term / k as f64;
@@ -231,8 +215,8 @@ fn exponential(z: &Matrix4<f64>) -> Matrix4<f64> {
     sum
 }
 
-fn power(base: Matrix4<f64>, mut n: usize) -> Matrix4<f64> {
-    let (mut square, mut out) = (base, Matrix4::identity());
+fn power(base: Matrix2<f64>, mut n: usize) -> Matrix2<f64> {
+    let (mut square, mut out) = (base, Matrix2::identity());
     while n > 0 {
         if n & 1 == 1 {
             out *= square;
@@ -247,14 +231,11 @@ fn power(base: Matrix4<f64>, mut n: usize) -> Matrix4<f64> {
 mod tests {
     use super::*;
 
-    /// x″ + w² x = f in states (x, x′/w), the unused two decaying.
+    /// x″ + w² x = f in states (x, x′/w).
     fn oscillator(w: f64) -> Linear {
-        let mut rates = -Matrix4::identity();
-        (rates[(0, 0)], rates[(1, 1)]) = (0.0, 0.0);
-        (rates[(0, 1)], rates[(1, 0)]) = (w, -w);
         Linear {
-            rates,
-            inputs: vec![Vector4::new(0.0, 1.0 / w, 0.0, 0.0)],
+            rates: Matrix2::new(0.0, w, -w, 0.0),
+            input: Vector2::new(0.0, 1.0 / w),
         }
     }
 
@@ -272,7 +253,7 @@ mod tests {
         // f = x on [0, 3]: x(t) = t/w² − sin(wt)/w³.
         let ramp = PiecewisePoly::new(vec![0.0, 1.3, 3.0], 1, vec![0.0, 1.3, 1.3, 3.0]);
         for w in [1e-4, 1e-2, 1.0, 30.0, 1e3, 1e4] {
-            let states = oscillator(w).through(&[&ramp], Vector4::zeros(), |_| Vector4::zeros());
+            let states = oscillator(w).through(&ramp, Vector2::zeros(), |_| Vector2::zeros());
             for (state, t) in states.iter().zip([0.0, 1.3, 3.0_f64]) {
                 let wt: f64 = w * t;
                 let bracket = if wt < 0.01 {
@@ -290,9 +271,9 @@ mod tests {
     #[test]
     fn a_natural_frequency_on_a_harmonic_without_damping_has_no_steady_state() {
         let f = PiecewisePoly::new(vec![0.0, std::f64::consts::TAU], 1, vec![0.0, 1.0]);
-        let none = |_| Vector4::zeros();
-        assert!(oscillator(3.0).periodic(&[&f], none).is_none());
-        assert!(oscillator(3.001).periodic(&[&f], none).is_some());
+        let none = |_| Vector2::zeros();
+        assert!(oscillator(3.0).periodic(&f, none).is_none());
+        assert!(oscillator(3.001).periodic(&f, none).is_some());
     }
 
     #[test]
@@ -302,8 +283,8 @@ mod tests {
             2,
             vec![0.0, 1.0, 0.5, 0.5, -2.0, 0.0],
         );
-        let kick = |i: usize| Vector4::new(0.0, 0.1 * (i as f64 + 1.0), 0.0, 0.0);
-        let states = oscillator(2.6).periodic(&[&f], kick).unwrap();
+        let kick = |i: usize| Vector2::new(0.0, 0.1 * (i as f64 + 1.0));
+        let states = oscillator(2.6).periodic(&f, kick).unwrap();
         assert!((states[2] + kick(0) - states[0]).norm() < 1e-13);
     }
 }

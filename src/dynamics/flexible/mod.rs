@@ -14,13 +14,12 @@ pub mod train;
 pub use rest::in_rests;
 pub use train::Train;
 
-use super::piecewise_force::{combination, steps};
 use crate::drive::{Drive, DriveKind};
 use crate::error::{DynamicsError, Error, Result};
-use crate::law::Law;
+use crate::law::{Joint, Law};
 use crate::poly::{Extreme, PiecewisePoly};
 use linear::Linear;
-use nalgebra::{Matrix4, Vector4};
+use nalgebra::{Matrix2, Vector2};
 
 /// Steady motion of a flexible machine at equal or unequal angles (the breaks of the forcing).
 ///
@@ -57,43 +56,39 @@ struct Model {
     /// The rigid force, N.
     force: PiecewisePoly,
     /// Contact force = Σ wᵢ zᵢ; the states are x and x′/scale.
-    contact: Vector4<f64>,
+    contact: Vector2<f64>,
     scale: f64,
 }
 
 fn model(law: &Law, drive: &Drive, train: &Train) -> Model {
     let w = drive.speed;
-    let mut rates = -Matrix4::identity();
-    let force = rigid_force(law, drive);
+    let force = drive.force_curve(law);
     let Train { stiffness, damping } = *train;
     if drive.mass <= 0.0 {
         // Without mass the state is x alone: (c + c₁) ω x′ = −(k + k₁) x − F.
         let drag = (drive.damping + damping) * w;
-        rates[(0, 0)] = -(drive.spring_rate + stiffness) / drag;
+        let fade = -(drive.spring_rate + stiffness) / drag;
         return Model {
             linear: Linear {
-                rates,
-                inputs: vec![Vector4::new(-1.0 / drag, 0.0, 0.0, 0.0)],
+                rates: Matrix2::new(fade, 0.0, 0.0, -1.0),
+                input: Vector2::new(-1.0 / drag, 0.0),
             },
             force,
-            contact: Vector4::new(-stiffness, 0.0, 0.0, 0.0),
+            contact: Vector2::new(-stiffness, 0.0),
             scale: 0.0,
         };
     }
     let inertia = drive.mass * w * w;
     let rate = (drive.spring_rate + stiffness) / inertia;
     let scale = rate.sqrt();
-    rates[(0, 0)] = 0.0;
-    rates[(0, 1)] = scale;
-    rates[(1, 0)] = -scale;
-    rates[(1, 1)] = -(drive.damping + damping) * w / inertia;
+    let fade = -(drive.damping + damping) * w / inertia;
     Model {
         linear: Linear {
-            rates,
-            inputs: vec![Vector4::new(0.0, -1.0 / (inertia * scale), 0.0, 0.0)],
+            rates: Matrix2::new(0.0, scale, -scale, fade),
+            input: Vector2::new(0.0, -1.0 / (inertia * scale)),
         },
         force,
-        contact: Vector4::new(-stiffness, -damping * w * scale, 0.0, 0.0),
+        contact: Vector2::new(-stiffness, -damping * w * scale),
         scale,
     }
 }
@@ -118,82 +113,46 @@ pub fn steady(law: &Law, drive: &Drive, train: &Train) -> Result<Steady> {
     let kicks = Kicks::new(law, &model);
     let states = model
         .linear
-        .periodic(&[&model.force], |i| kicks.at(i))
+        .periodic(&model.force, |i| kicks.at(i))
         .ok_or_else(|| resonance(drive, train))?;
     Ok(read(law, drive, train, &model, &states))
 }
 
-/// Amplitude of the vibration left after a rise of an undamped follower of natural frequency `ratio`
-/// radians per radian of the cam (λ·2π/β for a rise in β), in the units of the lift.
-///
-/// The follower starts at rest at the law's first angle; the law's own steps in velocity at its start and
-/// end (into the dwell) are counted.
-pub fn residual_vibration(law: &Law, ratio: f64) -> f64 {
-    let mut rates = -Matrix4::identity();
-    (rates[(0, 0)], rates[(1, 1)]) = (0.0, 0.0);
-    (rates[(0, 1)], rates[(1, 0)]) = (ratio, -ratio);
-    let linear = Linear {
-        rates,
-        inputs: vec![Vector4::new(0.0, -1.0 / ratio, 0.0, 0.0)],
-    };
-    let acceleration = law.combination([0.0, 0.0, 1.0, 0.0], 0.0);
-    let model = Model {
-        linear,
-        force: acceleration,
-        contact: Vector4::zeros(),
-        scale: ratio,
-    };
-    let kicks = Kicks::new(law, &model);
-    let first = law.svaj_on(0, 0.0);
-    let start = Vector4::new(0.0, -first.v / ratio, 0.0, 0.0);
-    let states = model
-        .linear
-        .through(&[&model.force], start, |i| kicks.at(i));
-    let last = states.last().copied().unwrap_or_default();
-    let end = law.svaj_on(law.breaks().len() - 2, 1.0);
-    last[0].hypot(last[1] + end.v / ratio)
-}
+/// Steps of lift or velocity below this part of the lift are rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// Steps of the relative state at the jumps of the law, per piece of the forcing: the mass does not
 /// follow a step of the lift, so x and x′ step by minus it.
 struct Kicks {
-    at_piece: Vec<(usize, Vector4<f64>)>,
+    at_piece: Vec<(usize, Vector2<f64>)>,
 }
 
 impl Kicks {
     fn new(law: &Law, model: &Model) -> Self {
         let breaks = model.force.breaks();
-        let counted = steps(law);
-        let at_piece = counted
-            .into_iter()
+        let size = ROUNDING * law.bound(0);
+        let stepped = |j: &Joint| j.jump.v.abs() > size || j.jump.s.abs() > size;
+        let at_piece = (law.joints().into_iter())
+            .filter(stepped)
             .filter_map(|j| {
                 let piece = breaks.iter().position(|b| (b - j.at).abs() < 1e-12)?;
-                let (x, v) = (
-                    -j.jump.s,
-                    if model.scale > 0.0 {
-                        -j.jump.v / model.scale
-                    } else {
-                        0.0
-                    },
-                );
-                Some((piece, Vector4::new(x, v, 0.0, 0.0)))
+                let v = if model.scale > 0.0 {
+                    -j.jump.v / model.scale
+                } else {
+                    0.0
+                };
+                Some((piece, Vector2::new(-j.jump.s, v)))
             })
             .collect();
         Kicks { at_piece }
     }
 
-    fn at(&self, piece: usize) -> Vector4<f64> {
+    fn at(&self, piece: usize) -> Vector2<f64> {
         self.at_piece
             .iter()
             .find(|k| k.0 == piece)
-            .map_or_else(Vector4::zeros, |k| k.1)
+            .map_or_else(Vector2::zeros, |k| k.1)
     }
-}
-
-/// The force of rigid parts, N.
-fn rigid_force(law: &Law, drive: &Drive) -> PiecewisePoly {
-    let [k, c, m, _] = drive.weights();
-    combination(law, [k, c, m], drive.rest_force)
 }
 
 fn widest(p: &PiecewisePoly) -> f64 {
@@ -217,7 +176,7 @@ fn resonance(drive: &Drive, train: &Train) -> Error {
 
 /// Quasi-static solution: springs in series carry the rigid force.
 fn quasi_static(law: &Law, drive: &Drive, train: &Train) -> Steady {
-    let force = rigid_force(law, drive);
+    let force = drive.force_curve(law);
     let give = 1.0 / (train.stiffness + drive.spring_rate);
     let carried = 1.0 - drive.spring_rate * give;
     let rate = force.derivative();
@@ -242,7 +201,7 @@ fn breaks_of(p: &PiecewisePoly) -> impl Iterator<Item = f64> + '_ {
         .chain(std::iter::once(p.piece(last)[p.degree()]))
 }
 
-fn read(law: &Law, drive: &Drive, train: &Train, model: &Model, states: &[Vector4<f64>]) -> Steady {
+fn read(law: &Law, drive: &Drive, train: &Train, model: &Model, states: &[Vector2<f64>]) -> Steady {
     let theta = model.force.breaks().to_vec();
     let rates = &model.linear.rates;
     let forces: Vec<f64> = breaks_of(&model.force).collect();
@@ -260,7 +219,7 @@ fn read(law: &Law, drive: &Drive, train: &Train, model: &Model, states: &[Vector
         0.0
     };
     for (i, z) in states.iter().enumerate() {
-        let dz = rates * z + model.linear.inputs[0] * forces[i];
+        let dz = rates * z + model.linear.input * forces[i];
         out.contact.push(model.contact.dot(z) - extra * dz[0]);
         out.contact_rate.push(model.contact.dot(&dz));
     }

@@ -48,7 +48,7 @@ pub fn in_rests(law: &Law, drive: &Drive, train: &Train, starts: &[f64]) -> Resu
         return Ok(quiet());
     }
     let kicks = Kicks::new(law, &own);
-    let Some(states) = own.linear.periodic(&[&own.force], |i| kicks.at(i)) else {
+    let Some(states) = own.linear.periodic(&own.force, |i| kicks.at(i)) else {
         let damping = 2.0 * HARDLY_DAMPED * (train.stiffness * drive.mass).sqrt();
         if train.damping >= damping {
             return Err(resonance(drive, train));

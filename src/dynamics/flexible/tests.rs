@@ -125,6 +125,30 @@ fn modified_trapezoid() -> Law {
     law
 }
 
+/// Amplitude of the vibration left after a rise of an undamped follower of natural frequency `ratio`
+/// radians per radian of the cam (λ·2π/β for a rise in β), in the units of the lift.
+///
+/// The follower starts at rest at the law's first angle; the law's own steps in velocity at its start and
+/// end (into the dwell) are counted.
+fn residual_vibration(law: &Law, ratio: f64) -> f64 {
+    let model = Model {
+        linear: Linear {
+            rates: Matrix2::new(0.0, ratio, -ratio, 0.0),
+            input: Vector2::new(0.0, -1.0 / ratio),
+        },
+        force: law.combination([0.0, 0.0, 1.0, 0.0], 0.0),
+        contact: Vector2::zeros(),
+        scale: ratio,
+    };
+    let kicks = Kicks::new(law, &model);
+    let first = law.svaj_on(0, 0.0);
+    let start = Vector2::new(0.0, -first.v / ratio);
+    let states = (model.linear).through(&model.force, start, |i| kicks.at(i));
+    let last = states.last().copied().unwrap_or_default();
+    let end = law.svaj_on(law.breaks().len() - 2, 1.0);
+    last[0].hypot(last[1] + end.v / ratio)
+}
+
 #[test]
 fn residual_vibrations_are_the_closed_forms_to_1e_6() {
     // theory §7: λ = rise time over natural period; undamped.

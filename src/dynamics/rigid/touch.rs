@@ -7,7 +7,7 @@
 //! T = Q·v. For an arm Q is the moment about its pivot, N·m, and v is in rad/rad; for a slide T is the
 //! push along its travel, N.
 
-use crate::cam::{Arm, Cam, Follower};
+use crate::cam::{Cam, Follower, Geometry};
 use crate::law::Svaj;
 
 /// The contact at one cam angle.
@@ -103,13 +103,7 @@ pub fn touch(follower: &Follower, speed: f64, friction: f64, at: Svaj, force: f6
 
 /// Whether the cam slides on the follower; a roller rolls.
 pub fn rubs(follower: &Follower) -> bool {
-    match *follower {
-        Follower::FlatTranslating { .. }
-        | Follower::FlatOscillating { .. }
-        | Follower::MushroomTranslating { .. }
-        | Follower::MushroomOscillating { .. } => true,
-        _ => follower.roller_radius() == 0.0,
-    }
+    follower.is_flat() || follower.kind().is_mushroom() || follower.roller_radius() == 0.0
 }
 
 /// Whether the follower is held from both sides and cannot lift off: the groove of a barrel, or a conjugate
@@ -122,134 +116,48 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
+/// The contact's geometry, from the same formulas as the profile's.
 fn place(follower: &Follower, at: Svaj) -> Place {
-    if let Some(Arm { pivot: c, length }) = follower.arm() {
-        let side = c.signum();
-        let (sin, cos) = (follower.start_angle().unwrap_or(0.0) + at.s).sin_cos();
-        let centre = [c - side * length * cos, length * sin];
-        let (first, second) = (
-            [side * length * sin, length * cos],
-            [side * length * cos, -length * sin],
-        );
-        return circle(follower, at, centre, first, second, Some(c));
-    }
-    match *follower {
-        Follower::FlatTranslating { base_radius } => {
-            let d = base_radius + at.s;
-            Place {
-                normal: [0.0, 1.0],
-                follower: [0.0, 1.0],
-                cam: [-d, at.v],
-                walk: d + at.a,
-                curvature: 1.0 / (d + at.a),
-                across: [1.0, 0.0],
-                rubs: true,
-            }
+    let geometry = Geometry::new(follower);
+    let contact = geometry.contact(at);
+    let pivot = follower.pivot();
+    let side = pivot.map_or(1.0, |p| p[0].signum());
+    let of_follower = |p: [f64; 2]| match pivot {
+        Some(c) => [side * (p[1] - c[1]), -side * (p[0] - c[0])],
+        None => [0.0, 1.0],
+    };
+    let of_cam = |p: [f64; 2]| match geometry.straight() {
+        Some(scale) => [-scale, 0.0],
+        None => [-p[1], p[0]],
+    };
+    let across = match follower.start_angle() {
+        Some(start) => {
+            let (sin, cos) = (start + at.s).sin_cos();
+            [-side * cos, sin]
         }
-        Follower::FlatOscillating {
-            pivot_distance,
-            face_offset,
-            ..
-        } => swinging_face(follower, at, pivot_distance, face_offset),
-        Follower::TranslatingCam { .. } => unrolled(follower, at, 1.0),
-        Follower::Barrel { radius, .. } => unrolled(follower, at, radius),
-        // On an arm: above.
-        Follower::RollerTranslating { .. }
-        | Follower::MushroomTranslating { .. }
-        | Follower::RollerOscillating { .. }
-        | Follower::MushroomOscillating { .. } => {
-            let centre = [follower.offset(), follower.start_height() + at.s];
-            circle(follower, at, centre, [0.0, 1.0], [0.0, 0.0], None)
-        }
-    }
-}
-
-/// A circle whose centre moves along C(s) with the derivatives C′ and C″, about a pivot on the x axis
-/// where there is one. t = C′v − J·C is the pitch curve's tangent (see the cam's geometry).
-fn circle(
-    follower: &Follower,
-    at: Svaj,
-    centre: [f64; 2],
-    first: [f64; 2],
-    second: [f64; 2],
-    pivot: Option<f64>,
-) -> Place {
-    let radius = follower.roller_radius();
-    let rate = first.map(|x| x * at.v);
-    let bend = [0, 1].map(|k| second[k] * at.v * at.v + first[k] * at.a);
-    let t = [rate[0] + centre[1], rate[1] - centre[0]];
-    let turn = [
-        bend[0] + 2.0 * rate[1] - centre[0],
-        bend[1] - 2.0 * rate[0] - centre[1],
-    ];
-    let square = dot(t, t);
-    let length = square.sqrt();
-    let pitch = (t[1] * turn[0] - t[0] * turn[1]) / (square * length);
-    let normal = [-t[1] / length, t[0] / length];
-    let point = [0, 1].map(|k| centre[k] - radius * normal[k]);
-    let (own, across) = match pivot {
-        None => ([0.0, 1.0], [1.0, 0.0]),
-        Some(c) => {
-            let arm = [centre[0] - c, centre[1]];
-            let long = dot(arm, arm).sqrt();
-            let turn = -c.signum();
-            (
-                [-turn * point[1], turn * (point[0] - c)],
-                arm.map(|x| x / long),
-            )
-        }
+        None => [1.0, 0.0],
+    };
+    let (walk, curvature) = if follower.is_flat() {
+        // A face on an arm turns with it against the cam.
+        let turning = 1.0 + pivot.map_or(0.0, |_| side * at.v);
+        (contact.rho * turning, 1.0 / contact.rho)
+    } else {
+        // The circle's centre moves along the pitch curve.
+        let (own, cam) = (of_follower(contact.pitch), of_cam(contact.pitch));
+        let length = (at.v * own[0] - cam[0]).hypot(at.v * own[1] - cam[1]);
+        let radius = geometry.radius();
+        let inner = 1.0 - radius * geometry.pitch_curvature(at);
+        // 1/(1/κ − R) + 1/R = 1/(R·(1 − κR)).
+        (length * inner, 1.0 / (radius * inner))
     };
     Place {
-        normal,
-        follower: own,
-        cam: [-point[1], point[0]],
-        walk: length * (1.0 - radius * pitch),
-        // 1/(1/κ − R) + 1/R = 1/(R·(1 − κR)).
-        curvature: 1.0 / (radius * (1.0 - pitch * radius)),
+        normal: contact.normal,
+        follower: of_follower(contact.point),
+        cam: of_cam(contact.point),
+        walk,
+        curvature,
         across,
         rubs: rubs(follower),
-    }
-}
-
-/// A circle over a profile that slides by −x: pitch curve (scale·θ, base + s).
-fn unrolled(follower: &Follower, at: Svaj, scale: f64) -> Place {
-    let radius = follower.roller_radius();
-    let slope = at.v / scale;
-    let length = (1.0 + slope * slope).sqrt();
-    let pitch = -at.a / (scale * scale * length.powi(3));
-    Place {
-        normal: [-slope / length, 1.0 / length],
-        follower: [0.0, 1.0],
-        cam: [-scale, 0.0],
-        walk: scale * length * (1.0 - radius * pitch),
-        curvature: 1.0 / (radius * (1.0 - pitch * radius)),
-        across: [1.0, 0.0],
-        rubs: rubs(follower),
-    }
-}
-
-/// Oscillating flat face: n = (σ sin ξ, cos ξ), the contact at p·n + (dp/dψ)·n⊥ (see the cam's geometry).
-fn swinging_face(follower: &Follower, at: Svaj, pivot: f64, offset: f64) -> Place {
-    let (c, side) = (pivot.abs(), pivot.signum());
-    let (sin, cos) = (follower.start_angle().unwrap_or(0.0) + at.s).sin_cos();
-    let v = side * at.v;
-    let slow = 1.0 / (1.0 + v);
-    let p = offset + c * sin;
-    let along = -side * c * cos * v * slow;
-    let rho = offset + c * (sin * (1.0 + 2.0 * v) + cos * at.a * slow) * slow * slow;
-    let normal = [side * sin, cos];
-    let point = [
-        p * normal[0] - along * cos,
-        p * normal[1] + along * side * sin,
-    ];
-    Place {
-        normal,
-        follower: [side * point[1], -side * (point[0] - pivot)],
-        cam: [-point[1], point[0]],
-        walk: rho * (1.0 + v),
-        curvature: 1.0 / rho,
-        across: [-side * cos, sin],
-        rubs: true,
     }
 }
 

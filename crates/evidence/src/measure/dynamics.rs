@@ -1,6 +1,6 @@
 //! Charts (d): a follower that rings, and one that flies.
 
-use nalgebra::{Matrix4, Vector4};
+use nalgebra::{Matrix2, Vector2};
 
 use super::Watch;
 use crate::chart::Chart;
@@ -160,16 +160,11 @@ fn adaptive(tolerance: f64) -> State {
 
 /// Closed form piece by piece, as gaitcam runs flexible followers.
 fn pieces(forcing: &gaitcam::poly::PiecewisePoly) -> State {
-    let mut rates = -Matrix4::identity();
-    rates[(0, 0)] = 0.0;
-    rates[(0, 1)] = 1.0;
-    rates[(1, 0)] = -RATIO * RATIO;
-    rates[(1, 1)] = -2.0 * ZETA * RATIO;
     let linear = Linear {
-        rates,
-        inputs: vec![Vector4::new(0.0, 1.0, 0.0, 0.0)],
+        rates: Matrix2::new(0.0, 1.0, -RATIO * RATIO, -2.0 * ZETA * RATIO),
+        input: Vector2::new(0.0, 1.0),
     };
-    let states = linear.through(&[forcing], Vector4::zeros(), |_| Vector4::zeros());
+    let states = linear.through(forcing, Vector2::zeros(), |_| Vector2::zeros());
     states.last().map_or([f64::NAN; 2], |z| [z[0], z[1]])
 }
 
