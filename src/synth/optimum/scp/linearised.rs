@@ -2,10 +2,10 @@
 
 use super::at_size::AtSize;
 use super::trial::ROOM;
-use crate::cam::LimitKind;
+use crate::cam::{Criterion, LimitKind};
 use crate::law::Law;
 use crate::poly::{Peak, PiecewisePoly};
-use crate::synth::limits::{ProfileSize, relative};
+use crate::synth::limits::{NonconvexLimits, ProfileSize, relative};
 use crate::synth::qp::{EXTRAS, Limit, OFFSET, Program, RADIUS, RISE, Row, Solution};
 
 /// Rows per piece of the law.
@@ -84,33 +84,10 @@ pub fn linearised(
     room: &Room,
 ) -> Vec<Row> {
     let law = Law::of(&program.basis, &current.x);
-    let (limits, free) = (&at_size.of(current), at_size.free());
+    let limits = &at_size.of(current);
+    let (size, free) = (limits.size(), at_size.free());
     let mut out = program.fixed.clone();
-    let mut places = Vec::new();
-    each_place(program, |place| places.push(place));
-    // The rows of the grid bound h between them only to second order; its own low points are rows too.
-    for curve in relative(&law, limits) {
-        let low = PiecewisePoly::combine(&[(-1.0, &curve)], 0.0).peaks_above(-NEAR, 0.0, f64::MAX);
-        for dip in low {
-            let (piece, u) = law.poly().locate(dip.at);
-            places.push(Peak {
-                piece,
-                u,
-                at: dip.at,
-                value: 0.0,
-            });
-        }
-    }
-    // A minimum moves from one law to the next: rows on both sides of a contact enclose it as in a secant method.
-    let touched = current.active.iter().filter(|r| r.limit.is_none());
-    for peak in touched.map(|r| r.peak) {
-        let near = |p: &Peak| p.piece == peak.piece && (p.u - peak.u).abs() < COINCIDENT;
-        if !places.iter().any(near) {
-            places.push(peak);
-        }
-    }
-    let size = limits.size();
-    for place in places {
+    for place in places(program, current, &law, limits) {
         let at = law.svaj_on(place.piece, place.u);
         for (k, s) in limits.slacks(at).into_iter().enumerate() {
             if s.h > FAR * s.largest {
@@ -124,64 +101,83 @@ pub fn linearised(
                 - s.by_acceleration * at.a
                 - s.by_jerk * at.j;
             let mut extra = [0.0; EXTRAS];
-            if free[RISE] {
-                extra[RISE] = -s.by_rise;
-                bound -= s.by_rise * size.rise;
-            }
-            if free[OFFSET] {
-                extra[OFFSET] = -s.by_offset;
-                bound -= s.by_offset * size.offset;
-            }
-            if free[RADIUS] && s.by_radius != 0.0 {
-                extra[RADIUS] = -s.by_radius;
-                bound -= s.by_radius * size.radius;
+            let by_size = [
+                (RISE, s.by_rise, size.rise),
+                (OFFSET, s.by_offset, size.offset),
+                (RADIUS, s.by_radius, size.radius),
+            ];
+            for (which, by, own) in by_size.into_iter().filter(|x| free[x.0] && x.1 != 0.0) {
+                extra[which] = -by;
+                bound -= by * own;
             }
             let weights = [-s.by_lift, -s.by_velocity, -s.by_acceleration, -s.by_jerk];
-            let one = row(program, place, &weights, extra, bound, s.w);
-            out.push(Row {
-                name: s.name,
-                ..one
-            });
+            out.push(row(program, s.name, place, &weights, extra, bound, s.w));
         }
     }
     out
 }
 
+/// Places at which a law is linearised: a grid, low points of h between its points, and the contacts of the last program.
+fn places(program: &Program, current: &Solution, law: &Law, limits: &NonconvexLimits) -> Vec<Peak> {
+    let mut places = grid(program);
+    // The rows of the grid bound h between them only to second order; its own low points are rows too.
+    for curve in relative(law, limits) {
+        let low = PiecewisePoly::combine(&[(-1.0, &curve)], 0.0).peaks_above(-NEAR, 0.0, f64::MAX);
+        places.extend(low.into_iter().map(|dip| {
+            let (piece, u) = law.poly().locate(dip.at);
+            place(piece, u, dip.at)
+        }));
+    }
+    // A minimum moves from one law to the next: rows on both sides of a contact enclose it as in a secant method.
+    let touched = current.active.iter().filter(|r| r.limit.is_none());
+    for peak in touched.map(|r| r.peak) {
+        let near = |p: &Peak| p.piece == peak.piece && (p.u - peak.u).abs() < COINCIDENT;
+        if !places.iter().any(near) {
+            places.push(peak);
+        }
+    }
+    places
+}
+
 /// Places at which every law of the program is linearised.
-fn each_place(program: &Program, mut visit: impl FnMut(Peak)) {
-    let breaks = program.basis.breaks();
-    for piece in 0..breaks.len() - 1 {
+fn grid(program: &Program) -> Vec<Peak> {
+    let mut out = Vec::new();
+    for (piece, ends) in program.basis.breaks().windows(2).enumerate() {
         for k in 0..=ROWS_PER_PIECE {
             let u = k as f64 / ROWS_PER_PIECE as f64;
-            let at = breaks[piece] + u * (breaks[piece + 1] - breaks[piece]);
-            visit(Peak {
-                piece,
-                u,
-                at,
-                value: 0.0,
-            });
+            out.push(place(piece, u, ends[0] + u * (ends[1] - ends[0])));
         }
+    }
+    out
+}
+
+fn place(piece: usize, u: f64, at: f64) -> Peak {
+    Peak {
+        piece,
+        u,
+        at,
+        value: 0.0,
     }
 }
 
 /// A row that belongs to no limit of the program.
 fn row(
     program: &Program,
+    name: Criterion,
     peak: Peak,
     weights: &[f64],
     extra: [f64; EXTRAS],
     bound: f64,
     scale: f64,
 ) -> Row {
-    let entries = program.basis.row_on(peak.piece, peak.u, weights);
     let mut all = [0.0; 5];
     all[..weights.len()].copy_from_slice(weights);
     Row {
         limit: None,
-        name: LimitKind::Curvature.into(),
+        name,
         peak,
         weights: all,
-        entries,
+        entries: program.basis.row_on(peak.piece, peak.u, weights),
         touching: Vec::new(),
         extra,
         bound,
@@ -196,7 +192,8 @@ pub fn restricted(program: &Program, current: &Solution, size: ProfileSize) -> V
     let law = Law::of(&program.basis, &current.x);
     let sufficient = 4.0 / 3.0 * size.rho;
     let mut out = Vec::new();
-    each_place(program, |place| {
+    let name = Criterion::from(LimitKind::Curvature);
+    for place in grid(program) {
         let at = law.svaj_on(place.piece, place.u);
         let x0 = (size.rise + at.s).max(sufficient);
         let by_x = 2.0 * x0 / size.rho - 1.0;
@@ -207,12 +204,21 @@ pub fn restricted(program: &Program, current: &Solution, size: ProfileSize) -> V
         } else {
             bound += by_x * size.rise;
         }
-        out.push(row(program, place, &[-by_x, 0.0, -1.0], extra, bound, x0));
+        let weights = [-by_x, 0.0, -1.0];
+        out.push(row(program, name, place, &weights, extra, bound, x0));
         if present[RISE] {
             let mut high_enough = [0.0; EXTRAS];
             high_enough[RISE] = -1.0;
-            out.push(row(program, place, &[-1.0], high_enough, -sufficient, x0));
+            out.push(row(
+                program,
+                name,
+                place,
+                &[-1.0],
+                high_enough,
+                -sufficient,
+                x0,
+            ));
         }
-    });
+    }
     out
 }
