@@ -6,8 +6,9 @@ use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::recover::{Emitted, recover};
 use gaitcam::dynamics::surface::Surface;
-use gaitcam::dynamics::{Machine, Model, Run, simulate, thesis, touch};
+use gaitcam::dynamics::{Machine, Model, Run, simulate, touch};
 use gaitcam::law::Svaj;
+use gaitcam_evidence::thesis;
 
 fn main() {
     divan::main();

@@ -13,7 +13,7 @@ use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::recover;
 use gaitcam::dynamics::surface::Surface;
-use gaitcam::dynamics::{thesis, touch};
+use gaitcam::dynamics::touch;
 use gaitcam::error::{Error, Result};
 use gaitcam::force::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances};
 use gaitcam::halt::Halt;
@@ -22,6 +22,7 @@ use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Runner, Sampling};
 use gaitcam::synth::synthesise;
+use gaitcam_evidence::thesis;
 use gaitcam_evidence::tiers::{Bound, Task, spectral};
 use rayon::prelude::*;
 

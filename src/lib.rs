@@ -55,6 +55,10 @@
 #![deny(clippy::missing_errors_doc)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
+/// Unit tests share cams with `gaitcam-evidence`, which names this crate.
+#[cfg(test)]
+extern crate self as gaitcam;
+
 pub mod criterion;
 pub mod wording;
 

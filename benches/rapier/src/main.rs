@@ -6,10 +6,13 @@
 //! The result is joined to reports/dynamics.md:
 //! `cargo run --release --manifest-path benches/rapier/Cargo.toml > benches/rapier/measured.csv`.
 
+use gaitcam::cam::{Cam, Follower};
+use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, Limits, Phase};
 use gaitcam::dynamics::recover;
 use gaitcam::dynamics::surface::Surface;
-use gaitcam::dynamics::thesis;
+use gaitcam::law::Law;
+
 use rapier2d_f64::prelude::*;
 use std::f64::consts::TAU;
 use std::time::Instant;
@@ -52,23 +55,21 @@ fn show(method: &str, size: &str, wall: f64, errors: &[f64]) {
 
 /// gaitcam: emitted points to a smooth lift, then from event to event until the motion repeats.
 fn events(points: usize, land: f64) {
-    let cam = thesis::eccentric();
-    let drive = thesis::real(SPEED);
+    let cam = Cam {
+        law: Law::harmonic(0.0, &[(0.0, ECCENTRICITY)]),
+        follower: Follower::FlatTranslating {
+            base_radius: RADIUS,
+        },
+    };
+    let drive = Drive::moving_axis(1.0, G, SPEED);
     let profile = cam.profile(points);
     let mut walls = Vec::new();
     let mut errors = Vec::new();
     for _ in 0..40 * REPEATS + 1 {
         let clock = Instant::now();
-        let law = recover(&cam.follower, &profile)
-            .expect("a smooth cam")
-            .law;
+        let law = recover(&cam.follower, &profile).expect("a smooth cam").law;
         let surfaces = [Surface::new(law, &drive)];
-        let run = contact::run(
-            &surfaces,
-            &drive,
-            0.0,
-            &Limits::default(),
-        );
+        let run = contact::run(&surfaces, &drive, 0.0, &Limits::default());
         walls.push(clock.elapsed().as_secs_f64() / run.turns as f64);
         let (from, _) = run.window();
         errors = (0..GRID)

@@ -14,7 +14,6 @@ use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::recover::recover;
 use gaitcam::dynamics::surface::Surface;
-use gaitcam::dynamics::thesis;
 use gaitcam::error::{Error, Result};
 use gaitcam::force::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances};
 use gaitcam::halt::Halt;
@@ -22,6 +21,7 @@ use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::{Axis, NamedScene, Plan, Runner, Sampling};
 use gaitcam::synth::{Design, synthesise};
+use gaitcam_evidence::thesis;
 use gaitcam_evidence::tiers::{Bound, Task};
 use gaitcam_output::{Language, Timing, csv, plots, report};
 

@@ -11,6 +11,7 @@ pub(crate) mod chart;
 pub(crate) mod experiment;
 pub mod measure;
 pub mod reproduce;
+pub mod thesis;
 pub mod tiers;
 
 /// An internal error of this crate.

@@ -2,10 +2,11 @@
 
 use super::compliant::{Compliant, exact_chi, returned_restitution};
 use super::{POINTS, Page, cams, run_points, scene};
+use crate::thesis;
 use gaitcam::dynamics::contact::Phase;
 use gaitcam::dynamics::recover;
 use gaitcam::dynamics::simulate;
-use gaitcam::dynamics::{Model, rigid, thesis};
+use gaitcam::dynamics::{Model, rigid};
 use gaitcam::error::Result;
 use std::f64::consts::PI;
 

@@ -1,9 +1,10 @@
 //! A follower that gives, and the motor.
 
 use super::{POINTS, Page, cams, motor};
+use crate::thesis;
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::recover;
-use gaitcam::dynamics::{rigid, thesis};
+use gaitcam::dynamics::rigid;
 use gaitcam::error::Result;
 
 pub(super) fn vibration(out: &mut Page) -> Result<()> {
@@ -36,8 +37,8 @@ pub(super) fn vibration(out: &mut Page) -> Result<()> {
 
 pub(super) fn motors(out: &mut Page) -> Result<()> {
     out.line("## The motor\n");
-    let (c, p) = motor::power_law(&thesis::MOTOR_TABLE)?;
-    let power = motor::power_for(&thesis::MOTOR_TABLE, 6.0)?;
+    let (c, p) = motor::power_law(&motor::MOTOR_TABLE)?;
+    let power = motor::power_for(&motor::MOTOR_TABLE, 6.0)?;
     out.line(format_args!(
             "Least squares on the logarithms of the table in Campillo de Blas (2017): t = {c:.1}·x^{p:.4}, so 6 s for 11.1 turns takes {power:.1} % (stated there: 347.9·x^−0.967, 66.6 %)."));
     for (name, cam, _) in cams() {

@@ -12,12 +12,12 @@ pub(crate) mod pictures;
 mod running;
 mod smoothing;
 
+use crate::thesis;
 use gaitcam::cam::Cam;
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, ContactRun, Limits};
 use gaitcam::dynamics::recover;
 use gaitcam::dynamics::surface::Surface;
-use gaitcam::dynamics::thesis;
 use gaitcam::dynamics::{Machine, Run};
 use gaitcam::error::Result;
 use std::f64::consts::TAU;

@@ -4,6 +4,18 @@ use gaitcam::error::Result;
 use gaitcam::poly::PiecewisePoly;
 use std::f64::consts::TAU;
 
+/// Motor power (%) and seconds for 11.1 turns, table 1.
+pub const MOTOR_TABLE: [(f64, f64); 8] = [
+    (10.0, 37.97),
+    (20.0, 19.87),
+    (30.0, 13.15),
+    (40.0, 10.42),
+    (50.0, 8.17),
+    (60.0, 6.94),
+    (70.0, 5.73),
+    (80.0, 5.08),
+];
+
 /// What the camshaft asks of its motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Demand {
@@ -66,17 +78,18 @@ pub fn seconds_for(speed: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gaitcam::dynamics::{rigid, thesis};
+    use crate::thesis;
+    use gaitcam::dynamics::rigid;
 
     #[test]
     fn the_thesis_table_fits_355_9_x_to_the_minus_0_9662() {
         // theory §3: least squares on logs of the table as printed → 68.4 % for 6 s.
-        let (c, p) = power_law(&thesis::MOTOR_TABLE).unwrap();
+        let (c, p) = power_law(&MOTOR_TABLE).unwrap();
         assert!(
             (c - 355.9).abs() < 0.05 && (p + 0.9662).abs() < 5e-5,
             "{c} {p}"
         );
-        assert!((power_for(&thesis::MOTOR_TABLE, 6.0).unwrap() - 68.4).abs() < 0.05);
+        assert!((power_for(&MOTOR_TABLE, 6.0).unwrap() - 68.4).abs() < 0.05);
         assert!(
             power_law(&[(1.0, 1.0)]).is_err() && power_law(&[(1.0, 1.0), (2.0, -1.0)]).is_err()
         );

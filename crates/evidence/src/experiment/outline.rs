@@ -74,7 +74,7 @@ pub fn recover_outline(outline: &[[f64; 2]], base_radius: f64, tolerance: f64) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gaitcam::dynamics::thesis;
+    use crate::thesis;
 
     #[test]
     fn a_polyline_by_hand_is_smoothed_within_its_tolerance_or_refused() {

@@ -3,7 +3,8 @@
 use super::peers::rapier;
 use super::{cams, scene, worst_force_error};
 use crate::chart::{self, Across, Chart, Row};
-use gaitcam::dynamics::{self, Model, Outcome, simulate, thesis};
+use crate::thesis;
+use gaitcam::dynamics::{self, Model, Outcome, simulate};
 use gaitcam::error::Result;
 use gaitcam_output::Picture;
 use gaitcam_output::overlay::{Strip, diagrams};

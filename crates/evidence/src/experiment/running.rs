@@ -2,8 +2,9 @@
 
 use super::outline::recover_outline;
 use super::{Page, cams, scene, worst_force_error};
+use crate::thesis;
 use gaitcam::dynamics::simulate;
-use gaitcam::dynamics::{Model, rigid, thesis};
+use gaitcam::dynamics::{Model, rigid};
 use gaitcam::error::Result;
 
 pub(super) fn steady_running(out: &mut Page) -> Result<()> {

@@ -4,12 +4,12 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::Watch;
 use crate::chart::Chart;
+use crate::thesis;
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::linear::Linear;
 use gaitcam::dynamics::flexible::{Train, steady};
 use gaitcam::dynamics::surface::Surface;
-use gaitcam::dynamics::thesis;
 use gaitcam::error::Result;
 use gaitcam::law::Law;
 

@@ -6,8 +6,8 @@
 use std::fmt::Write;
 
 use super::strip;
+use crate::thesis;
 use gaitcam::drive::Drive;
-use gaitcam::dynamics::thesis;
 use gaitcam::error::Result;
 use gaitcam::force::{self, Feet, ForceCurve};
 use gaitcam::law::{Condition, Extent, Law, Rise, Segment, hermite_birkhoff, program};

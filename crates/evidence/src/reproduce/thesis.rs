@@ -2,7 +2,7 @@
 
 use super::{Class, Row, Rows};
 use crate::experiment::motor;
-use gaitcam::dynamics::thesis;
+use crate::thesis;
 use gaitcam::error::Result;
 
 pub(super) fn rows() -> Result<Vec<Row>> {
@@ -90,7 +90,7 @@ pub(super) fn rows() -> Result<Vec<Row>> {
 
 /// The table of motor power against the time for 11.1 turns, with the fit of Campillo de Blas (2017) and the better one.
 fn motor_rows(rows: &mut Rows) -> Result<()> {
-    let (factor, power) = motor::power_law(&thesis::MOTOR_TABLE)?;
+    let (factor, power) = motor::power_law(&motor::MOTOR_TABLE)?;
     let seconds_asked = 6.0;
     let fit = (
         Class::NotReproducible,
@@ -102,7 +102,7 @@ fn motor_rows(rows: &mut Rows) -> Result<()> {
         "motor: power for 6 s",
         "%",
         "66.6",
-        motor::power_for(&thesis::MOTOR_TABLE, seconds_asked)?,
+        motor::power_for(&motor::MOTOR_TABLE, seconds_asked)?,
         fit,
     );
     let own = (seconds_asked / 347.9_f64).powf(1.0 / -0.967);
@@ -118,7 +118,7 @@ fn motor_rows(rows: &mut Rows) -> Result<()> {
         motor::seconds_for(thesis::SPEED),
         "",
     );
-    for (percent, seconds) in thesis::MOTOR_TABLE {
+    for (percent, seconds) in motor::MOTOR_TABLE {
         let by_fit = factor * percent.powf(power);
         let theirs = 347.9 * percent.powf(-0.967);
         let reason =

@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use gaitcam::cam::{Cam, Follower, ProfilePoint, smallest_prime_circle};
-use gaitcam::dynamics::{rigid::liftoff_speed, thesis};
+use gaitcam::dynamics::rigid::liftoff_speed;
 use gaitcam::poly::PiecewisePoly;
+use gaitcam_evidence::thesis;
 use gaitcam_test_support::turn;
 
 fn rise_cam(prime: f64, roller: f64) -> Cam {

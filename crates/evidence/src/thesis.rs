@@ -1,10 +1,10 @@
 //! The two cams of Campillo de Blas (2017) (theory §3) and the numbers of its machine.
 
-use crate::cam::{Cam, Follower};
-use crate::drive::{Drive, DriveKind};
-use crate::law::{Law, Wave};
-use crate::poly::PiecewisePoly;
-use crate::units::G;
+use gaitcam::cam::{Cam, Follower};
+use gaitcam::drive::{Drive, DriveKind};
+use gaitcam::law::{Law, Wave};
+use gaitcam::poly::PiecewisePoly;
+use gaitcam::units::G;
 use std::f64::consts::{PI, TAU};
 
 /// Speed of the shaft, rad/s: 1.85 steps per second.
@@ -15,17 +15,6 @@ pub const MASS: f64 = 1.0;
 pub const BASE_RADIUS: f64 = 0.03;
 /// Eccentricity, and lift of the double harmonic, m.
 pub const LIFT: f64 = 0.01;
-/// Motor power (%) and seconds for 11.1 turns, table 1.
-pub const MOTOR_TABLE: [(f64, f64); 8] = [
-    (10.0, 37.97),
-    (20.0, 19.87),
-    (30.0, 13.15),
-    (40.0, 10.42),
-    (50.0, 8.17),
-    (60.0, 6.94),
-    (70.0, 5.73),
-    (80.0, 5.08),
-];
 
 /// The circle of radius 30 mm about a centre 10 mm off: d = r + e sin θ.
 pub fn eccentric() -> Cam {
