@@ -108,12 +108,12 @@ impl Cam {
                 let last = current[k];
                 current.push([0, 1, 2].map(|m| (factor * last[m] - before[m]) / (factor - 1.0)));
             }
-            let settled = rows.last().is_some_and(|old| {
+            let converged = rows.last().is_some_and(|old| {
                 let new = current[current.len() - 1];
                 (0..3).all(|m| (new[m] - old[m]).abs() <= AGREED * new[m].abs())
             });
             rows = current;
-            if settled {
+            if converged {
                 break;
             }
         }

@@ -13,10 +13,10 @@ type Extremes = (Extreme, Extreme);
 
 /// Cached properties of a law. Clones share them; they do not take part in comparisons.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Known(Arc<Findings>);
+pub(super) struct Cache(Arc<Cached>);
 
 #[derive(Debug, Default)]
-struct Findings {
+struct Cached {
     /// By the weights of s, v, a, j.
     extremes: Mutex<Vec<([f64; 4], Extremes)>>,
     joints: OnceLock<Vec<Joint>>,
@@ -24,21 +24,21 @@ struct Findings {
     scaled: OnceLock<[Vec<f64>; 4]>,
 }
 
-impl PartialEq for Known {
-    fn eq(&self, _: &Known) -> bool {
+impl PartialEq for Cache {
+    fn eq(&self, _: &Cache) -> bool {
         true
     }
 }
 
-impl Known {
+impl Cache {
     /// For the law raised by a constant: combinations without the lift stay valid.
-    pub(super) fn on_any_level(&self) -> Known {
+    pub(super) fn on_any_level(&self) -> Cache {
         let same = |list: &Vec<([f64; 4], Extremes)>| {
             let all = list.iter().filter(|(weights, _)| weights[0] == 0.0);
             all.copied().collect()
         };
         let list = self.0.extremes.lock().map(|list| same(&list));
-        Known(Arc::new(Findings {
+        Cache(Arc::new(Cached {
             extremes: Mutex::new(list.unwrap_or_default()),
             joints: self.0.joints.clone(),
             scaled: OnceLock::new(),
@@ -46,12 +46,12 @@ impl Known {
     }
 
     /// Cached extremes, computed on the first request.
-    fn found(&self, weights: [f64; 4], search: impl FnOnce() -> Extremes) -> Extremes {
-        let known = self.0.extremes.lock().ok().and_then(|list| {
-            let same = list.iter().find(|(known, _)| *known == weights);
+    fn extremes(&self, weights: [f64; 4], search: impl FnOnce() -> Extremes) -> Extremes {
+        let cached = self.0.extremes.lock().ok().and_then(|list| {
+            let same = list.iter().find(|(key, _)| *key == weights);
             same.map(|(_, extremes)| *extremes)
         });
-        known.unwrap_or_else(|| {
+        cached.unwrap_or_else(|| {
             let extremes = search();
             if let Ok(mut list) = self.0.extremes.lock() {
                 list.push((weights, extremes));
@@ -80,7 +80,7 @@ impl Law {
     pub fn extremes(&self, order: usize) -> (Extreme, Extreme) {
         let mut weights = [0.0; 4];
         weights[order] = 1.0;
-        self.found_extremes(weights)
+        self.cached_extremes(weights)
     }
 
     /// Smallest and largest value of w₀s + w₁v + w₂a + w₃j + constant on the continuous law.
@@ -88,11 +88,11 @@ impl Law {
         let mut counted = (0..4).filter(|k| weights[*k] != 0.0);
         match (counted.next(), counted.next()) {
             (Some(order), None) => changed(self.extremes(order), weights[order], constant),
-            _ => changed(self.found_extremes(weights), 1.0, constant),
+            _ => changed(self.cached_extremes(weights), 1.0, constant),
         }
     }
 
-    fn found_extremes(&self, weights: [f64; 4]) -> Extremes {
+    fn cached_extremes(&self, weights: [f64; 4]) -> Extremes {
         let search = || match self.harmonics() {
             Some(harmonics) => {
                 let sum = weighted(&harmonics, weights);
@@ -102,7 +102,7 @@ impl Law {
             }
             None => self.combination(weights, 0.0).extremes(),
         };
-        self.known.found(weights, search)
+        self.cache.extremes(weights, search)
     }
 
     /// (cosine, sine) of harmonics 1, 2, … where the law is a mean with these.
@@ -116,13 +116,13 @@ impl Law {
 
     /// Jumps of s, v, a and j at every break, the wrap of a closed law included.
     pub fn joints(&self) -> Vec<Joint> {
-        let joints = &self.known.0.joints;
+        let joints = &self.cache.0.joints;
         joints.get_or_init(|| joint::joints(self)).clone()
     }
 
     /// Bernstein coefficients of s, v, a and j, piece by piece, times their binomials: the form that evaluates fastest.
     pub(super) fn scaled_by_binomials(&self) -> &[Vec<f64>; 4] {
-        let scaled = &self.known.0.scaled;
+        let scaled = &self.cache.0.scaled;
         scaled.get_or_init(|| std::array::from_fn(|order| times_binomials(&self.of_order(order))))
     }
 

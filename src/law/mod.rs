@@ -19,7 +19,7 @@ pub(crate) use walk::Turns;
 pub use walk::{BATCH, Batch, Walk};
 
 use crate::poly::{PiecewisePoly, SplineSpace, add_taylor, bernstein, subdivide};
-use extremes::Known;
+use extremes::Cache;
 pub(crate) use extremes::weighted;
 use serde::Serialize;
 use std::sync::Arc;
@@ -74,7 +74,7 @@ pub struct Law {
     #[serde(skip)]
     derivatives: Option<Arc<[PiecewisePoly; 3]>>,
     #[serde(skip)]
-    known: Known,
+    cache: Cache,
 }
 
 /// Spans from which on the Bernstein coefficients of a spline's derivatives come from its own derivatives' coefficients, and
@@ -127,15 +127,15 @@ impl Law {
             waves: Vec::new(),
             closed,
             derivatives: Some(derivatives),
-            known: Known::default(),
+            cache: Cache::default(),
         }
     }
 
     /// The lift's polynomials (order 0) or those of a derivative, waves left out.
     fn of_order(&self, order: usize) -> PiecewisePoly {
-        let known = self.derivatives.as_ref().map_or(&[][..], |d| &d[..]);
-        match order.checked_sub(1).and_then(|k| known.get(k)) {
-            Some(known) => known.clone(),
+        let given = self.derivatives.as_ref().map_or(&[][..], |d| &d[..]);
+        match order.checked_sub(1).and_then(|k| given.get(k)) {
+            Some(given) => given.clone(),
             None if order == 0 => self.poly.clone(),
             None => self.of_order(order - 1).derivative(),
         }
@@ -158,7 +158,7 @@ impl Law {
             waves: if has_waves { waves } else { Vec::new() },
             closed,
             derivatives: None,
-            known: Known::default(),
+            cache: Cache::default(),
         }
     }
 
@@ -322,7 +322,7 @@ impl Law {
             None => Law::with_waves(poly, self.waves.clone(), self.closed),
         };
         Law {
-            known: self.known.on_any_level(),
+            cache: self.cache.on_any_level(),
             ..raised
         }
     }

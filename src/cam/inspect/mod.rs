@@ -29,7 +29,7 @@ const COARSE_ROUNDS: usize = 12;
 const PROFILE: usize = 2880;
 const ROUNDS: usize = 40;
 /// Relative step at which the fit has converged.
-const SETTLED: f64 = 1e-14;
+const CONVERGED: f64 = 1e-14;
 /// Fits closer to each other than this, rad, are the same.
 const SAME: f64 = 0.02;
 /// Minima of the search that are refined.
@@ -38,8 +38,10 @@ const REFINED: usize = 12;
 const ALIKE: (f64, f64) = (1.02, 1e-9);
 /// Largest deviation, relative to the difference of radii, of points that belong to this cam.
 const OTHER: f64 = 0.1;
-/// Smallest share of the normal equations' directions in the largest, below which the turn is unknown.
-const DETERMINED: f64 = 1e-9;
+/// Smallest eigenvalue of the normal equations as a share of the largest, below which it is rounding: a circle.
+const ROUNDING: f64 = 1e-13;
+/// Standard error of the turn, rad, above which the points do not show it.
+const UNSURE: f64 = 0.1;
 
 /// One measured point against the profile.
 ///
@@ -134,7 +136,7 @@ impl Cam {
     ///
     /// # Errors
     /// On fewer than [`FEWEST`] points, on coordinates that are not finite, on points that fit nowhere (those of
-    /// another cam), on a cam that is a circle, whose zero angle cannot be found, and on a cam that does not turn.
+    /// another cam), on a cam that is a circle within the scatter of the points, whose zero angle cannot be found, and on a cam that does not turn.
     pub fn inspect(&self, points: &[[f64; 2]], ball: f64) -> Result<Inspection> {
         self.refuse_unfit(points)?;
         let exact = Exact {
@@ -168,8 +170,8 @@ impl Cam {
         let mut turns = vec![wrapped(-pose.angle)];
         for (off, pose, _) in &fits[1..] {
             let turn = wrapped(-pose.angle);
-            let known = turns.iter().any(|t| wrapped(t - turn).abs() < SAME);
-            if *off <= ALIKE.0 * least + ALIKE.1 && !known {
+            let listed = turns.iter().any(|t| wrapped(t - turn).abs() < SAME);
+            if *off <= ALIKE.0 * least + ALIKE.1 && !listed {
                 turns.push(turn);
             }
         }
@@ -214,7 +216,7 @@ impl Cam {
         let outline: Vec<[f64; 2]> = samples.iter().map(|s| s.p).collect();
         let (pivot, place) = (middle(points), middle(&outline));
         let size = self.follower.prime_radius();
-        let mut found: Vec<(f64, Pose)> = Vec::new();
+        let mut fits: Vec<(f64, Pose)> = Vec::new();
         for k in 0..STARTS {
             let mut pose = Pose {
                 angle: std::f64::consts::TAU * k as f64 / STARTS as f64,
@@ -232,14 +234,14 @@ impl Cam {
                 };
                 pose = pose.moved(step);
             }
-            found.push((rms(&feet_of(&pose)), pose));
+            fits.push((rms(&feet_of(&pose)), pose));
         }
-        found.retain(|f| f.0.is_finite());
-        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        fits.retain(|f| f.0.is_finite());
+        fits.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut distinct: Vec<Pose> = Vec::new();
-        for (_, pose) in found {
-            let known = |p: &Pose| wrapped(p.angle - pose.angle).abs() < SAME;
-            if !distinct.iter().any(known) {
+        for (_, pose) in fits {
+            let same = |p: &Pose| wrapped(p.angle - pose.angle).abs() < SAME;
+            if !distinct.iter().any(same) {
                 distinct.push(pose);
             }
         }
@@ -269,7 +271,7 @@ impl Exact<'_> {
             pose = pose.moved(step);
             feet = feet_of(&pose);
             let moved = step[0].abs() * size + step[1].abs() + step[2].abs();
-            if moved < SETTLED * size {
+            if moved < CONVERGED * size {
                 break;
             }
         }
@@ -296,10 +298,10 @@ impl Exact<'_> {
             }
         };
         let theta = root(here - step, here + step, |theta| along(&at(theta)));
-        let found = at(theta.unwrap_or(here));
+        let foot = at(theta.unwrap_or(here));
         Foot {
-            theta: found.theta.rem_euclid(std::f64::consts::TAU),
-            ..tangent_distance(&found, q, self.ball)
+            theta: foot.theta.rem_euclid(std::f64::consts::TAU),
+            ..tangent_distance(&foot, q, self.ball)
         }
     }
 }
@@ -382,16 +384,17 @@ fn normal_equations(feet: &[Foot], pose: &Pose, size: f64) -> (Matrix3<f64>, Vec
 /// The step of Gauss and Newton: turn, rad, and shift, m.
 fn step(feet: &[Foot], pose: &Pose, size: f64) -> Option<[f64; 3]> {
     let (matrix, right) = normal_equations(feet, pose, size);
-    let found = matrix.cholesky()?.solve(&right);
-    let step = [found[0] / size, found[1], found[2]];
+    let solution = matrix.cholesky()?.solve(&right);
+    let step = [solution[0] / size, solution[1], solution[2]];
     step.iter().all(|x| x.is_finite()).then_some(step)
 }
 
-/// Whether the points determine the rotation of the cam.
+/// Whether the points determine the rotation of the cam: their scatter about the profile, carried through the normal
+/// equations, leaves the turn small error.
 fn is_determined(feet: &[Foot], pose: &Pose, size: f64) -> bool {
     let (matrix, _) = normal_equations(feet, pose, size);
     let shares = matrix.symmetric_eigenvalues();
-    shares.min() > DETERMINED * shares.max()
+    shares.min() > ROUNDING * shares.max() && rms(feet) < UNSURE * size * shares.min().sqrt()
 }
 
 fn rms(feet: &[Foot]) -> f64 {

@@ -189,6 +189,32 @@ fn points_that_say_nothing_about_this_cam_are_refused() {
     assert!(matches!(fault(round), CamError::MeasuredCircle));
 }
 
+#[test]
+fn a_disc_with_a_second_sine_of_a_micrometre_is_no_circle() {
+    for (base_radius, small) in [(0.02, 1e-3), (0.05, 1e-5), (0.1, 1e-6)] {
+        for harmonic in [2, 3] {
+            let mut terms = vec![(0.0, 0.0); harmonic];
+            terms[0].1 = 0.01;
+            terms[harmonic - 1].1 = small;
+            let follower = Follower::FlatTranslating { base_radius };
+            let cam = Cam::new(Law::harmonic(0.01 + small, &terms), follower).unwrap();
+            let points = measured(&cam, &[0.0; POINTS], 0.0);
+            let found = cam.inspect(&points, 0.0).unwrap();
+            // Harmonic n alone repeats after an nth of a turn.
+            let repeats = (found.turn - TURN) / (TAU / harmonic as f64);
+            assert!(
+                (repeats - repeats.round()).abs() < 1e-6,
+                "{small} {harmonic}: {repeats}"
+            );
+            // Scatter twenty times as large hides it.
+            let rough = |i: usize| 20.0 * small * (37.0 * i as f64).sin();
+            let scatter: Vec<f64> = (0..POINTS).map(rough).collect();
+            let rough = cam.inspect(&measured(&cam, &scatter, 0.0), 0.0);
+            assert!(small > 1e-4 || matches!(fault(rough), CamError::MeasuredCircle));
+        }
+    }
+}
+
 fn footbridge() -> Design {
     gaitcam_test_support::design::<&str>(gaitcam::scene::DEFAULT, &[]).unwrap()
 }
