@@ -7,12 +7,13 @@
 //! ```
 //!
 //! so the deflection x = s − y follows from the target y by x + τ x′ = F(y)/k₁, τ = c₁ω/k₁. Without damping
-//! that is algebra: s = y + F(y)/k₁. With it the steady answer is the series
-//! x = (F − τF′ + τ²F″ − …)/k₁, of which as many terms are taken as the target has continuous
-//! derivatives for; a sinusoid of frequency r has the whole of it, 1/(1 + i r τ). Source: Dudley's polydyne
-//! relation, y and s in the letters of [`super`].
+//! that is algebra: s = y + F(y)/k₁, and a sum of sinusoids has 1/(1 + i r τ) at each frequency r. Otherwise x and its
+//! first three derivatives, which obey the same equation under the derivatives of F, are computed at the breaks of
+//! F in the periodic steady state, and joined by polynomials of degree 7. Source: Dudley's polydyne relation, y and s
+//! in the letters of [`super`].
 
 use super::Train;
+use super::linear::{Linear, Matrix2, Vector2};
 use crate::drive::Drive;
 use crate::dynamics::flexible;
 use crate::error::{DynamicsError, Result};
@@ -20,9 +21,14 @@ use crate::law::{Law, Wave};
 use crate::poly::{Extreme, PiecewisePoly, bernstein};
 use crate::units::Quantity;
 use serde::Serialize;
+use std::f64::consts::TAU;
 
-/// Terms of the damping's series beyond the first; each needs one more continuous derivative.
-const MOST_TERMS: usize = 4;
+/// Parts of a piece for its transients, at most; each as long as the damping's lag.
+const MOST_PARTS: f64 = 16.0;
+/// Longest part of a piece, rad: a polynomial of degree 7 follows a sinusoid of rate 20 on it to 1e-10.
+const LONGEST_PART: f64 = TAU / 180.0;
+/// A lag below this, rad, is none.
+const INSTANT: f64 = 1e-8;
 /// A jump below this part of the derivative's size is rounding; high derivatives of a spline carry much.
 const ROUNDING: f64 = 1e-6;
 /// Angles of one cycle at which the run of the finished cam is compared with the target.
@@ -44,7 +50,7 @@ pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     let weights = drive.weights();
     // The cam's acceleration takes two derivatives more than the force does.
     let needed = 2 + weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
-    let (smooth, broken_at) = continuous_derivatives(target, needed + MOST_TERMS);
+    let (smooth, broken_at) = continuous_derivatives(target, needed);
     if smooth < needed {
         let derivative = [
             "lift",
@@ -60,48 +66,67 @@ pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
         .into());
     }
     let lag = damping * drive.speed / stiffness;
-    let terms = if lag > 0.0 { smooth - needed } else { 0 };
-    let alpha = series(&weights, stiffness, lag, terms);
-    let rest = drive.rest_force / stiffness;
     let poly = target.poly();
-    let one_piece = poly.pieces() == 1 && poly.degree() == 0;
-    let gain = |rate: f64| {
-        if one_piece {
-            whole_gain(rate, drive, stiffness, damping)
-        } else {
-            series_gain(rate, &alpha)
-        }
-    };
-    let mut order = poly.clone();
-    let mut sum = PiecewisePoly::combine(&[(alpha[0], poly)], rest);
-    for a in &alpha[1..] {
-        order = order.derivative();
-        sum = PiecewisePoly::combine(&[(1.0, &sum), (*a, &order)], 0.0);
+    let is_sum_of_sinusoids = poly.pieces() == 1 && poly.degree() == 0;
+    if lag > INSTANT && !is_sum_of_sinusoids {
+        return lagging(target, drive, train, lag);
     }
-    let waves: Vec<Vec<Wave>> = (0..poly.pieces())
-        .map(|i| {
-            let passed = |w: &Wave| passed(w, gain(w.rate));
-            target.waves(i).iter().map(passed).collect()
-        })
-        .collect();
-    Ok(Law::with_waves(sum, waves, true))
+    let first = poly.derivative();
+    let second = first.derivative();
+    let [k, c, m] = [0, 1, 2].map(|order| weights[order] / stiffness);
+    let terms = [(1.0 + k, poly), (c, &first), (m, &second)];
+    let sum = PiecewisePoly::combine(&terms, drive.rest_force / stiffness);
+    let passed = |w: &Wave| passed(w, gain(w.rate, drive, stiffness, damping));
+    let waves = (0..poly.pieces()).map(|i| target.waves(i).iter().map(passed).collect());
+    Ok(Law::with_waves(sum, waves.collect(), true))
 }
 
-/// Coefficients αₙ of s = Σ αₙ dⁿy/dθⁿ, with so many terms of the damping's series.
-fn series(weights: &[f64; 4], stiffness: f64, lag: f64, terms: usize) -> Vec<f64> {
-    let mut alpha = vec![0.0; 3 + terms];
-    for i in 0..=terms {
-        let factor = (-lag).powi(i as i32) / stiffness;
-        for (j, w) in weights[..3].iter().enumerate() {
-            alpha[i + j] += factor * w;
-        }
+/// The target raised by the deflection of a damped train, of degree 7 between the breaks of the force.
+fn lagging(target: &Law, drive: &Drive, train: &Train, lag: f64) -> Result<Law> {
+    let mut cuts = Vec::new();
+    for ends in target.breaks().windows(2) {
+        let width = ends[1] - ends[0];
+        let for_transients = (width / lag).min(MOST_PARTS);
+        let parts = for_transients.max(width / LONGEST_PART).ceil() as usize;
+        cuts.extend((1..parts).map(|i| ends[0] + width * i as f64 / parts as f64));
     }
-    alpha[0] += 1.0;
-    alpha
+    let mut force = drive.force_curve(target).cut_at(&cuts);
+    let breaks = force.breaks().to_vec();
+    let linear = Linear {
+        rates: Matrix2::new(-1.0 / lag, 0.0, 0.0, -1.0),
+        input: Vector2::new(1.0 / (lag * train.stiffness), 0.0),
+    };
+    let mut orders = Vec::with_capacity(4);
+    for _ in 0..4 {
+        let states = linear.periodic(&force, |_| Vector2::zeros());
+        orders.push(states.ok_or_else(|| flexible::resonance(drive, train))?);
+        force = force.derivative();
+    }
+    let at = |i: usize| [0, 1, 2, 3].map(|order| orders[order][i][0]);
+    let pieces =
+        (0..breaks.len() - 1).flat_map(|i| hermite(breaks[i + 1] - breaks[i], at(i), at(i + 1)));
+    let deflection = PiecewisePoly::new(breaks.clone(), 7, pieces.collect());
+    let cut = cut_at(target, &breaks[1..breaks.len() - 1]);
+    let deflection = deflection.cut_at(cut.breaks());
+    let sum = PiecewisePoly::combine(&[(1.0, cut.poly()), (1.0, &deflection)], 0.0);
+    let waves = (0..cut.poly().pieces()).map(|i| cut.waves(i).to_vec());
+    Ok(Law::with_waves(sum, waves.collect(), true))
+}
+
+/// Bernstein coefficients of degree 7 from value and three derivatives at both ends of a piece.
+fn hermite(width: f64, start: [f64; 4], end: [f64; 4]) -> [f64; 8] {
+    let from = |[s, v, a, j]: [f64; 4], width: f64| {
+        let first = s + width * v / 7.0;
+        let second = 2.0 * first - s + width * width * a / 42.0;
+        let third = 3.0 * (second - first) + s + width.powi(3) * j / 210.0;
+        [s, first, second, third]
+    };
+    let ([a, b, c, d], [h, g, f, e]) = (from(start, width), from(end, -width));
+    [a, b, c, d, e, f, g, h]
 }
 
 /// s over y for e^{irθ}: 1 + (k − m r²ω² + i r c ω)/(k₁ + i r c₁ ω), real and imaginary part.
-fn whole_gain(rate: f64, drive: &Drive, stiffness: f64, damping: f64) -> (f64, f64) {
+fn gain(rate: f64, drive: &Drive, stiffness: f64, damping: f64) -> (f64, f64) {
     let [k, c, m, _] = drive.weights();
     let (re, im) = (k - m * rate * rate, c * rate);
     let lag = damping * drive.speed * rate;
@@ -110,16 +135,6 @@ fn whole_gain(rate: f64, drive: &Drive, stiffness: f64, damping: f64) -> (f64, f
         1.0 + (re * stiffness + im * lag) / square,
         (im * stiffness - re * lag) / square,
     )
-}
-
-/// Σ αₙ (i r)ⁿ.
-fn series_gain(rate: f64, alpha: &[f64]) -> (f64, f64) {
-    let mut gain = (0.0, 0.0);
-    for a in alpha.iter().rev() {
-        // gain·(i r) + a
-        gain = (a - gain.1 * rate, gain.0 * rate);
-    }
-    gain
 }
 
 /// A sinusoid passed through a complex gain.
@@ -234,12 +249,16 @@ pub fn end_error(cam: &Law, target: &Law, drive: &Drive, train: &Train) -> Resul
 /// The same law with the angles that are compared among its breaks.
 fn finely(law: &Law) -> Law {
     let (start, length) = law.extent();
-    // A piece as wide as a rounding error has no derivative.
+    let compared = (1..COMPARED).map(|i| start + length * i as f64 / COMPARED as f64);
+    cut_at(law, &compared.collect::<Vec<_>>())
+}
+
+/// The same law with further breaks, where they are more than a rounding error from its own: a piece as wide as that
+/// has no derivative.
+fn cut_at(law: &Law, further: &[f64]) -> Law {
+    let (_, length) = law.extent();
     let new = |x: &f64| law.breaks().iter().all(|b| (b - x).abs() > 1e-9 * length);
-    let further: Vec<f64> = (1..COMPARED)
-        .map(|i| start + length * i as f64 / COMPARED as f64)
-        .filter(new)
-        .collect();
+    let further: Vec<f64> = further.iter().copied().filter(new).collect();
     let poly = law.poly().cut_at(&further);
     let waves: Vec<Vec<Wave>> = (0..poly.pieces())
         .map(|i| {

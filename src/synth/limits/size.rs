@@ -7,15 +7,17 @@ use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::scene::Minimise;
-use crate::synth::qp::{Limit, Meaning, Program, RADIUS, RISE};
+use crate::synth::qp::{Limit, Meaning, OFFSET, Program, RADIUS, RISE};
 
-/// Cost of a size among the variables, the limit on it, and the cone Rp ≥ ‖(D, e)‖ of an open offset.
+/// Cost of a size among the variables, the limit on it, and the cone Rp ≥ ‖(D, e)‖ of an open offset, or of
+/// a radius that is weighed.
 pub fn priced(problem: &Problem, program: &mut Program) {
     let cost = match problem.objective() {
         Minimise::Size => 1.0,
         Minimise::Weighed(weigh) => weigh.prime_radius.map_or(0.0, |one| 1.0 / one),
         _ => 0.0,
     };
+    let weighed = cost != 0.0 && !matches!(problem.objective(), Minimise::Size);
     let limit = problem.limits[LimitKind::PrimeRadius];
     // No cam is smaller than its bore, and none has a negative base radius. A limit below that is for the checks to report.
     let least = problem.outside_bore() + problem.cam.roller_radius;
@@ -38,8 +40,8 @@ pub fn priced(problem: &Problem, program: &mut Program) {
             .extend(limit.map(|r| at_most(problem, r, RADIUS)));
         program.limits.push(at_least(problem, least, RADIUS));
         program.cost[RADIUS] = cost;
-    } else if let Some(offset) = problem.offset() {
-        // With the offset given, the prime radius grows with D alone.
+    } else if let Some(offset) = problem.offset().filter(|_| !weighed) {
+        // With the offset given, the prime radius grows with D alone; a price on it is none on D.
         let rise = |r: f64| (r * r - offset * offset).max(0.0).sqrt();
         program
             .limits
@@ -51,11 +53,14 @@ pub fn priced(problem: &Problem, program: &mut Program) {
             .limits
             .extend(limit.map(|r| at_most(problem, r, RADIUS)));
         // The cone alone would let D be negative.
-        let physical = [
+        program.limits.extend([
             at_least(problem, least, RADIUS),
             at_least(problem, 0.0, RISE),
-        ];
-        program.limits.extend(physical);
+        ]);
+        if let Some(offset) = problem.offset() {
+            let held = |side: f64| on_size(problem, OFFSET, side, side * offset);
+            program.limits.extend([held(1.0), held(-1.0)]);
+        }
         program.cost[RADIUS] = cost;
         program.cone = true;
     }

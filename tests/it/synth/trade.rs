@@ -162,6 +162,43 @@ fn price(design: &Design, one: [Option<f64>; 3]) -> f64 {
         + one[2].map_or(0.0, |j| (jerk / j).powi(2))
 }
 
+/// With an offset given, too: there a price on D = √(Rp² − e²) would make the cam 4 % too small.
+#[test]
+fn a_weighed_radius_is_the_prime_radius_at_any_offset() {
+    let target = young();
+    for (offset, rounded) in [(0.0, false), (12.0, false), (-15.0, false), (12.0, true)] {
+        let offset = format!("cam.offset={offset} mm");
+        let roller = [
+            "law.spans=16",
+            "cam.follower=roller-translating",
+            "cam.roller_radius=5 mm",
+            "limits.pressure_angle=30 deg",
+            "accuracy.rms=50 %",
+            &offset,
+            if rounded {
+                "limits.curvature=5 mm"
+            } else {
+                "limits.curvature=auto"
+            },
+        ];
+        let with = |more: &[&str]| solved(&[&roller[..], more].concat(), &target);
+        let one = [Some(0.05), Some(0.01), None];
+        let weighed = with(&["law.weigh.force_error=5 %", "law.weigh.prime_radius=10 mm"]);
+        let own = price(&weighed, one);
+        let radius = weighed.cam.follower.prime_radius();
+        let failed: Vec<_> = weighed.checks.iter().filter(|c| !c.pass).collect();
+        assert!(failed.is_empty(), "{offset}: {failed:?}");
+        for k in [-8, -4, -2, -1, 1, 2, 4, 8] {
+            let other = 1e3 * radius * (1.0 + 0.01 * f64::from(k));
+            let other = with(&[&format!("limits.prime_radius={other:.9} mm")]);
+            if other.checks.iter().all(|c| c.pass) {
+                let other = price(&other, one);
+                assert!(own <= other * (1.0 + 1e-6), "{offset} {k}: {own} {other}");
+            }
+        }
+    }
+}
+
 /// The weighed optimum is the cheapest point of the front that the limit on the size alone draws.
 #[test]
 fn a_weighed_objective_finds_the_cheapest_point_of_the_front() {
