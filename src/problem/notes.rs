@@ -97,8 +97,6 @@ pub enum Note {
     },
     /// How far the end of that follower stays from its law, and how far it would without.
     PolydyneMiss { own: Quantity, plain: Quantity },
-    /// A higher degree would help it.
-    PolydyneDegree,
 }
 
 impl Note {

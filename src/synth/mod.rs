@@ -92,7 +92,7 @@ use crate::cam::{Check, LimitKind, Verdict};
 use crate::error::{Placed, Result};
 use crate::force::ForceCurve;
 use crate::problem::{Note, Problem};
-use crate::scene::{Family, Scene};
+use crate::scene::Scene;
 use families::SolvedLaw;
 use optimum::{NoLaw, Refusal};
 use sizing::checked_cam::{CheckedCam, checked_cam};
@@ -300,11 +300,6 @@ fn notes(
     }
     out.extend(families::stopped_at_noise(problem, found.family));
     out.extend(sizing::notes(problem, &checked.cam, checked.pressing()));
-    let splines = if found.family == Family::Spline {
-        found.degree
-    } else {
-        usize::MAX
-    };
-    out.extend(end.map_or_else(Vec::new, |e| e.notes(problem.drive.speed, splines)));
+    out.extend(end.map_or_else(Vec::new, |e| e.notes(problem.drive.speed)));
     out
 }

@@ -22,10 +22,6 @@ const ROUNDS: usize = 12;
 const AIM: f64 = 1e-6;
 /// A limit that binds the end is reached by the cam when it is this near to its own.
 const NEAR: f64 = 1e-4;
-/// A share of the plain cam's miss that is worth saying how to lower it.
-const WORTH_A_DEGREE: f64 = 0.01;
-/// Splines go no higher.
-const MOST_DEGREE: usize = 9;
 
 /// The law of the end and the cam that gives it. The law is found for `asked`, which is the problem itself, or the
 /// problem without the limits that leave none.
@@ -137,7 +133,7 @@ impl End {
     }
 
     /// What to know of the design: its speed and stiffness, and what it misses.
-    pub fn notes(&self, speed: f64, degree: usize) -> Vec<Note> {
+    pub fn notes(&self, speed: f64) -> Vec<Note> {
         let mut out = vec![Note::Polydyne {
             speed: Quantity::new(speed, Dimension::AngularSpeed),
             stiffness: Quantity::new(self.stiffness, Dimension::SpringRate),
@@ -147,9 +143,6 @@ impl End {
                 own: Quantity::force(own.force_rms),
                 plain: Quantity::force(plain.force_rms),
             });
-            if own.force_rms > WORTH_A_DEGREE * plain.force_rms && degree < MOST_DEGREE {
-                out.push(Note::PolydyneDegree);
-            }
         }
         out
     }

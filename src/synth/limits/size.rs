@@ -40,7 +40,7 @@ pub fn priced(problem: &Problem, program: &mut Program) {
             .extend(limit.map(|r| at_most(problem, r, RADIUS)));
         program.limits.push(at_least(problem, least, RADIUS));
         program.cost[RADIUS] = cost;
-    } else if let Some(offset) = problem.offset().filter(|_| !weighed) {
+    } else if let Some(offset) = problem.offset().filter(|e| *e == 0.0 || !weighed) {
         // With the offset given, the prime radius grows with D alone; a price on it is none on D.
         let rise = |r: f64| (r * r - offset * offset).max(0.0).sqrt();
         program
@@ -58,8 +58,11 @@ pub fn priced(problem: &Problem, program: &mut Program) {
             at_least(problem, 0.0, RISE),
         ]);
         if let Some(offset) = problem.offset() {
-            let held = |side: f64| on_size(problem, OFFSET, side, side * offset);
-            program.limits.extend([held(1.0), held(-1.0)]);
+            // The cone makes the offset no larger than it has to be.
+            let side = -offset.signum();
+            program
+                .limits
+                .push(on_size(problem, OFFSET, side, side * offset));
         }
         program.cost[RADIUS] = cost;
         program.cone = true;

@@ -137,7 +137,7 @@ scene-polydyne-without-stiffness = a polydyne cam needs the stiffness of the fol
 scene-polydyne-family = a polydyne cam needs a law with four continuous derivatives, which this family ({ $family }) does not guarantee
     .help = use family = "spline" or "harmonic", or a programme of 5-6-7-8-9 segments
 scene-polydyne-degree = the lift of a polydyne cam contains the force: below degree 5 its acceleration would be discontinuous
-    .help = use degree 5 to 9; each degree above 5 compensates one more term of the damping
+    .help = use degree 5 to 9
 scene-polydyne-on-slide = a polydyne cam must rotate: a law that does not repeat has no steady state
     .help = remove law.polydyne, or use another follower
 scene-polydyne-breadth = a polydyne cam does not keep constant breadth: the follower deflects differently half a turn later

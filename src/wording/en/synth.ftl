@@ -51,7 +51,6 @@ design-no-base-circle = The smallest base radius is zero, so the profile passes 
 design-usual-pressure-angle = No limit on the pressure angle is given: the cam is sized for at most { $angle }, the usual value. Set limits.pressure_angle to change it.
 design-polydyne = The cam is polydyne: at { $speed } the output end of a follower of stiffness { $stiffness } follows the law. Lift, velocity, acceleration, jerk and their limits are those of the cam; the force is that of the output end.
 design-polydyne-miss = With its flexible follower this cam has a force error of { $own } RMS; a cam cut to the law itself would have { $plain } RMS.
-design-polydyne-degree = A higher law.degree compensates more of the follower's damping.
 
 # Faults in what a design is asked for.
 synth-force-not-read = the force curve was not read

@@ -137,7 +137,7 @@ scene-polydyne-without-stiffness = una leva polidina necesita la rigidez del seg
 scene-polydyne-family = una leva polidina necesita una ley con cuatro derivadas continuas, que esta familia ({ $family }) no garantiza
     .help = use family = "spline" o "harmonic", o un programa de segmentos 5-6-7-8-9
 scene-polydyne-degree = la elevación de una leva polidina contiene la fuerza: por debajo del grado 5 su aceleración sería discontinua
-    .help = use grado 5 a 9; cada grado por encima de 5 compensa un término más del amortiguamiento
+    .help = use grado 5 a 9
 scene-polydyne-on-slide = una leva polidina debe girar: una ley que no se repite no tiene régimen permanente
     .help = quite law.polydyne o use otro seguidor
 scene-polydyne-breadth = una leva polidina no mantiene la anchura constante: el seguidor se deforma de otro modo media vuelta después

@@ -51,7 +51,6 @@ design-no-base-circle = El menor radio base es cero, de modo que el perfil pasa 
 design-usual-pressure-angle = No se da límite para el ángulo de presión: la leva se dimensiona para { $angle } como máximo, el valor habitual. Fije limits.pressure_angle para cambiarlo.
 design-polydyne = La leva es polidina: a { $speed } el extremo de salida de un seguidor de rigidez { $stiffness } sigue la ley. Elevación, velocidad, aceleración, sobreaceleración y sus límites son los de la leva; la fuerza es la del extremo de salida.
 design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fuerza de { $own } RMS; una leva tallada según la propia ley tendría { $plain } RMS.
-design-polydyne-degree = Un law.degree mayor compensa más del amortiguamiento del seguidor.
 
 # Errores en lo que se pide de un diseño.
 synth-force-not-read = no se leyó la curva de fuerza

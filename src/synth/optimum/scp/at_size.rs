@@ -2,7 +2,7 @@
 
 use crate::law::Law;
 use crate::synth::limits::{NonconvexLimits, ProfileSize, clearances};
-use crate::synth::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Solution};
+use crate::synth::qp::{EXTRAS, Limit, OFFSET, Program, RADIUS, RISE, Solution};
 
 /// The nonconvex limits of a program, and which sizes are among its variables.
 pub struct AtSize {
@@ -16,7 +16,10 @@ pub struct AtSize {
 impl AtSize {
     /// Of a program: where it has the size among its variables, the size in `limits` is ignored.
     pub fn new(limits: NonconvexLimits, program: &Program) -> Self {
-        let present = program.present();
+        let mut present = program.present();
+        // An offset that a limit holds is given.
+        let holds = |l: &Limit| l.is_on_size_alone() && l.extra[OFFSET] != 0.0;
+        present[OFFSET] &= !program.limits.iter().any(holds);
         AtSize {
             limits,
             present,
