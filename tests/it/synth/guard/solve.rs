@@ -58,7 +58,7 @@ pub struct Exchange<'a> {
     pub rows: Vec<Row>,
     /// A row that no law moves is broken.
     hopeless: bool,
-    aim: Aim<'a>,
+    pub aim: Aim<'a>,
 }
 
 /// How a search begins, and what is enough of it.
