@@ -9,11 +9,12 @@ use clarabel::solver::{
 use nalgebra::DVector;
 
 /// Units and tolerances: where rounding stops the solver under the first, others may do.
-const TRIES: [(f64, f64); 5] = [
+const TRIES: [(f64, f64); 6] = [
     (1.0, 1e-12),
     (1.0, 1e-10),
     (0.1, 1e-11),
     (10.0, 1e-11),
+    (100.0, 1e-11),
     (1.0, 1e-9),
 ];
 /// Residuals and gap, in the solver's own units, with which an answer counts.
@@ -25,14 +26,24 @@ const GOOD_DUAL: f64 = 1e-5;
 pub type Answer = Result<(DVector<f64>, Vec<f64>, f64), Option<String>>;
 
 impl Exchange<'_> {
+    /// The first answer; of a linear program, whose residuals lower the bound most, the highest bound of all tries
+    /// where the first is not enough.
     pub fn solved(&self, unit: f64, from: &[f64]) -> Answer {
-        let mut answer = Err(Some(String::new()));
+        let mut best: Answer = Err(Some(String::new()));
         for (times, tolerance) in TRIES {
-            if matches!(answer, Err(Some(_))) {
-                answer = self.clarabel(times * unit, tolerance, from);
+            let highest = match &best {
+                Ok((.., bound)) if self.is_square() || *bound >= self.aim.enough => return best,
+                Ok((.., bound)) => *bound,
+                Err(Some(_)) => f64::NEG_INFINITY,
+                Err(None) => return best,
+            };
+            let answer = self.clarabel(times * unit, tolerance, from);
+            let is_higher = matches!(&answer, Ok((.., bound)) if *bound > highest);
+            if best.is_err() || is_higher {
+                best = answer;
             }
         }
-        answer
+        best
     }
 
     /// How far u has to go: the farthest row that the law without limits breaks.

@@ -171,3 +171,32 @@ fn a_dwell_of_open_lift_may_go_over_the_end_of_the_turn() {
     ];
     certified(&asked);
 }
+
+#[test]
+fn a_law_may_dip_beside_a_dwell_by_the_tolerance_of_its_lift() {
+    // The least peak of the jerk is that sensitive to it: a dip of ε permits a jerk of about ε^¼ at the dwell's end.
+    for spans in [4, 5, 6] {
+        for to in [0.6, 0.785_478_370_021_602_3, 1.0] {
+            for (degree, order) in [(5, 3), (6, 3), (6, 2)] {
+                let top = Point {
+                    angle: 3.090_186_289_803_215,
+                    lift: 0.005_392_479_365_657_256,
+                    velocity: Some(0.0),
+                    acceleration: None,
+                };
+                let dwell = Dwell {
+                    from: 0.0,
+                    to,
+                    lift: Some(0.0),
+                };
+                certified(&Asked {
+                    degree,
+                    spans,
+                    objective: Objective::Peak(order),
+                    dwells: vec![dwell],
+                    ..light(13.0, vec![top])
+                });
+            }
+        }
+    }
+}

@@ -104,7 +104,9 @@ fn weighed(r: &mut Random) -> Asked {
         asked = hydraulic(r);
     }
     asked.degree = asked.degree.max(4);
-    let free = free(&asked);
+    let Some(free) = free(&asked) else {
+        return asked;
+    };
     let largest = free.ranges[3].1.max(-free.ranges[3].0) * asked.speed.powi(3);
     let radius = r.within(0.01, 0.1);
     asked.objective = Objective::Weighed {
@@ -200,12 +202,8 @@ struct Free {
     x: Vec<f64>,
 }
 
-fn free(asked: &Asked) -> Free {
-    unlimited(asked).expect("demands that go together")
-}
-
-/// The same; `None` where the demands contradict each other.
-fn unlimited(asked: &Asked) -> Option<Free> {
+/// `None` where the demands contradict each other: such a scene is asked without limits.
+fn free(asked: &Asked) -> Option<Free> {
     let mut own = asked.clone();
     own.limits = Limits::default();
     own.objective = match asked.objective {
@@ -233,7 +231,7 @@ fn unlimited(asked: &Asked) -> Option<Free> {
 
 /// One to three limits.
 fn limited(mut asked: Asked, r: &mut Random) -> Asked {
-    let Some(free) = unlimited(&asked) else {
+    let Some(free) = free(&asked) else {
         return asked;
     };
     let largest = |order: usize| free.ranges[order].1.max(-free.ranges[order].0);
@@ -259,7 +257,9 @@ fn limited(mut asked: Asked, r: &mut Random) -> Asked {
 fn touching(r: &mut Random) -> Asked {
     let mut asked = moving(r);
     asked.spans = [8, 10, 12, 16][r.below(4)];
-    let free = free(&asked);
+    let Some(free) = free(&asked) else {
+        return asked;
+    };
     let reference = Reference::new(&asked);
     let lowest = free.ranges[0].0;
     let sharpest = reference.scan.iter().map(|p| {
@@ -293,11 +293,11 @@ fn flat_size(r: &mut Random) -> Asked {
             let curvature = asked.limits.curvature;
             let loose = limited(asked.clone(), r);
             let speed = asked.speed;
+            let Some(free) = free(&asked) else {
+                return asked;
+            };
             let largest = |order: usize| {
-                free(&asked).ranges[order]
-                    .1
-                    .max(-free(&asked).ranges[order].0)
-                    * speed.powi(order as i32)
+                free.ranges[order].1.max(-free.ranges[order].0) * speed.powi(order as i32)
             };
             asked.limits = Limits {
                 curvature,
@@ -308,7 +308,9 @@ fn flat_size(r: &mut Random) -> Asked {
         }
         return asked;
     }
-    let free = free(&asked);
+    let Some(free) = free(&asked) else {
+        return asked;
+    };
     let reference = Reference::new(&asked);
     let sharpest = reference.scan.iter().map(|p| {
         let at = reference.splines.law(p.span, p.theta, &free.x);
@@ -329,7 +331,9 @@ fn pressure_angle(r: &mut Random) -> Asked {
     if !asked.level_is_known() {
         asked = hydraulic(r);
     }
-    let free = free(&asked);
+    let Some(free) = free(&asked) else {
+        return asked;
+    };
     let prime = r.within(1.0, 3.0) * (free.ranges[0].1 - free.ranges[0].0).max(0.01);
     let offset = if r.chance(0.5) {
         r.within(-0.3, 0.3) * prime
@@ -368,7 +372,9 @@ fn peaks(r: &mut Random) -> Asked {
     let mut asked = points(r);
     asked.objective = Objective::Peak(if asked.degree > 3 { 2 + r.below(2) } else { 2 });
     if r.chance(0.3) {
-        let free = free(&asked);
+        let Some(free) = free(&asked) else {
+            return asked;
+        };
         asked.limits.stroke = Some(r.within(1.0, 1.2) * (free.ranges[0].1 - free.ranges[0].0));
     }
     asked
