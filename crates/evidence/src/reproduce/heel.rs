@@ -1,6 +1,6 @@
 //! Vargas and León (2024): the hydraulic heel tester (theory §2).
 
-use super::{Class, Row, Rows, strip};
+use super::{Value, strip};
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::Drive;
 use gaitcam::error::Result;
@@ -52,51 +52,57 @@ fn law() -> Result<(Law, Vec<f64>)> {
     Ok((Law::from_poly(law, true), coefficients))
 }
 
-pub(super) fn rows() -> Result<Vec<Row>> {
-    let mut rows = Rows::of("Vargas and León (2024), hydraulic heel tester");
+pub(super) fn values() -> Result<Vec<Value>> {
     let (law, coefficients) = law()?;
-    let drive_given = drive(SPEED);
-    for (k, stated) in [
-        (3, "612.721"),
-        (4, "-4057.255"),
-        (5, "10696.565"),
-        (6, "-13873.375"),
-        (7, "8822.470"),
-        (8, "-2201.126"),
-    ] {
-        let value = coefficients[k] / INCH;
-        rows.stated(&format!("coefficient C{k}"), "in", stated, value);
+    let exact = 4.0 * PI;
+    let mut values: Vec<Value> = (3..=8).map(|k| (coefficients[k] / INCH).into()).collect();
+    values.extend(forces(&law));
+    values.extend(motion(&law, exact));
+    let peak = pounds(&law, law.extremes(0).1.at);
+    let second = extremes_of_lift(&law, 150.0..250.0).map(|x| pounds(&law, x));
+    let second = second.fold(f64::NAN, f64::max);
+    for (force, (_, measured)) in [(peak, POINTS[0]), (second, POINTS[2])] {
+        values.push((100.0 * (force / measured - 1.0)).into());
     }
-    let force = |degrees: f64| drive_given.force(law.svaj(degrees.to_radians())) / LBF;
-    let (_, top) = law.extremes(0);
-    let peak = force(top.at.to_degrees());
-    let at_whole = force(top.at.to_degrees().floor());
-    let reason = format!("the paper reads it at 74°, where the force is {at_whole:.3} lb");
-    rows.add(
-        "largest force",
-        "lb",
-        "126.175",
-        peak,
-        (Class::Rounding, &reason),
-    );
-    rows.stated("its angle", "°", "74", top.at.to_degrees());
-    rows.stated("its time", "s", "0.1", top.at / SPEED);
-    rows.stated("largest lift", "in", "1.347", top.value / INCH);
-    let valley = law
-        .combination([0.0, 1.0, 0.0, 0.0], 0.0)
-        .roots()
-        .into_iter()
-        .filter(|x| (100.0..160.0).contains(&x.to_degrees()))
-        .map(|x| (x, law.svaj(x).s))
+    for objective in ["peak-acceleration", "jerk"] {
+        let (low, high) = level(objective)?.cam.law.extremes(2);
+        values.extend([high, low].map(|x| Value::from(x.value * exact * exact / INCH)));
+    }
+    Ok(values)
+}
+
+/// Force at a cam angle in rad, lbf.
+fn pounds(law: &Law, theta: f64) -> f64 {
+    drive(SPEED).force(law.svaj(theta)) / LBF
+}
+
+/// Angles of stationary lift between two angles in degrees, rad.
+fn extremes_of_lift(law: &Law, degrees: std::ops::Range<f64>) -> impl Iterator<Item = f64> {
+    let roots = law.combination([0.0, 1.0, 0.0, 0.0], 0.0).roots();
+    (roots.into_iter()).filter(move |x| degrees.contains(&x.to_degrees()))
+}
+
+/// Largest force and lift with their places, and the lift at 135°.
+fn forces(law: &Law) -> [Value; 5] {
+    let top = law.extremes(0).1;
+    let degrees = top.at.to_degrees();
+    let at_whole = pounds(law, degrees.floor().to_radians());
+    let valley = extremes_of_lift(law, 100.0..160.0)
+        .map(|x| (x, law.svaj(x).s / INCH))
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .unwrap_or((0.0, f64::NAN));
-    let reason = format!(
-        "the printed lift is that of the valley, {:.4} in at {:.2}°",
-        valley.1 / INCH,
-        valley.0.to_degrees()
-    );
-    let there = law.svaj(135f64.to_radians()).s / INCH;
-    rows.misprint("lift at 135°", "in", "0.835", there, &reason);
+    let valley = format!("{:.4} in at {:.2}°", valley.1, valley.0.to_degrees());
+    [
+        Value::with(pounds(law, top.at), format!("{at_whole:.3}")),
+        degrees.into(),
+        (top.at / SPEED).into(),
+        (top.value / INCH).into(),
+        Value::with(law.svaj(135f64.to_radians()).s / INCH, valley),
+    ]
+}
+
+/// Pressure angles, speeds and accelerations at the speed as rounded and at the `exact` one, jerks, pitch radius.
+fn motion(law: &Law, exact: f64) -> [Value; 11] {
     let cam = Cam {
         law: law.clone(),
         follower: Follower::RollerTranslating {
@@ -105,106 +111,24 @@ pub(super) fn rows() -> Result<Vec<Row>> {
             roller_radius: INCH,
         },
     };
-    let (low, high) = cam.pressure_angle_extremes();
-    rows.stated(
-        "largest pressure angle",
-        "°",
-        "26.6",
-        high.value.to_degrees(),
-    );
-    rows.stated(
-        "smallest pressure angle",
-        "°",
-        "-25.7",
-        low.value.to_degrees(),
-    );
-    let timed = |order: usize, speed: f64| {
-        let (low, high) = law.extremes(order);
-        let factor = speed.powi(order as i32) / INCH;
-        (
-            low.value * factor,
-            high.value * factor,
-            high.at.to_degrees(),
-        )
-    };
-    let exact = 4.0 * PI;
-    let speed = timed(1, SPEED);
-    let reason = format!(
-        "22.5 is cut from it; at ω = 4π in place of 12.566 rad/s it is {:.4}",
-        timed(1, exact).1
-    );
-    rows.add(
-        "largest velocity",
-        "in/s",
-        "22.5",
-        speed.1,
-        (Class::Rounding, &reason),
-    );
-    rows.stated("its angle", "°", "37", speed.2);
-    let fast = timed(2, SPEED);
-    rows.stated("largest acceleration", "in/s²", "685.5", fast.1);
-    rows.silent(
-        "largest acceleration at ω = 4π",
-        "in/s²",
-        timed(2, exact).1,
-        "the paper rounds ω to 12.566 rad/s",
-    );
-    rows.silent("smallest acceleration", "in/s²", fast.0, "");
-    rows.silent(
-        "smallest acceleration at ω = 4π",
-        "in/s²",
-        timed(2, exact).0,
-        "",
-    );
-    let start = law.svaj_on(0, 0.0).j / INCH;
-    let end = law.svaj_on(0, 1.0).j / INCH;
-    rows.stated("jerk at the start", "in/rad³", "41.061", start);
-    rows.silent(
-        "jerk at the end of the motion",
-        "in/rad³",
-        end,
-        "finite, so the jerk jumps where the dwell begins",
-    );
-    let pitch = cam.curvature().convex.value + INCH;
-    rows.silent(
-        "smallest convex pitch radius",
-        "in",
-        pitch / INCH,
-        "more than the roller's 1 in: no undercut",
-    );
-    let second = law
-        .combination([0.0, 1.0, 0.0, 0.0], 0.0)
-        .roots()
-        .into_iter()
-        .filter(|x| (150.0..250.0).contains(&x.to_degrees()))
-        .map(|x| force(x.to_degrees()))
-        .fold(f64::NAN, f64::max);
-    let over = |force: f64, measured: f64| 100.0 * (force / measured - 1.0);
-    rows.silent(
-        "overshoot at the first peak",
-        "%",
-        over(peak, POINTS[0].1),
-        "the polynomial passes the critical points without being level there",
-    );
-    rows.silent(
-        "overshoot at the second peak",
-        "%",
-        over(second, POINTS[2].1),
-        "",
-    );
-    for (objective, words) in [
-        ("peak-acceleration", "level at the extremes, least peak"),
-        ("jerk", "level at the extremes, least ∫j²"),
-    ] {
-        let design = level(objective)?;
-        let (low, high) = design.cam.law.extremes(2);
-        let reason = "the price of meeting the measured peaks exactly, 48 spans";
-        for (side, value) in [("largest", high.value), ("smallest", low.value)] {
-            let quantity = format!("{side} acceleration, {words}");
-            rows.silent(&quantity, "in/s²", value * exact * exact / INCH, reason);
-        }
-    }
-    Ok(rows.list)
+    let (least, most) = cam.pressure_angle_extremes();
+    let factor = |order: i32, speed: f64| speed.powi(order) / INCH;
+    let velocity = law.extremes(1).1;
+    let at_exact = velocity.value * factor(1, exact);
+    let (low, high) = law.extremes(2);
+    [
+        most.value.to_degrees().into(),
+        least.value.to_degrees().into(),
+        Value::with(velocity.value * factor(1, SPEED), format!("{at_exact:.4}")),
+        velocity.at.to_degrees().into(),
+        (high.value * factor(2, SPEED)).into(),
+        (high.value * factor(2, exact)).into(),
+        (low.value * factor(2, SPEED)).into(),
+        (low.value * factor(2, exact)).into(),
+        (law.svaj_on(0, 0.0).j / INCH).into(),
+        (law.svaj_on(0, 1.0).j / INCH).into(),
+        ((cam.curvature().convex.value + INCH) / INCH).into(),
+    ]
 }
 
 /// The piecewise quintic that is level at the critical points, for another objective.

@@ -75,17 +75,20 @@ impl Class {
     }
 }
 
+/// What the papers print, one number a line.
+const PAPERS: &str = include_str!("papers.txt");
+
 /// One number of a paper.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
     /// Paper and place.
     pub source: &'static str,
     /// What is measured.
-    pub quantity: String,
+    pub quantity: &'static str,
     /// Its unit; empty for a plain number.
     pub unit: &'static str,
     /// The number as printed; empty where the paper is silent.
-    pub stated: String,
+    pub stated: &'static str,
     /// The number from this library.
     pub recomputed: f64,
     /// What the difference is.
@@ -95,6 +98,32 @@ pub struct Row {
 }
 
 impl Row {
+    /// A line of the table with the number that this library gives.
+    fn of(source: &'static str, line: &'static str, value: Value) -> Option<Row> {
+        let mut fields = line.split('|').map(str::trim);
+        let mut field = || fields.next().unwrap_or_default();
+        let [quantity, unit, stated, class, reason] = std::array::from_fn(|_| field());
+        let stands = match class {
+            "sampling at 1°" => (value.detail.parse()).is_ok_and(|x| same_digits(stated, x)),
+            "agrees" => false,
+            _ => true,
+        };
+        let (class, reason) = match Class::ALL.into_iter().find(|c| c.name() == class)? {
+            _ if same_digits(stated, value.recomputed) => (Class::Agrees, ""),
+            class if stands => (class, reason),
+            _ => (Class::NotReproducible, reason),
+        };
+        Some(Row {
+            source,
+            quantity,
+            unit,
+            stated,
+            recomputed: value.recomputed,
+            class,
+            reason: reason.replace("{}", &value.detail),
+        })
+    }
+
     /// (recomputed − stated)/|stated|; `None` where nothing or zero is stated.
     pub fn relative(&self) -> Option<f64> {
         let stated: f64 = self.stated.parse().ok()?;
@@ -103,87 +132,51 @@ impl Row {
     }
 }
 
-/// Rows of one source.
-struct Rows {
-    source: &'static str,
-    list: Vec<Row>,
+/// A recomputed number, with what its reason in the table leaves open.
+struct Value {
+    recomputed: f64,
+    detail: String,
 }
 
-impl Rows {
-    fn of(source: &'static str) -> Self {
-        Rows {
-            source,
-            list: Vec::new(),
+impl From<f64> for Value {
+    fn from(recomputed: f64) -> Self {
+        let detail = String::new();
+        Value { recomputed, detail }
+    }
+}
+
+impl Value {
+    /// A number, and `detail` for its reason.
+    fn with(recomputed: f64, detail: String) -> Self {
+        Value { recomputed, detail }
+    }
+}
+
+/// Every line of the table with its recomputed number.
+fn rows() -> Result<Vec<Row>> {
+    let values = [
+        heel::values()?,
+        thesis::values()?,
+        barrel::values()?,
+        camdas::values()?,
+    ];
+    let mut rows = Vec::new();
+    let sections = PAPERS.split("\n# ").skip(1);
+    for (section, values) in sections.zip(values) {
+        let (source, lines) = section.split_once('\n').unwrap_or((section, ""));
+        let lines: Vec<&str> = lines.lines().filter(|l| !l.is_empty()).collect();
+        let count = values.len();
+        let made = lines
+            .iter()
+            .zip(values)
+            .map(|(line, value)| Row::of(source, line, value));
+        let made: Option<Vec<Row>> = made.collect();
+        match made {
+            Some(made) if lines.len() == count => rows.extend(made),
+            _ => return Err(crate::fault(format!("{source}: lines and values differ"))),
         }
     }
-
-    /// A number that is misprinted for the `reason`.
-    fn misprint(
-        &mut self,
-        quantity: &str,
-        unit: &'static str,
-        stated: &str,
-        recomputed: f64,
-        reason: &str,
-    ) {
-        let otherwise = (Class::Misprint, reason);
-        self.add(quantity, unit, stated, recomputed, otherwise);
-    }
-
-    /// A number whose last printed digits may be cut or rounded.
-    fn stated(&mut self, quantity: &str, unit: &'static str, stated: &str, recomputed: f64) {
-        let reason = "the last printed digits are cut or rounded";
-        let otherwise = (Class::Rounding, reason);
-        self.add(quantity, unit, stated, recomputed, otherwise);
-    }
-
-    /// An extreme that its source read off whole degrees.
-    fn sampled(
-        &mut self,
-        quantity: &str,
-        unit: &'static str,
-        stated: &str,
-        at_degrees: f64,
-        exact: f64,
-    ) {
-        let reason = format!("the extreme at whole degrees is {at_degrees:.4}");
-        let class = if same_digits(stated, at_degrees) {
-            Class::Sampling
-        } else {
-            Class::NotReproducible
-        };
-        self.add(quantity, unit, stated, exact, (class, &reason));
-    }
-
-    /// A number that the source does not give.
-    fn silent(&mut self, quantity: &str, unit: &'static str, recomputed: f64, reason: &str) {
-        self.add(quantity, unit, "", recomputed, (Class::NotStated, reason));
-    }
-
-    /// A number printed as `stated`: agrees if equal to its digits, otherwise what `otherwise` says.
-    fn add(
-        &mut self,
-        quantity: &str,
-        unit: &'static str,
-        stated: &str,
-        recomputed: f64,
-        otherwise: (Class, &str),
-    ) {
-        let (class, reason) = if same_digits(stated, recomputed) {
-            (Class::Agrees, "")
-        } else {
-            otherwise
-        };
-        self.list.push(Row {
-            source: self.source,
-            quantity: quantity.to_string(),
-            unit,
-            stated: stated.to_string(),
-            recomputed,
-            class,
-            reason: reason.to_string(),
-        });
-    }
+    Ok(rows)
 }
 
 /// Whether a value rounds to the digits printed.
@@ -207,10 +200,6 @@ pub struct Reproduction {
 
 /// Computes everything anew (about a second). Fails only on a fault of the library.
 pub fn reproduce() -> Result<Reproduction> {
-    let mut rows = heel::rows()?;
-    rows.extend(thesis::rows()?);
-    rows.extend(barrel::rows()?);
-    rows.extend(camdas::rows()?);
     let methods = methods()?;
     let pictures = vec![
         ("reproduction_methods", methods::picture(&methods)),
@@ -218,7 +207,7 @@ pub fn reproduce() -> Result<Reproduction> {
         ("reproduction_camdas_1", camdas::picture()?),
     ];
     Ok(Reproduction {
-        rows,
+        rows: rows()?,
         methods,
         pictures,
     })
@@ -242,7 +231,7 @@ impl Reproduction {
                 out,
                 "{},{},{},{},{:?},{relative},{},{}",
                 quoted(row.source),
-                quoted(&row.quantity),
+                quoted(row.quantity),
                 row.unit,
                 row.stated,
                 row.recomputed,
@@ -272,23 +261,15 @@ impl Reproduction {
                     "\n## {source}\n\n| quantity | stated | recomputed | relative difference | class | reason |\n|---|---:|---:|---:|---|---|"
                 );
             }
-            let relative = row
-                .relative()
-                .map_or("—".to_string(), |r| format!("{r:+.1e}"));
-            let stated = if row.stated.is_empty() {
-                "—"
-            } else {
-                &row.stated
-            };
-            let unit = if row.unit.is_empty() {
-                String::new()
-            } else {
-                format!(", {}", row.unit)
-            };
+            let relative = row.relative().map(|r| format!("{r:+.1e}"));
+            let relative = or_dash(relative.as_deref().unwrap_or_default());
+            let stated = or_dash(row.stated);
+            let comma = if row.unit.is_empty() { "" } else { ", " };
             let _ = writeln!(
                 out,
-                "| {}{unit} | {stated} | {} | {relative} | {} | {} |",
+                "| {}{comma}{} | {stated} | {} | {relative} | {} | {} |",
                 row.quantity,
+                row.unit,
                 shown(row.recomputed),
                 row.class.name(),
                 row.reason
@@ -303,6 +284,11 @@ impl Reproduction {
     }
 }
 
+/// A text, or a dash for none.
+fn or_dash(text: &str) -> &str {
+    if text.is_empty() { "—" } else { text }
+}
+
 /// Seven significant digits.
 fn shown(x: f64) -> String {
     if !x.is_finite() {
@@ -311,11 +297,7 @@ fn shown(x: f64) -> String {
     if x.abs() < 5e-10 {
         return "0".to_string();
     }
-    let power = if x == 0.0 {
-        0
-    } else {
-        x.abs().log10().floor() as i32
-    };
+    let power = x.abs().log10().floor() as i32;
     format!("{x:.*}", (6 - power).clamp(0, 9) as usize)
 }
 
