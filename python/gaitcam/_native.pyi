@@ -1,6 +1,6 @@
 """Types of the compiled part; its docstrings say what each call does."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from typing import Any, Literal, overload
 
@@ -93,6 +93,7 @@ class Table:
     def __len__(self) -> int: ...
     def __contains__(self, name: str) -> bool: ...
     def __getitem__(self, name: str) -> Any: ...
+    def to_pandas(self) -> Any: ...
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
     def __arrow_c_array__(self, requested_schema: object | None = None) -> tuple[object, object]: ...
     def __arrow_c_schema__(self) -> object: ...
@@ -191,6 +192,7 @@ class Sweep:
         self,
         scene: Scene | Sequence[Scene] | None = None,
         *,
+        force: Force | None = None,
         vary: Mapping[str, Any] | None = None,
         rows: Mapping[str, Any] | Table | None = None,
         recordings: Sequence[_Path] | None = None,
@@ -200,7 +202,14 @@ class Sweep:
         tolerance: Mapping[str, str] | None = None,
         time_limit: float = 5.0,
     ) -> None: ...
-    def run(self, start: int = 0, stop: int | None = None, *, jobs: int | None = None) -> Table: ...
+    def run(
+        self,
+        start: int = 0,
+        stop: int | None = None,
+        *,
+        jobs: int | None = None,
+        progress: Callable[[int, int], object] | None = None,
+    ) -> Table: ...
     def begin(self, folder: _Path, block_rows: int = 131072) -> list[tuple[int, int, PathLike[str]]]: ...
     @property
     def fingerprint(self) -> str: ...
@@ -223,8 +232,8 @@ class Front:
 
 def front(
     table: Any,
-    minimise: Sequence[str] | None = None,
-    maximise: Sequence[str] | None = None,
+    minimise: str | Sequence[str] | None = None,
+    maximise: str | Sequence[str] | None = None,
     *,
     low_speed: bool = False,
     all: bool = False,

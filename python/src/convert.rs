@@ -1,5 +1,7 @@
 //! Python's values as TOML and JSON as Python's values.
 
+use gaitcam::scene::keys;
+use gaitcam::sweep::Key;
 use numpy::{AllowTypeChange, PyArrayLike1};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -18,13 +20,36 @@ pub fn table(mapping: &Bound<'_, PyDict>, at: &str) -> PyResult<Table> {
             return Err(PyTypeError::new_err(what));
         };
         let path = if at.is_empty() {
-            key.clone()
+            key
         } else {
             format!("{at}.{key}")
         };
-        out.insert(key, self::value(&value, &path)?);
+        let (path, value) = entry(path, &value)?;
+        let key = path.rsplit('.').next().unwrap_or(&path);
+        out.insert(key.to_string(), value);
     }
     Ok(out)
+}
+
+/// A dotted key with its value; a number under a key with its SI unit, ``limits.stroke_m``, becomes a quantity.
+pub fn entry(key: String, given: &Bound<'_, PyAny>) -> PyResult<(String, Value)> {
+    let value = value(given, &key)?;
+    let Some(quantity) = si_key(&key) else {
+        return Ok((key, value));
+    };
+    let number = match &value {
+        Value::Integer(x) => x.to_string(),
+        Value::Float(x) => x.to_string(),
+        _ => return Ok((key, value)),
+    };
+    let text = format!("{number} {}", quantity.unit());
+    Ok((quantity.name().to_string(), Value::String(text)))
+}
+
+/// The key of a name with an SI unit at its end.
+pub fn si_key(name: &str) -> Option<Key> {
+    let key = Key::of_column(name);
+    (key.is_number() && keys::find(name).is_none()).then_some(key)
 }
 
 /// A value of a scene.

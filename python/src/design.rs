@@ -1,12 +1,11 @@
 //! Designs: from a scene to a cam with its checks, files and pictures.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use gaitcam::Problem;
 use gaitcam::error::Result;
-use gaitcam::scene;
 use gaitcam::synth::Search;
 use gaitcam_files::design::{self, check_inputs_stay, finish};
 use gaitcam_files::files::{self, Source};
@@ -18,14 +17,11 @@ use pyo3::types::{PyBytes, PyDict};
 use crate::asked::{Asked, language, rows};
 use crate::convert::{self, Reduced};
 use crate::error::{Raise, detached};
-use crate::force::{FILE, Force, Origin};
+use crate::force::{FILE, Force};
 use crate::interrupt::{self, Interrupt};
 use crate::law::Law;
 use crate::scene::Scene;
 use crate::table::Table;
-
-/// Default time limit of a search, s.
-pub const TIME_LIMIT_S: f64 = 60.0;
 
 /// A finished design: law, cam, checks and verdict.
 #[pyclass(frozen, module = "gaitcam")]
@@ -61,7 +57,7 @@ pub struct Design {
 /// InputError
 ///     The scene, its recording or the force is wrong.
 #[pyfunction]
-#[pyo3(signature = (scene = None, *, force = None, time_limit = TIME_LIMIT_S))]
+#[pyo3(signature = (scene = None, *, force = None, time_limit = 60.0))]
 pub fn synth(
     py: Python<'_>,
     scene: Option<PyRef<'_, Scene>>,
@@ -71,7 +67,7 @@ pub fn synth(
     let asked = Scene::or_default(py, scene.as_deref())?;
     let force = force.as_deref().cloned();
     let input = match &force {
-        Some(force) => with_force(&asked.input, force).raise(py)?,
+        Some(force) => force.named_in(&asked.input).raise(py)?,
         None => asked.whole(py)?.clone(),
     };
     let interrupt = Interrupt::after(interrupt::limit(py, time_limit)?);
@@ -111,39 +107,6 @@ fn made(
     Ok((design, solve_s))
 }
 
-/// The scene with the force in its `[gait]`, which keeps what is said of scale, band, phase and weights.
-fn with_force(input: &Input, force: &Force) -> Result<Input> {
-    const OF_SOURCE: [&str; 12] = [
-        "file",
-        "model",
-        "step_frequency",
-        "body_weight",
-        "time",
-        "force",
-        "unit",
-        "rate",
-        "mass",
-        "kind",
-        "period",
-        "span",
-    ];
-    let mut table = input.whole.clone();
-    let own = table.get("gait").and_then(toml::Value::as_table).cloned();
-    let mut gait = own.unwrap_or_default();
-    for key in OF_SOURCE {
-        gait.remove(key);
-    }
-    gait.extend(force.gait());
-    table.insert("gait".to_string(), toml::Value::Table(gait));
-    let scene = scene::read(&table)?;
-    Ok(Input {
-        scene,
-        whole: table.clone(),
-        table,
-        ..input.clone()
-    })
-}
-
 impl Design {
     fn has_cam(&self, py: Python<'_>) -> PyResult<()> {
         match &self.design.infeasible {
@@ -159,15 +122,10 @@ impl Design {
         mut put: impl FnMut(&str, &[u8]) -> Result<()>,
     ) -> Result<()> {
         files::write(&Source::new(&self.design, self.time, contents), &mut put)?;
-        if let Some(Force {
-            curve,
-            origin: Origin::Arrays,
-        }) = &self.force
-        {
-            let text = curve.to_csv(&[&curve.name]);
-            put(FILE, text.as_bytes())?;
+        match self.force.as_ref().and_then(|f| f.content(Path::new(FILE))) {
+            Some(content) => put(FILE, &content),
+            None => Ok(()),
         }
-        Ok(())
     }
 }
 
@@ -188,8 +146,8 @@ impl Design {
     /// The design in numbers, as in ``summary.json``; SI, units in the names.
     #[getter]
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let scene = self.input.resolved();
-        convert::json(py, &design::summary(&self.design, &scene, self.time))
+        let summary = || design::summary(&self.design, &self.input.resolved(), self.time);
+        convert::json(py, &detached(py, summary)?)
     }
 
     /// Every limit held against the design: a list of ``{name, worst, limit, at_rad, pass}``.
@@ -200,15 +158,16 @@ impl Design {
 
     /// The law at 1440 equal steps of the cam angle, as in ``law.csv``.
     #[getter]
-    fn law(&self) -> Table {
-        Table::of_numbers(output::csv::law_columns(&self.design, ROWS))
+    fn law(&self, py: Python<'_>) -> PyResult<Table> {
+        let columns = detached(py, || output::csv::law_columns(&self.design, ROWS))?;
+        Ok(Table::of_numbers(columns))
     }
 
     /// The profile at 1440 equal steps of the cam angle, as in ``profile.csv``; row i is the contact at its angle.
     #[getter]
     fn profile(&self, py: Python<'_>) -> PyResult<Table> {
         self.has_cam(py)?;
-        let columns = output::csv::profile_columns(&self.design, ROWS);
+        let columns = detached(py, || output::csv::profile_columns(&self.design, ROWS))?;
         Ok(Table::of_numbers(columns))
     }
 
@@ -264,7 +223,7 @@ impl Design {
     ///     Only the layers that are cut in profile.dxf.
     /// lang : str
     ///     Language of report and pictures, "en" or "es".
-    #[pyo3(signature = (folder, *, points = ROWS, png = true, solid = false, tool = None, wire = None, dxf = "arcs",
+    #[pyo3(signature = (folder, *, points = 1440, png = true, solid = false, tool = None, wire = None, dxf = "arcs",
                         cut_only = false, lang = "en"))]
     #[allow(clippy::too_many_arguments)] // keywords of one call
     fn save(
@@ -303,7 +262,7 @@ impl Design {
     }
 
     /// The files that :meth:`save` writes, in memory: a dictionary from names to bytes.
-    #[pyo3(signature = (*, points = ROWS, png = false, solid = false, tool = None, wire = None, dxf = "arcs",
+    #[pyo3(signature = (*, points = 1440, png = false, solid = false, tool = None, wire = None, dxf = "arcs",
                         cut_only = false, lang = "en"))]
     #[allow(clippy::too_many_arguments)] // keywords of one call
     fn files<'py>(

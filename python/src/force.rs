@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use gaitcam::force::{self, ForceCurve};
 use gaitcam::scene;
-use gaitcam_files::{read, target};
+use gaitcam_files::{Input, read, target};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -56,6 +56,22 @@ pub enum Origin {
     },
 }
 
+/// Keys of `[gait]` that name and read a force.
+const OF_SOURCE: [&str; 12] = [
+    "file",
+    "model",
+    "step_frequency",
+    "body_weight",
+    "time",
+    "force",
+    "unit",
+    "rate",
+    "mass",
+    "kind",
+    "period",
+    "span",
+];
+
 /// The file of a force from arrays, in the folder of the result.
 pub use gaitcam_files::design::FORCE as FILE;
 
@@ -86,8 +102,44 @@ impl Force {
         Ok(Force { curve, origin })
     }
 
+    /// The content of a file of this force: of the recording, or of [`FILE`].
+    pub fn content(&self, path: &Path) -> Option<Vec<u8>> {
+        match &self.origin {
+            Origin::Arrays => {
+                let text = self.curve.to_csv(&[&self.curve.name]);
+                (path == Path::new(FILE)).then(|| text.into_bytes())
+            }
+            Origin::Recording { gait, bytes, .. } => {
+                let file = gait.get("file").and_then(Value::as_str);
+                (file.map(Path::new) == Some(path)).then(|| bytes.to_vec())
+            }
+        }
+    }
+
+    /// A scene with this force in its `[gait]`, which keeps what is said of scale, band, phase and weights.
+    ///
+    /// # Errors
+    /// A scene that is wrong with this force.
+    pub fn named_in(&self, input: &Input) -> gaitcam::error::Result<Input> {
+        let mut table = input.whole.clone();
+        let own = table.get("gait").and_then(Value::as_table).cloned();
+        let mut gait = own.unwrap_or_default();
+        for key in OF_SOURCE {
+            gait.remove(key);
+        }
+        gait.extend(self.gait());
+        table.insert("gait".to_string(), Value::Table(gait));
+        let scene = scene::read(&table)?;
+        Ok(Input {
+            scene,
+            whole: table.clone(),
+            table,
+            ..input.clone()
+        })
+    }
+
     /// The keys of `[gait]` that name this force.
-    pub fn gait(&self) -> Table {
+    fn gait(&self) -> Table {
         match &self.origin {
             Origin::Arrays => Table::from_iter([("file".to_string(), Value::from(FILE))]),
             Origin::Recording { gait, .. } => gait.clone(),
@@ -109,7 +161,9 @@ impl Force {
     ) -> PyResult<Force> {
         let (t, f) = (convert::numbers(t_s, "t_s")?, convert::numbers(f_n, "f_n")?);
         let (t, f) = (t.as_array(), f.as_array());
-        let mut curve = force::of_arrays(name, &t.to_vec(), &f.to_vec(), period_s).raise(py)?;
+        let (t, f) = (t.to_vec(), f.to_vec());
+        let curve = detached(py, || force::of_arrays(name, &t, &f, period_s));
+        let mut curve = curve?.raise(py)?;
         curve.mass_kg = mass_kg;
         let origin = Origin::Arrays;
         Ok(Force { curve, origin })

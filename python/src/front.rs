@@ -5,7 +5,7 @@ use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 
 use crate::convert;
-use crate::error::Raise;
+use crate::error::{Raise, detached};
 
 /// The designs of a table that no other design beats in every objective.
 #[pyclass(frozen, module = "gaitcam")]
@@ -17,13 +17,29 @@ pub struct Front {
     left_out: usize,
 }
 
+/// One name or several.
+#[derive(FromPyObject)]
+pub enum Names {
+    One(String),
+    Several(Vec<String>),
+}
+
+impl Names {
+    fn list(self) -> Vec<String> {
+        match self {
+            Names::One(name) => vec![name],
+            Names::Several(names) => names,
+        }
+    }
+}
+
 /// Pareto front of a table of designs.
 ///
 /// Parameters
 /// ----------
 /// table
 ///     A table of a sweep: of gaitcam, pandas, polars or pyarrow, or a dictionary of columns.
-/// minimise, maximise : list of str
+/// minimise, maximise : str or list of str
 ///     Columns, by name or its beginning: ``["force_error", "torque_max"]``; force error and prime radius are minimised
 ///     where neither is given.
 /// low_speed : bool
@@ -34,8 +50,8 @@ pub struct Front {
 #[pyo3(signature = (table, minimise = None, maximise = None, *, low_speed = false, all = false))]
 pub fn front(
     table: &Bound<'_, PyAny>,
-    minimise: Option<Vec<String>>,
-    maximise: Option<Vec<String>>,
+    minimise: Option<Names>,
+    maximise: Option<Names>,
     low_speed: bool,
     all: bool,
 ) -> PyResult<Front> {
@@ -43,44 +59,51 @@ pub fn front(
     let names = names(table)?;
     let minimise = match (minimise, &maximise) {
         (None, None) => Objective::usual(),
-        (given, _) => given.unwrap_or_default(),
+        (given, _) => given.map_or(Vec::new(), Names::list),
     };
+    let maximise = maximise.map_or(Vec::new(), Names::list);
     let mut objectives = Vec::new();
     let wanted = minimise.iter().map(|n| (n, false));
-    for (name, maximised) in wanted.chain(maximise.iter().flatten().map(|n| (n, true))) {
+    for (name, maximised) in wanted.chain(maximise.iter().map(|n| (n, true))) {
         objectives.push(Objective::of(name, maximised, &names).raise(py)?);
     }
     let mut columns = Vec::new();
     for objective in &objectives {
         let column = table.get_item(&objective.name)?;
-        columns.push(convert::numbers(&column, &objective.name)?);
+        columns.push(
+            convert::numbers(&column, &objective.name)?
+                .as_array()
+                .to_vec(),
+        );
     }
     let (outcomes, verdicts) = (words(table, "outcome")?, words(table, "verdict")?);
-    let admission = Admission { low_speed, all };
-    let mut found = sweep::Front::default();
-    let mut left_out = 0;
-    let mut costs = vec![0.0; objectives.len()];
-    for (row, (outcome, verdict)) in outcomes.iter().zip(&verdicts).enumerate() {
-        left_out += usize::from(admission.leaves_out(outcome, verdict));
-        if !admission.takes(outcome, verdict) {
-            continue;
+    detached(py, || {
+        let admission = Admission { low_speed, all };
+        let mut found = sweep::Front::default();
+        let mut left_out = 0;
+        let mut costs = vec![0.0; objectives.len()];
+        for (row, (outcome, verdict)) in outcomes.iter().zip(&verdicts).enumerate() {
+            left_out += usize::from(admission.leaves_out(outcome, verdict));
+            if !admission.takes(outcome, verdict) {
+                continue;
+            }
+            for ((cost, objective), column) in costs.iter_mut().zip(&objectives).zip(&columns) {
+                *cost = objective.cost(column[row]);
+            }
+            found.offer(row as u64, &costs, Vec::new);
         }
-        for ((cost, objective), column) in costs.iter_mut().zip(&objectives).zip(&columns) {
-            *cost = objective.cost(column.as_array()[row]);
+        let value = |p: &&sweep::Point| -> Vec<f64> {
+            let both = objectives.iter().zip(&p.values);
+            both.map(|(o, cost)| o.value(*cost)).collect()
+        };
+        let sorted = found.sorted();
+        Front {
+            positions: sorted.iter().map(|p| p.row as i64).collect(),
+            values: sorted.iter().map(value).collect(),
+            best: found.best().map(|p| p.row as i64),
+            names: objectives.into_iter().map(|o| o.name).collect(),
+            left_out,
         }
-        found.offer(row as u64, &costs, Vec::new);
-    }
-    let value = |p: &&sweep::Point| -> Vec<f64> {
-        let both = objectives.iter().zip(&p.values);
-        both.map(|(o, cost)| o.value(*cost)).collect()
-    };
-    let sorted = found.sorted();
-    Ok(Front {
-        positions: sorted.iter().map(|p| p.row as i64).collect(),
-        values: sorted.iter().map(value).collect(),
-        best: found.best().map(|p| p.row as i64),
-        names: objectives.into_iter().map(|o| o.name).collect(),
-        left_out,
     })
 }
 

@@ -12,11 +12,15 @@ const LOOK: Duration = Duration::from_millis(50);
 /// A limit beyond this is none, s.
 const LONGEST_S: f64 = 1e9;
 
-/// The end of a search: a time limit, or an exception of a signal handler.
+/// What is called beside the look at Python's signals.
+type Watch = Box<dyn Fn(Python<'_>) -> PyResult<()> + Send + Sync>;
+
+/// The end of a search: a time limit, or an exception of a signal handler or of what watches.
 pub struct Interrupt {
     begun: Instant,
     limit: Duration,
     thread: ThreadId,
+    watch: Option<Watch>,
     state: Mutex<State>,
 }
 
@@ -28,11 +32,17 @@ struct State {
 impl Interrupt {
     /// Begins now; `limit_s` in seconds.
     pub fn after(limit_s: f64) -> Arc<Interrupt> {
+        Interrupt::watched(limit_s, None)
+    }
+
+    /// The same; `watch` is called whenever Python's signals are looked at.
+    pub fn watched(limit_s: f64, watch: Option<Watch>) -> Arc<Interrupt> {
         let begun = Instant::now();
         Arc::new(Interrupt {
             begun,
             limit: Duration::from_secs_f64(limit_s.clamp(0.0, LONGEST_S)),
             thread: current().id(),
+            watch,
             state: Mutex::new(State {
                 looked: begun,
                 raised: None,
@@ -60,7 +70,11 @@ impl Interrupt {
         state.looked = Instant::now();
         // A handler may run Python, and Python may ask again: the lock is not held meanwhile.
         drop(state);
-        let raised = Python::attach(|py| py.check_signals()).err();
+        let look = |py: Python<'_>| {
+            py.check_signals()?;
+            self.watch.as_ref().map_or(Ok(()), |watch| watch(py))
+        };
+        let raised = Python::attach(look).err();
         let is_raised = raised.is_some();
         if let Ok(mut state) = self.state.lock() {
             state.raised = raised;

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
 use crate::convert;
-use crate::error::Raise;
+use crate::error::{Raise, detached};
 
 /// A law of motion: ``law(theta)`` gives s, v, a, j, each of the shape of ``theta``.
 ///
@@ -77,8 +77,8 @@ impl Law {
     /// The law of a name of the catalogue, with its parameters: ``Law("scca 0.25 0.25 0.5")``.
     #[new]
     fn new(py: Python<'_>, name: &str) -> PyResult<Law> {
-        let rise = Rise::from_name(name).raise(py)?;
-        Law::of_rise(&rise).raise(py)
+        let law = || Rise::from_name(name).and_then(|rise| Law::of_rise(&rise));
+        detached(py, law)?.raise(py)
     }
 
     fn __call__<'py>(&self, theta: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
@@ -127,7 +127,7 @@ impl Law {
             let what = format!("{order} is no derivative of a law; give 0, 1, 2 or 3");
             return Err(crate::error::argument(py, "order", what));
         }
-        let (low, high) = self.law.extremes(order);
+        let (low, high) = detached(py, || self.law.extremes(order))?;
         Ok(((low.value, low.at), (high.value, high.at)))
     }
 
@@ -182,7 +182,7 @@ pub fn program(
             angle: quantity(angle, Dimension::Angle, &format!("segment.{}.angle", i + 1))?,
         });
     }
-    let law = law::program(&all, Extent::TURN).raise(py)?;
+    let law = detached(py, || law::program(&all, Extent::TURN))?.raise(py)?;
     Ok(Law::of_design("program", &law))
 }
 

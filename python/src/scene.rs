@@ -10,12 +10,12 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::convert::{self, Reduced};
-use crate::error::{Raise, raised};
+use crate::error::{Raise, detached, raised};
 
 /// A scene: target force, drive (how lift becomes force), law of motion, cam and limits.
 ///
 /// ``Scene({"drive": {"mass": "8 kg"}, ...})`` takes what a scene file has, section by section, quantities as text with
-/// their unit. A scene may leave the force open, for :func:`synth` to give: ``Scene()`` says nothing at all. Scenes do
+/// their unit, or as numbers under a key with its SI unit: ``"mass_kg": 8.0``. A scene may leave the force open, for :func:`synth` to give: ``Scene()`` says nothing at all. Scenes do
 /// not change: ``set`` gives a new one.
 #[pyclass(frozen, module = "gaitcam", eq)]
 #[derive(Clone)]
@@ -41,7 +41,10 @@ impl Scene {
         folder: PathBuf,
         file: Option<PathBuf>,
     ) -> PyResult<Scene> {
-        let fault = match Input::new(table.clone(), folder.clone(), file.clone()) {
+        let input = detached(py, || {
+            Input::new(table.clone(), folder.clone(), file.clone())
+        });
+        let fault = match input? {
             Ok(input) => return Ok(Scene::of_input(input)),
             Err(fault) => fault,
         };
@@ -98,8 +101,7 @@ impl Scene {
     pub fn changed(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<Scene> {
         let mut table = self.input.table.clone();
         for (key, value) in changes {
-            let key: String = key.extract()?;
-            let value = convert::value(&value, &key)?;
+            let (key, value) = convert::entry(key.extract()?, &value)?;
             scene::set_value(&mut table, &key, value).raise(py)?;
         }
         let (folder, file) = (self.input.folder.clone(), self.input.file.clone());
@@ -151,7 +153,8 @@ impl Scene {
         Scene::of_table(py, table, folder, file)
     }
 
-    /// A new scene with values changed by their dotted keys: ``scene.set({"limits.stroke": "40 mm"})``.
+    /// A new scene with values changed by their dotted keys: ``scene.set({"limits.stroke": "40 mm"})`` or, as a number in SI,
+    /// ``scene.set({"limits.stroke_m": 0.04})``.
     fn set(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<Scene> {
         self.changed(py, changes)
     }

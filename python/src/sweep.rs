@@ -5,23 +5,22 @@ mod question;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use gaitcam::halt::Halt;
 use gaitcam::sweep::Study;
 use gaitcam::wording::Language;
-use gaitcam_files::blocks::{BLOCK_ROWS, SharedBlocks};
+use gaitcam_files::blocks::SharedBlocks;
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
 use crate::convert::{self, Reduced};
 use crate::error::{Raise, argument, detached};
+use crate::force::Force;
 use crate::interrupt::{self, Interrupt};
 use crate::scene::Scene;
 use crate::table::Table;
 use question::Question;
-
-/// Default time limit of one row, s.
-const ROW_LIMIT_S: f64 = 5.0;
 
 /// A sweep: row i follows from the plan and from i alone, on any machine.
 ///
@@ -29,10 +28,13 @@ const ROW_LIMIT_S: f64 = 5.0;
 /// ----------
 /// scene : Scene or list of Scene, optional
 ///     Base scenes; without one, the built-in footbridge.
+/// force : Force, optional
+///     The target force of all scenes, in place of the one that they name.
 /// vary : dict, optional
 ///     Axes by dotted key: ``["1.5 Hz", "2.4 Hz", 10]`` is a range with its count, any other list its values,
 ///     ``"20 mm:60 mm:5"`` and ``"spline,harmonic"`` are what ``gaitcam sweep --vary`` takes. With ``sample`` a range has no
-///     count: ``["1.5 Hz", "2.4 Hz"]``.
+///     count: ``["1.5 Hz", "2.4 Hz"]``. Numbers under a key with its SI unit are values, or the two ends of a sampled
+///     range: ``{"limits.stroke_m": np.linspace(0.03, 0.06, 4)}``.
 /// rows : mapping, optional
 ///     Values of several keys together, one list for each key; a column of a table of gaitcam by its own name
 ///     (``limits.stroke_m``) has numbers in SI.
@@ -75,13 +77,14 @@ impl Sweep {
 impl Sweep {
     #[new]
     #[pyo3(signature = (
-        scene = None, *, vary = None, rows = None, recordings = None, sample = None, method = "latin", seed = 1,
-        tolerance = None, time_limit = ROW_LIMIT_S
+        scene = None, *, force = None, vary = None, rows = None, recordings = None, sample = None, method = "latin",
+        seed = 1, tolerance = None, time_limit = 5.0
     ))]
     #[allow(clippy::too_many_arguments)] // keywords of one call
     fn new(
         py: Python<'_>,
         scene: Option<&Bound<'_, PyAny>>,
+        force: Option<PyRef<'_, Force>>,
         vary: Option<&Bound<'_, PyDict>>,
         rows: Option<&Bound<'_, PyAny>>,
         recordings: Option<Vec<PathBuf>>,
@@ -98,12 +101,13 @@ impl Sweep {
             Some(list) => question::scenes(list)?,
         };
         let mut question = Question::new(py, scenes, sample, method, seed)?;
+        question.force(py, force.as_deref().cloned())?;
         question.vary(vary, sample.is_some())?;
         question.rows(rows)?;
         question.recordings(py, recordings)?;
         question.tolerances(tolerance)?;
         question.check_scenes(py)?;
-        let study = question.study(None).raise(py)?;
+        let study = detached(py, || question.study(None))?.raise(py)?;
         Ok(Sweep {
             question,
             study,
@@ -113,20 +117,35 @@ impl Sweep {
 
     /// Computes the rows ``start`` to ``stop`` (all by default) into a table whose first column is ``row``.
     ///
-    /// ``jobs`` is the number of threads, one per core by default.
-    #[pyo3(signature = (start = 0, stop = None, *, jobs = None))]
+    /// ``jobs`` is the number of threads, one per core by default. ``progress(begun, rows)`` is called some twenty times
+    /// a second with the number of rows begun, and at the end; an exception in it ends the sweep.
+    #[pyo3(signature = (start = 0, stop = None, *, jobs = None, progress = None))]
     fn run(
         &self,
         py: Python<'_>,
         start: u64,
         stop: Option<u64>,
         jobs: Option<usize>,
+        progress: Option<Py<PyAny>>,
     ) -> PyResult<Table> {
         let rows = self.rows(py, start, stop)?;
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
         let jobs = jobs.unwrap_or_else(cores).max(1);
-        let interrupt = Interrupt::after(f64::INFINITY);
+        let begun = Arc::new(AtomicU64::new(0));
+        let (seen, count) = (Arc::clone(&begun), rows.end - rows.start);
+        let report = progress.as_ref().map(|progress| progress.clone_ref(py));
+        let interrupt = Interrupt::watched(
+            f64::INFINITY,
+            report.map(|report| {
+                let watch = move |py: Python<'_>| {
+                    let rows = seen.load(Ordering::Relaxed).min(count);
+                    report.call1(py, (rows, count)).map(drop)
+                };
+                Box::new(watch) as _
+            }),
+        );
         let halts = || {
+            begun.fetch_add(1, Ordering::Relaxed);
             let row = Interrupt::after(self.time_limit).halt();
             let all = Arc::clone(&interrupt);
             Halt::when(move || row.is_asked() || all.is_raised())
@@ -137,6 +156,9 @@ impl Sweep {
         });
         interrupt.result()?;
         let records = found?.raise(py)?.unwrap_or_default();
+        if let Some(progress) = progress {
+            progress.call1(py, (count, count))?;
+        }
         Ok(Table::new(records, self.study.metadata()))
     }
 
@@ -147,7 +169,7 @@ impl Sweep {
     /// ------
     /// InputError
     ///     The folder holds another sweep; every difference is named, nothing is overwritten.
-    #[pyo3(signature = (folder, block_rows = BLOCK_ROWS))]
+    #[pyo3(signature = (folder, block_rows = 131_072))]
     fn begin(
         &self,
         py: Python<'_>,

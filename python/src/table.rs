@@ -21,7 +21,7 @@ type Coded<'py> = (Bound<'py, PyAny>, Bound<'py, PyList>);
 /// table's memory, words as a list of ``str | None``. A number that does not exist is NaN. Units stand in the names.
 ///
 /// The table exports the Arrow PyCapsule interface: ``pyarrow.table(t)``, ``polars.DataFrame(t)`` and
-/// ``pandas.DataFrame.from_arrow(t)`` read numbers without copies; words come as a dictionary (categories).
+/// ``t.to_pandas()`` read numbers without copies; words come as a dictionary (categories).
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Table {
     records: Records,
@@ -143,6 +143,11 @@ impl Table {
         };
         let names = PyList::new(this.py(), &words.names)?;
         Ok(Some((shared(&words.codes, this.as_any())?, names)))
+    }
+
+    /// The table as a ``pandas.DataFrame``; words are categories.
+    fn to_pandas<'py>(this: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        arrow(&this)?.call_method0("to_pandas")
     }
 
     #[pyo3(signature = (requested_schema = None))]

@@ -3,6 +3,7 @@
 import pickle
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
@@ -40,6 +41,29 @@ def test_set_gives_a_new_scene_and_leaves_the_old_one(footbridge):
     assert changed != footbridge and footbridge == gaitcam.Scene.builtin("footbridge")
     assert changed.to_dict()["limits"]["stroke"] == "31 mm"
     assert changed.to_dict()["law"]["degree"] == 7
+
+
+@pytest.mark.parametrize("key, unit, column", [
+    ("limits.stroke", "m", "limits.stroke_m"),
+    ("limits.jerk", "m/s^3", "limits.jerk_m_per_s3"),
+    ("limits.pressure_angle", "rad", "limits.pressure_angle_rad"),
+    ("drive.speed", "rad/s", "drive.speed_rad_per_s"),
+    ("gait.step_frequency", "Hz", "gait.step_frequency_hz"),
+    ("machine.stiffness", "N/m", "machine.stiffness_n_per_m"),
+])
+@pytest.mark.parametrize("number", [0.75, np.float64(0.75), 1, 1e-5])
+def test_a_number_under_a_key_with_its_unit_is_the_text_with_that_unit(key, unit, column, number, footbridge):
+    assert footbridge.set({column: number}) == footbridge.set({key: f"{number:.5f} {unit}"})
+
+
+def test_numbers_with_units_in_their_keys_stand_wherever_keys_stand(footbridge):
+    scene = gaitcam.Scene({"limits": {"stroke_m": 0.05}, "drive": {"mass_kg": 2, "speed": "60 rpm"}})
+    assert scene.to_dict()["limits"] == {"stroke": "0.05 m"} and scene.to_dict()["drive"]["mass"] == "2 kg"
+    design = gaitcam.synth(footbridge)
+    runs = [gaitcam.simulate(design, machine=m).summary for m in ({"drive.mass_kg": 71.5}, {"drive.mass": "71.5 kg"})]
+    assert runs[0] == runs[1]
+    with pytest.raises(gaitcam.InputError, match="limits.stroke"):
+        footbridge.set({"limits.stroke_m": "50 mm"})
 
 
 def test_lists_and_tables_are_values_too():

@@ -68,6 +68,47 @@ def test_a_row_is_the_design_of_its_scene(footbridge):
         assert table["verdict"][i] == design.verdict
 
 
+def test_numbers_in_si_are_the_values_of_an_axis_or_the_ends_of_a_sampled_range(footbridge):
+    strokes = np.linspace(0.048, 0.06, 4)
+    table = gaitcam.Sweep(footbridge, vary={"limits.stroke_m": strokes}).run()
+    assert table["limits.stroke_m"].tobytes() == strokes.tobytes()
+    some, text = (gaitcam.Sweep(footbridge, vary=v, sample=20).run() for v in (
+        {"limits.stroke_m": [0.048, 0.06]}, {"limits.stroke": ["0.048 m", "0.06 m"]}))
+    same(some, text)
+
+
+@pytest.mark.parametrize("make", [
+    lambda: gaitcam.Force(np.arange(100) / 200, 700 + 250 * np.sin(np.arange(100) * np.pi / 25), period_s=0.5, mass_kg=71),
+    lambda: gaitcam.read_gait(sorted(CURVES.glob("*.csv"))[0]),
+], ids=["arrays", "recording"])
+def test_a_force_stands_in_for_that_of_every_scene_and_travels(make, footbridge):
+    force = make()
+    scenes = [footbridge, footbridge.set({"law.degree": 7})]
+    plan = gaitcam.Sweep(scenes, force=force, vary={"limits.stroke": ["48 mm", "60 mm", 2]})
+    table = plan.run()
+    for i, (scene, stroke) in enumerate((s, x) for s in scenes for x in ("48 mm", "60 mm")):
+        design = gaitcam.synth(scene.set({"limits.stroke": stroke}), force=force)
+        assert table["force_rms_error_n"][i] == pytest.approx(design.summary["force"]["rms_error_n"], rel=1e-9)
+    same(pickle.loads(pickle.dumps(plan)).run(), table)
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_progress_counts_up_to_the_rows_and_its_exception_ends_the_sweep(spectral, jobs):
+    plan = gaitcam.Sweep(spectral, vary={"gait.step_frequency": ["1.5 Hz", "2.4 Hz"]}, sample=40_000)
+    seen = []
+    plan.run(jobs=jobs, progress=lambda begun, rows: seen.append((begun, rows)))
+    counts = [begun for begun, _ in seen]
+    assert len(seen) > 2 and counts == sorted(counts) and seen[-1] == (40_000, 40_000)
+    with pytest.raises(ZeroDivisionError):
+        plan.run(jobs=jobs, progress=lambda begun, rows: 1 / 0)
+
+
+def test_one_objective_may_be_a_plain_name(spectral):
+    table = gaitcam.Sweep(spectral, vary={"gait.step_frequency": ["1.5 Hz", "2.4 Hz", 9]}).run()
+    both = [gaitcam.front(table, minimise=m) for m in ("stroke", ["stroke"])]
+    assert both[0].positions.tolist() == both[1].positions.tolist() and len(both[0]) == 1
+
+
 @given(st.integers(1, 2000), st.data())
 @settings(max_examples=15, deadline=None)
 def test_cuts_do_not_matter(n, data):

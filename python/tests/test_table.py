@@ -76,6 +76,9 @@ def test_polars_and_pandas_read_it(table):
         frame = pd.DataFrame.from_arrow(table)
         assert np.array_equal(frame["stroke_m"], NUMBERS, equal_nan=True)
         assert frame["verdict"].astype(object).where(frame["verdict"].notna(), None).tolist() == WORDS
+    frame = table.to_pandas()
+    assert list(frame.columns) == table.column_names and np.array_equal(frame["stroke_m"], NUMBERS, equal_nan=True)
+    assert frame["verdict"].astype(object).where(frame["verdict"].notna(), None).tolist() == WORDS
 
 
 def test_an_empty_table_is_a_table_everywhere():

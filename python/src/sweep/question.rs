@@ -16,6 +16,7 @@ use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyString};
 
 use crate::convert;
 use crate::error::{Raise, argument};
+use crate::force::Force;
 use crate::scene::Scene;
 
 /// Number of samples by default.
@@ -38,6 +39,8 @@ enum Asked {
 /// The whole question.
 pub struct Question {
     scenes: Vec<Scene>,
+    /// The force of all scenes, until its content is among the files of the study.
+    force: Option<Force>,
     rows: Vec<Asked>,
     vary: Vec<Asked>,
     /// Method, count, seed.
@@ -83,6 +86,17 @@ impl Asked {
         if let Ok(text) = values.cast::<PyString>() {
             return Ok(Asked::Text((key, text.to_string())));
         }
+        if let Some(si) = convert::si_key(&key) {
+            let numbers = convert::numbers(values, &key)?.as_array().to_vec();
+            return Ok(match numbers[..] {
+                [low, high] if sampled => {
+                    let unit = si.unit();
+                    let range = format!("{low} {unit}:{high} {unit}");
+                    Asked::Text((si.name().to_string(), range))
+                }
+                _ => Asked::Numbers((key, numbers)),
+            });
+        }
         let list: Vec<Bound<'_, PyAny>> = values.try_iter()?.collect::<PyResult<_>>()?;
         let text = |value: &Bound<'_, PyAny>| value.is_instance_of::<PyString>();
         let range = match &list[..] {
@@ -104,8 +118,7 @@ impl Asked {
 
     /// A column of a list.
     fn of_column(name: String, values: &Bound<'_, PyAny>) -> PyResult<Asked> {
-        let key = Key::of_column(&name);
-        if key.is_number() && key.column() == name && scene::keys::find(&name).is_none() {
+        if convert::si_key(&name).is_some() {
             let numbers = convert::numbers(values, &name)?.as_array().to_vec();
             return Ok(Asked::Numbers((name, numbers)));
         }
@@ -152,6 +165,7 @@ impl Question {
         }
         Ok(Question {
             scenes,
+            force: None,
             rows: Vec::new(),
             vary: Vec::new(),
             sample,
@@ -159,6 +173,15 @@ impl Question {
             seed,
             tolerances: Vec::new(),
         })
+    }
+
+    /// Gives all scenes a force in place of the one that they name.
+    pub fn force(&mut self, py: Python<'_>, force: Option<Force>) -> PyResult<()> {
+        for (scene, force) in self.scenes.iter_mut().zip(force.iter().cycle()) {
+            *scene = Scene::of_input(force.named_in(&scene.input).raise(py)?);
+        }
+        self.force = force;
+        Ok(())
     }
 
     /// Adds axes.
@@ -236,6 +259,10 @@ impl Question {
             return Study::with_files(subject, files);
         }
         Study::new(subject, |index, path| {
+            let given = self.force.as_ref().and_then(|force| force.content(path));
+            if let Some(content) = given {
+                return Ok(content);
+            }
             let scene = self.scenes.get(index);
             let folder = scene.map_or(Path::new("."), |s| &s.input.folder);
             target::content(folder, path)
@@ -321,6 +348,7 @@ impl Question {
         }
         let question = Question {
             scenes: scenes(&item(0)?)?,
+            force: None,
             rows: item(1)?.extract()?,
             vary: item(2)?.extract()?,
             sample: item(3)?.extract()?,
