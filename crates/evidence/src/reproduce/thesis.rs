@@ -4,7 +4,6 @@ use super::Value;
 use crate::experiment::motor;
 use crate::thesis;
 use gaitcam::cam::Cam;
-
 use gaitcam::error::Result;
 
 pub(super) fn values() -> Result<Vec<Value>> {
@@ -40,16 +39,16 @@ pub(super) fn values() -> Result<Vec<Value>> {
 /// The table of motor power against the time for 11.1 turns: the better fit, and that of Campillo de Blas (2017),
 /// t = 347.9 x^−0.967.
 fn motor_values() -> Result<Vec<Value>> {
-    let (factor, power) = motor::power_law(&thesis::MOTOR_TABLE)?;
+    let (factor, power) = motor::power_law(&motor::MOTOR_TABLE)?;
     let seconds_asked = 6.0;
     let fit = [
         factor,
         power,
-        motor::power_for(&thesis::MOTOR_TABLE, seconds_asked)?,
+        motor::power_for(&motor::MOTOR_TABLE, seconds_asked)?,
         (seconds_asked / 347.9_f64).powf(1.0 / -0.967),
         motor::seconds_for(thesis::SPEED),
     ];
-    let table = thesis::MOTOR_TABLE.map(|(percent, _)| {
+    let table = motor::MOTOR_TABLE.map(|(percent, _)| {
         let theirs = 347.9 * percent.powf(-0.967);
         Value::with(factor * percent.powf(power), format!("{theirs:.2}"))
     });
