@@ -4,10 +4,11 @@ mod csv;
 mod slopes;
 
 use serde::{Serialize, Serializer};
+use std::array::from_fn;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use slopes::{slope_at, slopes};
+use slopes::{larger, slope_at, slopes, smaller};
 
 use crate::error::{ForceError, Result};
 use crate::interpretation::Interpretation;
@@ -113,13 +114,15 @@ impl ForceCurve {
 
     /// Smallest and largest sample, N.
     pub fn range_n(&self) -> (f64, f64) {
-        let widened = |(low, high): (f64, f64), &f: &f64| {
-            (
-                if f < low { f } else { low },
-                if f > high { f } else { high },
-            )
-        };
-        (self.force_n.iter()).fold((f64::INFINITY, -f64::INFINITY), widened)
+        // Eight at once, as in the mean: neither comparison waits for the one before.
+        let (mut low, mut high) = ([self.force_n[0]; 8], [self.force_n[0]; 8]);
+        let (eights, rest) = self.force_n.as_chunks::<8>();
+        for eight in eights {
+            low = from_fn(|k| smaller(low[k], eight[k]));
+            high = from_fn(|k| larger(high[k], eight[k]));
+        }
+        let all = rest.iter().chain(&low).chain(&high).copied();
+        (all.clone().fold(low[0], smaller), all.fold(high[0], larger))
     }
 
     /// Force at phase `theta`, rad, of any turn, N: cubic interpolation without overshoot.

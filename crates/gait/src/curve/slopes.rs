@@ -8,17 +8,13 @@
 /// Slopes at all samples of a period, four or more, and at its end.
 pub fn slopes(f: &[f64]) -> Vec<f64> {
     let n = f.len();
-    let mut out = vec![0.0; n + 1];
-    // Five slices of one length: no index is checked, and several slopes are computed at once.
-    let inner = &mut out[2..n - 2];
-    let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|k| &f[k..k + inner.len()]);
-    for (i, slope) in inner.iter_mut().enumerate() {
-        *slope = limited([a[i], b[i], c[i], d[i], e[i]]);
-    }
-    for i in [0, 1, n - 2, n - 1] {
-        out[i] = slope_at(f, i);
-    }
-    out[n] = out[0];
+    let mut out = Vec::with_capacity(n + 1);
+    out.extend([0, 1].map(|i| slope_at(f, i)));
+    // Slices side by side instead of windows: the compiler computes several slopes at once.
+    let pairs = f.iter().zip(&f[1..]).zip(f[2..].iter().zip(&f[3..]));
+    let fives = pairs.zip(&f[4..]);
+    out.extend(fives.map(|(((a, b), (c, d)), e)| limited([*a, *b, *c, *d, *e])));
+    out.extend([n - 2, n - 1, n].map(|i| slope_at(f, i)));
     out
 }
 
@@ -34,25 +30,30 @@ const STEADY: f64 = 6.0;
 
 /// Selections instead of branches: the compiler computes several slopes at once.
 fn limited(f: [f64; 5]) -> f64 {
-    let steps = [f[1] - f[0], f[2] - f[1], f[3] - f[2], f[4] - f[3]];
     let centred = 2.0 / 3.0 * (f[3] - f[1]) - 1.0 / 12.0 * (f[4] - f[0]);
-    let (before, after) = (steps[1], steps[2]);
-    let smaller_step = smaller(before.abs(), after.abs());
-    let is_monotone = before * after > 0.0;
-    let bound = if is_monotone { 3.0 } else { 1.5 } * smaller_step;
-    let within = -smaller(-smaller(centred, bound), bound);
-    let is_opposed = is_monotone & (centred * before < 0.0);
-    let limited = if is_opposed { 0.0 } else { within };
-    let bends = [steps[1] - steps[0], after - before, steps[3] - after];
-    let (with_before, with_after) = (bends[1] * bends[0], bends[1] * bends[2]);
-    let square = bends[1] * bends[1];
-    let least = smaller(with_before, with_after);
-    let most = -smaller(-with_before, -with_after);
-    let bends_steadily = (STEADY * least > square) & (most <= STEADY * square);
+    let (before, after) = (f[2] - f[1], f[3] - f[2]);
+    let (least, most) = (smaller(before, after), larger(before, after));
+    // Above 0 at a local extreme alone. Where the samples rise `least` is above 0, where they fall `most` is below.
+    let either = larger(1.5 * smaller(-least, most), 0.0);
+    let (low, high) = (smaller(3.0 * most, -either), larger(3.0 * least, either));
+    let limited = smaller(larger(centred, low), high);
+    let bend = after - before;
+    let (with_before, with_after) = (
+        bend * (before - (f[1] - f[0])),
+        bend * (f[4] - f[3] - after),
+    );
+    let square = bend * bend;
+    let bends_steadily = (STEADY * smaller(with_before, with_after) > square)
+        & (larger(with_before, with_after) <= STEADY * square);
     if bends_steadily { centred } else { limited }
 }
 
 /// The smaller of two numbers, neither NaN; one instruction, unlike `f64::min`.
-fn smaller(a: f64, b: f64) -> f64 {
+pub fn smaller(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
+}
+
+/// The larger, likewise.
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
