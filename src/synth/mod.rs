@@ -137,9 +137,14 @@ pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
         Ok(sized) => (sized, None),
         Err(NoLaw::Fault(fault)) => return Err(fault),
         Err(NoLaw::Refused(refusal)) => {
+            // The law first: what is shown matters more than why, and the time may end before both are found.
+            let best = without_limits(&problem, search, &refusal);
             let why = infeasible::explain(&problem, &refusal);
-            let sized = without_limits(&problem, search, &refusal, &why)?;
-            (sized, Some(why))
+            match best {
+                Ok(sized) => (sized, Some(why)),
+                Err(NoLaw::Fault(fault)) => return Err(fault),
+                Err(NoLaw::Refused(_)) => return Err(why.no_law().at_key("law")),
+            }
         }
     };
     finished(&problem, search, sized, infeasible)
@@ -200,31 +205,29 @@ fn without_limits(
     problem: &Problem,
     search: &Search,
     refusal: &Refusal,
-    why: &Infeasible,
-) -> Result<SizedLaw> {
-    // Such laws are quickly found, so they get all the time that they take.
-    let search = &search.without_end();
+) -> std::result::Result<SizedLaw, NoLaw> {
+    let endless = search.without_end();
+    // Such laws are quickly found: where the time is over already, they get all that they take.
+    let timely = if search.halt.is_asked() {
+        endless.clone()
+    } else {
+        endless.ended_by(&search.halt)
+    };
     let mut bare = problem.without_limits();
     bare.law.family = refusal.family();
-    let best = sized(problem, &bare, search).or_else(|no_law| match no_law {
+    let mut best = sized(problem, &bare, &timely).or_else(|no_law| match no_law {
         NoLaw::Refused(_) => {
             bare.above_base_circle = false;
-            sized(problem, &bare, search)
+            sized(problem, &bare, &endless)
         }
         fault => Err(fault),
-    });
-    match best {
-        Ok(mut sized) => {
-            // Nothing is proved of a law that breaks the limits.
-            sized.law.easing.clear();
-            sized.law.solver.certificate = None;
-            sized.law.solver.certified = false;
-            sized.law.solver.doubt = Some(Doubt::Limits);
-            Ok(sized)
-        }
-        Err(NoLaw::Fault(fault)) => Err(fault),
-        Err(NoLaw::Refused(_)) => Err(why.no_law().at_key("law")),
-    }
+    })?;
+    // Nothing is proved of a law that breaks the limits.
+    best.law.easing.clear();
+    best.law.solver.certificate = None;
+    best.law.solver.certified = false;
+    best.law.solver.doubt = Some(Doubt::Limits);
+    Ok(best)
 }
 
 /// The law on its cam with its verdict and its notes.

@@ -179,7 +179,7 @@ impl Default for Settings {
             active_set: ActiveSetSettings {
                 rounds: 60,
                 steps_per_unknown: 60,
-                rows: 400,
+                rows: 1000,
                 active: 400,
                 resolved: 1e-12,
                 resolved_at_last: 1e-7,

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | equality-constrained least squares | limits that the unconstrained optimum satisfies | `equality` |
 //! | proximal steps of the dual active set | a peak that is minimised | `active_set/proximal` |
-//! | dual active set | the coefficients alone, at most 400 rows | `active_set` |
+//! | dual active set | the coefficients alone, at most 1000 rows | `active_set` |
 //! | interior point on exchanged rows | sizes, a peak or a cone among the variables; what the active set leaves open | `exchange` |
 //! | Newton's method on the contacts | every solution whose certificate is open | `refine` |
 
