@@ -4,7 +4,7 @@
 //! objective. At a law x with residual r = Hx + g + Eᵀν + Aᵀλ the two differ by
 //!
 //! ```text
-//! gap = Σ λᵢ (bᵢ − aᵢᵀx) + xᵀr (+ z·y for the cone's own multiplier z)
+//! gap = Σ λᵢ (bᵢ − aᵢᵀx) − νᵀ(Ex − d) + xᵀr (+ z·y for the cone's own multiplier z)
 //! ```
 //!
 //! (Boyd and Vandenberghe, Convex Optimization, §5.5). Where H has a factor the Lagrangian, which is quadratic, falls from
@@ -12,9 +12,9 @@
 //! lift. The rows are limits at exact places of the law, so the bound holds for the whole
 //! turn and not for samples of it.
 
-use super::basis::Basis;
+use super::basis::{Basis, apply};
 use super::equality;
-use super::frame::{Frame, square};
+use super::frame::{Frame, dot, square};
 use super::program::{EXTRAS, OFFSET, PEAK, Program, RADIUS, RISE, SIZES, Solution};
 use super::settings::TOLERANCE;
 use crate::Names;
@@ -91,7 +91,7 @@ impl Certificate {
 pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Certificate {
     let x = &solution.x[..program.basis.columns()];
     let mut extra = solution.extra;
-    extra[PEAK] = program.own_peak(solution);
+    extra[PEAK] = program.own_peak(x, &extra);
     let mut residual = program.hessian.times(x);
     let largest_term = residual
         .iter()
@@ -120,8 +120,7 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
     }
     let present = program.present();
     let size = objective_size(program, x, &extra);
-    let mut gap = slack;
-    project_off_equalities(program, &mut residual);
+    let mut gap = slack + project_off_equalities(program, &mut residual, x);
     // A gradient is small beside its largest term, or where the whole typical lift along it is nothing to the objective.
     let along: f64 = residual.iter().map(|r| r.abs()).sum::<f64>() * program.length;
     let mut left = largest(&residual) / largest_of_rows.max(f64::MIN_POSITIVE);
@@ -210,9 +209,13 @@ fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &[f64; EXTRA
     if value > 0.0 { value } else { 1.0 }
 }
 
-/// Projects a residual onto the orthogonal complement of the equalities' rows.
-fn project_off_equalities<N: Names>(program: &Program<N>, residual: &mut Vec<f64>) {
-    let mut frame = Frame::default();
+/// Projects a residual onto the orthogonal complement of the equalities' rows; |νᵀ(Ex − d)| of what that takes off, −Eᵀν.
+fn project_off_equalities<N: Names>(
+    program: &Program<N>,
+    residual: &mut Vec<f64>,
+    x: &[f64],
+) -> f64 {
+    let (mut frame, mut missed) = (Frame::default(), Vec::new());
     for equality in &program.equalities {
         let mut normal = vec![0.0; residual.len()];
         for &(i, a) in &equality.entries {
@@ -221,7 +224,10 @@ fn project_off_equalities<N: Names>(program: &Program<N>, residual: &mut Vec<f64
         let apart = frame.split(&normal);
         if apart.left > program.settings.certificate.dependent * square(&normal) {
             frame.push(apart);
+            missed.push(apply(&equality.entries, x) - equality.value);
         }
     }
-    *residual = frame.split(residual).rest;
+    let apart = frame.split(residual);
+    *residual = apart.rest;
+    dot(&frame.back_substituted(&apart.along), &missed).abs()
 }

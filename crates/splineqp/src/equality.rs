@@ -193,15 +193,20 @@ fn correct<N: Names>(
     let missed: Vec<N::Equality> = order[rank..]
         .iter()
         .map(|&i| &equalities[i])
-        .filter(|e| {
-            let size = e.entries.iter().fold(0.0_f64, |m, e| m.max(e.1.abs())) * program.length;
-            (apply(&e.entries, &x) - e.value).abs() > settings.consistent * size.max(e.value.abs())
-        })
+        .filter(|e| e.missed(&x, program.length) > settings.consistent)
         .map(|e| e.name)
         .collect();
     if missed.is_empty() {
         Ok(x)
     } else {
         Err(Failure::Inconsistent { equalities: missed })
+    }
+}
+
+impl<N: Names> Equality<N> {
+    /// What coefficients of typical size `length` miss of the demand, as a part of its own size.
+    pub(crate) fn missed(&self, x: &[f64], length: f64) -> f64 {
+        let size = self.entries.iter().fold(0.0_f64, |m, e| m.max(e.1.abs())) * length;
+        (apply(&self.entries, x) - self.value).abs() / size.max(self.value.abs())
     }
 }

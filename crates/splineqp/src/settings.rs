@@ -12,6 +12,8 @@ pub struct Settings {
     pub equality: EqualitySettings,
     /// Dual active-set method.
     pub active_set: ActiveSetSettings,
+    /// Proximal steps towards a least peak.
+    pub proximal: ProximalSettings,
     /// Rounds of separation and interior-point solution.
     pub exchange: ExchangeSettings,
     /// Newton's method on the contacts.
@@ -65,6 +67,31 @@ pub struct ActiveSetSettings {
     pub pin_moves: usize,
     /// … until the level moves by no more than this part of the typical lift.
     pub pin_settled: f64,
+}
+
+/// Settings of the proximal steps towards a least peak.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProximalSettings {
+    /// ε: weight of a change of the law by its own size, in units of the peak, at first …
+    pub nearness: f64,
+    /// … at last …
+    pub least_nearness: f64,
+    /// … and from one centre to the next …
+    pub fall: f64,
+    /// … and times as much where rounding ends a step.
+    pub heavier: f64,
+    /// A law becomes the centre when its own peak falls by this part of what the rows promise.
+    pub kept: f64,
+    /// Part of the gap that a step may leave where its rows are those of its law.
+    pub proved: f64,
+    /// Laws that exceed other limits by less than this part of them are compared by their peaks.
+    pub compared: f64,
+    /// Rounds of rows and centres; 20 are usual.
+    pub rounds: usize,
+    /// A law whose certificate is open by no more than so many times what needs no refinement is left to that.
+    pub accepted: f64,
+    /// Rounds without a better certificate that end the search.
+    pub patience: usize,
 }
 
 /// Settings of Newton's method on the contacts.
@@ -190,6 +217,18 @@ impl Default for Settings {
                 refinements: 8,
                 pin_moves: 12,
                 pin_settled: 1e-9,
+            },
+            proximal: ProximalSettings {
+                nearness: 1e-2,
+                least_nearness: 1e-9,
+                fall: 0.2,
+                heavier: 100.0,
+                kept: 0.3,
+                proved: 0.3,
+                compared: 1e-4,
+                rounds: 150,
+                accepted: 1e3,
+                patience: 25,
             },
             exchange: ExchangeSettings {
                 rounds: 60,

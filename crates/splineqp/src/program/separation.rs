@@ -1,7 +1,7 @@
 //! Where a law breaks its limits: exact worst points, from the roots of the limits' own derivatives.
 
 use super::pieces::{Curve, Pieces};
-use super::{EXTRAS, Limit, Meaning, PEAK, Program, Row, Solution};
+use super::{EXTRAS, Limit, Meaning, PEAK, Program, Row};
 use crate::Names;
 use crate::basis::{Basis, Entries, WIDEST, add};
 use crate::poly::{Peak, PiecewisePoly, SplineSpace, bernstein};
@@ -55,8 +55,7 @@ impl<N: Names> Program<N> {
 
     /// The minimised peak, raised to what the law itself attains: its excess over the variable then counts in the objective,
     /// and so in the duality gap, and not as a violation relative to the limit's scale.
-    pub fn own_peak(&self, solution: &Solution<N>) -> f64 {
-        let (x, extra) = (&solution.x, &solution.extra);
+    pub fn own_peak(&self, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
         let mut raised = 0.0_f64;
         if self.limits.iter().any(Limit::is_peak) {
             let level = |limit: &Limit<N>| match limit.is_peak() {

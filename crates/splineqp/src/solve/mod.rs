@@ -24,7 +24,7 @@ impl<N: Names> Program<N> {
     /// Equalities that contradict each other, limits that leave nothing, a solver that stops without an answer.
     pub fn solve(&self) -> Result<Solution<N>, Failure<N>> {
         let mut solution = self.solved()?;
-        let peak = self.own_peak(&solution);
+        let peak = self.own_peak(&solution.x, &solution.extra);
         if peak > solution.extra[PEAK] {
             solution.extra[PEAK] = peak;
             solution.violation = self.violation(&solution.x, &solution.extra);

@@ -284,3 +284,46 @@ fn a_certified_peak_is_the_peak_of_the_law() {
         }
     }
 }
+
+/// The optimum for a demand that is off by δ keeps every condition but that demand: its gap is νδ, by which the optimum for the
+/// demand itself is higher or lower.
+#[test]
+fn a_missed_demand_counts_in_the_gap_with_its_price() {
+    for (degree, spans) in [(3, 8), (5, 16), (7, 24)] {
+        let space = SplineSpace::periodic_uniform(degree, spans, TAU);
+        let basis = Basis::Spline {
+            space,
+            closed: true,
+        };
+        let sine = |start: f64, width: f64, rule: &[(f64, f64)], out: &mut [f64]| {
+            for (value, (u, _)) in out.iter_mut().zip(rule) {
+                *value = (start + u * width).sin();
+            }
+        };
+        let program = |value: f64| {
+            let mut distance = Quadratic::zero(&basis);
+            distance.add_distance(&basis, &[1.0], 8, sine, None);
+            let entries = basis.row(1.0, &[1.0, 0.0, 0.0, 0.0]);
+            let demand = Equality {
+                name: "there",
+                entries,
+                value,
+            };
+            Program::new(basis.clone(), distance, vec![demand], 1.0)
+        };
+        let asked = program(0.2);
+        let optimum = asked.solve().unwrap();
+        for off in [-1e-3, -1e-6, 1e-6, 1e-3] {
+            let beside = program(0.2 + off).solve().unwrap();
+            let change = asked.objective(&beside.x) - asked.objective(&optimum.x);
+            let gap = certificate(&asked, &beside).duality_gap;
+            // Of second order in δ the two differ by half the curvature.
+            let bend = 10.0 * off * off;
+            assert!(
+                (gap - change.abs()).abs() < bend + 1e-13,
+                "{gap:e} {change:e}"
+            );
+            assert!(gap > 1e-3 * off.abs(), "{gap:e} for {off:e}");
+        }
+    }
+}

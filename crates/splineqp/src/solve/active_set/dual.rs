@@ -6,6 +6,7 @@
 use crate::band::ArrowFactor;
 use crate::basis::{Entries, apply};
 use crate::frame::{Apart, Frame, square};
+use gaitcam_base::halt::Halt;
 
 /// A plane that is active.
 struct Member {
@@ -29,6 +30,14 @@ pub struct Dual<'a> {
     most_steps: usize,
     /// A plane whose part outside the span of the active ones is below this share of its square length depends on them.
     dependent: f64,
+}
+
+/// An inequality aᵀx ≤ b.
+pub struct Plane<'p> {
+    pub entries: &'p Entries,
+    pub bound: f64,
+    /// Size of which an excess is a part.
+    pub unit: f64,
 }
 
 /// The method ended before a plane was satisfied.
@@ -68,7 +77,7 @@ impl<'a> Dual<'a> {
     }
 
     /// Number of active planes.
-    pub fn active(&self) -> usize {
+    fn active(&self) -> usize {
         self.members.len()
     }
 
@@ -128,6 +137,40 @@ impl<'a> Dual<'a> {
         if let Some(j) = self.members.iter().position(|m| m.row == Some(row)) {
             self.remove(j);
             self.retreat();
+        }
+    }
+
+    /// Until no plane is violated by more than the part `resolved` of its unit, the most violated first.
+    pub fn settle(
+        &mut self,
+        planes: &[Plane],
+        resolved: f64,
+        most_active: usize,
+        halt: &Halt,
+    ) -> Result<(), Stuck> {
+        let stuck = Stuck {
+            excess: f64::INFINITY,
+        };
+        loop {
+            let mut worst = (0.0, None);
+            for (i, plane) in planes.iter().enumerate() {
+                let (value, rounding) = with_rounding(plane.entries, &self.x);
+                let gap = (value - plane.bound - rounding) / plane.unit - resolved;
+                if gap > worst.0 && !self.holds(i) {
+                    worst = (gap, Some(i));
+                }
+            }
+            let Some(i) = worst.1 else {
+                self.refresh();
+                return Ok(());
+            };
+            if halt.is_asked() {
+                return Err(stuck);
+            }
+            self.bring_in(i, planes[i].entries, planes[i].bound)?;
+            if self.active() > most_active {
+                return Err(stuck);
+            }
         }
     }
 
@@ -218,4 +261,10 @@ impl<'a> Dual<'a> {
         self.members.remove(j);
         self.frame.remove(j);
     }
+}
+
+/// Value of a row, and a bound on its rounding error.
+fn with_rounding(entries: &Entries, x: &[f64]) -> (f64, f64) {
+    let size: f64 = entries.iter().map(|&(i, a)| (a * x[i]).abs()).sum();
+    (apply(entries, x), 4.0 * f64::EPSILON * size)
 }

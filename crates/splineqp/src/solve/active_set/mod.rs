@@ -9,13 +9,12 @@ pub mod proximal;
 
 use crate::Names;
 use crate::band::ArrowFactor;
-use crate::basis::{Entries, apply};
 use crate::equality::Unlimited;
 use crate::poly::Peak;
 use crate::program::{EXTRAS, Program, Row, Solution};
 use crate::settings::ActiveSetSettings;
 use crate::solve::refine;
-use dual::{Dual, Stuck};
+use dual::{Dual, Plane, Stuck};
 
 /// Solves a program over the coefficients alone, starting from its optimum without limits.
 ///
@@ -135,8 +134,23 @@ impl<'a> ActiveSet<'a> {
 
     /// Until no row is violated and an open level is constant.
     fn settle<N: Names>(&mut self, program: &Program<N>, rows: &[Row<N>]) -> Result<(), Stuck> {
+        let planes: Vec<Plane> = (rows.iter())
+            .map(|row| {
+                let size = row.limit.map_or(row.scale, |i| program.limits[i].scale);
+                let (entries, bound) = (&row.entries, row.bound);
+                let unit = size.max(bound.abs());
+                Plane {
+                    entries,
+                    bound,
+                    unit,
+                }
+            })
+            .collect();
+        let ActiveSetSettings {
+            resolved, active, ..
+        } = self.settings;
         for _ in 0..self.settings.pin_moves {
-            self.keep_rows(program, rows)?;
+            (self.dual).settle(&planes, resolved, active, &program.halt)?;
             let Some((at, _)) = self.pin else {
                 return Ok(());
             };
@@ -156,40 +170,6 @@ impl<'a> ActiveSet<'a> {
             change[at] = weight * (to - self.pinned_at);
             self.dual.add_pull(change);
             self.pinned_at = to;
-        }
-    }
-
-    fn keep_rows<N: Names>(&mut self, program: &Program<N>, rows: &[Row<N>]) -> Result<(), Stuck> {
-        let units: Vec<f64> = rows
-            .iter()
-            .map(|row| {
-                let size = row.limit.map_or(row.scale, |i| program.limits[i].scale);
-                size.max(row.bound.abs())
-            })
-            .collect();
-        let stuck = Stuck {
-            excess: f64::INFINITY,
-        };
-        loop {
-            let mut worst = (0.0, None);
-            for (i, (row, unit)) in rows.iter().zip(&units).enumerate() {
-                let (value, rounding) = with_rounding(&row.entries, &self.dual.x);
-                let gap = (value - row.bound - rounding) / unit - self.settings.resolved;
-                if gap > worst.0 && !self.dual.holds(i) {
-                    worst = (gap, Some(i));
-                }
-            }
-            let Some(i) = worst.1 else {
-                self.dual.refresh();
-                return Ok(());
-            };
-            if program.halt.is_asked() {
-                return Err(stuck);
-            }
-            self.dual.bring_in(i, &rows[i].entries, rows[i].bound)?;
-            if self.dual.active() > self.settings.active {
-                return Err(stuck);
-            }
         }
     }
 
@@ -214,10 +194,4 @@ impl<'a> ActiveSet<'a> {
             rounds,
         }
     }
-}
-
-/// Value of a row, and a bound on its rounding error.
-fn with_rounding(entries: &Entries, x: &[f64]) -> (f64, f64) {
-    let size: f64 = entries.iter().map(|&(i, a)| (a * x[i]).abs()).sum();
-    (apply(entries, x), 4.0 * f64::EPSILON * size)
 }

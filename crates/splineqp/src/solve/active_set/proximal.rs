@@ -10,7 +10,7 @@
 //! multipliers of a step, scaled to those of t alone, leave εM(x − x̄) of the gradient: with ε falling from step to step
 //! their lower bound closes in on the peak, whatever the law does where the peak leaves it free.
 
-use super::dual::Dual;
+use super::dual::{Dual, Plane};
 use crate::Names;
 use crate::band::{ArrowFactor, ArrowMatrix};
 use crate::basis::{Basis, Entries, apply};
@@ -18,35 +18,12 @@ use crate::certificate::certificate;
 use crate::equality;
 use crate::objective::Quadratic;
 use crate::poly::Peak;
-use crate::program::{EXTRAS, Equality, Limit, PEAK, Program, Row, Solution};
-
-/// ε: weight of a change of the law by its own size, in units of the peak, at first …
-const NEARNESS: f64 = 1e-2;
-/// … at last …
-const LEAST_NEARNESS: f64 = 1e-9;
-/// … and from one centre to the next.
-const FALL: f64 = 0.2;
-/// … and times as much where rounding ends a step.
-const HEAVIER: f64 = 100.0;
-/// A law becomes the centre when its own peak falls by this part of what the rows promise.
-const KEPT: f64 = 0.3;
-/// Part of the gap that a step may leave where its rows are those of its law.
-const PROVED: f64 = 0.3;
-/// Laws that exceed other limits by less than this part of them are compared by their peaks.
-const COMPARED: f64 = 1e-4;
-/// Rounds of rows and centres; 20 are usual.
-const ROUNDS: usize = 150;
-/// A law whose certificate is open by no more than so many times what needs no refinement is left to that.
-const ACCEPTED: f64 = 1e3;
-/// Rounds without a better certificate that end the search.
-const PATIENCE: usize = 25;
+use crate::program::{EXTRAS, Limit, PEAK, Program, Row, Solution};
 
 /// The law of the least peak; `Err` with the rows gathered where none was found.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Vec<Row<N>>> {
-    match start(program) {
-        Some(start) => Search::new(program, start).run(),
-        None => Err(Vec::new()),
-    }
+    let start = start(program).ok_or_else(Vec::new)?;
+    Search::new(program, start).run()
 }
 
 /// Whether it serves a program.
@@ -86,36 +63,21 @@ fn start<N: Names>(program: &Program<N>) -> Option<Start> {
     least.gradient = square.gradient;
     let unlimited = equality::solve(&least).ok()?;
     let mut centre = unlimited.x;
-    let peak = largest(program, &centre);
+    let peak = program.own_peak(&centre, &[0.0; EXTRAS]);
     if !(peak > 0.0 && peak.is_finite()) {
         return None;
     }
     let present = program.present();
     let free: Vec<usize> = (0..EXTRAS).filter(|&k| present[k]).collect();
-    let windows = program.windows(&centre);
-    centre.extend(
-        free.iter()
-            .map(|&k| if k == PEAK { peak } else { windows[k] }),
-    );
+    let mut windows = program.windows(&centre);
+    windows[PEAK] = peak;
+    centre.extend(free.iter().map(|&k| windows[k]));
     Some(Start {
         centre,
         square: unlimited.hessian,
         free,
         peak,
     })
-}
-
-/// The least peak variable that a law allows.
-fn largest<N: Names>(program: &Program<N>, x: &[f64]) -> f64 {
-    let none = [0.0; EXTRAS];
-    let mut most = 0.0_f64;
-    let room = |l: &Limit<N>| program.room(l, x, &none);
-    let level = |l: &Limit<N>| if l.is_peak() { room(l) } else { f64::INFINITY };
-    program.each_peak_above(x, level, |index, peak| {
-        let limit = &program.limits[index];
-        most = most.max((peak.value - room(limit)) / limit.extra[PEAK].abs());
-    });
-    most
 }
 
 struct Search<'a, N: Names> {
@@ -138,7 +100,7 @@ impl<'a, N: Names> Search<'a, N> {
             rows: Vec::new(),
             entries: Vec::new(),
             active: Vec::new(),
-            nearness: NEARNESS,
+            nearness: program.settings.proximal.nearness,
             steps: 0,
         };
         let mut first: Vec<Row<N>> = program.fixed.clone();
@@ -175,12 +137,8 @@ impl<'a, N: Names> Search<'a, N> {
     fn push(&mut self, row: Row<N>) {
         let n = self.program.basis.columns();
         let mut entries = row.entries.clone();
-        let columns = (n..).zip(&self.start.free);
-        entries.extend(
-            columns
-                .map(|(c, &k)| (c, row.extra[k]))
-                .filter(|e| e.1 != 0.0),
-        );
+        let beside = (n..).zip(self.start.free.iter().map(|&k| row.extra[k]));
+        entries.extend(beside.filter(|e| e.1 != 0.0));
         let coincident = self.program.settings.active_set.coincident;
         let twin = |r: &Row<N>| row.limit.is_some() && r.coincides(&row, coincident);
         match self.rows.iter().position(twin) {
@@ -194,18 +152,19 @@ impl<'a, N: Names> Search<'a, N> {
 
     fn run(mut self) -> Result<Solution<N>, Vec<Row<N>>> {
         let settings = &self.program.settings;
+        let own = &settings.proximal;
         let mut best: Option<(f64, Solution<N>)> = None;
         let (mut since, mut reached) = (0, (f64::INFINITY, f64::INFINITY));
-        for round in 1..=ROUNDS {
+        for round in 1..=own.rounds {
             if self.program.halt.is_asked() {
                 break;
             }
             let Some(at) = self.step() else {
                 // Nearly dependent rows leave a light step no digits: a heavier one has them.
-                if self.nearness >= NEARNESS {
+                if self.nearness >= own.nearness {
                     break;
                 }
-                self.nearness = NEARNESS.min(HEAVIER * self.nearness);
+                self.nearness = own.nearness.min(own.heavier * self.nearness);
                 self.active.clear();
                 continue;
             };
@@ -220,18 +179,19 @@ impl<'a, N: Names> Search<'a, N> {
                 best = Some((open, solution));
                 since = 0;
             }
-            if open <= 1.0 || since > PATIENCE {
+            if open <= 1.0 || since > own.patience {
                 break;
             }
             // Once the multipliers prove what the rows promise, only rows are wanted.
             let above = (peak - promised) * self.program.cost[PEAK] / proof.size;
             let proved = proof.stationarity <= settings.refinement.stationarity
-                && proof.relative_gap - above <= PROVED * settings.refinement.gap;
+                && proof.relative_gap - above <= own.proved * settings.refinement.gap;
             // Between laws that keep the other limits the peak decides.
-            let falls = violation <= COMPARED && reached.0 - peak >= KEPT * (reached.0 - promised);
+            let falls =
+                violation <= own.compared && reached.0 - peak >= own.kept * (reached.0 - promised);
             let lawful = reached.1 > settings.tolerance && violation < 0.5 * reached.1;
             if (falls || broken.is_empty()) && !proved {
-                self.nearness = (FALL * self.nearness).max(LEAST_NEARNESS);
+                self.nearness = (own.fall * self.nearness).max(own.least_nearness);
             }
             if (falls || lawful || broken.is_empty()) && !proved {
                 self.start.centre = at;
@@ -244,8 +204,8 @@ impl<'a, N: Names> Search<'a, N> {
         }
         let halted = self.program.halt.is_asked();
         match best {
-            Some((open, solution)) if open < ACCEPTED => Ok(solution),
-            Some((_, solution)) if halted && solution.violation < COMPARED => Ok(solution),
+            Some((open, solution)) if open < own.accepted => Ok(solution),
+            Some((_, solution)) if halted && solution.violation < own.compared => Ok(solution),
             _ => Err(self.rows),
         }
     }
@@ -258,8 +218,14 @@ impl<'a, N: Names> Search<'a, N> {
         let mut pull: Vec<f64> = program.gradient.iter().map(|g| -g).collect();
         pull.extend(self.start.free.iter().map(|&k| -program.cost[k]));
         let away = |entries: &Entries, bound: f64| bound - apply(entries, centre);
-        let bounds: Vec<f64> = (self.entries.iter().zip(&self.rows))
-            .map(|(entries, row)| away(entries, row.bound))
+        let planes: Vec<Plane> = (self.entries.iter().zip(&self.rows))
+            .map(|(entries, row)| Plane {
+                entries,
+                bound: away(entries, row.bound),
+                unit: (row.limit).map_or(row.scale.max(row.bound.abs()), |l| {
+                    self.size(&program.limits[l])
+                }),
+            })
             .collect();
         let settings = &program.settings.active_set;
         let most_steps = settings.steps_per_unknown * pull.len();
@@ -269,48 +235,14 @@ impl<'a, N: Names> Search<'a, N> {
             dual.hold(None, &e.entries, away(&e.entries, e.value), 0.0);
         }
         for &(i, multiplier) in &self.active {
-            dual.hold(Some(i), &self.entries[i], bounds[i], multiplier);
+            dual.hold(Some(i), planes[i].entries, planes[i].bound, multiplier);
         }
         dual.retreat();
-        self.settle(&mut dual, &bounds)?;
+        dual.settle(&planes, settings.resolved, usize::MAX, &program.halt)
+            .ok()?;
         self.steps += dual.steps;
         self.active = dual.multipliers().filter(|m| m.1 > 0.0).collect();
         Some(centre.iter().zip(dual.x).map(|(c, d)| c + d).collect())
-    }
-
-    /// Until no row is violated.
-    fn settle(&self, dual: &mut Dual, bounds: &[f64]) -> Option<()> {
-        let resolved = self.program.settings.active_set.resolved;
-        let units: Vec<f64> = (self.rows.iter())
-            .map(|row| {
-                let of_row = row.scale.max(row.bound.abs());
-                row.limit
-                    .map_or(of_row, |l| self.size(&self.program.limits[l]))
-            })
-            .collect();
-        loop {
-            let mut worst = (0.0, None);
-            for (i, entries) in self.entries.iter().enumerate() {
-                let (mut value, mut terms) = (0.0, 0.0);
-                for &(k, v) in entries {
-                    let term = v * dual.x[k];
-                    value += term;
-                    terms += f64::abs(term);
-                }
-                let gap = (value - bounds[i] - f64::EPSILON * terms) / units[i] - resolved;
-                if gap > worst.0 && !dual.holds(i) {
-                    worst = (gap, Some(i));
-                }
-            }
-            let Some(i) = worst.1 else {
-                dual.refresh();
-                return Some(());
-            };
-            if self.program.halt.is_asked() {
-                return None;
-            }
-            dual.bring_in(i, &self.entries[i], bounds[i]).ok()?;
-        }
     }
 
     /// Of what an excess of a limit is a part: of a peak the peak itself.
@@ -324,37 +256,26 @@ impl<'a, N: Names> Search<'a, N> {
     /// A law with its own peak, the peak of its rows, and where it breaks them.
     fn solution(&self, at: &[f64], round: usize) -> (Solution<N>, f64, Vec<(usize, Peak)>) {
         let program = self.program;
-        let n = program.basis.columns();
-        let x = at[..n].to_vec();
+        let x = at[..program.basis.columns()].to_vec();
         let mut extra = [0.0; EXTRAS];
-        for (c, &k) in self.start.free.iter().enumerate() {
-            extra[k] = at[n + c];
+        for (&k, value) in self.start.free.iter().zip(&at[x.len()..]) {
+            extra[k] = *value;
         }
         let part = 0.1 * program.settings.tolerance;
-        let room = |l: &Limit<N>| program.room(l, &x, &extra);
         let mut broken = Vec::new();
-        let level = |l: &Limit<N>| room(l) + part * self.size(l);
+        let level = |l: &Limit<N>| program.room(l, &x, &extra) + part * self.size(l);
         program.each_peak_above(&x, level, |index, peak| broken.push((index, peak)));
-        let missed = |e: &Equality<N>| {
-            let size = e.entries.iter().fold(0.0_f64, |m, e| m.max(e.1.abs())) * program.length;
-            (apply(&e.entries, &x) - e.value).abs() / size.max(e.value.abs())
-        };
         // Demands that depend on others are not among the planes.
-        let off = program.equalities.iter().map(missed).fold(0.0, f64::max);
         let consistent = program.settings.equality.consistent;
-        let mut violation = if off > consistent { off } else { 0.0 };
-        let mut raised = 0.0_f64;
-        for (index, peak) in &broken {
-            let limit = &program.limits[*index];
-            let excess = peak.value - room(limit);
-            if limit.is_peak() {
-                raised = raised.max(excess / limit.extra[PEAK].abs());
-            } else {
-                violation = violation.max(excess / limit.size(room(limit)));
-            }
-        }
+        let missed = (program
+            .equalities
+            .iter()
+            .map(|e| e.missed(&x, program.length)))
+        .filter(|part| *part > consistent)
+        .fold(0.0, f64::max);
         let promised = extra[PEAK];
-        extra[PEAK] += raised;
+        extra[PEAK] = program.own_peak(&x, &extra);
+        // Multipliers scaled to those of the peak alone.
         let of_peak = |(i, m): &(usize, f64)| -m * self.rows[*i].extra[PEAK];
         let sum: f64 = self.active.iter().map(of_peak).sum();
         let scale = if sum > 0.0 {
@@ -368,12 +289,12 @@ impl<'a, N: Names> Search<'a, N> {
         });
         let solution = Solution {
             active: active.collect(),
+            violation: missed.max(program.worst(&broken, &x, &extra)),
             x,
             extra,
             used_rows: true,
             iterations: self.steps,
             rounds: round,
-            violation,
         };
         (solution, promised, broken)
     }

@@ -389,7 +389,7 @@ impl<'a, N: Names> Contacts<'a, N> {
                     rows.push(row);
                 }
             }
-            next.extra[PEAK] = program.own_peak(&next);
+            next.extra[PEAK] = program.own_peak(&next.x, &next.extra);
             next.violation = self.violation(&next);
             last = Some(next);
             if rows.len() == count {
