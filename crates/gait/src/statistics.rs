@@ -21,18 +21,31 @@ pub(super) fn sample_deviation(values: &[f64]) -> Option<f64> {
 
 /// Middle value, or the mean of the two in the middle; `None` without values.
 pub(super) fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
+    values.sort_unstable_by(f64::total_cmp);
     let (a, b) = (values.len().checked_sub(1)? / 2, values.len() / 2);
     Some(0.5 * (values[a] + values[b]))
 }
 
-/// At most about `most` finite values at equal distances, in ascending order.
-pub(super) fn sorted_sample(values: &[f64], most: usize) -> Vec<f64> {
+/// The value that would stand at `rank` if the values were sorted; `None` where there are fewer.
+pub(super) fn ranked(mut values: Vec<f64>, rank: usize) -> Option<f64> {
+    (rank < values.len()).then(|| *values.select_nth_unstable_by(rank, f64::total_cmp).1)
+}
+
+/// At most about `most` finite values at equal distances.
+pub(super) fn sample(values: &[f64], most: usize) -> Vec<f64> {
     let step = values.len() / most + 1;
     let thin = values.iter().step_by(step).copied();
-    let mut sample: Vec<f64> = thin.filter(|x| x.is_finite()).collect();
-    sample.sort_by(f64::total_cmp);
-    sample
+    thin.filter(|x| x.is_finite()).collect()
+}
+
+/// Lowest and highest value; `None` without values.
+pub(super) fn ends(values: &[f64]) -> Option<(f64, f64)> {
+    let first = *values.first()?;
+    Some(
+        values
+            .iter()
+            .fold((first, first), |(low, high), &x| (low.min(x), high.max(x))),
+    )
 }
 
 #[cfg(test)]
