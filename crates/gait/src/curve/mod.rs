@@ -13,6 +13,7 @@ use crate::error::{ForceError, Result};
 use crate::interpretation::Interpretation;
 use crate::quantity::seconds;
 use crate::recording::Note;
+use crate::statistics::ends;
 
 /// Samples of one cycle of a load model and of the mean cycle of a recording.
 pub const SAMPLES: usize = 1024;
@@ -113,13 +114,7 @@ impl ForceCurve {
 
     /// Smallest and largest sample, N.
     pub fn range_n(&self) -> (f64, f64) {
-        let widened = |(low, high): (f64, f64), &f: &f64| {
-            (
-                if f < low { f } else { low },
-                if f > high { f } else { high },
-            )
-        };
-        (self.force_n.iter()).fold((f64::INFINITY, -f64::INFINITY), widened)
+        ends(&self.force_n).unwrap_or_default()
     }
 
     /// Force at phase `theta`, rad, of any turn, N: cubic interpolation without overshoot.

@@ -68,11 +68,11 @@ pub(super) fn shape(
     let at_quarter = |k: usize| samples.get(k * n / 4).copied().unwrap_or(0.0);
     let flanks = at_quarter(1).max(at_quarter(3));
     let is_in_the_middle = (2 * n..3 * n).contains(&(5 * highest));
-    let valley = deepest(samples, highest).filter(|v| v.depth > VALLEY * top);
+    let valley = valley(samples, highest, VALLEY * top);
     Shape {
-        p1: point(valley.map_or(highest, |v| v.before)),
-        valley: valley.map(|v| point(v.at)),
-        p2: valley.map(|v| point(v.after)),
+        p1: point(valley.map_or(highest, |v| v[0])),
+        valley: valley.map(|v| point(v[1])),
+        p2: valley.map(|v| point(v[2])),
         impulse_ns: sum / rate_hz,
         humps: humps(samples, 0.1 * top),
         peaks_in_the_middle: is_in_the_middle && top > DOUBLE_SUPPORT * flanks,
@@ -124,52 +124,31 @@ fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
     (y + above.clamp(-noise_n, noise_n), shift)
 }
 
-/// A low sample with the highest ones before and after it.
-#[derive(Debug, Clone, Copy)]
-struct Valley {
-    before: usize,
-    at: usize,
-    after: usize,
-    /// Distance below the lower of the two, N.
-    depth: f64,
-}
-
-/// The valley: sample in the middle part whose distance below the lower of its flanking maxima is greatest.
+/// The valley between the highest samples before and after it: in the middle part, deepest below the lower of the two.
 ///
-/// One of the two is the highest sample of all; the other is sought from the end of the stance that lies across.
-fn deepest(samples: &[f64], highest: usize) -> Option<Valley> {
+/// One of the two is the highest sample of all; the other is sought from the end of the stance that lies across. `None`
+/// where it is not deeper than `least`, N.
+fn valley(samples: &[f64], highest: usize, least: f64) -> Option<[usize; 3]> {
     let n = samples.len();
     let middle = (15 * n).div_ceil(100)..(85 * n) / 100;
-    let mut best: Option<Valley> = None;
+    let (mut best, mut deepest) = (None, least);
     let mut before = 0;
     for at in 1..highest {
         let depth = samples[before] - samples[at];
         if depth < 0.0 {
             before = at;
-        } else if middle.contains(&at) && best.is_none_or(|b| depth > b.depth) {
-            let after = highest;
-            best = Some(Valley {
-                before,
-                at,
-                after,
-                depth,
-            });
+        } else if depth > deepest && middle.contains(&at) {
+            (best, deepest) = (Some([before, at, highest]), depth);
         }
     }
-    let earlier = best.map_or(0.0, |b| b.depth);
+    let earlier = deepest;
     let mut after = n.saturating_sub(1);
     for at in (highest + 1..after).rev() {
         let depth = samples[after] - samples[at];
         if depth <= 0.0 {
             after = at;
-        } else if middle.contains(&at) && depth > earlier && best.is_none_or(|b| depth >= b.depth) {
-            let before = highest;
-            best = Some(Valley {
-                before,
-                at,
-                after,
-                depth,
-            });
+        } else if depth > earlier && depth >= deepest && middle.contains(&at) {
+            (best, deepest) = (Some([highest, at, after]), depth);
         }
     }
     best
