@@ -15,10 +15,9 @@ use serde::Serialize;
 /// let area = std::f64::consts::PI * 1e-4;
 /// assert!((drive.spring_rate / (2e9 * area * area) - 1.0).abs() < 1e-12);
 /// ```
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr, strum::VariantArray,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[derive(strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum DriveKind {
     /// The shaft block rides on the cam, the cam rolls on a plate: F = M(g + ω²a) (Campillo de Blas 2017, eq. 22).

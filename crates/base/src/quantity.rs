@@ -16,7 +16,8 @@ pub(crate) type Exponents = [i32; 4];
 /// assert!(parse("2 in", Dimension::Mass).is_err());
 /// # Ok::<(), gaitcam_base::error::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation
 pub enum Dimension {
     /// A plain number or a percentage.
@@ -52,96 +53,63 @@ pub enum Dimension {
 }
 
 impl Dimension {
+    /// Exponents of metre, kilogram, second and radian; SI unit; examples of valid values.
+    fn row(self) -> (Exponents, &'static str, &'static str) {
+        let power = |n: u8, units: [&'static str; 3]| units[usize::from(n.clamp(1, 3)) - 1];
+        match self {
+            Dimension::Ratio => ([0, 0, 0, 0], "", "\"0.5 %\""),
+            Dimension::Percent => ([0, 0, 0, 0], "ratio", "\"0.5 %\""),
+            Dimension::Length => ([1, 0, 0, 0], "m", "\"25 mm\", \"1 in\""),
+            Dimension::Angle => ([0, 0, 0, 1], "rad", "\"90 deg\", \"1.57 rad\""),
+            Dimension::Time => ([0, 0, 1, 0], "s", "\"0.5 s\", \"500 ms\""),
+            Dimension::Mass => ([0, 1, 0, 0], "kg", "\"70 kg\", \"154 lb\""),
+            Dimension::Force => ([1, 1, -2, 0], "N", "\"700 N\", \"157 lbf\""),
+            Dimension::Frequency => ([0, 0, -1, 0], "Hz", "\"1.85 Hz\""),
+            Dimension::AngularSpeed => ([0, 0, -1, 1], "rad/s", "\"111 rpm\", \"12.566 rad/s\""),
+            Dimension::Speed => ([1, 0, -1, 0], "m/s", "\"1.4 m/s\""),
+            Dimension::Acceleration => ([1, 0, -2, 0], "m/s^2", "\"40 m/s^2\""),
+            Dimension::Jerk => ([1, 0, -3, 0], "m/s^3", "\"200 m/s^3\""),
+            Dimension::AngularAcceleration => ([0, 0, -2, 1], "rad/s^2", "\"50 rad/s^2\""),
+            Dimension::AngularJerk => ([0, 0, -3, 1], "rad/s^3", "\"900 rad/s^3\""),
+            Dimension::Pressure => ([-1, 1, -2, 0], "Pa", "\"500 MPa\", \"60 psi\""),
+            Dimension::PressurePerVolume => ([-4, 1, -2, 0], "Pa/m^3", "\"30 psi/in^3\""),
+            Dimension::SpringRate => ([0, 1, -2, 0], "N/m", "\"5000 N/m\", \"30 lbf/in\""),
+            Dimension::Damping => ([0, 1, -1, 0], "N s/m", "\"20 N s/m\""),
+            Dimension::Torque => ([2, 1, -2, 0], "N m", "\"2 N m\""),
+            Dimension::Power => ([2, 1, -3, 0], "W", "\"50 W\""),
+            Dimension::AngularRate => ([2, 1, -2, -1], "N m/rad", "\"500 N m/rad\""),
+            Dimension::Inertia => ([2, 1, 0, 0], "kg m^2", "\"0.02 kg m^2\""),
+            Dimension::LengthPerAngle(n) => (
+                [1, 0, 0, -i32::from(n)],
+                power(n, ["m/rad", "m/rad^2", "m/rad^3"]),
+                "\"0.5 in/rad\"",
+            ),
+            Dimension::AnglePerAngle(n) => (
+                [0, 0, 0, 1 - i32::from(n)],
+                power(n, ["rad/rad", "rad/rad^2", "rad/rad^3"]),
+                "\"0.1 rad/rad\"",
+            ),
+        }
+    }
+
     /// Exponents of metre, kilogram, second and radian.
     pub(crate) fn exponents(self) -> Exponents {
-        match self {
-            Dimension::Ratio | Dimension::Percent => [0, 0, 0, 0],
-            Dimension::Length => [1, 0, 0, 0],
-            Dimension::Angle => [0, 0, 0, 1],
-            Dimension::Time => [0, 0, 1, 0],
-            Dimension::Mass => [0, 1, 0, 0],
-            Dimension::Force => [1, 1, -2, 0],
-            Dimension::Frequency => [0, 0, -1, 0],
-            Dimension::AngularSpeed => [0, 0, -1, 1],
-            Dimension::Speed => [1, 0, -1, 0],
-            Dimension::Acceleration => [1, 0, -2, 0],
-            Dimension::Jerk => [1, 0, -3, 0],
-            Dimension::AngularAcceleration => [0, 0, -2, 1],
-            Dimension::AngularJerk => [0, 0, -3, 1],
-            Dimension::Pressure => [-1, 1, -2, 0],
-            Dimension::PressurePerVolume => [-4, 1, -2, 0],
-            Dimension::SpringRate => [0, 1, -2, 0],
-            Dimension::Damping => [0, 1, -1, 0],
-            Dimension::Torque => [2, 1, -2, 0],
-            Dimension::Power => [2, 1, -3, 0],
-            Dimension::AngularRate => [2, 1, -2, -1],
-            Dimension::Inertia => [2, 1, 0, 0],
-            Dimension::LengthPerAngle(n) => [1, 0, 0, -i32::from(n)],
-            Dimension::AnglePerAngle(n) => [0, 0, 0, 1 - i32::from(n)],
-        }
+        self.row().0
+    }
+
+    /// Its name in messages.
+    pub(crate) fn name(self) -> String {
+        <&str>::from(self).replace('-', " ")
     }
 
     /// The SI unit as scenes write it and tables name it.
     pub fn si(self) -> &'static str {
-        match self {
-            Dimension::Ratio => "",
-            Dimension::Percent => "ratio",
-            Dimension::Length => "m",
-            Dimension::Angle => "rad",
-            Dimension::Time => "s",
-            Dimension::Mass => "kg",
-            Dimension::Force => "N",
-            Dimension::Frequency => "Hz",
-            Dimension::AngularSpeed => "rad/s",
-            Dimension::Speed => "m/s",
-            Dimension::Acceleration => "m/s^2",
-            Dimension::Jerk => "m/s^3",
-            Dimension::AngularAcceleration => "rad/s^2",
-            Dimension::AngularJerk => "rad/s^3",
-            Dimension::Pressure => "Pa",
-            Dimension::PressurePerVolume => "Pa/m^3",
-            Dimension::SpringRate => "N/m",
-            Dimension::Damping => "N s/m",
-            Dimension::Torque => "N m",
-            Dimension::Power => "W",
-            Dimension::AngularRate => "N m/rad",
-            Dimension::Inertia => "kg m^2",
-            Dimension::LengthPerAngle(1) => "m/rad",
-            Dimension::LengthPerAngle(2) => "m/rad^2",
-            Dimension::LengthPerAngle(_) => "m/rad^3",
-            Dimension::AnglePerAngle(1) => "rad/rad",
-            Dimension::AnglePerAngle(2) => "rad/rad^2",
-            Dimension::AnglePerAngle(_) => "rad/rad^3",
-        }
+        self.row().1
     }
 
     /// Examples of valid values, for messages.
     pub fn example(self) -> &'static str {
-        match self {
-            Dimension::Ratio | Dimension::Percent => "\"0.5 %\"",
-            Dimension::Length => "\"25 mm\", \"1 in\"",
-            Dimension::Angle => "\"90 deg\", \"1.57 rad\"",
-            Dimension::Time => "\"0.5 s\", \"500 ms\"",
-            Dimension::Mass => "\"70 kg\", \"154 lb\"",
-            Dimension::Force => "\"700 N\", \"157 lbf\"",
-            Dimension::Frequency => "\"1.85 Hz\"",
-            Dimension::AngularSpeed => "\"111 rpm\", \"12.566 rad/s\"",
-            Dimension::Speed => "\"1.4 m/s\"",
-            Dimension::Acceleration => "\"40 m/s^2\"",
-            Dimension::Jerk => "\"200 m/s^3\"",
-            Dimension::AngularAcceleration => "\"50 rad/s^2\"",
-            Dimension::AngularJerk => "\"900 rad/s^3\"",
-            Dimension::Pressure => "\"500 MPa\", \"60 psi\"",
-            Dimension::PressurePerVolume => "\"30 psi/in^3\"",
-            Dimension::SpringRate => "\"5000 N/m\", \"30 lbf/in\"",
-            Dimension::Damping => "\"20 N s/m\"",
-            Dimension::Torque => "\"2 N m\"",
-            Dimension::Power => "\"50 W\"",
-            Dimension::AngularRate => "\"500 N m/rad\"",
-            Dimension::Inertia => "\"0.02 kg m^2\"",
-            Dimension::LengthPerAngle(_) => "\"0.5 in/rad\"",
-            Dimension::AnglePerAngle(_) => "\"0.1 rad/rad\"",
-        }
+        self.row().2
     }
 }
 

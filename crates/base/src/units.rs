@@ -69,62 +69,49 @@ const LB: f64 = 0.453_592_37;
 /// Text that is no quantity, another dimension, a value that is not finite.
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
     let text = text.trim();
-    let no_number = || {
-        Error::from(UnitsError::NoNumber {
-            text: text.to_string(),
-            example: dimension.example().to_string(),
-        })
+    let example = || dimension.example().to_string();
+    let no_number = || UnitsError::NoNumber {
+        text: text.to_string(),
+        example: example(),
     };
     let (value, unit) = leading_number(text).ok_or_else(no_number)?;
     let unit = unit.trim();
     if unit.is_empty() {
-        if value == 0.0 || dimension == Dimension::Ratio {
-            return finite(value, text);
-        }
-        if dimension == Dimension::Percent {
-            return Err(Error::from(UnitsError::BareShare {
-                text: text.to_string(),
-                // Twelve digits hide the rounding of the product.
-                percent: (value * 1e14).round() / 1e12,
-            }));
-        }
-        return Err(Error::from(UnitsError::NoUnit {
-            text: text.to_string(),
-            example: dimension.example().to_string(),
-        }));
+        let text = text.to_string();
+        // Twelve digits hide the rounding of the product.
+        let percent = (value * 1e14).round() / 1e12;
+        return match dimension {
+            Dimension::Ratio => finite(value, &text),
+            _ if value == 0.0 => Ok(0.0),
+            Dimension::Percent => Err(UnitsError::BareShare { text, percent }.into()),
+            _ => Err(UnitsError::NoUnit {
+                text,
+                example: example(),
+            }
+            .into()),
+        };
     }
     let (factor, exponents) = unit_factor(unit, dimension)?;
     if exponents != dimension.exponents() {
-        return Err(Error::from(UnitsError::WrongDimension {
-            text: text.to_string(),
-            unit: unit.to_string(),
-            dimension: name(dimension),
-            example: dimension.example().to_string(),
-        }));
+        let (text, unit) = (text.to_string(), unit.to_string());
+        let (dimension, example) = (dimension.name(), example());
+        return Err(UnitsError::WrongDimension {
+            text,
+            unit,
+            dimension,
+            example,
+        }
+        .into());
     }
     finite(value * factor, text)
 }
 
 fn finite(value: f64, text: &str) -> Result<f64> {
     if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::from(UnitsError::NotFinite {
-            text: text.to_string(),
-        }))
+        return Ok(value);
     }
-}
-
-fn name(dimension: Dimension) -> String {
-    format!("{dimension:?}")
-        .chars()
-        .flat_map(|c| {
-            let gap = c.is_uppercase().then_some(' ');
-            gap.into_iter().chain(c.to_lowercase())
-        })
-        .collect::<String>()
-        .trim()
-        .to_string()
+    let text = text.to_string();
+    Err(UnitsError::NotFinite { text }.into())
 }
 
 /// The number that a text begins with, a whole number and a fraction included, and what follows it.
@@ -208,11 +195,8 @@ fn unit_factor(expression: &str, dimension: Dimension) -> Result<(f64, Exponents
         let (unit, power) = match word.split_once('^') {
             Some((unit, power)) => {
                 let power = power.parse::<i32>().ok().filter(|p| (-6..=6).contains(p));
-                let power = power.ok_or_else(|| {
-                    Error::from(UnitsError::Exponent {
-                        factor: word.to_string(),
-                    })
-                })?;
+                let factor = || word.to_string();
+                let power = power.ok_or_else(|| UnitsError::Exponent { factor: factor() })?;
                 (unit, power * sign)
             }
             None => (word, sign),
@@ -254,10 +238,8 @@ fn unknown_unit(unit: &str, dimension: Dimension) -> Error {
         .or_else(|| nearest(unit, UNITS.iter().filter(fits).map(|u| u.0)))
         .or_else(|| UNITS.iter().find(shouted).map(|u| u.0))
         .or_else(|| nearest(unit, UNITS.iter().map(|u| u.0)));
-    Error::from(UnitsError::UnknownUnit {
-        unit: unit.to_string(),
-        nearest: meant.map(str::to_string),
-    })
+    let (unit, nearest) = (unit.to_string(), meant.map(str::to_string));
+    UnitsError::UnknownUnit { unit, nearest }.into()
 }
 
 #[cfg(test)]

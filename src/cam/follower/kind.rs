@@ -13,21 +13,9 @@ use super::{Follower, Measures};
 /// assert!(kind.is_oscillating() && kind.has_roller());
 /// assert_eq!(kind.name(), "roller-oscillating");
 /// ```
-#[derive(
-    Debug,
-    Clone,
-    Copy,
-    PartialEq,
-    Eq,
-    Hash,
-    Default,
-    Serialize,
-    Deserialize,
-    strum::IntoStaticStr,
-    strum::VariantArray,
-    strum::EnumString,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[derive(Deserialize, strum::IntoStaticStr, strum::VariantArray, strum::EnumString)]
 #[strum(serialize_all = "kebab-case")]
 pub enum FollowerKind {
     /// A flat face that translates.

@@ -47,7 +47,9 @@ pub trait Fault: Serialize + PartialEq + Debug + Send + Sync + 'static {
 pub trait AnyFault: Debug + Send + Sync {
     fn code(&self) -> String;
     fn what(&self, language: Language) -> String;
-    fn help(&self, language: Language) -> Option<String>;
+    fn help(&self, _: Language) -> Option<String> {
+        None
+    }
     fn as_any(&self) -> &dyn Any;
     fn equals(&self, other: &dyn Any) -> bool;
 }
@@ -88,10 +90,6 @@ impl AnyFault for Own {
 
     fn what(&self, _: Language) -> String {
         self.what.clone()
-    }
-
-    fn help(&self, _: Language) -> Option<String> {
-        None
     }
 
     fn as_any(&self) -> &dyn Any {

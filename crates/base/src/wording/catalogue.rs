@@ -23,8 +23,8 @@ pub type File = [&'static str; 2];
 /// ```
 pub struct Catalogue {
     files: &'static [&'static [File]],
-    english: OnceLock<Messages>,
-    spanish: OnceLock<Messages>,
+    /// By language.
+    messages: [OnceLock<Messages>; 2],
 }
 
 impl Catalogue {
@@ -32,18 +32,14 @@ impl Catalogue {
     pub const fn new(files: &'static [&'static [File]]) -> Catalogue {
         Catalogue {
             files,
-            english: OnceLock::new(),
-            spanish: OnceLock::new(),
+            messages: [const { OnceLock::new() }; 2],
         }
     }
 
     /// The messages in a language.
     pub fn of(&self, language: Language) -> &Messages {
-        let (messages, place) = match language {
-            Language::En => (&self.english, 0),
-            Language::Es => (&self.spanish, 1),
-        };
-        messages.get_or_init(|| {
+        let place = language as usize;
+        self.messages[place].get_or_init(|| {
             let files = self.files.iter().copied().flatten();
             let texts: Vec<&'static str> = files.map(|file| file[place]).collect();
             Messages::new(language, &texts)

@@ -1,8 +1,7 @@
 //! Languages of messages.
 
-use std::fmt;
-
 use serde::Serialize;
+use strum::{Display, IntoStaticStr};
 
 /// A language of messages, reports and pictures.
 ///
@@ -12,8 +11,9 @@ use serde::Serialize;
 /// assert_eq!(Language::of_tag("es"), Some(Language::Es));
 /// assert_eq!(Language::En.tag(), "en");
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Display, IntoStaticStr)]
 #[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 pub enum Language {
     /// English.
     #[default]
@@ -40,15 +40,6 @@ impl Language {
 
     /// The tag: `en`, `es`.
     pub fn tag(self) -> &'static str {
-        match self {
-            Language::En => "en",
-            Language::Es => "es",
-        }
-    }
-}
-
-impl fmt::Display for Language {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.tag())
+        self.into()
     }
 }

@@ -1,7 +1,6 @@
 //! The Fluent messages of one language.
 
-use std::collections::HashMap;
-use std::hash::{BuildHasherDefault, Hasher};
+use std::collections::BTreeMap;
 use std::sync::{RwLock, RwLockReadGuard};
 
 use fluent_bundle::concurrent::FluentBundle;
@@ -48,29 +47,6 @@ const AS_TYPED: &[&str] = &[
     "word",
 ];
 
-/// Typical size of a message, bytes; sizes the map of messages.
-const MESSAGE: usize = 64;
-
-/// FNV-1a hash, 64 bits (Fowler, Noll, Vo): fast on short keys, which no user supplies.
-struct Fnv(u64);
-
-impl Default for Fnv {
-    fn default() -> Fnv {
-        Fnv(0xcbf2_9ce4_8422_2325)
-    }
-}
-
-impl Hasher for Fnv {
-    fn write(&mut self, bytes: &[u8]) {
-        let next = |sum: u64, &byte: &u8| (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        self.0 = bytes.iter().fold(self.0, next);
-    }
-
-    fn finish(&self) -> u64 {
-        self.0
-    }
-}
-
 /// Messages of one language.
 ///
 /// ```
@@ -93,9 +69,8 @@ pub struct Messages {
     language: Language,
     /// Messages parsed so far. Parsing all of them takes longer than most designs.
     bundle: RwLock<FluentBundle<FluentResource>>,
-    keys: Vec<&'static str>,
     /// The Fluent text of every message by key.
-    texts: HashMap<&'static str, &'static str, BuildHasherDefault<Fnv>>,
+    texts: BTreeMap<&'static str, &'static str>,
 }
 
 type Bundle<'a> = RwLockReadGuard<'a, FluentBundle<FluentResource>>;
@@ -111,21 +86,14 @@ impl Messages {
         let mut bundle = FluentBundle::new_concurrent(vec![tag]);
         // All text runs left to right; isolation marks around arguments would only disturb terminals.
         bundle.set_use_isolating(false);
-        let bytes: usize = files.iter().map(|file| file.len()).sum();
-        let about = bytes / MESSAGE;
-        let mut keys = Vec::with_capacity(about);
-        let mut texts = HashMap::with_capacity_and_hasher(about, BuildHasherDefault::default());
+        let mut texts = BTreeMap::new();
         for (key, text) in files.iter().flat_map(|file| messages(file)) {
-            assert!(
-                texts.insert(key, text).is_none(),
-                "duplicate message: {key}"
-            );
-            keys.push(key);
+            let earlier = texts.insert(key, text);
+            assert!(earlier.is_none(), "duplicate message: {key}");
         }
         Messages {
             language,
             bundle: RwLock::new(bundle),
-            keys,
             texts,
         }
     }
@@ -175,7 +143,7 @@ impl Messages {
 
     /// Keys of all messages, in the order of the files.
     pub fn keys(&self) -> Vec<String> {
-        self.keys.iter().map(|key| (*key).to_string()).collect()
+        self.texts.keys().map(|key| (*key).to_string()).collect()
     }
 
     /// The sentence of a message, whose key is `area-variant`. A missing key is shown with the data of the message.

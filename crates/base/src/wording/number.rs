@@ -51,22 +51,20 @@ pub fn number(language: Language, value: f64) -> String {
             None => text,
         }
     } else {
-        let whole = if size < 1.0 { 0 } else { size.log10() as usize };
         let lead = if size == 0.0 {
             0.0
         } else {
             size.log10().floor()
         };
-        let decimals = if size < 1.0 {
-            (DIGITS as f64 - 1.0 - lead) as usize
-        } else {
-            DIGITS.saturating_sub(whole + 1)
-        };
+        let decimals = (DIGITS as f64 - 1.0 - lead).max(0.0) as usize;
         short(&format!("{value:.decimals$}")).to_string()
     };
-    let text = if text == "-0" { "0".to_string() } else { text };
+    localised(language, if text == "-0" { "0" } else { &text })
+}
+
+fn localised(language: Language, text: &str) -> String {
     match language {
-        Language::En => text,
+        Language::En => text.to_string(),
         Language::Es => text.replace('.', ","),
     }
 }
@@ -80,11 +78,7 @@ pub fn number(language: Language, value: f64) -> String {
 pub fn fixed(language: Language, value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let zero = text.starts_with('-') && text.chars().all(|c| "-0.".contains(c));
-    let text = if zero { text[1..].to_string() } else { text };
-    match language {
-        Language::En => text,
-        Language::Es => text.replace('.', ","),
-    }
+    localised(language, if zero { &text[1..] } else { &text })
 }
 
 fn short(text: &str) -> &str {

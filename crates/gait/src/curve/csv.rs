@@ -25,20 +25,15 @@ fn write_csv(out: &mut String, curve: &ForceCurve, comments: &[&str]) -> std::fm
         writeln!(out, "# {line}")?;
     }
     let step = curve.period_s / curve.force_n.len() as f64;
-    let times = (0..).map(|i| f64::from(i) * step);
-    match &curve.spread_n {
-        Some(spread) => {
-            writeln!(out, "time_s,force_n,spread_n")?;
-            for ((t, f), s) in times.zip(&curve.force_n).zip(spread) {
-                writeln!(out, "{t},{f},{s}")?;
-            }
+    let spread = curve.spread_n.as_deref();
+    let column = spread.map_or("", |_| ",spread_n");
+    writeln!(out, "time_s,force_n{column}")?;
+    for (i, f) in curve.force_n.iter().enumerate() {
+        write!(out, "{},{f}", i as f64 * step)?;
+        if let Some(spread) = spread {
+            write!(out, ",{}", spread[i])?;
         }
-        None => {
-            writeln!(out, "time_s,force_n")?;
-            for (t, f) in times.zip(&curve.force_n) {
-                writeln!(out, "{t},{f}")?;
-            }
-        }
+        out.push('\n');
     }
     Ok(())
 }

@@ -8,12 +8,13 @@ use std::array::from_fn;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use slopes::{larger, slope_at, slopes, smaller};
+use slopes::{slope_at, slopes};
 
 use crate::error::{ForceError, Result};
 use crate::interpretation::Interpretation;
 use crate::quantity::seconds;
 use crate::recording::Note;
+use crate::statistics::ends;
 
 /// Samples of one cycle of a load model and of the mean cycle of a recording.
 pub const SAMPLES: usize = 1024;
@@ -114,15 +115,7 @@ impl ForceCurve {
 
     /// Smallest and largest sample, N.
     pub fn range_n(&self) -> (f64, f64) {
-        // Eight at once, as in the mean: neither comparison waits for the one before.
-        let (mut low, mut high) = ([self.force_n[0]; 8], [self.force_n[0]; 8]);
-        let (eights, rest) = self.force_n.as_chunks::<8>();
-        for eight in eights {
-            low = from_fn(|k| smaller(low[k], eight[k]));
-            high = from_fn(|k| larger(high[k], eight[k]));
-        }
-        let all = rest.iter().chain(&low).chain(&high).copied();
-        (all.clone().fold(low[0], smaller), all.fold(high[0], larger))
+        ends(&self.force_n).unwrap_or_default()
     }
 
     /// Force at phase `theta`, rad, of any turn, N: cubic interpolation without overshoot.

@@ -5,6 +5,8 @@
 //! the smaller neighbouring step, so that a sharp heel strike is not overshot (Fritsch and Carlson's bound), and at a
 //! local extreme of the samples to half of that, of either sign.
 
+use crate::statistics::{larger, smaller};
+
 /// Slopes at all samples of a period, four or more, and at its end.
 pub fn slopes(f: &[f64]) -> Vec<f64> {
     let n = f.len();
@@ -46,14 +48,4 @@ fn limited(f: [f64; 5]) -> f64 {
     let bends_steadily = (STEADY * smaller(with_before, with_after) > square)
         & (larger(with_before, with_after) <= STEADY * square);
     if bends_steadily { centred } else { limited }
-}
-
-/// The smaller of two numbers, neither NaN; one instruction, unlike `f64::min`.
-pub fn smaller(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
-}
-
-/// The larger, likewise.
-pub fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
 }

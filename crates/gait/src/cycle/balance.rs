@@ -12,62 +12,46 @@ use crate::statistics::mean;
 /// Largest part of their sum by which the impulses of two stances may differ.
 const UNEVEN: f64 = 0.05;
 
-/// Whole stances of two feet in turn.
-pub(super) struct Pairs<'a> {
-    recording: &'a Recording,
-    pairs: Vec<[Footfall; 2]>,
-}
-
-impl<'a> Pairs<'a> {
-    pub fn of(recording: &'a Recording, stances: &Stances) -> Self {
-        let mut pairs = Vec::new();
-        if !recording.has_rows() && !recording.runs() {
-            let falls = footfalls(recording, stances);
-            let whole = |f: &Footfall| f.rejected.is_none() && !f.unlike;
-            let in_turn = falls.windows(2).filter(|w| {
-                let [a, b] = [w[0], w[1]];
-                let other = same_foot(&a, &b, false) == Some(false) && a.channel != b.channel;
-                whole(&a) && whole(&b) && other && b.start_s < a.end_s && a.end_s < b.end_s
-            });
-            pairs.extend(in_turn.map(|w| [w[0], w[1]]));
-        }
-        Pairs { recording, pairs }
+/// Mean total force, N, at a stride time; `None` without two whole stances in turn that carry alike: of a limping walker
+/// two half strides are no whole one.
+pub(super) fn mean_total(recording: &Recording, stances: &Stances, period_s: f64) -> Option<f64> {
+    if recording.has_rows() || recording.runs() {
+        return None;
     }
-
-    /// Integral of the force of a contact within a span, N s.
-    fn impulse(&self, fall: &Footfall, from_s: f64, to_s: f64) -> f64 {
-        let channel = &self.recording.channels[fall.channel];
-        let rate = self.recording.rate_hz;
-        let (start, end) = whole_span(channel, rate, fall.start_s, fall.end_s);
-        let at = |s: f64| {
-            ((s.clamp(start, end) * rate).round().max(0.0) as usize).min(channel.force_n.len())
-        };
-        let samples = channel.force_n.get(at(from_s)..at(to_s)).unwrap_or(&[]);
-        samples.iter().sum::<f64>() / rate
-    }
-
-    /// Whether both stances carry alike: of a limping walker two half strides are no whole one.
-    fn is_even(&self, [a, b]: &[Footfall; 2]) -> bool {
-        let [a, b] = [a, b].map(|f| self.impulse(f, f.start_s, f.end_s));
+    let impulse = |fall: &Footfall, from_s: f64, to_s: f64| impulse(recording, fall, from_s, to_s);
+    let whole = |f: &Footfall| f.rejected.is_none() && !f.unlike;
+    let falls = footfalls(recording, stances);
+    let in_turn = falls.windows(2).filter(|w| {
+        let [a, b] = [w[0], w[1]];
+        let other = same_foot(&a, &b, false) == Some(false) && a.channel != b.channel;
+        whole(&a) && whole(&b) && other && b.start_s < a.end_s && a.end_s < b.end_s
+    });
+    let even = in_turn.filter(|w| {
+        let [a, b] = [w[0], w[1]].map(|f| impulse(&f, f.start_s, f.end_s));
         (a - b).abs() < UNEVEN * (a + b)
-    }
-
-    /// Mean total force over the half strides that a pair shows, N.
-    fn force(&self, [a, b]: &[Footfall; 2], period_s: f64) -> f64 {
+    });
+    let total = even.map(|w| {
+        let [a, b] = [w[0], w[1]];
         let spans = [
             (b.end_s - period_s, a.end_s),
             (b.start_s, a.start_s + period_s),
         ];
-        let impulse = |(from, to)| self.impulse(a, from, to) + self.impulse(b, from, to);
+        let both = |(from, to)| impulse(&a, from, to) + impulse(&b, from, to);
         let lengths: f64 = spans.iter().map(|(from, to)| to - from).sum();
-        spans.map(impulse).iter().sum::<f64>() / lengths
-    }
+        spans.map(both).iter().sum::<f64>() / lengths
+    });
+    let force = mean(&total.collect::<Vec<f64>>());
+    (force.is_finite() && force > 0.0).then_some(force)
+}
 
-    /// Mean total force, N; `None` without two whole stances in turn.
-    pub fn mean_force(&self, period_s: f64) -> Option<f64> {
-        let even = self.pairs.iter().filter(|pair| self.is_even(pair));
-        let all: Vec<f64> = even.map(|pair| self.force(pair, period_s)).collect();
-        let force = mean(&all);
-        (force.is_finite() && force > 0.0).then_some(force)
-    }
+/// Integral of the force of a contact within a span, N s.
+fn impulse(recording: &Recording, fall: &Footfall, from_s: f64, to_s: f64) -> f64 {
+    let channel = &recording.channels[fall.channel];
+    let rate = recording.rate_hz;
+    let (start, end) = whole_span(channel, rate, fall.start_s, fall.end_s);
+    let at = |s: f64| {
+        ((s.clamp(start, end) * rate).round().max(0.0) as usize).min(channel.force_n.len())
+    };
+    let samples = channel.force_n.get(at(from_s)..at(to_s)).unwrap_or(&[]);
+    samples.iter().sum::<f64>() / rate
 }

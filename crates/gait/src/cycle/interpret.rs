@@ -1,7 +1,7 @@
 //! The interpretation of a recording, for reports and pictures.
 
 use super::{Cycle, overlay};
-use crate::interpretation::{Clock, Column, Contact, Interpretation, Period};
+use crate::interpretation::{Clock, Column, Contact, Interpretation};
 use crate::recording::{Channel, CycleSource, Feet, Recording};
 use crate::stance::{Footfall, RejectReason, Stances, footfalls};
 
@@ -38,11 +38,7 @@ impl Interpretation {
             columns: r.channels.iter().map(Column::of).collect(),
             feet,
             contacts: contacts(r, stances, cycle),
-            period: cycle.map(|c| Period {
-                seconds: c.curve.period_s,
-                from: c.period_from,
-                spread_s: c.period_spread_s,
-            }),
+            period: cycle.map(Cycle::period),
             mass: given.or(cycle.map(|c| (c.mass_kg, c.mass_from))),
             cycle: cycle.map(|c| c.source),
             warnings: match cycle {

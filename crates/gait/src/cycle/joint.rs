@@ -11,6 +11,7 @@ use crate::error::{ForceError, Result};
 use crate::quantity::{kilograms, seconds};
 use crate::recording::{CycleSource, Foot, Kind, MassSource, Note, OpenQuestion};
 use crate::stance::largest_group;
+use crate::statistics::ends;
 use crate::units::Quantity;
 
 /// Masses within this part of each other are of one walker.
@@ -195,11 +196,8 @@ fn average(used: &[&Cycle], kind: Kind, left_out: Vec<Option<LeftOut>>) -> Resul
     let mass_kg = weighted(&|i| used[i].mass_kg);
     let period_s = weighted(&|i| used[i].curve.period_s);
     let mut notes = Vec::new();
-    let masses = || used.iter().map(|c| c.mass_kg);
-    let (low, high) = (
-        masses().fold(f64::INFINITY, f64::min),
-        masses().fold(0.0, f64::max),
-    );
+    let masses: Vec<f64> = used.iter().map(|c| c.mass_kg).collect();
+    let (low, high) = ends(&masses).unwrap_or_default();
     let several = high > (1.0 + ONE_WALKER) * low;
     if several {
         let (low, high, mean) = (kilograms(low), kilograms(high), kilograms(mass_kg));

@@ -19,7 +19,7 @@ mod warnings;
 use std::f64::consts::SQRT_2;
 
 use average::{Mean, MeanStance, place};
-use balance::Pairs;
+use balance::mean_total;
 use refusal::no_stance;
 use single::{both_feet, one_foot};
 use stride::{averaged, whole_strides};
@@ -79,6 +79,17 @@ pub struct Cycle {
     pub mass_fits: bool,
     /// What does not look right.
     pub notes: Vec<Note>,
+}
+
+impl Cycle {
+    /// Its duration and what it was taken from.
+    pub fn period(&self) -> Period {
+        Period {
+            seconds: self.curve.period_s,
+            from: self.period_from,
+            spread_s: self.period_spread_s,
+        }
+    }
 }
 
 /// A mean cycle before its mass and plausibility are determined.
@@ -189,33 +200,20 @@ fn crossed(recording: &Recording, stances: &Stances, whole: usize) -> Option<Ave
     total_of_plates(recording, stances).filter(|total| total.averaged > 2 * whole)
 }
 
-/// Mean total force where both feet are on record, N, of a stride that is built from single stances.
-fn on_record(
-    recording: &Recording,
-    stances: &Stances,
-    source: &CycleSource,
-    period: &Period,
-) -> Option<f64> {
-    let summed = matches!(
-        source,
-        CycleSource::WholeStrides { .. } | CycleSource::TotalForce { .. }
-    );
-    let pairs = (!summed).then(|| Pairs::of(recording, stances))?;
-    pairs.mean_force(period.seconds)
-}
-
 /// Settles mass and repeatability of a mean cycle and compares its mean force with the weight.
 fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet) -> Result<Cycle> {
     let period = average.period;
     let mut curve = ForceCurve::from_samples("", period.seconds, average.force_n)?;
     curve.spread_n = average.spread_n;
     let repeatability_n = curve.spread_rms_n().map(|s| 1.96 * SQRT_2 * s);
+    let total = matches!(average.source, CycleSource::TotalForce { .. });
     let (mass_kg, mass_from) = match (recording.mass_kg, recording.mass_from) {
         (Some(m), from) => (m, from.unwrap_or(MassSource::File)),
         (None, _) => {
-            let both = on_record(recording, stances, &average.source, &period);
-            let force = both.unwrap_or(curve.mean_n() / feet.share());
-            (force / G, MassSource::MeanForce)
+            let strides = matches!(average.source, CycleSource::WholeStrides { .. });
+            let both = (!strides && !total).then(|| mean_total(recording, stances, period.seconds));
+            let alone = curve.mean_n() / feet.share();
+            (both.flatten().unwrap_or(alone) / G, MassSource::MeanForce)
         }
     };
     let counts = |n: &Note| matches!(n, Note::CountsScaled { .. });
@@ -224,7 +222,6 @@ fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet
     }
     curve.mass_kg = Some(mass_kg);
     let warning = implausible(&curve, feet);
-    let total = matches!(average.source, CycleSource::TotalForce { .. });
     let mut cycle = Cycle {
         averaged: average.averaged,
         source: average.source,

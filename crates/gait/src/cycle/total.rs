@@ -5,7 +5,7 @@ use super::average::{Mean, at, periodic};
 use crate::curve::SAMPLES;
 use crate::recording::{CycleSource, PeriodSource, Recording};
 use crate::stance::{RejectReason, Rejected, Stances, footfalls};
-use crate::statistics::{mean, mean_and_deviation};
+use crate::statistics::{mean, mean_and_deviation, ranked};
 
 /// A total force that varies by less than this part of its mean is standing.
 const STEADY: f64 = 0.05;
@@ -127,9 +127,7 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
         .windows(2)
         .map(|w| (w[1] - w[0]) / recording.rate_hz)
         .collect();
-    let mut sorted = steps.clone();
-    sorted.sort_by(f64::total_cmp);
-    let usual = *sorted.get(sorted.len() / 2)?;
+    let usual = ranked(steps.clone(), steps.len() / 2)?;
     let regular = |s: &f64| (s / usual - 1.0).abs() < ODD_STEP;
     let count = steps.iter().filter(|s| regular(s)).count();
     if usual > SLOW.0 && deviation > SLOW.1 * level {

@@ -4,7 +4,6 @@ use super::Cycle;
 use super::single::by_side;
 use crate::cycle::plausibility::{ADULT_KG, out_of_range, ranges};
 use crate::error::{ForceError, Result};
-use crate::interpretation::Period;
 use crate::quantity::{kilograms, seconds, share};
 use crate::recording::{CycleSource, Kind, Note, PeriodSource, Recording, UnitSource};
 use crate::stance::{Stance, Stances};
@@ -31,16 +30,16 @@ pub(super) fn warnings(
         notes.push(Note::StrideAssumed { period, duty });
     }
     notes.extend(varies(cycle));
-    let period = Period {
-        seconds: period_s,
-        from: cycle.period_from,
-        spread_s: cycle.period_spread_s,
-    };
-    notes.extend(period.uncertainty_s().map(|error| Note::StrideFromOne {
-        period: seconds(period_s),
-        error: share(error / period_s),
-        stroke: share(2.0 * error / period_s),
-    }));
+    notes.extend(
+        cycle
+            .period()
+            .uncertainty_s()
+            .map(|error| Note::StrideFromOne {
+                period: seconds(period_s),
+                error: share(error / period_s),
+                stroke: share(2.0 * error / period_s),
+            }),
+    );
     let used: Vec<&Stance> = stances.used.iter().filter(|s| !s.unlike).collect();
     let mean = |of: fn(&Stance) -> f64| {
         let sum = used.iter().map(|s| of(s)).sum::<f64>();

@@ -44,17 +44,13 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     let file = &TextFile::new(path, bytes, options);
     let table = next_table(bytes, file.layout, Position::START)
         .ok_or_else(|| ReadError::CycleWithoutTable.in_file(path))?;
-    let columns = CycleColumns::of(file, &table)?;
-    let Samples {
-        times,
-        mut force,
-        mut spread,
-    } = columns.samples(file, &table)?;
+    let columns = columns(file, &table)?;
+    let (times, mut force, mut spread) = samples(file, &table, columns)?;
     let keys = keys::read(&comments, file.layout.comma);
     let mass_kg = options.mass_kg.or(keys.mass_kg);
     let unit = options
         .unit
-        .or(unit_label(&table, columns.force))
+        .or(unit_label(&table, columns.1))
         .unwrap_or(ForceUnit::Newton);
     let factor = unit.newtons(mass_kg).ok_or_else(|| {
         let unit = unit.name();
@@ -88,71 +84,54 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     Ok(Some(curve))
 }
 
-/// Places of the columns of a cycle in its table.
-struct CycleColumns {
-    time: usize,
-    force: usize,
-    spread: Option<usize>,
+/// Places of time, force and, where there is one, spread in the table of a cycle.
+type Columns = (usize, usize, Option<usize>);
+
+fn columns(file: &TextFile, table: &Table) -> Result<Columns> {
+    let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
+    let place = |wanted: fn(&Role) -> bool, column: CycleColumn| {
+        roles.iter().position(wanted).ok_or_else(|| {
+            let columns = table.names.join(", ");
+            let error = ReadError::CycleColumnMissing { column, columns };
+            error.at_line(file.path, table.header_line())
+        })
+    };
+    let is_spread = |w: &String| w == "spread" || w == "sd";
+    let time = match &file.options.time {
+        Some(name) => column(file, table, name)?,
+        None => place(|r| *r == Role::Time, CycleColumn::Time)?,
+    };
+    let force = match file.options.force.first() {
+        Some(name) => column(file, table, name)?,
+        None => place(|r| matches!(r, Role::Force { .. }), CycleColumn::Force)?,
+    };
+    let mut names = table.names.iter();
+    let spread = names.position(|n| words(n).first().is_some_and(is_spread));
+    Ok((time, force, spread))
 }
 
-/// The rows of a cycle, in the units of the file.
-struct Samples {
-    times: Vec<f64>,
-    force: Vec<f64>,
-    spread: Option<Vec<f64>>,
-}
-
-impl CycleColumns {
-    fn of(file: &TextFile, table: &Table) -> Result<Self> {
-        let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
-        let place = |wanted: fn(&Role) -> bool, column: CycleColumn| {
-            roles.iter().position(wanted).ok_or_else(|| {
-                let columns = table.names.join(", ");
-                let error = ReadError::CycleColumnMissing { column, columns };
-                error.at_line(file.path, table.header_line())
-            })
-        };
-        let is_spread = |w: &String| w == "spread" || w == "sd";
-        Ok(CycleColumns {
-            time: match &file.options.time {
-                Some(name) => column(file, table, name)?,
-                None => place(|r| *r == Role::Time, CycleColumn::Time)?,
-            },
-            force: match file.options.force.first() {
-                Some(name) => column(file, table, name)?,
-                None => place(|r| matches!(r, Role::Force { .. }), CycleColumn::Force)?,
-            },
-            spread: table
-                .names
-                .iter()
-                .position(|n| words(n).first().is_some_and(is_spread)),
-        })
+/// Reads the rows, in the units of the file; every one must be complete.
+#[allow(clippy::type_complexity)] // the columns named above
+fn samples(
+    file: &TextFile,
+    table: &Table,
+    (time, force, spread): Columns,
+) -> Result<(Vec<f64>, Vec<f64>, Option<Vec<f64>>)> {
+    let mut wanted: Vec<usize> = [time, force].into_iter().chain(spread).collect();
+    wanted.sort_unstable();
+    wanted.dedup();
+    let slot = |i: usize| wanted.iter().position(|&w| w == i).unwrap_or(0);
+    let read = numbers(file, table, &wanted, Some(slot(time)))?;
+    if let Some(bad) = read.skipped.first() {
+        return Err(ReadError::CycleRow.at_line(file.path, *bad));
     }
-
-    /// Reads the rows; every one must be complete.
-    fn samples(&self, file: &TextFile, table: &Table) -> Result<Samples> {
-        let mut wanted: Vec<usize> = [Some(self.time), Some(self.force), self.spread]
-            .into_iter()
-            .flatten()
-            .collect();
-        wanted.sort_unstable();
-        wanted.dedup();
-        let slot = |i: usize| wanted.iter().position(|&w| w == i).unwrap_or(0);
-        let read = numbers(file, table, &wanted, Some(slot(self.time)))?;
-        if let Some(bad) = read.skipped.first() {
-            return Err(ReadError::CycleRow.at_line(file.path, *bad));
+    for c in &read.columns {
+        if let Some(i) = c.iter().position(|x| !x.is_finite()) {
+            return Err(ReadError::CycleValue.at_line(file.path, table.start.line + i));
         }
-        for c in &read.columns {
-            if let Some(i) = c.iter().position(|x| !x.is_finite()) {
-                return Err(ReadError::CycleValue.at_line(file.path, table.start.line + i));
-            }
-        }
-        Ok(Samples {
-            times: read.columns[slot(self.time)].clone(),
-            force: read.columns[slot(self.force)].clone(),
-            spread: self.spread.map(|s| read.columns[slot(s)].clone()),
-        })
     }
+    let of = |i: usize| read.columns[slot(i)].clone();
+    Ok((of(time), of(force), spread.map(of)))
 }
 
 fn kind(comment: &str) -> Option<Kind> {

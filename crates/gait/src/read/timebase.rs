@@ -3,6 +3,7 @@
 use crate::error::{ReadError, Result};
 use crate::quantity::seconds;
 use crate::recording::ClockSource;
+use crate::statistics::ranked;
 
 /// An even time base for the samples of a file.
 #[derive(Debug, Clone, PartialEq)]
@@ -151,14 +152,11 @@ fn missed(times: &[f64], usual: f64) -> Option<(usize, f64)> {
 /// Median step of a thinned set of neighbours; the mean where times are so rounded that it is zero.
 pub(super) fn usual_step(times: &[f64]) -> f64 {
     let thin = times.len() / 4096 + 1;
-    let mut steps: Vec<f64> = times
-        .windows(2)
-        .step_by(thin)
-        .map(|w| w[1] - w[0])
-        .collect();
-    steps.sort_by(f64::total_cmp);
-    match steps.get(steps.len() / 2) {
-        Some(&s) if s > 0.0 => s,
+    let neighbours = times.windows(2).step_by(thin);
+    let steps: Vec<f64> = neighbours.map(|w| w[1] - w[0]).collect();
+    let middle = steps.len() / 2;
+    match ranked(steps, middle) {
+        Some(s) if s > 0.0 => s,
         _ => (times[times.len() - 1] - times[0]) / (times.len() - 1).max(1) as f64,
     }
 }

@@ -8,7 +8,7 @@ use crate::quantity::newtons;
 use crate::recording::{
     Axis, Foot, ForceUnit, Format, MassSource, Note, ReadOptions, Recording, UnitSource,
 };
-use crate::statistics::sorted_sample;
+use crate::statistics::{ends, sample};
 
 /// Largest force on the ground in walking that is believable, N.
 const HARDEST_N: f64 = 8000.0;
@@ -142,20 +142,17 @@ fn swing_of(raw: &[RawForce], axis: Axis) -> f64 {
 
 /// How far the values reach from their resting level, ignoring single outliers: 98th percentile.
 fn swing(values: &[f64]) -> f64 {
-    let v = sorted_sample(values, 8192);
-    if v.is_empty() {
+    let mut thin = sample(values, 8192);
+    let Some((low, high)) = ends(&thin) else {
         return 0.0;
-    }
-    let at = |q: f64| v[((v.len() - 1) as f64 * q) as usize];
-    // The resting level is zero unless the readings never come near it.
-    let rest = if at(0.0) > 0.0 {
-        at(0.0)
-    } else if at(1.0) < 0.0 {
-        at(1.0)
-    } else {
-        0.0
     };
-    (at(0.99) - rest).abs().max((at(0.01) - rest).abs())
+    // The resting level is zero unless the readings never come near it.
+    let rest = low.max(0.0) + high.min(0.0);
+    let mut reach = |q: f64| {
+        let rank = ((thin.len() - 1) as f64 * q) as usize;
+        (*thin.select_nth_unstable_by(rank, f64::total_cmp).1 - rest).abs()
+    };
+    reach(0.99).max(reach(0.01))
 }
 
 /// The unit of the columns: the user's word, then a believable label, then what the size suggests.

@@ -1,7 +1,7 @@
 //! Kinds of recorded movement, and the open questions about a recording.
 
 use serde::Serialize;
-use strum::{EnumString, IntoStaticStr, VariantNames};
+use strum::{EnumString, IntoStaticStr, VariantArray, VariantNames};
 
 use crate::error::{Error, ForceError, Result};
 
@@ -14,8 +14,9 @@ use crate::error::{Error, ForceError, Result};
 /// assert_eq!(Kind::SitToStand.name(), "sit-to-stand");
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, EnumString, IntoStaticStr, VariantNames)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[derive(EnumString, IntoStaticStr, VariantArray, VariantNames)]
 #[strum(serialize_all = "kebab-case", parse_err_ty = Error, parse_err_fn = unknown_kind)]
 #[non_exhaustive]
 pub enum Kind {
@@ -35,14 +36,7 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind.
-    pub const ALL: [Kind; 6] = [
-        Kind::Walking,
-        Kind::Running,
-        Kind::Standing,
-        Kind::Jumping,
-        Kind::SitToStand,
-        Kind::Other,
-    ];
+    pub const ALL: &'static [Kind] = <Kind as VariantArray>::VARIANTS;
 
     /// The name used in scenes, options and JSON.
     pub fn name(self) -> &'static str {
@@ -63,20 +57,9 @@ fn unknown_kind(word: &str) -> Error {
 /// assert_eq!(OpenQuestion::list("mass, clock")?, [OpenQuestion::Mass, OpenQuestion::Clock]);
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
-#[derive(
-    Debug,
-    Clone,
-    Copy,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    Serialize,
-    EnumString,
-    IntoStaticStr,
-    VariantNames,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[derive(EnumString, IntoStaticStr, VariantNames)]
 #[strum(serialize_all = "kebab-case", parse_err_ty = Error, parse_err_fn = unknown_question)]
 pub enum OpenQuestion {
     /// What was recorded.
@@ -127,7 +110,7 @@ mod tests {
 
     #[test]
     fn kinds_and_lists_of_doubts_are_read_and_others_refused() {
-        for kind in Kind::ALL {
+        for &kind in Kind::ALL {
             assert_eq!(kind.name().parse::<Kind>(), Ok(kind));
         }
         assert_eq!("sit-to-stand".parse(), Ok(Kind::SitToStand));

@@ -356,45 +356,34 @@ impl Note {
 
     /// The question that the note opens; `None` if it only informs.
     pub fn doubt(&self) -> Option<OpenQuestion> {
-        match self {
-            Note::KindDiffers { .. } | Note::DutyImplausible { .. } => Some(OpenQuestion::Kind),
-            Note::CountOrMilliseconds { .. }
-            | Note::StrideAssumed { .. }
-            | Note::StrideImplausible { .. }
-            | Note::DurationsLost { .. }
-            | Note::RatesDiffer { .. }
-            | Note::StrideVaries { .. } => Some(OpenQuestion::Clock),
-            Note::Clipped { .. } => Some(OpenQuestion::Clipped),
-            Note::UnitUnconfirmed { .. }
-            | Note::InsoleMass { .. }
-            | Note::PeakImplausible { .. }
-            | Note::MeanForceNotWeight { .. }
-            | Note::MassImplausible { .. }
-            | Note::StancesDiffer { .. } => Some(OpenQuestion::Mass),
-            _ => None,
-        }
+        Some(self.question()?.0)
     }
 
     /// Keys of the section `gait` that answer the question, most likely first.
     pub fn settled_by(&self) -> &'static [&'static str] {
-        match self {
-            Note::KindDiffers { .. } => &["gait.kind"],
-            Note::DutyImplausible { .. } => &["gait.kind", "gait.rate"],
+        self.question().map_or(&[], |(_, keys)| keys)
+    }
+
+    fn question(&self) -> Option<(OpenQuestion, &'static [&'static str])> {
+        use OpenQuestion::{Clipped, Clock, Kind, Mass};
+        Some(match self {
+            Note::KindDiffers { .. } => (Kind, &["gait.kind"]),
+            Note::DutyImplausible { .. } => (Kind, &["gait.kind", "gait.rate"]),
             Note::CountOrMilliseconds { .. }
             | Note::DurationsLost { .. }
-            | Note::RatesDiffer { .. } => &["gait.rate"],
-            Note::StrideAssumed { .. } => &["gait.mass", "gait.period", "gait.span"],
-            Note::StrideImplausible { .. } => &["gait.rate", "gait.kind"],
-            Note::UnitUnconfirmed { .. } => &["gait.unit", "gait.mass"],
-            Note::PeakImplausible { .. } => &["gait.mass", "gait.unit", "gait.kind"],
-            Note::MeanForceNotWeight { .. } => &["gait.mass", "gait.unit", "gait.feet"],
-            Note::MassImplausible { .. } => &["gait.unit", "gait.feet"],
-            Note::StancesDiffer { .. } => &["gait.force", "gait.feet"],
-            Note::InsoleMass { .. } => &["gait.mass"],
-            Note::Clipped { .. } => &["gait.file", "gait.force"],
-            Note::StrideVaries { .. } => &["gait.file"],
-            _ => &[],
-        }
+            | Note::RatesDiffer { .. } => (Clock, &["gait.rate"]),
+            Note::StrideAssumed { .. } => (Clock, &["gait.mass", "gait.period", "gait.span"]),
+            Note::StrideImplausible { .. } => (Clock, &["gait.rate", "gait.kind"]),
+            Note::StrideVaries { .. } => (Clock, &["gait.file"]),
+            Note::Clipped { .. } => (Clipped, &["gait.file", "gait.force"]),
+            Note::UnitUnconfirmed { .. } => (Mass, &["gait.unit", "gait.mass"]),
+            Note::PeakImplausible { .. } => (Mass, &["gait.mass", "gait.unit", "gait.kind"]),
+            Note::MeanForceNotWeight { .. } => (Mass, &["gait.mass", "gait.unit", "gait.feet"]),
+            Note::MassImplausible { .. } => (Mass, &["gait.unit", "gait.feet"]),
+            Note::StancesDiffer { .. } => (Mass, &["gait.force", "gait.feet"]),
+            Note::InsoleMass { .. } => (Mass, &["gait.mass"]),
+            _ => return None,
+        })
     }
 }
 

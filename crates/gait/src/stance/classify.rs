@@ -4,6 +4,7 @@ use super::contact::{Contact, SLOW_STEP_S, STANDING_S, TOUCH_S};
 use super::shape::Shape;
 use super::types::RejectReason;
 use crate::recording::{Channel, Kind, Recording};
+use crate::statistics::ranked;
 use crate::units::G;
 
 /// Longest contact in running, s.
@@ -98,9 +99,9 @@ fn slow_steps(contacts: &[Contact], top: f64) -> bool {
 }
 
 /// The lower of the two middle values, so that one long contact of two does not count as usual.
-fn low_median(mut v: Vec<f64>) -> Option<f64> {
-    v.sort_by(f64::total_cmp);
-    v.get(v.len().checked_sub(1)? / 2).copied()
+fn low_median(values: Vec<f64>) -> Option<f64> {
+    let rank = values.len().checked_sub(1)? / 2;
+    ranked(values, rank)
 }
 
 /// One contact among the others.

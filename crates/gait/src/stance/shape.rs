@@ -61,43 +61,38 @@ pub(super) fn shape(
             at: (at / duration).clamp(0.0, 1.0),
         }
     };
-    let impulse_ns = samples.iter().sum::<f64>() / rate_hz;
-    let top = samples.iter().copied().fold(0.0, f64::max);
-    let highest = |range: std::ops::Range<usize>| {
-        range.fold(None, |best: Option<usize>, i| match best {
-            Some(b) if samples[b] >= samples[i] => Some(b),
-            _ => Some(i),
-        })
-    };
-    let humps = humps(samples, 0.1 * top);
+    let sum = samples.iter().sum::<f64>();
+    let highest = highest(samples);
+    let top = samples.get(highest).map_or(0.0, |f| f.max(0.0));
     let n = samples.len();
     let at_quarter = |k: usize| samples.get(k * n / 4).copied().unwrap_or(0.0);
     let flanks = at_quarter(1).max(at_quarter(3));
-    let peaks_in_the_middle = highest(0..n)
-        .is_some_and(|i| (2 * n..3 * n).contains(&(5 * i)) && samples[i] > DOUBLE_SUPPORT * flanks);
-    let middle = middle_of_impulse(samples);
-    let valley = deepest(samples)
-        .filter(|&(_, depth)| depth > VALLEY * top)
-        .map(|(i, _)| i);
-    let pair = valley.and_then(|v| Some((highest(0..v)?, v, highest(v + 1..n)?)));
-    let (first, valley, second) = match pair {
-        Some((a, v, b)) => (a, Some(v), Some(b)),
-        None => (highest(0..n).unwrap_or(0), None, None),
-    };
+    let is_in_the_middle = (2 * n..3 * n).contains(&(5 * highest));
+    let valley = valley(samples, highest, VALLEY * top);
     Shape {
-        p1: point(first),
-        valley: valley.map(point),
-        p2: second.map(point),
-        impulse_ns,
-        humps,
-        peaks_in_the_middle,
-        middle,
+        p1: point(valley.map_or(highest, |v| v[0])),
+        valley: valley.map(|v| point(v[1])),
+        p2: valley.map(|v| point(v[2])),
+        impulse_ns: sum / rate_hz,
+        humps: humps(samples, 0.1 * top),
+        peaks_in_the_middle: is_in_the_middle && top > DOUBLE_SUPPORT * flanks,
+        middle: middle_of_impulse(samples, 0.5 * sum),
     }
 }
 
+/// Place of the highest sample, the first of equals; 0 without samples.
+fn highest(samples: &[f64]) -> usize {
+    let (mut best, mut top) = (0, f64::NEG_INFINITY);
+    for (i, &y) in samples.iter().enumerate() {
+        if y > top {
+            (best, top) = (i, y);
+        }
+    }
+    best
+}
+
 /// Share of the samples at which half of their sum is reached.
-fn middle_of_impulse(samples: &[f64]) -> f64 {
-    let half = 0.5 * samples.iter().sum::<f64>();
+fn middle_of_impulse(samples: &[f64], half: f64) -> f64 {
     let mut sum = 0.0;
     let reached = samples.iter().position(|x| {
         sum += x;
@@ -129,22 +124,32 @@ fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
     (y + above.clamp(-noise_n, noise_n), shift)
 }
 
-/// The valley: sample in the middle part whose distance below the lower of its flanking maxima is greatest.
-fn deepest(samples: &[f64]) -> Option<(usize, f64)> {
+/// The valley between the highest samples before and after it: in the middle part, deepest below the lower of the two.
+///
+/// One of the two is the highest sample of all; the other is sought from the end of the stance that lies across. `None`
+/// where it is not deeper than `least`, N.
+fn valley(samples: &[f64], highest: usize, least: f64) -> Option<[usize; 3]> {
     let n = samples.len();
-    let mut after = vec![0.0f64; n + 1];
-    for i in (0..n).rev() {
-        after[i] = after[i + 1].max(samples[i]);
-    }
-    let mut before = 0.0f64;
-    let mut best: Option<(usize, f64)> = None;
     let middle = (15 * n).div_ceil(100)..(85 * n) / 100;
-    for (i, &y) in samples.iter().enumerate() {
-        let depth = before.min(after[i + 1]) - y;
-        if middle.contains(&i) && best.is_none_or(|b| depth > b.1) {
-            best = Some((i, depth));
+    let (mut best, mut deepest) = (None, least);
+    let mut before = 0;
+    for at in 1..highest {
+        let depth = samples[before] - samples[at];
+        if depth < 0.0 {
+            before = at;
+        } else if depth > deepest && middle.contains(&at) {
+            (best, deepest) = (Some([before, at, highest]), depth);
         }
-        before = before.max(y);
+    }
+    let earlier = deepest;
+    let mut after = n.saturating_sub(1);
+    for at in (highest + 1..after).rev() {
+        let depth = samples[after] - samples[at];
+        if depth <= 0.0 {
+            after = at;
+        } else if depth > earlier && depth >= deepest && middle.contains(&at) {
+            (best, deepest) = (Some([highest, at, after]), depth);
+        }
     }
     best
 }

@@ -103,10 +103,9 @@ impl Stance {
 /// assert_eq!(reasons, [RejectReason::CutAtStart, RejectReason::CutAtEnd]);
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, IntoStaticStr, VariantNames,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[derive(IntoStaticStr, VariantNames)]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum RejectReason {

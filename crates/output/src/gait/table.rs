@@ -5,9 +5,7 @@ use std::fmt::{Display, Write as _};
 use serde::Serialize;
 
 use super::WORDS;
-use gaitcam::force::{
-    Cycle, Foot, ForceCurve, Interpretation, Note, Period, Point, Recording, Stances,
-};
+use gaitcam::force::{Cycle, Foot, ForceCurve, Interpretation, Note, Point, Recording, Stances};
 use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
 
@@ -188,11 +186,7 @@ impl Lines {
             Err(why) => return self.line(format_args!("{}: {why}", words.text("gait-no-cycle"))),
         };
         self.row("gait-cycle", words.sentence("cycle", &c.source));
-        let period = Period {
-            seconds: c.curve.period_s,
-            from: c.period_from,
-            spread_s: c.period_spread_s,
-        };
+        let period = c.period();
         match period.uncertainty_s() {
             // From one step or stride: more digits would promise what is not known.
             Some(error) => {

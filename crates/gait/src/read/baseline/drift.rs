@@ -1,6 +1,6 @@
 //! Drift: an unloaded reading that rises or falls steadily through a recording.
 
-use crate::statistics::median;
+use crate::statistics::{median, ranked};
 
 /// Duration in which a walker's foot leaves the plate at least once, s.
 const WINDOW_S: f64 = 2.0;
@@ -17,12 +17,8 @@ const STRAIGHT_N: f64 = 6.0;
 /// which the plate is loaded throughout do not matter while they are few.
 pub(super) fn drift(force: &[f64], rate_hz: f64) -> Option<f64> {
     let length = ((WINDOW_S * rate_hz) as usize).max(10);
-    let level = |window: &[f64]| {
-        let mut values = window.to_vec();
-        let tenth = values.len() / 10;
-        *values.select_nth_unstable_by(tenth, f64::total_cmp).1
-    };
-    let levels: Vec<f64> = force.chunks_exact(length).map(level).collect();
+    let level = |window: &[f64]| ranked(window.to_vec(), length / 10);
+    let levels: Vec<f64> = force.chunks_exact(length).filter_map(level).collect();
     if levels.len() < FEWEST {
         return None;
     }
@@ -32,6 +28,10 @@ pub(super) fn drift(force: &[f64], rate_hz: f64) -> Option<f64> {
         later.map(move |(j, b)| (b - a) / (j - i) as f64)
     });
     let slope = median(pairs.collect())?;
+    let change = slope * levels.len() as f64;
+    if change.abs() <= SMALLEST_N {
+        return None;
+    }
     let rests: Vec<f64> = windows()
         .map(|(i, level)| level - slope * i as f64)
         .collect();
@@ -40,8 +40,7 @@ pub(super) fn drift(force: &[f64], rate_hz: f64) -> Option<f64> {
         .iter()
         .filter(|r| (*r - rest).abs() > STRAIGHT_N)
         .count();
-    let change = slope * levels.len() as f64;
     let reach = force.iter().copied().fold(0.0, f64::max);
     let unloaded = (rest + 0.5 * change).abs() < 0.3 * reach;
-    (change.abs() > SMALLEST_N && 5 * off <= rests.len() && unloaded).then(|| slope / length as f64)
+    (5 * off <= rests.len() && unloaded).then(|| slope / length as f64)
 }

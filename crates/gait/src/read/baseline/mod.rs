@@ -5,7 +5,7 @@ mod drift;
 
 use crate::quantity::newtons;
 use crate::recording::{Channel, Idle, Note};
-use crate::statistics::{mean_and_deviation, sorted_sample};
+use crate::statistics::{ends, mean_and_deviation, ranked, sample};
 use clipped::clipped;
 use drift::drift;
 
@@ -48,18 +48,14 @@ pub(super) fn channel(
         });
         return out;
     }
-    let mut sorted = sorted_sample(&out.force_n, SAMPLE);
-    out.idle = idle(&sorted, out.force_n.len() as f64 / rate_hz);
+    let mut thin = sample(&out.force_n, SAMPLE);
+    out.idle = idle(&thin, out.force_n.len() as f64 / rate_hz);
     if out.idle.is_some() {
         return out;
     }
-    if loads_downwards(&sorted) {
-        for x in &mut out.force_n {
+    if loads_downwards(&thin) {
+        for x in out.force_n.iter_mut().chain(&mut thin) {
             *x = -*x + 0.0; // no signed zeros
-        }
-        sorted.reverse();
-        for x in &mut sorted {
-            *x = -*x;
         }
     }
     if let Some(level) = clipped(&out.force_n, rate_hz) {
@@ -70,11 +66,11 @@ pub(super) fn channel(
         for (i, x) in out.force_n.iter_mut().enumerate() {
             *x -= slope * i as f64;
         }
-        sorted = sorted_sample(&out.force_n, SAMPLE);
+        thin = sample(&out.force_n, SAMPLE);
         let (column, rise) = (out.name.clone(), newtons(slope * rate_hz));
         notes.push(Note::DriftRemoved { column, rise });
     }
-    let found = baseline(&sorted, &out.force_n, rate_hz);
+    let found = baseline(&thin, &out.force_n, rate_hz);
     if let Some((level, noise)) = found.or_else(|| quiet(out.force_n.get(zero?.0..zero?.1)?)) {
         out.baseline_n = level;
         out.noise_n = noise;
@@ -86,21 +82,22 @@ pub(super) fn channel(
 }
 
 /// Why a channel with these readings takes no part; `None` where it does.
-fn idle(sorted: &[f64], duration_s: f64) -> Option<Idle> {
-    let (Some(&low), Some(&high)) = (sorted.first(), sorted.last()) else {
+fn idle(thin: &[f64], duration_s: f64) -> Option<Idle> {
+    let Some((low, high)) = ends(thin) else {
         return Some(Idle::Empty);
     };
     // Within a fraction of a step even a loaded plate hardly changes.
     let is_brief = duration_s < STEP_S && high > low;
-    if high - low < TOUCHED_N && !is_brief {
-        let level = sorted[sorted.len() / 2];
+    let level = if high - low < TOUCHED_N && !is_brief {
+        let level = ranked(thin.to_vec(), thin.len() / 2)?;
         if level.abs() < 3.0 * TOUCHED_N {
             return Some(Idle::NeverLoaded);
         }
-        let level = newtons(level);
-        return Some(Idle::Constant { level });
-    }
-    let level = stuck_level(sorted).map(newtons)?;
+        level
+    } else {
+        stuck_level(thin)?
+    };
+    let level = newtons(level);
     Some(Idle::Constant { level })
 }
 
@@ -128,39 +125,45 @@ fn bridge(force: &mut [f64]) -> Vec<(usize, usize)> {
     missing
 }
 
-/// A large value that most samples share exactly: an amplifier at its stop.
-fn stuck_level(sorted: &[f64]) -> Option<f64> {
-    let middle = sorted[sorted.len() / 2];
-    let same = sorted.iter().filter(|&&x| x == middle).count();
-    (middle.abs() > 10.0 * TOUCHED_N && 2 * same > sorted.len()).then_some(middle)
+/// A large value that most samples share exactly: an amplifier at its stop. Majority vote of Boyer and Moore (1991).
+fn stuck_level(thin: &[f64]) -> Option<f64> {
+    let (most, _) = thin.iter().fold((0.0, 0), |(most, votes), &x| match votes {
+        0 => (x, 1),
+        _ if x == most => (most, votes + 1),
+        _ => (most, votes - 1),
+    });
+    let same = || thin.iter().filter(|&&x| x == most).count();
+    (most.abs() > 10.0 * TOUCHED_N && 2 * same() > thin.len()).then_some(most)
 }
 
 /// Whether the loaded readings are the negative ones.
 ///
 /// Clear where the readings reach much further to one side of zero; otherwise the unloaded end is the
 /// one with the higher density of readings.
-fn loads_downwards(sorted: &[f64]) -> bool {
-    let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
+fn loads_downwards(thin: &[f64]) -> bool {
+    let (low, high) = ends(thin).unwrap_or_default();
     if low >= 0.0 || low.abs() < 0.2 * high.abs() {
         return false;
     }
     if high <= 0.0 || high.abs() < 0.2 * low.abs() {
         return true;
     }
-    let band = 0.04 * (high - low);
-    crowd(sorted, high - 0.3 * (high - low), high, band).1
-        > crowd(sorted, low, low + 0.3 * (high - low), band).1
+    let (band, part) = (0.04 * (high - low), 0.3 * (high - low));
+    crowd(thin, high - part, high, band).1 > crowd(thin, low, low + part, band).1
 }
 
 /// The level between `from` and `to` around which most samples lie within half a `band`, with their count.
-fn crowd(sorted: &[f64], from: f64, to: f64, band: f64) -> (f64, usize) {
+fn crowd(thin: &[f64], from: f64, to: f64, band: f64) -> (f64, usize) {
+    let is_near = |x: &f64| (from..=to + band).contains(x);
+    let mut sorted: Vec<f64> = thin.iter().copied().filter(is_near).collect();
+    sorted.sort_unstable_by(f64::total_cmp);
     let mut best = (from, 0);
     let mut end = 0;
     for (start, &x) in sorted.iter().enumerate() {
         while end < sorted.len() && sorted[end] <= x + band {
             end += 1;
         }
-        if x >= from && x <= to && end - start > best.1 {
+        if x <= to && end - start > best.1 {
             best = (sorted[(start + end) / 2], end - start);
         }
     }
@@ -171,18 +174,18 @@ fn crowd(sorted: &[f64], from: f64, to: f64, band: f64) -> (f64, usize) {
 ///
 /// The level must hold 4 % of the samples; far from zero it must also be held for a fifth of a second
 /// on end, which a loaded foot does not do. `None` where the plate was never unloaded.
-fn baseline(sorted: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
-    let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
+fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
+    let (low, high) = ends(thin)?;
     let range = high - low;
     let band = (0.03 * range).max(6.0);
-    let (level, count) = crowd(sorted, low, low + 0.3 * range, band);
-    if count * 25 < sorted.len() || count < 5 {
+    let (level, count) = crowd(thin, low, low + 0.3 * range, band);
+    if count * 25 < thin.len() || count < 5 {
         return None;
     }
     if level.abs() > (0.1 * range).max(30.0) {
         // A load, not an offset: high above zero, or left behind when the foot leaves the plate.
-        let below = sorted.partition_point(|x| *x < level - band);
-        if level > LOADED * high || level > 0.0 && 200 * below > sorted.len() {
+        let below = thin.iter().filter(|x| **x < level - band).count();
+        if level > LOADED * high || level > 0.0 && 200 * below > thin.len() {
             return None;
         }
         let held = (0.2 * rate_hz).max(3.0) as usize;
@@ -190,13 +193,10 @@ fn baseline(sorted: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
             return None;
         }
     }
-    let mut off: Vec<f64> = sorted
-        .iter()
-        .map(|x| (x - level).abs())
-        .filter(|d| *d <= band)
-        .collect();
-    off.sort_by(f64::total_cmp);
-    Some((level, 1.4826 * off[off.len() / 2]))
+    let off = thin.iter().map(|x| (x - level).abs());
+    let off: Vec<f64> = off.filter(|d| *d <= band).collect();
+    let middle = off.len() / 2;
+    Some((level, 1.4826 * ranked(off, middle)?))
 }
 
 /// Level and standard deviation of samples that should be unloaded; `None` where they move.

@@ -174,7 +174,10 @@ fn weights(
         .copied()
         .unwrap_or(2.0) as i64;
     let numbers = parameters.numbers("FORCE_PLATFORM", "CHANNEL");
-    let stride = first_dimension(parameters, "CHANNEL").unwrap_or(6);
+    let stride = *parameters
+        .dims("FORCE_PLATFORM", "CHANNEL")
+        .first()
+        .unwrap_or(&6);
     let number = plate + 1;
     let channel = |k: usize| -> std::result::Result<usize, Note> {
         let n = (k < stride)
@@ -205,10 +208,6 @@ fn weights(
             kind,
         }),
     }
-}
-
-fn first_dimension(parameters: &Parameters, name: &str) -> Option<usize> {
-    parameters.dims("FORCE_PLATFORM", name).first().copied()
 }
 
 /// For each of `columns` channels the sum of some rows of a plate's calibration matrix; `None` where the file

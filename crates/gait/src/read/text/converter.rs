@@ -11,7 +11,7 @@ use crate::error::{Placed, ReadError, Result};
 use crate::quantity::kilograms;
 use crate::read::vertical::RawForce;
 use crate::recording::{Axis, Note};
-use crate::statistics::sorted_sample;
+use crate::statistics::{ends, ranked, sample};
 use crate::units::G;
 
 /// Most lines of the header.
@@ -85,10 +85,11 @@ pub(super) fn scale(file: &TextFile, forces: &mut [RawForce]) -> Result<Option<N
         (file.options.mass_kg).ok_or_else(|| ReadError::CountsWithoutMass.in_file(file.path))?;
     // The vertical components are the ones that reach furthest.
     let reach = |f: &RawForce| {
-        let values = sorted_sample(&f.values, usize::MAX);
-        let rest = values.get(values.len() / 2).copied().unwrap_or(0.0);
-        let ends = values.first().zip(values.last());
-        ends.map_or(0.0, |(a, b)| (b - rest).max(rest - a))
+        let values = sample(&f.values, usize::MAX);
+        let (low, high) = ends(&values).unwrap_or_default();
+        let middle = values.len() / 2;
+        let rest = ranked(values, middle).unwrap_or(0.0);
+        (high - rest).max(rest - low)
     };
     let top = forces.iter().map(reach).fold(0.0, f64::max);
     if top > 0.0 {

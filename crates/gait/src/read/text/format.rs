@@ -8,37 +8,29 @@ use crate::recording::{DecimalMark, Format, SeparatorName};
 pub(super) fn format(file: &TextFile, table: &Table, head: &[String]) -> Format {
     let says = |what: &str| head.iter().any(|l| l.to_lowercase().contains(what));
     let starts = |what: &str| head.iter().any(|l| l.to_lowercase().starts_with(what));
-    if starts("endheader") {
-        return if starts("datacolumns") || starts("datarows") {
-            Format::OpenSimOld
-        } else {
-            Format::OpenSimNew
-        };
+    let sub_frames = || table.names.iter().any(|n| n.to_lowercase().contains("sub"));
+    let counted = starts("datacolumns") || starts("datarows");
+    let known = [
+        (starts("endheader") && counted, Format::OpenSimOld),
+        (starts("endheader"), Format::OpenSimNew),
+        (says("[force data]"), Format::ForceData),
+        (starts("devices") && sub_frames(), Format::Nexus),
+        (says("insoles"), Format::Insole),
+        (says("bioware"), Format::BioWare),
+        (starts("no_of_") || starts("force_plate"), Format::Qualisys),
+    ];
+    if let Some((_, format)) = known.into_iter().find(|(is_so, _)| *is_so) {
+        return format;
     }
-    if says("[force data]") {
-        return Format::ForceData;
-    }
-    if starts("devices") && table.names.iter().any(|n| n.to_lowercase().contains("sub")) {
-        return Format::Nexus;
-    }
-    if says("insoles") {
-        return Format::Insole;
-    }
-    if says("bioware") {
-        return Format::BioWare;
-    }
-    if starts("no_of_") || starts("force_plate") {
-        return Format::Qualisys;
-    }
-    let extension = file.path.extension().and_then(|e| e.to_str()).unwrap_or("");
     let (separator, decimal) = described(file.layout);
     if !table.names.is_empty() {
         return Format::Text { separator, decimal };
     }
-    if extension.eq_ignore_ascii_case("asc") && separator == SeparatorName::Comma {
-        return Format::Amti;
+    let extension = file.path.extension().and_then(|e| e.to_str());
+    match (extension, separator) {
+        (Some(e), SeparatorName::Comma) if e.eq_ignore_ascii_case("asc") => Format::Amti,
+        _ => Format::HeaderlessText { separator, decimal },
     }
-    Format::HeaderlessText { separator, decimal }
 }
 
 fn described(layout: Layout) -> (SeparatorName, DecimalMark) {

@@ -1,12 +1,11 @@
 //! Tables without a header: which column is time and which are vertical forces, from the numbers alone.
 
-use super::choose::force_is_time;
+use super::choose::{Plan, force_is_time};
 use super::header::Table;
 use super::layout::TextFile;
 use super::raw::Raw;
-use super::table::{Numbers, numbers};
+use super::table::numbers;
 use crate::error::{Placed, ReadError, Result};
-use crate::read::vertical::RawForce;
 use crate::recording::{Axis, Foot, Note};
 
 /// Fewest rows that are taken for a recording when nothing names the columns.
@@ -24,49 +23,33 @@ const MOST_VALUES: usize = 72;
 /// Reads a table without column names; `None` where it is too short to be a recording.
 pub(super) fn read(file: &TextFile, table: &Table) -> Result<Option<Raw>> {
     let wanted: Vec<usize> = (0..table.width.min(WIDEST)).collect();
-    let Numbers {
-        mut columns,
-        skipped,
-    } = numbers(file, table, &wanted, None)?;
-    let samples = columns.first().map_or(0, Vec::len);
-    if samples < FEWEST && file.options.force.is_empty() {
+    let read = numbers(file, table, &wanted, None)?;
+    let columns = &read.columns;
+    if columns.first().map_or(0, Vec::len) < FEWEST && file.options.force.is_empty() {
         return Ok(None);
     }
-    let (time, forces) = chosen(file, table, &columns)?;
+    let (time, forces) = chosen(file, table, columns)?;
     if let Some(t) = time {
         rising(file, table, &columns[t])?;
     }
-    let counts = time.is_some_and(|t| counts_samples(&columns[t]));
-    let times = time.map(|t| std::mem::take(&mut columns[t]));
-    let sides = if file.options.force.is_empty() {
-        insole_sides(&forces, columns.len(), time)
-    } else {
-        None
+    let sides = match &file.options.force[..] {
+        [] => insole_sides(&forces, columns.len(), time),
+        _ => None,
     };
-    let insoles = sides.map(|_| Note::InsoleColumns {
+    let force = forces.iter().enumerate();
+    let plan = Plan {
+        time,
+        counts: time.is_some_and(|t| counts_samples(&columns[t])),
+        force: force
+            .map(|(k, &i)| (i, Axis::Vertical, sides.map(|s| s[k])))
+            .collect(),
+    };
+    let mut raw = Raw::of(table, plan, read, |i| i);
+    raw.notes.extend(sides.map(|_| Note::InsoleColumns {
         left: forces[0] + 1,
         right: forces[1] + 1,
-    });
-    let forces = forces
-        .into_iter()
-        .enumerate()
-        .map(|(k, i)| RawForce {
-            name: format!("column {}", i + 1),
-            axis: Axis::Vertical,
-            foot: sides.map(|s| s[k]),
-            unit: None,
-            values: std::mem::take(&mut columns[i]),
-        })
-        .collect();
-    Ok(Some(Raw {
-        times,
-        time_unit: None,
-        counts,
-        forces,
-        samples,
-        skipped,
-        notes: insoles.into_iter().collect(),
-    }))
+    }));
+    Ok(Some(raw))
 }
 
 /// The column of time and those of force: those that the options name by number, otherwise those that the numbers show.

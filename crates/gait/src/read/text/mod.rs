@@ -18,13 +18,13 @@ use std::path::Path;
 use choose::{Plan, plan};
 use format::format;
 use raw::Raw;
-use table::{Numbers, skip};
-use times::{time_base, time_unit};
+use table::skip;
+use times::time_base;
 
 use super::columns::{Role, role};
 use super::keys::{self, Keys};
 use super::number::trim;
-use super::vertical::{self, Facts, RawForce};
+use super::vertical::{self, Facts};
 use crate::error::{Error, Placed, ReadError, Result};
 use crate::recording::{ForceUnit, Format, Note, ReadOptions, Recording};
 
@@ -55,7 +55,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
                 return with_head(file, &table, &head, raw);
             }
         } else if let Some(plan) = plan(file, &table)? {
-            return with_head(file, &table, &head, extract(file, &table, &plan)?);
+            return with_head(file, &table, &head, extract(file, &table, plan)?);
         }
         let room = 200usize.saturating_sub(seen.len());
         seen.extend(table.names.iter().take(room).cloned());
@@ -69,7 +69,7 @@ fn converter_counts(file: &TextFile, table: &Table, rate_hz: Option<f64>) -> Res
     let Some(plan) = converter::plates(file, table)? else {
         return Err(nothing_found(file, &table.names));
     };
-    let mut raw = extract(file, table, &plan)?;
+    let mut raw = extract(file, table, plan)?;
     raw.notes.extend(converter::scale(file, &mut raw.forces)?);
     for force in &mut raw.forces {
         force.unit = Some(ForceUnit::Newton);
@@ -121,41 +121,15 @@ fn listed(names: &[String]) -> String {
     shown.join(", ")
 }
 
-fn extract(file: &TextFile, table: &Table, plan: &Plan) -> Result<Raw> {
+fn extract(file: &TextFile, table: &Table, plan: Plan) -> Result<Raw> {
     let mut wanted: Vec<usize> = plan.force.iter().map(|f| f.0).chain(plan.time).collect();
     wanted.sort_unstable();
     wanted.dedup();
-    let slot = |i: usize| wanted.iter().position(|&w| w == i);
-    let time_slot = plan.time.and_then(slot);
-    let Numbers {
-        mut columns,
-        skipped,
-    } = numbers(file, table, &wanted, time_slot)?;
-    let samples = columns.first().map_or(0, Vec::len);
-    let times = time_slot.map(|t| std::mem::take(&mut columns[t]));
-    let mut forces = Vec::new();
-    for (i, axis, side) in &plan.force {
-        let Some(s) = slot(*i) else { continue };
-        forces.push(RawForce {
-            name: table.names[*i].trim().to_string(),
-            axis: *axis,
-            foot: *side,
-            unit: unit_label(table, *i),
-            values: std::mem::take(&mut columns[s]),
-        });
-    }
-    Ok(Raw {
-        times,
-        time_unit: plan.time.and_then(|t| time_unit(table, t)),
-        counts: plan.counts,
-        forces,
-        samples,
-        skipped,
-        notes: Vec::new(),
-    })
+    let place = |i: usize| wanted.binary_search(&i).unwrap_or(0);
+    let read = numbers(file, table, &wanted, plan.time.map(place))?;
+    Ok(Raw::of(table, plan, read, place))
 }
 
-/// Makes the recording of raw columns with the keys above their table.
 fn with_head(file: &TextFile, table: &Table, head: &[String], raw: Raw) -> Result<Recording> {
     let keys = keys::read(head, file.layout.comma);
     finish(file, table, raw, keys, format(file, table, head))

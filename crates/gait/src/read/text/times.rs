@@ -10,8 +10,9 @@ use crate::recording::{ClockSource, Note, ReadOptions};
 
 /// Seconds per unit of a time column, if its name or the row of units gives it.
 pub(super) fn time_unit(table: &Table, i: usize) -> Option<f64> {
-    let label = table.unit(i).or_else(|| bracketed(&table.names[i]));
-    let last = words(&table.names[i]).pop();
+    let name = table.names.get(i)?;
+    let label = table.unit(i).or_else(|| bracketed(name));
+    let last = words(name).pop();
     match label.or(last.as_deref())?.to_lowercase().as_str() {
         "s" | "sec" | "secs" | "seconds" => Some(1.0),
         "ms" => Some(1e-3),
