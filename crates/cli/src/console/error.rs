@@ -11,6 +11,8 @@ use gaitcam::wording::Catalogue;
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
+// `NoParquet` is of builds without it.
+#[cfg_attr(feature = "parquet", allow(dead_code))]
 pub enum CliError {
     CannotWrite { fault: String },
     CannotOpen { fault: String },
