@@ -83,7 +83,7 @@ fn gathered(program: &Program, solution: &Solution, pieces: usize) -> Vec<Bindin
     for row in rows {
         let limit = row.limit.map(|i| &program.limits[i]);
         let name = row.name;
-        let rms = program.rms.iter().find(|l| l.name == name);
+        let rms = program.rms.iter().find(|l| l.is_tangent(row));
         let slope = (limit.map(|l| l.meaning.slope(l.bound)))
             .or_else(|| rms.map(|l| l.meaning.slope(l.most)));
         let multiplier = row.multiplier / slope.unwrap_or(1.0);

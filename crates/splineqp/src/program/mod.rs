@@ -214,7 +214,7 @@ impl<N: Names> Program<N> {
         held.seeds = solution
             .active
             .iter()
-            .filter(|r| r.limit.is_some())
+            .filter(|r| self.is_seed(r))
             .cloned()
             .collect();
         for row in &mut held.seeds {

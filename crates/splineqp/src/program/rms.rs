@@ -24,6 +24,11 @@ impl<N: Names> RmsLimit<N> {
         self.half.root(x) / self.most - 1.0
     }
 
+    /// Whether a row is a tangent of this limit.
+    pub fn is_tangent(&self, row: &Row<N>) -> bool {
+        row.limit.is_none() && row.name == self.name
+    }
+
     /// The tangent at x, which every law z within the limit keeps because q is convex: ∇q(x)·(z − x) ≤ ½ most² − q(x),
     /// divided by `most`.
     pub(crate) fn tangent(&self, x: &[f64], multiplier: f64) -> Row<N> {
@@ -53,6 +58,11 @@ impl<N: Names> RmsLimit<N> {
 }
 
 impl<N: Names> Program<N> {
+    /// Whether a neighbouring program begins with a row: a contact of a limit or the tangent of that on the root mean square.
+    pub fn is_seed(&self, row: &Row<N>) -> bool {
+        row.limit.is_some() || self.rms.iter().any(|l| l.is_tangent(row))
+    }
+
     /// The same program with `weight` times q in its objective instead of the limit on √(2 q).
     pub(crate) fn weighing(&self, limit: &RmsLimit<N>, weight: f64) -> Program<N> {
         let mut out = self.clone();

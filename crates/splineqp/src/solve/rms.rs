@@ -4,22 +4,32 @@
 //! `most`, x(μ) is the optimum under √(2 q) ≤ `most` and μ·most the multiplier of its tangent: J's gradient and the active
 //! rows leave −μ∇q (Boyd and Vandenberghe, Convex Optimization, §5.5.3). So every method for quadratic objectives serves,
 //! and the proof is theirs with one row more.
+//!
+//! Between two weights the law is taken on the line from one optimum to the other, where q is what is allowed: all
+//! limits hold there. With weight and multipliers mixed in the same proportion t it leaves t(1 − t) Δμ Δ∇q of the gradient, which
+//! is of second order.
 
 use crate::Names;
 use crate::program::{EXTRAS, Failure, Program, RmsLimit, Row, Solution, Stop};
 
-/// Factor of the weight from one optimum to the next until the limit lies between two.
-const FACTOR: f64 = 30.0;
-/// Factors tried.
-const MOST_FACTORS: usize = 12;
+/// Step of ln μ until the limit lies between two optima, doubled each time …
+const STEP: f64 = 3.0;
+/// … from the weight of a neighbouring program …
+const NEAR_STEP: f64 = 0.5;
+/// … so many times …
+const MOST_STEPS: usize = 6;
+/// … or from such a weight.
+const MOST_NEAR_STEPS: usize = 3;
+/// Contacts nearer to each other than this part of a piece begin as one.
+const ONE_CONTACT: f64 = 0.02;
 /// Weights tried between two.
 const MOST_WEIGHTS: usize = 40;
-/// Weights nearer to each other than this part are one.
+/// Weights whose logarithms are nearer than this are one.
 const SAME_WEIGHT: f64 = 1e-11;
-/// Gap that the law may leave for being inside the limit, as a part of the objective.
-const GAP: f64 = 1e-9;
+/// Gap of the law between two optima, as a part of the objective.
+const GAP: f64 = 1e-10;
 
-/// The optimum of x(μ) at one weight.
+/// The optimum of J + μ q.
 struct Tried<N: Names> {
     /// ln μ.
     weight: f64,
@@ -31,10 +41,10 @@ struct Tried<N: Names> {
 struct Search<'a, N: Names> {
     program: &'a Program<N>,
     limit: &'a RmsLimit<N>,
-    iterations: usize,
-    rounds: usize,
     /// Contacts of the last optimum.
     seeds: Vec<Row<N>>,
+    iterations: usize,
+    rounds: usize,
 }
 
 /// The optimum under a limit on a root mean square and all others.
@@ -42,7 +52,30 @@ pub fn solve<N: Names>(
     program: &Program<N>,
     limit: &RmsLimit<N>,
 ) -> Result<Solution<N>, Failure<N>> {
-    let plain = match program.weighing(limit, 0.0).solve() {
+    // The rows of a law between two optima are those of both.
+    let mut seeds: Vec<Row<N>> = Vec::new();
+    for row in program.seeds.iter().filter(|r| r.limit.is_some()) {
+        if !seeds.iter().any(|s| s.coincides(row, ONE_CONTACT)) {
+            seeds.push(row.clone());
+        }
+    }
+    let mut search = Search {
+        program,
+        limit,
+        seeds,
+        iterations: 0,
+        rounds: 0,
+    };
+    let neighbour = program.seeds.iter().find(|r| limit.is_tangent(r));
+    if let Some(tangent) = neighbour.filter(|r| r.multiplier > 0.0) {
+        let weight = (tangent.multiplier / limit.most).ln();
+        if let Ok(Some([inside, outside])) = search.bracket(weight, NEAR_STEP, MOST_NEAR_STEPS) {
+            return search.between(inside, outside);
+        }
+    }
+    let mut plain = program.weighing(limit, 0.0);
+    plain.seeds.clone_from(&search.seeds);
+    let plain = match plain.solve() {
         Ok(plain) if limit.excess(&plain.x) <= 0.0 => return Ok(plain),
         Ok(plain) => Some(plain),
         // Without the limit the objective may have no least value.
@@ -53,15 +86,9 @@ pub fn solve<N: Names>(
     if limit.excess(&near.x) > program.settings.tolerance {
         return Err(Failure::Infeasible);
     }
-    let mut search = Search {
-        program,
-        limit,
-        iterations: near.iterations,
-        rounds: near.rounds,
-        seeds: Vec::new(),
-    };
     let first = search.first_weight(plain.as_ref(), &near);
-    let (inside, outside) = search.bracket(first)?;
+    let bracket = search.bracket(first, STEP, MOST_STEPS)?;
+    let [inside, outside] = bracket.ok_or(Stop::NoProgress)?;
     search.between(inside, outside)
 }
 
@@ -85,9 +112,7 @@ impl<N: Names> Search<'_, N> {
             return Err(Stop::OutOfTime.into());
         }
         let mut program = self.program.weighing(self.limit, weight.exp());
-        if !self.seeds.is_empty() {
-            program.seeds.clone_from(&self.seeds);
-        }
+        program.seeds.clone_from(&self.seeds);
         let solution = program.solve()?;
         self.iterations += solution.iterations;
         self.rounds += solution.rounds;
@@ -101,107 +126,97 @@ impl<N: Names> Search<'_, N> {
         })
     }
 
-    /// Weights with which the limit holds and does not hold.
-    fn bracket(&mut self, first: f64) -> Result<(Tried<N>, Option<Tried<N>>), Failure<N>> {
+    /// Optima that keep the limit and exceed it; `None` where no weight tried does one of both.
+    fn bracket(
+        &mut self,
+        first: f64,
+        mut step: f64,
+        most: usize,
+    ) -> Result<Option<[Tried<N>; 2]>, Failure<N>> {
         let mut here = self.at(first)?;
         let holds = here.excess <= 0.0;
-        for _ in 0..MOST_FACTORS {
-            let step = if holds { -FACTOR.ln() } else { FACTOR.ln() };
-            let next = self.at(here.weight + step)?;
+        for _ in 0..most {
+            let next = self.at(here.weight + if holds { -step } else { step })?;
             if (next.excess <= 0.0) != holds {
-                return Ok(if holds {
-                    (here, Some(next))
-                } else {
-                    (next, Some(here))
-                });
+                let both = if holds { [here, next] } else { [next, here] };
+                return Ok(Some(both));
             }
             here = next;
+            step *= 2.0;
         }
-        if holds {
-            Ok((here, None))
-        } else {
-            Err(Stop::NoProgress.into())
-        }
+        Ok(None)
     }
 
-    /// The weight at which the limit holds with equality, by false position (Illinois) on the logarithms.
+    /// The law at which the limit holds with equality, by false position (Illinois) on the logarithms.
     fn between(
         &mut self,
         mut inside: Tried<N>,
-        outside: Option<Tried<N>>,
+        mut outside: Tried<N>,
     ) -> Result<Solution<N>, Failure<N>> {
-        let Some(mut outside) = outside else {
-            return Ok(self.finished(inside.solution, inside.weight));
-        };
         let (mut low, mut high) = (outside.excess, inside.excess);
+        let mut was_inside = None;
         for _ in 0..MOST_WEIGHTS {
             let apart = inside.weight - outside.weight;
-            if self.is_near(&inside) || apart <= SAME_WEIGHT {
+            if self.is_one(&inside, &outside) || apart <= SAME_WEIGHT {
                 break;
             }
             let share = (low / (low - high)).clamp(1e-3, 1.0 - 1e-3);
-            let Ok(next) = self.at(outside.weight + share * apart) else {
-                break;
-            };
-            if next.excess <= 0.0 {
+            let next = self.at(outside.weight + share * apart)?;
+            let is_inside = next.excess <= 0.0;
+            let again = was_inside == Some(is_inside);
+            was_inside = Some(is_inside);
+            if is_inside {
                 (high, inside) = (next.excess, next);
-                low *= 0.5;
+                low *= if again { 0.5 } else { 1.0 };
             } else {
                 (low, outside) = (next.excess, next);
-                high *= 0.5;
+                high *= if again { 0.5 } else { 1.0 };
             }
         }
-        let weight = inside.weight;
-        let met = self.met(&inside.solution, &outside.solution);
-        Ok(self.finished(met, weight))
+        Ok(self.met(inside, &outside))
     }
 
-    /// Whether the room that a law leaves inside the limit costs nothing.
-    fn is_near(&self, tried: &Tried<N>) -> bool {
-        let worth = tried.weight.exp() * self.limit.most.powi(2) * tried.excess.abs();
-        let size = self.program.merit(&tried.solution).abs();
-        worth <= GAP.max(self.program.settings.tolerance) * size
+    /// Whether the law between two optima is one to the accuracy wanted: its gap is below Δμ Δq.
+    fn is_one(&self, inside: &Tried<N>, outside: &Tried<N>) -> bool {
+        let weights = inside.weight.exp() - outside.weight.exp();
+        let squares = self.limit.most.powi(2) * (outside.excess - inside.excess);
+        let size = self.program.merit(&inside.solution).abs();
+        weights * squares <= GAP.max(0.01 * self.program.settings.tolerance) * size
     }
 
-    /// The law between two at which q is what is allowed: it keeps all limits that both keep.
-    fn met(&self, inside: &Solution<N>, outside: &Solution<N>) -> Solution<N> {
-        let mut out = inside.clone();
-        let way: Vec<f64> = (outside.x.iter().zip(&inside.x))
-            .map(|(a, b)| a - b)
-            .collect();
-        let half = &self.limit.half;
-        let bent: f64 = (half.hessian.times(&way).iter().zip(&way))
-            .map(|(h, d)| h * d)
-            .sum();
-        let pulled = half.hessian.times(&inside.x);
-        let slope: f64 = (pulled.iter().zip(&half.gradient).zip(&way))
-            .map(|((h, g), d)| (h + g) * d)
-            .sum();
+    /// The law between two optima at which q is what is allowed, with the rows of both and the tangent of the limit.
+    fn met(&self, inside: Tried<N>, outside: &Tried<N>) -> Solution<N> {
+        let (limit, other) = (self.limit, &outside.solution);
+        let mut out = inside.solution;
+        let pairs = other.x.iter().zip(&out.x);
+        let way: Vec<f64> = pairs.map(|(a, b)| a - b).collect();
+        let along = |values: &[f64]| values.iter().zip(&way).map(|(v, d)| v * d).sum::<f64>();
+        let bent = along(&limit.half.hessian.times(&way));
+        let slope = along(&limit.half.hessian.times(&out.x)) + along(&limit.half.gradient);
         // ½ bent t² + slope t = room.
-        let room = 0.5 * self.limit.most.powi(2) - half.value(&inside.x);
+        let room = 0.5 * limit.most.powi(2) - limit.half.value(&out.x);
         let root = (slope * slope + 2.0 * bent * room).max(0.0).sqrt();
         let part = 2.0 * room / (slope + root);
-        if !(part > 0.0 && part <= 1.0) {
-            return out;
-        }
-        (out.x.iter_mut().zip(&way)).for_each(|(x, d)| *x += part * d);
-        for (own, other) in out.extra.iter_mut().zip(outside.extra) {
-            *own += part * (other - *own);
-        }
-        out
-    }
-
-    /// A law with the tangent of the limit among its rows.
-    fn finished(&self, mut solution: Solution<N>, weight: f64) -> Solution<N> {
-        let multiplier = weight.exp() * self.limit.most;
-        let tangent = self.limit.tangent(&solution.x, multiplier);
-        solution.active.push(tangent);
+        let part = if part > 0.0 { part.min(1.0) } else { 0.0 };
+        let mix = |own: &mut f64, other: f64| *own += part * (other - *own);
+        (out.x.iter_mut().zip(&other.x)).for_each(|(own, x)| mix(own, *x));
+        (out.extra.iter_mut().zip(other.extra)).for_each(|(own, e)| mix(own, e));
+        out.active
+            .iter_mut()
+            .for_each(|r| mix(&mut r.multiplier, 0.0));
+        out.active.extend(other.active.iter().map(|r| Row {
+            multiplier: part * r.multiplier,
+            ..r.clone()
+        }));
+        let mut weight = inside.weight.exp();
+        mix(&mut weight, outside.weight.exp());
+        out.active.push(limit.tangent(&out.x, weight * limit.most));
         Solution {
-            violation: self.program.violation(&solution.x, &solution.extra),
+            violation: self.program.violation(&out.x, &out.extra),
             used_rows: true,
             iterations: self.iterations,
             rounds: self.rounds,
-            ..solution
+            ..out
         }
     }
 }
