@@ -5,6 +5,9 @@ use crate::Names;
 use crate::objective::Quadratic;
 use crate::poly::Peak;
 
+/// Rounding of a difference of q's terms, as a part of its constant.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// √(2 q(x)) ≤ most, with a convex quadratic q: half the mean square of what is limited.
 #[derive(Debug, Clone)]
 pub struct RmsLimit<N: Names> {
@@ -19,9 +22,10 @@ pub struct RmsLimit<N: Names> {
 }
 
 impl<N: Names> RmsLimit<N> {
-    /// Excess over the limit as a part of it; negative where the limit holds.
+    /// Excess over the limit as a part of it, beyond what rounding of q's terms leaves; negative where the limit holds.
     pub fn excess(&self, x: &[f64]) -> f64 {
-        self.half.root(x) / self.most - 1.0
+        let square = 2.0 * self.half.value(x) - ROUNDING * self.half.constant.abs();
+        square.max(0.0).sqrt() / self.most - 1.0
     }
 
     /// Whether a row is a tangent of this limit.

@@ -10,7 +10,7 @@
 //! is of second order.
 
 use crate::Names;
-use crate::program::{EXTRAS, Failure, Program, RmsLimit, Row, Solution, Stop};
+use crate::program::{Failure, Program, RmsLimit, Row, Solution, Stop};
 
 /// Step of ln μ until the limit lies between two optima, doubled each time …
 const STEP: f64 = 3.0;
@@ -43,8 +43,6 @@ struct Search<'a, N: Names> {
     limit: &'a RmsLimit<N>,
     /// Contacts of the last optimum.
     seeds: Vec<Row<N>>,
-    iterations: usize,
-    rounds: usize,
 }
 
 /// The optimum under a limit on a root mean square and all others.
@@ -63,8 +61,6 @@ pub fn solve<N: Names>(
         program,
         limit,
         seeds,
-        iterations: 0,
-        rounds: 0,
     };
     let neighbour = program.seeds.iter().find(|r| limit.is_tangent(r));
     if let Some(tangent) = neighbour.filter(|r| r.multiplier > 0.0) {
@@ -75,38 +71,24 @@ pub fn solve<N: Names>(
     }
     let mut plain = program.weighing(limit, 0.0);
     plain.seeds.clone_from(&search.seeds);
-    let plain = match plain.solve() {
+    match plain.solve() {
         Ok(plain) if limit.excess(&plain.x) <= 0.0 => return Ok(plain),
-        Ok(plain) => Some(plain),
         // Without the limit the objective may have no least value.
-        Err(Failure::Numerical { stop }) if stop != Stop::OutOfTime => None,
+        Ok(_) | Err(Failure::Numerical { .. }) => (),
         Err(failure) => return Err(failure),
-    };
+    }
     let near = program.of_least_rms().ok_or(Stop::Refused)?.solve()?;
     if limit.excess(&near.x) > program.settings.tolerance {
         return Err(Failure::Infeasible);
     }
-    let first = search.first_weight(plain.as_ref(), &near);
+    let square = limit.half.hessian.largest_diagonal() * program.length.powi(2);
+    let first = (program.objective_unit() / square).ln();
     let bracket = search.bracket(first, STEP, MOST_STEPS)?;
     let [inside, outside] = bracket.ok_or(Stop::NoProgress)?;
     search.between(inside, outside)
 }
 
 impl<N: Names> Search<'_, N> {
-    /// ln μ of the chord between the ends of the trade of J against q, or of their units where J has no such end.
-    fn first_weight(&self, plain: Option<&Solution<N>>, near: &Solution<N>) -> f64 {
-        let (own, half) = (self.program, &self.limit.half);
-        let chord = plain.map(|plain| {
-            let worth = own.merit(near) - own.merit(plain);
-            worth / (half.value(&plain.x) - half.value(&near.x))
-        });
-        // Sizes and peaks have no value where the root mean square alone is small.
-        let is_told = |chord: &f64| own.cost == [0.0; EXTRAS] && *chord > 0.0 && chord.is_finite();
-        let square = half.hessian.largest_diagonal() * own.length.powi(2);
-        let unit = own.objective_unit() / square;
-        chord.filter(is_told).unwrap_or(unit).ln()
-    }
-
     fn at(&mut self, weight: f64) -> Result<Tried<N>, Failure<N>> {
         if self.program.halt.is_asked() {
             return Err(Stop::OutOfTime.into());
@@ -114,8 +96,6 @@ impl<N: Names> Search<'_, N> {
         let mut program = self.program.weighing(self.limit, weight.exp());
         program.seeds.clone_from(&self.seeds);
         let solution = program.solve()?;
-        self.iterations += solution.iterations;
-        self.rounds += solution.rounds;
         let of_limit = solution.active.iter().filter(|r| r.limit.is_some());
         self.seeds = of_limit.cloned().collect();
         let excess = (1.0 + self.limit.excess(&solution.x)).ln();
@@ -214,8 +194,8 @@ impl<N: Names> Search<'_, N> {
         Solution {
             violation: self.program.violation(&out.x, &out.extra),
             used_rows: true,
-            iterations: self.iterations,
-            rounds: self.rounds,
+            iterations: out.iterations + other.iterations,
+            rounds: out.rounds + other.rounds,
             ..out
         }
     }
