@@ -6,6 +6,7 @@ use super::target::weight_at;
 use super::{Problem, Requirements};
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
+use crate::scene::Minimise;
 
 /// RMS force error, part of the mean force, that is small enough where the scene asks for none.
 const USUAL_ACCURACY: f64 = 0.005;
@@ -71,6 +72,14 @@ impl Problem {
     /// [`Requirements::largest_error`], unless a band stands for the accuracy.
     pub fn allowed_error(&self) -> Option<f64> {
         self.largest_error().filter(|_| self.band.is_none())
+    }
+
+    /// The same where it limits the law: something else than the force error over the turn is minimised, and a cam may
+    /// reach it.
+    pub fn limited_error(&self) -> Option<f64> {
+        let is_minimised = self.objective() == Minimise::ForceError && !self.is_weighed();
+        let asked = self.allowed_error().filter(|most| *most > 0.0)?;
+        (!is_minimised && self.mean_force_gap().is_none()).then_some(asked)
     }
 
     /// Mean target force less the weight that a moving axis carries, N: no cam changes the mean over a turn

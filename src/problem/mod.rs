@@ -174,11 +174,12 @@ impl Problem {
         }
     }
 
-    /// The same with its force and demands, but without a limit and without a band.
+    /// The same with its force and demands, but without a limit, an accuracy and a band.
     #[must_use]
     pub fn without_limits(&self) -> Problem {
         let mut out = self.clone();
         (out.limits, out.band) = (Limits::default(), None);
+        out.limits.unjudged.accuracy = true;
         out
     }
 

@@ -30,6 +30,7 @@
 //! | `solve` | which method solves |
 //! | `exchange` | rounds of separation and solution |
 //! | `clarabel` | interior-point method, by Clarabel |
+//! | `rms` | a limit on a root mean square, by the weight at which it holds with equality |
 //! | `refine` | Newton's method on the contacts: the last digits of a solution and its proof |
 //! | `settings` | every tuning constant with its reason |
 //! | `certificate` | duality gap, stationarity |
@@ -56,7 +57,7 @@ pub use equality::solve as solve_equalities;
 pub use objective::{Quadratic, pointwise};
 pub use program::{
     EXTRAS, Equality, FACE_END, Failure, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS,
-    RISE, Row, SIZES, Solution, Stop, only,
+    RISE, RmsLimit, Row, SIZES, Solution, Stop, only,
 };
 pub use settings::{Settings, TOLERANCE};
 pub use solve::exchange::clarabel::{prepared as clarabel_prepared, run as clarabel_run};

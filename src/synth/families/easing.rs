@@ -116,10 +116,22 @@ fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
     out
 }
 
+/// The limit on a root mean square, where a row is its tangent.
+fn of_rms(program: &Program, row: &Row) -> Option<Sensitivity> {
+    let limit = program.rms.as_ref().filter(|l| l.is_tangent(row))?;
+    let from = limit.meaning.value(limit.most)?;
+    Some(Sensitivity {
+        limit: limit.name,
+        from,
+        to: (1.0 + RELAXED) * from,
+        gain: row.multiplier * RELAXED * limit.most,
+    })
+}
+
 /// The numbers of the scene that could relax one row.
 fn of_row(program: &Program, solution: &Solution, row: &Row) -> Vec<Sensitivity> {
     let Some(limit) = row.limit.map(|i| &program.limits[i]) else {
-        return Vec::new();
+        return of_rms(program, row).into_iter().collect();
     };
     let relaxed = RELAXED;
     let mut out = Vec::new();

@@ -66,6 +66,10 @@ pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<For
     if problem.size() == Size::Sought {
         limits::with_size(problem, &mut program);
     }
+    program.rms = limits::accuracy(problem, || match problem.is_weighed() {
+        true => plain_distance(problem, &program.basis),
+        false => force.clone(),
+    });
     Ok(Formulation {
         program,
         force,
@@ -89,6 +93,9 @@ pub fn of_harmonics(
     let mut program = Program::new(basis, force.clone(), Vec::new(), problem.length);
     program.halt = search.halt.clone();
     program.limits = limits::rows(problem);
+    if problem.is_weighed() {
+        program.rms = limits::accuracy(problem, || plain_distance(problem, &program.basis));
+    }
     if !problem.level_is_known() {
         program.touch_at(unlimited.extremes(0).0.at);
     }
@@ -289,13 +296,18 @@ fn weighed(problem: &Problem, basis: &Basis, force: &Quadratic, weigh: Weigh) ->
 
 /// ½ mean((F − F*)²) over the turn, weighed by phase where the problem says so; 0 where no force is wanted.
 fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
+    match &problem.target {
+        Some(target) if problem.is_weighed() => weighed_distance(problem, basis, target),
+        _ => plain_distance(problem, basis),
+    }
+}
+
+/// The same with every part of the turn counted once.
+fn plain_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     let mut force = Quadratic::zero(basis);
     let Some(target) = &problem.target else {
         return force;
     };
-    if problem.is_weighed() {
-        return weighed_distance(problem, basis, target);
-    }
     let (w, rest) = (problem.drive.weights(), problem.drive.rest_force);
     match basis {
         // Against polynomials the target is its nearest polynomial on every span.

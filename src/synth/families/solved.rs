@@ -83,7 +83,10 @@ fn gathered(program: &Program, solution: &Solution, pieces: usize) -> Vec<Bindin
     for row in rows {
         let limit = row.limit.map(|i| &program.limits[i]);
         let name = row.name;
-        let multiplier = row.multiplier / limit.map_or(1.0, |l| l.meaning.slope(l.bound));
+        let rms = program.rms.iter().find(|l| l.is_tangent(row));
+        let slope = (limit.map(|l| l.meaning.slope(l.bound)))
+            .or_else(|| rms.map(|l| l.meaning.slope(l.most)));
+        let multiplier = row.multiplier / slope.unwrap_or(1.0);
         match out.last_mut() {
             Some(last) if last.limit == name && (row.peak.at - last.at).abs() < near => {
                 let both = last.multiplier + multiplier;

@@ -41,8 +41,8 @@ pub fn spline_law(problem: &Problem, search: &Search) -> std::result::Result<Sol
 enum Spans {
     /// This number.
     Given(usize),
-    /// As few as have a law inside the band.
-    FewestInBand,
+    /// As few as have a law that keeps the band or the accuracy, from the first number to the second.
+    Fewest(usize, usize),
     /// This number, which reaches the accuracy (N RMS) without limits, or more where limits ask for more.
     AtLeast(usize, f64),
 }
@@ -51,7 +51,7 @@ enum Spans {
 fn fit(problem: &Problem, search: &Search) -> std::result::Result<Optimum, NoLaw> {
     match spans(problem, search)? {
         Spans::Given(spans) => solve(problem, search, spans),
-        Spans::FewestInBand => fewest_in_band(problem, search),
+        Spans::Fewest(from, most) => fewest(problem, search, from, most),
         Spans::AtLeast(spans, wanted) => while_worthwhile(problem, search, spans, wanted),
     }
 }
@@ -62,13 +62,15 @@ fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
         return Ok(Spans::Given(spans));
     }
     if problem.band.is_some() {
-        return Ok(Spans::FewestInBand);
+        return Ok(Spans::Fewest(FEWEST_IN_BAND, MOST_IN_BAND));
     }
     let of_force = [Minimise::ForceError, Minimise::PeakForceError];
-    if problem.target.is_none() || !of_force.contains(&problem.objective()) {
-        return Ok(Spans::Given(SPANS_WITHOUT_FORCE));
-    }
-    let wanted = problem.wanted_error();
+    let follows = problem.target.is_some() && of_force.contains(&problem.objective());
+    let wanted = match problem.limited_error() {
+        _ if follows => problem.wanted_error(),
+        Some(most) => most,
+        None => return Ok(Spans::Given(SPANS_WITHOUT_FORCE)),
+    };
     let fewest = |_: &SpanKey| fewest_without_limits(problem, search, wanted);
     let key = SpanKey {
         wanted,
@@ -76,10 +78,13 @@ fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
         drive: problem.drive,
         degree: problem.spline_degree(),
     };
-    Ok(Spans::AtLeast(
-        search.cache.spans.try_get(key, fewest)?,
-        wanted,
-    ))
+    let spans = search.cache.spans.try_get(key, fewest)?;
+    Ok(if follows {
+        Spans::AtLeast(spans, wanted)
+    } else {
+        let spans = spans.max(SPANS_WITHOUT_FORCE);
+        Spans::Fewest(spans, spans.max(MOST_IN_BAND))
+    })
 }
 
 /// Fewest spans that reach an accuracy without limits: the cheaper lower bound, because spans that miss it
@@ -112,7 +117,10 @@ fn while_worthwhile(
     loop {
         let optimum = match (solve(problem, search, spans), best.take()) {
             (Err(NoLaw::Refused(_)), Some((_, earlier))) => return Ok(earlier),
-            (Err(NoLaw::Refused(_)), None) if spans < TELLING && !search.halt.is_asked() => {
+            (Err(NoLaw::Refused(why)), None)
+                if !search.halt.is_asked()
+                    && (spans < TELLING || spans < MOST_IN_BAND && why.is_of_accuracy()) =>
+            {
                 spans = (2 * spans).max(TELLING);
                 continue;
             }
@@ -137,13 +145,21 @@ fn while_worthwhile(
     }
 }
 
-/// Inside a band the fewest spans that have a law there; with none, the answer of the most.
-fn fewest_in_band(problem: &Problem, search: &Search) -> std::result::Result<Optimum, NoLaw> {
-    let mut spans = FEWEST_IN_BAND;
+/// The fewest spans that have a law; with none, the answer of the most. Spans serve band and accuracy only.
+fn fewest(
+    problem: &Problem,
+    search: &Search,
+    mut spans: usize,
+    most: usize,
+) -> std::result::Result<Optimum, NoLaw> {
     loop {
         match solve(problem, search, spans) {
-            Err(NoLaw::Refused(_)) if spans < MOST_IN_BAND && !search.halt.is_asked() => {
-                spans = ((spans as f64 * GROWTH) as usize).min(MOST_IN_BAND);
+            Err(NoLaw::Refused(why))
+                if spans < most
+                    && !search.halt.is_asked()
+                    && (problem.band.is_some() || why.is_of_accuracy()) =>
+            {
+                spans = ((spans as f64 * GROWTH) as usize).min(most);
             }
             outcome => return outcome,
         }

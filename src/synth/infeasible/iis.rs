@@ -48,7 +48,10 @@ pub fn explain(problem: &Problem, refusal: &Refusal) -> Infeasible {
             }
             let relaxations = limits
                 .iter()
-                .filter_map(|&name| elastic(&refusal.program, name))
+                .filter_map(|&name| {
+                    let own = best_accuracy(&refusal.program, name);
+                    own.or_else(|| elastic(&refusal.program, name))
+                })
                 .collect();
             in_conflict(&limits, relaxations, problem.cam.measures())
         }
@@ -92,7 +95,8 @@ fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
     let rows = refusal.program.limits.iter().filter(|l| is_asked(l));
     let nonconvex = refusal.nonconvex.map_or_else(Vec::new, |b| b.names());
     let mut names: Vec<Criterion> = Vec::new();
-    for name in rows.map(|l| l.name).chain(nonconvex) {
+    let mean = refusal.program.rms.iter().map(|l| l.name);
+    for name in rows.map(|l| l.name).chain(mean).chain(nonconvex) {
         if !names.contains(&name) {
             names.push(name);
         }
@@ -101,6 +105,7 @@ fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
         let stays = |name: Criterion| !names.contains(&name) || kept.contains(&name);
         let mut program = refusal.program.clone();
         program.limits.retain(|l| stays(l.name));
+        program.rms = program.rms.filter(|l| stays(l.name));
         can_hold(problem, &program, refusal.nonconvex.map(|b| b.only(stays)))
     };
     // Where no law is found without any limit, the limits are not to blame.
@@ -123,6 +128,7 @@ fn conflicting_demands(problem: &Problem, program: &Program) -> Vec<Demand> {
     }
     let mut program = program.clone();
     program.limits.retain(|l| !is_asked(l));
+    program.rms = None;
     irreducible(&names, |kept| {
         let mut trial = program.clone();
         trial.equalities.retain(|e| kept.contains(&e.name));
@@ -181,6 +187,19 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
         relaxations,
         problem.cam.measures(),
     ))
+}
+
+/// The smallest force error under the other limits, as an accuracy; `None` for another limit.
+fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
+    let limit = program.rms.as_ref().filter(|l| l.name == name)?;
+    let best = program.of_least_rms()?.solve().ok();
+    let to = best.filter(|s| s.violation <= BROKEN);
+    Some(Relaxation {
+        limit: name,
+        key: key_of(name),
+        from: limit.meaning.value(limit.most)?,
+        to: to.and_then(|s| limit.meaning.value(limit.half.root(&s.x))),
+    })
 }
 
 /// The smallest bound of one limit that lets the others hold: the same program with that bound minimised.

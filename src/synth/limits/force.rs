@@ -8,7 +8,7 @@ use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Problem, piecewise};
 use crate::scene::Minimise;
 use crate::synth::design::ForceReport;
-use crate::synth::qp::{Limit, Meaning, PEAK, Program, TOLERANCE};
+use crate::synth::qp::{Limit, Meaning, PEAK, Program, Quadratic, RmsLimit, TOLERANCE};
 use crate::synth::search::{ReportKey, Search};
 
 /// Smallest and largest force.
@@ -76,6 +76,17 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
         program.cost[PEAK] = 1.0;
     }
     out
+}
+
+/// The accuracy, where it limits a law that minimises something else; `half` is half the mean square of the force error.
+pub fn accuracy(problem: &Problem, half: impl FnOnce() -> Quadratic) -> Option<RmsLimit> {
+    let most = problem.limited_error()?;
+    Some(RmsLimit {
+        name: Criterion::Accuracy,
+        half: half(),
+        most,
+        meaning: Meaning::times(1.0 / problem.target_mean()),
+    })
 }
 
 /// Distance of the force of a law from the target, exact on the pieces of both.

@@ -47,14 +47,15 @@ impl Formulation {
     /// else fixes the level.
     pub fn is_broken_by(&self, coefficients: &[f64]) -> bool {
         let program = &self.program;
-        if program.limits.is_empty() {
+        if program.limits.is_empty() && program.rms.is_none() {
             return false;
         }
         let mut x = coefficients.to_vec();
         if program.constant_is_free() {
             x[0] -= Law::of(&program.basis, &x).extremes(0).0.value;
         }
-        !program.broken(&x, &program.windows(&x)).is_empty()
+        let misses = (program.rms.as_ref()).is_some_and(|limit| limit.excess(&x) > 0.0);
+        misses || !program.broken(&x, &program.windows(&x)).is_empty()
     }
 }
 

@@ -34,6 +34,12 @@ impl Refusal {
         })
     }
 
+    /// Whether there is a law without the accuracy.
+    pub fn is_of_accuracy(&self) -> bool {
+        let mut open = self.program.clone();
+        self.nonconvex.is_none() && open.rms.take().is_some() && open.solve().is_ok()
+    }
+
     /// Family of the laws that it refuses.
     pub fn family(&self) -> Family {
         match &self.program.basis {

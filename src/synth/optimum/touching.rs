@@ -166,7 +166,11 @@ impl Search {
         if let Some(near) = (self.nodes.iter()).min_by(|a, b| apart(a).total_cmp(&apart(b))) {
             let contacts = near.solution.active.iter();
             program.seeds = contacts
-                .filter_map(|row| Some(program.row(row.limit?, row.peak)))
+                .filter(|row| program.is_seed(row))
+                .map(|row| {
+                    row.limit
+                        .map_or_else(|| row.clone(), |l| program.row(l, row.peak))
+                })
                 .collect();
         }
         self.programs += 1;

@@ -21,6 +21,7 @@ impl splineqp::Names for OfScene {
 
 pub type Program = splineqp::Program<OfScene>;
 pub type Limit = splineqp::Limit<OfScene>;
+pub type RmsLimit = splineqp::RmsLimit<OfScene>;
 pub type Row = splineqp::Row<OfScene>;
 pub type Equality = splineqp::Equality<OfScene>;
 pub type Solution = splineqp::Solution<OfScene>;

@@ -21,4 +21,5 @@ mod targets;
 mod trade;
 mod verdict;
 mod verdict_grid;
+mod widened;
 mod witness;

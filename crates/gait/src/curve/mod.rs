@@ -4,7 +4,6 @@ mod csv;
 mod slopes;
 
 use serde::{Serialize, Serializer};
-use std::array::from_fn;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 

@@ -9,12 +9,14 @@ use crate::Names;
 mod failure;
 mod limit;
 mod pieces;
+mod rms;
 mod separation;
 
 pub use failure::{Failure, Stop};
 pub use limit::{
     EXTRAS, FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, RADIUS, RISE, SIZES, only,
 };
+pub use rms::RmsLimit;
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries, apply};
@@ -49,6 +51,8 @@ pub struct Program<N: Names> {
     pub equalities: Vec<Equality<N>>,
     /// Limits over ranges.
     pub limits: Vec<Limit<N>>,
+    /// Limit on a root mean square of the law.
+    pub rms: Option<RmsLimit<N>>,
     /// Parts of bounds that vary with θ.
     pub shapes: Vec<PiecewisePoly>,
     /// Lift where the law of open level touches its base circle; `None` where the law's zero is that circle.
@@ -143,6 +147,7 @@ impl<N: Names> Program<N> {
             constant: objective.constant,
             equalities,
             limits: Vec::new(),
+            rms: None,
             shapes: Vec::new(),
             touching: None,
             fixed: Vec::new(),
@@ -209,7 +214,7 @@ impl<N: Names> Program<N> {
         held.seeds = solution
             .active
             .iter()
-            .filter(|r| r.limit.is_some())
+            .filter(|r| self.is_seed(r))
             .cloned()
             .collect();
         for row in &mut held.seeds {

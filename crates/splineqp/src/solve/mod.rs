@@ -6,11 +6,13 @@
 //! | proximal steps of the dual active set | a peak that is minimised | `active_set/proximal` |
 //! | dual active set | the coefficients alone, at most 1000 rows | `active_set` |
 //! | interior point on exchanged rows | sizes, a peak or a cone among the variables; what the active set leaves open | `exchange` |
+//! | the weight of its mean square in the objective | a limit on a root mean square | `rms` |
 //! | Newton's method on the contacts | every solution whose certificate is open | `refine` |
 
 mod active_set;
 pub mod exchange;
 mod refine;
+mod rms;
 
 use crate::basis::apply;
 use crate::program::{EXTRAS, FACE_END, Failure, LOWEST, PEAK, Program, Solution, Stop};
@@ -23,7 +25,10 @@ impl<N: Names> Program<N> {
     /// # Errors
     /// Equalities that contradict each other, limits that leave nothing, a solver that stops without an answer.
     pub fn solve(&self) -> Result<Solution<N>, Failure<N>> {
-        let mut solution = self.solved()?;
+        let mut solution = match &self.rms {
+            Some(limit) => rms::solve(self, limit)?,
+            None => self.solved()?,
+        };
         let peak = self.own_peak(&solution.x, &solution.extra);
         if peak > solution.extra[PEAK] {
             solution.extra[PEAK] = peak;
@@ -49,7 +54,7 @@ impl<N: Names> Program<N> {
 
     /// The solution of the first method that has one.
     fn by_the_first_method(&self) -> Result<Solution<N>, Failure<N>> {
-        if proximal::suits(self) {
+        if proximal::suits(self) && self.hessian.largest_diagonal() == 0.0 {
             match proximal::solve(self) {
                 Ok(solution) => return Ok(solution),
                 Err(_) if self.halt.is_asked() => return Err(Stop::OutOfTime.into()),

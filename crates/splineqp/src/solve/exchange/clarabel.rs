@@ -49,9 +49,9 @@ pub fn solve<N: Names>(
     margin: f64,
 ) -> Result<Point, Failure<N>> {
     let length = program.length;
-    let weight = program.objective_unit();
     let n = program.basis.columns();
     let columns = Columns::new(program, rows, n);
+    let weight = program.multiplier_unit(columns.unit[PEAK]);
 
     let p = upper_triangle(
         &program.hessian.lower_entries(),
@@ -131,7 +131,6 @@ pub fn solve<N: Names>(
     if answer.x.iter().any(|v| !v.is_finite()) {
         return Err(Stop::NumericalError.into());
     }
-    let weight = program.multiplier_unit(columns.unit[PEAK]);
     for ((row, z), unit) in rows.iter_mut().zip(&answer.z[equalities..]).zip(&units) {
         row.multiplier = z * weight / unit;
     }

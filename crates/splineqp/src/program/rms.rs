@@ -1,0 +1,271 @@
+//! A limit on a root mean square of the law, such as its force error.
+
+use super::{EXTRAS, Meaning, Program, Row};
+use crate::Names;
+use crate::objective::Quadratic;
+use crate::poly::Peak;
+
+/// Rounding of a difference of q's terms, as a part of its constant.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// √(2 q(x)) ≤ most, with a convex quadratic q: half the mean square of what is limited.
+#[derive(Debug, Clone)]
+pub struct RmsLimit<N: Names> {
+    /// Name as users know it.
+    pub name: N::Limit,
+    /// q.
+    pub half: Quadratic,
+    /// The largest root mean square allowed; above 0.
+    pub most: f64,
+    /// What `most` means to the user.
+    pub meaning: Meaning,
+}
+
+impl<N: Names> RmsLimit<N> {
+    /// Excess over the limit as a part of it, beyond what rounding of q's terms leaves; negative where the limit holds.
+    pub fn excess(&self, x: &[f64]) -> f64 {
+        let square = 2.0 * self.half.value(x) - ROUNDING * self.half.constant.abs();
+        square.max(0.0).sqrt() / self.most - 1.0
+    }
+
+    /// Whether a row is a tangent of this limit.
+    pub fn is_tangent(&self, row: &Row<N>) -> bool {
+        row.limit.is_none() && row.name == self.name
+    }
+
+    /// The tangent at x, which every law z within the limit keeps because q is convex: ∇q(x)·(z − x) ≤ ½ most² − q(x),
+    /// divided by `most`.
+    pub(crate) fn tangent(&self, x: &[f64], multiplier: f64) -> Row<N> {
+        let mut gradient = self.half.hessian.times(x);
+        for (own, g) in gradient.iter_mut().zip(&self.half.gradient) {
+            *own = (*own + g) / self.most;
+        }
+        let along: f64 = gradient.iter().zip(x).map(|(g, x)| g * x).sum();
+        Row {
+            limit: None,
+            name: self.name,
+            peak: Peak {
+                piece: 0,
+                u: 0.0,
+                at: 0.0,
+                value: 0.0,
+            },
+            weights: [0.0; 5],
+            entries: gradient.into_iter().enumerate().collect(),
+            touching: Vec::new(),
+            extra: [0.0; EXTRAS],
+            bound: 0.5 * self.most - self.half.value(x) / self.most + along,
+            scale: 0.0,
+            multiplier,
+        }
+    }
+}
+
+impl<N: Names> Program<N> {
+    /// Whether a neighbouring program begins with a row: a contact of a limit or the tangent of that on the root mean square.
+    pub fn is_seed(&self, row: &Row<N>) -> bool {
+        row.limit.is_some() || self.rms.iter().any(|l| l.is_tangent(row))
+    }
+
+    /// The same program with `weight` times q in its objective instead of the limit on √(2 q).
+    pub(crate) fn weighing(&self, limit: &RmsLimit<N>, weight: f64) -> Program<N> {
+        let mut out = self.clone();
+        out.rms = None;
+        out.hessian.add_scaled(&limit.half.hessian, weight);
+        for (own, g) in out.gradient.iter_mut().zip(&limit.half.gradient) {
+            *own += weight * g;
+        }
+        out.constant += weight * limit.half.constant;
+        out
+    }
+
+    /// The program of the least root mean square under the other limits; `None` where none is limited.
+    pub fn of_least_rms(&self) -> Option<Program<N>> {
+        let mut out = self.clone();
+        let limit = out.rms.take()?;
+        let Quadratic {
+            hessian,
+            gradient,
+            constant,
+        } = limit.half;
+        (out.hessian, out.gradient, out.constant) = (hessian, gradient, constant);
+        out.cost = [0.0; EXTRAS];
+        // Rows about a peak without a cost say nothing.
+        for limit in out.limits.iter_mut().filter(|l| l.is_peak()) {
+            *limit = limit.idle();
+        }
+        out.seeds.clear();
+        Some(out)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::basis::Basis;
+    use crate::objective::pointwise;
+    use crate::poly::SplineSpace;
+    use crate::{Failure, Limit, PEAK, RADIUS, certificate, only};
+    use std::f64::consts::TAU;
+
+    /// f = 1 + Σ cos(nθ)/n + sin(nθ)/n² over the first harmonics.
+    fn wave(count: usize) -> impl Fn(f64) -> f64 {
+        move |x| {
+            let wave = |n: usize| {
+                let n = n as f64;
+                (n * x).cos() / n + (n * x).sin() / (n * n)
+            };
+            1.0 + (1..=count).map(wave).sum::<f64>()
+        }
+    }
+
+    fn splines() -> Basis {
+        Basis::Spline {
+            space: SplineSpace::periodic_uniform(5, 24, TAU),
+            closed: true,
+        }
+    }
+
+    fn program(basis: Basis, order: usize, most: f64) -> Program<()> {
+        let mut half = Quadratic::zero(&basis);
+        half.add_distance(&basis, &[1.0], 40, pointwise(wave(4)), None);
+        let mut energy = Quadratic::zero(&basis);
+        if order > 0 {
+            energy.add_energy(&basis, order, 1.0);
+        }
+        let mut program = Program::new(basis, energy, Vec::new(), 1.0);
+        program.rms = Some(RmsLimit {
+            name: "distance",
+            half,
+            most,
+            meaning: Meaning::times(1.0),
+        });
+        program
+    }
+
+    /// ½ mean(s‴²) within an RMS distance e of f: aₙ = λ fₙ/(λ + n⁶), with λ such that the distance is e.
+    #[test]
+    fn the_smoothest_harmonics_near_a_wave_have_their_closed_form() {
+        for most in [0.4, 0.1, 0.01, 1e-4] {
+            let program = program(Basis::Harmonic { count: 4 }, 3, most);
+            let left = |lambda: f64| {
+                let square = |n: usize| {
+                    let n = n as f64;
+                    let part = n.powi(6) / (lambda + n.powi(6));
+                    0.5 * part * part * (n.powi(-2) + n.powi(-4))
+                };
+                (1..=4).map(square).sum::<f64>().sqrt()
+            };
+            let (mut low, mut high) = (1e-12_f64, 1e12_f64);
+            for _ in 0..200 {
+                let middle = (low * high).sqrt();
+                if left(middle) > most {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            let solution = program.solve().unwrap();
+            for n in 1..=4 {
+                let part = low / (low + (n as f64).powi(6));
+                let (a, b) = (1.0 / n as f64, 1.0 / (n * n) as f64);
+                let [x, y] = [solution.x[2 * n - 1], solution.x[2 * n]];
+                assert!(
+                    (x - part * a).abs() < 1e-7 && (y - part * b).abs() < 1e-7,
+                    "{most} {n}"
+                );
+            }
+            let proof = certificate(&program, &solution);
+            assert!(
+                proof.proves_optimum() && proof.keeps_limits(),
+                "{most} {proof:?}"
+            );
+            // The multiplier is what a wider distance is worth: dJ/de = λ e.
+            let worth = solution.active[0].multiplier;
+            assert!((worth - low * most).abs() < 1e-4 * worth, "{most} {worth}");
+        }
+    }
+
+    /// What is minimised: the peak of the acceleration, a radius above all slopes, or an energy of this order.
+    fn minimising(order: usize, most: f64) -> Program<()> {
+        let energy = if order < 2 { 0 } else { order };
+        let mut program = program(splines(), energy, most);
+        program
+            .limits
+            .push(Limit::new("highest", only(0, 1.0), 2.9, 2.9));
+        for sign in [1.0, -1.0] {
+            let peak = Limit::new("peak", only(2, sign), 1.0, 1.0).minimised();
+            let mut slope = Limit::new("slope", only(1, sign), 0.0, 1.0);
+            slope.extra[RADIUS] = -1.0;
+            match order {
+                0 => program.limits.push(peak),
+                1 => program.limits.push(slope),
+                _ => (),
+            }
+        }
+        match order {
+            0 => program.cost[PEAK] = 1.0,
+            1 => {
+                program.cost[RADIUS] = 1.0;
+                let mut jerk = Quadratic::zero(&program.basis);
+                jerk.add_energy(&program.basis, 3, 1e-6);
+                program.hessian = jerk.hessian;
+            }
+            _ => (),
+        }
+        program
+    }
+
+    /// Every kind of objective beside another limit; the bound is no worse than that of a tighter limit.
+    #[test]
+    fn the_optimum_is_proved_and_falls_as_the_limit_widens() {
+        for order in 0..=4 {
+            let mut before: Option<f64> = None;
+            for most in [0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 1.0] {
+                let program = minimising(order, most);
+                let solution = match program.solve() {
+                    Err(Failure::Infeasible) if before.is_none() => continue,
+                    other => other.unwrap(),
+                };
+                let proof = certificate(&program, &solution);
+                assert!(
+                    proof.proves_optimum() && proof.keeps_limits(),
+                    "{order} {most} {proof:?}"
+                );
+                let value = program.merit(&solution);
+                let most = before.map_or(f64::INFINITY, |b| b + proof.duality_gap + 1e-12);
+                assert!(value <= most, "{order} {most} {value}");
+                before = Some(value);
+            }
+            assert!(before.is_some());
+        }
+    }
+
+    /// The best accuracy beside another limit is the edge of what has a law.
+    #[test]
+    fn laws_exist_down_to_the_least_distance() {
+        for order in 0..=4 {
+            let least = minimising(order, 0.1).of_least_rms().unwrap();
+            let nearest = least.solve().unwrap();
+            let edge = (2.0 * least.merit(&nearest)).sqrt();
+            let inside = minimising(order, edge * (1.0 + 1e-6));
+            assert!(
+                inside
+                    .violation(&inside.solve().unwrap().x, &[0.0; EXTRAS])
+                    .is_finite()
+            );
+            let outside = minimising(order, edge * (1.0 - 1e-6));
+            assert!(matches!(outside.solve(), Err(Failure::Infeasible)));
+        }
+    }
+
+    #[test]
+    fn a_distance_that_no_law_has_is_infeasible() {
+        let mut program = program(Basis::Harmonic { count: 2 }, 3, 1e-3);
+        assert!(matches!(program.solve(), Err(Failure::Infeasible)));
+        if let Some(limit) = &mut program.rms {
+            limit.most = 1.0;
+        }
+        assert!(program.solve().is_ok());
+    }
+}
