@@ -145,7 +145,7 @@ fn named_all<T: Copy>(all: &[T], name: fn(T) -> &'static str) -> Vec<(&'static s
 impl_words! {
     DriveKind: named_all(DriveKind::ALL, DriveKind::name);
     FollowerKind: named_all(FollowerKind::ALL, FollowerKind::name);
-    Movement: named_all(&Movement::ALL, Movement::name);
+    Movement: named_all(Movement::ALL, Movement::name);
     Feet: named_all(&Feet::ALL, Feet::name);
     ForceScale: named_all(ForceScale::ALL, ForceScale::name);
     Family: named_all(Family::ALL, Family::name);
