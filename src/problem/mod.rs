@@ -174,13 +174,20 @@ impl Problem {
         }
     }
 
+    /// The same whose force error is not judged.
+    #[must_use]
+    pub fn without_accuracy(&self) -> Problem {
+        let mut out = self.clone();
+        out.limits.unjudged.accuracy = true;
+        out
+    }
+
     /// The same with its force and demands, but without a limit, an accuracy and a band.
     #[must_use]
     pub fn without_limits(&self) -> Problem {
         let mut out = self.clone();
         (out.limits, out.band) = (Limits::default(), None);
-        out.limits.unjudged.accuracy = true;
-        out
+        out.without_accuracy()
     }
 
     /// What the law minimises: the force error where there is a target and no band, jerk otherwise.

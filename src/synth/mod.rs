@@ -48,6 +48,9 @@
 //! **Polydyne.** Under a follower that gives, the law sought is that of its end y; the cam's is
 //! s = y + x with x + (c₁ω/k₁) x′ = F(y)/k₁. Limits of the end move until the cam's own are reached.
 //!
+//! **Accuracy.** Where something else than the force error is minimised, √(mean (F − F*)²) ≤ e is one more convex limit: its
+//! half square is added to the objective with the weight at which it holds with equality.
+//!
 //! **Certificate.** The multipliers λ of the active rows prove a lower bound; objective less bound is
 //! Σ λ(b − aᵀx) + xᵀr with r the Lagrangian's gradient. λ times 1 % of a limit is what easing it would buy.
 //!
@@ -200,7 +203,8 @@ fn sized(
     })
 }
 
-/// The best law without the limits, or without the base circle either: what is shown where they leave none.
+/// The best law without the accuracy where the other limits have one, without any limit, or without the base circle
+/// either: what is shown where they leave none.
 fn without_limits(
     problem: &Problem,
     search: &Search,
@@ -213,7 +217,12 @@ fn without_limits(
     } else {
         endless.ended_by(&search.halt)
     };
-    let mut bare = problem.without_limits();
+    let of_accuracy = refusal.is_of_accuracy();
+    let mut bare = if of_accuracy {
+        problem.without_accuracy()
+    } else {
+        problem.without_limits()
+    };
     bare.law.family = refusal.family();
     let mut best = sized(problem, &bare, &timely).or_else(|no_law| match no_law {
         NoLaw::Refused(_) => {
@@ -222,11 +231,14 @@ fn without_limits(
         }
         fault => Err(fault),
     })?;
-    // Nothing is proved of a law that breaks the limits.
-    best.law.easing.clear();
-    best.law.solver.certificate = None;
-    best.law.solver.certified = false;
-    best.law.solver.doubt = Some(Doubt::Limits);
+    // The optimum under the limits that misses the accuracy keeps its proof, as where the force error is minimised.
+    if !of_accuracy {
+        // Nothing is proved of a law that breaks the limits.
+        best.law.easing.clear();
+        best.law.solver.certificate = None;
+        best.law.solver.certified = false;
+        best.law.solver.doubt = Some(Doubt::Limits);
+    }
     Ok(best)
 }
 

@@ -8,6 +8,8 @@ use crate::synth::qp::{FACE_END, LOWEST, Limit, Meaning, only};
 
 /// A law may dip below its base circle by this part of the stroke: rounding.
 const DIP: f64 = 1e-7;
+/// A lift below this is none, m or rad: what rounding leaves of a law without a stroke.
+const NO_LIFT: f64 = 1e-15;
 
 /// The law stays above its base circle.
 pub fn base_circle(problem: &Problem) -> Vec<Limit> {
@@ -29,7 +31,7 @@ pub fn above_base_circle(problem: &Problem) -> Option<Limit> {
 /// The law's zero is its base circle: it does not dip below.
 pub fn base_circle_check(cam: &Cam) -> Option<Check> {
     let lowest = cam.law.extremes(0).0;
-    let dips = lowest.value < -DIP * cam.law.stroke();
+    let dips = lowest.value < -(DIP * cam.law.stroke()).max(NO_LIFT);
     dips.then(|| Check::at_least(Criterion::BaseCircle, lowest, 0.0, 0.0))
 }
 

@@ -199,7 +199,7 @@ fn a_heavier_phase_is_followed_more_closely() {
         |d: &Design, from: usize, to: usize| errors(d)[from..to].iter().map(|e| e * e).sum::<f64>();
     let plain = solved(&["law.spans=8"], &target);
     let weight = r#"gait.weight=[{from="0 deg", to="60 deg", weight=20.0}]"#;
-    let heavy = solved(&["law.spans=8", weight], &target);
+    let heavy = solved(&["law.spans=8", weight, "accuracy.rms=none"], &target);
     let end = 100_000 / 6;
     assert!(square(&heavy, 0, end) < 0.7 * square(&plain, 0, end));
     assert!(heavy.force.rms_error_n > plain.force.rms_error_n);

@@ -166,7 +166,8 @@ impl Asked {
             )?,
         }
         let limits = &self.limits;
-        writeln!(out, "[limits]")?;
+        // The reference knows no accuracy: another test compares that with a cone program.
+        writeln!(out, "[accuracy]\nrms = \"none\"\n[limits]")?;
         for (key, value, unit) in [
             ("stroke", limits.stroke, "m"),
             ("velocity", limits.velocity, "m/s"),
