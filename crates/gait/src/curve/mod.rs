@@ -43,6 +43,10 @@ pub struct ForceCurve {
     pub spread_n: Option<Vec<f64>>,
     /// Mass of the walker, kg, where it is known.
     pub mass_kg: Option<f64>,
+    /// Duration of the cycle by the clock of its file, s, where the period that was given differs from it by more than
+    /// a sample.
+    #[serde(skip)]
+    pub clock_s: Option<f64>,
     /// How the recording of which it is the mean was interpreted.
     #[serde(serialize_with = "interpretation")]
     pub recording: Option<Arc<Interpretation>>,
@@ -79,6 +83,7 @@ impl ForceCurve {
             force_n,
             spread_n: None,
             mass_kg: None,
+            clock_s: None,
             recording: None,
         })
     }
@@ -109,6 +114,12 @@ impl ForceCurve {
         };
         let all = self.recording.iter().flat_map(|r| &r.warnings);
         all.filter(move |n| !on_mass(n))
+    }
+
+    /// The note that its file has another clock than the period that was given.
+    pub fn clock_note(&self) -> Option<Note> {
+        let (clock, period) = (seconds(self.clock_s?), seconds(self.period_s));
+        Some(Note::ClockDiffers { clock, period })
     }
 
     /// Smallest and largest sample, N.

@@ -65,6 +65,10 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     }
     let said = comments.iter().find_map(|c| period(c));
     let period = options.period_s.or(said);
+    let clock_s = match kind {
+        Kind::Cycle => other_clock(&times, options),
+        Kind::CriticalPoints => None,
+    };
     let times = match kind {
         Kind::Cycle if asked => stretched(times, options),
         _ => times,
@@ -85,6 +89,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
         curve.spread_n = Some(spread.force_n);
     }
     curve.mass_kg = mass_kg;
+    curve.clock_s = clock_s;
     Ok(Some(curve))
 }
 
@@ -222,6 +227,19 @@ pub(super) fn sampled(
     through(name, points, period)
 }
 
+/// Duration by the clock of a file, where the period given (or the part of it that the span covers) differs from it by
+/// more than a sample.
+fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
+    let (Some(period), [first, .., last]) = (options.period_s, times) else {
+        return None;
+    };
+    let covered = options.span_rad.map_or(period, |s| period * s / TAU);
+    let (length, step) = (last - first, (last - first) / (times.len() - 1) as f64);
+    // The last sample may close the cycle or come a step before its end.
+    let fits = covered > length - step && covered < length + 2.0 * step;
+    (!fits && length > 0.0).then_some(length)
+}
+
 /// Times of a file that is one cycle whatever its clock says: its rows fill the period, or the part of it that the
 /// span covers.
 fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
@@ -311,6 +329,25 @@ mod tests {
         let n = half.force_n.len();
         assert_eq!(half.period_s, 2.0);
         assert!((half.force_n[n / 4]).abs() < 1e-9 && half.force_n[3 * n / 4] == 0.0);
+        // Rows that say 1 s fill the period that is given, with a note where it is another by more than a sample.
+        let is_noted = |period, span| open(Some(period), span).clock_note().is_some();
+        for (period, noted) in [
+            (0.5, true),
+            (0.98, true),
+            (0.995, false),
+            (1.0, false),
+            (1.01, false),
+            (1.03, true),
+            (10.0, true),
+        ] {
+            assert_eq!(is_noted(period, None), noted, "{period} s");
+            assert_eq!(
+                is_noted(2.0 * period, Some(0.5 * TAU)),
+                noted,
+                "half of {period} s"
+            );
+        }
+        assert!(open(None, Some(0.25 * TAU)).clock_note().is_none());
         // Without a period the rows take as long as they say.
         assert!((open(None, Some(0.25 * TAU)).period_s - 4.0).abs() < 1e-9);
     }

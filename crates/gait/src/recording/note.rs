@@ -52,6 +52,8 @@ pub enum Note {
     RowsDiffer { announced: usize, found: usize },
     /// The header announces more frames than the file holds.
     FramesMissing { announced: usize, found: usize },
+    /// The period that was given is not the duration of the file by its own clock.
+    ClockDiffers { clock: Quantity, period: Quantity },
     /// Lines that are not rows of numbers were passed over.
     LinesSkipped { first_line: usize },
     /// Two nameless columns are sums of sensors and taken for the left and the right insole.

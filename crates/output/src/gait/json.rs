@@ -67,11 +67,12 @@ fn stance(s: &Stance, r: &Recording) -> Value {
 
 /// A file that is one cycle, with the keys of [`json()`].
 pub fn cycle_json(curve: &ForceCurve) -> Value {
+    let notes: Vec<String> = curve.clock_note().iter().map(Note::to_string).collect();
     json!({
         "format": "one cycle", "rate_hz": curve.force_n.len() as f64 / curve.period_s,
         "duration_s": curve.period_s, "mass_kg": curve.mass_kg, "mass_from": "file",
         "kind": null, "period_s": curve.period_s, "period_from": "file", "contacts": [], "doubts": [],
-        "notes": [], "warnings": [], "channels": [], "stances": [],
+        "notes": notes, "warnings": [], "channels": [], "stances": [],
         "cycle": {
             "period_s": curve.period_s, "period_from": "file", "mean_n": curve.mean_n(), "averaged": 1,
             "source": {"code": "as-given", "data": {}}, "spread_rms_n": curve.spread_rms_n(),

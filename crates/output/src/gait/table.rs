@@ -54,6 +54,7 @@ pub fn cycle_table(curve: &ForceCurve, language: Language) -> String {
     if let Some(spread) = curve.spread_rms_n() {
         out.row("gait-spread", format_args!("{} N", words.fixed(spread, 1)));
     }
+    out.notes("gait-note", curve.clock_note().as_slice());
     out.text.pop();
     out.text
 }

@@ -62,6 +62,7 @@ force-no-stance-of-foot = no complete stance of the { $foot } foot
 force-feet-not-named = no complete stance of the { $foot } foot
     .help = the file does not say which foot is which; use feet = "one" or "both"
 
+note-clock-differs = by its own clock the file lasts { $clock }, but the period given is { $period }: the rows are stretched to it
 note-rows-differ = the header states { $announced } rows, the file has { $found }
 note-frames-missing = the header states { $announced } frames, the file has { $found }
 note-lines-skipped = lines that are not rows of numbers were skipped; the first is line { $first-line }

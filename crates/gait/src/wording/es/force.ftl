@@ -62,6 +62,7 @@ force-no-stance-of-foot = ningún apoyo completo del pie { $foot }
 force-feet-not-named = ningún apoyo completo del pie { $foot }
     .help = el archivo no indica qué pie es cada uno; use feet = "one" o "both"
 
+note-clock-differs = según su propio reloj el archivo dura { $clock }, pero el periodo dado es { $period }: las filas se adaptan a él
 note-rows-differ = la cabecera indica { $announced } filas y el archivo tiene { $found }
 note-frames-missing = la cabecera indica { $announced } cuadros y el archivo tiene { $found }
 note-lines-skipped = se omitieron líneas que no son filas de números; la primera es la línea { $first-line }
