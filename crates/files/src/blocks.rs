@@ -18,7 +18,7 @@ use gaitcam_output::folder::{put_whole, write_whole};
 use serde_json::{Value, json};
 
 use crate::lock::is_plain;
-use crate::read::read_bytes;
+use crate::read::{cannot_be_read, read_bytes};
 use crate::scene::not_json;
 
 /// The file that says which sweep the folder holds.
@@ -127,6 +127,7 @@ impl SharedBlocks {
         let rows = study.rows()?;
         let mut plan = study.description();
         plan["block_rows"] = json!(block_rows);
+        plan["rows"] = json!(rows);
         Ok(SharedBlocks {
             blocks: Blocks::open(folder, &plan, "parquet", language)?,
             rows,
@@ -145,13 +146,13 @@ impl SharedBlocks {
         Ok(all.filter(|rows| !present.contains(rows)).collect())
     }
 
-    /// The blocks of one of `parts` equal shares, counted from 1, that are not there yet.
+    /// The blocks of one of `parts` equal shares that are not there yet; share 0 is share `parts`.
     ///
     /// # Errors
     /// As [`SharedBlocks::missing`].
     pub fn missing_of(&self, part: u64, parts: u64) -> Result<Vec<Range<u64>>> {
         let mut out = self.missing()?;
-        out.retain(|rows| (rows.start / self.block_rows) % parts == part - 1);
+        out.retain(|rows| (rows.start / self.block_rows + 1) % parts == part % parts);
         Ok(out)
     }
 }
@@ -175,10 +176,7 @@ fn begin(folder: &Path, place: &Path, plan: &Value) -> Result<()> {
 /// # Errors
 /// A folder that cannot be read.
 pub fn files(folder: &Path) -> Result<Vec<(Range<u64>, PathBuf)>> {
-    let fault = |e: std::io::Error| {
-        let fault = e.to_string();
-        FileError::CannotRead { fault }.in_file(folder)
-    };
+    let fault = |e: std::io::Error| cannot_be_read(folder, &e);
     let mut out = Vec::new();
     for entry in fs::read_dir(folder).map_err(fault)? {
         let path = entry.map_err(fault)?.path();
@@ -188,6 +186,24 @@ pub fn files(folder: &Path) -> Result<Vec<(Range<u64>, PathBuf)>> {
         }
     }
     out.sort_by_key(|(rows, _)| (rows.start, rows.end));
+    Ok(out)
+}
+
+/// Ranges of rows of a sweep that its folder lacks: gaps between blocks, and what the plan has after the last.
+///
+/// # Errors
+/// A folder that cannot be read.
+pub fn missing_rows(folder: &Path) -> Result<Vec<Range<u64>>> {
+    let plan = read_bytes(&folder.join(PLAN)).unwrap_or_default();
+    let plan: Value = serde_json::from_slice(&plan).unwrap_or_default();
+    let (mut out, mut next) = (Vec::new(), 0);
+    let end = plan["rows"].as_u64().map(|rows| rows..rows);
+    for rows in files(folder)?.into_iter().map(|f| f.0).chain(end) {
+        if rows.start > next {
+            out.push(next..rows.start);
+        }
+        next = next.max(rows.end);
+    }
     Ok(out)
 }
 
@@ -248,6 +264,9 @@ mod tests {
         assert_eq!(open().missing().unwrap(), [0..4, 8..10]);
         assert_eq!(open().missing_of(1, 2).unwrap(), [0..4, 8..10]);
         assert!(open().missing_of(2, 2).unwrap().is_empty());
+        for part in [0, 3] {
+            assert_eq!(open().missing_of(part, 3).unwrap(), [8..10]);
+        }
     }
 
     #[test]

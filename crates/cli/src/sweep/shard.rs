@@ -3,7 +3,7 @@
 #[cfg(feature = "parquet")]
 pub use with_parquet::run;
 
-/// A share of equal shares, counted from 1.
+/// A share of equal shares. They may be counted from 0 or from 1: share 0 of N is share N.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     /// Which.
@@ -17,7 +17,7 @@ pub fn shard(typed: &str) -> Result<Shard, String> {
     let ends = typed.split_once('/');
     let number = |text: &str| text.trim().parse::<u64>().ok();
     ends.and_then(|(part, parts)| Some((number(part)?, number(parts)?)))
-        .filter(|(part, parts)| (1..=*parts).contains(part))
+        .filter(|(part, parts)| *parts > 0 && part <= parts)
         .map(|(part, parts)| Shard { part, parts })
         .ok_or_else(|| crate::console::words::text("sweep-shard"))
 }

@@ -213,7 +213,7 @@ sweep-samples = { $name }: { $count } manufactured samples; force error by desig
 sweep-spread = spread    mean { $mean } %, standard deviation { $deviation } %, 5 % to 95 %: { $p5 } % … { $p95 } %, median { $median } %, largest { $largest } %
 sweep-yield = yield     { $within } % stay within { $band } %
 sweep-scatter-files = Samples in { $file }, pictures in { $page }.
-sweep-shard = write I/N, for example 3/16: the third of sixteen shares
+sweep-shard = write I/N, for example 3/16: the third of sixteen shares, counted from 1 (or from 0: 0/16 is 16/16)
 sweep-shard-done = { $folder }: { $rows } rows computed, { $left ->
         [0] every block is there
         [one] one block is missing
@@ -243,6 +243,10 @@ scatter-tolerance = tolerance
 front-none-built = { $file }: no design was built
 front-none-feasible = { $file }: no design is acceptable (--all includes the others)
 front-counts = { $file }: { $candidates } of { $seen } designs are admitted, { $front } of them non-dominated
+front-missing = { $count ->
+        [one] row { $list } is not in the folder
+       *[other] { $count } rows are not in the folder ({ $list })
+    }: the front is that of the others. The same sweep, started again, computes what is missing
 front-low-speed = { $count ->
         [one] one design that is not for high speed is
        *[other] { $count } designs that are not for high speed are

@@ -213,7 +213,7 @@ sweep-samples = { $name }: { $count } muestras fabricadas; error de fuerza del d
 sweep-spread = dispersión media { $mean } %, desviación típica { $deviation } %, 5 % a 95 %: { $p5 } % … { $p95 } %, mediana { $median } %, máximo { $largest } %
 sweep-yield = rendimiento { $within } % queda dentro de { $band } %
 sweep-scatter-files = Muestras en { $file }, figuras en { $page }.
-sweep-shard = escriba I/N, por ejemplo 3/16: la tercera de dieciséis partes
+sweep-shard = escriba I/N, por ejemplo 3/16: la tercera de dieciséis partes, contadas desde 1 (o desde 0: 0/16 es 16/16)
 sweep-shard-done = { $folder }: { $rows } filas calculadas, { $left ->
         [0] están todos los bloques
         [one] falta un bloque
@@ -243,6 +243,10 @@ scatter-tolerance = tolerancia
 front-none-built = { $file }: no se construyó ningún diseño
 front-none-feasible = { $file }: ningún diseño es aceptable (--all incluye los demás)
 front-counts = { $file }: { $candidates } de { $seen } diseños cuentan, { $front } de ellos no dominados
+front-missing = { $count ->
+        [one] la fila { $list } no está en la carpeta
+       *[other] { $count } filas no están en la carpeta ({ $list })
+    }: el frente es el de las demás. El mismo barrido, iniciado de nuevo, calcula lo que falta
 front-low-speed = { $count ->
         [one] se omite un diseño que no es
        *[other] se omiten { $count } diseños que no son

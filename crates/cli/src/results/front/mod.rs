@@ -4,6 +4,7 @@ mod objective;
 mod page;
 pub mod read;
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -20,7 +21,8 @@ use crate::synth::{self, SynthArgs};
 use gaitcam::error::{FileError, Placed, Result};
 use gaitcam::sweep::table::text_cell;
 use gaitcam::sweep::{Admission, Front, Key, Objective, Point};
-use gaitcam_files::{blocks::PLAN, read::read_bytes, scene::not_json};
+use gaitcam_files::blocks::{self, PLAN};
+use gaitcam_files::{read::read_bytes, scene::not_json};
 use gaitcam_output::folder::Folder;
 use read::{Columns, Kept};
 
@@ -61,6 +63,8 @@ pub struct FrontArgs {
 
 /// Rows of the front that are printed and shown on the page.
 const SHOWN: usize = 40;
+/// Ranges of missing rows that are named.
+const SHOWN_GAPS: usize = 6;
 
 /// The designs of a table, judged by the objectives.
 struct Evaluation {
@@ -69,12 +73,15 @@ struct Evaluation {
     kept: Kept,
     /// Designs that are built, not for high speed, and left out for it.
     left_out: u64,
+    /// Rows that the folder of blocks lacks.
+    missing: Vec<Range<u64>>,
     front: Front,
 }
 
 /// Finds the front and writes its files; exit code 3 when no design of the table will do.
 pub fn run(args: &FrontArgs) -> Result<u8> {
     let evaluated = gather(args)?;
+    report_missing(&evaluated.missing);
     let Some(best) = evaluated.front.best().cloned() else {
         let key = if args.all {
             "front-none-built"
@@ -108,6 +115,28 @@ pub fn run(args: &FrontArgs) -> Result<u8> {
         return open_best(args, &folder, &evaluated.columns, &best);
     }
     Ok(BUILT)
+}
+
+/// Says which rows of a folder of blocks are not there.
+fn report_missing(missing: &[Range<u64>]) {
+    if missing.is_empty() {
+        return;
+    }
+    let shown = missing.iter().take(SHOWN_GAPS);
+    let mut list: Vec<String> = shown
+        .map(|rows| match rows.end - rows.start {
+            1 => rows.start.to_string(),
+            _ => format!("{}–{}", rows.start, rows.end - 1),
+        })
+        .collect();
+    if missing.len() > SHOWN_GAPS {
+        list.push("…".to_string());
+    }
+    let count: u64 = missing.iter().map(|rows| rows.end - rows.start).sum();
+    report(words::fill(
+        "front-missing",
+        &json!({"count": count, "list": list.join(", ")}),
+    ));
 }
 
 /// Says how many designs do not count because they are not for high speed.
@@ -153,11 +182,16 @@ fn gather(args: &FrontArgs) -> Result<Evaluation> {
     if objectives.is_empty() {
         return Err(CliError::EmptyTable.in_file(&args.file));
     }
+    let missing = match args.file.is_dir() {
+        true => blocks::missing_rows(&args.file)?,
+        false => Vec::new(),
+    };
     Ok(Evaluation {
         columns,
         objectives,
         kept,
         left_out,
+        missing,
         front,
     })
 }
@@ -192,7 +226,12 @@ fn object(args: &FrontArgs, evaluated: &Evaluation, front: &[&Point], best: &Poi
         out
     };
     let points: Vec<Value> = front.iter().map(|p| point(p)).collect();
+    let missing = evaluated
+        .missing
+        .iter()
+        .map(|rows| [rows.start, rows.end - 1]);
     json!({"file": args.file.display().to_string(), "rows": evaluated.kept.seen,
+        "missing_rows": missing.collect::<Vec<_>>(),
         "candidates": evaluated.kept.candidates, "not_for_high_speed_left_out": evaluated.left_out,
         "minimise": named(false), "maximise": named(true), "front": points, "best": point(best)})
 }

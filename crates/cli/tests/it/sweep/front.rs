@@ -99,3 +99,65 @@ fn front_refuses_what_is_no_sweep_and_unknown_objectives() {
     sweep(&table, &["--vary", "limits.stroke=1 mm,2 mm"]);
     assert_eq!(front(&[table.to_str().unwrap()]).status.code(), Some(3));
 }
+
+/// The blocks of a sweep of which some are lost, in any place.
+#[test]
+fn rows_that_a_folder_of_blocks_lacks_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("t.csv");
+    let vary = [
+        "--vary",
+        "law.family=harmonic",
+        "--vary",
+        "gait.body_weight=600 N:800 N:12",
+    ];
+    assert_eq!(sweep(&table, &vary).status.code(), Some(0));
+    let text = std::fs::read_to_string(&table).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    for lost in [
+        vec![],
+        vec![0],
+        vec![2],
+        vec![5],
+        vec![0, 2, 3],
+        vec![1, 4, 5],
+    ] {
+        let blocks = folder.path().join(format!("blocks-{lost:?}"));
+        std::fs::create_dir(&blocks).unwrap();
+        std::fs::write(
+            blocks.join("_plan.json"),
+            "{\"rows\": 12, \"block_rows\": 2}",
+        )
+        .unwrap();
+        for block in (0..6).filter(|block| !lost.contains(block)) {
+            let (start, end) = (2 * block, 2 * block + 2);
+            let rows = [&lines[..1], &lines[1 + start..1 + end]]
+                .concat()
+                .join("\n");
+            std::fs::write(blocks.join(format!("rows-{start:012}-{end:012}.csv")), rows).unwrap();
+        }
+        let out = folder.path().join("front");
+        let arguments = [
+            blocks.to_str().unwrap(),
+            "--json",
+            "--out",
+            out.to_str().unwrap(),
+        ];
+        let output = front(&arguments);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let json: serde_json::Value = object(&output);
+        let ranges = json["missing_rows"].as_array().unwrap();
+        let named: Vec<u64> = (ranges.iter())
+            .flat_map(|range| range[0].as_u64().unwrap()..=range[1].as_u64().unwrap())
+            .collect();
+        let expected: Vec<u64> = lost
+            .iter()
+            .flat_map(|b| [2 * b, 2 * b + 1])
+            .map(|r| r as u64)
+            .collect();
+        assert_eq!(named, expected);
+        let said = stderr(&output);
+        let count = format!("{} rows are not in the folder", expected.len());
+        assert_eq!(said.contains(&count), !lost.is_empty(), "{said}");
+    }
+}
