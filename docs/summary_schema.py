@@ -16,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 SCHEMA = json.loads((ROOT / "docs/reference/summary.schema.json").read_text(encoding="utf-8"))
 RECORDING = ["--set", "gait.file=data/recordings/made_walk.csv"]
-# What the built-in scenes do not show: a recording, a force error, a conflict, a solver in doubt, the end of the time.
+# What the built-in scenes do not show: a recording, a force error, a conflict, a solver in doubt, the end of the time, no cam.
 OTHERS = [
     ["scenes/measured_walk.toml", *RECORDING],
     ["footbridge", "--set", "limits.stroke=40 mm", "--set", "law.spans=16"],
@@ -24,6 +24,7 @@ OTHERS = [
     ["footbridge", "--set", "limits.torque=14 N m", "--set", "law.spans=16"],
     ["scenes/heel_tester_fitted.toml", "--time-limit", "0.1"],
     ["footbridge", "--set", "machine.natural_frequency=60 Hz", "--set", "law.polydyne=true"],
+    ["thesis_barrel", "--set", "cam.depth=200 mm"],
 ]
 TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "null": type(None), "integer": int}
 

@@ -27,6 +27,61 @@ pub use sweep::SweepError;
 pub use synth::SynthError;
 pub use write::WriteError;
 
+/// Whether an error says that no cam does what a scene asks, rather than that the scene cannot be read.
+///
+/// ```
+/// use gaitcam::error::is_no_cam;
+/// use gaitcam::scene;
+///
+/// // The arm would swing beyond the line through pivot and cam centre.
+/// let arm = scene::built_in("camdas_02_oscillating_roller")?.scene()?;
+/// let impossible = arm.with("law.segment.1.lift", "170 deg")?.with("law.segment.3.lift", "-170 deg")?;
+/// assert!(is_no_cam(&impossible.design().unwrap_err()));
+/// assert!(!is_no_cam(&arm.with("law.segment.1.lift", "long").unwrap_err()));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+pub fn is_no_cam(error: &Error) -> bool {
+    use {CamError as C, LawError as L, SynthError as S};
+    let of_cam = |fault: &C| {
+        matches!(
+            fault,
+            C::RollerFillsCam { .. }
+                | C::Offset { .. }
+                | C::BelowCentre { .. }
+                | C::FaceReach { .. }
+                | C::ArmReach { .. }
+                | C::Swing { .. }
+                | C::FaceSpeed { .. }
+                | C::PivotInside { .. }
+                | C::SecondCam { .. }
+                | C::NoConjugate { .. }
+                | C::NoSize { .. }
+                | C::GrooveDepth { .. }
+                | C::GrooveRollers { .. }
+                | C::GrooveFloor { .. }
+        )
+    };
+    let of_law = |fault: &L| {
+        matches!(
+            fault,
+            L::LiftJump { .. } | L::VelocityJump { .. } | L::BelowBaseCircle { .. }
+        )
+    };
+    let of_synthesis = |fault: &S| {
+        matches!(
+            fault,
+            S::NoLaw { .. }
+                | S::NoConstantBreadth { .. }
+                | S::BreadthTooSmall { .. }
+                | S::NoPrimeCircle
+                | S::NoDoubleHarmonic
+        )
+    };
+    error.fault().is_some_and(of_cam)
+        || error.fault().is_some_and(of_law)
+        || error.fault().is_some_and(of_synthesis)
+}
+
 /// Areas of faults with their enums.
 macro_rules! faults {
     ($($area:literal => $fault:ty),* $(,)?) => {

@@ -25,7 +25,7 @@ use clap::{FromArgMatches, Parser, Subcommand};
 pub use console::exit_code;
 use console::terminal::{final_exit_code, print_json, record_write_error, report};
 use console::{help, internal, language, usage};
-use exit_code::{BAD_INPUT, BUILT};
+use exit_code::BUILT;
 use gaitcam::error::{Error, Result};
 use reference::{completions, keys, laws, manual};
 use results::{compare, front};
@@ -130,7 +130,7 @@ pub(crate) fn refused(error: &Error, json: bool) -> u8 {
     if json {
         print_json(&error_json(error));
     }
-    final_exit_code(BAD_INPUT)
+    final_exit_code(exit_code::of_error(error))
 }
 
 /// An error for programs; the message is that of standard error.

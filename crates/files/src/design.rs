@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use gaitcam::error::{FileError, Placed, Result};
+use gaitcam::error::{Error, FileError, Placed, Result};
 use gaitcam::scene::Scene;
 use gaitcam::synth::Design;
 use gaitcam::{Drive, Problem};
@@ -17,6 +17,13 @@ use crate::scene::Input;
 /// `summary.json`: the design in numbers, and the scene that it was made from.
 pub fn summary(design: &Design, scene: &toml::Table, time: Timing) -> Value {
     let mut out = json::summary(design, time);
+    out["scene"] = serde_json::to_value(scene).unwrap_or_default();
+    out
+}
+
+/// `summary.json` where no cam does what the scene asks: why, and the key at fault.
+pub fn summary_without_cam(name: &str, error: &Error, scene: &toml::Table, total_s: f64) -> Value {
+    let mut out = json::summary_without_cam(name, error, total_s);
     out["scene"] = serde_json::to_value(scene).unwrap_or_default();
     out
 }

@@ -1,6 +1,7 @@
 //! Exit codes of the command.
 
 use gaitcam::cam::Verdict;
+use gaitcam::error::{Error, is_no_cam};
 
 /// Built, and every check passes.
 pub const BUILT: u8 = 0;
@@ -12,6 +13,15 @@ pub const BAD_INPUT: u8 = 2;
 pub const NO_SUCH_CAM: u8 = 3;
 /// Stopped by Ctrl-C, as shells count it.
 pub const INTERRUPTED: u8 = 130;
+
+/// The exit code of an error.
+pub fn of_error(error: &Error) -> u8 {
+    if is_no_cam(error) {
+        NO_SUCH_CAM
+    } else {
+        BAD_INPUT
+    }
+}
 
 /// The exit code of a design.
 pub fn of(verdict: Verdict) -> u8 {

@@ -20,7 +20,8 @@ use crate::console::words;
 use crate::input::searching::TimeLimit;
 use crate::input::{self, Input, SceneArgs};
 use gaitcam::Problem;
-use gaitcam::error::{Place, Placed, Result};
+use gaitcam::cam::Verdict;
+use gaitcam::error::{Error, Place, Placed, Result, is_no_cam};
 use gaitcam::force::ForceCurve;
 use gaitcam::synth::{self, Design, Search};
 use gaitcam::units::Dimension;
@@ -164,7 +165,12 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     let shown = args.time.shown();
     let search = Search::until(limit.unwrap_or_else(|| args.time.of_design()));
     let problem = Problem::resolve(&input.scene, target.as_ref())?;
-    let design = synth::design(&problem, &search)?;
+    let design = match synth::design(&problem, &search) {
+        Err(error) if is_no_cam(&error) => {
+            return no_cam(args, &input, request.folder, &error, start);
+        }
+        design => design?,
+    };
     let solve_s = solving.elapsed().as_secs_f64();
     let design = design.relaxed_with(&search);
     drop(shown);
@@ -253,6 +259,34 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
         print(&files_in(&place, "report.html"));
     }
     Ok(())
+}
+
+/// Writes and prints why there is no cam to show.
+fn no_cam(
+    args: &SynthArgs,
+    input: &Input,
+    folder: Option<ResultFolder>,
+    error: &Error,
+    start: Instant,
+) -> Result<u8> {
+    let scene = input.resolved();
+    let total_s = start.elapsed().as_secs_f64();
+    let json = design::summary_without_cam(&input.scene.name, error, &scene, total_s);
+    let place = match folder {
+        Some(folder) => Some(design::finish(folder, input, &scene, &json)?),
+        None => None,
+    };
+    if args.json {
+        print_json(&json);
+        return Ok(exit_code::NO_SUCH_CAM);
+    }
+    let verdict = words::name(Verdict::Unacceptable.name());
+    let why = error.sentence(language::current());
+    print(&format!("{}: {verdict}\n  {why}", input.scene.name));
+    if let Some(place) = place {
+        print(&files_in(&place, "summary.json"));
+    }
+    Ok(exit_code::NO_SUCH_CAM)
 }
 
 /// The line that says where the files are, and which to open.

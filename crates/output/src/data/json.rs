@@ -3,7 +3,8 @@
 use serde_json::{Map, Value, json};
 
 use crate::Timing;
-use gaitcam::cam::{Cam, Continuity};
+use gaitcam::cam::{Cam, Continuity, Verdict};
+use gaitcam::error::Error;
 use gaitcam::synth::{Design, End, FIGURES, Figures, Reason};
 use gaitcam::wording::Language;
 
@@ -64,6 +65,24 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     put("solver", solver(design, time));
     put("time", json!({"total_s": time.total_s}));
     Value::Object(out)
+}
+
+/// The summary of a scene for which there is no cam to show: why, and the key at fault.
+pub fn summary_without_cam(name: &str, error: &Error, total_s: f64) -> Value {
+    let place = error.place.to_string();
+    let key = place.trim_end_matches(": ");
+    let [en, es] = [Language::En, Language::Es].map(|language| error.sentence(language));
+    json!({
+        "name": name,
+        "outcome": "infeasible",
+        "verdict": Verdict::Unacceptable.name(),
+        "reason": en,
+        "reasons": [{"code": error.code(), "key": key}],
+        "verdict_text": {"en": en, "es": es},
+        "infeasible": {"conflict": [key], "relaxations": [], "words": en},
+        "solver": null,
+        "time": {"total_s": total_s},
+    })
 }
 
 /// A reason as its code with its data.

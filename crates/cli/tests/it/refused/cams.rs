@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use serde_json::Value;
+
 use crate::support::{ROOT, both, changed, gaitcam};
 
 /// Exit code, standard output and error of a synthesis of `text` with changes.
@@ -42,7 +44,7 @@ fn an_arm_too_short_is_told_how_long_it_must_be() {
     let text = scene("camdas_11_oscillating_roller");
     says(
         synth(&text, &["cam.arm=55 mm"]),
-        2,
+        3,
         &["arm", "too short", "62 mm"],
     );
 }
@@ -52,7 +54,7 @@ fn a_pivot_inside_the_cam_is_told_how_far_out_it_belongs() {
     let text = scene("camdas_12_oscillating_flat");
     says(
         synth(&text, &["cam.pivot_beside=false"]),
-        2,
+        3,
         &["pivot", "inside the cam", "pivot distance"],
     );
 }
@@ -102,7 +104,7 @@ fn angles_that_miss_the_turn_are_counted() {
 #[test]
 fn a_motion_that_cannot_join_its_neighbour_says_which_derivative_jumps() {
     let text = scene("camdas_01_roller").replacen("simple-harmonic", "constant-velocity", 1);
-    says(synth(&text, &[]), 2, &["segment", "velocity", "jump"]);
+    says(synth(&text, &[]), 3, &["segment", "velocity", "jump"]);
 }
 
 #[test]
@@ -112,7 +114,7 @@ fn a_conjugate_that_cannot_exist_is_told_from_where_on_it_can() {
     let changes = ["cam.conjugate.distance=140 mm"];
     says(
         synth(&text, &changes),
-        2,
+        3,
         &["cam.conjugate", "145 mm", "from"],
     );
 }
@@ -126,13 +128,13 @@ fn a_law_without_constant_breadth_is_refused_for_parallel_faces() {
         scene("camdas_09_eight_motions").replace("base_radius = \"35 mm\"", "breadth = \"100 mm\"");
     says(
         synth(&text, &[]),
-        2,
+        3,
         &["cam.breadth", "does not keep a breadth", "180°"],
     );
     let text = scene("camdas_06_constant_breadth");
     says(
         synth(&text, &["cam.breadth=20 mm"]),
-        2,
+        3,
         &["cam.breadth", "30 mm"],
     );
 }
@@ -174,4 +176,65 @@ fn a_polynomial_whose_velocity_jumps_is_told_its_cure_and_no_relaxation() {
             "law.point.N.velocity",
         ],
     );
+}
+
+/// Scenes that can be read and that no cam fits: exit code 3, a summary that names the key and says why, and nothing else
+/// of an earlier design in the folder; the same scene with a value that allows a cam is designed.
+#[test]
+fn where_no_cam_fits_the_summary_is_written_and_names_the_key() {
+    let demands = "name = \"demands\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"60 rpm\"\n[law]\nfamily = \"spline\"\n\
+        degree = 5\nspans = 8\n[[law.point]]\nangle = \"0 deg\"\nlift = \"0 mm\"\n[[law.point]]\nangle = \"90 deg\"\n\
+        lift = \"10 mm\"\n[cam]\nbase_radius = \"50 mm\"\n";
+    let contradicting =
+        format!("{demands}[[law.dwell]]\nfrom = \"80 deg\"\nto = \"100 deg\"\nlift = \"5 mm\"\n");
+    let roller = scene("camdas_01_roller");
+    let jump_of_v = roller.replacen("simple-harmonic", "constant-velocity", 1);
+    let jump_of_s = roller.replacen("lift = \"-", "lift = \"-1", 1);
+    let arm = scene("camdas_02_oscillating_roller");
+    let swing = arm.replace("10 deg", "170 deg");
+    let (pair, barrel) = (scene("camdas_08_conjugate_flat"), scene("thesis_barrel"));
+    let members: [(&str, &str, &[&str], &str); 8] = [
+        ("contradicting demands", &contradicting, &[], "law"),
+        ("jump of the velocity", &jump_of_v, &[], "law.segment"),
+        ("jump of the lift", &jump_of_s, &[], "law.segment"),
+        (
+            "beyond the dead centres",
+            &swing,
+            &["limits.pressure_angle=none"],
+            "cam",
+        ),
+        ("arm too short", &arm, &["cam.arm=20 mm"], "cam"),
+        (
+            "no base radius",
+            &arm,
+            &["cam.base_radius=auto", "limits.curvature=10 m"],
+            "cam.base_radius",
+        ),
+        ("no depth", &barrel, &["cam.depth=200 mm"], "cam.depth"),
+        (
+            "no second cam",
+            &pair,
+            &["cam.conjugate.distance=140 mm"],
+            "cam.conjugate",
+        ),
+    ];
+    for (member, text, changes, key) in members {
+        let folder = tempfile::tempdir().unwrap();
+        let (path, out) = (folder.path().join("scene.toml"), folder.path().join("out"));
+        fs::write(&path, text).unwrap();
+        let to = out.to_str().unwrap();
+        gaitcam(&["synth", "footbridge", "--no-png", "--out", to]);
+        let arguments = ["synth", path.to_str().unwrap(), "--json", "--out", to];
+        let output = gaitcam(&changed(&arguments, changes));
+        assert_eq!(output.status.code(), Some(3), "{member}: {}", both(&output));
+        let printed: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let written = fs::read(out.join("summary.json")).unwrap();
+        assert_eq!(printed, serde_json::from_slice::<Value>(&written).unwrap());
+        assert_eq!(printed["outcome"], "infeasible", "{member}");
+        assert_eq!(printed["verdict"], "unacceptable", "{member}");
+        assert_eq!(printed["reasons"][0]["key"], key, "{member}");
+        assert!(!out.join("law.csv").exists(), "{member}: of another scene");
+        let again = gaitcam(&["compare", to, to]);
+        assert_eq!(again.status.code(), Some(3), "{member}: {}", both(&again));
+    }
 }
