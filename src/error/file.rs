@@ -18,7 +18,7 @@ use strum::VariantNames;
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum FileError {
-    /// The operating system refuses to read it.
+    /// It cannot be read: `missing`, `denied`, or what the operating system says.
     CannotRead { fault: String },
     /// The operating system refuses to move the files into place.
     CannotPlace { fault: String },

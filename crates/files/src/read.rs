@@ -1,7 +1,7 @@
 //! Reading input files whole, within limits.
 
 use std::fs::{self, File, Metadata};
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use gaitcam::error::{Error, FileError, Placed, Result};
@@ -100,6 +100,10 @@ fn too_large(path: &Path, most: u64) -> Error {
 
 /// The error of a file that the system does not give.
 pub fn cannot_be_read(path: &Path, e: &std::io::Error) -> Error {
-    let fault = e.to_string();
+    let fault = match e.kind() {
+        ErrorKind::NotFound => "missing".to_string(),
+        ErrorKind::PermissionDenied => "denied".to_string(),
+        _ => e.to_string(),
+    };
     FileError::CannotRead { fault }.in_file(path)
 }

@@ -1,5 +1,9 @@
 # Faults in reading scenes and recordings and in putting results into folders.
-file-cannot-read = cannot be read ({ $fault })
+file-cannot-read = { $fault ->
+        [missing] there is no such file or folder
+        [denied] may not be read by this user
+       *[other] cannot be read ({ $fault })
+    }
     .help = check the path
 file-cannot-place = the files cannot be moved into place ({ $fault })
 file-foreign = is not a file of gaitcam, but stands in the place of one

@@ -1,5 +1,9 @@
 # Fallos al leer escenas y registros y al colocar resultados en carpetas.
-file-cannot-read = no se puede leer ({ $fault })
+file-cannot-read = { $fault ->
+        [missing] no existe tal archivo o carpeta
+        [denied] este usuario no tiene permiso para leerlo
+       *[other] no se puede leer ({ $fault })
+    }
     .help = compruebe la ruta
 file-cannot-place = no se pueden colocar los archivos en su sitio ({ $fault })
 file-foreign = no es un archivo de gaitcam, pero ocupa el lugar de uno

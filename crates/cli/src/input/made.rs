@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::{Input, SceneArgs, at_flag, scene};
 use crate::console::error::CliError;
 use crate::input::searching;
-use gaitcam::error::{Placed, Result};
+use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::scene::{Scene, set};
 use gaitcam::synth::Design;
 use gaitcam_files::design::{drive_on, is_of_machine};
@@ -49,7 +49,14 @@ impl Made {
             // Quoted, so that a bare number is refused as on every other flag.
             set(&mut table, &format!("drive.speed={speed:?}")).map_err(at_flag("--speed"))?;
         }
-        let running = Input::new(table, input.folder.clone(), None)?.scene;
+        let of_speed = |e: Error| match &e.place {
+            Place::Key(key) if speed.is_some() && key == "drive.speed" => {
+                e.placed(Place::Argument("--speed".to_string()))
+            }
+            _ => e,
+        };
+        let running = Input::new(table, input.folder.clone(), None).map_err(of_speed)?;
+        let running = running.scene;
         Ok(Made {
             other_machine: running != input.scene,
             running,

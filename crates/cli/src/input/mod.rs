@@ -49,17 +49,19 @@ pub fn written(args: &SceneArgs) -> Result<(Table, PathBuf, Option<PathBuf>)> {
             (parse(&read_standard_input()?, None)?, here(), None)
         }
         // The name of a file that exists is not looked for among the others.
-        Some(path) => match (!path.exists()).then(|| built_in(path)).flatten() {
-            Some(text) => (parse(text, Some(path))?, here(), Some(path.clone())),
+        Some(path) => match path.to_str().filter(|name| is_name(name) && !path.exists()) {
+            Some(name) => {
+                let text = scene::built_in(name)?.toml;
+                (parse(text, Some(path))?, here(), Some(path.clone()))
+            }
             None => (table(path)?, folder_of(path), Some(path.clone())),
         },
     })
 }
 
-/// The built-in scene that a path names.
-fn built_in(path: &Path) -> Option<&'static str> {
-    let found = scene::built_in(path.to_str()?).ok()?;
-    Some(found.toml)
+/// Whether a path can be the name of a built-in scene: without folder and ending.
+fn is_name(path: &str) -> bool {
+    !path.contains(['/', '\\', '.'])
 }
 
 /// Places a fault at a flag, unless it is placed already.

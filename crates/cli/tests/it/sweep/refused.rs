@@ -25,9 +25,9 @@ fn bad_sweeps_are_refused_before_anything_is_written() {
         ],
         "1000000000000 combinations",
     );
-    refused(&["--list", "no-such-file.csv"], "cannot be read");
+    refused(&["--list", "no-such-file.csv"], "no such file");
     refused(&["--sample", "5"], "empty grid");
-    refused(&["--recordings", "no-such-folder"], "cannot be read");
+    refused(&["--recordings", "no-such-folder"], "no such file");
     let folder = tempfile::tempdir().unwrap();
     let output = sweep(&folder.path().join("t.txt"), &["--vary", "law.degree=3,5"]);
     assert!(stderr(&output).contains("neither .csv nor .parquet"));
