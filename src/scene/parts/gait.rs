@@ -24,6 +24,13 @@ pub enum Source {
     Model(String),
 }
 
+impl Default for Source {
+    /// A recording without a name: the force that the caller hands over.
+    fn default() -> Source {
+        Source::File(PathBuf::new())
+    }
+}
+
 /// The target force.
 ///
 /// ```
@@ -35,7 +42,7 @@ pub enum Source {
 /// assert!((force.period_s - 1.0 / 1.85).abs() < 1e-15);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Gait {
     /// Source.
     pub source: Source,
@@ -93,22 +100,7 @@ impl Gait {
     fn of(source: Source) -> Gait {
         Gait {
             source,
-            step_frequency: None,
-            body_weight: None,
-            time: None,
-            force: Vec::new(),
-            unit: None,
-            rate: None,
-            mass: None,
-            kind: None,
-            accept: Vec::new(),
-            feet: Feet::Both,
-            scale: ForceScale::None,
-            period: None,
-            span: None,
-            band: None,
-            weights: Vec::new(),
-            phase: Phase::default(),
+            ..Gait::default()
         }
     }
 
@@ -155,13 +147,6 @@ impl Gait {
     /// Whether it is a recording.
     pub fn is_recording(&self) -> bool {
         matches!(self.source, Source::File(_))
-    }
-}
-
-impl Default for Gait {
-    /// A recording without a name.
-    fn default() -> Gait {
-        Gait::file("")
     }
 }
 

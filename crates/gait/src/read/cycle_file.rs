@@ -10,7 +10,8 @@ use super::columns::{Role, role, words};
 use super::critical_points::{critical, through};
 use super::keys;
 use super::text::{
-    Lines, Position, Table, TextFile, column, next_table, numbers, plain, text, unit_label,
+    Lines, Position, Table, TextFile, column, next_table, numbers, plain, text, time_unit,
+    unit_label,
 };
 use super::timebase::polyline;
 use crate::curve::{ForceCurve, SAMPLES};
@@ -47,6 +48,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     let columns = CycleColumns::of(file, &table)?;
     let Samples {
         times,
+        is_clock,
         mut force,
         mut spread,
     } = columns.samples(file, &table)?;
@@ -66,8 +68,8 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     let said = comments.iter().find_map(|c| period(c));
     let period = options.period_s.or(said);
     let clock_s = match kind {
-        Kind::Cycle => other_clock(&times, options),
-        Kind::CriticalPoints => None,
+        Kind::Cycle if is_clock => other_clock(&times, options),
+        _ => None,
     };
     let times = match kind {
         Kind::Cycle if asked => stretched(times, options),
@@ -100,9 +102,11 @@ struct CycleColumns {
     spread: Option<usize>,
 }
 
-/// The rows of a cycle, in the units of the file.
+/// The rows of a cycle: times in seconds where their unit is one of time, forces in the unit of the file.
 struct Samples {
     times: Vec<f64>,
+    /// Whether the times are durations, and not parts of a cycle.
+    is_clock: bool,
     force: Vec<f64>,
     spread: Option<Vec<f64>>,
 }
@@ -152,8 +156,13 @@ impl CycleColumns {
                 return Err(ReadError::CycleValue.at_line(file.path, table.start.line + i));
             }
         }
+        let name = words(&table.names[self.time]);
+        // A bare `time` is in seconds; what has another unit, such as a percentage, is no clock.
+        let unit = time_unit(table, self.time).or((name.len() == 1).then_some(1.0));
+        let times = read.columns[slot(self.time)].iter();
         Ok(Samples {
-            times: read.columns[slot(self.time)].clone(),
+            times: times.map(|t| t * unit.unwrap_or(1.0)).collect(),
+            is_clock: unit.is_some(),
             force: read.columns[slot(self.force)].clone(),
             spread: self.spread.map(|s| read.columns[slot(s)].clone()),
         })
@@ -301,6 +310,34 @@ mod tests {
         assert_eq!(c.spread_n.unwrap(), [0.1, 0.2, 0.3, 0.4]);
         let closed = curve("# cycle\n# period 0.6 s\ntime_s,force_lbf\n0,1\n0.2,2\n0.4,3\n0.6,1\n");
         assert!(closed.is_err(), "three samples are too few");
+    }
+
+    #[test]
+    fn the_unit_of_the_times_is_that_of_their_column() {
+        for (column, step) in [
+            ("time", 0.1),
+            ("time_s", 0.1),
+            ("time_ms", 100.0),
+            ("t [ms]", 100.0),
+            ("time (us)", 1e5),
+        ] {
+            let rows: String = (0..4)
+                .map(|i| format!("{},{}\n", step * f64::from(i), 100 * i))
+                .collect();
+            let text = format!("# cycle\n{column},force_n\n{rows}");
+            let open = |period_s| {
+                let options = ReadOptions {
+                    period_s,
+                    ..ReadOptions::default()
+                };
+                read(Path::new("m.csv"), text.as_bytes(), &options)
+                    .unwrap()
+                    .unwrap()
+            };
+            assert!((open(None).period_s - 0.4).abs() < 1e-12, "{column}");
+            assert!(open(Some(0.4)).clock_note().is_none(), "{column}");
+            assert!(open(Some(10.0)).clock_note().is_some(), "{column}");
+        }
     }
 
     #[test]

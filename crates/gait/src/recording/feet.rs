@@ -50,10 +50,11 @@ impl Foot {
 /// assert!((one.mean_n() / 350.0 - 1.0).abs() < 0.05);
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, EnumString, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case", parse_err_ty = Error, parse_err_fn = unknown_feet)]
 pub enum Feet {
     /// The sum of both feet, as a floor or footbridge feels it.
+    #[default]
     Both,
     /// One foot, whichever the source offers (the mean of both where it offers both).
     One,
