@@ -24,7 +24,6 @@ pub use target::Target;
 pub(crate) use target::piecewise;
 use target::typical_lift;
 
-use std::f64::consts::TAU;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
@@ -226,13 +225,6 @@ impl Problem {
     /// A natural frequency without a mass.
     pub fn train(&self) -> Result<Option<Train>> {
         self.machine.train(&self.drive)
-    }
-
-    /// Natural frequency over shaft speed, where the scene gives it.
-    pub fn frequency_ratio(&self) -> Option<f64> {
-        self.machine
-            .natural_frequency
-            .map(|hz| TAU * hz / self.drive.speed)
     }
 
     /// Dwells of the law in order: demanded ones, and those of a programme.

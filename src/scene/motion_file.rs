@@ -10,6 +10,7 @@ use toml::{Table, Value};
 use crate::error::{Error, FileError, Placed, Result};
 use crate::force::{Cell, NumberTable};
 use crate::law::Rise;
+use crate::scene::keys::short;
 use crate::units::{Dimension, parse};
 
 /// A file's path for messages, and its bytes.
@@ -270,8 +271,6 @@ fn agree(
     if (stated - value).abs() <= AGREEMENT * value.abs() {
         return Ok(());
     }
-    // Twelve digits hide the rounding of the quotient.
-    let short = |x: f64| format!("{x:.11e}").parse().unwrap_or(x);
     let fault = FileError::MotionDiffers {
         column: column.name.clone(),
         covered: short(value / column.factor),

@@ -104,7 +104,7 @@ fn collect<'a>(
             prefix => format!("{prefix}.{name}"),
         };
         let (pattern, path) = (join(pattern), join(path));
-        let typed = || super::keys::shown(value);
+        let typed = || value.to_string();
         match (node(&pattern), value) {
             (Node::Section, Toml::Table(inner)) => collect(inner, &pattern, &path, index, out)?,
             (Node::Section, _) => {

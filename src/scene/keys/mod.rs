@@ -23,7 +23,7 @@ pub use row::Key;
 pub use schema::schema;
 pub use table::KEYS;
 pub use value::Value;
-pub(super) use value::shown;
+pub(super) use value::short;
 
 /// The row of a key; entries of lists go by number or by the letter N: `law.segment.2.lift`, `law.segment.N.lift`.
 pub fn find(path: &str) -> Option<&'static Key> {

@@ -5,7 +5,7 @@ use toml::Value as Toml;
 use super::field::unknown_word;
 use super::kind::{Kind, Range};
 use super::row::Key;
-use super::value::{Value, shown};
+use super::value::Value;
 use crate::error::{Place, Placed, Result, SceneError};
 use crate::scene::Scene;
 use crate::units::{Dimension, Quantity, parse};
@@ -36,7 +36,7 @@ pub fn read(key: &Key, typed: &Toml, scene: &Scene, path: &str) -> Result<Option
                 .filter(|n| (low..=high).contains(n))
                 .map(|n| Some(Value::Count(n)))
                 .ok_or_else(|| {
-                    let typed = shown(typed);
+                    let typed = typed.to_string();
                     fault(if key.path == "law.spans" {
                         SceneError::NotSpans { typed, low, high }
                     } else {
@@ -47,14 +47,14 @@ pub fn read(key: &Key, typed: &Toml, scene: &Scene, path: &str) -> Result<Option
         Kind::Flag => match typed {
             Toml::Boolean(b) => Ok(Some(Value::Flag(*b))),
             _ => Err(fault(SceneError::NotFlag {
-                typed: shown(typed),
+                typed: typed.to_string(),
             })),
         },
         Kind::Choice(words) => choice(typed, &words()).map(Some).map_err(fault),
         Kind::Text => match typed {
             Toml::String(s) => Ok(Some(Value::Text(s.clone()))),
             _ => Err(fault(SceneError::NotText {
-                typed: shown(typed),
+                typed: typed.to_string(),
             })),
         },
         Kind::Texts => texts(typed).map(Some).map_err(fault),
@@ -69,14 +69,14 @@ fn texts(typed: &Toml) -> std::result::Result<Value, SceneError> {
         _ => None,
     };
     all.map(Value::Texts).ok_or_else(|| SceneError::NotTexts {
-        typed: shown(typed),
+        typed: typed.to_string(),
     })
 }
 
 fn choice(typed: &Toml, known: &[&'static str]) -> std::result::Result<Value, SceneError> {
     let Toml::String(word) = typed else {
         return Err(SceneError::NotText {
-            typed: shown(typed),
+            typed: typed.to_string(),
         });
     };
     if known.contains(&word.as_str()) {
@@ -105,7 +105,7 @@ fn number(
         Toml::Float(x) if dimension == Dimension::Ratio && x.is_finite() => *x,
         _ => {
             return Err(SceneError::NotQuantity {
-                typed: shown(typed),
+                typed: typed.to_string(),
                 example: key.example(scene),
             }
             .at_key(path));
@@ -114,7 +114,7 @@ fn number(
     if key.range.contains(value) {
         return Ok(Some(Value::Number(value)));
     }
-    let typed = shown(typed).trim_matches('"').to_string();
+    let typed = typed.to_string().trim_matches('"').to_string();
     let example = key.example(scene);
     Err(match key.range {
         Range::Positive => SceneError::NotPositive { typed, example },

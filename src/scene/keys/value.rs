@@ -89,8 +89,6 @@ fn written(value: f64, dimension: Dimension) -> String {
         Dimension::AngularSpeed => &[("rpm", std::f64::consts::PI / 30.0)],
         _ => &[],
     };
-    // Twelve digits hide the rounding of the quotient.
-    let short = |x: f64| format!("{x:.11e}").parse().unwrap_or(x);
     common
         .iter()
         .map(|(unit, factor)| format!("{} {unit}", short(value / factor)))
@@ -98,7 +96,7 @@ fn written(value: f64, dimension: Dimension) -> String {
         .unwrap_or(si)
 }
 
-/// A value as a user typed it.
-pub fn shown(typed: &Toml) -> String {
-    typed.to_string()
+/// A number to twelve digits, which hide the rounding of a quotient.
+pub fn short(x: f64) -> f64 {
+    format!("{x:.11e}").parse().unwrap_or(x)
 }

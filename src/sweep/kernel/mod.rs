@@ -12,7 +12,8 @@ use std::sync::{Arc, Mutex, OnceLock, RwLock};
 
 use toml::Table;
 
-use crate::error::{Error, Result, SweepError};
+use crate::cam::Verdict;
+use crate::error::{Error, Result, SweepError, is_no_cam};
 use crate::force::{self, ForceCurve};
 use crate::halt::Halt;
 use crate::problem::{MeanForce, Problem, Requirements, open_questions};
@@ -20,7 +21,7 @@ use crate::scene::{self, Gait, LawSpec, Scene, Source};
 use crate::sweep::plan::NamedScene;
 use crate::sweep::plan::batch::{Batch, Column};
 use crate::sweep::plan::key::Key;
-use crate::sweep::table::results::Row;
+use crate::sweep::table::results::{Outcome, Row};
 use crate::synth::spectral::{self, Series};
 use crate::synth::{Search, design};
 
@@ -270,6 +271,11 @@ impl<'a> Kernel<'a> {
                 Row::error(Error::from(SweepError::OutOfTime).to_string())
             }
             Ok(design) => Row::of(&design),
+            Err(e) if is_no_cam(&e) => Row {
+                outcome: Outcome::Infeasible,
+                verdict: Some(Verdict::Unacceptable),
+                ..Row::error(e.to_string())
+            },
             Err(e) => Row::error(e.to_string()),
         }
     }

@@ -10,7 +10,8 @@ use super::columns::{Role, role, words};
 use super::critical_points::{critical, through};
 use super::keys;
 use super::text::{
-    Lines, Position, Table, TextFile, column, next_table, numbers, plain, text, unit_label,
+    Lines, Position, Table, TextFile, column, next_table, numbers, plain, text, time_unit,
+    unit_label,
 };
 use super::timebase::polyline;
 use crate::curve::{ForceCurve, SAMPLES};
@@ -45,7 +46,13 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     let table = next_table(bytes, file.layout, Position::START)
         .ok_or_else(|| ReadError::CycleWithoutTable.in_file(path))?;
     let columns = columns(file, &table)?;
-    let (times, mut force, mut spread) = samples(file, &table, columns)?;
+    let (mut times, mut force, mut spread) = samples(file, &table, columns)?;
+    // A bare `time` is in seconds; what has another unit, such as a percentage, is no clock.
+    let is_bare = words(&table.names[columns.0]).len() == 1;
+    let time_unit = time_unit(&table, columns.0).or(is_bare.then_some(1.0));
+    times
+        .iter_mut()
+        .for_each(|t| *t *= time_unit.unwrap_or(1.0));
     let keys = keys::read(&comments, file.layout.comma);
     let mass_kg = options.mass_kg.or(keys.mass_kg);
     let unit = options
@@ -62,8 +69,8 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     let said = comments.iter().find_map(|c| period(c));
     let period = options.period_s.or(said);
     let clock_s = match kind {
-        Kind::Cycle => other_clock(&times, options),
-        Kind::CriticalPoints => None,
+        Kind::Cycle if time_unit.is_some() => other_clock(&times, options),
+        _ => None,
     };
     let times = match kind {
         Kind::Cycle if asked => stretched(times, options),
@@ -280,6 +287,34 @@ mod tests {
         assert_eq!(c.spread_n.unwrap(), [0.1, 0.2, 0.3, 0.4]);
         let closed = curve("# cycle\n# period 0.6 s\ntime_s,force_lbf\n0,1\n0.2,2\n0.4,3\n0.6,1\n");
         assert!(closed.is_err(), "three samples are too few");
+    }
+
+    #[test]
+    fn the_unit_of_the_times_is_that_of_their_column() {
+        for (column, step) in [
+            ("time", 0.1),
+            ("time_s", 0.1),
+            ("time_ms", 100.0),
+            ("t [ms]", 100.0),
+            ("time (us)", 1e5),
+        ] {
+            let rows: String = (0..4)
+                .map(|i| format!("{},{}\n", step * f64::from(i), 100 * i))
+                .collect();
+            let text = format!("# cycle\n{column},force_n\n{rows}");
+            let open = |period_s| {
+                let options = ReadOptions {
+                    period_s,
+                    ..ReadOptions::default()
+                };
+                read(Path::new("m.csv"), text.as_bytes(), &options)
+                    .unwrap()
+                    .unwrap()
+            };
+            assert!((open(None).period_s - 0.4).abs() < 1e-12, "{column}");
+            assert!(open(Some(0.4)).clock_note().is_none(), "{column}");
+            assert!(open(Some(10.0)).clock_note().is_some(), "{column}");
+        }
     }
 
     #[test]

@@ -33,6 +33,7 @@ pub(super) use header::Table;
 pub(super) use layout::{Fields, Layout, Lines, Position, TextFile, detect, plain, text};
 pub use stance_table::metadata_name;
 pub(super) use table::{next_table, numbers};
+pub(super) use times::time_unit;
 
 /// Reads a delimited text; the first table with a force column counts.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {

@@ -9,7 +9,7 @@ use crate::read::timebase::{TimeBase, usual_step};
 use crate::recording::{ClockSource, Note, ReadOptions};
 
 /// Seconds per unit of a time column, if its name or the row of units gives it.
-pub(super) fn time_unit(table: &Table, i: usize) -> Option<f64> {
+pub(in crate::read) fn time_unit(table: &Table, i: usize) -> Option<f64> {
     let name = table.names.get(i)?;
     let label = table.unit(i).or_else(|| bracketed(name));
     let last = words(name).pop();
