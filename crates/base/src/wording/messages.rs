@@ -141,7 +141,7 @@ impl Messages {
         }
     }
 
-    /// Keys of all messages, in the order of the files.
+    /// Keys of all messages, in alphabetical order.
     pub fn keys(&self) -> Vec<String> {
         self.texts.keys().map(|key| (*key).to_string()).collect()
     }
