@@ -46,7 +46,8 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
         for check in limits.filter(|c| c.name == LimitKind::Curvature && c.limit > 0.0) {
             let value = millimetres(check.limit, 3);
             let name = words.fill("figure-limit", &[("value", &value)]);
-            panel.level(1000.0 * check.limit, Some((&name, VPos::Bottom)), RED)?;
+            let level = 1000.0 * check.limit;
+            panel.level(level, Some((&name, VPos::Bottom)), RED, &rho)?;
         }
         if sharpest.value.is_finite() {
             let at = (across(sharpest.at), 1000.0 * sharpest.value);
@@ -88,7 +89,7 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
             let side = if limit < 0.0 { VPos::Top } else { VPos::Bottom };
             let value = format!("{}°", number(limit, 3));
             let name = words.fill("figure-limit", &[("value", &value)]);
-            panel.level(limit, Some((&name, side)), RED)?;
+            panel.level(limit, Some((&name, side)), RED, &phi)?;
         }
         panel.mark((across(high.at), ends[1]), true, GREEN, true)?;
         panel.mark((across(low.at), ends[0]), false, GREEN, true)?;

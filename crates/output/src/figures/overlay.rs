@@ -3,7 +3,7 @@
 use plotters::style::RGBAColor;
 
 use crate::plot::axes::padded;
-use crate::plot::layout::{Layout, columns, strips};
+use crate::plot::layout::{LETTERS, Layout, columns, key_width, strips};
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Frame, stroke, trace};
@@ -55,25 +55,28 @@ pub fn diagrams_over(
             curves: row.curves.iter().map(|c| whole(c)).collect(),
         })
         .collect();
+    let entries: Vec<(RGBAColor, f64, &str)> = names
+        .iter()
+        .enumerate()
+        .map(|(i, n)| (COLOURS[i % COLOURS.len()], 2.6, n.as_str()))
+        .collect();
+    let frame = Layout::ALONE.frame();
+    let lines = lines(&entries, (frame.right - frame.left) / (0.9 * LETTERS));
+    // Names too long for three to a line take room of their own.
+    let more = 1.6 * LETTERS * (lines.len() - names.len().div_ceil(3)) as f64;
     let layout = Layout {
-        size: (1200, 300 + 260 * rows.len().max(1) as u32),
+        size: (1200, 300 + 260 * rows.len().max(1) as u32 + more as u32),
         ..Layout::ALONE
     };
     layout.picture(Language::En, |f| {
         let e = f.e;
         f.title(head, what)?;
         let mut frame = layout.frame();
-        let entries: Vec<(RGBAColor, f64, &str)> = names
-            .iter()
-            .enumerate()
-            .map(|(i, n)| (COLOURS[i % COLOURS.len()], 2.6, n.as_str()))
-            .collect();
-        // Names are listed below one another, three to a line.
-        for (line, part) in entries.chunks(3).enumerate() {
-            let y = frame.top + (0.4 + 1.6 * line as f64) * e;
-            f.key([frame.left, y], 0.9 * e, part)?;
+        for line in &lines {
+            f.key([frame.left, frame.top + 0.4 * e], 0.9 * e, line)?;
+            frame.top += 1.6 * e;
         }
-        frame.top += (1.6 * names.len().div_ceil(3) as f64 + 0.8) * e;
+        frame.top += 0.8 * e;
         let frames = strips(frame, &vec![1.0; rows.len()], 0.9 * e);
         let all = rows.iter().flat_map(|r| &r.curves).flatten();
         let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| {
@@ -97,6 +100,23 @@ pub fn diagrams_over(
         }
         Ok(())
     })
+}
+
+/// Names below one another, at most three to a line of `room` ems.
+fn lines<'a>(
+    entries: &'a [(RGBAColor, f64, &'a str)],
+    room: f64,
+) -> Vec<&'a [(RGBAColor, f64, &'a str)]> {
+    let mut lines = Vec::new();
+    let mut rest = entries;
+    while !rest.is_empty() {
+        let long = |n: usize| rest[..n].iter().map(|e| key_width(e.2)).sum::<f64>();
+        let count = (2..=rest.len().min(3)).rev().find(|&n| long(n) <= room);
+        let (line, after) = rest.split_at(count.unwrap_or(1));
+        lines.push(line);
+        rest = after;
+    }
+    lines
 }
 
 /// Closes a curve whose next step would complete a turn with its first value.
@@ -132,8 +152,9 @@ pub fn profiles(head: &str, what: &str, names: &[String], curves: &[Vec<[f64; 2]
         };
         let (across, up) = (bounds(0), bounds(1));
         let (width, height) = (f64::from(layout.size.0), f64::from(layout.size.1));
+        let widest = names.iter().map(|n| key_width(n)).fold(0.0, f64::max);
         let frame = Frame {
-            left: 0.25 * width,
+            left: (2.0 * e + 0.9 * e * widest).clamp(0.25 * width, 0.6 * width),
             right: width - e,
             top: 4.6 * e,
             bottom: height - e,

@@ -241,8 +241,14 @@ impl<'a, 'c> Panel<'a, 'c> {
         fill(&self.plane, &around, colour)
     }
 
-    /// A dashed level, with its name at the right end on the side given, if any.
-    pub fn level(&self, value: f64, name: Option<(&str, VPos)>, colour: RGBAColor) -> Drawn {
+    /// A dashed level, with its name, if any, on the side given at the end that `curve` leaves free.
+    pub fn level(
+        &self,
+        value: f64,
+        name: Option<(&str, VPos)>,
+        colour: RGBAColor,
+        curve: &[(f64, f64)],
+    ) -> Drawn {
         if !(value > self.y[0] && value < self.y[1]) {
             return Ok(());
         }
@@ -251,16 +257,29 @@ impl<'a, 'c> Panel<'a, 'c> {
         let Some((name, side)) = name else {
             return Ok(());
         };
-        let [_, y] = self.place(self.x[0], value);
-        let shift = match side {
-            VPos::Bottom => -0.4,
-            VPos::Center => 0.0,
-            VPos::Top => 0.4,
+        let shift = self.size
+            * match side {
+                VPos::Bottom => -0.4,
+                VPos::Center => 0.0,
+                VPos::Top => 0.4,
+            };
+        let (letters, gap) = (0.88 * self.size, 0.5 * self.size);
+        let long = letters * text_width(name) + 2.0 * gap;
+        // Distance of the curve and of the value marked on it from the name at either end.
+        let free = |from: f64| {
+            let points = curve.iter().map(|p| self.place(p.0, p.1));
+            let beside = points.filter(|p| p[0] >= from && p[0] <= from + long);
+            let away = beside.map(|p| (p[1] - right[1] - 2.0 * shift).abs());
+            away.fold(2.5 * self.size, f64::min)
         };
-        let at = [self.frame.right - 0.5 * self.size, y + shift * self.size];
+        let (x, end) = if free(left[0]) > free(right[0] - long) {
+            (left[0] + gap, HPos::Left)
+        } else {
+            (right[0] - gap, HPos::Right)
+        };
         // Text keeps the contrast that thin coloured letters would not have.
-        let lettering = Lettering::new(0.88 * self.size, palette::INK).anchored(HPos::Right, side);
-        write(self.canvas, name, at, lettering)
+        let lettering = Lettering::new(letters, palette::INK).anchored(end, side);
+        write(self.canvas, name, [x, right[1] + shift], lettering)
     }
 
     /// An arrow to the edge of the frame, labelled ∞ or −∞: the quantity is infinite at this angle.

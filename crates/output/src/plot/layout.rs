@@ -14,7 +14,7 @@ use gaitcam::wording::Language;
 /// Size of the pictures that are files, pixels.
 pub const SIZE: (u32, u32) = (1200, 800);
 /// Size of their lettering.
-const LETTERS: f64 = 17.0;
+pub const LETTERS: f64 = 17.0;
 
 /// How a picture is laid out: alone, or as a figure of the report under a caption.
 #[derive(Debug, Clone, Copy)]
@@ -112,6 +112,14 @@ pub fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
         .collect()
 }
 
+/// Length of a swatch in the key with the gap to its name, ems.
+const SWATCH: f64 = 2.6;
+
+/// Length of an entry of the key with the gap to the next, ems.
+pub fn key_width(name: &str) -> f64 {
+    SWATCH + text_width(name) + 1.7
+}
+
 impl<'a, 'c> Figure<'a, 'c> {
     /// A diagram of `y` over `x` with grid lines at `columns`.
     pub fn panel(
@@ -177,9 +185,9 @@ impl<'a, 'c> Figure<'a, 'c> {
                 Some(width) => line(self.canvas, &ends, stroke(colour, width))?,
                 None => dashes(self.canvas, ends, colour)?,
             }
-            x += 2.6 * size;
+            x += SWATCH * size;
             self.write(name, [x, y], lettering)?;
-            x += size * text_width(name) + 1.7 * size;
+            x += size * (key_width(name) - SWATCH);
         }
         Ok(())
     }

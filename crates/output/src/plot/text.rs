@@ -21,6 +21,21 @@ pub fn text_width(text: &str) -> f64 {
         .sum()
 }
 
+/// The text in lines of at most `width` ems, broken at blanks; a longer word has its own line.
+pub fn wrapped(text: &str, width: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if text_width(line) + text_width(" ") + text_width(word) <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_string()),
+        }
+    }
+    lines
+}
+
 /// A line of text on a baseline.
 pub struct Line<'a> {
     pub text: &'a str,

@@ -7,6 +7,7 @@ mod report;
 mod simulation;
 mod summary;
 mod tables;
+mod texts;
 mod words;
 
 use gaitcam_output::Timing;

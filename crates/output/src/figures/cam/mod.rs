@@ -9,15 +9,17 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
 use crate::plot::layout::Layout;
-use crate::plot::palette::{AXIS, BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, RED};
+use crate::plot::palette::{AXIS, BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, QUIET, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Canvas, Drawn, Frame, Plane, fill, stroke, trace, units};
+use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, Plane, fill, stroke, trace, units};
+use crate::plot::text::wrapped;
 use crate::pose::{Bounds, Pose, face_reach, pose, turned};
 use crate::words::{self, Words};
 use gaitcam::cam::{Follower, ProfilePoint};
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 use gaitcam_cad::outline::Edge;
+use table::values_at;
 
 const MM: f64 = 1000.0;
 /// Vertices of the drawn curves.
@@ -26,6 +28,8 @@ const POINTS: usize = 720;
 const BASE: [f64; 2] = [7.0, 5.0];
 const PRIME: [f64; 2] = [13.0, 4.0];
 const PITCH: [f64; 2] = [4.0, 4.0];
+/// Room for values beside the cam, ems.
+const VALUES: f64 = 12.2;
 /// Blank part of the drawing around the cam, as a share of its size.
 const MARGIN: f64 = 0.04;
 
@@ -40,8 +44,10 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
         let e = f.e;
         let (width, height) = (f64::from(layout.size.0), f64::from(layout.size.1));
         let top = if layout.title { 4.2 * e } else { e };
-        let table = width - 21.0 * e;
         let scene = Scene::new(synthesis);
+        let facts = scene.facts(words);
+        let values = values_at(&facts);
+        let table = width - (values + VALUES) * e;
         let frame = Frame {
             left: 2.0 * e,
             right: table - e,
@@ -50,7 +56,14 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
         };
         let (plane, scale) = scene.plane(f.canvas, frame);
         scene.draw(&plane)?;
-        scene.table(&f, [table, top + 2.0 * e], words)?;
+        let mut y = scene.lines(&f, [table, top + 2.0 * e], words)? + 0.8 * e;
+        for (name, value) in &facts {
+            f.write(name, [table, y], Lettering::new(e, QUIET))?;
+            for line in wrapped(value, VALUES - 0.4) {
+                f.write(&line, [table + values * e, y], Lettering::new(e, INK))?;
+                y += 1.75 * e;
+            }
+        }
         f.scale_bar([table, height - 2.5 * e], scale, 0.2 * width)
     })
 }

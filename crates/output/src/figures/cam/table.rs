@@ -5,20 +5,15 @@ use plotters::style::{Color, RGBAColor};
 
 use super::{BASE, PITCH, PRIME, Scene};
 use crate::plot::layout::Figure;
-use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, QUIET, RED};
+use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
 use crate::plot::sheet::{Drawn, Lettering, circle, line, stroke, units};
+use crate::plot::text::text_width;
 use crate::words::Words;
 use gaitcam_base::text::{degrees, millimetres, number};
 
 impl Scene<'_> {
-    /// Names the lines and gives the main dimensions, in a column.
-    pub(super) fn table(&self, f: &Figure, [x, y]: [f64; 2], words: &Words) -> Drawn {
-        let y = self.lines(f, [x, y], words)?;
-        self.facts(f, [x, y + 0.8 * f.e], words)
-    }
-
     /// The lines' names; returns the vertical position below them.
-    fn lines(&self, f: &Figure, [x, mut y]: [f64; 2], words: &Words) -> Drawn<f64> {
+    pub(super) fn lines(&self, f: &Figure, [x, mut y]: [f64; 2], words: &Words) -> Drawn<f64> {
         let e = f.e;
         let step = 1.75 * e;
         let swatch = |colour: RGBAColor, width: f64, dash: Option<[f64; 2]>, y: f64| {
@@ -71,9 +66,8 @@ impl Scene<'_> {
         Ok(y)
     }
 
-    /// The main dimensions.
-    fn facts(&self, f: &Figure, [x, mut y]: [f64; 2], words: &Words) -> Drawn {
-        let e = f.e;
+    /// The names of the main dimensions and their values.
+    pub(super) fn facts(&self, words: &Words) -> Vec<(String, String)> {
         let cam = &self.synthesis.cam;
         let measures = cam.follower.measures();
         let sharpest = cam.curvature().convex;
@@ -97,11 +91,13 @@ impl Scene<'_> {
         }
         let speed = number(self.synthesis.drive.speed, 4);
         facts.push(("figure-speed", measures.speed().after(&speed)));
-        for (key, value) in facts {
-            f.write(&words.text(key), [x, y], Lettering::new(e, QUIET))?;
-            f.write(&value, [x + 8.8 * e, y], Lettering::new(e, INK))?;
-            y += 1.75 * e;
-        }
-        Ok(())
+        let named = |(key, value): (&str, String)| (words.text(key), value);
+        facts.into_iter().map(named).collect()
     }
+}
+
+/// Where the values start beside their names, ems.
+pub(super) fn values_at(facts: &[(String, String)]) -> f64 {
+    let ends = facts.iter().map(|f| text_width(&f.0) + 0.9);
+    ends.fold(8.8, f64::max)
 }

@@ -119,7 +119,7 @@ fn draw_cycle(
     for one in single {
         panel.curve(one, QUIET.mix(0.5), 1.0)?;
     }
-    panel.level(weight, None, QUIET)?;
+    panel.level(weight, None, QUIET, &[])?;
     panel.curve(&mean, BLUE, 2.6)?;
     means::body_weights(f, frame, y, weight, words)?;
     panel.quantity(&words.text("figure-force"))?;
