@@ -14,16 +14,12 @@ impl Law {
         let breaks: Vec<f64> = poly.breaks().iter().rev().map(|b| -b).collect();
         let pieces = poly.pieces();
         let mut coef = Vec::with_capacity(pieces * (poly.degree() + 1));
-        let mut waves = Vec::new();
+        let mut waves: Vec<Vec<_>> = Vec::with_capacity(pieces);
         for i in (0..pieces).rev() {
             coef.extend(poly.piece(i).iter().rev());
             let width = poly.breaks()[i + 1] - poly.breaks()[i];
-            waves.push(
-                self.waves(i)
-                    .iter()
-                    .map(|w| w.mirrored(width))
-                    .collect::<Vec<_>>(),
-            );
+            let mirrored = self.waves(i).iter().map(|w| w.mirrored(width));
+            waves.push(mirrored.collect());
         }
         let poly = PiecewisePoly::new(breaks, poly.degree(), coef);
         Law::with_waves(poly, waves, self.is_closed())

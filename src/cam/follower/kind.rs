@@ -23,6 +23,7 @@ use super::{Follower, Measures};
     Default,
     Serialize,
     Deserialize,
+    strum::Display,
     strum::IntoStaticStr,
     strum::VariantArray,
     strum::EnumString,
@@ -132,12 +133,6 @@ impl FollowerKind {
             _ if self.is_oscillating() => Measures::Oscillating,
             _ => Measures::Translating,
         }
-    }
-}
-
-impl std::fmt::Display for FollowerKind {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name())
     }
 }
 

@@ -147,12 +147,10 @@ impl Cam {
 
     fn check_pivot(&self, c: f64) -> Result<()> {
         let geometry = Geometry::new(&self.follower);
-        let largest = self
-            .extremes_of(|at| {
-                let [x, y] = geometry.contact(at).point;
-                x * x + y * y
-            })
-            .1;
+        let (_, largest) = self.law.extremes_by(|at| {
+            let [x, y] = geometry.contact(at).point;
+            x * x + y * y
+        });
         let reach = largest.value.sqrt();
         if c > reach {
             return Ok(());

@@ -14,6 +14,9 @@ mod kinds;
 mod shape;
 mod space;
 
+pub(super) use shape::finished_radius;
+pub(crate) use space::Frame;
+
 use super::{Arm, Follower};
 use crate::law::{BATCH, Batch, Svaj};
 use arc_tangent::arc_tangent;

@@ -49,33 +49,27 @@ pub fn run(surfaces: &[Surface], drive: &Drive, restitution: f64, limits: &Limit
     let inertia = drive.mass * drive.speed * drive.speed;
     let kappa = drive.spring_rate / inertia;
     let massless = !inertia.is_normal() || kappa.abs() > QUASI_STATIC;
-    let (mut lift_scale, mut rate_scale) = (0.0_f64, 0.0_f64);
-    for surface in surfaces {
-        let (low, high) = surface.law.extremes(0);
-        lift_scale = lift_scale.max(high.value.abs()).max(low.value.abs());
-        let (low, high) = surface.law.extremes(1);
-        rate_scale = rate_scale.max(high.value).max(-low.value);
-    }
-    let fall = if massless {
-        0.0
+    let (kappa, push) = if massless {
+        (0.0, 0.0)
     } else {
-        drive.rest_force.abs() / inertia
+        (kappa, drive.rest_force / inertia)
     };
+    let scale = |order: usize| {
+        let extremes = surfaces.iter().map(|s| s.law.extremes(order));
+        extremes.fold(0.0_f64, |m, (low, high)| m.max(high.value).max(-low.value))
+    };
+    let lift_scale = scale(0);
     let start = surfaces.first().map_or(0.0, |s| s.law.extent().0);
     let engine = Engine {
         surfaces,
         drive,
         restitution,
         gamma: drive.damping * drive.speed / inertia,
-        kappa: if massless { 0.0 } else { kappa },
-        push: if massless {
-            0.0
-        } else {
-            drive.rest_force / inertia
-        },
+        kappa,
+        push,
         massless,
         lift_scale,
-        rest_speed: REST * drive.speed * rate_scale.max(fall.min(lift_scale)),
+        rest_speed: REST * drive.speed * scale(1).max(push.abs().min(lift_scale)),
         run: ContactRun {
             stretches: Vec::new(),
             impacts: Vec::new(),
@@ -137,13 +131,13 @@ impl Engine<'_> {
                     let speed = self.closing_speed(rate, next, now);
                     surface = next;
                     if speed > self.rest_speed && !self.massless {
-                        let since = now;
-                        air = self.strike(now, next, speed, since, 0.0);
+                        air = self.strike(now, next, speed, now, 0.0);
                     }
                 }
             }
         }
-        self.close()
+        self.run.turns = self.run.turns.max(1);
+        self.run
     }
 
     /// Lands on a profile: rest, or the flight of the rebound.
@@ -338,12 +332,6 @@ impl Engine<'_> {
             }
             _ => false,
         }
-    }
-
-    fn close(self) -> ContactRun {
-        let mut run = self.run;
-        run.turns = run.turns.max(1);
-        run
     }
 }
 

@@ -193,12 +193,9 @@ fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
     let stretch = extent.length() / total;
     let shapes: Vec<Option<Law>> = segments
         .iter()
-        .map(|s| {
-            if s.motion.general_degree().is_some() {
-                Ok(None)
-            } else {
-                s.motion.law().map(Some)
-            }
+        .map(|s| match s.motion.general_degree() {
+            Some(_) => Ok(None),
+            None => s.motion.law().map(Some),
         })
         .collect::<Result<_>>()?;
     let mut pieces = Pieces::starting_at(0.0);
