@@ -38,10 +38,7 @@ impl Law {
         pieces.push_part(self, cut, start + length);
         pieces.push_part(self, start, cut);
         pieces.end_exactly_at(start + length);
-        match pieces.finish(true) {
-            Some(law) => law,
-            None => self.clone(),
-        }
+        pieces.finish(true)
     }
 
     /// The break of a piece that lies within rounding of an angle, otherwise the angle itself.

@@ -140,7 +140,7 @@ pub fn constant_breadth(half: &[Segment]) -> Result<Law> {
     pieces.push_shape(&first, PI, 0.0, 1.0, false);
     pieces.push_shape(&first, PI, lift, -1.0, false);
     pieces.end_exactly_at(TAU);
-    let law = pieces.finish(true).ok_or(LawError::NoSegment)?;
+    let law = pieces.finish(true);
     let mirrored = half.iter().map(|s| Segment {
         lift: -s.lift,
         ..s.clone()
@@ -236,7 +236,7 @@ fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
     }
     pieces.end_exactly_at(extent.length());
     Ok(Draft {
-        law: (pieces.finish(extent.is_closed())).ok_or(LawError::NoSegment)?,
+        law: pieces.finish(extent.is_closed()),
         ends: ends_of(segments, stretch),
     })
 }
@@ -249,9 +249,7 @@ fn end_of(segment: &Segment, shape: Option<&Law>, width: f64, at_end: bool) -> S
     let mut pieces = Pieces::starting_at(0.0);
     let mirrored = segment.lift < 0.0 && segment.motion.mirrors();
     pieces.push_shape(shape, width, 0.0, segment.lift, mirrored);
-    let Some(law) = pieces.finish(false) else {
-        return Svaj::default();
-    };
+    let law = pieces.finish(false);
     if at_end {
         law.svaj_on(law.poly().pieces() - 1, 1.0)
     } else {
