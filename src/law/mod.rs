@@ -109,11 +109,8 @@ impl Law {
                 .collect();
             own = next;
             let pieces = own.spline(&c).coefficients().to_vec();
-            orders.push(PiecewisePoly::new(
-                poly.breaks().to_vec(),
-                own.degree(),
-                pieces,
-            ));
+            let breaks = poly.breaks().to_vec();
+            orders.push(PiecewisePoly::new(breaks, own.degree(), pieces));
         }
         match <[PiecewisePoly; 3]>::try_from(orders) {
             Ok(orders) => Law {

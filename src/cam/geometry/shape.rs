@@ -10,12 +10,7 @@ impl Cam {
     /// the motion, as a rise does. Zero for a flat face that translates; sin φ = f/L for one on an arm, L
     /// from pivot to contact.
     pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
-        let along_normal = match self.follower {
-            Follower::FlatTranslating { .. } => true,
-            Follower::FlatOscillating { face_offset, .. } => face_offset == 0.0,
-            _ => false,
-        };
-        if along_normal {
+        if self.follower.is_flat() && self.follower.face_offset() == 0.0 {
             let zero = Extreme {
                 at: self.law.extent().0,
                 value: 0.0,

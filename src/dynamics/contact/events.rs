@@ -182,14 +182,8 @@ impl Engine<'_> {
 
     /// Angle up to which the gap certainly opens after lift-off: the force stays negative, and no spring has swung back.
     fn blind(&self, from: f64, to: f64) -> f64 {
-        to.min(
-            from + 0.5
-                / self
-                    .kappa
-                    .max(0.25 * self.gamma * self.gamma)
-                    .sqrt()
-                    .max(1e-3),
-        )
+        let rate = self.kappa.max(0.25 * self.gamma * self.gamma).sqrt();
+        to.min(from + 0.5 / rate.max(1e-3))
     }
 
     /// Speed at which a body with slope `rate` meets profile `surface`, m/s, not below zero.
@@ -205,13 +199,8 @@ impl Engine<'_> {
     }
 
     fn gap(&self, flight: &Flight, at: f64) -> f64 {
-        let lift = |s: &Surface| s.at(at).s;
-        flight.at(at).0
-            - self
-                .surfaces
-                .iter()
-                .map(lift)
-                .fold(f64::NEG_INFINITY, f64::max)
+        let lifts = self.surfaces.iter().map(|s| s.at(at).s);
+        flight.at(at).0 - lifts.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// First angle at which the flight meets a profile, and which one.
@@ -239,12 +228,10 @@ impl Engine<'_> {
                     return Some((now, i));
                 }
                 let bound = (fall + surface.steepest).max(f64::MIN_POSITIVE);
-                let free =
-                    (opening + (opening * opening + 2.0 * bound * gap.max(0.0)).sqrt()) / bound;
                 let free = if just_left {
                     2.0 * opening.max(0.0) / bound
                 } else {
-                    free
+                    (opening + (opening * opening + 2.0 * bound * gap.max(0.0)).sqrt()) / bound
                 };
                 if free <= 2.0 * f64::EPSILON * now.abs().max(1.0) {
                     return Some((now, i));

@@ -2,9 +2,9 @@
 //! jump of acceleration or jerk.
 
 use super::slopes::slopes_at;
-use super::{Cycle, Emitted};
+use super::{Cycle, Emitted, lift_piece};
 use crate::law::Law;
-use crate::poly::{PiecewisePoly, bernstein};
+use crate::poly::PiecewisePoly;
 
 /// Rows nearer to a breakpoint than this part of a step are left to the curve: their distance would divide
 /// the noise of their coordinates.
@@ -46,16 +46,11 @@ pub fn between_breaks(
         let accelerations = slopes_of(stretch, |s| s.slope);
         for (i, pair) in stretch.windows(2).enumerate() {
             let width = pair[1].theta - pair[0].theta;
-            let velocity = [
-                slopes[i],
-                slopes[i] + accelerations[i] * width / 3.0,
-                slopes[i + 1] - accelerations[i + 1] * width / 3.0,
-                slopes[i + 1],
-            ];
             levels.push(pair[0].height - lift);
-            let piece = bernstein::antiderivative(&velocity);
-            coef.extend(piece.iter().map(|x| lift + width * x));
-            lift += width * piece[4];
+            let ends = [i, i + 1].map(|k| [slopes[k], accelerations[k]]);
+            let piece = lift_piece(lift, width, ends);
+            lift = piece[4];
+            coef.extend(piece);
             knots.push(pair[0].theta);
         }
     }

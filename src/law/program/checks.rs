@@ -148,19 +148,14 @@ fn cure(
 /// The lift never falls below 0.
 pub fn base_circle(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()> {
     let (low, high) = draft.law.extremes(0);
-    if low.value >= -JUMP * (high.value - low.value) {
+    let rounding = JUMP * (high.value - low.value);
+    if low.value >= -rounding {
         return Ok(());
     }
     // Report the first segment below; later ones may only stay below.
     let depth = draft.law.combination([-1.0, 0.0, 0.0, 0.0], 0.0);
-    let first = depth
-        .peaks_above(
-            JUMP * (high.value - low.value),
-            f64::NEG_INFINITY,
-            f64::INFINITY,
-        )
-        .first()
-        .copied();
+    let peaks = depth.peaks_above(rounding, f64::NEG_INFINITY, f64::INFINITY);
+    let first = peaks.first();
     let (at, by) = first.map_or((low.at, -low.value), |peak| (peak.at, peak.value));
     let i = draft.holding(at) - 1;
     Err(LawError::BelowBaseCircle {

@@ -209,22 +209,17 @@ fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
                 pieces.push_shape(shape, width, height, s.lift, mirrored);
             }
             (None, degree) => {
-                let neighbour = |k: Option<usize>, at_end: bool| match k {
-                    Some(k) => end_of(
-                        &segments[k],
-                        shapes[k].as_ref(),
-                        segments[k].angle * stretch,
-                        at_end,
-                    ),
-                    None => Svaj::default(),
+                let neighbour = |k: Option<usize>, at_end: bool| {
+                    let (segment, shape) = (&segments[k?], shapes[k?].as_ref()?);
+                    Some(end_of(segment, shape, segment.angle * stretch, at_end))
                 };
                 let (before, after) = if extent.is_closed() {
                     (Some((i + n - 1) % n), Some((i + 1) % n))
                 } else {
                     (i.checked_sub(1), (i + 1 < n).then_some(i + 1))
                 };
-                let mut start = neighbour(before, true);
-                let mut end = neighbour(after, false);
+                let mut start = neighbour(before, true).unwrap_or_default();
+                let mut end = neighbour(after, false).unwrap_or_default();
                 start.s = height;
                 end.s = height + s.lift;
                 let poly = joining(degree.unwrap_or(5), start, end, width)?;
@@ -242,10 +237,7 @@ fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
 }
 
 /// v, a and j of a segment at its end (or start), by cam angle.
-fn end_of(segment: &Segment, shape: Option<&Law>, width: f64, at_end: bool) -> Svaj {
-    let Some(shape) = shape else {
-        return Svaj::default();
-    };
+fn end_of(segment: &Segment, shape: &Law, width: f64, at_end: bool) -> Svaj {
     let mut pieces = Pieces::starting_at(0.0);
     let mirrored = segment.lift < 0.0 && segment.motion.mirrors();
     pieces.push_shape(shape, width, 0.0, segment.lift, mirrored);

@@ -219,16 +219,14 @@ fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
 
 fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     let spec = &problem.cam;
-    let given = problem.prime_radius();
     let [rise, fall] = problem
         .sizing_pressure_angles()
         .map(|angle| angle.min(NEARLY_RIGHT));
     let make = |prime: f64, offset: f64| follower(problem, prime, prime, offset);
-    if let Some(prime) = given {
+    if let Some(prime) = problem.prime_radius() {
         return make(prime, spec.offset.unwrap_or(0.0));
     }
-    let circle = smallest_prime_circle(law, rise, fall, spec.offset);
-    let PrimeCircle { radius, offset } = circle;
+    let PrimeCircle { radius, offset } = smallest_prime_circle(law, rise, fall, spec.offset);
     let lift = (radius.powi(2) - offset.powi(2)).max(0.0).sqrt();
     let least = (problem.outside_bore() + spec.roller_radius).max(next_to_nothing(problem, law));
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
@@ -254,21 +252,19 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
             && !curvature.undercut
             && bearable.is_none_or(|most| press.on(&cam).value <= most)
     };
-    let first = lift.max(least * 1e-3);
     if holds(lift) {
         return make(lift.hypot(offset), offset);
     }
-    let mut high = first.max(least);
+    let first = lift.max(least);
+    let mut high = first;
     while !holds(high) {
         high *= 1.5;
-        if high > LARGEST_GROWTH * first.max(least) {
+        if high > LARGEST_GROWTH * first {
             return Err(SynthError::NoPrimeCircle.at_key("limits.curvature"));
         }
     }
-    make(
-        least_between(lift, high, BISECTION, holds).hypot(offset),
-        offset,
-    )
+    let distance = least_between(lift, high, BISECTION, holds);
+    make(distance.hypot(offset), offset)
 }
 
 /// A radius where nothing asks for one: a cam has some.
