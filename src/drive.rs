@@ -50,7 +50,7 @@ impl DriveKind {
 /// assert!((drive.force(at) - 2.0 * 70.0 * 9.81).abs() < 1e-9);
 ///
 /// // F = F₀ + k s + m ω² a
-/// let drive = Drive::fixed_axis(0.5, 2000.0, 10.0).with_preload(30.0);
+/// let drive = Drive { rest_force: 30.0, ..Drive::fixed_axis(0.5, 2000.0, 10.0) };
 /// assert_eq!(drive.force(Svaj { s: 0.01, v: 0.0, a: 0.0, j: 0.0 }), 50.0);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -75,10 +75,7 @@ impl Drive {
         Drive {
             kind: DriveKind::MovingAxis,
             rest_force: mass * g,
-            spring_rate: 0.0,
-            damping: 0.0,
-            mass,
-            speed,
+            ..Drive::fixed_axis(mass, 0.0, speed)
         }
     }
 
@@ -94,30 +91,12 @@ impl Drive {
         }
     }
 
-    /// With a force on the base circle, N.
-    #[must_use]
-    pub fn with_preload(mut self, preload: f64) -> Self {
-        self.rest_force = preload;
-        self
-    }
-
-    /// With damping, N·s/m.
-    #[must_use]
-    pub fn with_damping(mut self, damping: f64) -> Self {
-        self.damping = damping;
-        self
-    }
-
     /// Hydraulic drive with `pressure_per_volume` (Pa/m³) and piston radius (m), at `speed` rad/s.
     pub fn hydraulic(pressure_per_volume: f64, piston_radius: f64, speed: f64) -> Self {
         let area = std::f64::consts::PI * piston_radius * piston_radius;
         Drive {
             kind: DriveKind::Hydraulic,
-            rest_force: 0.0,
-            spring_rate: pressure_per_volume * area * area,
-            damping: 0.0,
-            mass: 0.0,
-            speed,
+            ..Drive::fixed_axis(0.0, pressure_per_volume * area * area, speed)
         }
     }
 

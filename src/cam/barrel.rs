@@ -5,9 +5,11 @@
 //! the unrolled groove at the angle tan φ = v/R (Bautista Morelos 2018, eq. 30), and touches the walls at ±R_f along
 //! the groove's normal.
 
+use super::Follower;
+use super::geometry::{Geometry, finished_radius};
 use crate::error::{CamError, Result};
 use crate::law::{Law, Svaj};
-use crate::poly::{Extreme, stand_in};
+use crate::poly::Extreme;
 use crate::units::Quantity;
 use serde::Serialize;
 
@@ -67,8 +69,8 @@ impl Rollers {
 /// // At rest both walls are parallels, one roller radius from the axis of the groove.
 /// let rest = Law::harmonic(0.0, &[]);
 /// let groove = BarrelGroove::new(rest, 0.04, 0.05, Rollers::One { radius: 0.005 })?;
-/// let [upper, lower] = [Wall::Upper, Wall::Lower].map(|wall| groove.wall_unrolled(1.0, 0.05, wall));
-/// assert!((upper[1] - lower[1] - 0.01).abs() < 1e-15);
+/// let [upper, lower] = [Wall::Upper, Wall::Lower].map(|wall| groove.wall_point(1.0, 0.05, wall));
+/// assert!((upper[2] - lower[2] - 0.01).abs() < 1e-15);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -174,17 +176,14 @@ impl BarrelGroove {
     /// Smallest and largest pressure angle on the axis at `radius`, rad: steepest at the floor.
     pub fn pressure_angle_extremes(&self, radius: f64) -> (Extreme, Extreme) {
         let (low, high) = self.law.extremes(1);
-        let angle = |e: Extreme| Extreme {
-            at: e.at,
-            value: (e.value / radius).atan(),
-        };
+        let angle = |e: Extreme| e.map(|v| (v / radius).atan());
         (angle(low), angle(high))
     }
 
     /// Radius of curvature of the unrolled groove's middle line at `radius`, m: positive where it bends
     /// towards −z (convex seen from below), infinite where straight.
     pub fn rho_pitch(&self, theta: f64, radius: f64) -> f64 {
-        1.0 / pitch_curvature(self.law.svaj(theta), radius)
+        1.0 / self.pitch_curvature(self.law.svaj(theta), radius)
     }
 
     /// Signed radius of curvature of a wall, unrolled at `radius`, m: positive where the wall bulges into
@@ -197,22 +196,10 @@ impl BarrelGroove {
     /// Smallest radius with which a wall bulges into the groove at `radius`, m; negative: undercut.
     /// Infinite for a wall without a convex part.
     pub fn smallest_bulge(&self, radius: f64, wall: Wall) -> Extreme {
-        let breaks = self.law.breaks();
         let side = -wall.sign();
-        let high = stand_in(breaks, 1e-12, |i, x| {
-            let u = (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
-            side * pitch_curvature(self.law.svaj_on(i, u), radius)
-        })
-        .extremes()
-        .1;
-        Extreme {
-            at: high.at,
-            value: if high.value > 0.0 {
-                1.0 / high.value - self.roller_radius()
-            } else {
-                f64::INFINITY
-            },
-        }
+        let bulge = |at| side * self.pitch_curvature(at, radius);
+        let (_, high) = self.law.extremes_by(bulge);
+        finished_radius(high, self.roller_radius())
     }
 
     /// The point of a wall in space that touches its roller where the roller's axis is at `radius`,
@@ -228,15 +215,6 @@ impl BarrelGroove {
             cos * y - sin * x,
             at.s + self.axis_offset(wall) + up,
         ]
-    }
-
-    /// The same wall by the unrolled formulae (Bautista Morelos 2018, eq. 37, 38): angle δ along the groove, rad, and
-    /// height z, m. It bends the roller's circle around the cylinder, so it misses [`Self::wall_point`]
-    /// by about R_f³/(6R²)·sin³φ.
-    pub fn wall_unrolled(&self, theta: f64, radius: f64, wall: Wall) -> [f64; 2] {
-        let at = self.law.svaj(theta);
-        let [across, up] = self.wall_offset(at, radius, wall);
-        [theta + across / radius, at.s + self.axis_offset(wall) + up]
     }
 
     /// The same wall where the cylinder of radius `distance` about the barrel's axis cuts it: angle from the x axis
@@ -260,6 +238,16 @@ impl BarrelGroove {
         ]
     }
 
+    /// Curvature of the unrolled middle line, positive where it bends towards −z.
+    fn pitch_curvature(&self, at: Svaj, radius: f64) -> f64 {
+        let roller_radius = self.roller_radius();
+        let unrolled = Follower::Barrel {
+            radius,
+            roller_radius,
+        };
+        Geometry::new(&unrolled).pitch_curvature(at)
+    }
+
     /// From the roller's axis to the contact: along the groove (growing θ) and along z.
     fn wall_offset(&self, at: Svaj, radius: f64, wall: Wall) -> [f64; 2] {
         let slope = at.v / radius;
@@ -273,11 +261,4 @@ impl BarrelGroove {
         let (low, high) = self.pressure_angle_extremes(self.inner);
         2.0 * self.rollers.eccentricity() * low.value.cos().min(high.value.cos())
     }
-}
-
-/// Curvature of the unrolled middle line, positive where it bends towards −z.
-fn pitch_curvature(at: Svaj, radius: f64) -> f64 {
-    let slope = at.v / radius;
-    let square = 1.0 + slope * slope;
-    -at.a / (radius * radius * square * square.sqrt())
 }

@@ -57,20 +57,18 @@ impl Check {
     /// A value that must not exceed its limit by more than `slack` of it.
     pub fn at_most(name: impl Into<Criterion>, worst: Extreme, limit: f64, slack: f64) -> Self {
         let pass = worst.value <= limit + slack * limit.abs();
-        Check {
-            name: name.into(),
-            worst: worst.value,
-            limit,
-            at: worst.at,
-            pass,
-        }
+        Check::new(name.into(), worst, limit, pass)
     }
 
     /// A value that must not fall below its limit by more than `slack` of it.
     pub fn at_least(name: impl Into<Criterion>, worst: Extreme, limit: f64, slack: f64) -> Self {
         let pass = worst.value >= limit - slack * limit.abs();
+        Check::new(name.into(), worst, limit, pass)
+    }
+
+    fn new(name: Criterion, worst: Extreme, limit: f64, pass: bool) -> Self {
         Check {
-            name: name.into(),
+            name,
             worst: worst.value,
             limit,
             at: worst.at,

@@ -104,15 +104,10 @@ impl Cam {
     /// jump of jerk makes a cam not fit for high speed, a jump of acceleration unacceptable but for constant
     /// breadth.
     pub fn cam_das_class(&self) -> Verdict {
-        let continuous = Continuity::of(self);
-        if !(continuous.s && continuous.v) {
+        let Continuity { s, v, a, j } = Continuity::of(self);
+        if !(s && v && (a || self.has_constant_breadth())) {
             Verdict::Unacceptable
-        } else if !continuous.a {
-            match self.has_constant_breadth() {
-                true => Verdict::Acceptable,
-                false => Verdict::Unacceptable,
-            }
-        } else if !continuous.j {
+        } else if a && !j {
             Verdict::NotForHighSpeed
         } else {
             Verdict::Acceptable

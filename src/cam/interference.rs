@@ -3,7 +3,7 @@
 //! Undercut is local; this looks at the whole profile, which CAM-DAS leaves to visual inspection. It samples: the
 //! profile is taken at n points, so depths below its sagitta (about step²/8ρ) are not seen.
 
-use super::{Cam, Follower};
+use super::{Cam, Follower, Geometry};
 
 /// The body that interferes with the cam.
 ///
@@ -60,23 +60,17 @@ impl Cam {
     /// An arm that rests on a small roller must be narrower than the roller, or it is reported.
     pub fn interference(&self, n: usize, arm_width: f64, tolerance: f64) -> Vec<Interference> {
         let profile = self.profile(n);
+        let geometry = Geometry::new(&self.follower);
         let mut worst: Vec<Interference> = Vec::new();
         for here in &profile {
+            let frame = geometry.frame(here.theta);
             let stand = Here {
-                theta: here.theta,
-                contact: self.into_space(here.theta, [here.x, here.y]),
-                centre: self.into_space(here.theta, [here.pitch_x, here.pitch_y]),
+                contact: frame.in_space([here.x, here.y]),
+                centre: frame.in_space([here.pitch_x, here.pitch_y]),
                 motion: self.motion(here.theta),
             };
-            let (sin, cos) = stand.theta.sin_cos();
             for other in &profile {
-                // The same as `into_space`, the rotation taken out of the loop.
-                let point = match self.follower {
-                    Follower::TranslatingCam { .. } | Follower::Barrel { .. } => {
-                        self.into_space(stand.theta, [other.x, other.y])
-                    }
-                    _ => [cos * other.x - sin * other.y, sin * other.x + cos * other.y],
-                };
+                let point = frame.in_space([other.x, other.y]);
                 for (body, depth) in depths(&self.follower, &stand, point, arm_width) {
                     if depth <= tolerance {
                         continue;
@@ -101,7 +95,6 @@ impl Cam {
 
 /// The follower in space at one instant.
 struct Here {
-    theta: f64,
     contact: [f64; 2],
     centre: [f64; 2],
     /// Direction of the lift, which is the normal of a flat face.

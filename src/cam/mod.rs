@@ -29,6 +29,7 @@ pub use inspect::{Deviation, FEWEST as FEWEST_MEASURED, Inspection};
 pub use interference::{Body, Interference};
 pub use making::{Bore, Hardness, HardnessScale, Hub, Keyway, Making};
 pub use profile::ProfilePoint;
+pub(crate) use size::least_between;
 pub use size::{
     PrimeCircle, SizeLimits, smallest_base_radius, smallest_for, smallest_prime_circle,
 };

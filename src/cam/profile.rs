@@ -1,8 +1,8 @@
 //! The profile: where cam and follower touch, seen in the cam's frame.
 
 use super::Cam;
-use super::geometry::{Contacts, Geometry};
-use crate::law::{BATCH, Batch, Svaj, Turns};
+use super::geometry::{Contacts, Frame, Geometry};
+use crate::law::{BATCH, Batch, Joint, Svaj, Turns};
 use pulp::{Arch, NullaryFnOnce};
 
 /// Jumps below this part of the largest value of their derivative are rounding.
@@ -52,13 +52,7 @@ impl Cam {
     fn point_of(&self, theta: f64, at: Svaj) -> ProfilePoint {
         let geometry = Geometry::new(&self.follower);
         let contact = geometry.contact(at);
-        let frame = match geometry.straight() {
-            Some(scale) => Frame::Moved(scale * theta),
-            None => {
-                let (sin, cos) = theta.sin_cos();
-                Frame::Turned { sin, cos }
-            }
-        };
+        let frame = geometry.frame(theta);
         let [x, y] = frame.seen(contact.point);
         let [pitch_x, pitch_y] = frame.seen(contact.pitch);
         ProfilePoint {
@@ -76,19 +70,15 @@ impl Cam {
     /// (2: acceleration, 3: jerk) jumps, in order of their angles. An emitted profile carries them: it is
     /// smooth between them.
     pub fn breakpoints(&self, order: usize) -> Vec<[ProfilePoint; 2]> {
-        let law = &self.law;
-        let n = law.poly().pieces();
-        let none = [0, 1, 2, 3].map(|k| NO_JUMP * law.bound(k));
-        let jumps = |a: Svaj, b: Svaj| {
-            let apart = [b.s - a.s, b.v - a.v, b.a - a.a, b.j - a.j];
+        let none = [0, 1, 2, 3].map(|k| NO_JUMP * self.law.bound(k));
+        let jumps = |joint: &Joint| {
+            let jump = joint.jump;
+            let apart = [jump.s, jump.v, jump.a, jump.j];
             (0..=order.min(3)).any(|k| apart[k].abs() > none[k])
         };
-        (usize::from(!law.is_closed())..n)
-            .filter_map(|i| {
-                let (before, after) = (law.svaj_on((i + n - 1) % n, 1.0), law.svaj_on(i, 0.0));
-                let at = law.breaks()[i];
-                jumps(before, after).then(|| [self.point_of(at, before), self.point_of(at, after)])
-            })
+        let joints = self.law.joints().into_iter().filter(jumps);
+        joints
+            .map(|joint| joint.sides.map(|at| self.point_of(joint.at, at)))
             .collect()
     }
 
@@ -169,24 +159,6 @@ impl Contacts {
             };
             [self.x[k], self.y[k]] = frame.seen([self.x[k], self.y[k]]);
             [self.pitch_x[k], self.pitch_y[k]] = frame.seen([self.pitch_x[k], self.pitch_y[k]]);
-        }
-    }
-}
-
-/// The cam's frame at one instant.
-#[derive(Clone, Copy)]
-enum Frame {
-    Turned { sin: f64, cos: f64 },
-    Moved(f64),
-}
-
-impl Frame {
-    /// A point fixed in space as the cam sees it.
-    #[inline(always)]
-    fn seen(self, p: [f64; 2]) -> [f64; 2] {
-        match self {
-            Frame::Turned { sin, cos } => [cos * p[0] + sin * p[1], cos * p[1] - sin * p[0]],
-            Frame::Moved(by) => [p[0] + by, p[1]],
         }
     }
 }

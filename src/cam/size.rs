@@ -160,16 +160,27 @@ pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
     if bad == 0.0 && found.is_some() {
         return Ok(0.0);
     }
-    let mut good = found.ok_or(CamError::NoSize {
+    let good = found.ok_or(CamError::NoSize {
         follower: cam.follower.kind().name(),
     })?;
-    while good - bad > 1e-10 * good {
+    let holds = |base: f64| limits.hold(&at(base));
+    Ok(least_between(bad, good, 1e-10, holds))
+}
+
+/// Smallest size that holds a limit, between one that does not and one that does, by bisection to a relative accuracy.
+pub(crate) fn least_between(
+    mut bad: f64,
+    mut good: f64,
+    accuracy: f64,
+    holds: impl Fn(f64) -> bool,
+) -> f64 {
+    while good - bad > accuracy * good {
         let middle = 0.5 * (good + bad);
-        if limits.hold(&at(middle)) {
+        if holds(middle) {
             good = middle;
         } else {
             bad = middle;
         }
     }
-    Ok(good)
+    good
 }

@@ -50,7 +50,8 @@ pub struct Machine {
 ///
 /// // A disc of 30 mm under a flat face, pressed by 100 N: Hertz's pressure of a line of 12 mm.
 /// let cam = Cam::new(Law::harmonic(0.0, &[]), Follower::FlatTranslating { base_radius: 0.03 })?;
-/// let mut run = Run::new(cam, Drive::fixed_axis(0.5, 1000.0, 10.0).with_preload(100.0), 720);
+/// let drive = Drive { rest_force: 100.0, ..Drive::fixed_axis(0.5, 1000.0, 10.0) };
+/// let mut run = Run::new(cam, drive, 720);
 /// run.machine.face = Some(Face { length: 0.012, cam: STEEL, follower: STEEL });
 /// let found = simulate(&run, Model::Rigid)?.hertz.unwrap();
 /// let known = line(100.0, 0.012, 1.0 / 0.03, modulus(STEEL, STEEL));

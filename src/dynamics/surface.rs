@@ -89,13 +89,9 @@ fn pulls(force: &PiecewisePoly, none: f64) -> Vec<(f64, f64)> {
     if high.value < 0.0 {
         return vec![(first, last)];
     }
-    let mut marks = vec![first];
-    marks.extend(
-        force
-            .roots()
-            .into_iter()
-            .filter(|r| *r > first && *r < last),
-    );
+    let mut marks = force.roots();
+    marks.retain(|r| *r > first && *r < last);
+    marks.insert(0, first);
     marks.push(last);
     let mut out: Vec<(f64, f64)> = Vec::new();
     for pair in marks.windows(2) {

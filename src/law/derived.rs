@@ -14,16 +14,12 @@ impl Law {
         let breaks: Vec<f64> = poly.breaks().iter().rev().map(|b| -b).collect();
         let pieces = poly.pieces();
         let mut coef = Vec::with_capacity(pieces * (poly.degree() + 1));
-        let mut waves = Vec::new();
+        let mut waves: Vec<Vec<_>> = Vec::with_capacity(pieces);
         for i in (0..pieces).rev() {
             coef.extend(poly.piece(i).iter().rev());
             let width = poly.breaks()[i + 1] - poly.breaks()[i];
-            waves.push(
-                self.waves(i)
-                    .iter()
-                    .map(|w| w.mirrored(width))
-                    .collect::<Vec<_>>(),
-            );
+            let mirrored = self.waves(i).iter().map(|w| w.mirrored(width));
+            waves.push(mirrored.collect());
         }
         let poly = PiecewisePoly::new(breaks, poly.degree(), coef);
         Law::with_waves(poly, waves, self.is_closed())
@@ -42,10 +38,7 @@ impl Law {
         pieces.push_part(self, cut, start + length);
         pieces.push_part(self, start, cut);
         pieces.end_exactly_at(start + length);
-        match pieces.finish(true) {
-            Some(law) => law,
-            None => self.clone(),
-        }
+        pieces.finish(true)
     }
 
     /// The break of a piece that lies within rounding of an angle, otherwise the angle itself.

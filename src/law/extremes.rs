@@ -4,12 +4,15 @@
 use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex, OnceLock};
 
-use super::Law;
 use super::joint::{self, Joint};
-use crate::poly::{Extreme, PiecewisePoly, bernstein, harmonic_extremes};
+use super::{Law, Svaj};
+use crate::poly::{Extreme, PiecewisePoly, bernstein, harmonic_extremes, stand_in};
 
 /// Smallest and largest value.
 type Extremes = (Extreme, Extreme);
+
+/// Relative accuracy of the stand-ins whose extremes are taken.
+const STAND_IN: f64 = 1e-12;
 
 /// Cached properties of a law. Clones share them; they do not take part in comparisons.
 #[derive(Debug, Clone, Default)]
@@ -63,10 +66,7 @@ impl Cache {
 
 /// The extremes after scaling by `factor` and adding a constant.
 fn changed((low, high): Extremes, factor: f64, constant: f64) -> Extremes {
-    let there = |e: Extreme| Extreme {
-        at: e.at,
-        value: factor * e.value + constant,
-    };
+    let there = |e: Extreme| e.map(|x| factor * x + constant);
     if factor < 0.0 {
         (there(high), there(low))
     } else {
@@ -90,6 +90,13 @@ impl Law {
             (Some(order), None) => changed(self.extremes(order), weights[order], constant),
             _ => changed(self.cached_extremes(weights), 1.0, constant),
         }
+    }
+
+    /// Extremes over the law of a function of the motion, by a polynomial stand-in.
+    pub(crate) fn extremes_by(&self, f: impl Fn(Svaj) -> f64) -> Extremes {
+        let breaks = self.breaks();
+        let inside = |i: usize, x: f64| (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
+        stand_in(breaks, STAND_IN, |i, x| f(self.svaj_on(i, inside(i, x)))).extremes()
     }
 
     fn cached_extremes(&self, weights: [f64; 4]) -> Extremes {

@@ -19,6 +19,8 @@ use super::{Law, Svaj};
 pub struct Joint {
     /// Angle of the break, rad.
     pub at: f64,
+    /// The motion on both sides.
+    pub sides: [Svaj; 2],
     /// Jumps of s, v, a, j.
     pub jump: Svaj,
 }
@@ -33,6 +35,7 @@ pub(super) fn joints(law: &Law) -> Vec<Joint> {
             let after = law.svaj_on(i, 0.0);
             Joint {
                 at: law.breaks()[i],
+                sides: [before, after],
                 jump: Svaj {
                     s: after.s - before.s,
                     v: after.v - before.v,

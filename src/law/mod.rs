@@ -109,25 +109,15 @@ impl Law {
                 .collect();
             own = next;
             let pieces = own.spline(&c).coefficients().to_vec();
-            orders.push(PiecewisePoly::new(
-                poly.breaks().to_vec(),
-                own.degree(),
-                pieces,
-            ));
+            let breaks = poly.breaks().to_vec();
+            orders.push(PiecewisePoly::new(breaks, own.degree(), pieces));
         }
         match <[PiecewisePoly; 3]>::try_from(orders) {
-            Ok(derivatives) => Law::of_orders(poly, derivatives.into(), closed),
+            Ok(orders) => Law {
+                derivatives: Some(orders.into()),
+                ..Law::from_poly(poly, closed)
+            },
             Err(_) => Law::from_poly(poly, closed),
-        }
-    }
-
-    fn of_orders(poly: PiecewisePoly, derivatives: Arc<[PiecewisePoly; 3]>, closed: bool) -> Self {
-        Law {
-            poly,
-            waves: Vec::new(),
-            closed,
-            derivatives: Some(derivatives),
-            cache: Cache::default(),
         }
     }
 
@@ -317,13 +307,10 @@ impl Law {
     #[must_use]
     pub fn raised(&self, ds: f64) -> Self {
         let poly = PiecewisePoly::combine(&[(1.0, &self.poly)], ds);
-        let raised = match &self.derivatives {
-            Some(derivatives) => Law::of_orders(poly, Arc::clone(derivatives), self.closed),
-            None => Law::with_waves(poly, self.waves.clone(), self.closed),
-        };
         Law {
+            derivatives: self.derivatives.clone(),
             cache: self.cache.on_any_level(),
-            ..raised
+            ..Law::with_waves(poly, self.waves.clone(), self.closed)
         }
     }
 

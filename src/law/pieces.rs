@@ -104,15 +104,15 @@ impl Pieces {
         }
     }
 
-    /// The law; `None` when no piece has any length.
-    pub fn finish(self, closed: bool) -> Option<Law> {
-        let degree = self.coef.iter().map(|c| c.len() - 1).max()?;
+    /// The law of the pieces, of which there is at least one.
+    pub fn finish(self, closed: bool) -> Law {
+        let degree = self.coef.iter().map(|c| c.len() - 1).max().unwrap_or(0);
         let coef = self
             .coef
             .iter()
             .flat_map(|c| bernstein::elevate(c, degree))
             .collect();
         let poly = PiecewisePoly::new(self.breaks, degree, coef);
-        Some(Law::with_waves(poly, self.waves, closed))
+        Law::with_waves(poly, self.waves, closed)
     }
 }

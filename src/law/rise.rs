@@ -281,12 +281,8 @@ fn unknown(word: &str) -> LawError {
     if matches!(word, "table" | "spline") {
         return LawError::MotionNeedsPoints { motion };
     }
-    let catalogue = Rise::catalogue();
-    let names: Vec<&str> = catalogue
-        .iter()
-        .map(Rise::name)
-        .chain(["dwell", "table", "spline"])
-        .collect();
+    let names = CATALOGUE.iter().map(|row| row.0);
+    let names: Vec<&str> = names.chain(["dwell", "table", "spline"]).collect();
     LawError::UnknownMotion {
         motion,
         nearest: nearest(word, names.iter().copied()).map(str::to_string),
@@ -304,9 +300,7 @@ pub(super) fn joining(
     let orders = match degree {
         5 => 3,
         7 => 4,
-        _ => {
-            return Err(LawError::GeneralDegree { degree }.into());
-        }
+        _ => return Err(LawError::GeneralDegree { degree }.into()),
     };
     let mut conditions = Vec::with_capacity(2 * orders);
     for (theta, at) in [(0.0, before), (width, after)] {

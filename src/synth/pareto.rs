@@ -6,7 +6,7 @@
 use super::{Design, FIGURES, Figure, Figures, Search, design};
 use crate::cam::Criterion;
 use crate::drive::DriveKind;
-use crate::error::{Error, Placed, Result, SweepError, SynthError};
+use crate::error::{Placed, Result, SweepError, SynthError};
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, LimitKind, Minimise};
 
@@ -115,12 +115,10 @@ impl Bound {
         let fixed = matches!(problem.size(), Size::Given { .. });
         match self {
             Bound::LiftoffSpeed if problem.drive.kind != DriveKind::MovingAxis => {
-                let fault = Error::from(SweepError::FrontWithoutMovingAxis);
-                Err(fault.at_key("drive.kind"))
+                Err(SweepError::FrontWithoutMovingAxis.at_key("drive.kind"))
             }
             Bound::Limit(LimitKind::HertzPressure) if !fixed => {
-                let fault = Error::from(SweepError::FrontWithoutSize);
-                Err(fault.at_key("cam.base_radius"))
+                Err(SweepError::FrontWithoutSize.at_key("cam.base_radius"))
             }
             Bound::Limit(LimitKind::PrimeRadius) if fixed => {
                 Err(SynthError::SizeFixed.at_key("cam"))
@@ -208,11 +206,8 @@ pub fn trade(problem: &Problem, against: &Figure, points: usize) -> Result<Vec<T
     }
     // Nothing can be had below what the unlimited law takes: a bore, say, gives the size.
     if high == most && !held(most).is_ok_and(|d| good(&d)) {
-        let allowed = of(&free);
-        return Ok(vec![Trade {
-            allowed,
-            design: free,
-        }]);
+        let (allowed, design) = (of(&free), free);
+        return Ok(vec![Trade { allowed, design }]);
     }
     let mut out = Vec::with_capacity(points);
     for i in 0..points {

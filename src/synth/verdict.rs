@@ -136,10 +136,7 @@ fn cusp(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     let prime = cam.follower.prime_radius();
     let sharp = convex.worst.abs() <= GEOMETRY * prime;
     let round = problem.limits[LimitKind::Curvature].is_some_and(|rho| rho > 0.0);
-    let turns = !matches!(
-        cam.follower,
-        Follower::Barrel { .. } | Follower::TranslatingCam { .. }
-    );
+    let turns = !cam.follower.is_unrolled();
     (sharp && !round && turns && prime > 0.0).then(|| Reason::Cusp {
         at: Quantity::angle(convex.at),
     })

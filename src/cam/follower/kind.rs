@@ -15,7 +15,9 @@ use super::{Follower, Measures};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
-#[derive(Deserialize, strum::IntoStaticStr, strum::VariantArray, strum::EnumString)]
+#[derive(
+    Deserialize, strum::Display, strum::IntoStaticStr, strum::VariantArray, strum::EnumString,
+)]
 #[strum(serialize_all = "kebab-case")]
 pub enum FollowerKind {
     /// A flat face that translates.
@@ -120,12 +122,6 @@ impl FollowerKind {
             _ if self.is_oscillating() => Measures::Oscillating,
             _ => Measures::Translating,
         }
-    }
-}
-
-impl std::fmt::Display for FollowerKind {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name())
     }
 }
 

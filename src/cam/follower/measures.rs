@@ -70,6 +70,10 @@ impl Measures {
         self == Measures::Oscillating
     }
 
+    fn is_straight(self) -> bool {
+        self == Measures::Straight
+    }
+
     /// Lift and its derivatives by the cam's angle (or travel), up to order 4.
     pub fn lift(self, order: usize) -> Unit {
         let order = order.min(4);
@@ -101,16 +105,12 @@ impl Measures {
 
     /// The cam's angle, or its travel.
     pub fn angle(self) -> Unit {
-        if self == Measures::Straight {
-            MM
-        } else {
-            DEGREES
-        }
+        if self.is_straight() { MM } else { DEGREES }
     }
 
     /// The cam's angle in words, as an axis has it.
     pub fn angle_words(self) -> &'static str {
-        if self == Measures::Straight {
+        if self.is_straight() {
             "travel of the cam x, mm"
         } else {
             "cam angle θ, degrees"
@@ -126,20 +126,13 @@ impl Measures {
 
     /// Speed of the cam.
     pub fn speed(self) -> Unit {
-        unit(
-            1.0,
-            if self == Measures::Straight {
-                "m/s"
-            } else {
-                "rad/s"
-            },
-        )
+        unit(1.0, if self.is_straight() { "m/s" } else { "rad/s" })
     }
 
     /// The speed of the cam in words: as it is, and in turns per minute where it turns.
     pub fn speed_words(self, speed: f64, decimals: usize) -> String {
         let own = format!("{speed:.decimals$} {}", self.speed().name);
-        if self == Measures::Straight {
+        if self.is_straight() {
             return own;
         }
         format!("{own} ({:.2} rpm)", speed * 30.0 / std::f64::consts::PI)
@@ -171,14 +164,12 @@ impl Measures {
 
     /// Force per speed of the lift.
     pub fn damping(self) -> Unit {
-        unit(
-            1.0,
-            if self.swings() {
-                "N·m·s/rad"
-            } else {
-                "N·s/m"
-            },
-        )
+        let name = if self.swings() {
+            "N·m·s/rad"
+        } else {
+            "N·s/m"
+        };
+        unit(1.0, name)
     }
 }
 

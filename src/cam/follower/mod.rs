@@ -191,6 +191,14 @@ impl Follower {
         }
     }
 
+    /// Offset of a face on an arm from the parallel through its pivot, m; 0 for followers without one.
+    pub(super) fn face_offset(&self) -> f64 {
+        match *self {
+            Follower::FlatOscillating { face_offset, .. } => face_offset,
+            _ => 0.0,
+        }
+    }
+
     /// Radius of the roller or of the mushroom's arc, 0 where there is none.
     pub fn roller_radius(&self) -> f64 {
         match *self {
@@ -228,20 +236,13 @@ impl Follower {
     /// The follower on the base circle that puts it at `start` when s = 0; `None` when there is none.
     pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
         let radius = self.roller_radius();
-        let flat_arm = matches!(self, Follower::FlatOscillating { .. });
-        let base = match (*self, self.arm()) {
-            (_, Some(Arm { pivot: c, length })) => {
+        let flat_arm = self.pivot().is_some() && self.arm().is_none();
+        let base = match (self.pivot(), self.arm()) {
+            (Some([c, _]), Some(Arm { length, .. })) => {
                 (length * length + c * c - 2.0 * length * c.abs() * start.cos()).sqrt() - radius
             }
-            (
-                Follower::FlatOscillating {
-                    pivot_distance,
-                    face_offset,
-                    ..
-                },
-                None,
-            ) => face_offset + pivot_distance.abs() * start.sin(),
-            _ => start.hypot(self.offset()) - radius,
+            (Some([c, _]), None) => self.face_offset() + c.abs() * start.sin(),
+            (None, _) => start.hypot(self.offset()) - radius,
         };
         ((start > 0.0 || flat_arm) && base > 0.0).then(|| self.with_base_radius(base))
     }
@@ -249,19 +250,14 @@ impl Follower {
     /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. NaN if the arm cannot
     /// reach the prime circle, which [`Cam::check`](super::Cam::check) refuses.
     pub fn start_angle(&self) -> Option<f64> {
-        if let Some(Arm { pivot, length }) = self.arm() {
-            let (c, prime) = (pivot.abs(), self.prime_radius());
-            let cos = (length * length + c * c - prime * prime) / (2.0 * length * c);
-            return Some(cos.acos());
-        }
-        match *self {
-            Follower::FlatOscillating {
-                pivot_distance,
-                face_offset,
-                base_radius,
-            } => Some(((base_radius - face_offset) / pivot_distance.abs()).asin()),
-            _ => None,
-        }
+        let (c, prime) = (self.pivot()?[0].abs(), self.prime_radius());
+        Some(match self.arm() {
+            Some(Arm { length, .. }) => {
+                let cos = (length * length + c * c - prime * prime) / (2.0 * length * c);
+                cos.acos()
+            }
+            None => ((prime - self.face_offset()) / c).asin(),
+        })
     }
 
     /// A lift with its unit: a length, or the angle of an arm.

@@ -1,7 +1,7 @@
 //! Checks that a follower can execute its law, whatever the profile.
 
 use super::Geometry;
-use crate::cam::{Arm, Cam, Follower};
+use crate::cam::{Cam, Follower};
 use crate::error::{ArmFault, CamError, CamLength, Result};
 use crate::units::Quantity;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -30,40 +30,31 @@ impl Cam {
     pub fn check_beside(&self) -> Result<()> {
         check_lengths(&self.follower)?;
         let (low, high) = Follower::lift_range(&self.law);
-        if let Some(Arm { pivot, length }) = self.follower.arm() {
-            self.check_reach(pivot.abs(), length)?;
+        let Some([pivot, _]) = self.follower.pivot() else {
+            if self.follower.is_unrolled() {
+                return Ok(());
+            }
+            self.check_offset()?;
+            return self.check_above_centre(low);
+        };
+        let c = pivot.abs();
+        if let Some(arm) = self.follower.arm() {
+            self.check_reach(c, arm.length)?;
             return self.check_swing(low, high, 0.0, PI);
         }
-        match self.follower {
-            Follower::FlatOscillating {
-                pivot_distance,
-                face_offset,
-                base_radius,
-            } => {
-                let c = pivot_distance.abs();
-                if (base_radius - face_offset).abs() >= c {
-                    return Err(CamError::FaceReach {
-                        offset: Quantity::length(face_offset),
-                        base: Quantity::length(base_radius),
-                        pivot: Quantity::length(c),
-                        least: Quantity::length((base_radius - face_offset).abs()),
-                    }
-                    .into());
-                }
-                self.check_swing(low, high, -FRAC_PI_2, FRAC_PI_2)?;
-                self.check_arm_speed(pivot_distance.signum())
+        let (offset, base) = (self.follower.face_offset(), self.follower.base_radius());
+        let least = (base - offset).abs();
+        if least >= c {
+            return Err(CamError::FaceReach {
+                offset: Quantity::length(offset),
+                base: Quantity::length(base),
+                pivot: Quantity::length(c),
+                least: Quantity::length(least),
             }
-            Follower::TranslatingCam { .. } | Follower::Barrel { .. } => Ok(()),
-            // On an arm: above.
-            Follower::FlatTranslating { .. }
-            | Follower::RollerTranslating { .. }
-            | Follower::MushroomTranslating { .. }
-            | Follower::RollerOscillating { .. }
-            | Follower::MushroomOscillating { .. } => {
-                self.check_offset()?;
-                self.check_above_centre(low)
-            }
+            .into());
         }
+        self.check_swing(low, high, -FRAC_PI_2, FRAC_PI_2)?;
+        self.check_arm_speed(pivot.signum())
     }
 
     fn check_offset(&self) -> Result<()> {
@@ -147,12 +138,10 @@ impl Cam {
 
     fn check_pivot(&self, c: f64) -> Result<()> {
         let geometry = Geometry::new(&self.follower);
-        let largest = self
-            .extremes_of(|at| {
-                let [x, y] = geometry.contact(at).point;
-                x * x + y * y
-            })
-            .1;
+        let (_, largest) = self.law.extremes_by(|at| {
+            let [x, y] = geometry.contact(at).point;
+            x * x + y * y
+        });
         let reach = largest.value.sqrt();
         if c > reach {
             return Ok(());
@@ -178,34 +167,25 @@ fn check_lengths(follower: &Follower) -> Result<()> {
             Err(faulty(length, x))
         }
     };
+    let finite = |length: CamLength, x: f64| match x.is_finite() {
+        true => Ok(()),
+        false => Err(CamError::NotFinite { length }),
+    };
     let radius = follower.roller_radius();
-    match *follower {
-        Follower::MushroomTranslating { arc_radius, .. }
-        | Follower::MushroomOscillating { arc_radius, .. } => {
-            positive(CamLength::ArcRadius, arc_radius)?
-        }
-        _ if radius.is_finite() && radius >= 0.0 => {}
-        _ => return Err(faulty(CamLength::RollerRadius, radius).into()),
+    if follower.kind().is_mushroom() {
+        positive(CamLength::ArcRadius, radius)?;
+    } else if !(radius.is_finite() && radius >= 0.0) {
+        return Err(faulty(CamLength::RollerRadius, radius).into());
     }
-    if !follower.offset().is_finite() {
-        return Err(CamError::NotFinite {
-            length: CamLength::Offset,
-        }
-        .into());
-    }
+    finite(CamLength::Offset, follower.offset())?;
     if let Some([x, _]) = follower.pivot() {
         positive(CamLength::PivotDistance, x.abs())?;
     }
     if let Some(arm) = follower.arm() {
         positive(CamLength::Arm, arm.length)?;
     }
+    finite(CamLength::FaceOffset, follower.face_offset())?;
     match *follower {
-        Follower::FlatOscillating { face_offset, .. } if !face_offset.is_finite() => {
-            return Err(CamError::NotFinite {
-                length: CamLength::FaceOffset,
-            }
-            .into());
-        }
         Follower::TranslatingCam { base_height, .. } => {
             return Ok(positive(CamLength::BaseHeight, base_height)?);
         }

@@ -14,6 +14,9 @@ mod kinds;
 mod shape;
 mod space;
 
+pub(super) use shape::finished_radius;
+pub(crate) use space::Frame;
+
 use super::{Arm, Follower};
 use crate::law::{BATCH, Batch, Svaj};
 use arc_tangent::arc_tangent;
@@ -60,14 +63,10 @@ impl Geometry {
         }
         match *follower {
             Follower::FlatTranslating { base_radius } => Geometry::Flat(Flat { base: base_radius }),
-            Follower::FlatOscillating {
-                pivot_distance,
-                face_offset,
-                ..
-            } => Geometry::FlatOnArm(FlatOnArm {
+            Follower::FlatOscillating { pivot_distance, .. } => Geometry::FlatOnArm(FlatOnArm {
                 pivot: pivot_distance.abs(),
                 side: pivot_distance.signum(),
-                offset: face_offset,
+                offset: follower.face_offset(),
                 start,
             }),
             Follower::TranslatingCam { base_height, .. } => Geometry::Unrolled(Unrolled {

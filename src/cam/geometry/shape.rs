@@ -3,22 +3,14 @@
 use super::Geometry;
 use crate::cam::{Cam, Curvature, Follower};
 use crate::law::Svaj;
-use crate::poly::{Extreme, stand_in};
-
-/// Relative accuracy of the stand-ins whose extremes are taken.
-const STAND_IN: f64 = 1e-12;
+use crate::poly::Extreme;
 
 impl Cam {
     /// Smallest and largest pressure angle, rad, signed: positive leans the push counter-clockwise from
     /// the motion, as a rise does. Zero for a flat face that translates; sin φ = f/L for one on an arm, L
     /// from pivot to contact.
     pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
-        let along_normal = match self.follower {
-            Follower::FlatTranslating { .. } => true,
-            Follower::FlatOscillating { face_offset, .. } => face_offset == 0.0,
-            _ => false,
-        };
-        if along_normal {
+        if self.follower.is_flat() && self.follower.face_offset() == 0.0 {
             let zero = Extreme {
                 at: self.law.extent().0,
                 value: 0.0,
@@ -31,12 +23,9 @@ impl Cam {
             Geometry::Unrolled(unrolled) => self
                 .law
                 .extremes_of([0.0, 1.0 / unrolled.scale, 0.0, 0.0], 0.0),
-            _ => self.extremes_of(|at| geometry.contact(at).tan_pressure),
+            _ => self.law.extremes_by(|at| geometry.contact(at).tan_pressure),
         };
-        let angle = |e: Extreme| Extreme {
-            at: e.at,
-            value: e.value.atan(),
-        };
+        let angle = |e: Extreme| e.map(f64::atan);
         (angle(low), angle(high))
     }
 
@@ -57,26 +46,16 @@ impl Cam {
                 return flat(self.law.extremes_of(weights, base_radius).0);
             }
             Follower::FlatOscillating { .. } => {
-                return flat(self.extremes_of(|at| geometry.contact(at).rho).0);
+                return flat(self.law.extremes_by(|at| geometry.contact(at).rho).0);
             }
             _ => {}
         }
-        let (low, high) = self.extremes_of(|at| geometry.pitch_curvature(at));
-        let finished = |e: Extreme| Extreme {
-            at: e.at,
-            value: 1.0 / e.value - geometry.radius(),
-        };
-        let convex = if high.value > 0.0 {
-            finished(high)
-        } else {
-            Extreme {
-                at: high.at,
-                value: f64::INFINITY,
-            }
-        };
+        let (low, high) = self.law.extremes_by(|at| geometry.pitch_curvature(at));
+        let radius = geometry.radius();
+        let convex = finished_radius(high, radius);
         Curvature {
             convex,
-            concave: (low.value < 0.0).then(|| finished(low)),
+            concave: (low.value < 0.0).then(|| low.map(|bend| 1.0 / bend - radius)),
             undercut: convex.value < 0.0,
         }
     }
@@ -91,7 +70,7 @@ impl Cam {
             | Follower::MushroomTranslating { .. }
             | Follower::MushroomOscillating { .. } => {
                 let geometry = Geometry::new(&self.follower);
-                Some(self.extremes_of(|at| geometry.travel(at)))
+                Some(self.law.extremes_by(|at| geometry.travel(at)))
             }
             _ => None,
         }
@@ -109,14 +88,15 @@ impl Cam {
         self.contact_travel()
             .map(|(low, high)| high.value - low.value)
     }
+}
 
-    /// Extremes over the law of a function of the motion, by a polynomial stand-in.
-    pub(super) fn extremes_of(&self, f: impl Fn(Svaj) -> f64) -> (Extreme, Extreme) {
-        let breaks = self.law.breaks();
-        let inside = |i: usize, x: f64| (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
-        stand_in(breaks, STAND_IN, |i, x| {
-            f(self.law.svaj_on(i, inside(i, x)))
-        })
-        .extremes()
-    }
+/// Radius of a finished convex flank from the largest curvature of its pitch curve: infinite without one.
+pub(in crate::cam) fn finished_radius(curvature: Extreme, roller: f64) -> Extreme {
+    curvature.map(|bend| {
+        if bend > 0.0 {
+            1.0 / bend - roller
+        } else {
+            f64::INFINITY
+        }
+    })
 }

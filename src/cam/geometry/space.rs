@@ -1,15 +1,53 @@
 //! From the cam's frame into space and back to directions: what drawings and dynamics ask of a follower.
 
+use super::Geometry;
 use crate::cam::{Cam, Follower, ProfilePoint};
+
+/// The cam's frame at one instant.
+#[derive(Clone, Copy)]
+pub(crate) enum Frame {
+    Turned { sin: f64, cos: f64 },
+    Moved(f64),
+}
+
+impl Frame {
+    fn turned(angle: f64) -> Frame {
+        let (sin, cos) = angle.sin_cos();
+        Frame::Turned { sin, cos }
+    }
+
+    /// A point fixed in space as the cam sees it.
+    #[inline(always)]
+    pub fn seen(self, p: [f64; 2]) -> [f64; 2] {
+        match self {
+            Frame::Turned { sin, cos } => [cos * p[0] + sin * p[1], cos * p[1] - sin * p[0]],
+            Frame::Moved(by) => [p[0] + by, p[1]],
+        }
+    }
+
+    /// A point of the cam where it stands in space.
+    pub fn in_space(self, p: [f64; 2]) -> [f64; 2] {
+        match self {
+            Frame::Turned { sin, cos } => [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]],
+            Frame::Moved(by) => [p[0] - by, p[1]],
+        }
+    }
+}
+
+impl Geometry {
+    /// The cam's frame at an angle or travel.
+    pub fn frame(&self, theta: f64) -> Frame {
+        match self.straight() {
+            Some(scale) => Frame::Moved(scale * theta),
+            None => Frame::turned(theta),
+        }
+    }
+}
 
 impl Cam {
     /// A point of the cam as it lies in the fixed frame when the cam has turned (or slid) to `theta`.
     pub fn into_space(&self, theta: f64, p: [f64; 2]) -> [f64; 2] {
-        match self.follower {
-            Follower::TranslatingCam { .. } => [p[0] - theta, p[1]],
-            Follower::Barrel { radius, .. } => [p[0] - radius * theta, p[1]],
-            _ => turned(p, theta),
-        }
+        Geometry::new(&self.follower).frame(theta).in_space(p)
     }
 
     /// Unit direction in which the contact side of the follower moves as its lift grows, fixed frame: +y,
@@ -30,12 +68,12 @@ impl Cam {
         let fixed = if self.follower.is_flat() {
             motion
         } else {
-            turned(motion, point.pressure_angle)
+            Frame::turned(point.pressure_angle).in_space(motion)
         };
-        match self.follower {
-            Follower::TranslatingCam { .. } | Follower::Barrel { .. } => fixed,
-            _ => turned(fixed, -point.theta),
+        if self.follower.is_unrolled() {
+            return fixed;
         }
+        Frame::turned(point.theta).seen(fixed)
     }
 }
 
@@ -49,10 +87,4 @@ impl Follower {
             _ => None,
         }
     }
-}
-
-/// Counter-clockwise by `angle`.
-fn turned(p: [f64; 2], angle: f64) -> [f64; 2] {
-    let (sin, cos) = angle.sin_cos();
-    [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]]
 }

@@ -147,7 +147,8 @@ impl Cam {
         let size = self.follower.prime_radius();
         let mut fits = Vec::new();
         for pose in self.starts(points, ball) {
-            let (pose, feet) = exact.refined(pose, points, size);
+            let foot = |q| exact.foot(q);
+            let (pose, feet) = fitted(pose, points, size, (ROUNDS, CONVERGED), foot);
             fits.push((rms(&feet), pose, feet));
         }
         fits.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -218,23 +219,14 @@ impl Cam {
         let size = self.follower.prime_radius();
         let mut fits: Vec<(f64, Pose)> = Vec::new();
         for k in 0..STARTS {
-            let mut pose = Pose {
+            let start = Pose {
                 angle: std::f64::consts::TAU * k as f64 / STARTS as f64,
                 pivot,
                 place,
             };
-            let feet_of = |pose: &Pose| -> Vec<Foot> {
-                let near = |m: &[f64; 2]| tangent_foot(&samples, pose.seen(*m), ball);
-                few.iter().map(near).collect()
-            };
-            for _ in 0..COARSE_ROUNDS {
-                let feet = feet_of(&pose);
-                let Some(step) = step(&feet, &pose, size) else {
-                    break;
-                };
-                pose = pose.moved(step);
-            }
-            fits.push((rms(&feet_of(&pose)), pose));
+            let foot = |q| tangent_distance(&samples[nearest(&samples, q)], q, ball);
+            let (pose, feet) = fitted(start, &few, size, (COARSE_ROUNDS, 0.0), foot);
+            fits.push((rms(&feet), pose));
         }
         fits.retain(|f| f.0.is_finite());
         fits.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -258,26 +250,6 @@ struct Exact<'a> {
 }
 
 impl Exact<'_> {
-    /// The fit on exact feet, started at `pose`.
-    fn refined(&self, mut pose: Pose, points: &[[f64; 2]], size: f64) -> (Pose, Vec<Foot>) {
-        let feet_of = |pose: &Pose| -> Vec<Foot> {
-            points.iter().map(|m| self.foot(pose.seen(*m))).collect()
-        };
-        let mut feet = feet_of(&pose);
-        for _ in 0..ROUNDS {
-            let Some(step) = step(&feet, &pose, size) else {
-                break;
-            };
-            pose = pose.moved(step);
-            feet = feet_of(&pose);
-            let moved = step[0].abs() * size + step[1].abs() + step[2].abs();
-            if moved < CONVERGED * size {
-                break;
-            }
-        }
-        (pose, feet)
-    }
-
     /// The foot of a point: where the profile's tangent is square to the way from the profile to it.
     fn foot(&self, q: [f64; 2]) -> Foot {
         let n = self.samples.len();
@@ -354,10 +326,6 @@ fn nearest(samples: &[Sample], q: [f64; 2]) -> usize {
     best.0
 }
 
-fn tangent_foot(samples: &[Sample], q: [f64; 2], ball: f64) -> Foot {
-    tangent_distance(&samples[nearest(samples, q)], q, ball)
-}
-
 fn tangent_distance(s: &Sample, q: [f64; 2], ball: f64) -> Foot {
     let away = (q[0] - s.p[0]) * s.normal[0] + (q[1] - s.p[1]) * s.normal[1];
     Foot {
@@ -379,6 +347,32 @@ fn normal_equations(feet: &[Foot], pose: &Pose, size: f64) -> (Matrix3<f64>, Vec
         right -= foot.distance * row;
     }
     (matrix, right)
+}
+
+/// The fit that begins at a pose, each point with the foot that `foot` finds: at most so many rounds, and no more
+/// once a step is smaller than a part of `size`.
+fn fitted(
+    mut pose: Pose,
+    points: &[[f64; 2]],
+    size: f64,
+    (rounds, converged): (usize, f64),
+    foot: impl Fn([f64; 2]) -> Foot,
+) -> (Pose, Vec<Foot>) {
+    let feet_of =
+        |pose: &Pose| -> Vec<Foot> { points.iter().map(|m| foot(pose.seen(*m))).collect() };
+    let mut feet = feet_of(&pose);
+    for _ in 0..rounds {
+        let Some(step) = step(&feet, &pose, size) else {
+            break;
+        };
+        pose = pose.moved(step);
+        feet = feet_of(&pose);
+        let moved = step[0].abs() * size + step[1].abs() + step[2].abs();
+        if moved < converged * size {
+            break;
+        }
+    }
+    (pose, feet)
 }
 
 /// The step of Gauss and Newton: turn, rad, and shift, m.

@@ -49,33 +49,27 @@ pub fn run(surfaces: &[Surface], drive: &Drive, restitution: f64, limits: &Limit
     let inertia = drive.mass * drive.speed * drive.speed;
     let kappa = drive.spring_rate / inertia;
     let massless = !inertia.is_normal() || kappa.abs() > QUASI_STATIC;
-    let (mut lift_scale, mut rate_scale) = (0.0_f64, 0.0_f64);
-    for surface in surfaces {
-        let (low, high) = surface.law.extremes(0);
-        lift_scale = lift_scale.max(high.value.abs()).max(low.value.abs());
-        let (low, high) = surface.law.extremes(1);
-        rate_scale = rate_scale.max(high.value).max(-low.value);
-    }
-    let fall = if massless {
-        0.0
+    let (kappa, push) = if massless {
+        (0.0, 0.0)
     } else {
-        drive.rest_force.abs() / inertia
+        (kappa, drive.rest_force / inertia)
     };
+    let scale = |order: usize| {
+        let extremes = surfaces.iter().map(|s| s.law.extremes(order));
+        extremes.fold(0.0_f64, |m, (low, high)| m.max(high.value).max(-low.value))
+    };
+    let lift_scale = scale(0);
     let start = surfaces.first().map_or(0.0, |s| s.law.extent().0);
     let engine = Engine {
         surfaces,
         drive,
         restitution,
         gamma: drive.damping * drive.speed / inertia,
-        kappa: if massless { 0.0 } else { kappa },
-        push: if massless {
-            0.0
-        } else {
-            drive.rest_force / inertia
-        },
+        kappa,
+        push,
         massless,
         lift_scale,
-        rest_speed: REST * drive.speed * rate_scale.max(fall.min(lift_scale)),
+        rest_speed: REST * drive.speed * scale(1).max(push.abs().min(lift_scale)),
         run: ContactRun {
             stretches: Vec::new(),
             impacts: Vec::new(),
@@ -137,13 +131,13 @@ impl Engine<'_> {
                     let speed = self.closing_speed(rate, next, now);
                     surface = next;
                     if speed > self.rest_speed && !self.massless {
-                        let since = now;
-                        air = self.strike(now, next, speed, since, 0.0);
+                        air = self.strike(now, next, speed, now, 0.0);
                     }
                 }
             }
         }
-        self.close()
+        self.run.turns = self.run.turns.max(1);
+        self.run
     }
 
     /// Lands on a profile: rest, or the flight of the rebound.
@@ -188,14 +182,8 @@ impl Engine<'_> {
 
     /// Angle up to which the gap certainly opens after lift-off: the force stays negative, and no spring has swung back.
     fn blind(&self, from: f64, to: f64) -> f64 {
-        to.min(
-            from + 0.5
-                / self
-                    .kappa
-                    .max(0.25 * self.gamma * self.gamma)
-                    .sqrt()
-                    .max(1e-3),
-        )
+        let rate = self.kappa.max(0.25 * self.gamma * self.gamma).sqrt();
+        to.min(from + 0.5 / rate.max(1e-3))
     }
 
     /// Speed at which a body with slope `rate` meets profile `surface`, m/s, not below zero.
@@ -211,13 +199,8 @@ impl Engine<'_> {
     }
 
     fn gap(&self, flight: &Flight, at: f64) -> f64 {
-        let lift = |s: &Surface| s.at(at).s;
-        flight.at(at).0
-            - self
-                .surfaces
-                .iter()
-                .map(lift)
-                .fold(f64::NEG_INFINITY, f64::max)
+        let lifts = self.surfaces.iter().map(|s| s.at(at).s);
+        flight.at(at).0 - lifts.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// First angle at which the flight meets a profile, and which one.
@@ -245,12 +228,10 @@ impl Engine<'_> {
                     return Some((now, i));
                 }
                 let bound = (fall + surface.steepest).max(f64::MIN_POSITIVE);
-                let free =
-                    (opening + (opening * opening + 2.0 * bound * gap.max(0.0)).sqrt()) / bound;
                 let free = if just_left {
                     2.0 * opening.max(0.0) / bound
                 } else {
-                    free
+                    (opening + (opening * opening + 2.0 * bound * gap.max(0.0)).sqrt()) / bound
                 };
                 if free <= 2.0 * f64::EPSILON * now.abs().max(1.0) {
                     return Some((now, i));
@@ -338,12 +319,6 @@ impl Engine<'_> {
             }
             _ => false,
         }
-    }
-
-    fn close(self) -> ContactRun {
-        let mut run = self.run;
-        run.turns = run.turns.max(1);
-        run
     }
 }
 

@@ -14,10 +14,8 @@ pub fn envelope(one: &Law, other: &Law) -> Law {
         *last = start + length;
     }
     let degree = one.poly().degree().max(other.poly().degree());
-    let (a, b) = (
-        cut(one.poly(), &breaks, degree),
-        cut(other.poly(), &breaks, degree),
-    );
+    let both = |breaks: &[f64]| [one, other].map(|law| cut(law.poly(), breaks, degree));
+    let [a, b] = both(&breaks);
     let difference = PiecewisePoly::combine(&[(1.0, &a), (-1.0, &b)], 0.0);
     let mut finer = breaks.clone();
     // Roots within rounding of a break are that break.
@@ -25,18 +23,11 @@ pub fn envelope(one: &Law, other: &Law) -> Law {
     finer.extend(difference.roots().iter().filter(|r| apart(r)));
     finer.sort_by(f64::total_cmp);
     finer.dedup_by(|b, a| *b - *a < 1e-9);
-    let (a, b) = (
-        cut(one.poly(), &finer, degree),
-        cut(other.poly(), &finer, degree),
-    );
+    let [a, b] = both(&finer);
     let coef = (0..a.pieces())
         .flat_map(|i| {
             let higher = bernstein::eval(a.piece(i), 0.5) >= bernstein::eval(b.piece(i), 0.5);
-            if higher {
-                a.piece(i).to_vec()
-            } else {
-                b.piece(i).to_vec()
-            }
+            if higher { &a } else { &b }.piece(i).to_vec()
         })
         .collect();
     Law::from_poly(PiecewisePoly::new(finer, degree, coef), one.is_closed())

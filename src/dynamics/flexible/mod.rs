@@ -100,59 +100,67 @@ fn model(law: &Law, drive: &Drive, train: &Train) -> Model {
 /// # Errors
 /// Invalid stiffness or mass; an undamped resonance, which has no steady state.
 pub fn steady(law: &Law, drive: &Drive, train: &Train) -> Result<Steady> {
+    Ok(match periodic(law, drive, train, &[])? {
+        Some((model, states)) => read(law, drive, train, &model, &states),
+        None => quasi_static(law, drive, train),
+    })
+}
+
+/// Breaks nearer to each other than this, rad, are the same.
+const SAME: f64 = 1e-9;
+
+/// The model, its forcing cut at further angles, and its periodic states; `None` where only the static part of the
+/// response remains: nothing moves, or the vibration has millions of cycles between two breaks.
+fn periodic(
+    law: &Law,
+    drive: &Drive,
+    train: &Train,
+    cuts: &[f64],
+) -> Result<Option<(Model, Vec<Vector2<f64>>)>> {
     train.check()?;
-    if drive.mass <= 0.0 && still(drive, train) || drive.speed <= f64::MIN_POSITIVE {
-        return Ok(quasi_static(law, drive, train));
+    let still = drive.mass <= 0.0 && drive.damping + train.damping <= 0.0;
+    if still || drive.speed <= f64::MIN_POSITIVE {
+        return Ok(None);
     }
-    let model = model(law, drive, train);
-    let stiffest = model.linear.rates.norm() * widest(&model.force);
-    if stiffest > linear::STIFFEST {
-        // The vibration has millions of cycles between two points: only the static part remains.
-        return Ok(quasi_static(law, drive, train));
+    let mut model = model(law, drive, train);
+    let breaks = model.force.breaks();
+    let is_new = |cut: &f64| !breaks.iter().any(|b| (b - cut).abs() < SAME);
+    let cuts: Vec<f64> = cuts.iter().copied().filter(is_new).collect();
+    model.force = model.force.cut_at(&cuts);
+    if model.linear.rates.norm() * widest(&model.force) > linear::STIFFEST {
+        return Ok(None);
     }
-    let kicks = Kicks::new(law, &model);
-    let states = model
-        .linear
-        .periodic(&model.force, |i| kicks.at(i))
-        .ok_or_else(|| resonance(drive, train))?;
-    Ok(read(law, drive, train, &model, &states))
+    let kicks = kicks(law, &model);
+    let kick = |piece: usize| {
+        let own = kicks.iter().find(|k| k.0 == piece);
+        own.map_or_else(Vector2::zeros, |k| k.1)
+    };
+    let states = model.linear.periodic(&model.force, kick);
+    let states = states.ok_or_else(|| resonance(drive, train))?;
+    Ok(Some((model, states)))
 }
 
 /// Steps of lift or velocity below this part of the lift are rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Steps of the relative state at the jumps of the law, per piece of the forcing: the mass does not
+/// Steps of the relative state at the jumps of the law, by the piece of the forcing: the mass does not
 /// follow a step of the lift, so x and x′ step by minus it.
-struct Kicks {
-    at_piece: Vec<(usize, Vector2<f64>)>,
-}
-
-impl Kicks {
-    fn new(law: &Law, model: &Model) -> Self {
-        let breaks = model.force.breaks();
-        let size = ROUNDING * law.bound(0);
-        let stepped = |j: &Joint| j.jump.v.abs() > size || j.jump.s.abs() > size;
-        let at_piece = (law.joints().into_iter())
-            .filter(stepped)
-            .filter_map(|j| {
-                let piece = breaks.iter().position(|b| (b - j.at).abs() < 1e-12)?;
-                let v = if model.scale > 0.0 {
-                    -j.jump.v / model.scale
-                } else {
-                    0.0
-                };
-                Some((piece, Vector2::new(-j.jump.s, v)))
-            })
-            .collect();
-        Kicks { at_piece }
-    }
-
-    fn at(&self, piece: usize) -> Vector2<f64> {
-        self.at_piece
-            .iter()
-            .find(|k| k.0 == piece)
-            .map_or_else(Vector2::zeros, |k| k.1)
-    }
+fn kicks(law: &Law, model: &Model) -> Vec<(usize, Vector2<f64>)> {
+    let breaks = model.force.breaks();
+    let size = ROUNDING * law.bound(0);
+    let stepped = |j: &Joint| j.jump.v.abs() > size || j.jump.s.abs() > size;
+    (law.joints().into_iter())
+        .filter(stepped)
+        .filter_map(|j| {
+            let piece = breaks.iter().position(|b| (b - j.at).abs() < 1e-12)?;
+            let v = if model.scale > 0.0 {
+                -j.jump.v / model.scale
+            } else {
+                0.0
+            };
+            Some((piece, Vector2::new(-j.jump.s, v)))
+        })
+        .collect()
 }
 
 fn widest(p: &PiecewisePoly) -> f64 {
@@ -160,10 +168,6 @@ fn widest(p: &PiecewisePoly) -> f64 {
         .windows(2)
         .map(|w| w[1] - w[0])
         .fold(0.0, f64::max)
-}
-
-fn still(drive: &Drive, train: &Train) -> bool {
-    drive.damping + train.damping <= 0.0
 }
 
 fn resonance(drive: &Drive, train: &Train) -> Error {

@@ -18,7 +18,7 @@ use crate::drive::Drive;
 use crate::dynamics::flexible;
 use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Wave};
-use crate::poly::{Extreme, PiecewisePoly, bernstein};
+use crate::poly::{Extreme, PiecewisePoly};
 use crate::units::Quantity;
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -168,13 +168,7 @@ fn continuous_derivatives(law: &Law, most: usize) -> (usize, f64) {
             let width = breaks[i + 1] - breaks[i];
             (b[0] + wave(i, 0.0), b[b.len() - 1] + wave(i, width))
         };
-        let size = (0..pieces)
-            .map(|i| {
-                let (low, high) = bernstein::hull(poly.piece(i));
-                let rate = |w: &Wave| w.rate.powi(order as i32) * w.cos.hypot(w.sin);
-                low.abs().max(high.abs()) + law.waves(i).iter().map(rate).sum::<f64>()
-            })
-            .fold(0.0, f64::max);
+        let size = law.bound(order);
         let jump = |i: usize| (ends(i).0 - ends((i + pieces - 1) % pieces).1).abs();
         if let Some(i) = (0..pieces).find(|&i| jump(i) > ROUNDING * size) {
             return (order.saturating_sub(1), breaks[i]);

@@ -4,7 +4,7 @@
 //! return spring and train. Amplitude is √(2 E/K) with the energy E of that vibration at the dwell's start: the motion is
 //! nowhere in the dwell larger, and without damping that large once in every cycle (theory §10).
 
-use super::{Kicks, Train, linear, model, resonance, still, widest};
+use super::{SAME, Train, periodic};
 use crate::drive::Drive;
 use crate::error::Result;
 use crate::law::Law;
@@ -12,8 +12,6 @@ use crate::law::Law;
 /// Damping ratio that stands for none where an undamped natural frequency meets a harmonic: a law that excites it swings
 /// without bound, one that does not is at rest in its dwells.
 const HARDLY_DAMPED: f64 = 1e-6;
-/// Angles nearer than this are one, rad.
-const SAME: f64 = 1e-9;
 
 /// Amplitude, m, in the periodic steady state at each of these angles, where a dwell begins.
 ///
@@ -36,24 +34,16 @@ const SAME: f64 = 1e-9;
 /// Invalid stiffness or damping.
 pub fn in_rests(law: &Law, drive: &Drive, train: &Train, starts: &[f64]) -> Result<Vec<f64>> {
     train.check()?;
-    let quiet = || vec![0.0; starts.len()];
-    if drive.mass <= 0.0 && still(drive, train) || drive.speed <= f64::MIN_POSITIVE {
-        return Ok(quiet());
-    }
-    let mut own = model(law, drive, train);
-    let is_break = |start: f64| own.force.breaks().iter().any(|b| (b - start).abs() < SAME);
-    let cuts: Vec<f64> = starts.iter().copied().filter(|s| !is_break(*s)).collect();
-    own.force = own.force.cut_at(&cuts);
-    if own.linear.rates.norm() * widest(&own.force) > linear::STIFFEST {
-        return Ok(quiet());
-    }
-    let kicks = Kicks::new(law, &own);
-    let Some(states) = own.linear.periodic(&own.force, |i| kicks.at(i)) else {
-        let damping = 2.0 * HARDLY_DAMPED * (train.stiffness * drive.mass).sqrt();
-        if train.damping >= damping {
-            return Err(resonance(drive, train));
+    let (own, states) = match periodic(law, drive, train, starts) {
+        Ok(Some(vibration)) => vibration,
+        Ok(None) => return Ok(vec![0.0; starts.len()]),
+        Err(resonance) => {
+            let damping = 2.0 * HARDLY_DAMPED * (train.stiffness * drive.mass).sqrt();
+            if train.damping >= damping {
+                return Err(resonance);
+            }
+            return in_rests(law, drive, &Train { damping, ..*train }, starts);
         }
-        return in_rests(law, drive, &Train { damping, ..*train }, starts);
     };
     let give = 1.0 / (train.stiffness + drive.spring_rate);
     let breaks = own.force.breaks();

@@ -140,10 +140,14 @@ fn residual_vibration(law: &Law, ratio: f64) -> f64 {
         contact: Vector2::zeros(),
         scale: ratio,
     };
-    let kicks = Kicks::new(law, &model);
+    let kicks = kicks(law, &model);
+    let kick = |piece: usize| {
+        let own = kicks.iter().find(|k| k.0 == piece);
+        own.map_or_else(Vector2::zeros, |k| k.1)
+    };
     let first = law.svaj_on(0, 0.0);
     let start = Vector2::new(0.0, -first.v / ratio);
-    let states = (model.linear).through(&model.force, start, |i| kicks.at(i));
+    let states = (model.linear).through(&model.force, start, kick);
     let last = states.last().copied().unwrap_or_default();
     let end = law.svaj_on(law.breaks().len() - 2, 1.0);
     last[0].hypot(last[1] + end.v / ratio)

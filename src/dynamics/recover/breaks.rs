@@ -2,9 +2,9 @@
 //! jump of acceleration or jerk.
 
 use super::slopes::slopes_at;
-use super::{Cycle, Emitted};
+use super::{Cycle, Emitted, lift_piece};
 use crate::law::Law;
-use crate::poly::{PiecewisePoly, bernstein};
+use crate::poly::PiecewisePoly;
 
 /// Rows nearer to a breakpoint than this part of a step are left to the curve: their distance would divide
 /// the noise of their coordinates.
@@ -43,19 +43,14 @@ pub fn between_breaks(
     };
     for stretch in &stretches {
         let slopes: Vec<f64> = stretch.iter().map(|s| s.slope - drift).collect();
-        let accelerations = accelerations(stretch);
+        let accelerations = slopes_of(stretch, |s| s.slope);
         for (i, pair) in stretch.windows(2).enumerate() {
             let width = pair[1].theta - pair[0].theta;
-            let velocity = [
-                slopes[i],
-                slopes[i] + accelerations[i] * width / 3.0,
-                slopes[i + 1] - accelerations[i + 1] * width / 3.0,
-                slopes[i + 1],
-            ];
             levels.push(pair[0].height - lift);
-            let piece = bernstein::antiderivative(&velocity);
-            coef.extend(piece.iter().map(|x| lift + width * x));
-            lift += width * piece[4];
+            let ends = [i, i + 1].map(|k| [slopes[k], accelerations[k]]);
+            let piece = lift_piece(lift, width, ends);
+            lift = piece[4];
+            coef.extend(piece);
             knots.push(pair[0].theta);
         }
     }
@@ -125,9 +120,8 @@ fn stretches(
 /// Slopes of the splines through the heights; the mean of both sides where two stretches meet.
 fn slopes_from_heights(stretches: &mut [Vec<Station>], cycle: Cycle) {
     for stretch in stretches.iter_mut() {
-        let x: Vec<f64> = stretch.iter().map(|s| s.theta).collect();
-        let y: Vec<f64> = stretch.iter().map(|s| s.height).collect();
-        for (station, slope) in stretch.iter_mut().zip(slopes_at(&x, &y)) {
+        let slopes = slopes_of(stretch, |s| s.height);
+        for (station, slope) in stretch.iter_mut().zip(slopes) {
             station.slope = slope;
         }
     }
@@ -142,17 +136,17 @@ fn slopes_from_heights(stretches: &mut [Vec<Station>], cycle: Cycle) {
     }
 }
 
-fn accelerations(stretch: &[Station]) -> Vec<f64> {
+fn slopes_of(stretch: &[Station], value: fn(&Station) -> f64) -> Vec<f64> {
     let x: Vec<f64> = stretch.iter().map(|s| s.theta).collect();
-    let v: Vec<f64> = stretch.iter().map(|s| s.slope).collect();
-    slopes_at(&x, &v)
+    let y: Vec<f64> = stretch.iter().map(value).collect();
+    slopes_at(&x, &y)
 }
 
 /// Mean slope of the recovered lift; a closed lift has none, so it is subtracted.
 fn drift(stretches: &[Vec<Station>], cycle: Cycle) -> f64 {
     let mut sum = 0.0;
     for stretch in stretches {
-        let a = accelerations(stretch);
+        let a = slopes_of(stretch, |s| s.slope);
         for (i, pair) in stretch.windows(2).enumerate() {
             let width = pair[1].theta - pair[0].theta;
             sum +=

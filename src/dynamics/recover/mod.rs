@@ -229,7 +229,14 @@ fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[
     let slopes: Vec<f64> = slopes.iter().map(|v| v - drift).collect();
     let accelerations = spline_slopes(&slopes, step, closed);
     let spans = if closed { n } else { n - 1 };
-    let pieces = integrated(spans, step, &slopes, &accelerations);
+    let mut lift = 0.0;
+    let piece = |i: usize| {
+        let ends = [i, (i + 1) % n].map(|k| [slopes[k], accelerations[k]]);
+        let piece = lift_piece(lift, step, ends);
+        lift = piece[4];
+        piece
+    };
+    let pieces: Vec<Vec<f64>> = (0..spans).map(piece).collect();
     let mut rising: Vec<f64> = pieces.iter().map(|piece| piece[0]).collect();
     if !closed {
         rising.extend(pieces.last().map(|piece| piece[4]));
@@ -266,23 +273,11 @@ fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[
     }
 }
 
-/// Bernstein coefficients of the lift, from 0 at the first node, that has these slopes and accelerations.
-fn integrated(spans: usize, step: f64, slopes: &[f64], accelerations: &[f64]) -> Vec<Vec<f64>> {
-    let mut lift = 0.0;
-    let piece = |i: usize| {
-        let k = (i + 1) % slopes.len();
-        let velocity = [
-            slopes[i],
-            slopes[i] + accelerations[i] * step / 3.0,
-            slopes[k] - accelerations[k] * step / 3.0,
-            slopes[k],
-        ];
-        let whole = bernstein::antiderivative(&velocity);
-        let piece: Vec<f64> = whole.iter().map(|x| lift + step * x).collect();
-        lift = piece[4];
-        piece
-    };
-    (0..spans).map(piece).collect()
+/// A piece of the lift: the integral of the cubic velocity with these values and slopes at its ends.
+fn lift_piece(lift: f64, width: f64, [[v, a], [w, b]]: [[f64; 2]; 2]) -> Vec<f64> {
+    let velocity = [v, v + a * width / 3.0, w - b * width / 3.0, w];
+    let rise = bernstein::antiderivative(&velocity);
+    rise.iter().map(|x| lift + width * x).collect()
 }
 
 #[cfg(test)]

@@ -21,22 +21,16 @@ pub fn periodic_slopes(values: &[f64], step: f64) -> Vec<f64> {
     let mut z = vec![0.0; n];
     let (mut pivot, mut below) = (8.0, (0.0, 0.0));
     for i in 0..n {
-        let diagonal = match i {
-            0 => 8.0,
-            _ if i + 1 == n => 4.25,
-            _ => 4.0,
+        let (diagonal, corner) = match i {
+            0 => (8.0, -4.0),
+            _ if i + 1 == n => (4.25, 1.0),
+            _ => (4.0, 0.0),
         };
         if i > 0 {
             ratio[i - 1] = 1.0 / pivot;
             pivot = diagonal - ratio[i - 1];
         }
-        let corner = match i {
-            0 => -4.0,
-            _ if i + 1 == n => 1.0,
-            _ => 0.0,
-        };
-        let before = if i > 0 { below } else { (0.0, 0.0) };
-        below = ((right(i) - before.0) / pivot, (corner - before.1) / pivot);
+        below = ((right(i) - below.0) / pivot, (corner - below.1) / pivot);
         (x[i], z[i]) = below;
     }
     for i in (0..n - 1).rev() {

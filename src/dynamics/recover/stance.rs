@@ -1,6 +1,6 @@
 //! Lift of a follower, and its slope, from a given contact point.
 
-use crate::cam::{Arm, Follower, ProfilePoint};
+use crate::cam::{Arm, Follower, Geometry, ProfilePoint};
 
 /// Whether a contact point determines the slope; that of a knife edge does not.
 pub fn slopes_known(follower: &Follower) -> bool {
@@ -10,14 +10,8 @@ pub fn slopes_known(follower: &Follower) -> bool {
 /// Lift over the base (prime) circle, m (rad for an arm), and its slope at the follower's contact with
 /// `point`; `None` where the follower cannot reach it. The slope of a knife edge is undefined.
 pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f64, f64)> {
-    let p = match *follower {
-        Follower::TranslatingCam { .. } => [point.x - point.theta, point.y],
-        Follower::Barrel { radius, .. } => [point.x - radius * point.theta, point.y],
-        _ => {
-            let (sin, cos) = point.theta.sin_cos();
-            [cos * point.x - sin * point.y, sin * point.x + cos * point.y]
-        }
-    };
+    let frame = Geometry::new(follower).frame(point.theta);
+    let p = frame.in_space([point.x, point.y]);
     let radius = follower.roller_radius();
     let (height, slope) = match *follower {
         Follower::FlatTranslating { base_radius } => (p[1] - base_radius, p[0]),

@@ -92,10 +92,8 @@ fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<ModelRea
             liftoff: liftoff_margin(p, rigid),
         });
     }
-    if rigid
-        .liftoff_speed
-        .is_some_and(|w| p.drive.speed > NEAR_LIFTOFF * w)
-    {
+    let is_near = |liftoff: f64| p.drive.speed > NEAR_LIFTOFF * liftoff;
+    if rigid.liftoff_speed.is_some_and(is_near) {
         let liftoff = liftoff_margin(p, rigid);
         return Some(ModelReason::NearLiftoff { liftoff });
     }

@@ -94,12 +94,8 @@ impl Prepared {
     }
 
     pub fn sampled_torque(&self, input: &Run, forces: &[f64]) -> Torque {
-        let n = self.nodes.len();
-        let values: Vec<f64> = forces
-            .iter()
-            .enumerate()
-            .map(|(i, f)| self.torque(input, *f, self.nodes[i % n]))
-            .collect();
+        let rows = forces.iter().zip(&self.nodes);
+        let values: Vec<f64> = rows.map(|(f, at)| self.torque(input, *f, *at)).collect();
         let count = values.len() as f64;
         Torque {
             min: values.iter().copied().fold(f64::INFINITY, f64::min),

@@ -2,7 +2,7 @@
 
 use super::{Draft, Extent, JUMP, ROUNDING, Segment, name};
 use crate::error::{JoinCure, LawError, Result};
-use crate::law::{Joint, Rise, Svaj};
+use crate::law::{Joint, Rise};
 use crate::units::{Dimension, Quantity};
 
 impl Extent {
@@ -112,9 +112,9 @@ pub fn joints(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()>
                 after,
                 at,
                 jump: extent.velocity(joint.jump.v),
-                from: extent.velocity(draft.before(&joint).v),
-                to: extent.velocity(draft.after(&joint).v),
-                cure: cure(draft, segments, &joint, first, second, extent),
+                from: extent.velocity(joint.sides[0].v),
+                to: extent.velocity(joint.sides[1].v),
+                cure: cure(segments, &joint, first, second, extent),
             }
             .into());
         }
@@ -122,32 +122,15 @@ pub fn joints(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()>
     Ok(())
 }
 
-impl Draft {
-    fn after(&self, joint: &Joint) -> Svaj {
-        self.law.svaj(joint.at)
-    }
-
-    fn before(&self, joint: &Joint) -> Svaj {
-        let after = self.after(joint);
-        Svaj {
-            s: after.s - joint.jump.s,
-            v: after.v - joint.jump.v,
-            a: after.a - joint.jump.a,
-            j: after.j - joint.jump.j,
-        }
-    }
-}
-
 /// Changes that remove a jump of velocity between two segments.
 fn cure(
-    draft: &Draft,
     segments: &[Segment],
     joint: &Joint,
     before: usize,
     after: usize,
     extent: Extent,
 ) -> JoinCure {
-    let (vb, va) = (draft.before(joint).v, draft.after(joint).v);
+    let [vb, va] = joint.sides.map(|at| at.v);
     if vb * va > 0.0 {
         // A motion's end velocity is inverse to its length.
         let other = segments[after].angle * va / vb;
@@ -165,19 +148,14 @@ fn cure(
 /// The lift never falls below 0.
 pub fn base_circle(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()> {
     let (low, high) = draft.law.extremes(0);
-    if low.value >= -JUMP * (high.value - low.value) {
+    let rounding = JUMP * (high.value - low.value);
+    if low.value >= -rounding {
         return Ok(());
     }
     // Report the first segment below; later ones may only stay below.
     let depth = draft.law.combination([-1.0, 0.0, 0.0, 0.0], 0.0);
-    let first = depth
-        .peaks_above(
-            JUMP * (high.value - low.value),
-            f64::NEG_INFINITY,
-            f64::INFINITY,
-        )
-        .first()
-        .copied();
+    let peaks = depth.peaks_above(rounding, f64::NEG_INFINITY, f64::INFINITY);
+    let first = peaks.first();
     let (at, by) = first.map_or((low.at, -low.value), |peak| (peak.at, peak.value));
     let i = draft.holding(at) - 1;
     Err(LawError::BelowBaseCircle {

@@ -140,7 +140,7 @@ pub fn constant_breadth(half: &[Segment]) -> Result<Law> {
     pieces.push_shape(&first, PI, 0.0, 1.0, false);
     pieces.push_shape(&first, PI, lift, -1.0, false);
     pieces.end_exactly_at(TAU);
-    let law = pieces.finish(true).ok_or(LawError::NoSegment)?;
+    let law = pieces.finish(true);
     let mirrored = half.iter().map(|s| Segment {
         lift: -s.lift,
         ..s.clone()
@@ -193,12 +193,9 @@ fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
     let stretch = extent.length() / total;
     let shapes: Vec<Option<Law>> = segments
         .iter()
-        .map(|s| {
-            if s.motion.general_degree().is_some() {
-                Ok(None)
-            } else {
-                s.motion.law().map(Some)
-            }
+        .map(|s| match s.motion.general_degree() {
+            Some(_) => Ok(None),
+            None => s.motion.law().map(Some),
         })
         .collect::<Result<_>>()?;
     let mut pieces = Pieces::starting_at(0.0);
@@ -212,22 +209,17 @@ fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
                 pieces.push_shape(shape, width, height, s.lift, mirrored);
             }
             (None, degree) => {
-                let neighbour = |k: Option<usize>, at_end: bool| match k {
-                    Some(k) => end_of(
-                        &segments[k],
-                        shapes[k].as_ref(),
-                        segments[k].angle * stretch,
-                        at_end,
-                    ),
-                    None => Svaj::default(),
+                let neighbour = |k: Option<usize>, at_end: bool| {
+                    let (segment, shape) = (&segments[k?], shapes[k?].as_ref()?);
+                    Some(end_of(segment, shape, segment.angle * stretch, at_end))
                 };
                 let (before, after) = if extent.is_closed() {
                     (Some((i + n - 1) % n), Some((i + 1) % n))
                 } else {
                     (i.checked_sub(1), (i + 1 < n).then_some(i + 1))
                 };
-                let mut start = neighbour(before, true);
-                let mut end = neighbour(after, false);
+                let mut start = neighbour(before, true).unwrap_or_default();
+                let mut end = neighbour(after, false).unwrap_or_default();
                 start.s = height;
                 end.s = height + s.lift;
                 let poly = joining(degree.unwrap_or(5), start, end, width)?;
@@ -239,22 +231,17 @@ fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
     }
     pieces.end_exactly_at(extent.length());
     Ok(Draft {
-        law: (pieces.finish(extent.is_closed())).ok_or(LawError::NoSegment)?,
+        law: pieces.finish(extent.is_closed()),
         ends: ends_of(segments, stretch),
     })
 }
 
 /// v, a and j of a segment at its end (or start), by cam angle.
-fn end_of(segment: &Segment, shape: Option<&Law>, width: f64, at_end: bool) -> Svaj {
-    let Some(shape) = shape else {
-        return Svaj::default();
-    };
+fn end_of(segment: &Segment, shape: &Law, width: f64, at_end: bool) -> Svaj {
     let mut pieces = Pieces::starting_at(0.0);
     let mirrored = segment.lift < 0.0 && segment.motion.mirrors();
     pieces.push_shape(shape, width, 0.0, segment.lift, mirrored);
-    let Some(law) = pieces.finish(false) else {
-        return Svaj::default();
-    };
+    let law = pieces.finish(false);
     if at_end {
         law.svaj_on(law.poly().pieces() - 1, 1.0)
     } else {

@@ -40,14 +40,10 @@ impl Rise {
     /// Parameters out of range.
     pub fn ends(&self) -> Result<Ends> {
         let law = self.law()?;
-        Ok(Ends {
-            start: End {
-                at: law.svaj_on(0, 0.0),
-            },
-            end: End {
-                at: law.svaj_on(law.poly().pieces() - 1, 1.0),
-            },
-        })
+        let [start, end] = [(0, 0.0), (law.poly().pieces() - 1, 1.0)].map(|(piece, u)| End {
+            at: law.svaj_on(piece, u),
+        });
+        Ok(Ends { start, end })
     }
 }
 

@@ -23,14 +23,7 @@ pub(super) fn line_and_waves(constant: f64, slope: f64, waves: &[(f64, f64, f64)
 fn single(coef: Vec<f64>, waves: Vec<Wave>) -> Law {
     let mut pieces = Pieces::starting_at(0.0);
     pieces.push(1.0, coef, waves);
-    finished(pieces)
-}
-
-fn finished(pieces: Pieces) -> Law {
-    match pieces.finish(false) {
-        Some(law) => law,
-        None => unreachable!("every shape has length 1"),
-    }
+    pieces.finish(false)
 }
 
 /// Constant acceleration, then as much deceleration.
@@ -38,7 +31,7 @@ pub(super) fn parabolic() -> Law {
     let mut pieces = Pieces::starting_at(0.0);
     pieces.push(0.5, vec![0.0, 0.0, 0.5], Vec::new());
     pieces.push(1.0, vec![0.5, 1.0, 1.0], Vec::new());
-    finished(pieces)
+    pieces.finish(false)
 }
 
 /// x − Σ cₙ sin 2πnx: the harmonic laws of Gutman and Freudenstein.
@@ -107,8 +100,8 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
     let reached = s;
     // The last break may miss 1 by rounding: stretching to exactly 1 mends it.
     let mut whole = Pieces::starting_at(0.0);
-    whole.push_shape(&finished(pieces), 1.0, 0.0, 1.0 / reached, false);
-    Ok(finished(whole))
+    whole.push_shape(&pieces.finish(false), 1.0, 0.0, 1.0 / reached, false);
+    Ok(whole.finish(false))
 }
 
 /// Half a turn of an eccentric disc under a roller: ratio = (disc radius + roller radius)/eccentricity;

@@ -46,8 +46,9 @@ pub struct Step {
 /// assert_eq!(held.solver.tier, Tier::Qp);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Tier {
     /// Closed form, harmonic by harmonic.
     Spectral,
@@ -64,13 +65,7 @@ pub enum Tier {
 impl Tier {
     /// The word of `summary.json`.
     pub fn name(self) -> &'static str {
-        match self {
-            Tier::Spectral => "spectral",
-            Tier::Equality => "equality",
-            Tier::Qp => "qp",
-            Tier::Socp => "socp",
-            Tier::Scp => "scp",
-        }
+        self.into()
     }
 }
 

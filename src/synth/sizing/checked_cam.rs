@@ -43,10 +43,7 @@ pub fn checked_cam(
     let start = law.extent().0;
     let raised = own.svaj(start).s - law.svaj(start).s;
     let end = end.map(|end| end.raised(raised));
-    let cam = match &end {
-        Some(end) => sizing::cam(problem, own, end)?,
-        None => sizing::cam(problem, own.clone(), &own)?,
-    };
+    let cam = sizing::cam(problem, own.clone(), end.as_ref().unwrap_or(&own))?;
     let conjugate = sizing::conjugate(problem, &cam)?;
     let groove = sizing::groove(problem, &cam)?;
     let pressing = end.as_ref().unwrap_or(&cam.law);

@@ -2,13 +2,13 @@
 
 pub mod checked_cam;
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::cam::{
-    BarrelGroove, Cam, Conjugate, Follower, FollowerKind, LimitKind, Measures, Rollers, SizeLimits,
-    smallest_base_radius, smallest_for, smallest_prime_circle,
+    BarrelGroove, Cam, Conjugate, Follower, FollowerKind, LimitKind, Measures, PrimeCircle,
+    Rollers, SizeLimits, least_between, smallest_base_radius, smallest_for, smallest_prime_circle,
 };
-use crate::error::{Error, Place, Placed, Result, SynthError};
+use crate::error::{Error, Placed, Result, SynthError};
 use crate::law::Law;
 use crate::problem::{Note, Problem, Size, USUAL_PRESSURE_ANGLE};
 use crate::synth::limits::{self, NEARLY_RIGHT};
@@ -121,11 +121,10 @@ fn flat(problem: &Problem, law: &Law, pressing: &Law) -> Follower {
 /// Half of what the lift leaves of the breadth is the base (prime) circle, if the law keeps a breadth.
 fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
     let key = |e: Error| e.at_key("cam.breadth");
-    let half = std::f64::consts::PI;
-    let sum = |theta: f64| law.svaj(theta).s + law.svaj(theta + half).s;
+    let sum = |theta: f64| law.svaj(theta).s + law.svaj(theta + PI).s;
     let lift = sum(0.0);
     let worst = (0..BREADTH_POINTS)
-        .map(|i| half * i as f64 / BREADTH_POINTS as f64)
+        .map(|i| PI * i as f64 / BREADTH_POINTS as f64)
         .map(|theta| (theta, (sum(theta) - lift).abs()))
         .max_by(|a, b| a.1.total_cmp(&b.1));
     if let Some((at, miss)) = worst.filter(|w| w.1 > BREADTH * law.stroke()) {
@@ -146,19 +145,7 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
         }
         .into()));
     }
-    let follower = match spec.follower {
-        FollowerKind::FlatTranslating => Follower::FlatTranslating { base_radius: place },
-        FollowerKind::MushroomTranslating => Follower::MushroomTranslating {
-            prime_radius: place.hypot(offset),
-            offset,
-            arc_radius: spec.roller_radius,
-        },
-        _ => Follower::RollerTranslating {
-            prime_radius: place.hypot(offset),
-            offset,
-            roller_radius: spec.roller_radius,
-        },
-    };
+    let follower = follower(problem, place, place.hypot(offset), offset)?;
     Cam::new(law, follower).map_err(key)
 }
 
@@ -181,10 +168,7 @@ pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
 fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     let bore = problem.cam.bore?;
     let wall = cam.follower.base_radius() - 0.5 * bore;
-    let turns = !matches!(
-        cam.follower,
-        Follower::Barrel { .. } | Follower::TranslatingCam { .. }
-    );
+    let turns = !cam.follower.is_unrolled();
     let usual = USUAL_WALL * bore;
     (turns && wall > 0.0 && wall < usual).then(|| Note::ThinWall {
         wall: Quantity::length(wall),
@@ -221,12 +205,8 @@ fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
     let limits = &problem.limits;
     let asked = limits[LimitKind::PressureAngleRise].is_some()
         || limits[LimitKind::PressureAngleFall].is_some();
-    let by_curvature_alone = matches!(
-        cam.follower,
-        Follower::FlatTranslating { .. }
-            | Follower::FlatOscillating { .. }
-            | Follower::TranslatingCam { .. }
-    );
+    let by_curvature_alone =
+        cam.follower.is_flat() || matches!(cam.follower, Follower::TranslatingCam { .. });
     if asked || by_curvature_alone {
         return None;
     }
@@ -239,25 +219,15 @@ fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
 
 fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     let spec = &problem.cam;
-    let given = problem.prime_radius();
     let [rise, fall] = problem
         .sizing_pressure_angles()
         .map(|angle| angle.min(NEARLY_RIGHT));
-    let make = |prime_radius: f64, offset: f64| Follower::RollerTranslating {
-        prime_radius,
-        offset,
-        roller_radius: spec.roller_radius,
-    };
-    if let Some(prime) = given {
-        return Ok(make(prime, spec.offset.unwrap_or(0.0)));
+    let make = |prime: f64, offset: f64| follower(problem, prime, prime, offset);
+    if let Some(prime) = problem.prime_radius() {
+        return make(prime, spec.offset.unwrap_or(0.0));
     }
-    let circle = smallest_prime_circle(law, rise, fall, spec.offset);
-    let (lift, offset) = (
-        (circle.radius.powi(2) - circle.offset.powi(2))
-            .max(0.0)
-            .sqrt(),
-        circle.offset,
-    );
+    let PrimeCircle { radius, offset } = smallest_prime_circle(law, rise, fall, spec.offset);
+    let lift = (radius.powi(2) - offset.powi(2)).max(0.0).sqrt();
     let least = (problem.outside_bore() + spec.roller_radius).max(next_to_nothing(problem, law));
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let bearable = limits::bearable_on_some_size(problem, pressing);
@@ -272,36 +242,29 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
         if prime < least || offset.abs() >= prime {
             return false;
         }
-        let cam = Cam {
-            law: law.clone(),
-            follower: make(prime, offset),
+        let Ok(follower) = make(prime, offset) else {
+            return false;
         };
+        let law = law.clone();
+        let cam = Cam { law, follower };
         let curvature = cam.curvature();
         curvature.convex.value >= wanted
             && !curvature.undercut
             && bearable.is_none_or(|most| press.on(&cam).value <= most)
     };
-    let first = lift.max(least * 1e-3);
     if holds(lift) {
-        return Ok(make(lift.hypot(offset), offset));
+        return make(lift.hypot(offset), offset);
     }
-    let mut high = first.max(least);
+    let first = lift.max(least);
+    let mut high = first;
     while !holds(high) {
         high *= 1.5;
-        if high > LARGEST_GROWTH * first.max(least) {
+        if high > LARGEST_GROWTH * first {
             return Err(SynthError::NoPrimeCircle.at_key("limits.curvature"));
         }
     }
-    let mut low = lift;
-    while high - low > BISECTION * high {
-        let mid = 0.5 * (low + high);
-        if holds(mid) {
-            high = mid;
-        } else {
-            low = mid;
-        }
-    }
-    Ok(make(high.hypot(offset), offset))
+    let distance = least_between(lift, high, BISECTION, holds);
+    make(distance.hypot(offset), offset)
 }
 
 /// A radius where nothing asks for one: a cam has some.
@@ -318,23 +281,17 @@ fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
 fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     let spec = &problem.cam;
     let given = problem.base_radius();
-    let place = Place::Key("cam".to_string());
     // Any size will do to start from: `smallest_for` looks at all else only.
-    let follower = other(problem, given.unwrap_or(1.0))?;
+    let follower = on_base_circle(problem, given.unwrap_or(1.0))?;
     if given.is_some() || matches!(follower, Follower::TranslatingCam { .. }) {
-        let new = if spec.pivot_beside {
-            Cam::beside
-        } else {
-            Cam::new
-        };
-        return new(law, follower).map_err(|e| e.at(place));
+        return fitting(problem, law, follower);
     }
     let limits = &problem.limits;
     let asked = limits[LimitKind::PressureAngleRise].is_some()
         || limits[LimitKind::PressureAngleFall].is_some();
     // The usual rule is one for rollers: the size of a flat face changes its pressure angle little.
     let [pressure_rise, pressure_fall] = if follower.is_flat() && !asked {
-        [std::f64::consts::FRAC_PI_2; 2]
+        [FRAC_PI_2; 2]
     } else {
         problem.sizing_pressure_angles()
     };
@@ -360,12 +317,17 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
             .max(next_to_nothing(problem, &cam.law))
     };
     let base = base * (1.0 + ROUNDING);
-    let new = if spec.pivot_beside {
+    fitting(problem, cam.law, follower.with_base_radius(base))
+}
+
+/// The cam of a law and a follower that fits it.
+fn fitting(problem: &Problem, law: Law, follower: Follower) -> Result<Cam> {
+    let new = if problem.cam.pivot_beside {
         Cam::beside
     } else {
         Cam::new
     };
-    new(cam.law, follower.with_base_radius(base)).map_err(|e| e.at(place))
+    new(law, follower).map_err(|e| e.at_key("cam"))
 }
 
 /// Whether an arm of given lengths reaches the prime circle: no law changes that.
@@ -381,22 +343,32 @@ pub fn check_arm(problem: &Problem) -> Result<()> {
     };
     let cam = Cam {
         law: Law::harmonic(0.0, &[]),
-        follower: other(problem, base)?,
+        follower: on_base_circle(problem, base)?,
     };
     cam.check_beside().map_err(|e| e.at_key("cam"))
 }
 
 /// The scene's follower on a base circle of the given radius.
-fn other(problem: &Problem, base_radius: f64) -> Result<Follower> {
+fn on_base_circle(problem: &Problem, base: f64) -> Result<Follower> {
+    let (radius, offset) = (problem.cam.roller_radius, problem.cam.offset);
+    follower(problem, base, base + radius, offset.unwrap_or(0.0))
+}
+
+/// The follower of the scene on a base circle, where it has no roller or arc, or else on a prime circle.
+fn follower(
+    problem: &Problem,
+    base_radius: f64,
+    prime_radius: f64,
+    offset: f64,
+) -> Result<Follower> {
     let spec = &problem.cam;
-    let prime_radius = base_radius + spec.roller_radius;
     let missing = |key: &str| SynthError::FollowerNeeds.at_key(&format!("cam.{key}"));
     let pivot = || spec.pivot_distance.ok_or_else(|| missing("pivot_distance"));
     let arm = || spec.arm.ok_or_else(|| missing("arm"));
     Ok(match spec.follower {
         FollowerKind::MushroomTranslating => Follower::MushroomTranslating {
             prime_radius,
-            offset: spec.offset.unwrap_or(0.0),
+            offset,
             arc_radius: spec.roller_radius,
         },
         FollowerKind::RollerOscillating | FollowerKind::KnifeOscillating => {
@@ -419,7 +391,8 @@ fn other(problem: &Problem, base_radius: f64) -> Result<Follower> {
             base_radius,
         },
         FollowerKind::TranslatingCam => Follower::TranslatingCam {
-            base_height: base_height(problem),
+            // The usual height changes nothing but the looks.
+            base_height: problem.base_radius().unwrap_or(2.0 * spec.roller_radius),
             roller_radius: spec.roller_radius,
         },
         FollowerKind::Barrel => Follower::Barrel {
@@ -430,16 +403,9 @@ fn other(problem: &Problem, base_radius: f64) -> Result<Follower> {
         FollowerKind::RollerTranslating | FollowerKind::KnifeTranslating => {
             Follower::RollerTranslating {
                 prime_radius,
-                offset: spec.offset.unwrap_or(0.0),
+                offset,
                 roller_radius: spec.roller_radius,
             }
         }
     })
-}
-
-/// Height of a translating cam under its lowest contact: as given, otherwise twice the roller's radius,
-/// which changes nothing but the looks.
-fn base_height(problem: &Problem) -> f64 {
-    let usual = 2.0 * problem.cam.roller_radius;
-    problem.base_radius().unwrap_or(usual)
 }

@@ -6,6 +6,7 @@ use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::amplitudes;
+use crate::synth::qp::Basis;
 
 /// Most harmonics that an automatic count takes.
 const MOST_AUTO: usize = 60;
@@ -41,10 +42,8 @@ pub struct Spectral {
 impl Spectral {
     /// The law; its mean is that of the drive, or zero where the drive leaves it open.
     pub fn law(&self) -> Law {
-        let terms: Vec<(f64, f64)> = (0..self.count)
-            .map(|n| (self.x[2 * n + 1], self.x[2 * n + 2]))
-            .collect();
-        Law::harmonic(self.x[0], &terms)
+        let count = self.count;
+        Law::of(&Basis::Harmonic { count }, &self.x)
     }
 }
 

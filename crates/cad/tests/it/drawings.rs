@@ -49,15 +49,18 @@ fn an_unrolled_barrel_shows_both_walls_open_from_end_to_end() {
     );
     // Vertices of the arcs lie on the walls as the groove itself has them.
     let groove = s.groove.as_ref().unwrap();
-    for (layer, wall) in [
-        ("CUT_PROFILE", Wall::Lower),
-        ("CUT_UPPER_WALL", Wall::Upper),
+    for (layer, wall, side) in [
+        ("CUT_PROFILE", Wall::Lower, -1.0),
+        ("CUT_UPPER_WALL", Wall::Upper, 1.0),
     ] {
         let exact: Vec<[f64; 2]> = (0..=40_000)
             .map(|i| {
-                let [delta, z] =
-                    groove.wall_unrolled(4.0 * PI * f64::from(i) / 40_000.0, 0.03, wall);
-                [30.0 * delta, 1e3 * z]
+                let theta = 4.0 * PI * f64::from(i) / 40_000.0;
+                // z = s ± (e + R_f cos φ), δ = θ ∓ (R_f/R) sin φ (theory §4).
+                let (sin, cos) = groove.pressure_angle(theta, 0.03).sin_cos();
+                let rolling = side * groove.roller_radius();
+                let z = groove.law().svaj(theta).s + groove.axis_offset(wall) + rolling * cos;
+                [30.0 * theta - 1e3 * rolling * sin, 1e3 * z]
             })
             .collect();
         for v in d.outline(layer).0 {

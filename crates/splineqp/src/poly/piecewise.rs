@@ -46,6 +46,16 @@ pub struct Extreme {
     pub value: f64,
 }
 
+impl Extreme {
+    /// Another value at the same place.
+    pub fn map(self, f: impl FnOnce(f64) -> f64) -> Extreme {
+        Extreme {
+            at: self.at,
+            value: f(self.value),
+        }
+    }
+}
+
 /// Smallest and largest of the values seen so far.
 struct Range {
     low: Extreme,

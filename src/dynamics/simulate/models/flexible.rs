@@ -1,6 +1,6 @@
 //! The flexible model on a prepared cam.
 
-use super::note_other_side;
+use super::note_pull;
 use crate::dynamics::flexible;
 use crate::dynamics::outcome::{Force, Model, Outcome};
 use crate::dynamics::reason::RunNote;
@@ -46,12 +46,8 @@ pub fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     };
     out.torque = p.signed(p.sampled_torque(input, &forces));
     let pulled = forces.iter().filter(|f| **f < 0.0).count() as f64 / n as f64;
-    if p.held {
-        note_other_side(&mut out, input, p, pulled);
-    } else {
-        out.contact_lost = low.value < 0.0;
-        out.lost_fraction = pulled;
-    }
+    note_pull(&mut out, input, p, pulled);
+    out.contact_lost = !p.held && low.value < 0.0;
     if out.contact_lost {
         out.notes.push(RunNote::FlexiblePulls);
     }

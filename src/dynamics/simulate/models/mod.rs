@@ -14,8 +14,13 @@ use crate::dynamics::reason::RunNote;
 use crate::dynamics::run::Run;
 use crate::units::Quantity;
 
-/// In a groove or a conjugate pair a negative force is carried by the other side.
-fn note_other_side(out: &mut Outcome, input: &Run, p: &Prepared, pulled: f64) {
+/// The share of the cycle with a negative force: contact is lost, or in a groove or a conjugate pair the other side
+/// carries it.
+fn note_pull(out: &mut Outcome, input: &Run, p: &Prepared, pulled: f64) {
+    if !p.held {
+        out.lost_fraction = pulled;
+        return;
+    }
     if pulled <= 0.0 {
         return;
     }

@@ -1,6 +1,6 @@
 //! The rigid model on a prepared cam.
 
-use super::note_other_side;
+use super::note_pull;
 use crate::dynamics::outcome::{Force, Model, Outcome};
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::rigid;
@@ -35,11 +35,7 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     }
     out.torque = p.signed(out.torque);
     let pulled = surface.pulls.iter().fold(0.0, |sum, (a, b)| sum + b - a) / p.cycle.length;
-    if p.held {
-        note_other_side(&mut out, input, p, pulled);
-    } else {
-        out.lost_fraction = pulled;
-    }
+    note_pull(&mut out, input, p, pulled);
     out.contact_lost = out.lost_fraction > 0.0;
     if out.contact_lost {
         out.notes.push(RunNote::RigidPulls);
