@@ -70,7 +70,7 @@ pub fn solve<N: Names>(
         }
     }
     let mut plain = program.weighing(limit, 0.0);
-    plain.seeds.clone_from(&search.seeds);
+    plain.seeds.retain(|r| r.limit.is_some());
     match plain.solve() {
         Ok(plain) if limit.excess(&plain.x) <= 0.0 => return Ok(plain),
         // Without the limit the objective may have no least value.
