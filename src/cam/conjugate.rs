@@ -134,11 +134,8 @@ impl Conjugate {
 
     /// The second cam's profile in the frame of the shaft.
     pub fn second_profile(&self, n: usize) -> Vec<ProfilePoint> {
-        self.second
-            .profile(n)
-            .into_iter()
-            .map(half_turned)
-            .collect()
+        let own = self.second.profile(n).into_iter();
+        own.map(half_turned).collect()
     }
 }
 

@@ -64,15 +64,12 @@ impl Cam {
         let joints = self.law.joints();
         for below in 0..order {
             for jump in self.jumps_at(&joints, below) {
-                let at = jump.at;
                 let both = below + 1 < order;
                 if low.value.is_finite() && (both || jump.value < 0.0) {
-                    let value = f64::NEG_INFINITY;
-                    low = Extreme { at, value };
+                    low = jump.map(|_| f64::NEG_INFINITY);
                 }
                 if high.value.is_finite() && (both || jump.value > 0.0) {
-                    let value = f64::INFINITY;
-                    high = Extreme { at, value };
+                    high = jump.map(|_| f64::INFINITY);
                 }
             }
         }

@@ -103,9 +103,8 @@ impl Law {
         let search = || match self.harmonics() {
             Some(harmonics) => {
                 let sum = weighted(&harmonics, weights);
-                let (low, high) = harmonic_extremes(&sum);
                 let mean = weights[0] * self.poly().coefficients()[0];
-                changed((low, high), 1.0, mean)
+                changed(harmonic_extremes(&sum), 1.0, mean)
             }
             None => self.combination(weights, 0.0).extremes(),
         };

@@ -80,11 +80,8 @@ pub fn hermite_birkhoff(conditions: &[Condition], start: f64, end: f64) -> Resul
     if let Some(correction) = lu.solve(&(&values - &matrix * &b)) {
         b += correction;
     }
-    Ok(PiecewisePoly::new(
-        vec![start, end],
-        n - 1,
-        b.iter().copied().collect(),
-    ))
+    let coef = b.iter().copied().collect();
+    Ok(PiecewisePoly::new(vec![start, end], n - 1, coef))
 }
 
 /// Bernstein coefficients in u of the derivatives of every basis function: `[order][basis function]`.
@@ -92,11 +89,8 @@ fn basis_derivatives(n: usize, highest: usize) -> Vec<Vec<Vec<f64>>> {
     let unit = |k: usize| (0..n).map(|i| f64::from(u8::from(i == k))).collect();
     let mut out: Vec<Vec<Vec<f64>>> = vec![(0..n).map(unit).collect()];
     for order in 0..highest {
-        let next = out[order]
-            .iter()
-            .map(|b| bernstein::derivative(b))
-            .collect();
-        out.push(next);
+        let next = out[order].iter().map(|b| bernstein::derivative(b));
+        out.push(next.collect());
     }
     out
 }

@@ -323,12 +323,8 @@ impl Law {
             cos: factor * w.cos,
             sin: factor * w.sin,
         };
-        let waves = self
-            .waves
-            .iter()
-            .map(|p| p.iter().map(scale).collect())
-            .collect();
-        Law::with_waves(poly, waves, self.closed)
+        let waves = self.waves.iter().map(|p| p.iter().map(scale).collect());
+        Law::with_waves(poly, waves.collect(), self.closed)
     }
 }
 

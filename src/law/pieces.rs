@@ -107,12 +107,8 @@ impl Pieces {
     /// The law of the pieces, of which there is at least one.
     pub fn finish(self, closed: bool) -> Law {
         let degree = self.coef.iter().map(|c| c.len() - 1).max().unwrap_or(0);
-        let coef = self
-            .coef
-            .iter()
-            .flat_map(|c| bernstein::elevate(c, degree))
-            .collect();
-        let poly = PiecewisePoly::new(self.breaks, degree, coef);
+        let elevated = self.coef.iter().flat_map(|c| bernstein::elevate(c, degree));
+        let poly = PiecewisePoly::new(self.breaks, degree, elevated.collect());
         Law::with_waves(poly, self.waves, closed)
     }
 }

@@ -173,16 +173,12 @@ impl Rise {
             .split(|c: char| c.is_whitespace() || c == ',')
             .filter(|w| !w.is_empty());
         let word = words.next().unwrap_or("").to_lowercase().replace('_', "-");
-        let numbers: Vec<f64> = words
-            .map(|w| {
-                w.parse().map_err(|_| {
-                    Error::from(LawError::Parameter {
-                        word: w.to_string(),
-                        motion: word.clone(),
-                    })
-                })
-            })
-            .collect::<Result<_>>()?;
+        let fault = |w: &str| LawError::Parameter {
+            word: w.to_string(),
+            motion: word.clone(),
+        };
+        let numbers = words.map(|w| w.parse().map_err(|_| fault(w)));
+        let numbers = numbers.collect::<std::result::Result<Vec<f64>, LawError>>()?;
         if !numbers.is_empty()
             && let Some(own) = Rise::own(&word, &numbers)
         {

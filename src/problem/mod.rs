@@ -36,7 +36,8 @@ use crate::scene::{
 };
 use crate::units::G;
 
-/// Degree of splines, and two more for the first terms of a polydyne follower's damping.
+/// Degree of spline laws; two more at the end of a damped polydyne follower, whose cam takes derivatives of the force up
+/// to the third.
 const USUAL_DEGREE: usize = 5;
 const DAMPED_DEGREE: usize = 7;
 

@@ -32,32 +32,25 @@ const SOFTEST: f64 = 100.0;
 /// assert_eq!(hardness.to_string(), "650 HV");
 /// # Ok::<(), &str>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr, strum::EnumString)]
 #[serde(rename_all = "kebab-case")]
+#[strum(ascii_case_insensitive)]
 pub enum HardnessScale {
     /// HV.
+    #[strum(serialize = "HV")]
     Vickers,
     /// HRC.
+    #[strum(serialize = "HRC")]
     RockwellC,
     /// HB, with a ball of tungsten carbide.
+    #[strum(serialize = "HB")]
     Brinell,
 }
 
 impl HardnessScale {
-    /// Every scale.
-    pub const ALL: [HardnessScale; 3] = [
-        HardnessScale::Vickers,
-        HardnessScale::RockwellC,
-        HardnessScale::Brinell,
-    ];
-
     /// Its symbol.
     pub fn symbol(self) -> &'static str {
-        match self {
-            HardnessScale::Vickers => "HV",
-            HardnessScale::RockwellC => "HRC",
-            HardnessScale::Brinell => "HB",
-        }
+        self.into()
     }
 
     /// Its column of the conversion.
@@ -94,10 +87,7 @@ impl Hardness {
         let text = text.trim();
         let end = text.find(|c: char| c.is_ascii_alphabetic())?;
         let value: f64 = text[..end].trim().parse().ok()?;
-        let symbol = text[end..].trim();
-        let scale = HardnessScale::ALL
-            .into_iter()
-            .find(|scale| scale.symbol().eq_ignore_ascii_case(symbol))?;
+        let scale: HardnessScale = text[end..].trim().parse().ok()?;
         let hardness = Hardness { value, scale };
         let column = scale.column();
         let hardest = CONVERSION[CONVERSION.len() - 1][column];

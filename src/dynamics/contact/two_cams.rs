@@ -41,11 +41,8 @@ fn cut(p: &PiecewisePoly, breaks: &[f64], degree: usize) -> PiecewisePoly {
         let [low, high] = [pair[0], pair[1]].map(|x| (x - from) / (to - from));
         bernstein::elevate(&bernstein::between(p.piece(i), low, high), degree)
     };
-    PiecewisePoly::new(
-        breaks.to_vec(),
-        degree,
-        breaks.windows(2).flat_map(on).collect(),
-    )
+    let coef = breaks.windows(2).flat_map(on).collect();
+    PiecewisePoly::new(breaks.to_vec(), degree, coef)
 }
 
 #[cfg(test)]

@@ -185,13 +185,11 @@ fn quasi_static(law: &Law, drive: &Drive, train: &Train) -> Steady {
     let carried = 1.0 - drive.spring_rate * give;
     let rate = force.derivative();
     let theta = force.breaks().to_vec();
-    let at: Vec<(f64, f64)> = breaks_of(&force).zip(breaks_of(&rate)).collect();
-    let deflection: Vec<f64> = at.iter().map(|(f, _)| -f * give).collect();
-    let contact: Vec<f64> = at.iter().map(|(f, _)| f * carried).collect();
+    let contact: Vec<f64> = breaks_of(&force).map(|f| f * carried).collect();
     Steady {
         theta,
-        deflection,
-        contact_rate: at.iter().map(|(_, r)| r * carried).collect(),
+        deflection: breaks_of(&force).map(|f| -f * give).collect(),
+        contact_rate: breaks_of(&rate).map(|r| r * carried).collect(),
         output: contact.clone(),
         contact,
     }

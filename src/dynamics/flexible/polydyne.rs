@@ -211,12 +211,10 @@ pub fn end_error(cam: &Law, target: &Law, drive: &Drive, train: &Train) -> Resul
     let (mut square, mut largest) = (0.0, 0.0_f64);
     let mut apart = Vec::with_capacity(COMPARED);
     let step = length / COMPARED as f64;
-    let mut k = 0;
+    let last = steady.theta.len() - 1;
     for i in 0..COMPARED {
         let at = start + step * i as f64;
-        while k + 1 < steady.theta.len() && steady.theta[k] < at - 1e-9 {
-            k += 1;
-        }
+        let k = steady.theta.partition_point(|t| *t < at - 1e-9).min(last);
         let (given, asked) = (cam.svaj(at), target.svaj(at));
         let force = (steady.output[k] - drive.force(asked)).abs();
         square += force * force;

@@ -60,9 +60,8 @@ pub fn between_breaks(
     knots.extend(last.map(|s| s.theta));
     let poly = with_rows_as_breaks(PiecewisePoly::new(knots, 4, coef), rows, cycle, step);
     let law = Law::from_poly(poly, cycle.closed);
-    let nodes: Vec<_> = (0..rows.len())
-        .map(|i| law.svaj(rows[0].theta + step * i as f64))
-        .collect();
+    let node = |i: usize| law.svaj(rows[0].theta + step * i as f64);
+    let nodes: Vec<_> = (0..rows.len()).map(node).collect();
     let mismatch = rows
         .iter()
         .zip(&nodes)
@@ -168,15 +167,13 @@ fn with_rows_as_breaks(
     let (from, to) = (poly.breaks()[0], poly.breaks()[poly.pieces()]);
     let mut further = Vec::new();
     let first = ((from - start) / step).ceil().max(0.0) as usize;
-    let mut k = 0;
+    let inner = &poly.breaks()[1..poly.pieces()];
     for i in first.. {
         let at = start + step * i as f64;
         if at >= to {
             break;
         }
-        while k + 1 < poly.pieces() && poly.breaks()[k + 1] <= at {
-            k += 1;
-        }
+        let k = inner.partition_point(|b| *b <= at);
         let near = |b: f64| (at - b).abs() <= NO_PIECE * step;
         // The cycle begins at its first row, however near a breakpoint.
         let begins = cycle.closed && i % rows.len() == 0 && (at - from).abs() > 1e-9 * step;

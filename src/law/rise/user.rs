@@ -55,10 +55,8 @@ impl Rise {
             let rows = rows.len();
             return Err(LawError::TableRows { table, rows }.into());
         }
-        if let Some(i) = rows
-            .iter()
-            .position(|r| !r.0.is_finite() || !r.1.is_finite())
-        {
+        let is_infinite = |r: &(f64, f64)| !r.0.is_finite() || !r.1.is_finite();
+        if let Some(i) = rows.iter().position(is_infinite) {
             return Err(LawError::TableNotFinite { table, row: i + 1 }.into());
         }
         if let Some(i) = rows.windows(2).position(|w| w[1].0 <= w[0].0) {

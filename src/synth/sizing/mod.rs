@@ -154,14 +154,9 @@ const USUAL_WALL: f64 = 0.25;
 
 /// What to know of the size.
 pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
-    [
-        chosen_size(problem, cam),
-        thin_wall(problem, cam),
-        thin_shaft(problem, cam, pressing),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+    let (size, wall) = (chosen_size(problem, cam), thin_wall(problem, cam));
+    let shaft = thin_shaft(problem, cam, pressing);
+    [size, wall, shaft].into_iter().flatten().collect()
 }
 
 /// A wall about the bore that is thinner than that of a usual hub; a bore that cuts the profile is a failed check.

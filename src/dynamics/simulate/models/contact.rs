@@ -8,6 +8,7 @@ use crate::dynamics::run::Run;
 use crate::dynamics::simulate::prepared::{Prepared, row_value};
 use crate::dynamics::surface::Surface;
 use crate::error::{DynamicsError, Result};
+use crate::law::Law;
 use std::f64::consts::TAU;
 
 /// A follower held from both sides cannot lift off, and a cam with ends has no steady state.
@@ -28,17 +29,10 @@ fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
 
 pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     refuse_contact(input, p)?;
-    let surfaces: Vec<Surface> = p
-        .laws
-        .iter()
-        .map(|law| Surface::new(law.clone(), &p.drive))
-        .collect();
-    let run = contact::run(
-        &surfaces,
-        &p.drive,
-        input.machine.restitution,
-        &input.machine.limits,
-    );
+    let surface = |law: &Law| Surface::new(law.clone(), &p.drive);
+    let surfaces: Vec<Surface> = p.laws.iter().map(surface).collect();
+    let machine = &input.machine;
+    let run = contact::run(&surfaces, &p.drive, machine.restitution, &machine.limits);
     let mut out = p.outcome(Model::Contact);
     let (from, to) = run.window();
     let (forces, heights) = samples(&run, &surfaces, p);
@@ -51,13 +45,13 @@ pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     out.lost_fraction = run.lost_fraction();
     out.contact_lost = out.lost_fraction > 0.0;
     out.force = Force {
-        min: sums.min,
-        max: sums.max,
+        min: sums.force[0],
+        max: sums.force[1],
         rms_error: p.target.as_ref().map(|_| (sums.error / error_count).sqrt()),
     };
     out.torque = p.signed(Torque {
-        min: sums.torque_min,
-        max: sums.torque_max,
+        min: sums.torque[0],
+        max: sums.torque[1],
         mean: (sums.work + pressed) / error_count,
         rms: (sums.torque_square / error_count).sqrt(),
     });
@@ -83,13 +77,11 @@ fn samples(run: &ContactRun, surfaces: &[Surface], p: &Prepared) -> (Vec<f64>, V
     let n = p.nodes.len();
     let total = n * run.period;
     let (mut forces, mut heights) = (Vec::with_capacity(total), Vec::with_capacity(total));
-    let mut k = 0;
     for i in 0..total {
         let angle = from + TAU * i as f64 / n as f64;
-        while k + 1 < run.stretches.len() && run.stretches[k].to <= angle {
-            k += 1;
-        }
-        let state = run.stretches.get(k).map(|s| s.phase);
+        let past = run.stretches.partition_point(|s| s.to <= angle);
+        let stretch = run.stretches.get(past).or(run.stretches.last());
+        let state = stretch.map(|s| s.phase);
         let (force, lift) = match state {
             Some(Phase::Contact { surface }) => {
                 let at = surfaces[surface].at(angle);
@@ -107,10 +99,8 @@ fn samples(run: &ContactRun, surfaces: &[Surface], p: &Prepared) -> (Vec<f64>, V
 
 /// Integrals and extremes over one repetition.
 struct Sums {
-    min: f64,
-    max: f64,
-    torque_min: f64,
-    torque_max: f64,
+    force: [f64; 2],
+    torque: [f64; 2],
     work: f64,
     torque_square: f64,
     error: f64,
@@ -123,10 +113,8 @@ fn integrate(run: &ContactRun, surfaces: &[Surface], input: &Run, p: &Prepared) 
     let n = p.nodes.len();
     let step = TAU / n as f64;
     let mut sums = Sums {
-        min: f64::INFINITY,
-        max: f64::NEG_INFINITY,
-        torque_min: f64::INFINITY,
-        torque_max: f64::NEG_INFINITY,
+        force: [f64::INFINITY, f64::NEG_INFINITY],
+        torque: [f64::INFINITY, f64::NEG_INFINITY],
         work: 0.0,
         torque_square: 0.0,
         error: 0.0,
@@ -172,16 +160,15 @@ fn integrate(run: &ContactRun, surfaces: &[Surface], input: &Run, p: &Prepared) 
     }
     if run.lost_fraction() == 0.0 && surfaces.len() == 1 {
         let (low, high) = surfaces[0].force.extremes();
-        (sums.min, sums.max) = (low.value, high.value);
+        sums.force = [low.value, high.value];
     }
     sums
 }
 
 impl Sums {
     fn see(&mut self, force: f64, torque: f64) {
-        self.min = self.min.min(force.max(0.0));
-        self.max = self.max.max(force);
-        self.torque_min = self.torque_min.min(torque);
-        self.torque_max = self.torque_max.max(torque);
+        let ([low, high], [least, most]) = (self.force, self.torque);
+        self.force = [low.min(force.max(0.0)), high.max(force)];
+        self.torque = [least.min(torque), most.max(torque)];
     }
 }

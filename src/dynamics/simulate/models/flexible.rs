@@ -19,13 +19,11 @@ pub fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     let mut out = p.outcome(Model::Flexible);
     let n = p.nodes.len();
     // Most rows' angles are among the breaks of the forcing; the others all but touch one.
-    let mut k = 0;
+    let last = steady.theta.len() - 1;
     let (mut forces, mut heights, mut outputs) = (Vec::new(), Vec::new(), Vec::new());
     for i in 0..n {
         let at = p.start + p.step * i as f64;
-        while k + 1 < steady.theta.len() && steady.theta[k] < at - 1e-9 {
-            k += 1;
-        }
+        let k = steady.theta.partition_point(|t| *t < at - 1e-9).min(last);
         let back = steady.theta[k] - at;
         let value = |values: &[f64]| {
             if back <= 1e-9 || k == 0 {
