@@ -62,7 +62,6 @@ force-no-stance-of-foot = no complete stance of the { $foot } foot
 force-feet-not-named = no complete stance of the { $foot } foot
     .help = the file does not say which foot is which; use feet = "one" or "both"
 
-note-clock-differs = by its own clock the file lasts { $clock }, but the period given is { $period }: the rows are stretched to it
 note-rows-differ = the header states { $announced } rows, the file has { $found }
 note-frames-missing = the header states { $announced } frames, the file has { $found }
 note-lines-skipped = lines that are not rows of numbers were skipped; the first is line { $first-line }
@@ -108,6 +107,7 @@ note-mean-force-not-weight = the mean force over a stride is { $ratio } times { 
     } weight of { $mass }, where 1 is expected: the mass, the unit of force or its calibration is wrong, or a foot is missing
 note-mass-implausible = a mean force of { $mean } over a stride corresponds to a walker of { $mass }: the unit of force or its calibration is wrong, or a foot is missing
 note-unit-unconfirmed = the unit of force is not given; taken as { $unit } it makes a mass of { $mass }, which is not that of an adult: give the unit or the mass (options unit and mass)
+note-clock-differs = by its own clock the file lasts { $clock }, but the period given is { $period }: the rows are stretched to it
 note-count-or-milliseconds = the time column counts in ones without a unit; taken as milliseconds a stride takes { $stride }, but samples are counted in the same way: give the sampling rate (option rate)
 note-kind-differs = kind { $typed } is given, but the contacts are those of { $movement ->
         [running] { kind-running }

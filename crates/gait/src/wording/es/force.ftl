@@ -62,7 +62,6 @@ force-no-stance-of-foot = ningún apoyo completo del pie { $foot }
 force-feet-not-named = ningún apoyo completo del pie { $foot }
     .help = el archivo no indica qué pie es cada uno; use feet = "one" o "both"
 
-note-clock-differs = según su propio reloj el archivo dura { $clock }, pero el periodo dado es { $period }: las filas se adaptan a él
 note-rows-differ = la cabecera indica { $announced } filas y el archivo tiene { $found }
 note-frames-missing = la cabecera indica { $announced } cuadros y el archivo tiene { $found }
 note-lines-skipped = se omitieron líneas que no son filas de números; la primera es la línea { $first-line }
@@ -108,6 +107,7 @@ note-mean-force-not-weight = la fuerza media de una zancada es { $ratio } veces 
     } peso de { $mass }, cuando se espera 1: la masa, la unidad de fuerza o su calibración es incorrecta, o falta un pie
 note-mass-implausible = una fuerza media de { $mean } en una zancada corresponde a una persona de { $mass }: la unidad de fuerza o su calibración es incorrecta, o falta un pie
 note-unit-unconfirmed = no se da la unidad de fuerza; tomada como { $unit } resulta una masa de { $mass }, que no es la de un adulto: indique la unidad o la masa (opciones unit y mass)
+note-clock-differs = según su propio reloj el archivo dura { $clock }, pero el periodo dado es { $period }: las filas se adaptan a él
 note-count-or-milliseconds = la columna de tiempo cuenta de uno en uno sin unidad; tomada como milisegundos una zancada dura { $stride }, pero las muestras se cuentan igual: indique la frecuencia de muestreo (opción rate)
 note-kind-differs = se indica kind { $typed }, pero los contactos son de { $movement ->
         [running] { kind-running }
