@@ -4,7 +4,7 @@ reason-mean-force = The mean target force is { $mean }, but the weight of the ma
 reason-recording-kind = The kind of movement in the recording is not certain: { $because }. Set { $keys }, or gait.accept = "kind" if it is right as it is.
 reason-recording-clock = The time scale of the recording is not certain: { $because }. Set { $keys }, or gait.accept = "clock" if it is right as it is.
 reason-recording-mass = The mass of the walker and the size of the forces are not certain: { $because }. Set { $keys }, or gait.accept = "mass" if they are right as they are.
-reason-recording-clipped = The recording is clipped: { $because }. Set { $keys }; clipped forces cannot be accepted.
+reason-recording-clipped = The recording is clipped: { $because }. Its peaks and the mass are too low, which cannot be accepted. Record again with a larger range, or leave the column out ({ $keys }).
 reason-lift-jumps = The lift is discontinuous at { $at }: no follower can execute it. Prescribe the same lift on both sides.
 reason-velocity-jumps = The velocity is discontinuous at { $at }: infinite acceleration and impact on the follower. Prescribe the same velocity on both sides (law.point.N.velocity).
 reason-acceleration-jumps = The acceleration is discontinuous at { $at }: infinite jerk, and vibration at high speed.

@@ -4,7 +4,7 @@ reason-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la ma
 reason-recording-kind = No está claro qué movimiento contiene el registro: { $because }. Indique { $keys }, o gait.accept = "kind" si es correcto tal como está.
 reason-recording-clock = La escala de tiempo del registro no está clara: { $because }. Indique { $keys }, o gait.accept = "clock" si es correcta tal como está.
 reason-recording-mass = La masa de la persona y la magnitud de las fuerzas no están claras: { $because }. Indique { $keys }, o gait.accept = "mass" si son correctas tal como están.
-reason-recording-clipped = El registro está recortado: { $because }. Indique { $keys }; las fuerzas recortadas no se pueden aceptar.
+reason-recording-clipped = El registro está recortado: { $because }. Sus picos y la masa son demasiado bajos, lo que no se puede aceptar. Registre de nuevo con un rango mayor, o excluya la columna ({ $keys }).
 reason-lift-jumps = La elevación es discontinua en { $at }: ningún seguidor puede realizarla. Prescriba la misma elevación a ambos lados.
 reason-velocity-jumps = La velocidad es discontinua en { $at }: aceleración infinita y choque del seguidor. Prescriba la misma velocidad a ambos lados (law.point.N.velocity).
 reason-acceleration-jumps = La aceleración es discontinua en { $at }: sobreaceleración infinita y vibración a alta velocidad.

@@ -28,6 +28,9 @@ const AIRBORNE_S: std::ops::Range<f64> = 0.08..1.0;
 const BEFORE_JUMP_S: f64 = 0.8;
 /// A landing over the level before or after it.
 const LANDING: f64 = 1.6;
+/// The impact of a landing from a height comes within this, s, and reaches this many times the mean of the contact.
+const IMPACT_S: f64 = 0.25;
+const DROP: f64 = 1.9;
 /// Feet that land and leave within this are a jump, s.
 const TOGETHER_S: f64 = 0.08;
 /// A contact that reaches this part of the highest is a step.
@@ -45,10 +48,19 @@ pub(super) fn ballistic(
     shapes: &[Shape],
     recording: &Recording,
 ) -> Option<Kind> {
-    if jumps(contacts, recording) || lands_together(contacts, recording) {
-        return Some(Kind::Jumping);
+    if lands_together(contacts, recording) {
+        let stood = median(contacts.iter().map(Contact::duration_s).collect());
+        let sits = stood.is_some_and(|s| s > STANDING_S);
+        return Some(if sits {
+            Kind::SitToStand
+        } else {
+            Kind::Jumping
+        });
     }
     let top = contacts.iter().map(|c| c.peak_n).fold(0.0, f64::max);
+    if jumps(contacts, recording) || drops(contacts, shapes, MAIN * top) {
+        return Some(Kind::Jumping);
+    }
     let main: Vec<(&Contact, &Shape)> = contacts
         .iter()
         .zip(shapes)
@@ -173,6 +185,21 @@ fn jumps(contacts: &[Contact], recording: &Recording) -> bool {
         let first = levels(recording, landing, end.min(landing + 0.5), LOOKS);
         first.into_iter().fold(0.0, f64::max) > LANDING * level
     })
+}
+
+/// Whether most contacts above `least`, N, are landings from a height: the highest force comes at once, and far above the
+/// mean of a contact that goes on.
+fn drops(contacts: &[Contact], shapes: &[Shape], least: f64) -> bool {
+    let main: Vec<bool> = contacts
+        .iter()
+        .zip(shapes)
+        .filter(|(c, _)| c.peak_n > least && c.start_s > 0.0)
+        .map(|(c, s)| {
+            let at_once = s.p1.at * c.duration_s() < IMPACT_S && s.p1.force_n > 0.99 * c.peak_n;
+            at_once && c.duration_s() > BRISK_S && peakedness(c, s) > DROP
+        })
+        .collect();
+    2 * main.iter().filter(|lands| **lands).count() > main.len()
 }
 
 /// Whether both feet, where the file names them, land and leave at the same time.

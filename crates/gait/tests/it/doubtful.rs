@@ -129,3 +129,53 @@ fn a_person_who_stands_throughout_gives_no_cycle() {
     });
     assert!(open(&text).1.is_err());
 }
+
+/// Total force of a landing from a height, in body weights: an impact of `peak`, settling, standing until `leaves`.
+fn landing(t: f64, peak: f64, leaves: f64) -> f64 {
+    if !(0.0..leaves).contains(&t) {
+        return 0.0;
+    }
+    let hump = |at: f64, width: f64| (-((t - at) / width).powi(2)).exp();
+    let rise = (t / 0.03).min(1.0) * ((leaves - t) / 0.2).min(1.0);
+    rise * (1.0 + peak * hump(0.06, 0.03) + 0.6 * peak * hump(0.16, 0.07))
+}
+
+#[test]
+fn landings_from_a_height_are_refused_as_jumps_on_one_plate_and_on_two() {
+    let mut built = 0;
+    for (peak, leaves) in [(1.5, 9.0), (2.5, 9.0), (2.5, 0.6), (3.5, 0.9), (2.5, 1.5)] {
+        for (head, shares) in [
+            ("time,Fz", &[1.0][..]),
+            ("time,Fz1,Fz2", &[0.48, 0.52]),
+            ("time,left fz,right fz", &[0.48, 0.52]),
+        ] {
+            let text = table(head, 500.0, |_, t| {
+                let total = 690.0 * landing(t - 0.5, peak, leaves);
+                let columns = shares.iter().map(|share| format!(",{:.1}", share * total));
+                format!("{t:.3}{}", columns.collect::<String>())
+            });
+            let refused = open(&text).1.unwrap_err();
+            assert_eq!(
+                refused.code(),
+                "force-not-walking",
+                "{peak} {leaves} {head}"
+            );
+            assert!(refused.to_string().contains("land together"), "{refused}");
+            built += 1;
+        }
+    }
+    assert_eq!(built, 15);
+}
+
+#[test]
+fn feet_that_rise_from_a_chair_together_and_sit_down_again_do_not_walk() {
+    // Seated with the feet off the plates, standing for 2.4 s of every 4 s.
+    let text = table("time,left fz,right fz", 200.0, |_, t| {
+        let x = (t % 4.0 - 0.6) / 2.4;
+        let rise = (8.0 * x).min(8.0 * (1.0 - x)).clamp(0.0, 1.0);
+        let total = 690.0 * rise * (1.0 + 0.1 * (20.0 * t).sin());
+        format!("{t:.3},{:.1},{:.1}", 0.48 * total, 0.52 * total)
+    });
+    let refused = open(&text).1.unwrap_err();
+    assert!(refused.to_string().contains("the load rises"), "{refused}");
+}

@@ -1,6 +1,10 @@
 //! What `gaitcam gait` says of a recording.
 
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+
 use gaitcam::force::{Feet, Interpretation, ReadOptions, cycle, read, stances};
+use gaitcam::units::G;
 use gaitcam::wording::Language;
 use gaitcam_output::gait::{json, table};
 
@@ -64,4 +68,114 @@ fn json_has_the_promised_keys_and_the_table_the_same_numbers() {
     }
     let refused = Interpretation::of("walk.csv", &r, &s, None, Feet::Both);
     assert!(table(&refused, &r, &s, Err("none"), Language::En).ends_with(": none\n"));
+}
+
+/// Force of a stance of 0.7 s and amplitude 1 N at a part `x` of it.
+fn shape(x: f64) -> f64 {
+    let inside = (0.0..1.0).contains(&x);
+    f64::from(u8::from(inside)) * ((PI * x).sin() + 0.3 * (3.0 * PI * x).sin())
+}
+
+const STANCE_S: f64 = 0.7;
+const STRIDE_S: f64 = 1.1;
+const MASS_KG: f64 = 70.0;
+
+/// Amplitude, N, of a stance of a foot: 12 stances that alternate about their mean by 2 %.
+fn amplitude(foot: usize, k: usize) -> f64 {
+    [760.0, 720.0][foot] * if k.is_multiple_of(2) { 1.02 } else { 0.98 }
+}
+
+/// The twelve strides of both feet as a file of 1000 Hz.
+fn walk() -> String {
+    let mut text = String::from("time,left fz,right fz\n");
+    for i in 0..14_000 {
+        let t = f64::from(i) / 1000.0;
+        let force = |foot: usize| -> f64 {
+            let strike = |k: usize| 0.3 + STRIDE_S * (k as f64 + 0.5 * foot as f64);
+            let all = (0..12).map(|k| amplitude(foot, k) * shape((t - strike(k)) / STANCE_S));
+            all.sum()
+        };
+        writeln!(text, "{t:.3},{:.3},{:.3}", force(0), force(1)).unwrap();
+    }
+    text
+}
+
+/// Duration of a stance above 20 N, from which a foot counts as standing, s.
+fn stands(amplitude: f64) -> f64 {
+    let (mut low, mut high) = (0.0, 0.2);
+    for _ in 0..60 {
+        let x = 0.5 * (low + high);
+        let above = amplitude * shape(x) > 20.0;
+        (low, high) = if above { (low, x) } else { (x, high) };
+    }
+    STANCE_S * (1.0 - 2.0 * low)
+}
+
+fn mean_and_deviation(values: &[f64]) -> [f64; 2] {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let square: f64 = values.iter().map(|x| (x - mean).powi(2)).sum();
+    [mean, (square / (n - 1.0)).sqrt()]
+}
+
+#[test]
+fn means_of_each_foot_are_those_of_the_stances_that_were_made() {
+    let options = ReadOptions {
+        mass_kg: Some(MASS_KG),
+        ..ReadOptions::default()
+    };
+    let r = read("made.csv".as_ref(), walk().as_bytes(), &options).unwrap();
+    let s = stances(&r);
+    let c = cycle(&r, &s, Feet::Both).unwrap();
+    let understood = Interpretation::of("made.csv", &r, &s, Some(&c), Feet::Both);
+    let t = table(&understood, &r, &s, Ok(&c), Language::En);
+    let feet = t.split("stance %\n").nth(1).expect("means of the feet");
+    let numbers = |line: &str| -> Vec<f64> {
+        let words = line.split(|c: char| c.is_whitespace() || c == '%' || c == '/');
+        words.filter_map(|w| w.parse().ok()).collect()
+    };
+    // dF/dx = 0 where cos πx = 0, and where 1 + 0.9 (4 cos² πx − 3) = 0.
+    let peak = shape(((1.7f64 / 3.6).sqrt()).acos() / PI);
+    let valley = shape(0.5);
+    let mut durations = [0.0; 2];
+    for (foot, line) in feet.lines().take(2).enumerate() {
+        assert!(line.starts_with(["left", "right"][foot]), "{t}");
+        let amplitudes: Vec<f64> = (0..12).map(|k| amplitude(foot, k)).collect();
+        let forces = amplitudes.iter().map(|a| a / (MASS_KG * G));
+        let [mean, deviation] = mean_and_deviation(&forces.collect::<Vec<f64>>());
+        let stand: Vec<f64> = amplitudes.iter().map(|&a| stands(a)).collect();
+        let [stance, apart] = mean_and_deviation(&stand).map(|s| 100.0 * s / STRIDE_S);
+        durations[foot] = stance;
+        let truth = [
+            12.0,
+            mean * peak,
+            deviation * peak,
+            mean * valley,
+            deviation * valley,
+            mean * peak,
+            deviation * peak,
+            stance,
+            apart,
+        ];
+        let shown = numbers(line);
+        assert_eq!(shown.len(), truth.len(), "{line}");
+        for (k, (shown, truth)) in shown.iter().zip(truth).enumerate() {
+            // Three decimals of body weights, one of percent.
+            let within = if k < 7 { 1.1e-3 } else { 0.11 };
+            assert!((shown - truth).abs() < within, "{line}: {shown}, {truth}");
+        }
+    }
+    let value = |label: &str| -> f64 {
+        let line = t.lines().find(|l| l.starts_with(label)).expect(label);
+        numbers(line)[0]
+    };
+    let both: f64 = durations.iter().sum();
+    assert!(
+        (value("double support") - (both - 100.0)).abs() < 0.11,
+        "{t}"
+    );
+    assert!((value("cadence") - 120.0 / STRIDE_S).abs() < 0.06, "{t}");
+    // Impulses are in the ratio of the amplitudes but for the ends below 20 N.
+    let symmetry = 200.0 * (720.0 - 760.0) / (720.0 + 760.0);
+    assert!((value("symmetry index") - symmetry).abs() < 0.06, "{t}");
 }

@@ -39,7 +39,7 @@ force-running = the recording of { $duration } is of running (short contacts, fl
     .help = use kind = "running" for a running cycle, or give a recording of walking
 force-not-walking = the recording of { $duration } is not of walking: { $movement ->
         [standing] a person stands; the load hardly changes
-        [jumping] both feet leave the ground together
+        [jumping] both feet leave the ground or land together
         [sit-to-stand] the load rises from that of the feet alone to the body weight
        *[other] no periodic gait is found
     }
@@ -89,7 +89,7 @@ note-plate-channel-missing = plate { $plate } is ignored: its channel { $channel
 note-plate-matrix-missing = plate { $plate } is ignored: its calibration matrix is missing
 note-plate-tilted = plate { $plate } is not parallel to plate 1: at most one of their normal forces is vertical
 note-insole-mass = the mass of { $mass } is computed from the mean total force of the insoles, which are seldom calibrated: give the walker's mass
-note-clipped = the readings of { $column } stop at { $level } in several stances, equal to the last digit: the amplifier was saturated, and the peaks and the mass are too low; record again with a larger range, or leave the column out
+note-clipped = { $column } is clipped: it stops at { $level }, equal to the last digit, in several stances
 note-drift-removed = the unloaded reading of { $column } drifts by { $rise } per second; the drift was removed
 note-stride-varies = the strides last { $period } ± { $spread }: more than one speed, or no steady walk; give a recording of one speed
 note-stride-from-one = the stride time of { $period } is from one step or stride and uncertain by { $error }; the stroke of a cam grows with its square and is uncertain by { $stroke }

@@ -39,7 +39,7 @@ force-running = el registro de { $duration } es de carrera (contactos cortos, vu
     .help = use kind = "running" para un ciclo de carrera, o dé un registro de marcha
 force-not-walking = el registro de { $duration } no es de marcha: { $movement ->
         [standing] una persona está de pie; la carga apenas cambia
-        [jumping] ambos pies dejan el suelo a la vez
+        [jumping] ambos pies dejan el suelo o caen a la vez
         [sit-to-stand] la carga sube desde la de los pies solos hasta el peso corporal
        *[other] no se encuentra una marcha periódica
     }
@@ -89,7 +89,7 @@ note-plate-channel-missing = se omite la plataforma { $plate }: su canal { $chan
 note-plate-matrix-missing = se omite la plataforma { $plate }: falta su matriz de calibración
 note-plate-tilted = la plataforma { $plate } no es paralela a la plataforma 1: como máximo una de sus fuerzas normales es vertical
 note-insole-mass = la masa de { $mass } se calcula con la fuerza total media de las plantillas, que rara vez están calibradas: indique la masa de la persona
-note-clipped = las lecturas de { $column } se detienen en { $level } en varios apoyos, iguales hasta la última cifra: el amplificador estaba saturado, y los picos y la masa son demasiado bajos; registre de nuevo con un rango mayor, o excluya la columna
+note-clipped = { $column } está recortada: se detiene en { $level }, igual hasta la última cifra, en varios apoyos
 note-drift-removed = la lectura sin carga de { $column } deriva { $rise } por segundo; la deriva se ha eliminado
 note-stride-varies = las zancadas duran { $period } ± { $spread }: más de una velocidad, o una marcha no estable; indique un registro de una sola velocidad
 note-stride-from-one = el tiempo de zancada de { $period } procede de un solo paso o zancada y tiene una incertidumbre de { $error }; la carrera de una leva crece con su cuadrado y tiene una incertidumbre de { $stroke }
