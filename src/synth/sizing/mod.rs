@@ -149,9 +149,6 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
     Cam::new(law, follower).map_err(key)
 }
 
-/// Wall of a hub as a part of its bore: hubs have 1.5 to 2 times the diameter of the shaft.
-const USUAL_WALL: f64 = 0.25;
-
 /// What to know of the size.
 pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
     let (size, wall) = (chosen_size(problem, cam), thin_wall(problem, cam));
@@ -159,13 +156,13 @@ pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
     [size, wall, shaft].into_iter().flatten().collect()
 }
 
-/// A wall about the bore that is thinner than that of a usual hub; a bore that cuts the profile is a failed check.
+/// A wall around the hole for the shaft that is thinner than usual; a hole that cuts the profile is a failed check.
 fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
-    let bore = problem.cam.bore?;
-    let wall = cam.follower.base_radius() - 0.5 * bore;
+    let hole = problem.cam.hole()?;
+    let wall = cam.follower.base_radius() - hole.reach();
+    let usual = hole.least_base_radius() - hole.reach();
     let turns = !cam.follower.is_unrolled();
-    let usual = USUAL_WALL * bore;
-    (turns && wall > 0.0 && wall < usual).then(|| Note::ThinWall {
+    (turns && wall > 0.0 && wall < usual * (1.0 - ROUNDING)).then(|| Note::ThinWall {
         wall: Quantity::length(wall),
         usual: Quantity::length(usual),
     })

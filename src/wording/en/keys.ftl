@@ -30,8 +30,8 @@ key-cam-pivot_distance = Distance from the cam centre to the pivot of the arm; n
 key-cam-arm = Length of the arm from pivot to roller centre.
 key-cam-face_offset = Distance of an oscillating flat face from the parallel through its pivot, positive away from the cam.
 key-cam-pivot_beside = The arm runs in another plane, so that its pivot may lie inside the outline of the cam.
-key-cam-bore = Diameter of the bore; the base circle stays outside it.
-key-cam-keyway = Width of the keyway, DIN 6885-1; auto takes it from the bore. It points to θ = 0; the base circle stays 3 mm outside it.
+key-cam-bore = Diameter of the bore; an automatic base circle leaves a wall of a quarter of it.
+key-cam-keyway = Width of the keyway, DIN 6885-1; auto takes it from the bore. It points to θ = 0; an automatic base circle stays 3 mm outside it.
 key-cam-mark = Engraves a dot at θ = 0 on the solid (cam.step), beside the line that drawings always have.
 key-cam-thickness = Thickness of the cam plate, which is also the length of the line contact.
 key-cam-material = Material of the cam by its designation, as the drawing shows it; steel where nothing is given.

@@ -30,8 +30,8 @@ key-cam-pivot_distance = Distancia del centro de la leva al pivote del brazo; ne
 key-cam-arm = Longitud del brazo desde el pivote al centro del rodillo.
 key-cam-face_offset = Distancia de la cara plana oscilante a la paralela por su pivote, positiva al alejarse de la leva.
 key-cam-pivot_beside = El brazo se mueve en otro plano, de modo que su pivote puede quedar dentro del contorno de la leva.
-key-cam-bore = Diámetro del agujero; el círculo base queda fuera de él.
-key-cam-keyway = Anchura del chavetero, DIN 6885-1; auto la toma del agujero. Apunta a θ = 0; el círculo base queda 3 mm fuera de él.
+key-cam-bore = Diámetro del agujero; un círculo base automático deja una pared de la cuarta parte.
+key-cam-keyway = Anchura del chavetero, DIN 6885-1; auto la toma del agujero. Apunta a θ = 0; un círculo base automático queda 3 mm fuera de él.
 key-cam-mark = Graba un punto en θ = 0 en el sólido (cam.step), además de la línea que los dibujos siempre tienen.
 key-cam-thickness = Espesor de la placa de la leva, que es también la longitud del contacto.
 key-cam-material = Material de la leva por su designación, como lo muestra el plano; acero si no se da.

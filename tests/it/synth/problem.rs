@@ -1,7 +1,7 @@
 //! What a problem settles once, and what is answered where its demands cannot be met.
 
 use gaitcam::force::{Feet, model};
-use gaitcam::problem::{Problem, Size};
+use gaitcam::problem::{Note, Problem, Size};
 use gaitcam::scene::Scene;
 use gaitcam::synth::{Reason, synthesise};
 
@@ -90,4 +90,34 @@ fn demands_below_the_base_circle_are_an_infeasible_answer_that_names_them() {
         why.conflict
     );
     assert_eq!(design.verdict.name(), "unacceptable");
+}
+
+/// A hub is 1.5 times as thick as its shaft: an automatic base circle leaves that much around every bore, and a given one
+/// that leaves less is noted.
+#[test]
+fn an_automatic_base_circle_leaves_the_wall_of_a_hub() {
+    let text = gaitcam_test_support::scene_file("footbridge");
+    for bore in [0.006, 0.012, 0.03, 0.08] {
+        for keyway in ["", "auto"] {
+            let mut changes = vec![format!("cam.bore={bore} m")];
+            if !keyway.is_empty() && bore > 0.006 {
+                changes.push(format!("cam.keyway={keyway}"));
+            }
+            let noted = |changes: &[String]| {
+                let design = gaitcam_test_support::design(&text, changes).unwrap();
+                let thin = |n: &Note| matches!(n, Note::ThinWall { .. });
+                (
+                    design.cam.follower.base_radius(),
+                    design.notes.iter().any(thin),
+                )
+            };
+            let (base, thin) = noted(&changes);
+            assert!(
+                base >= 0.75 * bore * (1.0 - 1e-12) && !thin,
+                "{changes:?}: {base}"
+            );
+            changes.push(format!("cam.base_radius={} m", 0.98 * base));
+            assert!(noted(&changes).1, "{changes:?}");
+        }
+    }
 }

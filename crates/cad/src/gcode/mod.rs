@@ -7,6 +7,7 @@ mod wire;
 
 use std::fmt::Write;
 
+use gaitcam::cam::Bore;
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
@@ -58,8 +59,8 @@ struct Path {
     moves: Vec<Move>,
 }
 
-/// The programs for a cutter of radius `tool` m: around the outside of each cam, or through the groove of a barrel,
-/// whose cutter has the roller's radius.
+/// The programs for a cutter of radius `tool` m: the bore and around the outside of each cam, or through the groove of a
+/// barrel, whose cutter has the roller's radius.
 ///
 /// # Errors
 /// A radius that is not positive; a profile that no chain of arcs follows (undercut, jumps of the velocity), a cutter
@@ -81,6 +82,24 @@ pub fn milling(design: &Design, tool: f64) -> Result<Vec<String>> {
                 &format!("FEED {FEED:.0} MM/MIN AT THE PROFILE"),
             ],
         );
+        if let Some(bore) = design.bore {
+            if bore.keyway.is_some() {
+                text.push_str("(THE KEYWAY IS NOT MILLED)\n");
+            }
+            // The round part; a cutter too wide for it leaves the bore to a drill.
+            if let Some(hole) = wire::hole(&Bore::plain(bore.diameter), tool) {
+                begin(
+                    &mut text,
+                    hole.start,
+                    "BORE, TOOL TO DEPTH",
+                    design.thickness,
+                );
+                moves(&mut text, &hole);
+                text.push_str("M0 (TOOL CLEAR)\n");
+            } else {
+                text.push_str("(THE BORE IS NOT MILLED, CUTTER TOO WIDE)\n");
+            }
+        }
         begin(&mut text, path.start, "TOOL TO DEPTH", design.thickness);
         moves(&mut text, &path);
         end(&mut text, "TOOL CLEAR");

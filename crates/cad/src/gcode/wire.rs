@@ -1,11 +1,11 @@
-//! The hole for the shaft, cut by a wire from a start hole at the centre.
+//! The hole for the shaft, cut from its centre by a wire or a cutter.
 
 use gaitcam::cam::Bore;
 
 use super::{Move, Path};
 
 /// The path along the hole's edge at the distance `radius` m inside it, counter-clockwise from its lowest point; `None` where
-/// the wire has no room.
+/// it has no room.
 pub fn hole(bore: &Bore, radius: f64) -> Option<Path> {
     let round = bore.radius() - radius;
     if round <= 0.0 {

@@ -152,6 +152,29 @@ fn the_swept_cutter_leaves_the_cam_to_a_micrometre() {
 }
 
 #[test]
+fn the_bore_is_milled_before_the_outside_where_the_cutter_has_room() {
+    let mut design = footbridge();
+    for (bore, keyway) in [(0.012, None), (0.03, Keyway::for_shaft(0.03))] {
+        design.bore = Some(Bore {
+            diameter: bore,
+            keyway,
+        });
+        let program = &gcode::milling(&design, 0.004).unwrap()[0];
+        assert_eq!(program.contains("KEYWAY IS NOT MILLED"), keyway.is_some());
+        let cuts = run(program);
+        for i in 0..360 {
+            let (sin, cos) = f64::from(i).to_radians().sin_cos();
+            let rim = [500.0 * bore * cos, 500.0 * bore * sin];
+            let near = cuts.iter().map(|c| c.distance(rim));
+            let left = near.fold(f64::INFINITY, f64::min) - 4.0;
+            assert!(left.abs() < 1e-3, "{bore} at {i}: {left}");
+        }
+    }
+    let wide = &gcode::milling(&design, 0.016).unwrap()[0];
+    assert!(wide.contains("BORE IS NOT MILLED") && !wide.contains("BORE, TOOL"));
+}
+
+#[test]
 fn the_contact_moves_with_one_feed() {
     let tool = 5.0;
     let program = &gcode::milling(&hollow(), 1e-3 * tool).unwrap()[0];
