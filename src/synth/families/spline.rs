@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::problem::{Note, Problem};
 use crate::scene::{Family, Minimise};
 use crate::synth::optimum::{self, NoLaw, Optimum};
-use crate::synth::qp;
+use crate::synth::qp::{self, Failure};
 use crate::synth::search::{Search, SpanKey};
 use crate::units::Quantity;
 
@@ -28,8 +28,8 @@ const TELLING: usize = 12;
 
 /// The problem's spline with how it was found.
 pub fn spline_law(problem: &Problem, search: &Search) -> std::result::Result<SolvedLaw, NoLaw> {
-    let optimum = match unlimited_in_error(problem, search) {
-        Some(optimum) => optimum,
+    let optimum = match problem.limited_error() {
+        Some(most) => limited_in_error(problem, search, most)?,
         None => optimum(problem, search)?,
     };
     let (objective, report) = (problem.objective(), optimum.report());
@@ -45,11 +45,18 @@ fn optimum(problem: &Problem, search: &Search) -> std::result::Result<Optimum, N
     Ok(optimum)
 }
 
-/// The optimum without the accuracy as a limit, where it keeps it: most do, and it is found several times faster.
-fn unlimited_in_error(problem: &Problem, search: &Search) -> Option<Optimum> {
-    let most = problem.limited_error()?;
-    let optimum = optimum(&problem.without_accuracy(), search).ok()?;
-    (optimum.force_error() <= most).then_some(optimum)
+/// The optimum with an error of at most `most` N RMS: first without that limit, because most laws keep it by themselves and are
+/// found several times faster, and where there is none without it there is none with it.
+fn limited_in_error(
+    problem: &Problem,
+    search: &Search,
+    most: f64,
+) -> std::result::Result<Optimum, NoLaw> {
+    match optimum(&problem.without_accuracy(), search) {
+        Ok(optimum) if optimum.left_out || optimum.force_error() <= most => Ok(optimum),
+        Err(NoLaw::Refused(why)) if why.failure == Failure::Infeasible => Err(NoLaw::Refused(why)),
+        _ => self::optimum(problem, search),
+    }
 }
 
 /// How many spans a law gets.

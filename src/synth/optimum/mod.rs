@@ -72,7 +72,7 @@ pub struct Optimum {
     /// The sequence of convex programs, where one was needed.
     sequence: Option<Sequence>,
     /// Limits that are not convex and that no law was found to keep.
-    left_out: bool,
+    pub left_out: bool,
 }
 
 /// How a sequence of convex programs went.
