@@ -18,7 +18,7 @@ use cycle::Cycle;
 pub use mean_force::MeanForce;
 pub use notes::Note;
 pub use requirements::Requirements;
-pub(crate) use size::outside_bore;
+pub(crate) use size::hub_radius;
 pub use size::{Size, USUAL_PRESSURE_ANGLE};
 pub use target::Target;
 pub(crate) use target::piecewise;

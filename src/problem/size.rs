@@ -3,7 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::Problem;
-use crate::scene::{CamSpec, LimitKind, Minimise};
+use crate::cam::Bore;
+use crate::scene::{CamSpec, LimitKind, Limits, Minimise};
 
 /// Part of the range of prime radii, at either end, that no arm is used in.
 const STRETCHED: f64 = 1e-4;
@@ -82,7 +83,12 @@ impl Problem {
 
     /// Smallest base radius that the bore leaves, m.
     pub fn outside_bore(&self) -> f64 {
-        outside_bore(&self.cam)
+        self.cam.hole().map_or(0.0, |hole| hole.least_base_radius())
+    }
+
+    /// Smallest base radius that is chosen where it is open, m.
+    pub fn hub_radius(&self) -> f64 {
+        hub_radius(&self.cam, &self.limits)
     }
 
     /// Pressure angles on rise and fall that size a cam: a side that is not limited beside one that is may
@@ -133,7 +139,10 @@ pub enum Size {
     AfterLaw,
 }
 
-/// Smallest base radius that the hole for the shaft leaves, m.
-pub(crate) fn outside_bore(cam: &CamSpec) -> f64 {
-    cam.hole().map_or(0.0, |hole| hole.least_base_radius())
+/// Smallest base radius that is chosen where it is open, m: it leaves the wall of a hub around the hole for the shaft, or what
+/// the limit on the prime radius leaves of it.
+pub(crate) fn hub_radius(cam: &CamSpec, limits: &Limits) -> f64 {
+    let most = limits[LimitKind::PrimeRadius].map_or(f64::INFINITY, |r| r - cam.roller_radius);
+    let hub = |hole: Bore| hole.hub_radius().min(most).max(hole.least_base_radius());
+    cam.hole().map_or(0.0, hub)
 }

@@ -25,8 +25,9 @@ const DIN_6885: [[f64; 3]; 17] = [
 /// Smallest shaft diameter of the table, m.
 const THINNEST: f64 = 6e-3;
 /// Wall of a hub as a part of its bore: hubs have 1.5 to 2 times the diameter of the shaft.
-const WALL: f64 = 0.25;
-/// Wall around a keyway, m.
+const HUB: f64 = 0.25;
+/// Thinnest wall around a bore, and around a keyway, m.
+const WALL: f64 = 1e-3;
 const KEYED_WALL: f64 = 3e-3;
 
 /// The keyway in the hub.
@@ -122,12 +123,16 @@ impl Bore {
         }
     }
 
-    /// Smallest base radius that leaves the wall of a hub around the hole, m: a quarter of the bore; beyond a keyway 3 mm,
-    /// and at least half its depth.
+    /// Smallest base radius that leaves a wall around the hole, m: 1 mm around a bore; beyond a keyway 3 mm, and at least half
+    /// its depth.
     pub fn least_base_radius(&self) -> f64 {
-        let beyond = |key: Keyway| self.reach() + KEYED_WALL.max(0.5 * key.depth);
-        let hub = self.radius() + WALL * self.diameter;
-        self.keyway.map_or(hub, |key| hub.max(beyond(key)))
+        let wall = |key: Keyway| KEYED_WALL.max(0.5 * key.depth);
+        self.reach() + self.keyway.map_or(WALL, wall)
+    }
+
+    /// Smallest base radius that leaves the usual wall of a hub, m: a quarter of the bore, and never less than the least.
+    pub fn hub_radius(&self) -> f64 {
+        (self.radius() + HUB * self.diameter).max(self.least_base_radius())
     }
 
     /// Distance of the hole's edge from the centre in the direction `angle` from +x, rad → m. Every ray meets the edge once.

@@ -20,7 +20,7 @@ pub fn priced(problem: &Problem, program: &mut Program) {
     let weighed = cost != 0.0 && !matches!(problem.objective(), Minimise::Size);
     let limit = problem.limits[LimitKind::PrimeRadius];
     // No cam is smaller than its bore, and none has a negative base radius. A limit below that is for the checks to report.
-    let least = problem.outside_bore() + problem.cam.roller_radius;
+    let least = problem.hub_radius() + problem.cam.roller_radius;
     let below = limit.map_or(f64::INFINITY, |limit| limit * (1.0 - 4.0 * ENLARGED));
     let least = least.min(below);
     if let Some([least, most]) = problem.reach_of_arm() {

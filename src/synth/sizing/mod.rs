@@ -112,7 +112,7 @@ fn flat(problem: &Problem, law: &Law, pressing: &Law) -> Follower {
     let rho = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let base_radius = problem.base_radius().unwrap_or_else(|| {
         smallest_base_radius(law, rho)
-            .max(problem.outside_bore())
+            .max(problem.hub_radius())
             .max(limits::smallest_base_radius(problem, law, pressing))
     });
     Follower::FlatTranslating { base_radius }
@@ -160,7 +160,7 @@ pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
 fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     let hole = problem.cam.hole()?;
     let wall = cam.follower.base_radius() - hole.reach();
-    let usual = hole.least_base_radius() - hole.reach();
+    let usual = hole.hub_radius() - hole.reach();
     let turns = !cam.follower.is_unrolled();
     (turns && wall > 0.0 && wall < usual * (1.0 - ROUNDING)).then(|| Note::ThinWall {
         wall: Quantity::length(wall),
@@ -220,7 +220,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     }
     let PrimeCircle { radius, offset } = smallest_prime_circle(law, rise, fall, spec.offset);
     let lift = (radius.powi(2) - offset.powi(2)).max(0.0).sqrt();
-    let least = (problem.outside_bore() + spec.roller_radius).max(next_to_nothing(problem, law));
+    let least = (problem.hub_radius() + spec.roller_radius).max(next_to_nothing(problem, law));
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let bearable = limits::bearable_on_some_size(problem, pressing);
     let press = limits::Press {
@@ -300,12 +300,12 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     // thinner than the floor.
     let base = if barrel {
         smallest
-            .max(problem.outside_bore())
+            .max(problem.hub_radius())
             .max(spec.roller_radius * (1.0 + 1e-6))
             + depth(problem)
     } else {
         smallest
-            .max(problem.outside_bore())
+            .max(problem.hub_radius())
             .max(next_to_nothing(problem, &cam.law))
     };
     let base = base * (1.0 + ROUNDING);

@@ -8,7 +8,7 @@ use crate::cam::FollowerKind;
 use crate::drive::Drive;
 use crate::dynamics::hertz::{STEEL, modulus};
 use crate::dynamics::rigid::liftoff_speed;
-use crate::problem::{Requirements, outside_bore};
+use crate::problem::{Requirements, hub_radius};
 use crate::scene::{Family, ForceScale, Gait, LimitKind, Minimise, Scene};
 use crate::synth::design::machine::MachineReport;
 use crate::synth::limits::GEOMETRY;
@@ -156,7 +156,9 @@ fn size(required: &Requirements, bent: f64) -> (f64, f64) {
     if let Some([base, _]) = required.cam.given_radii() {
         return (base, base + bent);
     }
-    let base = (wanted - bent).max(0.0).max(outside_bore(&required.cam));
+    let base = (wanted - bent)
+        .max(0.0)
+        .max(hub_radius(&required.cam, &required.limits));
     (base, (base + bent).max(wanted))
 }
 

@@ -220,6 +220,7 @@ fn a_bore_too_wide_for_the_prime_radius_is_named_with_what_would_do() {
         assert!((to - right).abs() < 1e-12, "{to}");
     }
     assert_eq!(run("238 mm", "120 mm").0, 0);
+    // Inside the limit there is no room for the wall of a hub, which is a wish.
     assert_eq!(run("300 mm", "151 mm").0, 0);
 }
 
