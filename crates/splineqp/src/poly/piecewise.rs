@@ -54,6 +54,15 @@ impl Extreme {
             value: f(self.value),
         }
     }
+
+    /// The largest absolute value between the two extremes of a function.
+    pub fn largest((low, high): (Extreme, Extreme)) -> Extreme {
+        if high.value >= -low.value {
+            high
+        } else {
+            low.map(|value| -value)
+        }
+    }
 }
 
 /// Smallest and largest of the values seen so far.
@@ -99,6 +108,19 @@ pub struct Peak {
     pub at: f64,
     /// The value there.
     pub value: f64,
+}
+
+impl Peak {
+    /// A place without a value.
+    pub fn place(piece: usize, u: f64, at: f64) -> Peak {
+        let value = 0.0;
+        Peak {
+            piece,
+            u,
+            at,
+            value,
+        }
+    }
 }
 
 impl PiecewisePoly {
