@@ -59,13 +59,14 @@ pub fn rows_with_size(problem: &Problem) -> [Limit; 2] {
 /// Of a roller on an arm: t c sin ξ ∓ (A(1 + ξ′) − c cos ξ), from tan φ = (A(1 + ξ′) − c cos ξ)/(c sin ξ).
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, tan: f64, side: f64) -> Slack {
     let (sin, cos) = (rest + at.s).sin_cos();
+    let [rising, falling] = SIDES;
     Slack {
         h: tan * c * sin - side * (arm * (1.0 + at.v) - c * cos),
         w: c,
         largest: tan * c + arm,
         by_lift: tan * c * cos - side * c * sin,
         by_velocity: -side * arm,
-        ..Slack::none(SIDES[usize::from(side < 0.0)])
+        ..Slack::none(if side > 0.0 { rising } else { falling })
     }
 }
 

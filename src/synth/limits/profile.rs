@@ -153,7 +153,7 @@ impl Profile {
             } => ProfileSize {
                 radius,
                 rho,
-                ..ProfileSize::NONE
+                ..ProfileSize::default()
             },
         }
     }

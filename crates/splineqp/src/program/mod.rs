@@ -205,6 +205,12 @@ impl<N: Names> Program<N> {
         out
     }
 
+    /// The same by their indices.
+    pub fn free_variables(&self) -> Vec<usize> {
+        let present = self.present();
+        (0..EXTRAS).filter(|&k| present[k]).collect()
+    }
+
     /// The same program with its sizes held at the solution's, enlarged by `room`: without a cone it is
     /// solved to rounding, which a cone program is not.
     pub fn with_sizes_held(&self, solution: &Solution<N>, room: f64) -> Program<N> {
