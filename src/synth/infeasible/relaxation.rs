@@ -123,15 +123,6 @@ fn changed(problem: &Problem, values: &Values) -> Problem {
     })
 }
 
-fn told(number: Relaxable, from: f64, to: f64) -> Relaxation {
-    Relaxation {
-        limit: number.criterion(),
-        key: number.key.path,
-        from,
-        to: Some(to),
-    }
-}
-
 /// The whole design, where it passes.
 fn passing(problem: &Problem, search: &Search) -> Option<Design> {
     let search = search.for_passing_designs();
@@ -177,7 +168,7 @@ impl<'a> Relaxing<'a> {
             };
             let own = relaxing.own_accuracy(number, design);
             let to = own.unwrap_or_else(|| relaxing.smallest(number, from, hint));
-            to.map(|to| told(number, from, to))
+            Some(Relaxation::of(number.criterion(), from, Some(to?)))
         };
         let tried = beside(numbers, &self.search.halt, relaxation);
         tried.into_iter().flatten().collect()
@@ -365,7 +356,11 @@ impl<'a> Relaxing<'a> {
         let both = relaxing.together(&alone);
         let eased = both.or_else(|| relaxing.together(&all));
         let helps = eased.is_some();
-        let own = || alone.iter().map(|&(number, to)| told(number, to, to));
+        let own = || {
+            alone
+                .iter()
+                .map(|&(number, to)| Relaxation::of(number.criterion(), to, Some(to)))
+        };
         let mut values = eased.map_or_else(|| own().collect(), |(_, values)| values);
         for value in &mut values {
             let written = numbers.iter().find(|n| n.0.criterion() == value.limit);
@@ -420,7 +415,7 @@ impl<'a> Relaxing<'a> {
             self.bisected(FAR, SMALL, |works| 1e-2 * works, holds)
         };
         let all = (eased(share).into_iter().zip(numbers))
-            .map(|((number, to), &(_, from))| told(number, from, to));
+            .map(|((number, to), &(_, from))| Relaxation::of(number.criterion(), from, Some(to)));
         Some((share, all.collect()))
     }
 }

@@ -33,11 +33,6 @@ pub fn row_with_size(problem: &Problem) -> Option<Limit> {
     Some(limit)
 }
 
-/// Torque that the limit on the power leaves at constant speed, N·m: P/ω (theory §10).
-fn power_as_torque(problem: &Problem) -> Option<f64> {
-    Some(problem.limits[LimitKind::Power]? / problem.drive.speed)
-}
-
 /// The pressure limit under a flat face on a base circle, which counts among the variables where it is 0.
 fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     let (cam, pressure) = (&problem.cam, problem.limits[LimitKind::HertzPressure]?);
@@ -87,7 +82,8 @@ impl Loads {
         let loads = Loads {
             drive: problem.drive,
             torque: limits[LimitKind::Torque],
-            power: power_as_torque(problem),
+            // At constant speed P/ω (theory §10).
+            power: limits[LimitKind::Power].map(|power| power / problem.drive.speed),
             torque_rate: limits[LimitKind::TorqueRate],
             pressure: roller
                 .zip(limits[LimitKind::HertzPressure])
