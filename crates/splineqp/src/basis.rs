@@ -272,6 +272,15 @@ pub fn add(to: &mut Entries, (index, value): (usize, f64)) {
     }
 }
 
+/// A row with all its entries, `n` of them.
+pub fn dense(entries: &Entries, n: usize) -> Vec<f64> {
+    let mut out = vec![0.0; n];
+    for &(i, a) in entries {
+        out[i] += a;
+    }
+    out
+}
+
 /// Value of a row on coefficients.
 #[inline]
 pub fn apply(entries: &Entries, x: &[f64]) -> f64 {

@@ -12,7 +12,7 @@
 //! lift. The rows are limits at exact places of the law, so the bound holds for the whole
 //! turn and not for samples of it.
 
-use super::basis::{Basis, apply};
+use super::basis::{Basis, apply, dense};
 use super::equality;
 use super::frame::{Frame, dot, square};
 use super::program::{EXTRAS, PEAK, Program, SIZES, Solution};
@@ -256,10 +256,7 @@ fn project_off_equalities<N: Names>(
 ) -> f64 {
     let (mut frame, mut missed) = (Frame::default(), Vec::new());
     for equality in &program.equalities {
-        let mut normal = vec![0.0; residual.len()];
-        for &(i, a) in &equality.entries {
-            normal[i] += a;
-        }
+        let normal = dense(&equality.entries, residual.len());
         let apart = frame.split(&normal);
         if apart.left > program.settings.certificate.dependent * square(&normal) {
             frame.push(apart);

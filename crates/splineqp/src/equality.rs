@@ -1,7 +1,7 @@
 //! The optimum under equality constraints alone: one factorisation of H, and a dense system of the size of the equalities.
 
 use super::band::{ArrowFactor, ArrowMatrix};
-use super::basis::{Basis, apply};
+use super::basis::{Basis, apply, dense};
 use super::program::{Equality, Failure, Program, Stop};
 use crate::Names;
 
@@ -131,10 +131,7 @@ fn correct<N: Names>(
     let directions: Vec<Vec<f64>> = equalities
         .iter()
         .map(|e| {
-            let mut y = vec![0.0; x.len()];
-            for &(i, a) in &e.entries {
-                y[i] += a;
-            }
+            let mut y = dense(&e.entries, x.len());
             factor.solve(&mut y);
             y
         })

@@ -356,12 +356,12 @@ impl<'a> Relaxing<'a> {
         let both = relaxing.together(&alone);
         let eased = both.or_else(|| relaxing.together(&all));
         let helps = eased.is_some();
-        let own = || {
-            alone
-                .iter()
-                .map(|&(number, to)| Relaxation::of(number.criterion(), to, Some(to)))
+        let own =
+            |&(number, to): &(Relaxable, f64)| Relaxation::of(number.criterion(), to, Some(to));
+        let mut values = match eased {
+            Some((_, values)) => values,
+            None => alone.iter().map(own).collect(),
         };
-        let mut values = eased.map_or_else(|| own().collect(), |(_, values)| values);
         for value in &mut values {
             let written = numbers.iter().find(|n| n.0.criterion() == value.limit);
             value.from = written.map_or(value.from, |n| n.1);

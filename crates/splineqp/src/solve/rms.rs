@@ -49,9 +49,8 @@ pub fn solve<N: Names>(
     let neighbour = program.seeds.iter().find(|r| limit.is_tangent(r));
     if let Some(tangent) = neighbour.filter(|r| r.multiplier > 0.0) {
         let weight = (tangent.multiplier / limit.most).ln();
-        if let Ok(Some([inside, outside])) =
-            search.bracket(weight, settings.near_step, settings.near_steps)
-        {
+        let near = search.bracket(weight, settings.near_step, settings.near_steps);
+        if let Ok(Some([inside, outside])) = near {
             return search.between(inside, outside);
         }
     }
