@@ -110,8 +110,14 @@ impl Bound {
         }
     }
 
-    /// Refuses what no limit can hold in this problem.
+    /// Refuses problems without a front, and what no limit can hold in this one.
     fn check(self, problem: &Problem) -> Result<()> {
+        if problem.target.is_none() {
+            return Err(SynthError::NoTarget.at_key("gait"));
+        }
+        if !matches!(problem.law.family, Family::Spline | Family::Ladder) {
+            return Err(SynthError::OnlySplines.at_key("law.family"));
+        }
         let fixed = matches!(problem.size(), Size::Given { .. });
         match self {
             Bound::LiftoffSpeed if problem.drive.kind != DriveKind::MovingAxis => {
@@ -161,12 +167,6 @@ fn names(column: &str, word: &str) -> bool {
 /// the law without the limit cannot be built.
 pub fn trade(problem: &Problem, against: &Figure, points: usize) -> Result<Vec<Trade>> {
     let search = Search::default();
-    if problem.target.is_none() {
-        return Err(SynthError::NoTarget.at_key("gait"));
-    }
-    if !matches!(problem.law.family, Family::Spline | Family::Ladder) {
-        return Err(SynthError::OnlySplines.at_key("law.family"));
-    }
     let bound = Bound::of(against);
     bound.check(problem)?;
     let of = |design: &Design| against.value(&Figures::of(design));

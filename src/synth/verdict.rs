@@ -155,6 +155,28 @@ fn larger(problem: &Problem, cam: &Cam) -> Reason {
     }
 }
 
+/// A profile, its second cam or a wall of a groove that is sharper than allowed.
+fn too_sharp(check: &Check, at: Quantity, radius: Quantity, allowed: Quantity) -> Reason {
+    match check.name {
+        Criterion::SecondCurvature => Reason::SecondTooSharp {
+            at,
+            radius,
+            allowed,
+        },
+        Criterion::UpperWall | Criterion::LowerWall => Reason::SharpWall {
+            at,
+            radius,
+            allowed,
+        },
+        _ if check.worst < 0.0 => Reason::Undercut { at, radius },
+        _ => Reason::TooSharp {
+            at,
+            radius,
+            allowed,
+        },
+    }
+}
+
 /// A check that failed, and its cure where one is known.
 fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> Vec<Reason> {
     let measures = cam.follower.measures();
@@ -163,31 +185,15 @@ fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> V
     let allowed = quantity(measures, check.name, check.limit);
     let reason = match check.name {
         Criterion::Limit(LimitKind::Curvature) => {
-            let radius = value;
-            let reason = if check.worst < 0.0 {
-                Reason::Undercut { at, radius }
-            } else {
-                Reason::TooSharp {
-                    at,
-                    radius,
-                    allowed,
-                }
-            };
-            return vec![reason, larger(problem, cam)];
+            let sharp = too_sharp(check, at, value, allowed);
+            return vec![sharp, larger(problem, cam)];
         }
-        Criterion::SecondCurvature => Reason::SecondTooSharp {
-            at,
-            radius: value,
-            allowed,
-        },
+        Criterion::SecondCurvature | Criterion::UpperWall | Criterion::LowerWall => {
+            too_sharp(check, at, value, allowed)
+        }
         Criterion::Interference | Criterion::SecondInterference => {
             Reason::Interference { at, depth: value }
         }
-        Criterion::UpperWall | Criterion::LowerWall => Reason::SharpWall {
-            at,
-            radius: value,
-            allowed,
-        },
         Criterion::Concave | Criterion::SecondConcave => Reason::RollerTooLarge {
             at,
             roller: allowed,

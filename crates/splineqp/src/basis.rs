@@ -1,6 +1,7 @@
 //! The functions a law is built from, and rows on their coefficients.
 
 use crate::poly::{PiecewisePoly, SplineSpace, Wave, add_taylor, subdivide};
+use crate::program::only;
 use std::f64::consts::TAU;
 
 /// Most Bernstein coefficients of a piece that are kept on the stack; wider pieces are allocated.
@@ -84,9 +85,7 @@ impl Basis {
 
     /// Smallest value of a derivative of the law.
     pub(crate) fn least(&self, x: &[f64], order: usize) -> f64 {
-        let mut weights = [0.0; 5];
-        weights[order] = 1.0;
-        self.combination(x, &weights).extremes().0.value
+        self.combination(x, &only(order, 1.0)).extremes().0.value
     }
 
     /// Breaks of the pieces the basis is smooth on, rad.
@@ -271,6 +270,15 @@ pub fn add(to: &mut Entries, (index, value): (usize, f64)) {
         Some(e) => e.1 += value,
         None => to.push((index, value)),
     }
+}
+
+/// A row with all its entries, `n` of them.
+pub fn dense(entries: &Entries, n: usize) -> Vec<f64> {
+    let mut out = vec![0.0; n];
+    for &(i, a) in entries {
+        out[i] += a;
+    }
+    out
 }
 
 /// Value of a row on coefficients.

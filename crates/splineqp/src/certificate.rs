@@ -12,10 +12,10 @@
 //! lift. The rows are limits at exact places of the law, so the bound holds for the whole
 //! turn and not for samples of it.
 
-use super::basis::{Basis, apply};
+use super::basis::{Basis, apply, dense};
 use super::equality;
 use super::frame::{Frame, dot, square};
-use super::program::{EXTRAS, OFFSET, PEAK, Program, RADIUS, RISE, SIZES, Solution};
+use super::program::{EXTRAS, PEAK, Program, SIZES, Solution};
 use super::settings::TOLERANCE;
 use crate::Names;
 use serde::Serialize;
@@ -92,51 +92,101 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
     let x = &solution.x[..program.basis.columns()];
     let mut extra = solution.extra;
     extra[PEAK] = program.own_peak(x, &extra);
-    let mut residual = program.hessian.times(x);
-    let largest_term = residual
-        .iter()
-        .zip(&program.gradient)
-        .fold(0.0_f64, |m, (h, g)| m.max(h.abs()).max(g.abs()));
-    for (r, g) in residual.iter_mut().zip(&program.gradient) {
-        *r += g;
-    }
-    let mut of_extra = program.cost;
-    let mut terms_of_extra = program.cost.map(f64::abs);
-    // Gradient along the constant function. Where the level is open H has no part in it but rounding, and no factor shows it.
-    let mut level_gradient: f64 = program.gradient.iter().sum();
-    let mut slack = 0.0;
-    let mut largest_of_rows = largest_term;
-    for row in &solution.active {
-        slack += row.multiplier * row.slack(x, &extra).abs();
-        for &(i, a) in &row.entries {
-            residual[i] += row.multiplier * a;
-            level_gradient += row.multiplier * a;
-            largest_of_rows = largest_of_rows.max((row.multiplier * a).abs());
-        }
-        for (k, e) in row.extra.iter().enumerate() {
-            of_extra[k] += row.multiplier * e;
-            terms_of_extra[k] += (row.multiplier * e).abs();
-        }
-    }
-    let present = program.present();
+    let mut lagrangian = Lagrangian::of(program, solution, x, &extra);
     let size = objective_size(program, x, &extra);
-    let mut gap = slack + project_off_equalities(program, &mut residual, x);
+    let slack = lagrangian.slack;
+    let mut gap = slack + project_off_equalities(program, &mut lagrangian.residual, x);
+    let residual = &lagrangian.residual;
     // A gradient is small beside its largest term, or where the whole typical lift along it is nothing to the objective.
     let along: f64 = residual.iter().map(|r| r.abs()).sum::<f64>() * program.length;
-    let mut left = largest(&residual) / largest_of_rows.max(f64::MIN_POSITIVE);
-    left = left.min(along / size);
+    let left = largest(residual) / lagrangian.largest_term.max(f64::MIN_POSITIVE);
+    let left = left.min(along / size);
     let product = residual.iter().zip(x).map(|(r, x)| r * x);
     let plain = product.sum::<f64>().abs();
     let known = (plain > program.settings.certificate.small * size)
-        .then(|| equality::largest_decrease(program, &residual));
+        .then(|| equality::largest_decrease(program, residual));
     let level = match program.basis {
         _ if !program.level_is_open() => 0.0,
-        Basis::Spline { .. } => level_gradient * largest(x),
+        Basis::Spline { .. } => lagrangian.level * largest(x),
         Basis::Harmonic { .. } => residual[0] * x[0],
     };
     gap += known.flatten().map_or(plain, |own| own + level.abs());
-    // A component of the gradient by a further variable is small relative to its largest term, or when a change of the variable
-    // by its own size does not change the objective.
+    let (gap, left) = with_further_variables(program, &lagrangian, &extra, size, (gap, left));
+    Certificate {
+        duality_gap: gap,
+        relative_gap: gap / size,
+        global_gap: gap / size,
+        size,
+        stationarity: left,
+        violation: solution.violation,
+    }
+}
+
+/// The Lagrangian's gradient under the multipliers of the active rows, those of the equalities left out.
+struct Lagrangian {
+    /// By the coefficients.
+    residual: Vec<f64>,
+    /// Largest term in that.
+    largest_term: f64,
+    /// Along the constant function. Where the level is open H has no part in it but rounding, and no factor shows it.
+    level: f64,
+    /// By the further variables.
+    of_extra: [f64; EXTRAS],
+    /// Sums of the terms' sizes in that.
+    terms_of_extra: [f64; EXTRAS],
+    /// Σ λᵢ (bᵢ − aᵢᵀx).
+    slack: f64,
+}
+
+impl Lagrangian {
+    fn of<N: Names>(
+        program: &Program<N>,
+        solution: &Solution<N>,
+        x: &[f64],
+        extra: &[f64; EXTRAS],
+    ) -> Self {
+        let hx = program.hessian.times(x);
+        let terms = hx.iter().chain(&program.gradient);
+        let mut out = Lagrangian {
+            largest_term: terms.fold(0.0, |m, term| m.max(term.abs())),
+            level: program.gradient.iter().sum(),
+            of_extra: program.cost,
+            terms_of_extra: program.cost.map(f64::abs),
+            slack: 0.0,
+            residual: hx
+                .iter()
+                .zip(&program.gradient)
+                .map(|(h, g)| h + g)
+                .collect(),
+        };
+        for row in &solution.active {
+            out.slack += row.multiplier * row.slack(x, extra).abs();
+            for &(i, a) in &row.entries {
+                out.residual[i] += row.multiplier * a;
+                out.level += row.multiplier * a;
+                out.largest_term = out.largest_term.max((row.multiplier * a).abs());
+            }
+            for (k, e) in row.extra.iter().enumerate() {
+                out.of_extra[k] += row.multiplier * e;
+                out.terms_of_extra[k] += (row.multiplier * e).abs();
+            }
+        }
+        out
+    }
+}
+
+/// Duality gap and stationarity with the part of the further variables.
+///
+/// A component of the gradient by one of them is small relative to its largest term, or when a change of the variable by its
+/// own size does not change the objective.
+fn with_further_variables<N: Names>(
+    program: &Program<N>,
+    lagrangian: &Lagrangian,
+    extra: &[f64; EXTRAS],
+    size: f64,
+    (mut gap, mut left): (f64, f64),
+) -> (f64, f64) {
+    let (of_extra, terms) = (&lagrangian.of_extra, &lagrangian.terms_of_extra);
     let lengths = extra.iter().skip(PEAK + 1);
     let length = lengths.fold(program.length, |m, e| m.max(e.abs()));
     let open = |component: f64, own: f64, at: f64| {
@@ -148,35 +198,24 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
         (component / own.max(f64::MIN_POSITIVE)).min(moved)
     };
     if program.cone {
-        let cost = SIZES.iter().fold(0.0_f64, |m, &k| m.max(terms_of_extra[k]));
+        let cost = largest(&SIZES.map(|k| terms[k]));
         // The cone's multiplier is what the rows leave of the cost; it must lie in the cone and be
         // orthogonal to the sizes.
-        let z = [RADIUS, RISE, OFFSET].map(|k| of_extra[k]);
+        let z = SIZES.map(|k| of_extra[k]);
         let outside = (z[1].hypot(z[2]) - z[0]).max(0.0);
         let at = largest(&SIZES.map(|k| extra[k]));
         left = left.max(open(outside, cost, at));
-        let product: f64 = [RADIUS, RISE, OFFSET]
-            .iter()
-            .zip(z)
-            .map(|(&k, z)| extra[k] * z)
-            .sum();
-        gap += product.abs();
+        let product = SIZES.iter().zip(z).map(|(&k, z)| extra[k] * z);
+        gap += product.sum::<f64>().abs();
     }
-    for k in 0..EXTRAS {
-        if present[k] && !(program.cone && SIZES.contains(&k)) {
+    for k in program.free_variables() {
+        if !(program.cone && SIZES.contains(&k)) {
             let at = if k == PEAK { extra[PEAK].abs() } else { length };
-            left = left.max(open(of_extra[k].abs(), terms_of_extra[k], at));
+            left = left.max(open(of_extra[k].abs(), terms[k], at));
             gap += (of_extra[k] * extra[k]).abs();
         }
     }
-    Certificate {
-        duality_gap: gap,
-        relative_gap: gap / size,
-        global_gap: gap / size,
-        size,
-        stationarity: left,
-        violation: solution.violation,
-    }
+    (gap, left)
 }
 
 fn largest(values: &[f64]) -> f64 {
@@ -217,10 +256,7 @@ fn project_off_equalities<N: Names>(
 ) -> f64 {
     let (mut frame, mut missed) = (Frame::default(), Vec::new());
     for equality in &program.equalities {
-        let mut normal = vec![0.0; residual.len()];
-        for &(i, a) in &equality.entries {
-            normal[i] += a;
-        }
+        let normal = dense(&equality.entries, residual.len());
         let apart = frame.split(&normal);
         if apart.left > program.settings.certificate.dependent * square(&normal) {
             frame.push(apart);

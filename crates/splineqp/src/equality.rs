@@ -1,7 +1,7 @@
 //! The optimum under equality constraints alone: one factorisation of H, and a dense system of the size of the equalities.
 
 use super::band::{ArrowFactor, ArrowMatrix};
-use super::basis::{Basis, apply};
+use super::basis::{Basis, apply, dense};
 use super::program::{Equality, Failure, Program, Stop};
 use crate::Names;
 
@@ -131,48 +131,25 @@ fn correct<N: Names>(
     let directions: Vec<Vec<f64>> = equalities
         .iter()
         .map(|e| {
-            let mut y = vec![0.0; x.len()];
-            for &(i, a) in &e.entries {
-                y[i] += a;
-            }
+            let mut y = dense(&e.entries, x.len());
             factor.solve(&mut y);
             y
         })
         .collect();
-    // S = E H⁻¹ Eᵀ, scaled to a unit diagonal, by Cholesky with diagonal pivoting.
+    // S = E H⁻¹ Eᵀ, scaled to a unit diagonal.
     let raw = |i: usize, j: usize| apply(&equalities[i].entries, &directions[j]);
     let unit: Vec<f64> = (0..k).map(|i| raw(i, i).max(0.0).sqrt()).collect();
     let safe = |u: f64| if u > 0.0 { u } else { 1.0 };
-    let mut s: Vec<Vec<f64>> = (0..k)
+    let s: Vec<Vec<f64>> = (0..k)
         .map(|i| {
             (0..k)
                 .map(|j| raw(i, j) / (safe(unit[i]) * safe(unit[j])))
                 .collect()
         })
         .collect();
-    let original = s.clone();
-    let mut order: Vec<usize> = (0..k).collect();
-    let mut rank = k;
-    for p in 0..k {
-        let (best, pivot) = (p..k)
-            .map(|q| (q, s[order[q]][order[q]]))
-            .fold((p, f64::NEG_INFINITY), |b, c| if c.1 > b.1 { c } else { b });
-        if pivot < settings.dependent {
-            rank = p;
-            break;
-        }
-        order.swap(p, best);
-        let o = order[p];
-        let rest = &order[p + 1..];
-        for &r in rest {
-            let f = s[r][o] / pivot;
-            for &c in rest {
-                s[r][c] -= f * s[o][c];
-            }
-        }
-    }
-    let kept = &order[..rank];
-    let matrix = nalgebra::DMatrix::from_fn(rank, rank, |i, j| original[kept[i]][kept[j]]);
+    let (kept, dependent) = by_pivots(s.clone(), settings.dependent);
+    let rank = kept.len();
+    let matrix = nalgebra::DMatrix::from_fn(rank, rank, |i, j| s[kept[i]][kept[j]]);
     let decomposed = matrix.lu();
     // The second pass removes the residual that the condition of S leaves.
     for _ in 0..2 {
@@ -190,7 +167,7 @@ fn correct<N: Names>(
             }
         }
     }
-    let missed: Vec<N::Equality> = order[rank..]
+    let missed: Vec<N::Equality> = dependent
         .iter()
         .map(|&i| &equalities[i])
         .filter(|e| e.missed(&x, program.length) > settings.consistent)
@@ -201,6 +178,31 @@ fn correct<N: Names>(
     } else {
         Err(Failure::Inconsistent { equalities: missed })
     }
+}
+
+/// Rows of a symmetric matrix in the order of the pivots of its Cholesky factor, and those whose pivots would fall below
+/// `dependent`.
+fn by_pivots(mut s: Vec<Vec<f64>>, dependent: f64) -> (Vec<usize>, Vec<usize>) {
+    let mut order: Vec<usize> = (0..s.len()).collect();
+    for p in 0..s.len() {
+        let (best, pivot) = (p..s.len())
+            .map(|q| (q, s[order[q]][order[q]]))
+            .fold((p, f64::NEG_INFINITY), |b, c| if c.1 > b.1 { c } else { b });
+        if pivot < dependent {
+            let rest = order.split_off(p);
+            return (order, rest);
+        }
+        order.swap(p, best);
+        let o = order[p];
+        let rest = &order[p + 1..];
+        for &r in rest {
+            let f = s[r][o] / pivot;
+            for &c in rest {
+                s[r][c] -= f * s[o][c];
+            }
+        }
+    }
+    (order, Vec::new())
 }
 
 impl<N: Names> Equality<N> {

@@ -4,6 +4,7 @@ use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries};
 use super::frame::dot;
 use crate::poly::{SplineSpace, gauss_legendre};
+use crate::program::only;
 
 /// ½xᵀHx + gᵀx + constant.
 #[derive(Debug, Clone)]
@@ -129,19 +130,12 @@ impl Quadratic {
 
     /// Adds ½·factor·mean of the squared derivative of the given order (2 = acceleration … 4).
     pub fn add_energy(&mut self, basis: &Basis, order: usize, factor: f64) {
-        let mut weights = [0.0; 5];
-        weights[order] = factor.sqrt();
-        let degree = match basis {
-            Basis::Spline { space, .. } => space.degree(),
-            Basis::Harmonic { .. } => 8,
+        let weights = only(order, factor.sqrt());
+        let nodes = match basis {
+            Basis::Spline { space, .. } => space.degree() + 1,
+            Basis::Harmonic { .. } => 9,
         };
-        self.add_distance(
-            basis,
-            &weights,
-            degree + 1,
-            |_, _, _, out| out.fill(0.0),
-            None,
-        );
+        self.add_distance(basis, &weights, nodes, |_, _, _, out| out.fill(0.0), None);
     }
 
     /// Adds another objective over the same basis, `factor` times.

@@ -16,6 +16,8 @@ pub struct Settings {
     pub proximal: ProximalSettings,
     /// Rounds of separation and interior-point solution.
     pub exchange: ExchangeSettings,
+    /// Weight of a limit on a root mean square.
+    pub rms: RmsSettings,
     /// Newton's method on the contacts.
     pub refinement: RefinementSettings,
     /// Duality gap.
@@ -92,6 +94,27 @@ pub struct ProximalSettings {
     pub accepted: f64,
     /// Rounds without a better certificate that end the search.
     pub patience: usize,
+}
+
+/// Settings of the search for the weight of a limit on a root mean square.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RmsSettings {
+    /// Step of ln μ until the limit lies between two optima, doubled each time …
+    pub step: f64,
+    /// … so many times …
+    pub steps: usize,
+    /// … from the weight of a neighbouring program …
+    pub near_step: f64,
+    /// … so many times.
+    pub near_steps: usize,
+    /// Contacts nearer to each other than this part of a piece begin as one.
+    pub coincident: f64,
+    /// Weights tried between two.
+    pub weights: usize,
+    /// Weights whose logarithms are nearer than this are one.
+    pub same_weight: f64,
+    /// Gap of the law between two optima, as a part of the objective.
+    pub gap: f64,
 }
 
 /// Settings of Newton's method on the contacts.
@@ -196,93 +219,111 @@ impl Default for Settings {
     fn default() -> Self {
         Settings {
             tolerance: TOLERANCE,
-            equality: EqualitySettings {
-                dependent: 1e-11,
-                consistent: 1e-8,
-                light_pin: 1e-6,
-                level_is_free: 1e-10,
-                fixes_level: 1e-6,
-            },
-            active_set: ActiveSetSettings {
-                rounds: 60,
-                steps_per_unknown: 60,
-                rows: 1000,
-                active: 400,
-                resolved: 1e-12,
-                resolved_at_last: 1e-7,
-                progress: 0.9,
-                patience: 4,
-                dependent: 1e-13,
-                coincident: 1e-5,
-                refinements: 8,
-                pin_moves: 12,
-                pin_settled: 1e-9,
-            },
-            proximal: ProximalSettings {
-                nearness: 1e-2,
-                least_nearness: 1e-9,
-                fall: 0.2,
-                heavier: 100.0,
-                kept: 0.3,
-                proved: 0.3,
-                compared: 1e-4,
-                rounds: 150,
-                accepted: 1e3,
-                patience: 25,
-            },
-            exchange: ExchangeSettings {
-                rounds: 60,
-                refinements: 3,
-                stalled: 0.5,
-                margin_growth: 2.0,
-                largest_margin: 1e-6,
-                cone_margin: 1e-7,
-                coincident: 1e-4,
-                solver_tolerance: 1e-9,
-                solver_iterations: 200,
-            },
-            refinement: RefinementSettings::default(),
-            certificate: CertificateSettings {
-                least_objective: 1e-6,
-                small: 1e-9,
-                dependent: 1e-20,
-            },
+            equality: EQUALITY,
+            active_set: ACTIVE_SET,
+            proximal: PROXIMAL,
+            exchange: EXCHANGE,
+            rms: RMS,
+            refinement: REFINEMENT,
+            certificate: CERTIFICATE,
         }
     }
 }
 
-impl Default for RefinementSettings {
-    fn default() -> Self {
-        RefinementSettings {
-            gap: 1e-7,
-            stationarity: 3e-7,
-            finest_tolerance: TOLERANCE,
-            band_steps: 5,
-            steps: 12,
-            solves: 40,
-            patience: 4,
-            clean: 1e-8,
-            proved: 1e-6,
-            from: 1e-3,
-            divergence: 30.0,
-            below: 0.05,
-            flat: 1e-6,
-            same: 1e-7,
-            weakest: 1e-6,
-            negative_multiplier: 1e-9,
-            rows_per_unknown: 24,
-            joins: 8,
-            resolved: 1e-10,
-            apart: 0.25,
-            largest: 500,
-            held: 1e-9,
-            raised: 100.0,
-            raises: 4,
-            light: 1e-13,
-            steps_per_unknown: 10,
-            step_resolved: 1e-14,
-            dependent: 1e-25,
-            rounding: 1e-9,
-        }
-    }
-}
+const EQUALITY: EqualitySettings = EqualitySettings {
+    dependent: 1e-11,
+    consistent: 1e-8,
+    light_pin: 1e-6,
+    level_is_free: 1e-10,
+    fixes_level: 1e-6,
+};
+
+const ACTIVE_SET: ActiveSetSettings = ActiveSetSettings {
+    rounds: 60,
+    steps_per_unknown: 60,
+    rows: 1000,
+    active: 400,
+    resolved: 1e-12,
+    resolved_at_last: 1e-7,
+    progress: 0.9,
+    patience: 4,
+    dependent: 1e-13,
+    coincident: 1e-5,
+    refinements: 8,
+    pin_moves: 12,
+    pin_settled: 1e-9,
+};
+
+const PROXIMAL: ProximalSettings = ProximalSettings {
+    nearness: 1e-2,
+    least_nearness: 1e-9,
+    fall: 0.2,
+    heavier: 100.0,
+    kept: 0.3,
+    proved: 0.3,
+    compared: 1e-4,
+    rounds: 150,
+    accepted: 1e3,
+    patience: 25,
+};
+
+const EXCHANGE: ExchangeSettings = ExchangeSettings {
+    rounds: 60,
+    refinements: 3,
+    stalled: 0.5,
+    margin_growth: 2.0,
+    largest_margin: 1e-6,
+    cone_margin: 1e-7,
+    coincident: 1e-4,
+    solver_tolerance: 1e-9,
+    solver_iterations: 200,
+};
+
+const CERTIFICATE: CertificateSettings = CertificateSettings {
+    least_objective: 1e-6,
+    small: 1e-9,
+    dependent: 1e-20,
+};
+
+const RMS: RmsSettings = RmsSettings {
+    step: 3.0,
+    steps: 6,
+    near_step: 0.5,
+    near_steps: 3,
+    coincident: 0.02,
+    weights: 40,
+    same_weight: 1e-11,
+    gap: 1e-10,
+};
+
+const REFINEMENT: RefinementSettings = RefinementSettings {
+    gap: 1e-7,
+    stationarity: 3e-7,
+    finest_tolerance: TOLERANCE,
+    band_steps: 5,
+    steps: 12,
+    solves: 40,
+    patience: 4,
+    clean: 1e-8,
+    proved: 1e-6,
+    from: 1e-3,
+    divergence: 30.0,
+    below: 0.05,
+    flat: 1e-6,
+    same: 1e-7,
+    weakest: 1e-6,
+    negative_multiplier: 1e-9,
+    rows_per_unknown: 24,
+    joins: 8,
+    resolved: 1e-10,
+    apart: 0.25,
+    largest: 500,
+    held: 1e-9,
+    raised: 100.0,
+    raises: 4,
+    light: 1e-13,
+    steps_per_unknown: 10,
+    step_resolved: 1e-14,
+    dependent: 1e-25,
+    rounding: 1e-9,
+};

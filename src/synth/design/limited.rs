@@ -2,6 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
+use super::named::key_of;
 use super::reason::{Reason, sentences};
 use crate::cam::{Criterion, Measures, Unit};
 use crate::error::SynthError;
@@ -238,4 +239,16 @@ pub struct Relaxation {
     pub from: f64,
     /// The value that works, SI; `None` when no value of this limit alone helps.
     pub to: Option<f64>,
+}
+
+impl Relaxation {
+    pub(in crate::synth) fn of(limit: Criterion, from: f64, to: Option<f64>) -> Relaxation {
+        let key = key_of(limit);
+        Relaxation {
+            limit,
+            key,
+            from,
+            to,
+        }
+    }
 }

@@ -21,29 +21,24 @@ pub enum Simpler {
     Missed(Vec<PassedOver>),
 }
 
-/// A family simpler than the spline.
-#[derive(Clone, Copy)]
-enum Candidate {
-    /// The harmonics in closed form: where every limit and the accuracy hold with them they are the optimum (theory §1).
-    Inverse,
-    /// One double harmonic.
-    DoubleHarmonic,
-    /// A few harmonics.
-    Harmonic,
-}
+/// What a family simpler than the spline is called on the ladder, and how its law is found.
+type Candidate = (&'static str, fn(&Problem, &Search) -> Attempt);
+/// A law, or what it misses, where that is worth telling.
+type Attempt = Result<SolvedLaw, Option<PassedOver>>;
 
+/// The harmonics in closed form: where every limit and the accuracy hold with them they are the optimum (theory §1).
+const INVERSE: Candidate = ("the inverse by harmonics", inverse);
 /// The first of the simpler families whose cam passes every check.
 pub fn simpler(problem: &Problem, search: &Search) -> Result<Simpler, NoLaw> {
     let mut passed_over = Vec::new();
-    for &candidate in candidates(problem, search) {
-        let mut law = match attempt(candidate, problem, search) {
+    for (family, attempt) in candidates(problem, search) {
+        let mut law = match attempt(problem, search) {
             Ok(law) => law,
             Err(miss) => {
                 passed_over.extend(miss);
                 continue;
             }
         };
-        let family = candidate.name();
         let checked = checked_cam(problem, search, &law.law, None)?;
         // Without a required accuracy the usual one applies.
         let excess = checked.force.rms_error_n - problem.wanted_error();
@@ -68,68 +63,53 @@ pub fn simpler(problem: &Problem, search: &Search) -> Result<Simpler, NoLaw> {
 }
 
 /// The families that the problem may have. Only a spline meets demands and other objectives.
-fn candidates(problem: &Problem, search: &Search) -> &'static [Candidate] {
+fn candidates(problem: &Problem, search: &Search) -> Vec<Candidate> {
     let law = &problem.law;
+    let is_ladder = law.family == Family::Ladder;
+    let unsuited = if is_ladder {
+        problem.is_weighed() || law.monotone || law.polydyne
+    } else {
+        // Only the spline can decide feasibility: where nothing else is of use, simpler families are skipped.
+        search.only_passing
+    };
     let only_spline = problem.target.is_none()
         || problem.has_demands()
         || problem.objective() != Minimise::ForceError;
-    if law.family == Family::Ladder {
-        let only_spline = only_spline || problem.is_weighed() || law.monotone || law.polydyne;
-        return if only_spline {
-            &[]
-        } else {
-            &[Candidate::Inverse]
-        };
+    if only_spline || unsuited {
+        return Vec::new();
     }
-    // Only the spline can decide feasibility: where nothing else is of use, simpler families are skipped.
-    if only_spline || search.only_passing {
-        &[]
-    } else {
-        &[Candidate::DoubleHarmonic, Candidate::Harmonic]
+    if is_ladder {
+        return vec![INVERSE];
     }
+    vec![
+        (Family::DoubleHarmonic.name(), double_harmonic),
+        (Family::Harmonic.name(), harmonic),
+    ]
 }
 
-impl Candidate {
-    /// The family as the ladder names it.
-    fn name(self) -> &'static str {
-        match self {
-            Candidate::Inverse => "the inverse by harmonics",
-            Candidate::DoubleHarmonic => Family::DoubleHarmonic.name(),
-            Candidate::Harmonic => Family::Harmonic.name(),
-        }
+fn inverse(problem: &Problem, _: &Search) -> Attempt {
+    let (family, wanted) = (INVERSE.0, problem.wanted_error());
+    // In resonance a spline may still have a law: it distributes the force of the missing harmonic.
+    let (law, left_over) = inverted(problem, None, wanted).map_err(|fault| {
+        let fault = fault.to_string();
+        PassedOver::Fault { family, fault }
+    })?;
+    let excess = Quantity::force(left_over - wanted);
+    if left_over > wanted {
+        return Err(Some(PassedOver::Accuracy { family, excess }));
     }
+    Ok(law)
 }
 
-/// The law of a candidate, or what it misses, where that is worth telling.
-fn attempt(
-    candidate: Candidate,
-    problem: &Problem,
-    search: &Search,
-) -> Result<SolvedLaw, Option<PassedOver>> {
-    let family = candidate.name();
-    let law = match candidate {
-        Candidate::DoubleHarmonic => double_harmonic_law(problem).map_err(NoLaw::Fault),
-        Candidate::Inverse => {
-            let wanted = problem.wanted_error();
-            // In resonance a spline may still have a law: it distributes the force of the missing harmonic.
-            return match inverted(problem, None, wanted) {
-                Ok((_, left_over)) if left_over > wanted => Err(Some(PassedOver::Accuracy {
-                    family,
-                    excess: Quantity::force(left_over - wanted),
-                })),
-                Ok((law, _)) => Ok(law),
-                Err(fault) => Err(Some(PassedOver::Fault {
-                    family,
-                    fault: fault.to_string(),
-                })),
-            };
-        }
-        Candidate::Harmonic => harmonic_law(problem, search),
-    };
-    law.map_err(|no_law| match no_law {
+fn double_harmonic(problem: &Problem, _: &Search) -> Attempt {
+    double_harmonic_law(problem).map_err(|_| None)
+}
+
+fn harmonic(problem: &Problem, search: &Search) -> Attempt {
+    harmonic_law(problem, search).map_err(|no_law| match no_law {
         NoLaw::Fault(_) => None,
         NoLaw::Refused(refusal) => Some(PassedOver::Limits {
-            family,
+            family: Family::Harmonic.name(),
             limits: explain(problem, &refusal).conflict,
         }),
     })

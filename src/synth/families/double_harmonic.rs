@@ -16,28 +16,13 @@ use crate::drive::Drive;
 use crate::error::{Placed, Result, SynthError};
 use crate::law::{Extent, Law, Rise, Segment, assemble};
 use crate::poly::gauss_legendre;
-use crate::problem::{Problem, Target};
+use crate::problem::Problem;
 use crate::scene::{Family, LimitKind};
 use crate::synth::design::method::Method;
 use crate::synth::design::parameters::Functions;
 use crate::synth::design::proof::Doubt;
 use crate::synth::design::{SolverReport, Tier};
 use crate::units::Quantity;
-
-/// A placed hump.
-#[derive(Debug, Clone)]
-struct Hump {
-    /// The law, its lowest point at zero.
-    pub law: Law,
-    /// Start of the rise, angle of the rise, angle of the fall, rad.
-    pub angles: [f64; 3],
-    /// Lift, m.
-    pub lift: f64,
-    /// RMS distance of the force to the target, N.
-    pub rms: f64,
-    /// Evaluations of the search.
-    pub evaluations: usize,
-}
 
 /// Rise and fall last at least this long, rad: shorter ones are blows.
 const SHORTEST: f64 = 0.2;
@@ -46,104 +31,54 @@ const ITERATIONS: u64 = 150;
 /// Nodes at which the force is compared.
 const NODES: usize = 256;
 
-/// The problem's double harmonic with how it was found.
-pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
-    let target = problem.target.as_ref().ok_or_else(no_force)?;
-    let hump = fit(target, &problem.drive, problem.limits[LimitKind::Stroke])?;
-    let [from, rise, fall] = hump.angles.map(Quantity::angle);
-    let method = Method::Search {
-        rise,
-        from,
-        fall,
-        steps: hump.evaluations,
-        error: Quantity::force(hump.rms),
-    };
-    let [start, rise, fall] = hump.angles;
-    let solver = SolverReport {
-        certified: false,
-        doubt: Some(Doubt::Local),
-        ..SolverReport::of(Tier::Equality, method, hump.evaluations)
-    };
-    Ok(SolvedLaw {
-        law: hump.law,
-        family: Family::DoubleHarmonic,
-        degree: 0,
-        functions: Functions::DoubleHarmonic,
-        coefficients: vec![hump.lift, start, rise, fall],
-        binding: Vec::new(),
-        easing: Vec::new(),
-        solver,
-    })
-}
-
-/// The best hump for a force, its lift no larger than `stroke`.
+/// The problem's double harmonic with how it was found, its lift no larger than the stroke allowed.
 ///
 /// # Errors
-/// Where the search finds no lift that changes it.
-fn fit(target: &Target, drive: &Drive, stroke: Option<f64>) -> Result<Hump> {
-    let rest = drive.rest_force;
+/// Where the search finds no lift that changes the force.
+pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
+    let target = problem.target.as_ref().ok_or_else(no_force)?;
+    let rest = problem.drive.rest_force;
     let nodes: Vec<(f64, f64, f64)> = gauss_legendre(NODES)
         .into_iter()
         .map(|(u, w)| (TAU * u, w, target.cells().at(TAU * u) - rest))
         .collect();
     let search = Search {
-        drive,
+        drive: &problem.drive,
         nodes: &nodes,
-        stroke,
+        stroke: problem.limits[LimitKind::Stroke],
     };
-    let mut best: Option<(f64, [f64; 3])> = None;
-    let mut evaluations = 0;
-    // Starts: four phases, a short and a long hump.
-    for start in 0..4 {
-        for angle in [0.75 * PI, 0.95 * PI] {
-            let phase = start as f64 * 0.5 * PI;
-            let simplex = [
-                [phase, angle, angle],
-                [phase + 0.4, angle, angle],
-                [phase, angle - 0.4, angle],
-                [phase, angle, angle - 0.4],
-            ];
-            let simplex = simplex.map(Angles).to_vec();
-            let solver = NelderMead::new(simplex)
-                .with_sd_tolerance(1e-12)
-                .map_err(|e| SynthError::SearchFailed {
-                    fault: e.to_string(),
-                })?;
-            let done = Executor::new(search, solver)
-                .configure(|state| state.max_iters(ITERATIONS))
-                .run()
-                .map_err(|e| SynthError::SearchFailed {
-                    fault: e.to_string(),
-                })?;
-            evaluations += done.state().get_iter() as usize;
-            let cost = done.state().get_best_cost();
-            if let Some(p) = done.state().get_best_param()
-                && best.is_none_or(|b| cost < b.0)
-            {
-                best = Some((cost, p.0));
-            }
-        }
-    }
-    let (cost, raw) = best.ok_or_else(|| SynthError::NoDoubleHarmonic)?;
-    let angles = admissible(raw);
+    let (square, angles, steps) = search.best()?;
     let shape = shape(angles)?;
     let lift = search.lift(&shape);
     if lift == 0.0 {
         return Err(SynthError::DoubleHarmonicUseless.at_key("law.family"));
     }
-    let law = shape.scaled(lift);
-    let lowest = law.extremes(0).0.value;
-    let law = if drive.spring_rate == 0.0 {
-        law.raised(-lowest)
-    } else {
-        law
+    let mut law = shape.scaled(lift);
+    if problem.drive.spring_rate == 0.0 {
+        law = law.raised(-law.extremes(0).0.value);
+    }
+    let [from, rise, fall] = angles.map(Quantity::angle);
+    let method = Method::Search {
+        rise,
+        from,
+        fall,
+        steps,
+        error: Quantity::force(square.sqrt()),
     };
-    Ok(Hump {
+    let [start, rise, fall] = angles;
+    Ok(SolvedLaw {
         law,
-        angles,
-        lift,
-        rms: cost.sqrt(),
-        evaluations,
+        family: Family::DoubleHarmonic,
+        degree: 0,
+        functions: Functions::DoubleHarmonic,
+        coefficients: vec![lift, start, rise, fall],
+        binding: Vec::new(),
+        easing: Vec::new(),
+        solver: SolverReport {
+            certified: false,
+            doubt: Some(Doubt::Local),
+            ..SolverReport::of(Tier::Equality, method, steps)
+        },
     })
 }
 
@@ -177,6 +112,41 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
+    /// Mean square distance of the force, N², of the best hump; its start, rise and fall, rad; evaluations.
+    fn best(self) -> Result<(f64, [f64; 3], usize)> {
+        let failed = |e: argmin::core::Error| SynthError::SearchFailed {
+            fault: e.to_string(),
+        };
+        let mut best: Option<(f64, [f64; 3])> = None;
+        let mut evaluations = 0;
+        // Starts: four phases, a short and a long hump.
+        for start in 0..4 {
+            for angle in [0.75 * PI, 0.95 * PI] {
+                let phase = start as f64 * 0.5 * PI;
+                let simplex = [
+                    [phase, angle, angle],
+                    [phase + 0.4, angle, angle],
+                    [phase, angle - 0.4, angle],
+                    [phase, angle, angle - 0.4],
+                ];
+                let solver = NelderMead::new(simplex.map(Angles).to_vec());
+                let solver = solver.with_sd_tolerance(1e-12).map_err(failed)?;
+                let search = Executor::new(self, solver);
+                let search = search.configure(|state| state.max_iters(ITERATIONS));
+                let done = search.run().map_err(failed)?;
+                evaluations += done.state().get_iter() as usize;
+                let cost = done.state().get_best_cost();
+                if let Some(p) = done.state().get_best_param()
+                    && best.is_none_or(|b| cost < b.0)
+                {
+                    best = Some((cost, p.0));
+                }
+            }
+        }
+        let (cost, raw) = best.ok_or(SynthError::NoDoubleHarmonic)?;
+        Ok((cost, admissible(raw), evaluations))
+    }
+
     /// The lift that brings h·(force of the unit shape) nearest to the target.
     fn lift(&self, shape: &Law) -> f64 {
         let (mut product, mut square) = (0.0, 0.0);

@@ -13,77 +13,22 @@ use crate::synth::design::parameters::Functions;
 use crate::synth::design::{SolverReport, Tier};
 use crate::units::Quantity;
 
-/// The problem's polynomial with how it was found.
+/// Lifts of neighbouring dwells may differ by this part of the typical lift.
+const SAME_LIFT: f64 = 1e-9;
+
+/// The problem's polynomial with how it was found; its monomial coefficients in (θ − θ₀)/β are for output only.
 ///
 /// # Errors
 /// The conditions do not fix a polynomial of the degree asked for, a force is given that lift alone does not
 /// decide, or the ends cannot be joined by a dwell.
 pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
-    let p = through_points(problem)?;
-    let solver = SolverReport::of(Tier::Equality, Method::Interpolation, 0);
-    Ok(SolvedLaw {
-        law: p.law,
-        family: Family::Polynomial,
-        degree: p.degree,
-        functions: Functions::Monomial { range: p.range },
-        coefficients: p.monomials,
-        binding: Vec::new(),
-        easing: Vec::new(),
-        solver,
-    })
-}
-
-/// The polynomial with its monomial coefficients in (θ − θ₀)/β, which are for output only.
-struct Polynomial {
-    /// The law over the whole turn.
-    pub law: Law,
-    /// Degree of the polynomial.
-    pub degree: usize,
-    /// Where it moves, rad.
-    pub range: [f64; 2],
-    /// Monomial coefficients, m.
-    pub monomials: Vec<f64>,
-}
-
-/// Lifts of neighbouring dwells may differ by this part of the typical lift.
-const SAME_LIFT: f64 = 1e-9;
-
-/// Interpolates the scene's points.
-fn through_points(problem: &Problem) -> Result<Polynomial> {
     let conditions = conditions(problem)?;
-    let angles = problem.law.points.iter().map(|p| p.angle);
-    let start = angles.clone().fold(f64::INFINITY, f64::min);
-    let end = angles.fold(f64::NEG_INFINITY, f64::max);
-    if !(start >= -1e-9 && end <= TAU + 1e-9 && end > start) {
-        return Err(SynthError::NoRange {
-            start: Quantity::angle(start),
-            end: Quantity::angle(end),
-        }
-        .at_key("law.point"));
-    }
-    let (start, end) = (start.max(0.0), end.min(TAU));
+    let [start, end] = range(problem)?;
     let fixed = conditions.len() - 1;
     if let Some(degree) = problem.law.degree.filter(|d| *d != fixed) {
-        let conditions = fixed + 1;
-        let fault = if degree < fixed {
-            SynthError::DegreeTooLow {
-                conditions,
-                fixed,
-                degree,
-                excess: fixed - degree,
-            }
-        } else {
-            SynthError::DegreeTooHigh {
-                conditions,
-                fixed,
-                degree,
-                missing: degree - fixed,
-            }
-        };
-        return Err(fault.at_key("law.degree"));
+        return Err(wrong_degree(fixed, degree).at_key("law.degree"));
     }
-    let poly = hermite_birkhoff(&conditions, start, end)
-        .map_err(|e| e.at(crate::error::Place::Key("law.point".to_string())))?;
+    let poly = hermite_birkhoff(&conditions, start, end).map_err(|e| e.at_key("law.point"))?;
     let piece = poly.piece(0).to_vec();
     let (first, last) = (piece[0], piece[fixed]);
     if (first - last).abs() > SAME_LIFT * problem.length {
@@ -104,13 +49,53 @@ fn through_points(problem: &Problem) -> Result<Polynomial> {
         breaks.push(TAU);
         coef.extend(vec![last; fixed + 1]);
     }
-    let law = Law::from_poly(PiecewisePoly::new(breaks, fixed, coef), true);
-    Ok(Polynomial {
-        law,
+    Ok(SolvedLaw {
+        law: Law::from_poly(PiecewisePoly::new(breaks, fixed, coef), true),
+        family: Family::Polynomial,
         degree: fixed,
-        range: [start, end],
-        monomials: bernstein::to_power(&piece),
+        functions: Functions::Monomial {
+            range: [start, end],
+        },
+        coefficients: bernstein::to_power(&piece),
+        binding: Vec::new(),
+        easing: Vec::new(),
+        solver: SolverReport::of(Tier::Equality, Method::Interpolation, 0),
     })
+}
+
+/// Where the polynomial moves: from the first point to the last, rad.
+fn range(problem: &Problem) -> Result<[f64; 2]> {
+    let angles = problem.law.points.iter().map(|p| p.angle);
+    let start = angles.clone().fold(f64::INFINITY, f64::min);
+    let end = angles.fold(f64::NEG_INFINITY, f64::max);
+    if !(start >= -1e-9 && end <= TAU + 1e-9 && end > start) {
+        return Err(SynthError::NoRange {
+            start: Quantity::angle(start),
+            end: Quantity::angle(end),
+        }
+        .at_key("law.point"));
+    }
+    Ok([start.max(0.0), end.min(TAU)])
+}
+
+/// The conditions fix another degree than the one asked for.
+fn wrong_degree(fixed: usize, degree: usize) -> SynthError {
+    let conditions = fixed + 1;
+    if degree < fixed {
+        SynthError::DegreeTooLow {
+            conditions,
+            fixed,
+            degree,
+            excess: fixed - degree,
+        }
+    } else {
+        SynthError::DegreeTooHigh {
+            conditions,
+            fixed,
+            degree,
+            missing: degree - fixed,
+        }
+    }
 }
 
 fn conditions(problem: &Problem) -> Result<Vec<Condition>> {

@@ -4,7 +4,6 @@
 use super::reasons::{conflicting, smallest_relaxations};
 use crate::cam::{Criterion, LimitKind, Measures};
 use crate::problem::{Problem, Size};
-use crate::synth::design::named::key_of;
 use crate::synth::design::reason::Reason;
 use crate::synth::design::{Conflicting, Infeasible, Relaxation};
 use crate::synth::families::easing;
@@ -168,38 +167,21 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
         return None;
     }
     let smaller = bore - 2.0 * (least - limit);
+    let conflict = [Criterion::Bore, LimitKind::PrimeRadius.into()];
     let relaxations = vec![
-        Relaxation {
-            limit: Criterion::Bore,
-            key: key_of(Criterion::Bore),
-            from: bore,
-            to: (smaller > 0.0).then_some(smaller),
-        },
-        Relaxation {
-            limit: LimitKind::PrimeRadius.into(),
-            key: key_of(LimitKind::PrimeRadius.into()),
-            from: limit,
-            to: Some(least),
-        },
+        Relaxation::of(conflict[0], bore, (smaller > 0.0).then_some(smaller)),
+        Relaxation::of(conflict[1], limit, Some(least)),
     ];
-    Some(in_conflict(
-        &[Criterion::Bore, LimitKind::PrimeRadius.into()],
-        relaxations,
-        problem.cam.measures(),
-    ))
+    Some(in_conflict(&conflict, relaxations, problem.cam.measures()))
 }
 
 /// The smallest force error under the other limits, as an accuracy; `None` for another limit.
 fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
     let limit = program.rms.as_ref().filter(|l| l.name == name)?;
     let best = program.of_least_rms()?.solve().ok();
-    let to = best.filter(|s| s.violation <= BROKEN);
-    Some(Relaxation {
-        limit: name,
-        key: key_of(name),
-        from: limit.meaning.value(limit.most)?,
-        to: to.and_then(|s| limit.meaning.value(limit.half.root(&s.x))),
-    })
+    let best = best.filter(|s| s.violation <= BROKEN);
+    let to = best.and_then(|s| limit.meaning.value(limit.half.root(&s.x)));
+    Some(Relaxation::of(name, limit.meaning.value(limit.most)?, to))
 }
 
 /// The smallest bound of one limit that lets the others hold: the same program with that bound minimised.
@@ -223,11 +205,5 @@ fn elastic(program: &Program, name: Criterion) -> Option<Relaxation> {
         .ok()
         .filter(|s| s.violation <= BROKEN)
         .and_then(|s| first.meaning.value(s.extra[PEAK]));
-    let limit = easing::key(&first);
-    Some(Relaxation {
-        limit,
-        key: key_of(limit),
-        from,
-        to,
-    })
+    Some(Relaxation::of(easing::key(&first), from, to))
 }

@@ -99,6 +99,11 @@ impl Relaxable {
         }
     }
 
+    /// The value weaker by this part of it, rounded.
+    pub fn with_room(self, value: f64, room: f64) -> f64 {
+        self.rounded(value + room * value.abs() * self.sign())
+    }
+
     /// The value rounded to the steps of the report, towards the weaker limit.
     pub fn rounded(self, value: f64) -> f64 {
         let step = match self.key.range {

@@ -23,12 +23,9 @@ use crate::units::Quantity;
 /// The value is found to this part of it; costly designs to `COARSE`.
 const FINE: f64 = 2e-5;
 const COARSE: f64 = 1e-3;
-/// Part by which a value from the convex program is enlarged for a design to pass with it …
-const ROOM: f64 = 1e-3;
-/// … and smaller ones, tried first to last where it does.
-const LESS_ROOM: [f64; 2] = [0.0, 1e-4];
-/// … and a value from the search.
-const EDGES: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
+/// Parts by which a value is enlarged for a design to pass with it, tried in turn: at its own edge one may fail. A value
+/// from the convex program is right to the third of them.
+const ROOMS: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
 /// A change by more than this factor, or by this share, makes another scene.
 const FAR: f64 = 10.0;
 /// The share that is tried first.
@@ -74,84 +71,33 @@ fn with_relaxations(problem: &Problem, search: &Search, mut design: Design) -> D
     if numbers.is_empty() {
         return design;
     }
-    let known: Vec<Relaxation> = design
-        .infeasible
-        .as_ref()
-        .map_or_else(Vec::new, |i| i.relaxations.clone());
-    let relaxing = Relaxing {
-        problem,
-        search,
-        force: design
-            .force
-            .target_mean_n
-            .abs()
-            .max(design.drive.rest_force.abs()),
-        precision: match design.solver.tier {
-            Tier::Spectral | Tier::Equality => FINE,
-            _ => COARSE,
-        },
-    };
-    let relaxation = |&(number, from): &(Relaxable, f64), halt: &Halt| {
-        if halt.is_asked() {
-            return None;
-        }
-        let hint = known
-            .iter()
-            .find(|r| r.limit == number.criterion())
-            .and_then(|r| r.to);
-        let search = search.ended_by(halt);
-        let relaxing = Relaxing {
-            search: &search,
-            ..relaxing
-        };
-        let to = match relaxing.own_accuracy(number, &design) {
-            Some(own) => own,
-            None => relaxing.smallest(number, from, hint),
-        };
-        to.map(|to| told(number, from, to))
-    };
-    let tried = beside(&numbers, &search.halt, relaxation);
-    let found: Vec<Relaxation> = tried.into_iter().flatten().collect();
-    let measures = problem.cam.measures();
+    let relaxing = Relaxing::of(problem, search, &design);
+    let found = relaxing.each(&numbers, &design);
     let (cures, together) = if found.is_empty() && !search.halt.is_asked() {
         relaxing.several(&numbers, &design.reasons)
     } else {
-        let far = found.iter().all(|r| relaxing.is_far(r)) && !found.is_empty();
-        let cure = if far {
-            Reason::FarRelaxations {
-                changes: changes(&found, measures),
-            }
-        } else {
-            smallest_relaxations(&found, measures)
-        };
-        (vec![cure], Vec::new())
+        (vec![relaxing.cure(&found)], Vec::new())
     };
-    match &mut design.infeasible {
-        Some(infeasible) => {
-            // Members of the conflict whose change does not help are listed without a value.
-            let helpless = known.iter().filter(|k| {
-                !found.iter().any(|f| f.limit == k.limit)
-                    && infeasible.conflict.contains(&Conflicting::Limit(k.limit))
-            });
-            let helpless: Vec<Relaxation> = helpless
-                .map(|k| Relaxation {
-                    to: None,
-                    ..k.clone()
-                })
-                .collect();
-            infeasible.reasons.truncate(1);
-            infeasible.reasons.extend(cures);
-            infeasible.relaxations = [found.clone(), helpless].concat();
-            design.reasons.clone_from(&infeasible.reasons);
-        }
-        None => {
-            // With the size in the relaxation the law changes too: the radius that this law needs does not apply.
-            let resized = (numbers.iter())
-                .any(|(number, _)| number.key.section() == "cam" && is_found(&found, *number));
-            let own = |r: &Reason| matches!(r, Reason::BaseRadiusWorks { .. });
-            design.reasons.retain(|r| !(resized && own(r)));
-            design.reasons.extend(cures);
-        }
+    if let Some(infeasible) = &mut design.infeasible {
+        // Members of the conflict whose change does not help are listed without a value.
+        let mut helpless = std::mem::take(&mut infeasible.relaxations);
+        helpless.retain(|k| {
+            !found.iter().any(|f| f.limit == k.limit)
+                && infeasible.conflict.contains(&Conflicting::Limit(k.limit))
+        });
+        helpless.iter_mut().for_each(|k| k.to = None);
+        infeasible.reasons.truncate(1);
+        infeasible.reasons.extend(cures);
+        infeasible.relaxations = [found.clone(), helpless].concat();
+        design.reasons.clone_from(&infeasible.reasons);
+    } else {
+        // With the size in the relaxation the law changes too: the radius that this law needs does not apply.
+        let is_found = |key: &str| found.iter().any(|f| f.key == key);
+        let resized = (numbers.iter())
+            .any(|(number, _)| number.key.section() == "cam" && is_found(number.key.path));
+        let own = |r: &Reason| matches!(r, Reason::BaseRadiusWorks { .. });
+        design.reasons.retain(|r| !(resized && own(r)));
+        design.reasons.extend(cures);
     }
     design.relaxations = found;
     if search.halt.is_asked() && !design.out_of_time {
@@ -162,29 +108,19 @@ fn with_relaxations(problem: &Problem, search: &Search, mut design: Design) -> D
     design
 }
 
-fn is_found(found: &[Relaxation], number: Relaxable) -> bool {
-    found.iter().any(|f| f.key == number.key.path)
-}
-
 fn passes(design: &Design) -> bool {
     design.verdict != Verdict::Unacceptable
 }
 
+/// Numbers of a problem with values for them.
+type Values = [(Relaxable, f64)];
+
 /// The problem with these values.
-fn changed(problem: &Problem, values: &[(Relaxable, f64)]) -> Problem {
+fn changed(problem: &Problem, values: &Values) -> Problem {
     let start = problem.clone();
     (values.iter()).fold(start, |problem, (number, value)| {
         number.with(&problem, *value)
     })
-}
-
-fn told(number: Relaxable, from: f64, to: f64) -> Relaxation {
-    Relaxation {
-        limit: number.criterion(),
-        key: number.key.path,
-        from,
-        to: Some(to),
-    }
 }
 
 /// The whole design, where it passes.
@@ -203,7 +139,51 @@ struct Relaxing<'a> {
     precision: f64,
 }
 
-impl Relaxing<'_> {
+impl<'a> Relaxing<'a> {
+    fn of(problem: &'a Problem, search: &'a Search, design: &Design) -> Self {
+        let (mean, rest) = (design.force.target_mean_n, design.drive.rest_force);
+        Relaxing {
+            problem,
+            search,
+            force: mean.abs().max(rest.abs()),
+            precision: match design.solver.tier {
+                Tier::Spectral | Tier::Equality => FINE,
+                _ => COARSE,
+            },
+        }
+    }
+
+    /// The smallest change of each number that is sufficient alone.
+    fn each(&self, numbers: &Values, design: &Design) -> Vec<Relaxation> {
+        let known = || design.infeasible.iter().flat_map(|i| &i.relaxations);
+        let relaxation = |&(number, from): &(Relaxable, f64), halt: &Halt| {
+            if halt.is_asked() {
+                return None;
+            }
+            let hint = known().find(|r| r.limit == number.criterion());
+            let hint = hint.and_then(|r| r.to);
+            let relaxing = Relaxing {
+                search: &self.search.ended_by(halt),
+                ..*self
+            };
+            let own = relaxing.own_accuracy(number, design);
+            let to = own.unwrap_or_else(|| relaxing.smallest(number, from, hint));
+            Some(Relaxation::of(number.criterion(), from, Some(to?)))
+        };
+        let tried = beside(numbers, &self.search.halt, relaxation);
+        tried.into_iter().flatten().collect()
+    }
+
+    /// What would help, where a change of one of these is enough.
+    fn cure(&self, found: &[Relaxation]) -> Reason {
+        let measures = self.problem.cam.measures();
+        if !found.is_empty() && found.iter().all(|r| self.is_far(r)) {
+            let changes = changes(found, measures);
+            return Reason::FarRelaxations { changes };
+        }
+        smallest_relaxations(found, measures)
+    }
+
     /// The design with one value changed, where it passes.
     fn tried(&self, number: Relaxable, value: f64) -> Option<Design> {
         passing(&number.with(self.problem, value), self.search)
@@ -211,12 +191,12 @@ impl Relaxing<'_> {
 
     /// The value of the convex program, or a little more, where the design passes with it and not with less.
     fn near(&self, number: Relaxable, hint: f64) -> Option<f64> {
-        let eased = |room: f64| number.rounded(hint + room * hint.abs() * number.sign());
         // Next to the edge of what exists a program is hard to solve: where a little room does not help, nothing does.
-        let weakest = eased(ROOM);
+        let [none, less, most, _] = ROOMS;
+        let weakest = number.with_room(hint, most);
         self.tried(number, weakest)?;
-        for room in LESS_ROOM {
-            let to = eased(room);
+        for room in [none, less] {
+            let to = number.with_room(hint, room);
             if self.tried(number, to).is_none() {
                 continue;
             }
@@ -234,22 +214,19 @@ impl Relaxing<'_> {
         let free = number.away(from, self.force);
         let design = self.tried(number, free)?;
         // What the unlimited design needs is sufficient, and often the answer.
-        let needed = design
-            .checks
-            .iter()
+        let unit = if number.is_accuracy() {
+            self.force_mean()
+        } else {
+            1.0
+        };
+        let checks = design.checks.iter();
+        let needed = checks
             .filter(|c| number.is_measured_by(c.name))
-            .map(|c| {
-                if number.is_accuracy() {
-                    c.worst / self.force_mean()
-                } else {
-                    c.worst
-                }
-            })
+            .map(|c| c.worst / unit)
             .reduce(|a, b| if number.grows() { a.max(b) } else { a.min(b) });
         let (mut works, mut fails) = (free, from);
-        // At its own edge a design may fail that passes with a little room.
-        for (needed, room) in needed.iter().flat_map(|n| EDGES.map(|room| (n, room))) {
-            let value = number.rounded(needed + room * needed.abs() * number.sign());
+        for (needed, room) in needed.iter().flat_map(|n| ROOMS.map(|room| (n, room))) {
+            let value = number.with_room(*needed, room);
             if self.tried(number, value).is_some() {
                 works = value;
                 break;
@@ -261,27 +238,37 @@ impl Relaxing<'_> {
             fails = least;
         }
         let size = from.abs().max(1e-3 * works.abs());
-        while !self.search.halt.is_asked()
-            && (works - fails).abs() > self.precision * works.abs().max(size)
-        {
+        let precise = |works: f64| self.precision * works.abs().max(size);
+        let holds = |value: f64| self.tried(number, value).is_some();
+        let works = self.bisected(works, fails, precise, holds);
+        // At the boundary of feasibility a program may fail numerically; a slightly weaker one is solved.
+        let rounded = ROOMS.map(|room| number.with_room(works, room));
+        let passes = |to: &f64| *to == works || self.tried(number, *to).is_some();
+        rounded.into_iter().find(passes)
+    }
+
+    /// Of a range between a value that holds and one that does not, the end that holds once the range is `precise` enough.
+    fn bisected(
+        &self,
+        mut works: f64,
+        mut fails: f64,
+        precise: impl Fn(f64) -> f64,
+        holds: impl Fn(f64) -> bool,
+    ) -> f64 {
+        while !self.search.halt.is_asked() && (works - fails).abs() > precise(works) {
             // Wide intervals are bisected geometrically.
-            let apart = if fails > 0.0 { works / fails } else { 1.0 };
-            let middle = if apart > 4.0 {
+            let middle = if fails > 0.0 && works / fails > 4.0 {
                 (works * fails).sqrt()
             } else {
                 0.5 * (works + fails)
             };
-            if self.tried(number, middle).is_some() {
+            if holds(middle) {
                 works = middle;
             } else {
                 fails = middle;
             }
         }
-        // At the boundary of feasibility a program may fail numerically; a slightly weaker one is solved.
-        EDGES
-            .iter()
-            .map(|room| number.rounded(works + room * works.abs() * number.sign()))
-            .find(|&to| to == works || self.tried(number, to).is_some())
+        works
     }
 
     /// Whether the law is chosen to make it small.
@@ -320,49 +307,82 @@ impl Relaxing<'_> {
 
     /// Whether a relaxation changes the scene beyond recognition.
     fn is_far(&self, relaxation: &Relaxation) -> bool {
-        let Some(to) = relaxation.to else {
-            return false;
-        };
-        let (from, to) = (relaxation.from.abs(), to.abs());
-        from.max(to) > FAR * from.min(to).max(1e-3 * self.force_or(from))
-    }
-
-    fn force_or(&self, other: f64) -> f64 {
-        if other > 0.0 { 0.0 } else { self.force }
+        let from = relaxation.from.abs();
+        let to = relaxation.to.map_or(from, f64::abs);
+        let least = if from > 0.0 { 0.0 } else { 1e-3 * self.force };
+        from.max(to) > FAR * from.min(to).max(least)
     }
 
     /// Reasons and values for changes of several limits, where no single change is sufficient.
-    fn several(
-        &self,
-        numbers: &[(Relaxable, f64)],
-        known: &[Reason],
-    ) -> (Vec<Reason>, Vec<Relaxation>) {
+    fn several(&self, numbers: &Values, known: &[Reason]) -> (Vec<Reason>, Vec<Relaxation>) {
         if let Some((share, all)) = self.together(numbers) {
             let share = Quantity::share(share);
             return (vec![Reason::AllTogether { share }], all);
         }
-        let measures = self.problem.cam.measures();
-        let free: Vec<(Relaxable, f64)> = (numbers.iter())
-            .map(|&(number, from)| (number, number.away(from, self.force)))
-            .collect();
-        let without = changed(self.problem, &free);
-        match crate::synth::design(&without, self.search) {
+        let away = |&(number, from): &(Relaxable, f64)| (number, number.away(from, self.force));
+        let free: Vec<(Relaxable, f64)> = numbers.iter().map(away).collect();
+        match crate::synth::design(&changed(self.problem, &free), self.search) {
             Ok(design) if !passes(&design) => {
                 let mut reasons = vec![Reason::NotTheLimits];
                 reasons.extend(design.reasons.into_iter().filter(|r| !known.contains(r)));
-                return (reasons, Vec::new());
+                (reasons, Vec::new())
             }
-            Ok(_) => {}
-            Err(_) => return (vec![Reason::NoRelaxation], Vec::new()),
+            Ok(_) => self.with_those_out_of_reach(numbers, &free),
+            Err(_) => (vec![Reason::NoRelaxation], Vec::new()),
         }
-        // Limits that cannot hold even without the others.
-        let out_of_reach = |&(number, from): &(Relaxable, f64), halt: &Halt| {
+    }
+
+    /// The same where some limits cannot hold even without the others: these, or all, relaxed together from there.
+    fn with_those_out_of_reach(
+        &self,
+        numbers: &Values,
+        free: &Values,
+    ) -> (Vec<Reason>, Vec<Relaxation>) {
+        let alone = self.out_of_reach(numbers, free);
+        if alone.is_empty() {
+            return (vec![Reason::NoRelaxation], Vec::new());
+        }
+        // Each at its own boundary, they may conflict with each other or with the other limits.
+        let reached = changed(self.problem, &alone);
+        let relaxing = Relaxing {
+            problem: &reached,
+            ..*self
+        };
+        let moved = |&(number, from): &(Relaxable, f64)| {
+            let value = alone.iter().find(|a| a.0 == number);
+            (number, value.map_or(from, |a| a.1))
+        };
+        let all: Vec<(Relaxable, f64)> = numbers.iter().map(moved).collect();
+        let both = relaxing.together(&alone);
+        let eased = both.or_else(|| relaxing.together(&all));
+        let helps = eased.is_some();
+        let own =
+            |&(number, to): &(Relaxable, f64)| Relaxation::of(number.criterion(), to, Some(to));
+        let mut values = match eased {
+            Some((_, values)) => values,
+            None => alone.iter().map(own).collect(),
+        };
+        for value in &mut values {
+            let written = numbers.iter().find(|n| n.0.criterion() == value.limit);
+            value.from = written.map_or(value.from, |n| n.1);
+        }
+        let changes = changes(&values, self.problem.cam.measures());
+        if helps {
+            (vec![Reason::FarTogether { changes }], values)
+        } else {
+            (vec![Reason::OutOfReach { changes }], Vec::new())
+        }
+    }
+
+    /// Limits that cannot hold even where the others are `free`, with the values at which they do.
+    fn out_of_reach(&self, numbers: &Values, free: &Values) -> Vec<(Relaxable, f64)> {
+        let least = |&(number, from): &(Relaxable, f64), halt: &Halt| {
             let own = |&(other, far): &(Relaxable, f64)| {
                 let value = if other == number { from } else { far };
                 (other, value)
             };
-            let others: Vec<(Relaxable, f64)> = free.iter().map(own).collect();
-            let alone = changed(self.problem, &others);
+            let values: Vec<(Relaxable, f64)> = free.iter().map(own).collect();
+            let alone = changed(self.problem, &values);
             let search = self.search.ended_by(halt);
             if halt.is_asked() || passing(&alone, &search).is_some() {
                 return None;
@@ -372,79 +392,30 @@ impl Relaxing<'_> {
                 search: &search,
                 ..*self
             };
-            let to = relaxing.smallest(number, from, None)?;
-            Some((number, from, to))
+            Some((number, relaxing.smallest(number, from, None)?))
         };
-        let tried = beside(numbers, &self.search.halt, out_of_reach);
-        let hopeless: Vec<(Relaxable, f64, f64)> = tried.into_iter().flatten().collect();
-        if hopeless.is_empty() {
-            return (vec![Reason::NoRelaxation], Vec::new());
-        }
-        let out_of_reach: Vec<Relaxation> = (hopeless.iter())
-            .map(|&(number, from, to)| told(number, from, to))
-            .collect();
-        // Each at its own boundary, they may conflict with each other or with the other limits.
-        let alone: Vec<(Relaxable, f64)> = hopeless.iter().map(|h| (h.0, h.2)).collect();
-        let reached = changed(self.problem, &alone);
-        let relaxing = Relaxing {
-            problem: &reached,
-            ..*self
-        };
-        let all: Vec<(Relaxable, f64)> = (numbers.iter())
-            .map(|&(number, from)| {
-                let value = alone.iter().find(|a| a.0 == number).map_or(from, |a| a.1);
-                (number, value)
-            })
-            .collect();
-        let eased = relaxing
-            .together(&alone)
-            .or_else(|| relaxing.together(&all));
-        match eased {
-            Some((_, mut values)) => {
-                for value in &mut values {
-                    let own = numbers.iter().find(|n| n.0.criterion() == value.limit);
-                    value.from = own.map_or(value.from, |n| n.1);
-                }
-                let changes = changes(&values, measures);
-                (vec![Reason::FarTogether { changes }], values)
-            }
-            None => {
-                let changes = changes(&out_of_reach, measures);
-                (vec![Reason::OutOfReach { changes }], Vec::new())
-            }
-        }
+        let tried = beside(numbers, &self.search.halt, least);
+        tried.into_iter().flatten().collect()
     }
 
     /// The smallest share by which all limits can be relaxed together, with the values.
-    fn together(&self, numbers: &[(Relaxable, f64)]) -> Option<(f64, Vec<Relaxation>)> {
-        let eased = |part: f64| -> Vec<(Relaxable, f64)> {
-            let by = |&(k, from): &(Relaxable, f64)| (k, k.eased(from, part, self.force));
+    fn together(&self, numbers: &Values) -> Option<(f64, Vec<Relaxation>)> {
+        let eased = |share: f64| -> Vec<(Relaxable, f64)> {
+            let by = |&(k, from): &(Relaxable, f64)| (k, k.eased(from, share, self.force));
             numbers.iter().map(by).collect()
         };
         let holds =
-            |part: f64| passing(&changed(self.problem, &eased(part)), self.search).is_some();
+            |share: f64| passing(&changed(self.problem, &eased(share)), self.search).is_some();
         if !holds(FAR) {
             return None;
         }
-        let (mut works, mut fails) = (FAR, 0.0);
-        while works - fails > 1e-2 * works && !self.search.halt.is_asked() {
-            // A small share is sought first, then far apart the middle by ratio.
-            let middle = match works / fails {
-                apart if apart.is_infinite() => SMALL,
-                apart if apart > 4.0 => (works * fails).sqrt(),
-                _ => 0.5 * (works + fails),
-            };
-            if works <= SMALL && fails == 0.0 {
-                break;
-            }
-            if holds(middle) {
-                works = middle;
-            } else {
-                fails = middle;
-            }
-        }
-        let all = (eased(works).into_iter().zip(numbers))
-            .map(|((number, to), &(_, from))| told(number, from, to));
-        Some((works, all.collect()))
+        let share = if holds(SMALL) {
+            SMALL
+        } else {
+            self.bisected(FAR, SMALL, |works| 1e-2 * works, holds)
+        };
+        let all = (eased(share).into_iter().zip(numbers))
+            .map(|((number, to), &(_, from))| Relaxation::of(number.criterion(), from, Some(to)));
+        Some((share, all.collect()))
     }
 }

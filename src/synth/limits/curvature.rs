@@ -115,10 +115,7 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let roller = cam.follower.roller_radius();
     if let Some(concave) = curvature.concave.filter(|_| roller > 0.0) {
         // The roller has to fit into the hollow: |ρ_cam| ≥ R_f.
-        let worst = Extreme {
-            at: concave.at,
-            value: -concave.value,
-        };
+        let worst = concave.map(|radius| -radius);
         out.push(Check::at_least(Criterion::Concave, worst, roller, GEOMETRY));
     }
     out
@@ -138,23 +135,9 @@ pub fn interference(cam: &Cam) -> Option<Check> {
         .into_iter()
         .filter(|i| i.body != Body::Arm)
         .max_by(|a, b| a.depth.total_cmp(&b.depth));
-    let worst = deepest.map_or(
-        Extreme {
-            at: cam.law.extent().0,
-            value: 0.0,
-        },
-        |i| Extreme {
-            at: i.at,
-            value: i.depth,
-        },
-    );
+    let (at, value) = deepest.map_or((cam.law.extent().0, 0.0), |i| (i.at, i.depth));
+    let worst = Extreme { at, value };
     let mut check = Check::at_most(Criterion::Interference, worst, tolerance, 0.0);
     check.pass = deepest.is_none();
     Some(check)
-}
-
-/// A wall of a barrel's groove against the smallest convex radius.
-pub fn wall_check(problem: &Problem, name: Criterion, radius: Extreme) -> Check {
-    let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
-    Check::at_least(name, radius, wanted, GEOMETRY)
 }

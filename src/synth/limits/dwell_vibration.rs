@@ -13,7 +13,7 @@ use crate::dynamics::flexible::polydyne::end_error;
 use crate::law::Law;
 use crate::poly::{Extreme, Peak, gauss_legendre};
 use crate::problem::Problem;
-use crate::synth::qp::{Basis, EXTRAS, Entries, Row, TOLERANCE, apply};
+use crate::synth::qp::{Basis, Entries, Row, TOLERANCE, apply};
 
 /// A limit counts as kept within this part of it.
 const SLACK: f64 = 1e-6;
@@ -149,23 +149,11 @@ impl Vibrations {
                 .filter(|e| e.1 != 0.0)
                 .collect();
             debug_assert!((apply(&entries, x) - length).abs() <= 1e-6 * length);
-            out.push(Row {
-                limit: None,
-                name: LimitKind::Residual.into(),
-                peak: Peak {
-                    piece: 0,
-                    u: 0.0,
-                    at: self.rests[k].0,
-                    value: 0.0,
-                },
-                weights: [0.0; 5],
-                entries,
-                touching: Vec::new(),
-                extra: [0.0; EXTRAS],
-                bound: self.limit,
-                scale: 0.0,
-                multiplier: 0.0,
-            });
+            let (name, place) = (
+                LimitKind::Residual.into(),
+                Peak::place(0, 0.0, self.rests[k].0),
+            );
+            out.push(Row::of_no_limit(name, place, entries, self.limit));
         }
         out
     }

@@ -152,10 +152,7 @@ fn on_profile(cam: &Cam, pressure: impl FnOnce() -> Extreme) -> Option<Extreme> 
         return None;
     }
     if convex.value <= GEOMETRY * cam.follower.prime_radius() {
-        return Some(Extreme {
-            at: convex.at,
-            value: f64::INFINITY,
-        });
+        return Some(convex.map(|_| f64::INFINITY));
     }
     Some(pressure())
 }
@@ -253,8 +250,5 @@ fn higher(a: Extreme, b: Extreme) -> Extreme {
 }
 
 fn root(square: Extreme) -> Extreme {
-    Extreme {
-        at: square.at,
-        value: square.value.max(0.0).sqrt(),
-    }
+    square.map(|value| value.max(0.0).sqrt())
 }

@@ -59,16 +59,14 @@ pub fn face_width(problem: &Problem) -> Vec<Limit> {
 }
 
 /// The derivatives by time that are limited.
-fn limited(problem: &Problem) -> Vec<(LimitKind, usize, f64)> {
-    let limits = &problem.limits;
-    [
-        (LimitKind::Velocity, 1, limits[LimitKind::Velocity]),
-        (LimitKind::Acceleration, 2, limits[LimitKind::Acceleration]),
-        (LimitKind::Jerk, 3, limits[LimitKind::Jerk]),
-    ]
-    .into_iter()
-    .filter_map(|(name, order, limit)| Some((name, order, limit?)))
-    .collect()
+fn limited(problem: &Problem) -> impl Iterator<Item = (LimitKind, usize, f64)> {
+    let kinds = [
+        LimitKind::Velocity,
+        LimitKind::Acceleration,
+        LimitKind::Jerk,
+    ];
+    let limited = |(kind, order)| Some((kind, order, problem.limits[kind]?));
+    kinds.into_iter().zip(1..).filter_map(limited)
 }
 
 /// Velocity, acceleration and jerk, both signs.
@@ -90,26 +88,13 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let mut out = Vec::new();
     let (bottom, top) = cam.law.extremes(0);
     if let Some(h) = problem.limits[LimitKind::Stroke] {
-        let stroke = Extreme {
-            at: top.at,
-            value: top.value - bottom.value,
-        };
+        let stroke = top.map(|highest| highest - bottom.value);
         out.push(Check::at_most(LimitKind::Stroke, stroke, h, SLACK));
     }
     for (name, order, limit) in limited(problem) {
-        let (low, high) = cam.derivative_extremes(order);
-        let worst = if high.value >= -low.value {
-            high
-        } else {
-            Extreme {
-                at: low.at,
-                value: -low.value,
-            }
-        };
-        let timed = Extreme {
-            at: worst.at,
-            value: worst.value * problem.drive.speed.powi(order as i32),
-        };
+        let per_time = problem.drive.speed.powi(order as i32);
+        let worst = Extreme::largest(cam.derivative_extremes(order));
+        let timed = worst.map(|value| value * per_time);
         out.push(Check::at_most(name, timed, limit, SLACK));
     }
     out

@@ -33,11 +33,6 @@ pub fn row_with_size(problem: &Problem) -> Option<Limit> {
     Some(limit)
 }
 
-/// Torque that the limit on the power leaves at constant speed, N·m: P/ω (theory §10).
-fn power_as_torque(problem: &Problem) -> Option<f64> {
-    Some(problem.limits[LimitKind::Power]? / problem.drive.speed)
-}
-
 /// The pressure limit under a flat face on a base circle, which counts among the variables where it is 0.
 fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     let (cam, pressure) = (&problem.cam, problem.limits[LimitKind::HertzPressure]?);
@@ -87,7 +82,8 @@ impl Loads {
         let loads = Loads {
             drive: problem.drive,
             torque: limits[LimitKind::Torque],
-            power: power_as_torque(problem),
+            // At constant speed P/ω (theory §10).
+            power: limits[LimitKind::Power].map(|power| power / problem.drive.speed),
             torque_rate: limits[LimitKind::TorqueRate],
             pressure: roller
                 .zip(limits[LimitKind::HertzPressure])
@@ -219,17 +215,18 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
     let torque = || torque_curve(&design.problem.drive, design.pressing, &design.cam.law);
     let mut out = Vec::new();
+    let mut check = |kind: LimitKind, worst: Extreme, limit: f64| {
+        out.push(Check::at_most(kind, worst, limit, SLACK));
+    };
     if let Some(limit) = limits[LimitKind::Torque] {
-        out.push(Check::at_most(
-            LimitKind::Torque,
-            largest(&torque()),
-            limit,
-            SLACK,
-        ));
+        check(LimitKind::Torque, largest(&torque()), limit);
     }
     if let Some(limit) = limits[LimitKind::TorqueRate] {
-        let worst = largest(&torque().derivative());
-        out.push(Check::at_most(LimitKind::TorqueRate, worst, limit, SLACK));
+        check(
+            LimitKind::TorqueRate,
+            largest(&torque().derivative()),
+            limit,
+        );
     }
     if let Some(limit) = limits[LimitKind::HertzPressure] {
         let press = Press {
@@ -239,25 +236,14 @@ pub fn checks(design: &Finished) -> Vec<Check> {
         };
         let worst = press.worst(design.cam, design.second, design.groove);
         // An undercut profile is cut away where the pressure would be highest.
-        let worst = worst.unwrap_or(Extreme {
-            at: design.cam.curvature().convex.at,
-            value: f64::INFINITY,
-        });
-        out.push(Check::at_most(
-            LimitKind::HertzPressure,
-            worst,
-            limit,
-            SLACK,
-        ));
+        let endless = || design.cam.curvature().convex.map(|_| f64::INFINITY);
+        let worst = worst.unwrap_or_else(endless);
+        check(LimitKind::HertzPressure, worst, limit);
     }
     if let Some(limit) = limits[LimitKind::Power] {
         let speed = design.problem.drive.speed;
-        let torque = largest(&torque());
-        let worst = Extreme {
-            value: torque.value * speed,
-            ..torque
-        };
-        out.push(Check::at_most(LimitKind::Power, worst, limit, SLACK));
+        let worst = largest(&torque()).map(|torque| torque * speed);
+        check(LimitKind::Power, worst, limit);
     }
     out
 }
@@ -272,14 +258,7 @@ pub fn torque_curve(drive: &Drive, pressing: &Law, law: &Law) -> PiecewisePoly {
 
 /// Largest absolute value, by roots.
 pub fn largest(curve: &PiecewisePoly) -> Extreme {
-    let (low, high) = curve.extremes();
-    if high.value >= -low.value {
-        return high;
-    }
-    Extreme {
-        at: low.at,
-        value: -low.value,
-    }
+    Extreme::largest(curve.extremes())
 }
 
 /// Smallest base radius under a flat face on which the pressure limit holds: the largest of F E*/(π L p²) − s − a.

@@ -31,7 +31,7 @@ pub use profile::Profile;
 pub use slack::ProfileSize;
 
 use super::qp::{Limit, Program};
-use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, FollowerKind, Wall};
+use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, FollowerKind, LimitKind, Wall};
 use crate::problem::Problem;
 
 /// Limits over the whole turn that are linear in the law.
@@ -135,12 +135,13 @@ fn groove(problem: &Problem, groove: Option<&BarrelGroove>) -> Vec<Check> {
     };
     let floor = groove.depth().0;
     let mut out = pressure_angle::checks(problem, groove.pressure_angle_extremes(floor));
+    let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     for (name, wall) in [
         (Criterion::UpperWall, Wall::Upper),
         (Criterion::LowerWall, Wall::Lower),
     ] {
         let radius = groove.smallest_bulge(floor, wall);
-        out.push(curvature::wall_check(problem, name, radius));
+        out.push(Check::at_least(name, radius, wanted, GEOMETRY));
     }
     out
 }

@@ -40,7 +40,7 @@ impl NonconvexLimits {
 
     /// The size where it may be among the variables.
     pub fn size(&self) -> ProfileSize {
-        self.profile.map_or(ProfileSize::NONE, |f| f.size())
+        self.profile.map(|f| f.size()).unwrap_or_default()
     }
 
     /// The names of all of them.

@@ -13,10 +13,10 @@ use crate::synth::qp::{Limit, Meaning, OFFSET, RISE};
 /// A pressure angle that is no limit, where its tangent must be a number.
 pub const NEARLY_RIGHT: f64 = FRAC_PI_2 - 1e-3;
 
-const RISING: LimitKind = LimitKind::PressureAngleRise;
-const FALLING: LimitKind = LimitKind::PressureAngleFall;
 /// Limits on rise and fall, in this order.
-pub const SIDES: [LimitKind; 2] = [RISING, FALLING];
+pub const SIDES: [LimitKind; 2] = [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall];
+/// Sign of velocity less offset at which each of them is active.
+const SIGNS: [f64; 2] = [1.0, -1.0];
 
 /// On a given prime circle: ±(v − e) ≤ tan φ·(s + D) (theory §6).
 pub fn rows(problem: &Problem) -> Vec<Limit> {
@@ -27,15 +27,9 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     };
     let e = problem.cam.offset.unwrap_or(0.0);
     let rise = (prime * prime - e * e).max(0.0).sqrt();
-    let limits = &problem.limits;
-    let sides = [
-        (RISING, limits[LimitKind::PressureAngleRise], 1.0),
-        (FALLING, limits[LimitKind::PressureAngleFall], -1.0),
-    ];
-    sides
-        .into_iter()
-        .filter_map(|(name, angle, side)| {
-            let tan = angle?.tan();
+    (SIDES.into_iter().zip(SIGNS))
+        .filter_map(|(name, side)| {
+            let tan = problem.limits[name]?.tan();
             let offset = side * e;
             let meaning = Meaning::PrimeRadius { tan, offset };
             let weights = [-tan, side, 0.0, 0.0, 0.0];
@@ -47,9 +41,10 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
 
 /// With D, and e where it is open, among the variables.
 pub fn rows_with_size(problem: &Problem) -> [Limit; 2] {
-    let [rise, fall] = problem.sizing_pressure_angles();
-    [(RISING, rise, 1.0), (FALLING, fall, -1.0)].map(|(name, angle, side)| {
-        let t = angle.min(NEARLY_RIGHT).tan();
+    let angles = problem.sizing_pressure_angles();
+    [0, 1].map(|i| {
+        let (name, side) = (SIDES[i], SIGNS[i]);
+        let t = angles[i].min(NEARLY_RIGHT).tan();
         let bound = side * problem.offset().unwrap_or(0.0);
         let weights = [-t, side, 0.0, 0.0, 0.0];
         let mut limit = Limit::new(name, weights, bound, problem.length).read_as(Meaning::Sized);
@@ -64,13 +59,14 @@ pub fn rows_with_size(problem: &Problem) -> [Limit; 2] {
 /// Of a roller on an arm: t c sin ξ ∓ (A(1 + ξ′) − c cos ξ), from tan φ = (A(1 + ξ′) − c cos ξ)/(c sin ξ).
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, tan: f64, side: f64) -> Slack {
     let (sin, cos) = (rest + at.s).sin_cos();
+    let [rising, falling] = SIDES;
     Slack {
         h: tan * c * sin - side * (arm * (1.0 + at.v) - c * cos),
         w: c,
         largest: tan * c + arm,
         by_lift: tan * c * cos - side * c * sin,
         by_velocity: -side * arm,
-        ..Slack::none(if side > 0.0 { RISING } else { FALLING })
+        ..Slack::none(if side > 0.0 { rising } else { falling })
     }
 }
 
@@ -78,8 +74,7 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, tan: f64, side: f64) -> 
 /// side: the bounds of CAM-DAS (Serrano Muñoz 2010). A flat face has none to judge.
 pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     let limits = &problem.limits;
-    let written = limits[LimitKind::PressureAngleRise].or(limits[LimitKind::PressureAngleFall]);
-    if written.is_some() || limits.unjudged.pressure_angle {
+    if SIDES.iter().any(|side| limits[*side].is_some()) || limits.unjudged.pressure_angle {
         return None;
     }
     let any_machine: f64 = match problem.cam.follower {
@@ -98,21 +93,12 @@ pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
 
 /// Both sides of the finished cam's pressure angle against its limits, or against what is usual.
 pub fn checks(problem: &Problem, (low, high): (Extreme, Extreme)) -> Vec<Check> {
-    let limits = &problem.limits;
     let usual = usual_pressure_angle(problem).map(|[_, slow]| slow);
-    let falling = Extreme {
-        at: low.at,
-        value: -low.value,
-    };
-    [
-        (RISING, high, limits[LimitKind::PressureAngleRise].or(usual)),
-        (
-            FALLING,
-            falling,
-            limits[LimitKind::PressureAngleFall].or(usual),
-        ),
-    ]
-    .into_iter()
-    .filter_map(|(name, worst, limit)| Some(Check::at_most(name, worst, limit?, GEOMETRY)))
-    .collect()
+    let worst = [high, low.map(|angle| -angle)];
+    (SIDES.into_iter().zip(worst))
+        .filter_map(|(name, worst)| {
+            let limit = problem.limits[name].or(usual)?;
+            Some(Check::at_most(name, worst, limit, GEOMETRY))
+        })
+        .collect()
 }

@@ -68,10 +68,7 @@ impl Profile {
             }
             FollowerKind::RollerOscillating | FollowerKind::KnifeOscillating => {
                 let (pivot, arm) = (cam.pivot_distance?, cam.arm?);
-                let asked = [
-                    limits[LimitKind::PressureAngleRise],
-                    limits[LimitKind::PressureAngleFall],
-                ];
+                let asked = pressure_angle::SIDES.map(|side| limits[side]);
                 let (prime, angles) = match problem.size() {
                     Size::Given { prime, .. } => (prime, asked),
                     Size::Sought => (
@@ -153,7 +150,7 @@ impl Profile {
             } => ProfileSize {
                 radius,
                 rho,
-                ..ProfileSize::NONE
+                ..ProfileSize::default()
             },
         }
     }

@@ -23,6 +23,7 @@ pub fn priced(problem: &Problem, program: &mut Program) {
     let least = problem.hub_radius() + problem.cam.roller_radius;
     let below = limit.map_or(f64::INFINITY, |limit| limit * (1.0 - 4.0 * ENLARGED));
     let least = least.min(below);
+    let limits = &mut program.limits;
     if let Some([least, most]) = problem.reach_of_arm() {
         // A limit larger than the arm can reach is inactive.
         let limit = limit.filter(|limit| *limit <= most);
@@ -30,39 +31,27 @@ pub fn priced(problem: &Problem, program: &mut Program) {
             || on_size(problem, RADIUS, 1.0, most),
             |limit| at_most(problem, limit, RADIUS),
         );
-        program
-            .limits
-            .extend([most, at_least(problem, least, RADIUS)]);
+        limits.extend([most, at_least(problem, least, RADIUS)]);
         program.cost[RADIUS] = cost;
     } else if problem.cam.follower == FollowerKind::FlatTranslating {
-        program
-            .limits
-            .extend(limit.map(|r| at_most(problem, r, RADIUS)));
-        program.limits.push(at_least(problem, least, RADIUS));
+        limits.extend(limit.map(|r| at_most(problem, r, RADIUS)));
+        limits.push(at_least(problem, least, RADIUS));
         program.cost[RADIUS] = cost;
     } else if let Some(offset) = problem.offset().filter(|e| *e == 0.0 || !weighed) {
         // With the offset given, the prime radius grows with D alone; a price on it is none on D.
         let rise = |r: f64| (r * r - offset * offset).max(0.0).sqrt();
-        program
-            .limits
-            .extend(limit.map(|r| at_most(problem, rise(r), RISE)));
-        program.limits.push(at_least(problem, rise(least), RISE));
+        limits.extend(limit.map(|r| at_most(problem, rise(r), RISE)));
+        limits.push(at_least(problem, rise(least), RISE));
         program.cost[RISE] = cost;
     } else {
-        program
-            .limits
-            .extend(limit.map(|r| at_most(problem, r, RADIUS)));
+        limits.extend(limit.map(|r| at_most(problem, r, RADIUS)));
+        limits.push(at_least(problem, least, RADIUS));
         // The cone alone would let D be negative.
-        program.limits.extend([
-            at_least(problem, least, RADIUS),
-            at_least(problem, 0.0, RISE),
-        ]);
+        limits.push(at_least(problem, 0.0, RISE));
         if let Some(offset) = problem.offset() {
             // The cone makes the offset no larger than it has to be.
             let side = -offset.signum();
-            program
-                .limits
-                .push(on_size(problem, OFFSET, side, side * offset));
+            limits.push(on_size(problem, OFFSET, side, side * offset));
         }
         program.cost[RADIUS] = cost;
         program.cone = true;
@@ -77,16 +66,11 @@ fn at_most(problem: &Problem, radius: f64, variable: usize) -> Limit {
     } else {
         1.0
     };
-    let mut limit = Limit::new(
-        LimitKind::PrimeRadius,
-        [0.0; 5],
-        radius * kept,
-        problem.length * problem.lever(),
-    );
-    limit.extra[variable] = 1.0;
-    limit.domain = (0.0, 0.0);
-    limit.meaning = Meaning::times(1.0);
-    limit
+    Limit {
+        name: LimitKind::PrimeRadius.into(),
+        meaning: Meaning::times(1.0),
+        ..on_size(problem, variable, 1.0, radius * kept)
+    }
 }
 
 /// The smallest size that a cam has, whatever the objective.
@@ -106,31 +90,24 @@ fn on_size(problem: &Problem, variable: usize, weight: f64, bound: f64) -> Limit
 /// Face width, prime radius and bore of the finished cam.
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let size = |value: f64| Extreme { at: 0.0, value };
+    let follower = &cam.follower;
     let mut out = Vec::new();
     if let (Some(limit), Some(width)) = (problem.limits[LimitKind::FaceWidth], cam.face_width()) {
-        let worst = Extreme {
-            at: cam.law.extremes(1).1.at,
-            value: width,
-        };
+        let worst = cam.law.extremes(1).1.map(|_| width);
         out.push(Check::at_most(LimitKind::FaceWidth, worst, limit, SLACK));
     }
     if let Some(limit) = problem.limits[LimitKind::PrimeRadius] {
-        let worst = size(cam.follower.prime_radius());
+        let prime = size(follower.prime_radius());
         out.push(Check::at_most(
             LimitKind::PrimeRadius,
-            worst,
+            prime,
             limit,
             GEOMETRY,
         ));
     }
     if let Some(hole) = problem.cam.hole() {
-        let worst = size(cam.follower.base_radius());
-        out.push(Check::at_least(
-            Criterion::Bore,
-            worst,
-            hole.reach(),
-            GEOMETRY,
-        ));
+        let (base, reach) = (size(follower.base_radius()), hole.reach());
+        out.push(Check::at_least(Criterion::Bore, base, reach, GEOMETRY));
     }
     out
 }

@@ -2,8 +2,8 @@
 
 use crate::cam::Criterion;
 
-/// What fixes the size of a cam, and the smallest radius allowed on it.
-#[derive(Debug, Clone, Copy)]
+/// What fixes the size of a cam, and the smallest radius allowed on it; all 0 where the size is no part of the limits.
+#[derive(Debug, Clone, Copy, Default)]
 pub struct ProfileSize {
     /// D of a roller that slides.
     pub rise: f64,
@@ -16,14 +16,6 @@ pub struct ProfileSize {
 }
 
 impl ProfileSize {
-    /// Of a cam whose size is no part of the limits.
-    pub const NONE: ProfileSize = ProfileSize {
-        rise: 0.0,
-        offset: 0.0,
-        radius: 0.0,
-        rho: 0.0,
-    };
-
     /// Radius of the prime circle.
     pub fn prime_radius(&self) -> f64 {
         self.rise.hypot(self.offset) + self.radius

@@ -162,10 +162,8 @@ impl Optimum {
     fn evidence(&self) -> (Certificate, Option<Doubt>) {
         let Some(sequence) = &self.sequence else {
             let (certificate, doubt) = self.of_convex();
-            return (
-                certificate,
-                doubt.or(self.left_out.then_some(Doubt::LeftOut)),
-            );
+            let left_out = self.left_out.then_some(Doubt::LeftOut);
+            return (certificate, doubt.or(left_out));
         };
         let program = &self.formulation.program;
         let mut evidence = qp::certificate(program, &self.solution);
@@ -196,29 +194,26 @@ impl Optimum {
     pub fn report(&self) -> SolverReport {
         let solution = &self.solution;
         let violation = solution.violation;
-        let tier = match &self.sequence {
-            Some(_) => Tier::Scp,
-            None if !solution.used_rows => Tier::Equality,
-            None if self.formulation.program.cone => Tier::Socp,
-            None => Tier::Qp,
-        };
-        let (method, iterations) = match &self.sequence {
+        let (tier, method) = match &self.sequence {
             Some(Sequence { steps, ended, .. }) => {
                 let method = Method::Sequence {
                     programs: steps.len() + 1,
                     ended: *ended,
                     violation,
                 };
-                (method, solution.iterations)
+                (Tier::Scp, method)
             }
-            None if !solution.used_rows => (Method::NoLimitActive, 0),
+            None if !solution.used_rows => (Tier::Equality, Method::NoLimitActive),
             None => {
-                let method = Method::Exchange {
-                    rounds: solution.rounds,
-                    violation,
-                };
-                (method, solution.iterations)
+                let rounds = solution.rounds;
+                let cone = self.formulation.program.cone;
+                let tier = if cone { Tier::Socp } else { Tier::Qp };
+                (tier, Method::Exchange { rounds, violation })
             }
+        };
+        let iterations = match tier {
+            Tier::Equality => 0,
+            _ => solution.iterations,
         };
         let steps = self.sequence.as_ref().map(|s| s.steps.clone());
         self.proved(SolverReport {

@@ -102,10 +102,7 @@ impl Node {
         let ends = self.law.svaj(a).s.min(self.law.svaj(b).s);
         let inside = self.lows.iter().filter(|low| low.0 > a && low.0 < b);
         let lowest = inside.fold(ends, |least, low| least.min(low.1));
-        let apart = |x: f64| {
-            let t = (x - self.at).rem_euclid(TAU);
-            t.min(TAU - t)
-        };
+        let apart = |x: f64| apart(x, self.at);
         let opposite = (self.at + PI).rem_euclid(TAU);
         let farthest = if opposite > a && opposite < b {
             PI
@@ -116,6 +113,18 @@ impl Node {
         self.dual + self.multiplier * (lowest - self.level)
             - 0.5 * self.multiplier * self.multiplier * length
     }
+}
+
+/// Angle between two places of the turn, rad.
+fn apart(a: f64, b: f64) -> f64 {
+    let t = (a - b).rem_euclid(TAU);
+    t.min(TAU - t)
+}
+
+/// What nodes prove of f on [a, b].
+fn bound(nodes: &[Node], a: f64, b: f64, alpha: f64) -> f64 {
+    let each = nodes.iter().map(|n| n.least(a, b, alpha));
+    each.fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// α Q(t).
@@ -159,10 +168,7 @@ impl Search {
     fn visit(&mut self, at: f64) -> Result<usize, Failure> {
         let at = at.rem_euclid(TAU);
         let mut program = self.touching(at);
-        let apart = |n: &&Node| {
-            let t = (n.at - at).rem_euclid(TAU);
-            t.min(TAU - t)
-        };
+        let apart = |n: &&Node| apart(n.at, at);
         if let Some(near) = (self.nodes.iter()).min_by(|a, b| apart(a).total_cmp(&apart(b))) {
             let contacts = near.solution.active.iter();
             program.seeds = contacts
@@ -190,8 +196,7 @@ impl Search {
         for _ in 0..MOST_DESCENTS {
             let best = &self.nodes[self.best()];
             let (value, lowest) = (best.value, best.law.extremes(0).0);
-            let moved = (lowest.at - best.at).rem_euclid(TAU);
-            if moved.min(TAU - moved) < SETTLED || best.multiplier == 0.0 {
+            if apart(lowest.at, best.at) < SETTLED || best.multiplier == 0.0 {
                 return;
             }
             let gained = match self.visit(lowest.at) {
@@ -213,11 +218,8 @@ impl Search {
         let mut seen = 0;
         loop {
             if seen < self.nodes.len() {
-                for part in &mut parts {
-                    let new = self.nodes[seen..]
-                        .iter()
-                        .map(|n| n.least(part.0, part.1, alpha));
-                    part.2 = new.fold(part.2, f64::max);
+                for (a, b, least) in &mut parts {
+                    *least = least.max(bound(&self.nodes[seen..], *a, *b, alpha));
                 }
                 seen = self.nodes.len();
             }
@@ -233,19 +235,14 @@ impl Search {
                 return Some(least);
             }
             let middle = 0.5 * (a + b);
-            let there = (self.nodes.iter())
-                .map(|n| n.least(middle, middle, alpha))
-                .fold(f64::NEG_INFINITY, f64::max);
+            let there = bound(&self.nodes, middle, middle, alpha);
             let more = self.programs < MOST_PROGRAMS && !self.program.halt.is_asked();
             if there < allowed && more && self.visit(middle).is_ok() {
                 self.descend();
             }
-            let bound = |a: f64, b: f64| {
-                let all = self.nodes.iter().map(|n| n.least(a, b, alpha));
-                (a, b, all.fold(f64::NEG_INFINITY, f64::max))
-            };
-            parts[worst] = bound(a, middle);
-            parts.push(bound(middle, b));
+            let part = |a: f64, b: f64| (a, b, bound(&self.nodes, a, b, alpha));
+            parts[worst] = part(a, middle);
+            parts.push(part(middle, b));
         }
     }
 

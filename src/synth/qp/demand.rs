@@ -44,7 +44,7 @@ pub enum Demand {
 /// let demand = Demand::AtPoint { point: 1, at: Quantity::angle(1.0), given: Given::Velocity };
 /// assert_eq!(demand.name(), "law.point[1] at 57.30°: velocity");
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames, strum::IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[allow(missing_docs)]
@@ -56,26 +56,13 @@ pub enum Given {
     Force,
 }
 
-impl Given {
-    fn name(self) -> &'static str {
-        match self {
-            Given::Lift => "lift",
-            Given::Velocity => "velocity",
-            Given::Acceleration => "acceleration",
-            Given::Jerk => "jerk",
-            Given::Force => "force",
-        }
-    }
-}
-
 impl Demand {
     /// Its name in `summary.json`: where it stands in the scene.
     pub fn name(self) -> String {
-        let degrees = |angle: Quantity| angle.value.to_degrees();
         match self {
             Demand::AtPoint { point, at, given } => {
-                let at = degrees(at);
-                format!("law.point[{point}] at {at:.2}°: {}", given.name())
+                let (at, given) = (at.value.to_degrees(), <&str>::from(given));
+                format!("law.point[{point}] at {at:.2}°: {given}")
             }
             Demand::InDwell { dwell } => format!("law.dwell[{dwell}]"),
             Demand::OnBaseCircle => "base circle".to_string(),

@@ -6,6 +6,7 @@
 pub mod bernstein;
 mod bspline;
 mod cells;
+mod extreme;
 mod fourier;
 mod gauss;
 mod piecewise;
@@ -15,10 +16,10 @@ mod wave;
 
 pub use bspline::{Span, SplineSpace};
 pub use cells::Cells;
+pub use extreme::Extreme;
 pub use fourier::amplitudes;
 pub use gauss::gauss_legendre;
-pub use piecewise::Peak;
-pub use piecewise::{Extreme, PiecewisePoly};
+pub use piecewise::{Peak, PiecewisePoly};
 pub use proxy::{stand_in, stand_in_for_difference};
 pub use trigonometric::{harmonic_extremes, harmonic_sums, harmonic_values};
 pub use wave::{Wave, add_taylor, subdivide};

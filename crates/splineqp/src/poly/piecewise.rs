@@ -1,6 +1,6 @@
 //! A polynomial on each of several consecutive intervals.
 
-use super::bernstein;
+use super::{Extreme, bernstein};
 use serde::Serialize;
 
 /// Piecewise polynomial on `breaks[0] ..= breaks[n]`, each piece in Bernstein form on its interval.
@@ -28,33 +28,6 @@ pub struct PiecewisePoly {
 
 /// Relative difference up to which two values are equal except for rounding.
 const SAME: f64 = 1e-12;
-
-/// An extreme value and where it is taken.
-///
-/// ```
-/// use splineqp::poly::PiecewisePoly;
-///
-/// // 2x(1 − x) on [0, 1], by its Bernstein coefficients 0, 1, 0.
-/// let (low, high) = PiecewisePoly::new(vec![0.0, 1.0], 2, vec![0.0, 1.0, 0.0]).extremes();
-/// assert!(low.value == 0.0 && high.value == 0.5 && high.at == 0.5);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Extreme {
-    /// The abscissa, in the units of the breaks.
-    pub at: f64,
-    /// The value there.
-    pub value: f64,
-}
-
-impl Extreme {
-    /// Another value at the same place.
-    pub fn map(self, f: impl FnOnce(f64) -> f64) -> Extreme {
-        Extreme {
-            at: self.at,
-            value: f(self.value),
-        }
-    }
-}
 
 /// Smallest and largest of the values seen so far.
 struct Range {
@@ -99,6 +72,19 @@ pub struct Peak {
     pub at: f64,
     /// The value there.
     pub value: f64,
+}
+
+impl Peak {
+    /// A place without a value.
+    pub fn place(piece: usize, u: f64, at: f64) -> Peak {
+        let value = 0.0;
+        Peak {
+            piece,
+            u,
+            at,
+            value,
+        }
+    }
 }
 
 impl PiecewisePoly {

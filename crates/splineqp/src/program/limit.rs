@@ -123,6 +123,11 @@ impl<N: Names> Limit<N> {
         self.weights.iter().rposition(|w| *w != 0.0).unwrap_or(0)
     }
 
+    /// Whether it holds at an angle, rad.
+    pub(crate) fn covers(&self, at: f64) -> bool {
+        at >= self.domain.0 && at <= self.domain.1
+    }
+
     /// The same limit with an empty domain.
     pub(crate) fn idle(mut self) -> Self {
         self.extra = [0.0; EXTRAS];

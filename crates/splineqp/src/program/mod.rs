@@ -99,6 +99,22 @@ pub struct Row<N: Names> {
 }
 
 impl<N: Names> Row<N> {
+    /// A row of no limit: Σ entries·x ≤ bound.
+    pub fn of_no_limit(name: N::Limit, peak: Peak, entries: Entries, bound: f64) -> Self {
+        Row {
+            limit: None,
+            name,
+            peak,
+            weights: [0.0; 5],
+            entries,
+            touching: Vec::new(),
+            extra: [0.0; EXTRAS],
+            bound,
+            scale: 0.0,
+            multiplier: 0.0,
+        }
+    }
+
     /// Bound less left side.
     pub(crate) fn slack(&self, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
         let taken: f64 = (0..EXTRAS).map(|k| self.extra[k] * extra[k]).sum();
@@ -187,6 +203,12 @@ impl<N: Names> Program<N> {
                 || (self.cone && SIZES.contains(&k));
         }
         out
+    }
+
+    /// The same by their indices.
+    pub fn free_variables(&self) -> Vec<usize> {
+        let present = self.present();
+        (0..EXTRAS).filter(|&k| present[k]).collect()
     }
 
     /// The same program with its sizes held at the solution's, enlarged by `room`: without a cone it is

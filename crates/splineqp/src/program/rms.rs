@@ -41,22 +41,11 @@ impl<N: Names> RmsLimit<N> {
             *own = (*own + g) / self.most;
         }
         let along: f64 = gradient.iter().zip(x).map(|(g, x)| g * x).sum();
+        let entries = gradient.into_iter().enumerate().collect();
+        let bound = 0.5 * self.most - self.half.value(x) / self.most + along;
         Row {
-            limit: None,
-            name: self.name,
-            peak: Peak {
-                piece: 0,
-                u: 0.0,
-                at: 0.0,
-                value: 0.0,
-            },
-            weights: [0.0; 5],
-            entries: gradient.into_iter().enumerate().collect(),
-            touching: Vec::new(),
-            extra: [0.0; EXTRAS],
-            bound: 0.5 * self.most - self.half.value(x) / self.most + along,
-            scale: 0.0,
             multiplier,
+            ..Row::of_no_limit(self.name, Peak::default(), entries, bound)
         }
     }
 }

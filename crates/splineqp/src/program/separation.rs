@@ -154,7 +154,14 @@ impl<N: Names> Program<N> {
         let variable = |l: &Limit<N>| l.extra.iter().any(|e| *e != 0.0);
         let breaks = self.basis.breaks();
         for (index, limit) in self.limits.iter().enumerate().filter(|(_, l)| variable(l)) {
-            ends_and_middles(&breaks, limit, |peak| rows.push(self.row(index, peak)));
+            for (piece, ends) in breaks.windows(2).enumerate() {
+                for u in [0.0, 0.5, 1.0] {
+                    let at = ends[0] + u * (ends[1] - ends[0]);
+                    if limit.covers(at) {
+                        rows.push(self.row(index, Peak::place(piece, u, at)));
+                    }
+                }
+            }
         }
     }
 
@@ -178,14 +185,8 @@ impl<N: Names> Program<N> {
                     (1.0, b[b.len() - 1]),
                 ] {
                     let at = span.start + u * span.width;
-                    if value > room && at >= limit.domain.0 && at <= limit.domain.1 {
-                        let peak = Peak {
-                            piece,
-                            u,
-                            at,
-                            value: 0.0,
-                        };
-                        rows.push(self.row(index, peak));
+                    if value > room && limit.covers(at) {
+                        rows.push(self.row(index, Peak::place(piece, u, at)));
                     }
                 }
             });
@@ -201,21 +202,5 @@ impl<N: Names> Program<N> {
                 PiecewisePoly::combine(&[(1.0, &own), (-1.0, &shape.cut_at(own.breaks()))], 0.0);
         }
         curve
-    }
-}
-
-fn ends_and_middles<N: Names>(breaks: &[f64], limit: &Limit<N>, mut visit: impl FnMut(Peak)) {
-    for piece in 0..breaks.len() - 1 {
-        for u in [0.0, 0.5, 1.0] {
-            let at = breaks[piece] + u * (breaks[piece + 1] - breaks[piece]);
-            if at >= limit.domain.0 && at <= limit.domain.1 {
-                visit(Peak {
-                    piece,
-                    u,
-                    at,
-                    value: 0.0,
-                });
-            }
-        }
     }
 }

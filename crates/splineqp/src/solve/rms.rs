@@ -12,23 +12,6 @@
 use crate::Names;
 use crate::program::{Failure, Program, RmsLimit, Row, Solution, Stop};
 
-/// Step of ln μ until the limit lies between two optima, doubled each time …
-const STEP: f64 = 3.0;
-/// … from the weight of a neighbouring program …
-const NEAR_STEP: f64 = 0.5;
-/// … so many times …
-const MOST_STEPS: usize = 6;
-/// … or from such a weight.
-const MOST_NEAR_STEPS: usize = 3;
-/// Contacts nearer to each other than this part of a piece begin as one.
-const ONE_CONTACT: f64 = 0.02;
-/// Weights tried between two.
-const MOST_WEIGHTS: usize = 40;
-/// Weights whose logarithms are nearer than this are one.
-const SAME_WEIGHT: f64 = 1e-11;
-/// Gap of the law between two optima, as a part of the objective.
-const GAP: f64 = 1e-10;
-
 /// The optimum of J + μ q.
 struct Tried<N: Names> {
     /// ln μ.
@@ -50,10 +33,11 @@ pub fn solve<N: Names>(
     program: &Program<N>,
     limit: &RmsLimit<N>,
 ) -> Result<Solution<N>, Failure<N>> {
+    let settings = &program.settings.rms;
     // The rows of a law between two optima are those of both.
     let mut seeds: Vec<Row<N>> = Vec::new();
     for row in program.seeds.iter().filter(|r| r.limit.is_some()) {
-        if !seeds.iter().any(|s| s.coincides(row, ONE_CONTACT)) {
+        if !seeds.iter().any(|s| s.coincides(row, settings.coincident)) {
             seeds.push(row.clone());
         }
     }
@@ -65,7 +49,8 @@ pub fn solve<N: Names>(
     let neighbour = program.seeds.iter().find(|r| limit.is_tangent(r));
     if let Some(tangent) = neighbour.filter(|r| r.multiplier > 0.0) {
         let weight = (tangent.multiplier / limit.most).ln();
-        if let Ok(Some([inside, outside])) = search.bracket(weight, NEAR_STEP, MOST_NEAR_STEPS) {
+        let near = search.bracket(weight, settings.near_step, settings.near_steps);
+        if let Ok(Some([inside, outside])) = near {
             return search.between(inside, outside);
         }
     }
@@ -83,7 +68,7 @@ pub fn solve<N: Names>(
     }
     let square = limit.half.hessian.largest_diagonal() * program.length.powi(2);
     let first = (program.objective_unit() / square).ln();
-    let bracket = search.bracket(first, STEP, MOST_STEPS)?;
+    let bracket = search.bracket(first, settings.step, settings.steps)?;
     let [inside, outside] = bracket.ok_or(Stop::NoProgress)?;
     search.between(inside, outside)
 }
@@ -135,9 +120,10 @@ impl<N: Names> Search<'_, N> {
     ) -> Result<Solution<N>, Failure<N>> {
         let (mut low, mut high) = (outside.excess, inside.excess);
         let mut was_inside = None;
-        for _ in 0..MOST_WEIGHTS {
+        let settings = &self.program.settings.rms;
+        for _ in 0..settings.weights {
             let apart = inside.weight - outside.weight;
-            if self.is_one(&inside, &outside) || apart <= SAME_WEIGHT {
+            if self.is_one(&inside, &outside) || apart <= settings.same_weight {
                 break;
             }
             let share = (low / (low - high)).clamp(1e-3, 1.0 - 1e-3);
@@ -161,7 +147,8 @@ impl<N: Names> Search<'_, N> {
         let weights = inside.weight.exp() - outside.weight.exp();
         let squares = self.limit.most.powi(2) * (outside.excess - inside.excess);
         let size = self.program.merit(&inside.solution).abs();
-        weights * squares <= GAP.max(0.01 * self.program.settings.tolerance) * size
+        let settings = &self.program.settings;
+        weights * squares <= settings.rms.gap.max(0.01 * settings.tolerance) * size
     }
 
     /// The law between two optima at which q is what is allowed, with the rows of both and the tangent of the limit.

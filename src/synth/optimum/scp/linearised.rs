@@ -125,7 +125,7 @@ fn places(program: &Program, current: &Solution, law: &Law, limits: &NonconvexLi
         let low = PiecewisePoly::combine(&[(-1.0, &curve)], 0.0).peaks_above(-NEAR, 0.0, f64::MAX);
         places.extend(low.into_iter().map(|dip| {
             let (piece, u) = law.poly().locate(dip.at);
-            place(piece, u, dip.at)
+            Peak::place(piece, u, dip.at)
         }));
     }
     // A minimum moves from one law to the next: rows on both sides of a contact enclose it as in a secant method.
@@ -145,19 +145,10 @@ fn grid(program: &Program) -> Vec<Peak> {
     for (piece, ends) in program.basis.breaks().windows(2).enumerate() {
         for k in 0..=ROWS_PER_PIECE {
             let u = k as f64 / ROWS_PER_PIECE as f64;
-            out.push(place(piece, u, ends[0] + u * (ends[1] - ends[0])));
+            out.push(Peak::place(piece, u, ends[0] + u * (ends[1] - ends[0])));
         }
     }
     out
-}
-
-fn place(piece: usize, u: f64, at: f64) -> Peak {
-    Peak {
-        piece,
-        u,
-        at,
-        value: 0.0,
-    }
 }
 
 /// A row that belongs to no limit of the program.
@@ -172,17 +163,12 @@ fn row(
 ) -> Row {
     let mut all = [0.0; 5];
     all[..weights.len()].copy_from_slice(weights);
+    let entries = program.basis.row_on(peak.piece, peak.u, weights);
     Row {
-        limit: None,
-        name,
-        peak,
         weights: all,
-        entries: program.basis.row_on(peak.piece, peak.u, weights),
-        touching: Vec::new(),
         extra,
-        bound,
         scale,
-        multiplier: 0.0,
+        ..Row::of_no_limit(name, peak, entries, bound)
     }
 }
 

@@ -83,11 +83,7 @@ pub fn refine(
                 }
             }
             Outcome::Failed(_) if reach_shrinks(program, reach) => (),
-            Outcome::Failed(why) => {
-                ended = why;
-                break;
-            }
-            Outcome::Finished(why) => {
+            Outcome::Failed(why) | Outcome::Finished(why) => {
                 ended = why;
                 break;
             }

@@ -4,7 +4,7 @@
 //! are kept as an orthonormal basis Q and a triangle R, Z = QR, so one is added or removed in O(n·active) operations.
 
 use crate::band::ArrowFactor;
-use crate::basis::{Entries, apply};
+use crate::basis::{Entries, apply, dense};
 use crate::frame::{Apart, Frame, square};
 use gaitcam_base::halt::Halt;
 
@@ -240,10 +240,7 @@ impl<'a> Dual<'a> {
     }
 
     fn whitened(&self, entries: &Entries) -> Vec<f64> {
-        let mut z = vec![0.0; self.x.len()];
-        for &(i, a) in entries {
-            z[i] += a;
-        }
+        let mut z = dense(entries, self.x.len());
         self.factor.forward(&mut z);
         z
     }

@@ -67,8 +67,7 @@ fn start<N: Names>(program: &Program<N>) -> Option<Start> {
     if !(peak > 0.0 && peak.is_finite()) {
         return None;
     }
-    let present = program.present();
-    let free: Vec<usize> = (0..EXTRAS).filter(|&k| present[k]).collect();
+    let free = program.free_variables();
     let mut windows = program.windows(&centre);
     windows[PEAK] = peak;
     centre.extend(free.iter().map(|&k| windows[k]));

@@ -7,8 +7,8 @@ use clarabel::solver::{
     SupportedConeT,
 };
 
-use crate::basis::row_unit;
-use crate::program::{EXTRAS, Failure, OFFSET, PEAK, Program, RADIUS, RISE, Row, Stop};
+use crate::basis::{Entries, row_unit};
+use crate::program::{EXTRAS, Failure, PEAK, Program, Row, SIZES, Stop};
 
 /// Minimise ½xᵀPx + qᵀx with b − Ax in the cones, in the solver's hands. Clarabel's code is generic: every crate that makes or
 /// runs a solver of its own compiles it whole, so all ask here.
@@ -48,70 +48,10 @@ pub fn solve<N: Names>(
     rows: &mut [Row<N>],
     margin: f64,
 ) -> Result<Point, Failure<N>> {
-    let length = program.length;
-    let n = program.basis.columns();
-    let columns = Columns::new(program, rows, n);
-    let weight = program.multiplier_unit(columns.unit[PEAK]);
-
-    let p = upper_triangle(
-        &program.hessian.lower_entries(),
-        columns.total,
-        length * length / weight,
-    );
-    let mut q: Vec<f64> = program
-        .gradient
-        .iter()
-        .map(|g| g * length / weight)
-        .collect();
-    q.resize(columns.total, 0.0);
-    for k in 0..EXTRAS {
-        if let Some(column) = columns.of[k] {
-            // The peak has a unit of its own and stands alone in the objective.
-            q[column] = if k == PEAK {
-                program.cost[k].signum()
-            } else {
-                program.cost[k] * length / weight
-            };
-        }
-    }
-
-    let mut b = Vec::new();
-    let mut triplets = Triplets::default();
-    for e in &program.equalities {
-        let unit = row_unit(&e.entries, length);
-        let r = b.len();
-        triplets.extend(r, e.entries.iter().map(|&(i, v)| (i, v * length / unit)));
-        b.push(e.value / unit);
-    }
-    let equalities = b.len();
-    let mut units = Vec::with_capacity(rows.len());
-    for row in rows.iter() {
-        let entries = &row.entries;
-        let unit = row_unit(entries, length);
-        let r = b.len();
-        triplets.extend(r, entries.iter().map(|&(i, v)| (i, v * length / unit)));
-        for k in 0..EXTRAS {
-            if let (Some(column), true) = (columns.of[k], row.extra[k] != 0.0) {
-                triplets.push(r, column, row.extra[k] * columns.unit[k] / unit);
-            }
-        }
-        b.push((row.bound - margin * row.scale) / unit);
-        units.push(unit);
-    }
-    let mut cones = vec![
-        SupportedConeT::ZeroConeT(equalities),
-        SupportedConeT::NonnegativeConeT(rows.len()),
-    ];
-    if program.cone {
-        for k in [RADIUS, RISE, OFFSET] {
-            if let Some(column) = columns.of[k] {
-                triplets.push(b.len(), column, -1.0);
-            }
-            b.push(0.0);
-        }
-        cones.push(SupportedConeT::SecondOrderConeT(3));
-    }
-    let a = triplets.matrix(b.len(), columns.total);
+    let (length, n) = (program.length, program.basis.columns());
+    let scaling = Scaling::of(program, rows);
+    let (p, q) = objective(program, &scaling);
+    let (a, b, cones) = constraints(program, rows, &scaling, margin);
     let own = &program.settings.exchange;
     let settings = DefaultSettingsBuilder::default()
         .verbose(false)
@@ -131,20 +71,114 @@ pub fn solve<N: Names>(
     if answer.x.iter().any(|v| !v.is_finite()) {
         return Err(Stop::NumericalError.into());
     }
-    for ((row, z), unit) in rows.iter_mut().zip(&answer.z[equalities..]).zip(&units) {
-        row.multiplier = z * weight / unit;
+    let multipliers = &answer.z[program.equalities.len()..];
+    for ((row, z), unit) in rows.iter_mut().zip(multipliers).zip(&scaling.rows) {
+        row.multiplier = z * scaling.objective / unit;
     }
     let mut extra = [0.0; EXTRAS];
-    for (k, value) in extra.iter_mut().enumerate() {
-        if let Some(column) = columns.of[k] {
-            *value = answer.x[column] * columns.unit[k];
-        }
+    for (column, &k) in (n..).zip(&scaling.free) {
+        extra[k] = answer.x[column] * scaling.variable(k, length);
     }
     Ok(Point {
         x: answer.x[..n].iter().map(|y| y * length).collect(),
         extra,
         iterations: answer.iterations as usize,
     })
+}
+
+/// Units in which the solver's numbers are near one.
+struct Scaling {
+    /// The further variables that take part; their columns follow those of the coefficients.
+    free: Vec<usize>,
+    /// Of the peak.
+    peak: f64,
+    /// Of the objective.
+    objective: f64,
+    /// Of each row.
+    rows: Vec<f64>,
+}
+
+impl Scaling {
+    fn of<N: Names>(program: &Program<N>, rows: &[Row<N>]) -> Self {
+        let unit = |row: &Row<N>| row_unit(&row.entries, program.length);
+        let of_peak = rows.iter().filter(|r| r.extra[PEAK] != 0.0);
+        let largest = of_peak.map(unit).fold(0.0, f64::max);
+        let peak = if largest > 0.0 { largest } else { 1.0 };
+        Scaling {
+            free: program.free_variables(),
+            peak,
+            objective: program.multiplier_unit(peak),
+            rows: rows.iter().map(unit).collect(),
+        }
+    }
+
+    /// Of a further variable; all but the peak are lengths.
+    fn variable(&self, k: usize, length: f64) -> f64 {
+        if k == PEAK { self.peak } else { length }
+    }
+}
+
+/// P and q.
+fn objective<N: Names>(program: &Program<N>, scaling: &Scaling) -> (CscMatrix<f64>, Vec<f64>) {
+    let (length, weight) = (program.length, scaling.objective);
+    let total = program.basis.columns() + scaling.free.len();
+    let factor = length * length / weight;
+    let lower = program.hessian.lower_entries().into_iter();
+    let p = matrix(
+        total,
+        total,
+        lower.map(|(i, j, value)| (j, i, value * factor)),
+    );
+    let mut q: Vec<f64> = (program.gradient.iter())
+        .map(|g| g * length / weight)
+        .collect();
+    q.extend(scaling.free.iter().map(|&k| match program.cost[k] {
+        // The peak has a unit of its own and stands alone in the objective.
+        cost if k == PEAK => cost.signum(),
+        cost => cost * length / weight,
+    }));
+    (p, q)
+}
+
+/// A, b and the cones: equalities, rows, and R ≥ ‖(D, e)‖ where the program has it.
+fn constraints<N: Names>(
+    program: &Program<N>,
+    rows: &[Row<N>],
+    scaling: &Scaling,
+    margin: f64,
+) -> (CscMatrix<f64>, Vec<f64>, Vec<SupportedConeT<f64>>) {
+    let (length, n) = (program.length, program.basis.columns());
+    let columns = || (n..).zip(scaling.free.iter().copied());
+    let (mut entries, mut b) = (Vec::new(), Vec::new());
+    let scaled = |r: usize, row: &Entries, unit: f64| -> Vec<(usize, usize, f64)> {
+        let all = row.iter().map(|&(i, v)| (r, i, v * length / unit));
+        all.filter(|e| e.2 != 0.0).collect()
+    };
+    for e in &program.equalities {
+        let unit = row_unit(&e.entries, length);
+        entries.extend(scaled(b.len(), &e.entries, unit));
+        b.push(e.value / unit);
+    }
+    for (row, &unit) in rows.iter().zip(&scaling.rows) {
+        let r = b.len();
+        entries.extend(scaled(r, &row.entries, unit));
+        for (column, k) in columns().filter(|(_, k)| row.extra[*k] != 0.0) {
+            entries.push((r, column, row.extra[k] * scaling.variable(k, length) / unit));
+        }
+        b.push((row.bound - margin * row.scale) / unit);
+    }
+    let mut cones = vec![
+        SupportedConeT::ZeroConeT(program.equalities.len()),
+        SupportedConeT::NonnegativeConeT(rows.len()),
+    ];
+    if program.cone {
+        for (column, _) in columns().filter(|(_, k)| SIZES.contains(k)) {
+            entries.push((b.len(), column, -1.0));
+            b.push(0.0);
+        }
+        cones.push(SupportedConeT::SecondOrderConeT(SIZES.len()));
+    }
+    (matrix(b.len(), n + scaling.free.len(), entries), b, cones)
 }
 
 /// Whether a status comes with a point; a program close to infeasible counts as infeasible.
@@ -163,62 +197,12 @@ fn accepted<N: Names>(status: SolverStatus) -> Result<(), Failure<N>> {
     })
 }
 
-/// Columns of the further variables, and their units.
-pub struct Columns {
-    pub of: [Option<usize>; EXTRAS],
-    pub unit: [f64; EXTRAS],
-    pub total: usize,
-}
-
-impl Columns {
-    pub fn new<N: Names>(program: &Program<N>, rows: &[Row<N>], n: usize) -> Self {
-        let mut of = [None; EXTRAS];
-        let mut total = n;
-        for (k, present) in program.present().into_iter().enumerate() {
-            if present {
-                of[k] = Some(total);
-                total += 1;
-            }
-        }
-        let largest = rows
-            .iter()
-            .filter(|r| r.extra[PEAK] != 0.0)
-            .fold(0.0_f64, |m, r| m.max(row_unit(&r.entries, program.length)));
-        let mut unit = [program.length; EXTRAS];
-        unit[PEAK] = if largest > 0.0 { largest } else { 1.0 };
-        Columns { of, unit, total }
-    }
-}
-
-fn upper_triangle(lower: &[(usize, usize, f64)], columns: usize, factor: f64) -> CscMatrix<f64> {
-    let mut t = Triplets::default();
-    for &(i, j, value) in lower {
-        t.push(j, i, value * factor);
-    }
-    t.matrix(columns, columns)
-}
-
-#[derive(Default)]
-struct Triplets {
-    rows: Vec<usize>,
-    columns: Vec<usize>,
-    values: Vec<f64>,
-}
-
-impl Triplets {
-    fn push(&mut self, row: usize, column: usize, value: f64) {
-        self.rows.push(row);
-        self.columns.push(column);
-        self.values.push(value);
-    }
-
-    fn extend(&mut self, row: usize, entries: impl Iterator<Item = (usize, f64)>) {
-        for (column, value) in entries.filter(|e| e.1 != 0.0) {
-            self.push(row, column, value);
-        }
-    }
-
-    fn matrix(self, m: usize, n: usize) -> CscMatrix<f64> {
-        CscMatrix::new_from_triplets(m, n, self.rows, self.columns, self.values)
-    }
+/// A sparse matrix by its entries (row, column, value).
+fn matrix(
+    rows: usize,
+    columns: usize,
+    entries: impl IntoIterator<Item = (usize, usize, f64)>,
+) -> CscMatrix<f64> {
+    let (i, j, values) = entries.into_iter().collect();
+    CscMatrix::new_from_triplets(rows, columns, i, j, values)
 }

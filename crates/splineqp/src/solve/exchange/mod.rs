@@ -87,14 +87,12 @@ pub fn from_rows<N: Names>(
                 return Ok(refined);
             }
         }
-        let least = best.as_ref().map(|b| b.violation);
-        if least.is_some_and(|least| violation > settings.stalled * least)
-            && violation < settings.largest_margin
-        {
-            margin = settings.margin_growth * violation.max(margin);
-            margin = margin.min(settings.largest_margin);
+        let least = best.as_ref().map_or(f64::INFINITY, |b| b.violation);
+        if violation > settings.stalled * least && violation < settings.largest_margin {
+            let wider = settings.margin_growth * violation.max(margin);
+            margin = wider.min(settings.largest_margin);
         }
-        if least.is_none_or(|least| violation < least) {
+        if violation < least {
             best = Some(solution);
         }
         add_rows(program, &mut rows, broken);

@@ -30,7 +30,7 @@ use crate::band::ArrowMatrix;
 use crate::basis::{Basis, apply, row_unit};
 use crate::certificate::certificate;
 use crate::poly::{Peak, PiecewisePoly};
-use crate::program::{EXTRAS, Limit, PEAK, Program, Row, Solution};
+use crate::program::{Limit, PEAK, Program, Row, Solution};
 
 struct Contacts<'a, N: Names> {
     program: &'a Program<N>,
@@ -100,13 +100,12 @@ impl<'a, N: Names> Contacts<'a, N> {
             Basis::Spline { space, .. } => space.degree(),
             Basis::Harmonic { .. } => usize::MAX,
         };
-        let present = program.present();
         Contacts {
             program,
             bends: (program.shapes.iter())
                 .map(|s| s.derivative().derivative())
                 .collect(),
-            free: (0..EXTRAS).filter(|&k| present[k]).collect(),
+            free: program.free_variables(),
             degree,
         }
     }

@@ -1,0 +1,39 @@
+//! Extreme values of a function.
+
+use serde::Serialize;
+
+/// An extreme value and where it is taken.
+///
+/// ```
+/// use splineqp::poly::PiecewisePoly;
+///
+/// // 2x(1 − x) on [0, 1], by its Bernstein coefficients 0, 1, 0.
+/// let (low, high) = PiecewisePoly::new(vec![0.0, 1.0], 2, vec![0.0, 1.0, 0.0]).extremes();
+/// assert!(low.value == 0.0 && high.value == 0.5 && high.at == 0.5);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Extreme {
+    /// The abscissa, in the units of the breaks.
+    pub at: f64,
+    /// The value there.
+    pub value: f64,
+}
+
+impl Extreme {
+    /// Another value at the same place.
+    pub fn map(self, f: impl FnOnce(f64) -> f64) -> Extreme {
+        Extreme {
+            at: self.at,
+            value: f(self.value),
+        }
+    }
+
+    /// The largest absolute value between the two extremes of a function.
+    pub fn largest((low, high): (Extreme, Extreme)) -> Extreme {
+        if high.value >= -low.value {
+            high
+        } else {
+            low.map(|value| -value)
+        }
+    }
+}
