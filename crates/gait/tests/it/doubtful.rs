@@ -114,7 +114,7 @@ fn the_strike_of_a_cut_contact_ends_a_stride() {
         .collect::<Vec<_>>()
         .join("\n");
     let c = open(&cut).1.unwrap();
-    assert_eq!(c.period_from, PeriodSource::HeelStrikes);
+    assert_eq!(c.period.from, PeriodSource::HeelStrikes);
     assert!(
         (c.curve.period_s - 1.14).abs() < 0.004,
         "{}",

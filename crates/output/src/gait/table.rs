@@ -187,7 +187,7 @@ impl Lines {
             Err(why) => return self.line(format_args!("{}: {why}", words.text("gait-no-cycle"))),
         };
         self.row("gait-cycle", words.sentence("cycle", &c.source));
-        let period = c.period();
+        let period = c.period;
         match period.uncertainty_s() {
             // From one step or stride: more digits would promise what is not known.
             Some(error) => {
