@@ -3,8 +3,9 @@
 use toml::{Table, Value as Toml};
 
 use super::keys::{KEYS, Key, read_value};
-use super::{DriveSpec, Gait, Scene, rules};
-use crate::error::{Place, Placed, Result, SceneError, nearest};
+use super::rules::{self, Typed};
+use super::{DriveSpec, Gait, Scene};
+use crate::error::{Placed, Result, SceneError, nearest};
 
 /// Reads a scene from the text of a scene file.
 ///
@@ -39,7 +40,7 @@ pub fn table(text: &str) -> Result<Table> {
 /// Unknown keys, invalid values and inconsistent keys, each with the dotted key and a valid value.
 pub fn read(table: &Table) -> Result<Scene> {
     let scene = read_keys(table)?;
-    rules::check_typed(&scene, rules::Typed::of(table))?;
+    rules::check_typed(&scene, Typed(Some(table)))?;
     Ok(scene)
 }
 
@@ -57,9 +58,8 @@ pub fn read_keys(table: &Table) -> Result<Scene> {
         let mine = leaves.iter().filter(|l| l.pattern == key.path);
         for leaf in mine.filter(|_| key.exists(&scene)).collect::<Vec<_>>() {
             if let Some(value) = read_value(key, leaf.value, &scene, &leaf.path)? {
-                let place = || Place::Key(leaf.path.clone());
                 key.set(&mut scene, leaf.index, value)
-                    .map_err(|e| e.at(place()))?;
+                    .map_err(|e| e.at_key(&leaf.path))?;
             }
         }
         if key.path == "cam.follower" {
@@ -170,19 +170,11 @@ fn unknown(leaves: &[Leaf], scene: &Scene) -> Result<()> {
 }
 
 fn no_such_key(leaf: &Leaf, scene: &Scene) -> SceneError {
-    let (parent, name) = leaf
-        .pattern
-        .rsplit_once('.')
-        .unwrap_or(("", leaf.pattern.as_str()));
+    let start = leaf.pattern.rfind('.').map_or(0, |dot| dot + 1);
+    let (parent, name) = leaf.pattern.split_at(start);
     let mut known: Vec<&str> = Vec::new();
     for key in KEYS.iter().filter(|k| k.exists(scene)) {
-        let rest = match parent {
-            "" => Some(key.path),
-            parent => key
-                .path
-                .strip_prefix(parent)
-                .and_then(|r| r.strip_prefix('.')),
-        };
+        let rest = key.path.strip_prefix(parent);
         let child = rest.and_then(|r| r.split('.').next());
         known.extend(child.filter(|c| !known.contains(c)));
     }
@@ -235,15 +227,6 @@ fn missing(leaves: &[Leaf], table: &Table, scene: &Scene) -> Result<()> {
 
 /// How many entries a list has.
 fn entries(table: &Table, list: &str) -> usize {
-    let mut at = None;
-    for part in list.split('.') {
-        at = match at {
-            None => table.get(part),
-            Some(value) => Toml::as_table(value).and_then(|t| t.get(part)),
-        };
-        if at.is_none() {
-            return 0;
-        }
-    }
-    at.and_then(Toml::as_array).map_or(0, Vec::len)
+    let list = Typed(Some(table)).value(list);
+    list.and_then(Toml::as_array).map_or(0, Vec::len)
 }

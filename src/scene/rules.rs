@@ -28,15 +28,10 @@ pub fn check(scene: &Scene) -> Result<()> {
 
 /// The values as typed by the user, for messages.
 #[derive(Clone, Copy)]
-pub(super) struct Typed<'a>(Option<&'a Table>);
+pub(super) struct Typed<'a>(pub Option<&'a Table>);
 
 impl<'a> Typed<'a> {
-    /// Of a scene's table.
-    pub fn of(table: &'a Table) -> Typed<'a> {
-        Typed(Some(table))
-    }
-
-    fn value(self, path: &str) -> Option<&'a Toml> {
+    pub fn value(self, path: &str) -> Option<&'a Toml> {
         let mut parts = path.split('.');
         let first = self.0?.get(parts.next()?)?;
         parts.try_fold(first, |at, part| at.as_table()?.get(part))

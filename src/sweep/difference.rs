@@ -84,13 +84,7 @@ pub fn differences(old: &Value, new: &Value) -> Vec<Difference> {
 const QUOTED: usize = 80;
 
 fn compare(path: &str, old: &Value, new: &Value, out: &mut Vec<Difference>) {
-    let join = |key: &str| {
-        if path.is_empty() {
-            key.to_string()
-        } else {
-            format!("{path} {key}")
-        }
-    };
+    let join = |key: &str| format!("{path} {key}").trim_start().to_string();
     match (old, new) {
         (Value::Object(a), Value::Object(b)) => {
             for (key, x) in a {
@@ -122,11 +116,8 @@ fn differing_values(path: String, old: &Value, new: &Value) -> Difference {
         other => Some(other.to_string()),
     };
     let (old, new) = (shown(old), shown(new));
-    let long = |text: &Option<String>| {
-        text.as_ref()
-            .is_some_and(|text| text.chars().count() > QUOTED)
-    };
-    if long(&old) || long(&new) {
+    let mut texts = old.iter().chain(&new);
+    if texts.any(|text| text.chars().count() > QUOTED) {
         return Difference::Long { path };
     }
     Difference::Value { path, old, new }

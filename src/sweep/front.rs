@@ -1,5 +1,7 @@
 //! The Pareto set: designs that no other design beats in every objective.
 
+use std::cmp::Ordering::Equal;
+
 use super::table::results::{NUMBERS, Outcome};
 use crate::cam::Verdict;
 use crate::error::{Result, SweepError, nearest};
@@ -77,11 +79,8 @@ impl Front {
     /// The front, by the first objective.
     pub fn sorted(&self) -> Vec<&Point> {
         let mut out: Vec<&Point> = self.points.iter().collect();
-        out.sort_by(|a, b| {
-            let pairs = a.values.iter().zip(&b.values);
-            let first = pairs.map(|(x, y)| x.total_cmp(y)).find(|o| o.is_ne());
-            first.unwrap_or(a.row.cmp(&b.row))
-        });
+        let order = |p: &&Point, q: &&Point| p.values.partial_cmp(&q.values);
+        out.sort_by(|p, q| order(p, q).unwrap_or(Equal).then(p.row.cmp(&q.row)));
         out
     }
 
@@ -89,24 +88,17 @@ impl Front {
     /// its worst on the front. With one objective, its minimum.
     pub fn best(&self) -> Option<&Point> {
         let range = |k: usize| {
-            self.points
-                .iter()
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| {
-                    (l.min(p.values[k]), h.max(p.values[k]))
-                })
+            let values = self.points.iter().map(|p| p.values[k]);
+            let low = values.clone().fold(f64::INFINITY, f64::min);
+            (low, values.fold(f64::NEG_INFINITY, f64::max))
         };
         let count = self.points.first()?.values.len();
         let ranges: Vec<(f64, f64)> = (0..count).map(range).collect();
         let distance = |p: &Point| -> f64 {
             let terms = p.values.iter().zip(&ranges);
-            terms
-                .map(|(v, (low, high))| {
-                    if high > low {
-                        ((v - low) / (high - low)).powi(2)
-                    } else {
-                        0.0
-                    }
-                })
+            let differing = terms.filter(|(_, (low, high))| high > low);
+            differing
+                .map(|(v, (low, high))| ((v - low) / (high - low)).powi(2))
                 .sum()
         };
         self.points
@@ -201,9 +193,11 @@ impl Admission {
 
     /// Whether a row is excluded only because it is not for high speed.
     pub fn leaves_out(self, outcome: &str, verdict: &str) -> bool {
-        !self.takes(outcome, verdict)
-            && outcome == Outcome::Built.name()
-            && verdict == Verdict::NotForHighSpeed.name()
+        let low_speed = Admission {
+            low_speed: true,
+            ..self
+        };
+        !self.takes(outcome, verdict) && low_speed.takes(outcome, verdict)
     }
 }
 

@@ -71,12 +71,14 @@ impl Measure {
 /// assert!(matches!(keys::find("law.degree").unwrap().kind, Kind::Count(..)));
 /// assert!(matches!(keys::find("law.monotone").unwrap().kind, Kind::Flag));
 /// ```
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Kind {
     /// A number with its unit.
     Number(Measure),
     /// A number with its unit, or this word.
+    #[strum(serialize = "number-or-word")]
     NumberOr(Measure, &'static str),
     /// A whole number from the first to the last.
     Count(usize, usize),

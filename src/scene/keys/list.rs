@@ -11,22 +11,14 @@ pub fn json() -> Value {
 }
 
 fn row(key: &Key) -> Value {
-    let (kind, count) = match key.kind {
-        Kind::Number(_) => ("number", None),
-        Kind::NumberOr(..) => ("number-or-word", None),
-        Kind::Count(low, high) => ("count", Some((low, high))),
-        Kind::Choice(_) => ("choice", None),
-        Kind::Flag => ("flag", None),
-        Kind::Text => ("text", None),
-        Kind::Texts => ("texts", None),
-    };
-    let range = match (count, key.range) {
-        (Some((low, high)), _) => json!({"from": low, "to": high}),
-        (None, Range::Any) => Value::Null,
-        (None, Range::Positive) => json!({"above": 0.0}),
-        (None, Range::NotNegative) => json!({"from": 0.0}),
-        (None, Range::Between(low, high)) => json!({"from": low, "to": high}),
-        (None, Range::Acute) => json!({"above": 0.0, "below": std::f64::consts::FRAC_PI_2}),
+    let kind: &str = key.kind.into();
+    let range = match (key.kind, key.range) {
+        (Kind::Count(low, high), _) => json!({"from": low, "to": high}),
+        (_, Range::Any) => Value::Null,
+        (_, Range::Positive) => json!({"above": 0.0}),
+        (_, Range::NotNegative) => json!({"from": 0.0}),
+        (_, Range::Between(low, high)) => json!({"from": low, "to": high}),
+        (_, Range::Acute) => json!({"above": 0.0, "below": std::f64::consts::FRAC_PI_2}),
     };
     let measure = key.measure();
     json!({

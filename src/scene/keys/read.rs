@@ -6,7 +6,7 @@ use super::field::unknown_word;
 use super::kind::{Kind, Range};
 use super::row::Key;
 use super::value::Value;
-use crate::error::{Place, Placed, Result, SceneError};
+use crate::error::{Placed, Result, SceneError};
 use crate::scene::Scene;
 use crate::units::{Dimension, Quantity, parse};
 
@@ -15,74 +15,63 @@ use crate::units::{Dimension, Quantity, parse};
 /// # Errors
 /// A value of another type or unit, or outside the range of the key.
 pub fn read(key: &Key, typed: &Toml, scene: &Scene, path: &str) -> Result<Option<Value>> {
-    let fault = |e: SceneError| e.at_key(path);
-    let auto = typed.as_str() == Some("auto");
     match key.kind {
-        Kind::Number(measure) => number(key, typed, measure.of(scene.cam.measures()), scene, path),
         Kind::NumberOr(_, word) if typed.as_str() == Some(word) => {
             Ok(Some(Value::Text(word.to_string())))
         }
-        Kind::NumberOr(measure, _) => {
+        Kind::Number(measure) | Kind::NumberOr(measure, _) => {
             number(key, typed, measure.of(scene.cam.measures()), scene, path)
         }
-        Kind::Count(..) if auto => Ok(None),
-        Kind::Count(low, high) => {
-            let count = match typed {
-                Toml::Integer(i) => usize::try_from(*i).ok(),
-                Toml::String(s) => s.trim().parse().ok(),
-                _ => None,
-            };
-            count
-                .filter(|n| (low..=high).contains(n))
-                .map(|n| Some(Value::Count(n)))
-                .ok_or_else(|| {
-                    let typed = typed.to_string();
-                    fault(if key.path == "law.spans" {
-                        SceneError::NotSpans { typed, low, high }
-                    } else {
-                        SceneError::NotCount { typed, low, high }
-                    })
-                })
-        }
-        Kind::Flag => match typed {
-            Toml::Boolean(b) => Ok(Some(Value::Flag(*b))),
-            _ => Err(fault(SceneError::NotFlag {
-                typed: typed.to_string(),
-            })),
-        },
-        Kind::Choice(words) => choice(typed, &words()).map(Some).map_err(fault),
-        Kind::Text => match typed {
-            Toml::String(s) => Ok(Some(Value::Text(s.clone()))),
-            _ => Err(fault(SceneError::NotText {
-                typed: typed.to_string(),
-            })),
-        },
-        Kind::Texts => texts(typed).map(Some).map_err(fault),
+        Kind::Count(..) if typed.as_str() == Some("auto") => Ok(None),
+        _ => plain(key, typed).map(Some).map_err(|e| e.at_key(path)),
     }
 }
 
-fn texts(typed: &Toml) -> std::result::Result<Value, SceneError> {
-    let one = |v: &Toml| v.as_str().map(str::to_string);
-    let all: Option<Vec<String>> = match typed {
-        Toml::String(s) => Some(vec![s.clone()]),
-        Toml::Array(list) => list.iter().map(one).collect(),
+/// A value without a unit.
+fn plain(key: &Key, typed: &Toml) -> std::result::Result<Value, SceneError> {
+    let written = || typed.to_string();
+    match key.kind {
+        Kind::Count(low, high) => count(typed, low, high).ok_or_else(|| {
+            let typed = written();
+            match key.path {
+                "law.spans" => SceneError::NotSpans { typed, low, high },
+                _ => SceneError::NotCount { typed, low, high },
+            }
+        }),
+        Kind::Flag => {
+            let flag = typed.as_bool().map(Value::Flag);
+            flag.ok_or_else(|| SceneError::NotFlag { typed: written() })
+        }
+        Kind::Texts => texts(typed).ok_or_else(|| SceneError::NotTexts { typed: written() }),
+        _ => {
+            let word = typed.as_str();
+            let word = word.ok_or_else(|| SceneError::NotText { typed: written() })?;
+            let known = key.choices();
+            if known.is_empty() || known.contains(&word) {
+                return Ok(Value::Text(word.to_string()));
+            }
+            Err(unknown_word(word, &known))
+        }
+    }
+}
+
+fn count(typed: &Toml, low: usize, high: usize) -> Option<Value> {
+    let count = match typed {
+        Toml::Integer(i) => usize::try_from(*i).ok(),
+        Toml::String(s) => s.trim().parse().ok(),
         _ => None,
     };
-    all.map(Value::Texts).ok_or_else(|| SceneError::NotTexts {
-        typed: typed.to_string(),
-    })
+    let count = count.filter(|n| (low..=high).contains(n));
+    count.map(Value::Count)
 }
 
-fn choice(typed: &Toml, known: &[&'static str]) -> std::result::Result<Value, SceneError> {
-    let Toml::String(word) = typed else {
-        return Err(SceneError::NotText {
-            typed: typed.to_string(),
-        });
+fn texts(typed: &Toml) -> Option<Value> {
+    let one = |v: &Toml| v.as_str().map(str::to_string);
+    let all: Option<Vec<String>> = match typed {
+        Toml::Array(list) => list.iter().map(one).collect(),
+        typed => one(typed).map(|text| vec![text]),
     };
-    if known.contains(&word.as_str()) {
-        return Ok(Value::Text(word.clone()));
-    }
-    Err(unknown_word(word, known))
+    all.map(Value::Texts)
 }
 
 fn number(
@@ -92,14 +81,13 @@ fn number(
     scene: &Scene,
     path: &str,
 ) -> Result<Option<Value>> {
-    let place = || Place::Key(path.to_string());
     let value = match typed {
         Toml::String(s) if s == "auto" => return Ok(None),
-        Toml::String(s) => parse(s, dimension).map_err(|e| e.at(place()))?,
+        Toml::String(s) => parse(s, dimension).map_err(|e| e.at_key(path))?,
         Toml::Integer(0) => 0.0,
         Toml::Float(x) if *x == 0.0 => 0.0,
         Toml::Integer(_) | Toml::Float(_) if dimension == Dimension::Percent => {
-            parse(&typed.to_string(), dimension).map_err(|e| e.at(place()))?
+            parse(&typed.to_string(), dimension).map_err(|e| e.at_key(path))?
         }
         Toml::Integer(i) if dimension == Dimension::Ratio => *i as f64,
         Toml::Float(x) if dimension == Dimension::Ratio && x.is_finite() => *x,

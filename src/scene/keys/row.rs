@@ -59,11 +59,6 @@ impl Key {
         self.path.split_once('.').map_or("", |p| p.0)
     }
 
-    /// The path without its last word: `law.segment.N`.
-    pub fn parent(&self) -> &'static str {
-        self.path.rsplit_once('.').map_or("", |p| p.0)
-    }
-
     /// The last word of the path.
     pub fn name(&self) -> &'static str {
         self.path.rsplit_once('.').map_or(self.path, |p| p.1)
@@ -71,8 +66,7 @@ impl Key {
 
     /// The list whose entries have this key: `law.segment`.
     pub fn list(&self) -> Option<&'static str> {
-        let at = self.path.as_bytes().windows(3).position(|w| w == b".N.")?;
-        Some(&self.path[..at])
+        self.path.split_once(".N.").map(|p| p.0)
     }
 
     /// The path with the number of an entry, counted from 0, as users write it.

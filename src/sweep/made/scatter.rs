@@ -113,22 +113,13 @@ impl Samples {
     /// The samples of a range of rows.
     pub fn records(&self, rows: Range<u64>) -> Records {
         let count = (rows.end - rows.start) as usize;
-        let mut columns = SAMPLE_COLUMNS.map(|_| Vec::with_capacity(count));
-        for row in rows.clone() {
-            let made = self
-                .scatter
-                .sample(&self.tolerances, row, self.count, self.seed);
-            for (column, x) in columns.iter_mut().zip(numbers(made)) {
-                column.push(x);
-            }
-        }
+        let (scatter, tolerances) = (&self.scatter, &self.tolerances);
         let mut fields = vec![Field::rows(rows.start, count)];
-        fields.extend(
-            SAMPLE_COLUMNS
-                .iter()
-                .zip(columns)
-                .map(|(n, c)| Field::numbers(n, c)),
-        );
+        let sample = |row| numbers(scatter.sample(tolerances, row, self.count, self.seed));
+        let samples: Vec<_> = rows.map(sample).collect();
+        for (k, name) in SAMPLE_COLUMNS.iter().enumerate() {
+            fields.push(Field::numbers(name, samples.iter().map(|s| s[k]).collect()));
+        }
         Records { fields }
     }
 }

@@ -5,7 +5,7 @@ pub(super) mod batch;
 pub(super) mod key;
 pub(super) mod sample;
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use toml::Table;
 
 use self::axis::{Axis, AxisValue, Values};
@@ -122,8 +122,6 @@ pub struct Plan {
     pub sampling: Sampling,
 }
 
-/// Keys that name or structure a scene and cannot be varied.
-const FIXED: [&str; 1] = ["name"];
 /// Largest number of combinations of words with which a value is checked before the sweep starts.
 const TRIED_COMBINATIONS: u128 = 256;
 /// Largest number of values of one list that are checked before the sweep starts.
@@ -222,7 +220,7 @@ impl Plan {
         }
         for (i, axis) in axes.iter().enumerate() {
             let name = axis.key.name();
-            if FIXED.contains(&name) {
+            if name == "name" {
                 let (key, known) = (name.to_string(), Key::names().join(", "));
                 return Err(SweepError::Fixed { key, known }.into());
             }
@@ -300,44 +298,30 @@ impl Plan {
 
     /// The plan as data, to be stored with its table: equal plans have equal descriptions.
     pub fn description(&self) -> Value {
-        let mut vary = Map::new();
-        for axis in &self.axes {
-            vary.insert(axis.key.name().to_string(), json!(axis.text()));
-        }
-        let scenes: Vec<Value> = self
-            .scenes
-            .iter()
-            .map(|s| json!({"name": s.name, "text": s.table.to_string()}))
-            .collect();
-        let mut out = Map::new();
-        out.insert("scenes".into(), json!(scenes));
+        let scene = |s: &NamedScene| json!({"name": s.name, "text": s.table.to_string()});
+        let mut out = json!({"scenes": self.scenes.iter().map(scene).collect::<Value>()});
         if let Some(list) = &self.list {
-            let text: Vec<String> = list
-                .columns
-                .iter()
-                .map(|a| format!("{}={}", a.key.name(), a.text()))
-                .collect();
-            let names: Vec<&str> = list.columns.iter().map(|a| a.key.name()).collect();
+            let columns = list.columns.iter();
+            let text = |a: &Axis| format!("{}={}", a.key.name(), a.text());
+            let text: Vec<String> = columns.clone().map(text).collect();
+            let names: Vec<&str> = columns.map(|a| a.key.name()).collect();
             let sum = crc32fast::hash(text.join("\n").as_bytes());
-            out.insert(
-                "list".into(),
-                json!({"rows": list.rows(), "keys": names, "checksum": sum}),
-            );
+            out["list"] = json!({"rows": list.rows(), "keys": names, "checksum": sum});
         }
-        out.insert("vary".into(), Value::Object(vary));
+        out["vary"] = json!({});
+        for axis in &self.axes {
+            out["vary"][axis.key.name()] = json!(axis.text());
+        }
         if let Sampling::Sample {
             method,
             count,
             seed,
         } = self.sampling
         {
-            out.insert(
-                "sample".into(),
-                json!({"method": method.name(), "count": count, "seed": seed}),
-            );
+            out["sample"] = json!({"method": method.name(), "count": count, "seed": seed});
         }
-        out.insert("rows".into(), json!(self.rows() as u64));
-        Value::Object(out)
+        out["rows"] = json!(self.rows() as u64);
+        out
     }
 }
 

@@ -109,9 +109,7 @@ fn sobol(index: u64, axis: usize) -> f64 {
     let gray = index ^ (index >> 1);
     let mut x = 0_u64;
     if axis == 0 {
-        for k in (0..SOBOL_BITS).filter(|k| gray >> k & 1 == 1) {
-            x ^= 1 << (SOBOL_BITS - 1 - k);
-        }
+        x = gray.reverse_bits() >> (64 - SOBOL_BITS);
     } else {
         let (degree, polynomial, first) = JOE_KUO[(axis - 1).min(SOBOL_AXES - 2)];
         let degree = degree as usize;

@@ -9,15 +9,8 @@ use super::results::TIME;
 impl Records {
     /// The names of the columns as a line of CSV.
     pub fn csv_header(&self) -> String {
-        let mut out = String::new();
-        for (i, field) in self.fields.iter().enumerate() {
-            if i > 0 {
-                out.push(',');
-            }
-            quoted(&mut out, &field.name);
-        }
-        out.push('\n');
-        out
+        let names = self.fields.iter().map(|field| quoted(&field.name));
+        names.collect::<Vec<_>>().join(",") + "\n"
     }
 
     /// The rows as lines of CSV; times with four digits.
@@ -29,18 +22,14 @@ impl Records {
                     out.push(',');
                 }
                 // Writing to a String cannot fail.
-                let _ = match &field.values {
-                    Values::Rows(rows) => write!(out, "{}", rows[row]),
-                    Values::Numbers(x) if field.name == TIME => write!(out, "{:.3e}", x[row]),
-                    Values::Numbers(x) => {
-                        number(&mut out, x[row]);
-                        Ok(())
-                    }
+                match &field.values {
+                    Values::Rows(rows) => _ = write!(out, "{}", rows[row]),
+                    Values::Numbers(x) if field.name == TIME => _ = write!(out, "{:.3e}", x[row]),
+                    Values::Numbers(x) => number(&mut out, x[row]),
                     Values::Words(words) => {
-                        quoted(&mut out, &text_cell(words.at(row).unwrap_or("")));
-                        Ok(())
+                        out.push_str(&quoted(&text_cell(words.at(row).unwrap_or(""))));
                     }
-                };
+                }
             }
             out.push('\n');
         }
@@ -93,14 +82,10 @@ fn number(out: &mut String, x: f64) {
     out.push_str(text.strip_suffix(".0").unwrap_or(text));
 }
 
-fn quoted(out: &mut String, text: &str) {
-    let ends = |b: u8| matches!(b, b',' | b'"' | b'\n' | b'\r');
-    if text.bytes().any(ends) {
-        out.push('"');
-        out.push_str(&text.replace('"', "\"\""));
-        out.push('"');
-    } else {
-        out.push_str(text);
+fn quoted(text: &str) -> Cow<'_, str> {
+    match text.contains([',', '"', '\n', '\r']) {
+        true => Cow::Owned(format!("\"{}\"", text.replace('"', "\"\""))),
+        false => Cow::Borrowed(text),
     }
 }
 

@@ -10,7 +10,7 @@ use crate::statistics::mean;
 /// Longest that a foot's force lies below the contact threshold before heel strike and after toe-off, s.
 const TAIL_S: f64 = 0.06;
 /// Part of a stance by which a mean stance reaches past its ends, to hold that force.
-const MARGIN: f64 = 0.12;
+pub(super) const MARGIN: f64 = 0.12;
 
 /// Force at a place between samples, by a straight line.
 pub(super) fn at(force: &[f64], place: f64) -> f64 {
@@ -130,11 +130,6 @@ pub(super) struct MeanStance {
     pub spread: Option<Vec<f64>>,
 }
 
-/// Averages stances with the force below the threshold around them.
-pub(super) fn mean_stance(recording: &Recording, stances: &[&Stance]) -> MeanStance {
-    mean_within(recording, stances, MARGIN)
-}
-
 /// Mean mass, kg, of stances that all have one of their own.
 pub(super) fn mean_mass(stances: &[&Stance]) -> Option<f64> {
     let masses: Option<Vec<f64>> = stances.iter().map(|s| s.mass_kg).collect();
@@ -142,7 +137,7 @@ pub(super) fn mean_mass(stances: &[&Stance]) -> Option<f64> {
 }
 
 /// Averages stances; where each has its own mass, in body weights, then scaled to the mean mass.
-pub(super) fn mean_within(recording: &Recording, stances: &[&Stance], margin: f64) -> MeanStance {
+pub(super) fn mean_stance(recording: &Recording, stances: &[&Stance], margin: f64) -> MeanStance {
     let usual = mean_mass(stances);
     let mut mean = Mean::new();
     let mut row = vec![0.0; SAMPLES];

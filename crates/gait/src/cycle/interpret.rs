@@ -4,6 +4,7 @@ use super::{Cycle, overlay};
 use crate::interpretation::{Clock, Column, Contact, Interpretation};
 use crate::recording::{Channel, CycleSource, Feet, Recording};
 use crate::stance::{Footfall, RejectReason, Stances, footfalls};
+use crate::statistics::ends;
 
 /// Points of a channel that are kept for its picture: lowest and highest force of so many pieces.
 const PIECES: usize = 700;
@@ -38,7 +39,7 @@ impl Interpretation {
             columns: r.channels.iter().map(Column::of).collect(),
             feet,
             contacts: contacts(r, stances, cycle),
-            period: cycle.map(Cycle::period),
+            period: cycle.map(|c| c.period),
             mass: given.or(cycle.map(|c| (c.mass_kg, c.mass_from))),
             cycle: cycle.map(|c| c.source),
             warnings: match cycle {
@@ -66,14 +67,8 @@ impl Column {
 /// Lowest and highest value of pieces of equal length, so that no peak is lost.
 fn envelope(force: &[f64], pieces: usize) -> Vec<[f64; 2]> {
     let length = force.len().div_ceil(pieces).max(1);
-    let ends = |piece: &[f64]| {
-        piece
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
-                [x.min(low), x.max(high)]
-            })
-    };
-    force.chunks(length).map(ends).collect()
+    let pieces = force.chunks(length).filter_map(ends);
+    pieces.map(|(low, high)| [low, high]).collect()
 }
 
 /// Contacts in order of time, on the file's own clock.

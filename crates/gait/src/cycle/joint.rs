@@ -223,7 +223,7 @@ fn average(used: &[&Cycle], kind: Kind, left_out: Vec<Option<LeftOut>>) -> Resul
     curve.mass_kg = Some(mass_kg);
     let period_spread_s = pooled(
         &counts,
-        &|i| used[i].period_spread_s.unwrap_or(0.0),
+        &|i| used[i].period.spread_s.unwrap_or(0.0),
         &|i| used[i].curve.period_s,
         period_s,
     );

@@ -59,8 +59,8 @@ pub struct Cycle {
     pub averaged: usize,
     /// How the cycle was computed.
     pub source: CycleSource,
-    /// What its period was taken from.
-    pub period_from: PeriodSource,
+    /// Its duration and what it was taken from.
+    pub period: Period,
     /// Coefficient of repeatability, N: two cycles of this walker differ by less in 95 of 100 cases
     /// (1.96 √2 times the standard deviation, root mean square over the phases). `None` for one cycle.
     pub repeatability_n: Option<f64>,
@@ -70,8 +70,6 @@ pub struct Cycle {
     pub mass_from: MassSource,
     /// What the cycle is of.
     pub kind: Kind,
-    /// Standard deviation of the strides that the period was taken from, s.
-    pub period_spread_s: Option<f64>,
     /// Mean force over the cycle as a part of the weight that the feet of the cycle carry: 1 for a walker
     /// whose mass is right.
     pub mean_of_weight: f64,
@@ -79,17 +77,6 @@ pub struct Cycle {
     pub mass_fits: bool,
     /// What does not look right.
     pub notes: Vec<Note>,
-}
-
-impl Cycle {
-    /// Its duration and what it was taken from.
-    pub fn period(&self) -> Period {
-        Period {
-            seconds: self.curve.period_s,
-            from: self.period_from,
-            spread_s: self.period_spread_s,
-        }
-    }
 }
 
 /// A mean cycle before its mass and plausibility are determined.
@@ -225,8 +212,7 @@ fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet
     let mut cycle = Cycle {
         averaged: average.averaged,
         source: average.source,
-        period_from: period.from,
-        period_spread_s: period.spread_s,
+        period,
         repeatability_n,
         mass_kg,
         mass_from,

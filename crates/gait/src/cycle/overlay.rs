@@ -1,6 +1,6 @@
 //! Stances laid over each other on phase, with the mean of each foot and its band, for a picture.
 
-use super::average::{mean_mass, mean_within, stance_row};
+use super::average::{mean_mass, mean_stance, stance_row};
 use crate::interpretation::{MeanStanceCurve, Overlay};
 use crate::recording::{Foot, Recording};
 use crate::stance::{Point, Stance, Stances};
@@ -37,7 +37,7 @@ pub fn overlay(recording: &Recording, stances: &Stances, most: usize) -> Option<
 const ROW: usize = 256;
 
 fn mean_of(recording: &Recording, own: &[&Stance]) -> MeanStanceCurve {
-    let mean = mean_within(recording, own, 0.0);
+    let mean = mean_stance(recording, own, 0.0);
     let point = |of: fn(&Stance) -> Option<Point>| {
         let all: Vec<Point> = own.iter().filter_map(|s| of(s)).collect();
         // A landmark that half of the stances lack is none.

@@ -1,7 +1,7 @@
 //! A stride built from single stances: both feet half a stride apart, or one foot with its swing.
 
 use super::Average;
-use super::average::mean_stance;
+use super::average::{MARGIN, mean_stance};
 use super::stride_time::stride_time;
 use crate::cycle::plausibility::Ranges;
 use crate::error::{ForceError, Result};
@@ -15,7 +15,7 @@ pub(super) fn both_feet(recording: &Recording, stances: &Stances, ranges: &Range
     let (left, right) = (fellows(left), fellows(right));
     let sides = !left.is_empty() && !right.is_empty();
     let pair = if sides { [&right, &left] } else { [&all; 2] };
-    let [first, second] = pair.map(|stances| mean_stance(recording, stances));
+    let [first, second] = pair.map(|stances| mean_stance(recording, stances, MARGIN));
     let impulse = first.impulse_ns + second.impulse_ns;
     let period = stride_time(recording, stances, impulse, &first, ranges);
     let from = period.from;
@@ -103,7 +103,7 @@ pub(super) fn one_foot(
         });
     }
     let wanted = fellows(wanted);
-    let mean = mean_stance(recording, &wanted);
+    let mean = mean_stance(recording, &wanted, MARGIN);
     let period = stride_time(recording, stances, 2.0 * mean.impulse_ns, &mean, ranges);
     let source = CycleSource::OneFoot {
         stances: mean.count,

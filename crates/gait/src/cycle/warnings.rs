@@ -24,22 +24,18 @@ pub(super) fn warnings(
     }
     notes.extend(stances.notes.iter().cloned());
     let period_s = cycle.curve.period_s;
-    if cycle.period_from == PeriodSource::UsualDuty {
+    if cycle.period.from == PeriodSource::UsualDuty {
         let period = seconds(period_s);
         let duty = share(ranges(cycle.kind, cycle.mass_kg, false).usual_duty);
         notes.push(Note::StrideAssumed { period, duty });
     }
     notes.extend(varies(cycle));
-    notes.extend(
-        cycle
-            .period()
-            .uncertainty_s()
-            .map(|error| Note::StrideFromOne {
-                period: seconds(period_s),
-                error: share(error / period_s),
-                stroke: share(2.0 * error / period_s),
-            }),
-    );
+    let from_one = |error: f64| Note::StrideFromOne {
+        period: seconds(period_s),
+        error: share(error / period_s),
+        stroke: share(2.0 * error / period_s),
+    };
+    notes.extend(cycle.period.uncertainty_s().map(from_one));
     let used: Vec<&Stance> = stances.used.iter().filter(|s| !s.unlike).collect();
     let mean = |of: fn(&Stance) -> f64| {
         let sum = used.iter().map(|s| of(s)).sum::<f64>();
@@ -73,9 +69,9 @@ const ONE_SPEED: f64 = 0.05;
 
 /// Strides that differ more than those of one speed.
 fn varies(cycle: &Cycle) -> Option<Note> {
-    let (period, spread) = (cycle.curve.period_s, cycle.period_spread_s?);
+    let (period, spread) = (cycle.period.seconds, cycle.period.spread_s?);
     // Steps of a limping walker differ, strides do not.
-    let strides = cycle.period_from != PeriodSource::DoubledSteps;
+    let strides = cycle.period.from != PeriodSource::DoubledSteps;
     (strides && spread > ONE_SPEED * period).then(|| Note::StrideVaries {
         period: seconds(period),
         spread: seconds(spread),

@@ -43,26 +43,21 @@ pub fn model(
     let f = frequency(info, step_frequency_hz)?;
     let shape = if info.single_foot {
         single_foot(info.name, f, feet)
-    } else if matches!(feet, Feet::Both | Feet::Total) {
+    } else if feet.share() == 1.0 {
         continuous(&harmonics(info.name, f))
     } else {
         let model = info.name.to_string();
         return Err(ForceError::BothFeetOnly { model }.into());
     };
-    let steps = if info.single_foot && feet.share() < 1.0 {
-        2.0
-    } else {
-        1.0
-    };
+    // A cycle of one foot is a stride of two steps.
+    let steps = 1.0 / feet.share();
     let force = shape.iter().map(|w| w * body_weight_n).collect();
-    let title = format!(
-        "{} {f} Hz, {body_weight_n} N, {}",
-        info.name,
-        match feet {
-            Feet::Both | Feet::Total => "both feet",
-            _ => "one foot",
-        }
-    );
+    let of = if feet.share() < 1.0 {
+        "one foot"
+    } else {
+        "both feet"
+    };
+    let title = format!("{} {f} Hz, {body_weight_n} N, {of}", info.name);
     ForceCurve::from_samples(&title, steps / f, force)
 }
 

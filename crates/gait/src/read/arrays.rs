@@ -2,7 +2,8 @@
 
 use super::cycle_file::sampled;
 use crate::curve::ForceCurve;
-use crate::error::{Error, ForceError, Place, ReadError, Result};
+use crate::error::{ForceError, Placed, ReadError, Result};
+use crate::quantity::seconds;
 
 /// One cycle from its times, s, and forces, N; the first sample may be repeated at the end. Without a `period`, s, the
 /// cycle ends one step after its last sample.
@@ -16,33 +17,30 @@ pub fn of_arrays(
     f_n: &[f64],
     period_s: Option<f64>,
 ) -> Result<ForceCurve> {
-    let at = |key: &str| Place::Key(key.to_string());
     if t_s.len() != f_n.len() {
         let (times, forces) = (t_s.len(), f_n.len());
-        let fault = Error::from(ForceError::Lengths { times, forces });
-        return Err(fault.at(at("f_n")));
+        return Err(ForceError::Lengths { times, forces }.at_key("f_n"));
     }
     for (key, values) in [("t_s", t_s), ("f_n", f_n)] {
         if let Some(sample) = values.iter().position(|x| !x.is_finite()) {
-            let fault = Error::from(ForceError::SampleNotFinite { sample });
-            return Err(fault.at(at(key)));
+            return Err(ForceError::SampleNotFinite { sample }.at_key(key));
         }
     }
     if let Some(w) = t_s.windows(2).find(|w| w[1] <= w[0]) {
         let (time, after) = (w[1], w[0]);
-        let fault = Error::from(ReadError::TimeBackwards { time, after });
-        return Err(fault.at(at("t_s")));
+        return Err(ReadError::TimeBackwards { time, after }.at_key("t_s"));
     }
-    if period_s.is_some_and(|p| !(p.is_finite() && p > 0.0)) {
-        let fault = ForceCurve::from_samples(name, period_s.unwrap_or(0.0), vec![0.0; 4]);
-        return fault.map_err(|e| e.at(at("period_s")));
+    if let Some(period) = period_s.filter(|p| !(p.is_finite() && *p > 0.0)) {
+        let period = seconds(period);
+        return Err(ForceError::PeriodNotPositive { period }.at_key("period_s"));
     }
-    sampled(name, t_s, f_n, period_s).map_err(|e| e.at(at("t_s")))
+    sampled(name, t_s, f_n, period_s).map_err(|e| e.at_key("t_s"))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Place;
     use std::f64::consts::TAU;
 
     #[test]

@@ -50,32 +50,22 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     // A bare `time` is in seconds; what has another unit, such as a percentage, is no clock.
     let is_bare = words(&table.names[columns.0]).len() == 1;
     let time_unit = time_unit(&table, columns.0).or(is_bare.then_some(1.0));
-    times
-        .iter_mut()
-        .for_each(|t| *t *= time_unit.unwrap_or(1.0));
+    for time in &mut times {
+        *time *= time_unit.unwrap_or(1.0);
+    }
     let keys = keys::read(&comments, file.layout.comma);
     let mass_kg = options.mass_kg.or(keys.mass_kg);
-    let unit = options
-        .unit
-        .or(unit_label(&table, columns.1))
-        .unwrap_or(ForceUnit::Newton);
-    let factor = unit.newtons(mass_kg).ok_or_else(|| {
-        let unit = unit.name();
-        ReadError::MassMissing { unit }.at_line(path, table.start.line)
-    })?;
+    let factor = newtons(file, &table, columns.1, mass_kg)?;
     for x in force.iter_mut().chain(spread.iter_mut().flatten()) {
         *x *= factor;
     }
     let said = comments.iter().find_map(|c| period(c));
     let period = options.period_s.or(said);
-    let clock_s = match kind {
-        Kind::Cycle if time_unit.is_some() => other_clock(&times, options),
-        _ => None,
-    };
-    let times = match kind {
-        Kind::Cycle if asked => stretched(times, options),
-        _ => times,
-    };
+    let mut clock_s = None;
+    if kind == Kind::Cycle && asked {
+        clock_s = time_unit.and_then(|_| other_clock(&times, options));
+        times = stretched(times, options);
+    }
     let name = path.file_name().and_then(|n| n.to_str());
     let name = name.unwrap_or("cycle");
     let place = |e: Error| e.in_file(path);
@@ -94,6 +84,16 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     curve.mass_kg = mass_kg;
     curve.clock_s = clock_s;
     Ok(Some(curve))
+}
+
+/// Newtons per unit of a column.
+fn newtons(file: &TextFile, table: &Table, column: usize, mass_kg: Option<f64>) -> Result<f64> {
+    let label = unit_label(table, column);
+    let unit = file.options.unit.or(label).unwrap_or(ForceUnit::Newton);
+    unit.newtons(mass_kg).ok_or_else(|| {
+        let unit = unit.name();
+        ReadError::MassMissing { unit }.at_line(file.path, table.start.line)
+    })
 }
 
 /// Places of time, force and, where there is one, spread in the table of a cycle.
@@ -162,13 +162,7 @@ fn period(comment: &str) -> Option<f64> {
     let rest = rest
         .trim_start_matches("_s")
         .trim_start_matches([' ', '=', ':']);
-    let end = rest
-        .find(|c: char| !(c.is_ascii_digit() || ".e+-".contains(c)))
-        .unwrap_or(rest.len());
-    rest[..end]
-        .parse()
-        .ok()
-        .filter(|p: &f64| p.is_finite() && *p > 0.0)
+    keys::number(rest, false).filter(|period| *period > 0.0)
 }
 
 /// A cycle from samples: unchanged if uniform in time, otherwise resampled on equal phases.

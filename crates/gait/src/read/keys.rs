@@ -1,6 +1,6 @@
 //! Keys in the lines above a table: sampling rate, mass of the walker, announced rows.
 
-use super::number::{Field, field};
+use super::number::value;
 use crate::units::G;
 
 /// Facts found above a table.
@@ -68,16 +68,13 @@ fn split(line: &str) -> Option<(&str, &str)> {
 }
 
 /// The number a value starts with; a unit may follow.
-fn number(value: &str, comma: bool) -> Option<f64> {
-    let first = value.split(['\t', ';', ' ']).next().unwrap_or("");
+pub(super) fn number(typed: &str, comma: bool) -> Option<f64> {
+    let first = typed.split(['\t', ';', ' ']).next().unwrap_or("");
     let end = first
         .find(|c: char| !(c.is_ascii_digit() || "+-.,e".contains(c)))
         .unwrap_or(first.len());
     let digits = first[..end].trim_end_matches(['e', ',']);
-    match field(digits.as_bytes(), comma) {
-        Field::Number(x) => Some(x),
-        _ => None,
-    }
+    Some(value(digits.as_bytes(), comma)).filter(|x| x.is_finite())
 }
 
 /// Mass of a walker, kg, from a key of mass or weight; `None` if implausible.

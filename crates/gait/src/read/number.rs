@@ -102,20 +102,8 @@ fn long(b: &[u8], comma: bool) -> Field {
 }
 
 fn word(b: &[u8]) -> Field {
-    let nothing: [&[u8]; 11] = [
-        b"nan",
-        b"na",
-        b"n/a",
-        b"null",
-        b"none",
-        b"inf",
-        b"-inf",
-        b"-nan",
-        b"+inf",
-        b"missing",
-        b"-nan(ind)",
-    ];
-    if nothing.iter().any(|n| b.eq_ignore_ascii_case(n)) {
+    let mut nothing = "nan na n/a null none inf -inf -nan +inf missing -nan(ind)".split(' ');
+    if nothing.any(|word| b.eq_ignore_ascii_case(word.as_bytes())) {
         Field::Missing
     } else {
         Field::Text

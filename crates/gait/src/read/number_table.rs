@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::columns::bracketed;
 use super::foreign;
-use super::number::{Field, field, trim};
+use super::number::{trim, value};
 use super::text::{
     Fields, Layout, Lines, Position, Table, detect, next_table, no_table, plain, text,
 };
@@ -111,10 +111,7 @@ impl<'a> NumberTable<'a> {
 
     fn cells(&self, line: &[u8]) -> Vec<Cell> {
         let cell = |f: &[u8]| Cell {
-            number: match field(f, self.layout.comma) {
-                Field::Number(x) => Some(x),
-                Field::Missing | Field::Text => None,
-            },
+            number: Some(value(f, self.layout.comma)).filter(|x| x.is_finite()),
             text: text(trim(f)),
         };
         Fields::new(line, self.layout).map(cell).collect()

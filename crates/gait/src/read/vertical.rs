@@ -44,7 +44,9 @@ pub(super) fn recording(
     options: &ReadOptions,
 ) -> Result<Recording> {
     let mut notes = facts.notes;
-    let mass_kg = options.mass_kg.or(facts.mass_kg);
+    let stated = options.mass_kg.map(|m| (m, MassSource::User));
+    let mass = stated.or(facts.mass_kg.map(|m| (m, MassSource::File)));
+    let mass_kg = mass.map(|m| m.0);
     keep_vertical(&mut raw, &mut notes);
     let (unit, unit_from) = unit(&raw, options, &mut notes);
     let factor = unit
@@ -85,11 +87,7 @@ pub(super) fn recording(
         kind: options.kind,
         duration_s: count.saturating_sub(1) as f64 / base.rate_hz,
         mass_kg,
-        mass_from: match (options.mass_kg, facts.mass_kg) {
-            (Some(_), _) => Some(MassSource::User),
-            (None, Some(_)) => Some(MassSource::File),
-            (None, None) => None,
-        },
+        mass_from: mass.map(|m| m.1),
         channels,
         strikes: Vec::new(),
         gaps_s: base.gaps_s,
@@ -107,18 +105,15 @@ fn is_opensim_pair(raw: &[RawForce]) -> bool {
 
 /// Keeps one component: the one the names call vertical, else the one that carries the load.
 fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
-    let components = raw.iter().any(|r| r.axis != Axis::Vertical);
     // Where plates have named components, a name without one may be that of a muscle (`L GRF`).
-    if components {
+    if raw.iter().any(|r| r.axis != Axis::Vertical) {
         raw.retain(|r| r.axis != Axis::Vertical || says_vertical(&r.name));
     }
     let named = raw.iter().any(|r| r.axis == Axis::Vertical);
-    let keep = if named && components {
+    let keep = if named {
         // A column that is the only one of its owner and names no component, beside full triples,
         // is a total or resultant only where it says vertical; the triples are then its parts.
         Axis::Vertical
-    } else if named {
-        return;
     } else {
         let mut axes = [Axis::X, Axis::Y, Axis::Z].map(|a| (a, swing_of(raw, a)));
         axes.sort_by(|a, b| b.1.total_cmp(&a.1));

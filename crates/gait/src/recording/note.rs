@@ -275,7 +275,7 @@ pub enum MassSource {
 /// // Steps of 1.9 Hz: a stride of 2/1.9 s.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
-/// assert_eq!(mean.period_from, PeriodSource::HeelStrikes);
+/// assert_eq!(mean.period.from, PeriodSource::HeelStrikes);
 /// assert!((mean.curve.period_s - 2.0 / 1.9).abs() < 0.002);
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```

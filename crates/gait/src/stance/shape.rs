@@ -1,6 +1,7 @@
 //! The shape of one stance: its two peaks, the valley between, its impulse.
 
 use super::types::Point;
+use crate::statistics::ends;
 
 /// A valley must be at least this part of the highest force below both peaks to count.
 const VALLEY: f64 = 0.01;
@@ -62,8 +63,9 @@ pub(super) fn shape(
         }
     };
     let sum = samples.iter().sum::<f64>();
-    let highest = highest(samples);
-    let top = samples.get(highest).map_or(0.0, |f| f.max(0.0));
+    let top = ends(samples).map_or(0.0, |(_, top)| top);
+    let highest = samples.iter().position(|y| *y == top).unwrap_or(0);
+    let top = top.max(0.0);
     let n = samples.len();
     let at_quarter = |k: usize| samples.get(k * n / 4).copied().unwrap_or(0.0);
     let flanks = at_quarter(1).max(at_quarter(3));
@@ -78,17 +80,6 @@ pub(super) fn shape(
         peaks_in_the_middle: is_in_the_middle && top > DOUBLE_SUPPORT * flanks,
         middle: middle_of_impulse(samples, 0.5 * sum),
     }
-}
-
-/// Place of the highest sample, the first of equals; 0 without samples.
-fn highest(samples: &[f64]) -> usize {
-    let (mut best, mut top) = (0, f64::NEG_INFINITY);
-    for (i, &y) in samples.iter().enumerate() {
-        if y > top {
-            (best, top) = (i, y);
-        }
-    }
-    best
 }
 
 /// Share of the samples at which half of their sum is reached.
@@ -106,14 +97,9 @@ fn middle_of_impulse(samples: &[f64], half: f64) -> f64 {
 /// Only where the neighbours agree that it is an extremum; otherwise the sample itself. The force leaves the
 /// sample by no more than the noise: a flat top beside a steep flank would throw the parabola far above it.
 fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
-    let Some(&y) = samples.get(i) else {
-        return (0.0, 0.0);
-    };
-    let (Some(&a), Some(&b)) = (
-        i.checked_sub(1).and_then(|j| samples.get(j)),
-        samples.get(i + 1),
-    ) else {
-        return (y, 0.0);
+    let around = i.checked_sub(1).and_then(|j| samples.get(j..j + 3));
+    let Some(&[a, y, b]) = around else {
+        return (samples.get(i).copied().unwrap_or(0.0), 0.0);
     };
     let bend = a - 2.0 * y + b;
     if (a - y) * (b - y) <= 0.0 || bend == 0.0 {

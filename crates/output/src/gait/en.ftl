@@ -24,7 +24,10 @@ gait-spread = spread
 gait-repeatability = repeats
 gait-samples = samples
 gait-doubt = open
-gait-unacceptable = The recording cannot be used: { $list }. Record again with a larger range, or leave the column out (--force).
+gait-unacceptable = The recording cannot be used: { $list }. { $others ->
+        [0] Record again with a larger range.
+       *[other] Record again with a larger range, or leave the clipped column out (--force).
+    }
 gait-doubts = Check { $list }; then give the option named, or accept with gait.accept = "{ $names }".
 gait-trial-columns = file  kind  used  rejected  stride s  mass kg  mean N  notes  joint mean
 gait-used = used

@@ -24,7 +24,10 @@ gait-spread = dispersión
 gait-repeatability = repetib.
 gait-samples = muestras
 gait-doubt = abierto
-gait-unacceptable = El registro no se puede usar: { $list }. Registre de nuevo con un rango mayor, o excluya la columna (--force).
+gait-unacceptable = El registro no se puede usar: { $list }. { $others ->
+        [0] Registre de nuevo con un rango mayor.
+       *[other] Registre de nuevo con un rango mayor, o excluya la columna recortada (--force).
+    }
 gait-doubts = Compruebe { $list }; indique después la opción citada, o acepte con gait.accept = "{ $names }".
 gait-trial-columns = archivo  tipo  usados  rechazados  zancada s  masa kg  media N  notas  media conjunta
 gait-used = usado

@@ -23,7 +23,7 @@ pub fn json(
     let rows: Vec<Value> = stances.used.iter().map(|s| stance(s, r)).collect();
     let mean = cycle.map(|c| {
         json!({
-            "period_s": c.curve.period_s, "period_from": c.period_from,
+            "period_s": c.curve.period_s, "period_from": c.period.from,
             "mean_n": c.curve.mean_n(), "averaged": c.averaged,
             "how": c.source.to_string(), "source": coded(&c.source),
             "spread_rms_n": c.curve.spread_rms_n(), "repeatability_n": c.repeatability_n,

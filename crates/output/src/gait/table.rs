@@ -5,7 +5,9 @@ use std::fmt::{Display, Write as _};
 use serde::Serialize;
 
 use super::WORDS;
-use gaitcam::force::{Cycle, Foot, ForceCurve, Interpretation, Note, Point, Recording, Stances};
+use gaitcam::force::{
+    Cycle, Foot, ForceCurve, Format, Interpretation, Note, OpenQuestion, Point, Recording, Stances,
+};
 use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
 
@@ -68,7 +70,7 @@ pub(super) struct Lines {
 #[serde(rename_all = "kebab-case")]
 enum Label {
     More { count: usize },
-    Unacceptable { list: String },
+    Unacceptable { list: String, others: usize },
     Doubts { list: String, names: String },
 }
 
@@ -187,7 +189,7 @@ impl Lines {
             Err(why) => return self.line(format_args!("{}: {why}", words.text("gait-no-cycle"))),
         };
         self.row("gait-cycle", words.sentence("cycle", &c.source));
-        let period = c.period();
+        let period = c.period;
         match period.uncertainty_s() {
             // From one step or stride: more digits would promise what is not known.
             Some(error) => {
@@ -212,7 +214,10 @@ impl Lines {
         let acceptable = questions.iter().filter(|q| q.is_acceptable());
         let names = acceptable.map(|q| q.name()).collect::<Vec<_>>().join(", ");
         let label = match names.is_empty() {
-            true => Label::Unacceptable { list },
+            true => {
+                let others = unclipped(understood);
+                Label::Unacceptable { list, others }
+            }
             false => Label::Doubts { list, names },
         };
         let text = self.words.sentence("gait", &label);
@@ -266,4 +271,19 @@ impl Lines {
         self.row("gait-spread", format_args!("{spread} N ({percent} % BW)"));
         self.row("gait-repeatability", format_args!("{repeat} N"));
     }
+}
+
+/// Columns that can be named alone to leave the clipped ones out. None in a C3D file: a plate there may be the sum of
+/// several channels, which cannot be named as one.
+fn unclipped(understood: &Interpretation) -> usize {
+    if matches!(understood.format, Format::C3d { .. }) {
+        return 0;
+    }
+    let notes = understood.opened_by(OpenQuestion::Clipped);
+    let is_clipped = |name: &String| {
+        let mut notes = notes.iter();
+        notes.any(|n| matches!(n, Note::Clipped { column, .. } if column == name))
+    };
+    let live = understood.columns.iter().filter(|c| c.idle.is_none());
+    live.filter(|c| !is_clipped(&c.name)).count()
 }

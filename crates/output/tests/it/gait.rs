@@ -179,3 +179,43 @@ fn means_of_each_foot_are_those_of_the_stances_that_were_made() {
     let symmetry = 200.0 * (720.0 - 760.0) / (720.0 + 760.0);
     assert!((value("symmetry index") - symmetry).abs() < 0.06, "{t}");
 }
+
+/// The last lines of the table of a recording whose given columns stop at 650 N.
+fn clipped(columns: [bool; 2], options: &ReadOptions) -> String {
+    let text = String::from_utf8_lossy(WALK);
+    let line = |line: &str| {
+        let cells = line.split(',').enumerate().map(|(i, cell)| {
+            let force: Option<f64> = cell.parse().ok().filter(|_| i > 0 && columns[i - 1]);
+            force.map_or(cell.to_string(), |f| f.min(650.0).to_string())
+        });
+        cells.collect::<Vec<_>>().join(",") + "\n"
+    };
+    let text: String = text.lines().map(line).collect();
+    let r = read("walk.csv".as_ref(), text.as_bytes(), options).unwrap();
+    let s = stances(&r);
+    let c = cycle(&r, &s, Feet::Both).unwrap();
+    let understood = Interpretation::of("walk.csv", &r, &s, Some(&c), Feet::Both);
+    table(&understood, &r, &s, Ok(&c), Language::En)
+}
+
+#[test]
+fn a_clipped_column_is_left_out_only_beside_another() {
+    let all = ReadOptions::default();
+    let of = |force: &str| ReadOptions {
+        force: vec![force.to_string()],
+        ..ReadOptions::default()
+    };
+    let refused = "The recording cannot be used";
+    let advised = "leave the clipped column out (--force)";
+    for (columns, options, says) in [
+        ([true, false], &all, true),
+        ([true, true], &all, false),
+        ([true, false], &of("Left Fz"), false),
+    ] {
+        let text = clipped(columns, options);
+        assert!(text.contains(refused), "{text}");
+        assert_eq!(text.contains(advised), says, "{text}");
+    }
+    // The advice is right: without the clipped column nothing is refused.
+    assert!(!clipped([true, false], &of("Right Fz")).contains(refused));
+}

@@ -118,17 +118,11 @@ impl<'a> Parameters<'a> {
             return Vec::new();
         };
         let length = p.dims.first().copied().unwrap_or(p.data.len());
-        if length == 0 {
-            return Vec::new();
-        }
         let text = |c: &[u8]| {
-            c.iter()
-                .map(|&b| char::from(b))
-                .collect::<String>()
-                .trim_matches(['\0', ' '])
-                .to_string()
+            let text: String = c.iter().map(|&b| char::from(b)).collect();
+            text.trim_matches(['\0', ' ']).to_string()
         };
-        p.data.chunks(length).map(text).collect()
+        p.data.chunks(length.max(1)).map(text).collect()
     }
 
     /// Every numeric parameter, in any group, whose name fits.

@@ -163,16 +163,10 @@ fn rates(in_header: f64, per_frame: usize, parameters: &Parameters) -> Option<(f
 }
 
 fn start_of_data(in_header: usize, parameters: &Parameters) -> usize {
-    let named = parameters
-        .number("POINT", "DATA_START")
-        .filter(|b| *b >= 1.0)
-        .map(|b| b as usize);
-    let block = if in_header >= 1 {
-        in_header
-    } else {
-        named.unwrap_or(1)
-    };
-    (block - 1) * BLOCK
+    let named = parameters.number("POINT", "DATA_START");
+    let named = named.map_or(0, |block| block as usize);
+    let block = if in_header > 0 { in_header } else { named };
+    block.saturating_sub(1) * BLOCK
 }
 
 /// Announced number of frames; `None` if it exceeds 16 bits and no parameter gives it.

@@ -15,33 +15,20 @@ pub(super) struct Plan {
     pub time: Option<usize>,
     /// Whether the time column counts samples instead of seconds.
     pub counts: bool,
-    pub force: Vec<(usize, Axis, Option<Foot>)>,
+    pub force: Vec<ForceColumn>,
 }
+
+/// Place of a column of force with what its name says.
+type ForceColumn = (usize, Axis, Option<Foot>);
 
 /// Decides which columns to read; `None` where the table holds no force.
 pub(super) fn plan(file: &TextFile, table: &Table) -> Result<Option<Plan>> {
     let options = file.options;
     let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
-    let named = roles.iter().enumerate().filter_map(|(i, r)| match r {
-        Role::Force { axis, foot } => Some((i, *axis, *foot)),
-        _ => None,
-    });
-    let mut force: Vec<_> = named.collect();
-    if force.is_empty() {
-        force = columns_in_newtons(table, &roles);
-    }
-    if force.is_empty() {
-        force = named_by_side(table);
-    }
-    if !options.force.is_empty() {
-        force.clear();
-        for name in &options.force {
-            let i = column(file, table, name)?;
-            force.push((i, Axis::Vertical, foot(&words(&table.names[i]))));
-        }
-        force.sort_by_key(|f| f.0);
-        force.dedup_by_key(|f| f.0);
-    }
+    let mut force = match &options.force[..] {
+        [] => recognised(table, &roles),
+        names => asked(file, table, names)?,
+    };
     if force.is_empty() {
         return Ok(None);
     }
@@ -54,25 +41,13 @@ pub(super) fn plan(file: &TextFile, table: &Table) -> Result<Option<Plan>> {
     let totals: Vec<String> = force.iter().map(|f| format!("{}::", name(f.0))).collect();
     force.retain(|f| !totals.iter().any(|total| name(f.0).starts_with(total)));
     if options.unit.is_none() {
-        let foreign = force
-            .iter()
-            .find_map(|f| Some((f.0, foreign_unit(table, f.0)?)));
-        force.retain(|f| foreign_unit(table, f.0).is_none());
-        if let (true, Some((i, unit))) = (force.is_empty(), foreign) {
-            let (column, unit) = (table.names[i].trim().to_string(), unit.to_string());
-            return Err(
-                ReadError::NoForceUnit { column, unit }.at_line(file.path, table.header_line())
-            );
-        }
+        leave_foreign_units(file, table, &mut force)?;
     }
     let place = |wanted: &Role| roles.iter().position(|r| r == wanted);
-    let (time, counts) = match &options.time {
-        Some(name) => (Some(column(file, table, name)?), false),
-        None => match (place(&Role::Time), place(&Role::Frame)) {
-            (Some(t), _) => (Some(t), false),
-            (None, Some(f)) => (Some(f), true),
-            (None, None) => (None, false),
-        },
+    let (time, counts) = match (&options.time, place(&Role::Time)) {
+        (Some(name), _) => (Some(column(file, table, name)?), false),
+        (None, Some(time)) => (Some(time), false),
+        (None, None) => (place(&Role::Frame), true),
     };
     force.retain(|f| Some(f.0) != time);
     if force.is_empty() {
@@ -87,22 +62,65 @@ pub(super) fn plan(file: &TextFile, table: &Table) -> Result<Option<Plan>> {
     }))
 }
 
+/// The columns of force that the user named.
+fn asked(file: &TextFile, table: &Table, names: &[String]) -> Result<Vec<ForceColumn>> {
+    let mut places: Vec<usize> = names
+        .iter()
+        .map(|name| column(file, table, name))
+        .collect::<Result<_>>()?;
+    places.sort_unstable();
+    places.dedup();
+    Ok(places.into_iter().map(|i| vertical(table, i)).collect())
+}
+
+/// The columns that are known to be a force: by their names, else by their units, else by their sides.
+fn recognised(table: &Table, roles: &[Role]) -> Vec<ForceColumn> {
+    let named = roles.iter().enumerate().filter_map(|(i, r)| match r {
+        Role::Force { axis, foot } => Some((i, *axis, *foot)),
+        _ => None,
+    });
+    let mut force: Vec<ForceColumn> = named.collect();
+    if force.is_empty() {
+        force = columns_in_newtons(table, roles);
+    }
+    if force.is_empty() {
+        force = named_by_side(table);
+    }
+    force
+}
+
+fn vertical(table: &Table, i: usize) -> ForceColumn {
+    (i, Axis::Vertical, foot(&words(&table.names[i])))
+}
+
+/// Leaves out columns whose unit is none of force; a fault if there is no other.
+fn leave_foreign_units(file: &TextFile, table: &Table, force: &mut Vec<ForceColumn>) -> Result<()> {
+    let first = force[0].0;
+    force.retain(|f| foreign_unit(table, f.0).is_none());
+    match foreign_unit(table, first) {
+        Some(unit) if force.is_empty() => {
+            let (column, unit) = (table.names[first].trim().to_string(), unit.to_string());
+            let fault = ReadError::NoForceUnit { column, unit };
+            Err(fault.at_line(file.path, table.header_line()))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// The user named one column as both time and force.
 pub(super) fn force_is_time(file: &TextFile, table: &Table) -> Error {
     ReadError::ForceIsTime.at_line(file.path, table.start.line)
 }
 
 /// Columns of unknown name with a unit of force.
-fn columns_in_newtons(table: &Table, roles: &[Role]) -> Vec<(usize, Axis, Option<Foot>)> {
+fn columns_in_newtons(table: &Table, roles: &[Role]) -> Vec<ForceColumn> {
     let unnamed = (0..table.names.len()).filter(|&i| roles[i] == Role::Other);
-    unnamed
-        .filter(|&i| is_newtons(table, i))
-        .map(|i| (i, Axis::Vertical, foot(&words(&table.names[i]))))
-        .collect()
+    let newtons = unnamed.filter(|&i| is_newtons(table, i));
+    newtons.map(|i| vertical(table, i)).collect()
 }
 
 /// Two columns called left and right and nothing else: the two insoles or belts.
-fn named_by_side(table: &Table) -> Vec<(usize, Axis, Option<Foot>)> {
+fn named_by_side(table: &Table) -> Vec<ForceColumn> {
     let sides = [("left", Foot::Left), ("right", Foot::Right)];
     let places = sides.map(|(word, side)| {
         let place = table.names.iter().position(|n| words(n) == [word]);

@@ -15,13 +15,8 @@ pub(super) fn clock(f: &[u8], comma: bool) -> Option<f64> {
 /// which is the same for all samples, is passed over.
 fn dated(f: &[u8], comma: bool) -> Option<f64> {
     let number = |from: usize, to: usize| -> Option<f64> {
-        let digits = f.get(from..to)?;
-        let all = digits.iter().all(u8::is_ascii_digit);
-        all.then(|| {
-            digits
-                .iter()
-                .fold(0.0, |n, d| 10.0 * n + f64::from(d - b'0'))
-        })
+        let digits = std::str::from_utf8(f.get(from..to)?).ok()?;
+        digits.parse::<u32>().ok().map(f64::from)
     };
     let parted = f.get(4) == Some(&b'-')
         && f.get(7) == Some(&b'-')

@@ -7,6 +7,7 @@ use super::raw::Raw;
 use super::table::numbers;
 use crate::error::{Placed, ReadError, Result};
 use crate::recording::{Axis, Foot, Note};
+use crate::statistics::sample;
 
 /// Fewest rows that are taken for a recording when nothing names the columns.
 const FEWEST: usize = 10;
@@ -118,16 +119,10 @@ fn rising(file: &TextFile, table: &Table, times: &[f64]) -> Result<()> {
     }
 }
 
-fn thinned(column: &[f64]) -> impl Iterator<Item = f64> + '_ {
-    column.iter().step_by(column.len() / SAMPLE + 1).copied()
-}
-
 /// The first column, where it rises through nearly all rows in steps that are much alike.
 fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
-    if columns.len() < 2 {
-        return None;
-    }
-    let t = columns.first().filter(|t| t.len() >= 2)?;
+    let several = columns.len() >= 2;
+    let t = columns.first().filter(|t| several && t.len() >= 2)?;
     let rises = t.windows(2).filter(|w| w[1] >= w[0]).count();
     let mut steps: Vec<f64> = t
         .windows(2)
@@ -159,9 +154,8 @@ fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<usize> {
         return totals;
     }
     let reach = |i: usize| {
-        thinned(&columns[i])
-            .filter(|x| x.is_finite())
-            .fold(0.0, |m: f64, x| m.max(x.abs()))
+        let values = sample(&columns[i], SAMPLE);
+        values.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
     };
     if data.len() >= 6 && data.len().is_multiple_of(6) {
         let plates: Vec<&[usize]> = data.chunks(6).collect();
@@ -173,7 +167,7 @@ fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<usize> {
     }
     let one_sided = |i: usize| {
         let (mut up, mut down) = (0.0, 0.0);
-        for x in thinned(&columns[i]).filter(|x| x.is_finite()) {
+        for x in sample(&columns[i], SAMPLE) {
             if x > 0.0 {
                 up += x;
             } else {

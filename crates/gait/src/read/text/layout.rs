@@ -95,11 +95,9 @@ pub(crate) fn plain(bytes: &[u8]) -> Cow<'_, [u8]> {
         return Cow::Borrowed(rest);
     }
     let wide = |rest: &[u8], order: fn([u8; 2]) -> u16| -> Vec<u8> {
-        let units = rest.chunks_exact(2).map(|c| order([c[0], c[1]]));
-        let text: String = char::decode_utf16(units)
-            .map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER))
-            .collect();
-        text.into_bytes()
+        let (pairs, _) = rest.as_chunks();
+        let units: Vec<u16> = pairs.iter().copied().map(order).collect();
+        String::from_utf16_lossy(&units).into_bytes()
     };
     if let Some(rest) = bytes.strip_prefix(b"\xFF\xFE") {
         return Cow::Owned(wide(rest, u16::from_le_bytes));
@@ -237,13 +235,9 @@ impl<'a> Iterator for Fields<'a> {
 
 /// Where to look for the separator: behind a quoted field, or at once.
 fn closing_quote(rest: &[u8]) -> usize {
-    if rest.first() != Some(&b'"') {
-        return 0;
-    }
-    rest[1..]
-        .iter()
-        .position(|&b| b == b'"')
-        .map_or(0, |e| e + 2)
+    let inside = rest.strip_prefix(b"\"").unwrap_or(&[]);
+    let end = inside.iter().position(|&b| b == b'"');
+    end.map_or(0, |e| e + 2)
 }
 
 #[cfg(test)]

@@ -223,16 +223,12 @@ fn masses(bytes: &[u8]) -> HashMap<String, f64> {
     let layout = detect(bytes);
     // The first column is a name, so the header is found as the first line, not by its numbers.
     let mut lines = Lines::new(bytes);
-    let names: Vec<String> = match lines.next() {
-        Some((_, line)) => Fields::new(line, layout)
-            .map(|f| text(trim(f)).to_lowercase())
-            .collect(),
-        None => return HashMap::new(),
-    };
+    let header = lines.next().map_or(&b""[..], |(_, line)| line);
+    let names = Fields::new(header, layout).map(|f| text(trim(f)).to_lowercase());
+    let names: Vec<String> = names.collect();
     let find = |wanted: &[&str]| {
-        names
-            .iter()
-            .position(|n| wanted.iter().any(|w| n.contains(w)))
+        let named = |n: &String| wanted.iter().any(|w| n.contains(w));
+        names.iter().position(named)
     };
     let mass = find(&["body_mass", "mass"]);
     let weight = find(&["body_weight", "weight"]);

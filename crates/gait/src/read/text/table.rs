@@ -232,9 +232,7 @@ fn note_line(lines: &mut Vec<usize>, line: usize) {
 }
 
 fn is_comment(line: &[u8]) -> bool {
-    line.trim_ascii()
-        .first()
-        .is_some_and(|b| b"#%!/".contains(b))
+    matches!(line.trim_ascii(), [b'#' | b'%' | b'!' | b'/', ..])
 }
 
 /// Fills `row` with the wanted fields of a line; the number of them that the line has.
