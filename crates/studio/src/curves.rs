@@ -10,6 +10,11 @@ use gaitcam::synth::Design;
 use gaitcam_output::curve;
 
 const MM: f64 = 1e3;
+/// How lengths are shown.
+const LENGTH: Unit = Unit {
+    factor: MM,
+    name: "mm",
+};
 /// Radii beyond this many prime radii are straight to the eye.
 const STRAIGHT: f64 = 3.0;
 
@@ -264,23 +269,20 @@ fn radius(design: &Design, samples: &[Sample]) -> Panel {
             MM * s.point.rho
         }
     };
-    let unit = Unit {
-        factor: MM,
-        name: "mm",
-    };
-    panel(design, "radius", unit, vec![line_of("main", samples, rho)])
+    panel(
+        design,
+        "radius",
+        LENGTH,
+        vec![line_of("main", samples, rho)],
+    )
 }
 
 /// Pressure angle, or the contact's travel on a flat face.
 fn contact(design: &Design, samples: &[Sample]) -> Panel {
     let cam = &design.cam;
     if cam.contact_travel().is_some() {
-        let unit = Unit {
-            factor: MM,
-            name: "mm",
-        };
         let line = line_of("main", samples, |s| MM * cam.contact_along(s.at));
-        return panel(design, "contact", unit, vec![line]);
+        return panel(design, "contact", LENGTH, vec![line]);
     }
     let angle = |s: &Sample| match &design.groove {
         Some(groove) => groove.pressure_angle(s.theta, groove.depth().0),

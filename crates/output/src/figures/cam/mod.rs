@@ -59,7 +59,7 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
         let mut y = scene.lines(&f, [table, top + 2.0 * e], words)? + 0.8 * e;
         for (name, value) in &facts {
             f.write(name, [table, y], Lettering::new(e, QUIET))?;
-            for line in wrapped(value, VALUES - 0.4) {
+            for line in wrapped(value.split(' '), VALUES - 0.4) {
                 f.write(&line, [table + values * e, y], Lettering::new(e, INK))?;
                 y += 1.75 * e;
             }
