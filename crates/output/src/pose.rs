@@ -121,3 +121,15 @@ pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
     }
     out
 }
+
+/// Largest radius of curvature drawn: `size` of a disc's own, beside which everything larger is straight; what is
+/// unrolled has no such size, and shows three quarters of its `radii`.
+pub fn largest_radius(cam: &Cam, size: f64, radii: impl Iterator<Item = f64>) -> f64 {
+    let size = size * cam.follower.prime_radius().max(cam.law.stroke());
+    if !cam.follower.is_unrolled() {
+        return size;
+    }
+    let mut all: Vec<f64> = radii.filter(|r| r.is_finite()).collect();
+    all.sort_by(f64::total_cmp);
+    all.get(all.len() * 3 / 4).map_or(size, |r| r.max(size))
+}

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use gaitcam::cam::{Cam, Check, Criterion, Follower, LimitKind, Measures, ProfilePoint, Unit};
+use gaitcam::cam::{Cam, Check, Criterion, LimitKind, Measures, ProfilePoint, Unit};
 use gaitcam::dynamics::hertz::{STEEL, line, modulus};
 use gaitcam::dynamics::touch;
 use gaitcam::law::Svaj;
@@ -254,14 +254,8 @@ fn force(design: &Design, samples: &[Sample]) -> Panel {
 
 fn radius(design: &Design, samples: &[Sample]) -> Panel {
     let cam = &design.cam;
-    let mut most = STRAIGHT * cam.follower.prime_radius().max(cam.law.stroke());
-    if cam.follower.is_unrolled() {
-        // What is unrolled has no size to compare with: three quarters of its radii are shown.
-        let mut all: Vec<f64> = samples.iter().map(|s| s.point.rho.abs()).collect();
-        all.retain(|r| r.is_finite());
-        all.sort_by(f64::total_cmp);
-        most = all.get(all.len() * 3 / 4).map_or(most, |r| r.max(most));
-    }
+    let radii = samples.iter().map(|s| s.point.rho.abs());
+    let most = curve::largest_radius(cam, STRAIGHT, radii);
     let rho = |s: &Sample| {
         if s.point.rho.abs() > most {
             f64::NAN
@@ -367,10 +361,8 @@ fn smallest_radii(design: &Design) -> [f64; 2] {
 /// Direction of the contact's normal in the cam's frame, rad.
 fn normal(cam: &Cam, s: &Sample) -> f64 {
     let [x, y] = cam.motion(s.theta);
-    let turned = match cam.follower {
-        Follower::TranslatingCam { .. } | Follower::Barrel { .. } => 0.0,
-        _ => s.theta,
-    };
+    let unrolled = cam.follower.is_unrolled();
+    let turned = if unrolled { 0.0 } else { s.theta };
     y.atan2(x) + s.point.pressure_angle - turned
 }
 

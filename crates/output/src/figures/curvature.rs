@@ -7,7 +7,7 @@ use crate::plot::layout::{Figure, Layout, strips};
 use crate::plot::palette::{BLUE, GREEN, RED};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Drawn, Frame};
-use crate::pose::motion;
+use crate::pose::{largest_radius, motion};
 use crate::words::{self, Words};
 use gaitcam::cam::{Cam, LimitKind};
 use gaitcam::law::Svaj;
@@ -57,7 +57,8 @@ fn over_the_angle(cam: &Cam, value: impl Fn(f64, Svaj) -> f64) -> Vec<(f64, f64)
 fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) -> Drawn {
     let cam = &synthesis.cam;
     let rho = over_the_angle(cam, |t, _| 1000.0 * cam.point(t).rho);
-    let cap = cap(synthesis, &rho);
+    let radii = rho.iter().map(|p| p.1.abs());
+    let cap = largest_radius(cam, 1000.0 * CAP, radii);
     let sharpest = cam.curvature().convex;
     let shown = rho.iter().map(|p| p.1).filter(|r| r.abs() <= cap);
     let y = padded(shown.chain([0.0, 1000.0 * sharpest.value]), 0.18);
@@ -124,20 +125,6 @@ fn pressure<'a, 'c>(
         panel.level(limit, Some((&name, side)), RED, &phi)?;
     }
     Ok(panel)
-}
-
-/// Largest radius of curvature drawn, mm. Beside a disc's own size everything larger is straight; what is
-/// unrolled has no such size, and shows three quarters of its radii.
-fn cap(synthesis: &Design, rho: &[(f64, f64)]) -> f64 {
-    let cam = &synthesis.cam;
-    let size = 1000.0 * CAP * cam.follower.prime_radius().max(cam.law.stroke());
-    if !cam.follower.is_unrolled() {
-        return size;
-    }
-    let mut all: Vec<f64> = rho.iter().map(|p| p.1.abs()).collect();
-    all.retain(|r| r.is_finite());
-    all.sort_by(f64::total_cmp);
-    all.get(all.len() * 3 / 4).map_or(size, |r| r.max(size))
 }
 
 /// The signed level of a pressure-angle limit, degrees.

@@ -213,9 +213,9 @@ impl Motion {
 
     fn take(&mut self, cam: &Cam, theta: f64, at: Svaj, row: &Row, factor: f64) {
         let p = cam.point(theta);
-        let in_space = |p: [f64; 2]| match cam.follower {
-            Follower::TranslatingCam { .. } | Follower::Barrel { .. } => cam.into_space(theta, p),
-            _ => turned(p, theta),
+        let in_space = |p: [f64; 2]| match cam.follower.is_unrolled() {
+            true => cam.into_space(theta, p),
+            false => turned(p, theta),
         };
         let [cx, cy] = in_space([p.x, p.y]);
         let ([px, py], pa) = placed(cam, theta);

@@ -114,10 +114,7 @@ impl<'a> Scene<'a> {
 
     /// Whether the follower's face is an arc, of which only a part exists.
     fn is_mushroom(&self) -> bool {
-        matches!(
-            self.synthesis.cam.follower,
-            Follower::MushroomTranslating { .. } | Follower::MushroomOscillating { .. }
-        )
+        self.synthesis.cam.follower.kind().is_mushroom()
     }
 
     fn has_roller(&self) -> bool {
@@ -129,10 +126,7 @@ impl<'a> Scene<'a> {
 
     /// Whether the profile is drawn along a line: a straight cam, or a barrel unrolled.
     fn is_straight(&self) -> bool {
-        matches!(
-            self.synthesis.cam.follower,
-            Follower::TranslatingCam { .. } | Follower::Barrel { .. }
-        )
+        self.synthesis.cam.follower.is_unrolled()
     }
 
     /// Where the arm is pivoted, mm.
