@@ -12,7 +12,7 @@ use gaitcam_files::files::{self, Source};
 use gaitcam_files::{Contents, Input, PATIENCE, ROWS, ResultFolder};
 use gaitcam_output::{self as output, Language, Timing};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::{IntoPyDict, PyBytes, PyDict};
 
 use crate::asked::{Asked, language, rows};
 use crate::convert::{self, Reduced};
@@ -306,11 +306,9 @@ impl Design {
             files.insert("scene.toml".to_string(), scene.into_bytes());
             Ok(files)
         });
-        let out = PyDict::new(py);
-        for (name, bytes) in files.raise(py)? {
-            out.set_item(name, PyBytes::new(py, &bytes))?;
-        }
-        Ok(out)
+        let files = files.raise(py)?.into_iter();
+        let files = files.map(|(name, bytes)| (name, PyBytes::new(py, &bytes)));
+        files.into_py_dict(py)
     }
 
     fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {

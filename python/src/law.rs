@@ -4,7 +4,7 @@ use gaitcam::law::{self, Extent, Rise, Segment};
 use gaitcam::units::{Dimension, parse};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::{IntoPyDict, PyDict, PyString};
 
 use crate::convert;
 use crate::error::Raise;
@@ -137,20 +137,9 @@ impl Law {
     /// Peak factors of a law of the catalogue: ``cv``, ``ca``, ``cj``, ``ct``.
     #[getter]
     fn factors<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let Some(factors) = &self.factors else {
-            return Ok(None);
-        };
-        let out = PyDict::new(py);
-        let all = [
-            ("cv", factors.cv),
-            ("ca", factors.ca),
-            ("cj", factors.cj),
-            ("ct", factors.ct),
-        ];
-        for (name, factor) in all {
-            out.set_item(name, factor)?;
-        }
-        Ok(Some(out))
+        let named = |f: &law::Factors| [("cv", f.cv), ("ca", f.ca), ("cj", f.cj), ("ct", f.ct)];
+        let factors = self.factors.as_ref().map(named);
+        factors.map(|all| all.into_py_dict(py)).transpose()
     }
 
     fn __repr__(&self) -> String {
