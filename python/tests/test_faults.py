@@ -113,7 +113,8 @@ def calls(known, odd):
             parameters = list(inspect.signature(function).parameters.values())
         except ValueError:
             parameters = [inspect.Parameter("value", inspect.Parameter.POSITIONAL_ONLY)]
-        needed = [p for p in parameters if p.default is p.empty and p.kind in (p.POSITIONAL_OR_KEYWORD, p.POSITIONAL_ONLY)]
+        positional = [p for p in parameters if p.kind in (p.POSITIONAL_OR_KEYWORD, p.POSITIONAL_ONLY)]
+        needed = [p for p in positional if p.default is p.empty]
         for wrong in parameters:
             arguments = [odd if p is wrong else known.get(p.name, odd) for p in needed]
             if wrong in needed:
