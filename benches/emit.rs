@@ -23,7 +23,12 @@ fn all_default_files(bencher: Bencher) {
             gaitcam_output::csv::law(s, 1440),
             gaitcam_output::csv::profile(s, 1440),
             gaitcam_output::json::summary(s, Timing::default()).to_string(),
-            gaitcam_cad::dxf::profile(s, 1440, gaitcam_cad::dxf::Content::All),
+            gaitcam_cad::dxf::profile(
+                s,
+                1440,
+                gaitcam_cad::dxf::Content::All,
+                gaitcam_cad::dxf::Curves::Arcs,
+            ),
             gaitcam_cad::svg::profile(s, 1440),
             pictures.each_ref().map(gaitcam_output::plots::Picture::svg),
             pictures.each_ref().map(gaitcam_output::plots::Picture::png),

@@ -1,12 +1,15 @@
 //! Python's values as TOML and JSON as Python's values.
 
-use gaitcam::scene::keys;
+use gaitcam::error::Error;
+use gaitcam::scene;
 use gaitcam::sweep::Key;
 use numpy::{AllowTypeChange, PyArrayLike1};
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
+use pyo3::types::{PyBool, PyDict, PyList, PyString, PyTuple};
 use toml::{Table, Value};
+
+use crate::error::{argument, raised};
 
 /// What `__reduce__` returns: a function, and the arguments with which it restores the object.
 pub type Reduced<'py, T> = PyResult<(Bound<'py, PyAny>, T)>;
@@ -49,7 +52,7 @@ pub fn entry(key: String, given: &Bound<'_, PyAny>) -> PyResult<(String, Value)>
 /// The key of a name with an SI unit at its end.
 pub fn si_key(name: &str) -> Option<Key> {
     let key = Key::of_column(name);
-    (key.is_number() && keys::find(name).is_none()).then_some(key)
+    (key.is_number() && scene::keys::find(name).is_none()).then_some(key)
 }
 
 /// A value of a scene.
@@ -70,13 +73,6 @@ pub fn value(given: &Bound<'_, PyAny>, at: &str) -> PyResult<Value> {
             .collect();
         return Ok(Value::Array(list?));
     }
-    if given.is_instance_of::<PyInt>() {
-        return Ok(Value::Integer(given.extract()?));
-    }
-    if given.is_instance_of::<PyFloat>() {
-        return Ok(Value::Float(given.extract()?));
-    }
-    // Numbers of numpy.
     if let Ok(number) = given.extract::<i64>() {
         return Ok(Value::Integer(number));
     }
@@ -109,6 +105,40 @@ pub fn json<'py>(py: Python<'py>, value: &serde_json::Value) -> PyResult<Bound<'
         .call_method1("loads", (value.to_string(),))
 }
 
+/// A whole number; one that is negative or too large is a fault of what is given.
+pub fn whole<'py, T>(given: &Bound<'py, PyAny>) -> PyResult<T>
+where
+    T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+{
+    let py = given.py();
+    given.extract().map_err(|fault: PyErr| {
+        if !fault.is_instance_of::<PyOverflowError>(py) {
+            return fault;
+        }
+        let what = format!("{given} is negative or too large");
+        raised(py, Error::own("python-argument", what))
+    })
+}
+
+/// Names of the columns of a mapping.
+pub fn keys(columns: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
+    let Ok(keys) = columns.call_method0("keys") else {
+        let what = format!("{name}: a table or a mapping, not {}", kind(columns)?);
+        return Err(PyTypeError::new_err(what));
+    };
+    keys.try_iter()?.map(|key| key?.extract()).collect()
+}
+
+/// Whatever is given as an array.
+pub fn array<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    let py = given.py();
+    let array = py.import("numpy")?.call_method1("asarray", (given,));
+    array.map_err(|fault| match fault.is_instance_of::<PyValueError>(py) {
+        true => argument(py, name, fault.value(py).to_string()),
+        false => fault,
+    })
+}
+
 /// Numbers of a one-dimensional array of any kind, lists and columns of tables included.
 ///
 /// An array of 64-bit numbers is read where it lies.
@@ -117,7 +147,7 @@ pub fn numbers<'py>(
     name: &str,
 ) -> PyResult<PyArrayLike1<'py, f64, AllowTypeChange>> {
     let py = given.py();
-    let array = py.import("numpy")?.call_method1("asarray", (given,))?;
+    let array = array(given, name)?;
     let dimensions: usize = array.getattr("ndim")?.extract()?;
     let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
     let empty = dimensions == 1 && array.len()? == 0;
@@ -129,7 +159,7 @@ pub fn numbers<'py>(
     if dimensions != 1 {
         let shape = array.getattr("shape")?;
         let what = format!("an array of shape {shape} has not one dimension");
-        return Err(crate::error::argument(py, name, what));
+        return Err(argument(py, name, what));
     }
     array.extract()
 }

@@ -12,11 +12,11 @@ use gaitcam_files::files::{self, Source};
 use gaitcam_files::{Contents, Input, PATIENCE, ROWS, ResultFolder};
 use gaitcam_output::{self as output, Language, Timing};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::{IntoPyDict, PyBytes, PyDict};
 
 use crate::asked::{Asked, language, rows};
 use crate::convert::{self, Reduced};
-use crate::error::{Raise, detached};
+use crate::error::Raise;
 use crate::force::{FILE, Force};
 use crate::interrupt::{self, Interrupt};
 use crate::law::Law;
@@ -71,9 +71,9 @@ pub fn synth(
         None => asked.whole(py)?.clone(),
     };
     let interrupt = Interrupt::after(interrupt::limit(py, time_limit)?);
-    let made = detached(py, || made(&input, force.as_ref(), &interrupt));
+    let made = py.detach(|| made(&input, force.as_ref(), &interrupt));
     interrupt.result()?;
-    let (design, solve_s) = made?.raise(py)?;
+    let (design, solve_s) = made.raise(py)?;
     let time = Timing {
         solve_s,
         total_s: interrupt.elapsed_s(),
@@ -147,7 +147,7 @@ impl Design {
     #[getter]
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let summary = || design::summary(&self.design, &self.input.resolved(), self.time);
-        convert::json(py, &detached(py, summary)?)
+        convert::json(py, &py.detach(summary))
     }
 
     /// Every limit held against the design: a list of ``{name, worst, limit, at_rad, pass}``.
@@ -159,7 +159,7 @@ impl Design {
     /// The law at 1440 equal steps of the cam angle, as in ``law.csv``.
     #[getter]
     fn law(&self, py: Python<'_>) -> PyResult<Table> {
-        let columns = detached(py, || output::csv::law_columns(&self.design, ROWS))?;
+        let columns = py.detach(|| output::csv::law_columns(&self.design, ROWS));
         Ok(Table::of_numbers(columns))
     }
 
@@ -167,20 +167,24 @@ impl Design {
     #[getter]
     fn profile(&self, py: Python<'_>) -> PyResult<Table> {
         self.has_cam(py)?;
-        let columns = detached(py, || output::csv::profile_columns(&self.design, ROWS))?;
+        let columns = py.detach(|| output::csv::profile_columns(&self.design, ROWS));
         Ok(Table::of_numbers(columns))
     }
 
     /// The tables ``law`` and ``profile`` with another number of rows.
-    fn tables(&self, py: Python<'_>, points: usize) -> PyResult<(Table, Table)> {
+    fn tables(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = convert::whole)] points: usize,
+    ) -> PyResult<(Table, Table)> {
         let points = rows(py, points)?;
         self.has_cam(py)?;
-        let (law, profile) = detached(py, || {
+        let (law, profile) = py.detach(|| {
             (
                 output::csv::law_columns(&self.design, points),
                 output::csv::profile_columns(&self.design, points),
             )
-        })?;
+        });
         Ok((Table::of_numbers(law), Table::of_numbers(profile)))
     }
 
@@ -230,7 +234,7 @@ impl Design {
         &self,
         py: Python<'_>,
         folder: PathBuf,
-        points: usize,
+        #[pyo3(from_py_with = convert::whole)] points: usize,
         png: bool,
         solid: bool,
         tool: Option<&Bound<'_, PyAny>>,
@@ -250,7 +254,7 @@ impl Design {
             lang,
         };
         let contents = asked.contents(py, self.input.title())?;
-        let written = detached(py, || {
+        let written = py.detach(|| {
             check_inputs_stay(&folder, &self.input)?;
             let place = ResultFolder::open(&folder, PATIENCE)?;
             self.write(&contents, |name, bytes| place.write(name, bytes))?;
@@ -258,7 +262,7 @@ impl Design {
             let summary = design::summary(&self.design, &scene, self.time);
             finish(place, &self.input, &scene, &summary)
         });
-        written?.raise(py)
+        written.raise(py)
     }
 
     /// The files that :meth:`save` writes, in memory: a dictionary from names to bytes.
@@ -268,7 +272,7 @@ impl Design {
     fn files<'py>(
         &self,
         py: Python<'py>,
-        points: usize,
+        #[pyo3(from_py_with = convert::whole)] points: usize,
         png: bool,
         solid: bool,
         tool: Option<&Bound<'_, PyAny>>,
@@ -288,7 +292,7 @@ impl Design {
             lang,
         };
         let contents = asked.contents(py, self.input.title())?;
-        let files = detached(py, || {
+        let files = py.detach(|| {
             let mut files = BTreeMap::new();
             self.write(&contents, |name, bytes| {
                 files.insert(name.to_string(), bytes.to_vec());
@@ -302,11 +306,9 @@ impl Design {
             files.insert("scene.toml".to_string(), scene.into_bytes());
             Ok(files)
         });
-        let out = PyDict::new(py);
-        for (name, bytes) in files?.raise(py)? {
-            out.set_item(name, PyBytes::new(py, &bytes))?;
-        }
-        Ok(out)
+        let files = files.raise(py)?.into_iter();
+        let files = files.map(|(name, bytes)| (name, PyBytes::new(py, &bytes)));
+        files.into_py_dict(py)
     }
 
     fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
@@ -321,7 +323,7 @@ impl Design {
         if design.infeasible.is_some() {
             return Ok(head);
         }
-        let pictures = detached(py, || {
+        let pictures = py.detach(|| {
             let language = Language::En;
             [
                 output::plots::cam(design, language),
@@ -329,7 +331,7 @@ impl Design {
                 output::plots::svaj(design, language),
             ]
             .map(|picture| picture.svg())
-        })?;
+        });
         let cell = |svg: &String| format!("<div style=\"flex:1 1 24em\">{svg}</div>");
         let cells: String = pictures.iter().map(cell).collect();
         Ok(format!(

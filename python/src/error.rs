@@ -1,12 +1,12 @@
 //! Faults as Python exceptions: what is wrong, at which key, what would be right.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
 use gaitcam::error::{Error, Place, Placed};
 use gaitcam::wording::Language;
 use pyo3::create_exception;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::panic::PanicException;
 use pyo3::prelude::*;
+use pyo3::types::PyType;
 
 create_exception!(
     gaitcam,
@@ -26,25 +26,23 @@ create_exception!(
     "There is no cam to run: the limits conflict, or a flat face cannot touch the profile."
 );
 
-create_exception!(
-    gaitcam,
-    InternalError,
-    PyRuntimeError,
-    "A fault of gaitcam itself. Please report it with the scene."
-);
-
-/// Work without the interpreter's lock; a panic, on whatever thread, becomes an exception that ``except Exception``
-/// catches.
-pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
-    let done = py.detach(|| catch_unwind(AssertUnwindSafe(work)));
-    done.map_err(|cause| {
-        let said = cause.downcast_ref::<String>().map(String::as_str);
-        let said = said.or_else(|| cause.downcast_ref::<&str>().copied());
-        let said = said.unwrap_or("a thread panicked");
-        InternalError::new_err(format!(
-            "internal error ({said}); please report it with the scene"
-        ))
-    })
+/// The exception of a panic as a program expects it: `gaitcam.InternalError`, which `except Exception` catches.
+///
+/// pyo3 turns a panic in any function or method into its own exception, so that none has to be guarded by hand.
+pub fn internal(py: Python<'_>) -> PyResult<Bound<'_, PyType>> {
+    let own = py.get_type::<PanicException>();
+    own.setattr("__bases__", (py.get_type::<PyRuntimeError>(),))?;
+    own.setattr("__name__", "InternalError")?;
+    own.setattr("__qualname__", "InternalError")?;
+    own.setattr("__module__", "gaitcam")?;
+    own.setattr(
+        "__doc__",
+        "A fault of gaitcam itself. Please report it with the scene.",
+    )?;
+    let said =
+        c"lambda fault: f'internal error ({fault.args[0]}); please report it with the scene'";
+    own.setattr("__str__", py.eval(said, None, None)?)?;
+    Ok(own)
 }
 
 /// The exception of a fault.

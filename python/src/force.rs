@@ -12,7 +12,7 @@ use pyo3::types::{PyBytes, PyDict};
 use toml::{Table, Value};
 
 use crate::convert::{self, Reduced};
-use crate::error::{Raise, detached};
+use crate::error::Raise;
 
 /// One cycle of vertical force.
 ///
@@ -93,7 +93,7 @@ impl Force {
             let options = gait.read_options(metadata.clone())?;
             force::force_curve(&path, &bytes, &options, gait.feet)
         };
-        let curve = detached(py, read)?.raise(py)?;
+        let curve = py.detach(read).raise(py)?;
         let origin = Origin::Recording {
             gait,
             bytes,
@@ -162,8 +162,8 @@ impl Force {
         let (t, f) = (convert::numbers(t_s, "t_s")?, convert::numbers(f_n, "f_n")?);
         let (t, f) = (t.as_array(), f.as_array());
         let (t, f) = (t.to_vec(), f.to_vec());
-        let curve = detached(py, || force::of_arrays(name, &t, &f, period_s));
-        let mut curve = curve?.raise(py)?;
+        let curve = py.detach(|| force::of_arrays(name, &t, &f, period_s));
+        let mut curve = curve.raise(py)?;
         curve.mass_kg = mass_kg;
         let origin = Origin::Arrays;
         Ok(Force { curve, origin })
@@ -181,10 +181,7 @@ impl Force {
     ) -> PyResult<Force> {
         let py = t_s.py();
         let np = py.import("numpy")?;
-        let plates = np.call_method1(
-            "atleast_2d",
-            (np.call_method1("asarray", (f_n,))?.getattr("T")?,),
-        )?;
+        let plates = np.call_method1("atleast_2d", (convert::array(f_n, "f_n")?.getattr("T")?,))?;
         let mut columns = vec![convert::numbers(t_s, "t_s")?];
         for plate in plates.try_iter()? {
             columns.push(convert::numbers(&plate?, "f_n")?);
@@ -347,7 +344,7 @@ pub fn read_gait(
     path: PathBuf,
     options: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Force> {
-    let bytes = detached(py, || read::read_bytes(&path))?.raise(py)?;
+    let bytes = py.detach(|| read::read_bytes(&path)).raise(py)?;
     let place = std::path::absolute(&path).unwrap_or_else(|_| path.clone());
     let gait = gait(options, &place)?;
     Force::of_recording(py, gait, bytes.into(), target::metadata(&path))

@@ -5,7 +5,7 @@ use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 
 use crate::convert;
-use crate::error::{Raise, detached};
+use crate::error::Raise;
 
 /// The designs of a table that no other design beats in every objective.
 #[pyclass(frozen, module = "gaitcam")]
@@ -77,7 +77,7 @@ pub fn front(
         );
     }
     let (outcomes, verdicts) = (words(table, "outcome")?, words(table, "verdict")?);
-    detached(py, || {
+    Ok(py.detach(|| {
         let admission = Admission { low_speed, all };
         let mut found = sweep::Front::default();
         let mut left_out = 0;
@@ -104,7 +104,7 @@ pub fn front(
             names: objectives.into_iter().map(|o| o.name).collect(),
             left_out,
         }
-    })
+    }))
 }
 
 /// Names of the columns of any kind of table.
@@ -116,11 +116,7 @@ fn names(table: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
             return names.map(|n| n?.extract()).collect();
         }
     }
-    table
-        .call_method0("keys")?
-        .try_iter()?
-        .map(|n| n?.extract())
-        .collect()
+    convert::keys(table, "table")
 }
 
 /// A column of words; empty where one is missing.

@@ -4,10 +4,10 @@ use gaitcam::law::{self, Extent, Rise, Segment};
 use gaitcam::units::{Dimension, parse};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::{IntoPyDict, PyDict, PyString};
 
 use crate::convert;
-use crate::error::{Raise, detached};
+use crate::error::Raise;
 
 /// A law of motion: ``law(theta)`` gives s, v, a, j, each of the shape of ``theta``.
 ///
@@ -45,8 +45,7 @@ pub fn shaped<'py, const N: usize>(
     mut of: impl FnMut(f64) -> [f64; N],
 ) -> PyResult<[Bound<'py, PyAny>; N]> {
     let py = theta.py();
-    let np = py.import("numpy")?;
-    let array = np.call_method1("asarray", (theta,))?;
+    let array = convert::array(theta, "theta")?;
     let shape = array.getattr("shape")?;
     let flat = convert::numbers(&array.call_method0("ravel")?, "theta")?;
     let flat = flat.as_array();
@@ -78,7 +77,7 @@ impl Law {
     #[new]
     fn new(py: Python<'_>, name: &str) -> PyResult<Law> {
         let law = || Rise::from_name(name).and_then(|rise| Law::of_rise(&rise));
-        detached(py, law)?.raise(py)
+        py.detach(law).raise(py)
     }
 
     fn __call__<'py>(&self, theta: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
@@ -122,32 +121,25 @@ impl Law {
 
     /// Smallest and largest value of a derivative (0: lift … 3: jerk) of the continuous law, each with its angle:
     /// ``((least, at), (most, at))``.
-    fn extremes(&self, py: Python<'_>, order: usize) -> PyResult<((f64, f64), (f64, f64))> {
+    fn extremes(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = convert::whole)] order: usize,
+    ) -> PyResult<((f64, f64), (f64, f64))> {
         if order > 3 {
             let what = format!("{order} is no derivative of a law; give 0, 1, 2 or 3");
             return Err(crate::error::argument(py, "order", what));
         }
-        let (low, high) = detached(py, || self.law.extremes(order))?;
+        let (low, high) = py.detach(|| self.law.extremes(order));
         Ok(((low.value, low.at), (high.value, high.at)))
     }
 
     /// Peak factors of a law of the catalogue: ``cv``, ``ca``, ``cj``, ``ct``.
     #[getter]
     fn factors<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let Some(factors) = &self.factors else {
-            return Ok(None);
-        };
-        let out = PyDict::new(py);
-        let all = [
-            ("cv", factors.cv),
-            ("ca", factors.ca),
-            ("cj", factors.cj),
-            ("ct", factors.ct),
-        ];
-        for (name, factor) in all {
-            out.set_item(name, factor)?;
-        }
-        Ok(Some(out))
+        let named = |f: &law::Factors| [("cv", f.cv), ("ca", f.ca), ("cj", f.cj), ("ct", f.ct)];
+        let factors = self.factors.as_ref().map(named);
+        factors.map(|all| all.into_py_dict(py)).transpose()
     }
 
     fn __repr__(&self) -> String {
@@ -182,7 +174,7 @@ pub fn program(
             angle: quantity(angle, Dimension::Angle, &format!("segment.{}.angle", i + 1))?,
         });
     }
-    let law = detached(py, || law::program(&all, Extent::TURN))?.raise(py)?;
+    let law = py.detach(|| law::program(&all, Extent::TURN)).raise(py)?;
     Ok(Law::of_design("program", &law))
 }
 

@@ -23,7 +23,7 @@ mod _native {
     #[pymodule_export]
     use crate::design::{Design, synth};
     #[pymodule_export]
-    use crate::error::{InputError, InternalError, NoSuchCam};
+    use crate::error::{InputError, NoSuchCam};
     #[pymodule_export]
     use crate::force::{Force, read_gait};
     #[pymodule_export]
@@ -43,16 +43,17 @@ mod _native {
 
     /// Panics on a thread of its own, so that tests see what becomes of an internal error.
     #[pyfunction]
-    fn _panic(py: Python<'_>) -> PyResult<()> {
-        crate::error::detached(py, || {
+    fn _panic(py: Python<'_>) {
+        py.detach(|| {
             std::thread::scope(|scope| {
                 scope.spawn(|| panic!("on purpose"));
             });
-        })
+        });
     }
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("InternalError", crate::error::internal(module.py())?)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -9,7 +9,7 @@ use pyo3::types::PyDict;
 
 use crate::convert;
 use crate::design::Design;
-use crate::error::{NoSuchCam, Raise, argument, detached};
+use crate::error::{NoSuchCam, Raise, argument};
 use crate::scene::Scene;
 use crate::table::Table;
 
@@ -56,10 +56,8 @@ pub fn simulate(
         Some(changes) => machine_of(py, &design, changes)?,
     };
     let cam = &design.design;
-    let outcome = detached(py, || {
-        dynamics::simulate(&cam.emitted(&spec, drive)?, model)
-    });
-    let outcome = outcome?.raise(py)?;
+    let outcome = py.detach(|| dynamics::simulate(&cam.emitted(&spec, drive)?, model));
+    let outcome = outcome.raise(py)?;
     let mut judged = cam.clone();
     if outcome.contact_lost {
         judged.loses_contact(outcome.lost_fraction);

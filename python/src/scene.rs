@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::convert::{self, Reduced};
-use crate::error::{Raise, detached, raised};
+use crate::error::{Raise, raised};
 
 /// A scene: target force, drive (how lift becomes force), law of motion, cam and limits.
 ///
@@ -41,10 +41,8 @@ impl Scene {
         folder: PathBuf,
         file: Option<PathBuf>,
     ) -> PyResult<Scene> {
-        let input = detached(py, || {
-            Input::new(table.clone(), folder.clone(), file.clone())
-        });
-        let fault = match input? {
+        let input = py.detach(|| Input::new(table.clone(), folder.clone(), file.clone()));
+        let fault = match input {
             Ok(input) => return Ok(Scene::of_input(input)),
             Err(fault) => fault,
         };

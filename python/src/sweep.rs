@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
 use crate::convert::{self, Reduced};
-use crate::error::{Raise, argument, detached};
+use crate::error::{Raise, argument};
 use crate::force::Force;
 use crate::interrupt::{self, Interrupt};
 use crate::scene::Scene;
@@ -88,9 +88,9 @@ impl Sweep {
         vary: Option<&Bound<'_, PyDict>>,
         rows: Option<&Bound<'_, PyAny>>,
         recordings: Option<Vec<PathBuf>>,
-        sample: Option<u64>,
+        #[pyo3(from_py_with = convert::whole)] sample: Option<u64>,
         method: &str,
-        seed: u64,
+        #[pyo3(from_py_with = convert::whole)] seed: u64,
         tolerance: Option<&Bound<'_, PyDict>>,
         time_limit: f64,
     ) -> PyResult<Sweep> {
@@ -107,7 +107,7 @@ impl Sweep {
         question.recordings(py, recordings)?;
         question.tolerances(tolerance)?;
         question.check_scenes(py)?;
-        let study = detached(py, || question.study(None))?.raise(py)?;
+        let study = py.detach(|| question.study(None)).raise(py)?;
         Ok(Sweep {
             question,
             study,
@@ -123,9 +123,9 @@ impl Sweep {
     fn run(
         &self,
         py: Python<'_>,
-        start: u64,
-        stop: Option<u64>,
-        jobs: Option<usize>,
+        #[pyo3(from_py_with = convert::whole)] start: u64,
+        #[pyo3(from_py_with = convert::whole)] stop: Option<u64>,
+        #[pyo3(from_py_with = convert::whole)] jobs: Option<usize>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Table> {
         let rows = self.rows(py, start, stop)?;
@@ -150,12 +150,12 @@ impl Sweep {
             let all = Arc::clone(&interrupt);
             Halt::when(move || row.is_asked() || all.is_raised())
         };
-        let found = detached(py, || {
+        let found = py.detach(|| {
             self.study
                 .run(rows, jobs, &halts, &|| interrupt.is_raised())
         });
         interrupt.result()?;
-        let records = found?.raise(py)?.unwrap_or_default();
+        let records = found.raise(py)?.unwrap_or_default();
         if let Some(progress) = progress {
             progress.call1(py, (count, count))?;
         }
@@ -174,19 +174,19 @@ impl Sweep {
         &self,
         py: Python<'_>,
         folder: PathBuf,
-        block_rows: u64,
+        #[pyo3(from_py_with = convert::whole)] block_rows: u64,
     ) -> PyResult<Vec<(u64, u64, PathBuf)>> {
         if block_rows == 0 {
             let what = "a block has at least one row".to_string();
             return Err(argument(py, "block_rows", what));
         }
         let folder = std::path::absolute(&folder).unwrap_or(folder);
-        let blocks = detached(py, || {
+        let blocks = py.detach(|| {
             let blocks = SharedBlocks::open(&folder, &self.study, block_rows, Language::En)?;
             let missing = blocks.missing()?;
             Ok((blocks.blocks, missing))
         });
-        let (blocks, missing) = blocks?.raise(py)?;
+        let (blocks, missing) = blocks.raise(py)?;
         let entry = |rows: Range<u64>| (rows.start, rows.end, blocks.path(&rows));
         Ok(missing.into_iter().map(entry).collect())
     }

@@ -5,7 +5,7 @@ use numpy::ndarray::ArrayView1;
 use numpy::{Element, PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyString};
+use pyo3::types::{IntoPyDict, PyDict, PyList, PyString};
 
 use crate::convert::{self, Reduced};
 
@@ -104,11 +104,7 @@ impl Table {
     /// What is known of the whole table: of a sweep its fingerprint.
     #[getter]
     fn metadata<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let out = PyDict::new(py);
-        for (key, value) in &self.metadata {
-            out.set_item(key, value)?;
-        }
-        Ok(out)
+        self.metadata.iter().cloned().into_py_dict(py)
     }
 
     fn __len__(&self) -> usize {

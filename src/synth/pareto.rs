@@ -159,6 +159,22 @@ fn names(column: &str, word: &str) -> bool {
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
 }
 
+/// The problem whose law only the bound of a point limits: a spline of least force error.
+fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
+    let mut open = problem.clone();
+    open.law.family = Family::Spline;
+    let first = design(&open, search)?;
+    // The accuracy would raise the number of spans and fail what the front is there to show.
+    open.accuracy = None;
+    open.limits.unjudged.accuracy = true;
+    open.law.minimise = Some(Minimise::ForceError);
+    if open.law.spans.is_none() && open.law.dwells.is_empty() {
+        let own = first.cam.law.poly().pieces();
+        open.law.spans = Some((MORE_SPANS * own).min(MOST_SPANS.max(own)));
+    }
+    Ok(open)
+}
+
 /// The front between force error and another quantity, from the tightest value to what the unlimited law
 /// needs, in even steps.
 ///
@@ -170,17 +186,7 @@ pub fn trade(problem: &Problem, against: &Figure, points: usize) -> Result<Vec<T
     let bound = Bound::of(against);
     bound.check(problem)?;
     let of = |design: &Design| against.value(&Figures::of(design));
-    let mut open = problem.clone();
-    open.law.family = Family::Spline;
-    let first = design(&open, &search)?;
-    // The accuracy would raise the number of spans and fail what the front is there to show.
-    open.accuracy = None;
-    open.limits.unjudged.accuracy = true;
-    open.law.minimise = Some(Minimise::ForceError);
-    if open.law.spans.is_none() && open.law.dwells.is_empty() {
-        let own = first.cam.law.poly().pieces();
-        open.law.spans = Some((MORE_SPANS * own).min(MOST_SPANS.max(own)));
-    }
+    let open = unlimited(problem, &search)?;
     let free = design(&open, &search)?;
     if let Some(why) = &free.infeasible {
         return Err(why.no_law().at_key("limits"));

@@ -11,7 +11,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = folder.unwrap_or_else(std::env::temp_dir);
     let scene = built_in("camdas_01_roller")?.scene()?;
     let design = synthesise(&scene, None)?;
-    let outline = dxf::profile_as(&design, 720, dxf::Content::CutOnly, dxf::Curves::default());
+    let outline = dxf::profile(&design, 720, dxf::Content::CutOnly, dxf::Curves::default());
     std::fs::write(folder.join("profile.dxf"), outline)?;
     std::fs::write(folder.join("cam.step"), step::solid(&design)?)?;
     std::fs::write(

@@ -20,7 +20,7 @@
 //!
 //! let scene = built_in("camdas_01_roller").unwrap().scene().unwrap();
 //! let design = synthesise(&scene, None).unwrap();
-//! let outline = dxf::profile(&design, 720, dxf::Content::CutOnly);
+//! let outline = dxf::profile(&design, 720, dxf::Content::CutOnly, dxf::Curves::Arcs);
 //! let solid = step::solid(&design).unwrap();
 //! assert!(outline.len() > 10_000 && solid.starts_with(b"ISO-10303-21;"));
 //! ```

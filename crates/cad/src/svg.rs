@@ -18,10 +18,8 @@ const MARGIN: f64 = 5.0;
 /// `points` vertices at equal steps of the cam angle; width and height are in mm, the cam's y points up.
 pub fn profile(synthesis: &Design, points: usize) -> String {
     let follower = &synthesis.cam.follower;
-    let edges: Vec<(Edge, Vec<EdgePoint>)> = Edge::all(synthesis)
-        .into_iter()
-        .map(|edge| (edge, edge.points(points)))
-        .collect();
+    let edges = Edge::all(synthesis).into_iter();
+    let edges: Vec<(Edge, Vec<EdgePoint>)> = edges.map(|e| (e, e.points(points))).collect();
     let marks = marks(synthesis);
     let (base, prime) = (MM * follower.base_radius(), MM * follower.prime_radius());
     let (mut low, mut high) = if follower.is_unrolled() {
@@ -38,10 +36,7 @@ pub fn profile(synthesis: &Design, points: usize) -> String {
         }
     }
     let (left, top) = (low[0] - MARGIN, -high[1] - MARGIN);
-    let (width, height) = (
-        high[0] - low[0] + 2.0 * MARGIN,
-        high[1] - low[1] + 2.0 * MARGIN,
-    );
+    let [width, height] = [0, 1].map(|k| high[k] - low[k] + 2.0 * MARGIN);
     let mut out = String::with_capacity(64 * points * edges.len() + 1024);
     // Writing to a String cannot fail.
     let _ = writeln!(
@@ -71,10 +66,8 @@ pub fn profile(synthesis: &Design, points: usize) -> String {
             edge.id()
         );
     }
-    let mut d = String::new();
-    for (_, ends) in &marks {
-        d += &path(ends.iter().copied(), false);
-    }
+    let lines = marks.iter().map(|m| path(m.1.iter().copied(), false));
+    let d: String = lines.collect();
     let id = marks.first().map_or(String::new(), |m| id(m.0));
     let _ = writeln!(
         out,

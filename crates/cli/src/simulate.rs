@@ -15,7 +15,7 @@ use crate::console::words;
 use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
-use gaitcam::dynamics::{Model, Run, simulate};
+use gaitcam::dynamics::{Model, Outcome, Run, simulate};
 use gaitcam::error::{Place, Placed, Result};
 use gaitcam::scene::{MachineSpec, Scene};
 use gaitcam::synth::Design;
@@ -120,23 +120,23 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     if args.json {
         print_json(&json);
     } else {
-        print(&format!(
-            "{}: {}",
-            design.name,
-            words::name(design.verdict.name())
-        ));
-        print(&format!("  {}", design.reason(language::current())));
-        if let Some(remark) = remark(args, &made, &design) {
-            print(&format!("  {remark}"));
-        }
-        print(&simulation::table(
-            &outcome,
-            run.cam.follower.measures(),
-            language::current(),
-        ));
+        let remark = remark(args, &made, &design);
+        describe(&design, remark, &outcome);
         print(&files_in(&place, "report.html"));
     }
     Ok(exit_code::of(design.verdict))
+}
+
+/// Prints verdict, reason, remark and the table of the run.
+fn describe(design: &Design, remark: Option<String>, outcome: &Outcome) {
+    let verdict = words::name(design.verdict.name());
+    print(&format!("{}: {verdict}", design.name));
+    print(&format!("  {}", design.reason(language::current())));
+    if let Some(remark) = remark {
+        print(&format!("  {remark}"));
+    }
+    let measures = design.cam.follower.measures();
+    print(&simulation::table(outcome, measures, language::current()));
 }
 
 /// Where the files go: the result folder that is run unchanged, otherwise a folder of the scene's name.

@@ -149,7 +149,7 @@ pub const ALL: [File; 25] = {
         file(Tables, "summary.json", All, Finish, |_| none()),
         file(Drawings, "profile.dxf", Cams, Always, |s| {
             let c = s.contents;
-            made(dxf::profile_as(s.design, c.points, c.drawn, c.curves))
+            made(dxf::profile(s.design, c.points, c.drawn, c.curves))
         }),
         file(Drawings, "profile.svg", Cams, Always, |s| {
             made(svg::profile(s.design, s.contents.points))

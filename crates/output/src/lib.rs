@@ -31,7 +31,7 @@ pub use report::sweep as sweep_report;
 
 /// Samples of a motion and its target, for drawings of another make.
 pub mod curve {
-    pub use super::pose::{motion, target_at};
+    pub use super::pose::{largest_radius, motion, target_at};
 }
 
 /// The pictures of a design.

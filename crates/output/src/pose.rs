@@ -3,7 +3,6 @@
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::force::ForceCurve;
 use gaitcam::law::{Law, Svaj};
-use gaitcam::synth::Design;
 
 /// Points per turn of a drawn curve: one per two pixels of a wide picture.
 const PER_LAW: f64 = 540.0;
@@ -108,11 +107,6 @@ pub fn face_reach(cam: &Cam) -> Option<(f64, f64)> {
         .map(|(low, high)| (low.value, high.value))
 }
 
-/// Whether lift is an angle: its columns then read rad in place of m.
-pub fn oscillates(follower: &Follower) -> bool {
-    follower.is_oscillating()
-}
-
 /// Angles (rad) with the motion there. Both sides of every break are sampled, so jumps show as jumps.
 pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
     let breaks = law.breaks();
@@ -128,8 +122,14 @@ pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
     out
 }
 
-/// The unit lift is shown in: factor from SI, and its name.
-pub fn lift_unit(synthesis: &Design) -> (f64, &'static str) {
-    let unit = synthesis.cam.follower.measures().lift(0);
-    (unit.factor, unit.name)
+/// Largest radius of curvature drawn: `size` of a disc's own, beside which everything larger is straight; what is
+/// unrolled has no such size, and shows three quarters of its `radii`.
+pub fn largest_radius(cam: &Cam, size: f64, radii: impl Iterator<Item = f64>) -> f64 {
+    let size = size * cam.follower.prime_radius().max(cam.law.stroke());
+    if !cam.follower.is_unrolled() {
+        return size;
+    }
+    let mut all: Vec<f64> = radii.filter(|r| r.is_finite()).collect();
+    all.sort_by(f64::total_cmp);
+    all.get(all.len() * 3 / 4).map_or(size, |r| r.max(size))
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use gaitcam::cam::{Cam, Check, Criterion, Follower, LimitKind, Measures, ProfilePoint, Unit};
+use gaitcam::cam::{Cam, Check, Criterion, LimitKind, Measures, ProfilePoint, Unit};
 use gaitcam::dynamics::hertz::{STEEL, line, modulus};
 use gaitcam::dynamics::touch;
 use gaitcam::law::Svaj;
@@ -10,6 +10,11 @@ use gaitcam::synth::Design;
 use gaitcam_output::curve;
 
 const MM: f64 = 1e3;
+/// How lengths are shown.
+const LENGTH: Unit = Unit {
+    factor: MM,
+    name: "mm",
+};
 /// Radii beyond this many prime radii are straight to the eye.
 const STRAIGHT: f64 = 3.0;
 
@@ -249,14 +254,8 @@ fn force(design: &Design, samples: &[Sample]) -> Panel {
 
 fn radius(design: &Design, samples: &[Sample]) -> Panel {
     let cam = &design.cam;
-    let mut most = STRAIGHT * cam.follower.prime_radius().max(cam.law.stroke());
-    if cam.follower.is_unrolled() {
-        // What is unrolled has no size to compare with: three quarters of its radii are shown.
-        let mut all: Vec<f64> = samples.iter().map(|s| s.point.rho.abs()).collect();
-        all.retain(|r| r.is_finite());
-        all.sort_by(f64::total_cmp);
-        most = all.get(all.len() * 3 / 4).map_or(most, |r| r.max(most));
-    }
+    let radii = samples.iter().map(|s| s.point.rho.abs());
+    let most = curve::largest_radius(cam, STRAIGHT, radii);
     let rho = |s: &Sample| {
         if s.point.rho.abs() > most {
             f64::NAN
@@ -264,23 +263,20 @@ fn radius(design: &Design, samples: &[Sample]) -> Panel {
             MM * s.point.rho
         }
     };
-    let unit = Unit {
-        factor: MM,
-        name: "mm",
-    };
-    panel(design, "radius", unit, vec![line_of("main", samples, rho)])
+    panel(
+        design,
+        "radius",
+        LENGTH,
+        vec![line_of("main", samples, rho)],
+    )
 }
 
 /// Pressure angle, or the contact's travel on a flat face.
 fn contact(design: &Design, samples: &[Sample]) -> Panel {
     let cam = &design.cam;
     if cam.contact_travel().is_some() {
-        let unit = Unit {
-            factor: MM,
-            name: "mm",
-        };
         let line = line_of("main", samples, |s| MM * cam.contact_along(s.at));
-        return panel(design, "contact", unit, vec![line]);
+        return panel(design, "contact", LENGTH, vec![line]);
     }
     let angle = |s: &Sample| match &design.groove {
         Some(groove) => groove.pressure_angle(s.theta, groove.depth().0),
@@ -365,10 +361,8 @@ fn smallest_radii(design: &Design) -> [f64; 2] {
 /// Direction of the contact's normal in the cam's frame, rad.
 fn normal(cam: &Cam, s: &Sample) -> f64 {
     let [x, y] = cam.motion(s.theta);
-    let turned = match cam.follower {
-        Follower::TranslatingCam { .. } | Follower::Barrel { .. } => 0.0,
-        _ => s.theta,
-    };
+    let unrolled = cam.follower.is_unrolled();
+    let turned = if unrolled { 0.0 } else { s.theta };
     y.atan2(x) + s.point.pressure_angle - turned
 }
 

@@ -196,8 +196,7 @@ impl Question {
     /// Adds rows of values together.
     pub fn rows(&mut self, rows: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
         let Some(rows) = rows else { return Ok(()) };
-        for name in rows.call_method0("keys")?.try_iter()? {
-            let name: String = name?.extract()?;
+        for name in convert::keys(rows, "rows")? {
             let values = rows.get_item(&name)?;
             self.rows.push(Asked::of_column(name, &values)?);
         }

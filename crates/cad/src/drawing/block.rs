@@ -123,29 +123,14 @@ fn fields(
     };
     let made = &design.making;
     let steel = || words.text("drawing-steel");
-    let material = made.material.clone().unwrap_or_else(steel);
-    let material = match made.hardness {
-        Some(hardness) => format!("{material}, {hardness}"),
-        None => material,
-    };
+    let mut material = made.material.clone().unwrap_or_else(steel);
+    if let Some(hardness) = made.hardness {
+        material = format!("{material}, {hardness}");
+    }
     let roughness = made.roughness.unwrap_or(USUAL_ROUGHNESS);
     let roughness = format!("Ra {} (Ra 3.2)", short(1e6 * roughness));
-    let (tolerance, error) = match making(design, title.accuracy) {
-        Some(m) => {
-            let error = number(m.error, 3);
-            let own = number(design.force.rms_error_percent_of_mean, 3);
-            let arguments = [("error", error.as_str()), ("own", &own)];
-            (
-                words.decimal(format!("± {} mm", short(1e3 * m.tolerance))),
-                words.decimal(words.fill("drawing-force", &arguments)),
-            )
-        }
-        None => {
-            let given = design.making.tolerance;
-            let given = given.map_or("±".to_string(), |t| format!("± {} mm", short(1e3 * t)));
-            (words.decimal(given), words.text("drawing-no-force"))
-        }
-    };
+    let (tolerance, error) = accuracy(design, title, words);
+    let program = concat!("gaitcam ", env!("CARGO_PKG_VERSION")).to_string();
     vec![
         field("drawing-material", material),
         field("drawing-roughness", words.decimal(roughness)),
@@ -167,11 +152,25 @@ fn fields(
         field("drawing-date", title.date.map_or_else(blank, civil_date)),
         field("drawing-sheet", format!("{sheet} / {sheets}")),
         field("drawing-units", words.text("drawing-mm")),
-        field(
-            "drawing-program",
-            format!("gaitcam {}", env!("CARGO_PKG_VERSION")),
-        ),
+        field("drawing-program", program),
     ]
+}
+
+/// The tolerance of the profile and the force error that it leaves.
+fn accuracy(design: &Design, title: &Title, words: &Words) -> (String, String) {
+    let making = making(design, title.accuracy);
+    let error = match &making {
+        Some(m) => {
+            let error = number(m.error, 3);
+            let own = number(design.force.rms_error_percent_of_mean, 3);
+            let arguments = [("error", error.as_str()), ("own", &own)];
+            words.decimal(words.fill("drawing-force", &arguments))
+        }
+        None => words.text("drawing-no-force"),
+    };
+    let tolerance = making.map_or(design.making.tolerance, |m| Some(m.tolerance));
+    let tolerance = tolerance.map_or("±".to_string(), |t| format!("± {} mm", short(1e3 * t)));
+    (words.decimal(tolerance), error)
 }
 
 /// A number to a millionth, without zeros at its end.

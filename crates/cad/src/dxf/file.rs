@@ -94,10 +94,8 @@ impl Drawing {
             out.put(2, name).put(70, 0).put(3, "").put(72, 65);
             out.put(73, 0).put(40, "0.0");
         });
-        let layers: Vec<&str> = ["0"]
-            .into_iter()
-            .chain(self.layers.iter().map(|l| l.0))
-            .collect();
+        let layers = self.layers.iter().map(|l| l.0);
+        let layers: Vec<&str> = ["0"].into_iter().chain(layers).collect();
         out.table("LAYER", &layers, |out, name| {
             let colour = self.layers.iter().find(|l| l.0 == name).map_or(7, |l| l.1);
             out.class("AcDbLayerTableRecord");
@@ -137,16 +135,7 @@ impl Drawing {
             Vec::new()
         };
         out.put(0, "ENDSEC");
-        out.section("BLOCKS");
-        for (name, &record) in spaces.into_iter().zip(&records) {
-            out.object("BLOCK", record, &["AcDbEntity"]);
-            out.put(8, "0").class("AcDbBlockBegin");
-            out.put(2, name).put(70, 0).point(10, [0.0; 2]);
-            out.put(3, name).put(1, "");
-            out.object("ENDBLK", record, &["AcDbEntity"]);
-            out.put(8, "0").class("AcDbBlockEnd");
-        }
-        out.put(0, "ENDSEC");
+        blocks(out, spaces, &records);
         records.first().copied().unwrap_or(0)
     }
 
@@ -195,6 +184,20 @@ struct Groups {
     later: bool,
     /// The next free handle.
     handle: u32,
+}
+
+/// The blocks of the spaces.
+fn blocks(out: &mut Groups, spaces: [&str; 2], records: &[u32]) {
+    out.section("BLOCKS");
+    for (name, &record) in spaces.into_iter().zip(records) {
+        out.object("BLOCK", record, &["AcDbEntity"]);
+        out.put(8, "0").class("AcDbBlockBegin");
+        out.put(2, name).put(70, 0).point(10, [0.0; 2]);
+        out.put(3, name).put(1, "");
+        out.object("ENDBLK", record, &["AcDbEntity"]);
+        out.put(8, "0").class("AcDbBlockEnd");
+    }
+    out.put(0, "ENDSEC");
 }
 
 impl Groups {

@@ -82,15 +82,10 @@ pub const FAITHFUL: f64 = 1e-7;
 /// Largest distance of splines from the edges at the points compared, m: between them at most [`FAITHFUL`].
 const SPLINES: f64 = 5e-8;
 
-/// The default drawing: R12, the profile in arcs that stay within [`FAITHFUL`] of it, the bore that the
-/// scene gives. A profile that no arcs follow, and the pitch curve, are polylines of `points` vertices at
-/// equal steps of the cam angle.
-pub fn profile(synthesis: &Design, points: usize, content: Content) -> Vec<u8> {
-    profile_as(synthesis, points, content, Curves::Arcs)
-}
-
-/// The same with the edges as arcs, or as splines in R2000.
-pub fn profile_as(synthesis: &Design, points: usize, content: Content, curves: Curves) -> Vec<u8> {
+/// The drawing that is cut from: the profile in arcs that stay within [`FAITHFUL`] of it (R12) or in splines (R2000),
+/// the bore that the scene gives. A profile that neither follows, and the pitch curve, are polylines of `points`
+/// vertices at equal steps of the cam angle.
+pub fn profile(synthesis: &Design, points: usize, content: Content, curves: Curves) -> Vec<u8> {
     let options = Options {
         points,
         version: Version::R12,

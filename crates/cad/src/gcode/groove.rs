@@ -34,15 +34,14 @@ pub fn program(groove: &BarrelGroove, name: &str, tool: f64) -> Result<String> {
     }
     let (floor, surface) = groove.depth();
     let undercut = |wall: &Wall| groove.smallest_bulge(floor, *wall).value <= 0.0;
-    if [Wall::Lower, Wall::Upper].iter().any(undercut) {
+    let walls = [Wall::Lower, Wall::Upper];
+    if walls.iter().any(undercut) {
         return Err(WriteError::NoCutterPath.into());
     }
     let mut out = format!("%\n({})\n", comment(name));
     let (start, length) = groove.law().extent();
     let stations = stations(groove);
-    let mut offsets: Vec<f64> = [Wall::Lower, Wall::Upper]
-        .map(|wall| groove.axis_offset(wall))
-        .to_vec();
+    let mut offsets = walls.map(|wall| groove.axis_offset(wall)).to_vec();
     offsets.dedup();
     let place = |theta: f64, offset: f64| MM * (groove.law().svaj(theta).s + offset);
     // Writing to a String cannot fail.
@@ -63,12 +62,8 @@ pub fn program(groove: &BarrelGroove, name: &str, tool: f64) -> Result<String> {
         let gone = length * pass as f64;
         if pass > 0 {
             let across = MM * (offset - offsets[pass - 1]).abs();
-            let _ = writeln!(
-                out,
-                "G1 X{:.4} F{:.3}",
-                place(start, *offset),
-                FEED / across
-            );
+            let x = place(start, *offset);
+            let _ = writeln!(out, "G1 X{x:.4} F{:.3}", FEED / across);
         }
         for pair in stations.windows(2) {
             let rise = place(pair[1], 0.0) - place(pair[0], 0.0);

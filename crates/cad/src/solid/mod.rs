@@ -9,6 +9,7 @@ use gaitcam::error::Result;
 use gaitcam::synth::Design;
 
 pub use plate::{Plate, plate};
+pub use stl::file as binary_stl;
 pub use wall::wall;
 
 /// A triangle mesh, mm; triangles are counter-clockwise seen from outside.
@@ -28,9 +29,4 @@ pub fn stl(design: &Design, form: Plate) -> Result<Vec<u8>> {
 /// The plate as 3MF, mm. Fails as [`plate`] does.
 pub fn threemf(design: &Design, form: Plate) -> Result<Vec<u8>> {
     threemf::package(&plate(design, form)?, &design.name)
-}
-
-/// Any mesh as binary STL, mm. Fails only if the bytes cannot be put together.
-pub fn binary_stl(mesh: &Mesh) -> Result<Vec<u8>> {
-    stl::file(mesh)
 }

@@ -166,25 +166,18 @@ impl Body {
         let [low, high] = self.z;
         let top = high + self.hub.map_or(0.0, |hub| MM * hub.length);
         let outer = file.wall(&self.outline, self.z, false, &mut faces);
-        let shaft = (self.hole.iter())
-            .map(|bore| file.wall(&hole_pieces(bore), [low, top], true, &mut faces))
-            .collect::<Vec<Rims>>();
-        let balance = (self.balance.iter())
-            .map(|hole| {
-                let edge = circle(hole.centre.map(|x| MM * x), 0.5 * MM * hole.diameter);
-                file.wall(&edge, self.z, true, &mut faces)
-            })
-            .collect::<Vec<Rims>>();
-        let dot: Vec<Rims> = (self.dot.iter())
-            .map(|dot| dot.add_to(file, high, &mut faces))
-            .collect();
-        let hub: Vec<Rims> = (self.hub.iter())
-            .map(|hub| {
-                let edge = circle([0.0; 2], 0.5 * MM * hub.diameter);
-                file.wall(&edge, [high, top], false, &mut faces)
-            })
-            .collect();
-        for rims in &hub {
+        let shaft =
+            (self.hole).map(|bore| file.wall(&hole_pieces(&bore), [low, top], true, &mut faces));
+        let balance = self.balance.map(|hole| {
+            let edge = circle(hole.centre.map(|x| MM * x), 0.5 * MM * hole.diameter);
+            file.wall(&edge, self.z, true, &mut faces)
+        });
+        let dot = self.dot.map(|dot| dot.add_to(file, high, &mut faces));
+        let hub = self.hub.map(|hub| {
+            let edge = circle([0.0; 2], 0.5 * MM * hub.diameter);
+            file.wall(&edge, [high, top], false, &mut faces)
+        });
+        if let Some(rims) = &hub {
             let bored: Vec<&[usize]> = shaft.iter().map(|r| r.high.as_slice()).collect();
             file.cap(top, true, &rims.high, &bored, &mut faces);
         }
@@ -192,10 +185,8 @@ impl Body {
             .map(|r| r.low.as_slice())
             .collect();
         // Around a hub the plate's face begins at the hub.
-        let inner = match hub.is_empty() {
-            true => shaft.iter().map(|r| r.high.as_slice()).collect(),
-            false => hub.iter().map(|r| r.low.as_slice()).collect::<Vec<_>>(),
-        };
+        let around = hub.as_ref().map(|r| r.low.as_slice());
+        let inner = around.or(shaft.as_ref().map(|r| r.high.as_slice()));
         let above: Vec<&[usize]> = (balance.iter().chain(&dot))
             .map(|r| r.high.as_slice())
             .chain(inner)

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use gaitcam::cam::{Bore, Keyway, Wall};
 use gaitcam::synth::Design;
-use gaitcam_cad::dxf::Content;
+use gaitcam_cad::dxf::{Content, Curves};
 
 use gaitcam_test_support::designed;
 use gaitcam_test_support::readers::{attribute, elements};
@@ -13,7 +13,12 @@ use crate::drawing::{Drawing, read};
 use gaitcam_test_support::designs::{footbridge, heel_tester, impossible};
 
 fn drawn(s: &Design) -> Drawing {
-    read(&gaitcam_cad::dxf::profile(s, 720, Content::All))
+    read(&gaitcam_cad::dxf::profile(
+        s,
+        720,
+        Content::All,
+        Curves::Arcs,
+    ))
 }
 
 /// The data of an SVG's path.
@@ -155,7 +160,12 @@ fn what_is_cut_lies_on_its_own_layers_and_can_be_had_alone() {
         let scene = s.name.clone();
         s.bore = Some(Bore::plain(0.01));
         let all = drawn(&s);
-        let cut = read(&gaitcam_cad::dxf::profile(&s, 720, Content::CutOnly));
+        let cut = read(&gaitcam_cad::dxf::profile(
+            &s,
+            720,
+            Content::CutOnly,
+            Curves::Arcs,
+        ));
         assert!(cut.layers.iter().all(|l| l.starts_with("CUT_")), "{scene}");
         assert!(
             all.layers

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use gaitcam::cam::{Bore, Cam, Follower};
 use gaitcam::law::Law;
 use gaitcam_cad::biarc;
-use gaitcam_cad::dxf::{Content, Options, Version};
+use gaitcam_cad::dxf::{Content, Curves, Options, Version};
 
 use crate::drawing::{groups, read};
 use gaitcam_test_support::designs::{footbridge, heel_tester};
@@ -39,7 +39,7 @@ fn dxf_is_the_closed_profile_in_true_millimetres_in_every_dialect() {
 
 #[test]
 fn r12_drawings_hold_nothing_that_r12_does_not_know() {
-    let bytes = gaitcam_cad::dxf::profile(&heel_tester(), 360, Content::All);
+    let bytes = gaitcam_cad::dxf::profile(&heel_tester(), 360, Content::All, Curves::Arcs);
     let drawing = read(&bytes);
     let arcs = drawing.outline("CUT_PROFILE").0.len();
     let all = groups(&bytes);
@@ -83,7 +83,7 @@ fn walk(vertices: &[[f64; 3]], per_arc: usize) -> Vec<[f64; 2]> {
 #[test]
 fn the_plain_drawing_is_within_a_tenth_of_a_micrometre_with_fewer_vertices_than_chords_need() {
     for s in [footbridge(), heel_tester()] {
-        let bytes = gaitcam_cad::dxf::profile(&s, 1440, Content::All);
+        let bytes = gaitcam_cad::dxf::profile(&s, 1440, Content::All, Curves::Arcs);
         let drawing = read(&bytes);
         let (vertices, closed) = drawing.outline("CUT_PROFILE");
         assert!(closed && vertices.len() < 720, "{}", vertices.len());

@@ -170,7 +170,7 @@ fn de_boor(knots: &[f64], control: &[[f64; 2]], t: f64) -> [f64; 2] {
 #[test]
 fn splines_of_a_drawing_follow_the_profile_to_a_tenth_of_a_micrometre() {
     for design in [footbridge(), furnished()] {
-        let bytes = dxf::profile_as(&design, 720, dxf::Content::All, dxf::Curves::Splines);
+        let bytes = dxf::profile(&design, 720, dxf::Content::All, dxf::Curves::Splines);
         let drawn = crate::drawing::read(&bytes);
         assert_eq!(drawn.header["$ACADVER"][1].1, "AC1015");
         let all = splines(&bytes);
@@ -198,7 +198,7 @@ fn splines_of_a_drawing_follow_the_profile_to_a_tenth_of_a_micrometre() {
         }
     }
     let barrel = designed("thesis_barrel");
-    let bytes = dxf::profile_as(&barrel, 720, dxf::Content::All, dxf::Curves::Splines);
+    let bytes = dxf::profile(&barrel, 720, dxf::Content::All, dxf::Curves::Splines);
     assert!(splines(&bytes).len() >= 4);
 }
 

@@ -8,7 +8,7 @@ use crate::console::terminal::{print, print_json, report};
 use gaitcam::error::Result;
 use gaitcam::force::{JointMean, LeftOut, OpenQuestion, Trial, joint_mean};
 use gaitcam_output::gait::{TrialRow, trials_json, trials_table};
-use serde_json::json;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 use gaitcam_output as output;
@@ -48,12 +48,7 @@ pub fn describe(
         .collect();
     let mean = joint.as_ref().ok();
     if as_json {
-        let objects = reads.iter().map(|read| {
-            let mut object = read.object.clone();
-            object["file"] = json!(read.path.display().to_string());
-            object
-        });
-        let objects = objects.collect();
+        let objects = reads.iter().map(object).collect();
         print_json(&trials_json(&rows, objects, mean));
     } else {
         print(trials_table(&rows, mean, language::current()).trim_end());
@@ -69,20 +64,21 @@ pub fn describe(
         let picture = output::recording::joint_mean(mean, &used, language::current());
         write_picture(place, &picture)?;
     }
+    let named = reads.iter().filter(|r| is_named(r));
+    let faults = named.filter_map(|r| r.fault.as_ref());
     let mut code = BUILT;
-    for fault in reads
-        .iter()
-        .filter(|r| is_named(r))
-        .filter_map(|r| r.fault.as_ref())
-    {
-        report(fault.sentence(language::current()));
-        code = BAD_INPUT;
-    }
-    if let Err(fault) = joint {
+    for fault in faults.chain(joint.as_ref().err()) {
         report(fault.sentence(language::current()));
         code = BAD_INPUT;
     }
     Ok(code)
+}
+
+/// What was read of one recording, with its file.
+fn object(read: &Read) -> Value {
+    let mut object = read.object.clone();
+    object["file"] = json!(read.path.display().to_string());
+    object
 }
 
 /// Paths without the folder that all of them share.

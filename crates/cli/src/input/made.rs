@@ -31,10 +31,7 @@ impl Made {
         let on_machine: &[String] = if result.is_some() { &args.set } else { &[] };
         let input = match result {
             None => scene(args)?,
-            Some(summary) => scene(&SceneArgs {
-                scene: Some(summary),
-                set: Vec::new(),
-            })?,
+            Some(summary) => scene(&SceneArgs::of(summary))?,
         };
         let mut table = input.table.clone();
         for change in on_machine {

@@ -30,6 +30,14 @@ pub struct SceneArgs {
     pub set: Vec<String>,
 }
 
+impl SceneArgs {
+    /// A scene as it is.
+    pub fn of(path: PathBuf) -> SceneArgs {
+        let (scene, set) = (Some(path), Vec::new());
+        SceneArgs { scene, set }
+    }
+}
+
 /// Reads the scene (or the built-in one) and applies the changes.
 pub fn scene(args: &SceneArgs) -> Result<Input> {
     let (mut table, folder, file) = written(args)?;

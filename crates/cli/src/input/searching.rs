@@ -1,6 +1,6 @@
 //! A search that may take long: a progress line after half a second, a time limit.
 
-use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::{JoinHandle, spawn};
 use std::time::{Duration, Instant};
 
@@ -62,26 +62,20 @@ impl TimeLimit {
     /// Ends the program where what is returned is not dropped within a limit that was given: an input may never end.
     pub fn of_input(self, json: bool) -> Option<Watch> {
         let limit = self.time_limit?;
-        let (done, waits) = channel();
-        let thread = spawn(move || {
+        Some(Watch::new(move |waits| {
             let late = duration(limit) + GRACE;
             if waits.recv_timeout(late) == Err(RecvTimeoutError::Timeout) {
                 let limit = limit.to_string();
                 let error = CliError::InputTime { limit }.at_argument("--time-limit");
                 std::process::exit(i32::from(refused(&error, json)));
             }
-        });
-        Some(Watch {
-            done: Some(done),
-            thread: Some(thread),
-        })
+        }))
     }
 
     /// Shows that a design is being searched for, until what is returned is dropped.
     pub fn shown(self) -> Watch {
         let limit = self.time_limit.unwrap_or(DESIGN_S);
-        let (done, waits) = channel();
-        let thread = spawn(move || {
+        Watch::new(move |waits| {
             if waits.recv_timeout(SHOWN_AFTER) != Err(RecvTimeoutError::Timeout) {
                 return;
             }
@@ -93,11 +87,7 @@ impl TimeLimit {
             bar.enable_steady_tick(Duration::from_millis(200));
             let _ = waits.recv();
             bar.finish_and_clear();
-        });
-        Watch {
-            done: Some(done),
-            thread: Some(thread),
-        }
+        })
     }
 }
 
@@ -126,6 +116,17 @@ fn duration(seconds: f64) -> Duration {
 pub struct Watch {
     done: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
+}
+
+impl Watch {
+    /// Starts `work`, whose receiver fails once the watch is dropped.
+    fn new(work: impl FnOnce(Receiver<()>) + Send + 'static) -> Watch {
+        let (done, waits) = channel();
+        Watch {
+            done: Some(done),
+            thread: Some(spawn(move || work(waits))),
+        }
+    }
 }
 
 impl Drop for Watch {

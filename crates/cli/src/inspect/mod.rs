@@ -229,44 +229,35 @@ fn text(design: &Design, inspected: &Inspection, made: Option<&MadeCam>) -> Stri
     lines.join("\n")
 }
 
+/// A row that compares two cams: key, value, unit.
+type Compared<'a> = (&'a str, fn(&Behaviour) -> Option<f64>, &'a str);
+
 /// One line per quantity: as designed, as made.
 fn comparison(design: &Design, made: &MadeCam, measures: Measures) -> Vec<String> {
-    let (before, after) = (&made.designed, &made.made);
     let force = measures.force().name;
     let acceleration = measures.by_time(2).name;
-    let mut rows: Vec<(&str, Option<f64>, Option<f64>, &str)> = Vec::new();
-    if !design.is_idle() {
-        rows.push(("inspect-rms", before.rms_error_n, after.rms_error_n, force));
-        rows.push(("inspect-max", before.max_error_n, after.max_error_n, force));
-        rows.push((
-            "inspect-least-force",
-            Some(before.min_n),
-            Some(after.min_n),
-            force,
-        ));
-        rows.push((
-            "inspect-most-force",
-            Some(before.max_n),
-            Some(after.max_n),
-            force,
-        ));
-    }
-    let peaks = [before.acceleration, after.acceleration].map(Some);
-    rows.push(("inspect-acceleration", peaks[0], peaks[1], acceleration));
-    let speeds = [before.liftoff_speed, after.liftoff_speed];
-    rows.push(("inspect-liftoff", speeds[0], speeds[1], "rad/s"));
-    let mut out: Vec<String> = rows
-        .into_iter()
-        .filter_map(|(key, before, after, unit)| {
-            let number = |x: f64| words::decimal(format!("{x:.4}"));
-            let (before, after) = (number(before?), number(after?));
-            let data = json!({"before": before, "after": after, "unit": unit});
-            Some(format!("  {}", words::fill(key, &data)))
-        })
-        .collect();
-    let lifts = after
-        .liftoff_speed
-        .is_some_and(|w| w < design.drive.speed.abs());
+    let all: [Compared; 6] = [
+        ("inspect-rms", |b| b.rms_error_n, force),
+        ("inspect-max", |b| b.max_error_n, force),
+        ("inspect-least-force", |b| Some(b.min_n), force),
+        ("inspect-most-force", |b| Some(b.max_n), force),
+        (
+            "inspect-acceleration",
+            |b| Some(b.acceleration),
+            acceleration,
+        ),
+        ("inspect-liftoff", |b| b.liftoff_speed, "rad/s"),
+    ];
+    let defined = all.iter().filter(|row| row.2 != force || !design.is_idle());
+    let line = |(key, value, unit): &Compared| {
+        let number = |x: f64| words::decimal(format!("{x:.4}"));
+        let (before, after) = (number(value(&made.designed)?), number(value(&made.made)?));
+        let data = json!({"before": before, "after": after, "unit": unit});
+        Some(format!("  {}", words::fill(key, &data)))
+    };
+    let mut out: Vec<String> = defined.filter_map(line).collect();
+    let speed = design.drive.speed.abs();
+    let lifts = made.made.liftoff_speed.is_some_and(|w| w < speed);
     if lifts {
         out.push(format!("  {}", words::text("inspect-lifts-off")));
     }

@@ -76,11 +76,7 @@ fn finding(key: &str, data: &serde_json::Value) -> String {
 }
 
 fn examine_scene(args: &DoctorArgs) -> Result<u8> {
-    let named = SceneArgs {
-        scene: Some(args.file.clone()),
-        set: Vec::new(),
-    };
-    let (table, folder, _) = input::written(&named)?;
+    let (table, folder, _) = input::written(&SceneArgs::of(args.file.clone()))?;
     let file = args.file.display().to_string();
     good(&finding(
         "toml",

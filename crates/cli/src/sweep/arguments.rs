@@ -30,10 +30,9 @@ pub struct Sweep {
 
 /// Reads scenes, list and axes.
 pub fn plan(args: &SweepArgs) -> Result<Sweep> {
-    let files: Vec<Option<&PathBuf>> = if args.scenes.is_empty() {
-        vec![None]
-    } else {
-        args.scenes.iter().map(Some).collect()
+    let files: Vec<Option<&PathBuf>> = match &args.scenes[..] {
+        [] => vec![None],
+        scenes => scenes.iter().map(Some).collect(),
     };
     let mut scenes = Vec::new();
     let mut folders = Vec::new();

@@ -23,20 +23,15 @@ pub struct Peer {
 /// The measured rows; a row that cannot be read is left out.
 pub fn rapier() -> Vec<Peer> {
     let mut reader = csv::Reader::from_reader(MEASURED.as_bytes());
-    reader
-        .records()
-        .filter_map(|row| {
-            let row = row.ok()?;
-            let number = |i: usize| row.get(i)?.parse().ok();
-            Some(Peer {
-                method: row.get(0)?.to_string(),
-                size: row.get(1)?.to_string(),
-                seconds: number(2)?,
-                rms: number(3)?,
-                largest: number(4)?,
-            })
-        })
-        .collect()
+    let rows = reader.deserialize().filter_map(std::result::Result::ok);
+    rows.map(|(method, size, seconds, rms, largest)| Peer {
+        method,
+        size,
+        seconds,
+        rms,
+        largest,
+    })
+    .collect()
 }
 
 /// Table and words of the comparison.

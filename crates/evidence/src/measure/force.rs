@@ -77,58 +77,7 @@ pub fn heel(watch: &Watch) -> Result<Chart> {
         &mut rows,
         &[4, 8, 16, 32, 64, 128, 256],
     )?;
-    let stance = reference::Stance::of(&target)
-        .ok_or_else(|| crate::fault("the stance was not found in the reference curve"))?;
-    for extra in [0, 4, 8, 12, 20] {
-        let conditions = stance.conditions(&target, extra);
-        let name = if extra == 0 {
-            "paper's interpolation"
-        } else {
-            "higher interpolation"
-        };
-        let degree = conditions.len() - 1;
-        let (poly, timing) = watch.time(|| {
-            let poly = interpolate(&conditions, stance.end);
-            black_box(poly.as_ref().map(|p| values(|x| p.eval(x.min(stance.end)))));
-            poly
-        });
-        let error = poly.map_or(f64::NAN, |p| {
-            rms_error(|x| if x < stance.end { p.eval(x) } else { 0.0 }, &target)
-        });
-        rows.push(timing.row(name, format!("degree {degree}"), error));
-    }
-    for basis in reference::PolynomialBasis::ALL {
-        for degree in [8, 16, 24, 40] {
-            let (fit, timing) = watch.time(|| {
-                let fit = basis.fit(&target, stance.end, degree, 400);
-                black_box(
-                    fit.as_ref()
-                        .map(|c| values(|x| basis.value(c, x / stance.end))),
-                );
-                fit
-            });
-            let error = fit.map_or(f64::NAN, |c| {
-                rms_error(
-                    |x| {
-                        if x < stance.end {
-                            basis.value(&c, x / stance.end)
-                        } else {
-                            0.0
-                        }
-                    },
-                    &target,
-                )
-            });
-            rows.push(timing.row(basis.name(), format!("degree {degree}"), error));
-        }
-    }
-    let (scale, timing) = watch.time(|| {
-        let scale = double_harmonic(&target, stance.end);
-        black_box(values(|x| scale * rise_and_fall(x, stance.end)));
-        scale
-    });
-    let error = rms_error(|x| scale * rise_and_fall(x, stance.end), &target);
-    rows.push(timing.row("double harmonic", "1 amplitude", error));
+    textbook(watch, &target, &mut rows)?;
     Ok(Chart {
         file: "speed_accuracy_a2".to_string(),
         title: "(a2) Force to law, heel strike and swing".to_string(),
@@ -184,6 +133,59 @@ fn harmonics(
     let size = format!("{}, chosen", law.waves(0).len());
     let row = timing.row("harmonics", size, force_error(&drive, &law, target));
     rows.push(row.by_default());
+    Ok(())
+}
+
+/// The methods of textbooks, which stand on the stance alone.
+fn textbook(watch: &Watch, target: &ForceCurve, rows: &mut Vec<Row>) -> Result<()> {
+    let stance = reference::Stance::of(target)
+        .ok_or_else(|| crate::fault("the stance was not found in the reference curve"))?;
+    let on_stance =
+        |x: f64, force: &dyn Fn(f64) -> f64| if x < stance.end { force(x) } else { 0.0 };
+    for extra in [0, 4, 8, 12, 20] {
+        let conditions = stance.conditions(target, extra);
+        let name = if extra == 0 {
+            "paper's interpolation"
+        } else {
+            "higher interpolation"
+        };
+        let degree = conditions.len() - 1;
+        let (poly, timing) = watch.time(|| {
+            let poly = interpolate(&conditions, stance.end);
+            black_box(poly.as_ref().map(|p| values(|x| p.eval(x.min(stance.end)))));
+            poly
+        });
+        let error = poly.map_or(f64::NAN, |p| {
+            rms_error(|x| on_stance(x, &|x| p.eval(x)), target)
+        });
+        rows.push(timing.row(name, format!("degree {degree}"), error));
+    }
+    for basis in reference::PolynomialBasis::ALL {
+        for degree in [8, 16, 24, 40] {
+            let (fit, timing) = watch.time(|| {
+                let fit = basis.fit(target, stance.end, degree, 400);
+                black_box(
+                    fit.as_ref()
+                        .map(|c| values(|x| basis.value(c, x / stance.end))),
+                );
+                fit
+            });
+            let error = fit.map_or(f64::NAN, |c| {
+                rms_error(
+                    |x| on_stance(x, &|x| basis.value(&c, x / stance.end)),
+                    target,
+                )
+            });
+            rows.push(timing.row(basis.name(), format!("degree {degree}"), error));
+        }
+    }
+    let (scale, timing) = watch.time(|| {
+        let scale = double_harmonic(target, stance.end);
+        black_box(values(|x| scale * rise_and_fall(x, stance.end)));
+        scale
+    });
+    let error = rms_error(|x| scale * rise_and_fall(x, stance.end), target);
+    rows.push(timing.row("double harmonic", "1 amplitude", error));
     Ok(())
 }
 

@@ -21,33 +21,9 @@ const HELD: [f64; 3] = [0.95, 0.6, 0.3];
 /// Spans of the laws in the table.
 const SPANS: usize = 32;
 
-#[derive(Clone)]
-struct Line {
-    tier: &'static str,
-    problem: String,
-    seconds: f64,
-    quartiles: (f64, f64),
-    error: f64,
-    against: &'static str,
-}
-
-impl Line {
-    fn new(
-        tier: &'static str,
-        problem: impl Into<String>,
-        timing: &Timing,
-        error: f64,
-        against: &'static str,
-    ) -> Line {
-        Line {
-            tier,
-            problem: problem.into(),
-            seconds: timing.median,
-            quartiles: timing.quartiles,
-            error,
-            against,
-        }
-    }
+/// A row of a rung: the tier, its problem, and what the error is against.
+fn line(tier: &str, problem: impl Into<String>, timing: Timing, error: f64, against: &str) -> Row {
+    timing.row(tier, problem, error).noted(against)
 }
 
 /// Measures the table and the picture and writes ladder.md, ladder.csv, ladder_spans.svg and .png.
@@ -60,17 +36,17 @@ pub fn write(watch: &Watch, folder: &Folder, machine: &str) -> Result<()> {
 }
 
 /// The spectral inverse and the closed-form prime circle.
-fn closed_forms(watch: &Watch) -> Result<Vec<Line>> {
+fn closed_forms(watch: &Watch) -> Result<Vec<Row>> {
     let (target, drive) = footbridge()?;
     let samples = (0..1000)
         .map(|i| target.at(2.0 * PI * f64::from(i) / 1000.0))
         .collect();
     let thousand = ForceCurve::from_samples("1000 samples", target.period_s, samples)?;
     let (law, timing) = watch.time(|| tiers::spectral(&thousand, drive, 20));
-    let mut out = vec![Line::new(
+    let mut out = vec![line(
         "spectral",
         "footbridge force, 1000 samples, 20 harmonics",
-        &timing,
+        timing,
         force_error(&drive, &law?, &target),
         "the force, RMS of the mean",
     )];
@@ -79,10 +55,10 @@ fn closed_forms(watch: &Watch) -> Result<Vec<Line>> {
     let (circle, timing) = watch.time(|| smallest_prime_circle(&hump, limit, limit, Some(0.0)));
     // 3-4-5 rise and fall of 60° each, 30° on both sides, no offset.
     let exact = 2.636_48;
-    out.push(Line::new(
+    out.push(line(
         "prime circle",
         "3-4-5 rise and fall of 60°, 30° on both sides",
-        &timing,
+        timing,
         (circle.radius / exact - 1.0).abs(),
         "2.63648 (five digits)",
     ));
@@ -108,15 +84,15 @@ fn hump(angle: f64) -> Result<Law> {
 }
 
 /// One factorisation, the certified program by both methods, and the cheaper ways between samples.
-fn programs(watch: &Watch) -> Result<Vec<Line>> {
+fn programs(watch: &Watch) -> Result<Vec<Row>> {
     let (target, drive) = footbridge()?;
     let free = Task::quintic(&target, drive, SPANS);
     let (law, timing) = watch.time(|| free.free());
     let law = law?.law;
-    let mut out = vec![Line::new(
+    let mut out = vec![line(
         "equality",
         format!("footbridge force, quintic, {SPANS} spans"),
-        &timing,
+        timing,
         force_error(&drive, &law, &target),
         "the force, RMS of the mean",
     )];
@@ -138,17 +114,17 @@ fn programs(watch: &Watch) -> Result<Vec<Line>> {
             "the same, acceleration and jerk held to {:.0} %",
             100.0 * part
         );
-        out.push(Line::new(
+        out.push(line(
             "qp",
             format!("{what}: active set"),
-            &timing,
+            timing,
             violation(&ours, bounds[1].most),
             "the jerk limit on a dense scan",
         ));
-        out.push(Line::new(
+        out.push(line(
             "qp",
             format!("{what}: interior point"),
-            &slower,
+            slower,
             apart,
             "force error of the active set",
         ));
@@ -157,7 +133,7 @@ fn programs(watch: &Watch) -> Result<Vec<Line>> {
 }
 
 /// Whole syntheses whose tier is a cone program or a sequence of programs.
-fn scenes(watch: &Watch) -> Result<Vec<Line>> {
+fn scenes(watch: &Watch) -> Result<Vec<Row>> {
     let text = include_str!("../../../../scenes/heel_tester_fitted.toml");
     let points = include_bytes!("../../../../data/gait_curves/heel_tester_critical_points.csv");
     let name = Path::new("heel_tester_critical_points.csv");
@@ -184,13 +160,13 @@ fn scenes(watch: &Watch) -> Result<Vec<Line>> {
             .solver
             .certificate
             .map_or(f64::NAN, |c| c.relative_gap);
-        out.push(Line::new(
+        out.push(line(
             design.solver.tier.name(),
             format!(
                 "heel_tester_fitted, size minimised, {roller}: prime radius {:.3} mm",
                 1e3 * design.cam.follower.prime_radius()
             ),
-            &timing,
+            timing,
             gap,
             "its own dual bound",
         ));
@@ -242,14 +218,14 @@ fn against_spans(watch: &Watch) -> Result<Chart> {
     })
 }
 
-fn csv(lines: &[Line], spans: &Chart) -> String {
+fn csv(lines: &[Row], spans: &Chart) -> String {
     let mut out =
         String::from("tier,problem,seconds,first_quartile_s,third_quartile_s,error,against\n");
     for l in lines {
         let _ = writeln!(
             out,
             "{},\"{}\",{:e},{:e},{:e},{:e},\"{}\"",
-            l.tier, l.problem, l.seconds, l.quartiles.0, l.quartiles.1, l.error, l.against
+            l.method, l.size, l.seconds, l.quartiles.0, l.quartiles.1, l.error, l.note
         );
     }
     for r in &spans.rows {
@@ -270,7 +246,7 @@ fn csv(lines: &[Line], spans: &Chart) -> String {
     out
 }
 
-fn page(lines: &[Line], spans: &Chart, machine: &str) -> String {
+fn page(lines: &[Row], spans: &Chart, machine: &str) -> String {
     let mut out = format!(
         "# The ladder of solvers\n\nEach rung on its own problems, measured by `gaitcam chart`. {machine}\n\n\
          | tier | problem | time, median | quartiles | error | against |\n|---|---|---|---|---|---|\n"
@@ -280,13 +256,13 @@ fn page(lines: &[Line], spans: &Chart, machine: &str) -> String {
         let _ = writeln!(
             out,
             "| {} | {} | {} | {} … {} | {:.1e} | {} |",
-            l.tier,
-            l.problem,
+            l.method,
+            l.size,
             micro(l.seconds),
             micro(l.quartiles.0),
             micro(l.quartiles.1),
             l.error,
-            l.against
+            l.note
         );
     }
     let _ = write!(

@@ -1,6 +1,6 @@
 //! Tables: the law and the profile, one row per cam angle, full precision.
 
-use crate::pose::{angles, oscillates, target_at};
+use crate::pose::{angles, target_at};
 use gaitcam::cam::{ProfilePoint, Wall};
 use gaitcam::synth::Design;
 
@@ -51,7 +51,7 @@ pub fn law(synthesis: &Design, points: usize) -> String {
 /// The columns of `law.csv`; NaN where there is no target.
 pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     let cam = &synthesis.cam;
-    let names = if oscillates(&cam.follower) {
+    let names = if cam.follower.is_oscillating() {
         LAW_RADIANS
     } else {
         LAW_METRES

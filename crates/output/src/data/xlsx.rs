@@ -5,8 +5,6 @@ use serde_json::Value;
 
 use super::json;
 use crate::Timing;
-use crate::pose::lift_unit;
-use crate::pose::oscillates;
 use crate::words::{self, Words};
 use gaitcam::cam::{Measures, ProfilePoint};
 use gaitcam::error::{Result, WriteError};
@@ -57,12 +55,54 @@ fn cam_sheet(
     synthesis: &Design,
     words: &Words,
 ) -> std::result::Result<(), XlsxError> {
-    let cam = &synthesis.cam;
-    let follower = &cam.follower;
-    let bold = Format::new().set_bold();
-    let heading = Format::new().set_bold().set_text_wrap();
     sheet.set_name("cam")?;
     sheet.set_freeze_panes(FIRST, 1)?;
+    head(sheet, synthesis, words)?;
+    let law = &synthesis.cam.law;
+    let measures = synthesis.cam.follower.measures();
+    let across = match measures {
+        Measures::Straight => "sheet-travel",
+        Measures::Translating | Measures::Oscillating => "sheet-angle",
+    };
+    let heading = Format::new().set_bold().set_text_wrap();
+    sheet.write_with_format(HEADINGS, 0, words.text(across), &heading)?;
+    let lift = measures.lift(0);
+    let columns = columns(synthesis);
+    for (letter, key, _) in columns.clone() {
+        let name = words.fill(key, &[("unit", lift.name)]);
+        sheet.write_with_format(HEADINGS, at(letter), name, &heading)?;
+    }
+    let (start, length) = law.extent();
+    // A row for every degree, or every millimetre of travel.
+    let step = measures.angle().factor;
+    let last = (step * length + 1e-9).floor() as u32;
+    for i in 0..=last {
+        let theta = start + f64::from(i) / step;
+        let row = Row {
+            point: synthesis.cam.point(theta),
+            motion: law.svaj(theta),
+            lift: lift.factor,
+        };
+        sheet.write(FIRST + i, 0, step * start + f64::from(i))?;
+        for (letter, _, value) in columns.clone() {
+            let value = value(synthesis, &row);
+            // Excel has no infinity: the radius of a flat spot is left empty.
+            if value.is_finite() {
+                sheet.write(FIRST + i, at(letter), value)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What stands above the table: follower, name, verdict, main dimensions and speed.
+fn head(
+    sheet: &mut Worksheet,
+    synthesis: &Design,
+    words: &Words,
+) -> std::result::Result<(), XlsxError> {
+    let follower = &synthesis.cam.follower;
+    let bold = Format::new().set_bold();
     let name = words.name(follower.name());
     let title = words.fill("sheet-title", &[("follower", &name)]);
     sheet.write_with_format(0, 0, title, &bold)?;
@@ -70,47 +110,19 @@ fn cam_sheet(
     let verdict = words.name(synthesis.verdict.name());
     let reason = synthesis.reason(words.language());
     sheet.write(2, 0, format!("{verdict}: {reason}"))?;
-    let measures = follower.measures();
-    let speed = measures
-        .speed()
-        .after(&format!("{:.6}", synthesis.drive.speed));
-    let lengths = [
-        ("sheet-base-radius", follower.base_radius()),
-        ("sheet-prime-radius", follower.prime_radius()),
-        ("sheet-roller-radius", follower.roller_radius()),
-        ("sheet-offset", follower.offset()),
+    let length = |x: f64| format!("{:.6} mm", MM * x);
+    let speed = follower.measures().speed();
+    let speed = speed.after(&format!("{:.6}", synthesis.drive.speed));
+    let lines = [
+        ("sheet-base-radius", length(follower.base_radius())),
+        ("sheet-prime-radius", length(follower.prime_radius())),
+        ("sheet-roller-radius", length(follower.roller_radius())),
+        ("sheet-offset", length(follower.offset())),
+        ("sheet-speed", speed),
     ];
-    for (row, (key, length)) in (3..).zip(lengths) {
-        let value = words.decimal(format!("{:.6} mm", MM * length));
+    for (row, (key, value)) in (3..).zip(lines) {
+        let value = words.decimal(value);
         sheet.write(row, 0, words.fill(key, &[("value", &value)]))?;
-    }
-    let speed = words.decimal(speed);
-    sheet.write(7, 0, words.fill("sheet-speed", &[("value", &speed)]))?;
-    let columns = columns(synthesis, words);
-    for column in &columns {
-        sheet.write_with_format(HEADINGS, column.at, &column.name, &heading)?;
-    }
-    let (start, length) = cam.law.extent();
-    // A row for every degree, or every millimetre of travel.
-    let step = measures.angle().factor;
-    let last = (step * length + 1e-9).floor() as u32;
-    for i in 0..=last {
-        let theta = start + f64::from(i) / step;
-        let row = Row {
-            point: cam.point(theta),
-            motion: cam.law.svaj(theta),
-        };
-        for column in &columns {
-            let value = if column.at == 0 {
-                step * start + f64::from(i)
-            } else {
-                (column.value)(synthesis, &row)
-            };
-            // Excel has no infinity: the radius of a flat spot is left empty.
-            if value.is_finite() {
-                sheet.write(FIRST + i, column.at, value)?;
-            }
-        }
     }
     Ok(())
 }
@@ -118,81 +130,74 @@ fn cam_sheet(
 struct Row {
     point: ProfilePoint,
     motion: gaitcam::law::Svaj,
+    /// What lift is shown in, from SI.
+    lift: f64,
 }
 
-struct Column {
-    at: u16,
-    name: String,
-    value: fn(&Design, &Row) -> f64,
-}
+/// A column beside the angle: the letter that CAM-DAS gives it, the key of its heading, its value.
+type Column = (u8, &'static str, fn(&Design, &Row) -> f64);
 
-/// The columns of the kind of cam, with the letters CAM-DAS gives them.
-fn columns(synthesis: &Design, words: &Words) -> Vec<Column> {
-    let (_, unit) = lift_unit(synthesis);
-    let mut out: Vec<Column> = Vec::new();
-    let mut add = |letter: u8, name: String, value: fn(&Design, &Row) -> f64| {
-        let at = u16::from(letter - b'A');
-        out.push(Column { at, name, value });
-    };
-    let measures = synthesis.cam.follower.measures();
-    let across = match measures {
-        Measures::Straight => "sheet-travel",
-        Measures::Translating | Measures::Oscillating => "sheet-angle",
-    };
-    add(b'A', words.text(across), |s, r| {
-        s.cam.follower.measures().angle().factor * r.point.theta
-    });
-    add(b'B', words.fill("sheet-lift", &[("unit", unit)]), |s, r| {
-        lift_unit(s).0 * r.motion.s
-    });
-    add(
-        b'C',
-        words.fill("sheet-velocity", &[("unit", unit)]),
-        |s, r| lift_unit(s).0 * r.motion.v * s.drive.speed,
-    );
-    add(
-        b'D',
-        words.fill("sheet-acceleration", &[("unit", unit)]),
-        |s, r| lift_unit(s).0 * r.motion.a * s.drive.speed.powi(2),
-    );
-    add(b'E', words.fill("sheet-jerk", &[("unit", unit)]), |s, r| {
-        lift_unit(s).0 * r.motion.j * s.drive.speed.powi(3)
-    });
-    add(b'F', words.text("sheet-curvature"), |_, r| MM * r.point.rho);
-    add(b'I', words.text("sheet-contour-radius"), |_, r| {
+/// Columns of every cam.
+const EVERY: [Column; 9] = [
+    (b'B', "sheet-lift", |_, r| r.lift * r.motion.s),
+    (b'C', "sheet-velocity", |s, r| {
+        r.lift * r.motion.v * s.drive.speed
+    }),
+    (b'D', "sheet-acceleration", |s, r| {
+        r.lift * r.motion.a * s.drive.speed.powi(2)
+    }),
+    (b'E', "sheet-jerk", |s, r| {
+        r.lift * r.motion.j * s.drive.speed.powi(3)
+    }),
+    (b'F', "sheet-curvature", |_, r| MM * r.point.rho),
+    (b'I', "sheet-contour-radius", |_, r| {
         MM * r.point.x.hypot(r.point.y)
-    });
-    add(b'J', words.text("sheet-contour-angle"), |_, r| {
+    }),
+    (b'J', "sheet-contour-angle", |_, r| {
         polar(r.point.x, r.point.y)
-    });
-    add(b'L', words.text("sheet-contour-x"), |_, r| MM * r.point.x);
-    add(b'M', words.text("sheet-contour-y"), |_, r| MM * r.point.y);
-    let flat = synthesis.cam.face_width().is_some();
-    if flat && !oscillates(&synthesis.cam.follower) {
-        add(b'G', words.text("sheet-contact-left"), |_, r| {
-            (-MM * r.motion.v).max(0.0)
-        });
-        add(b'H', words.text("sheet-contact-right"), |_, r| {
-            (MM * r.motion.v).max(0.0)
-        });
-    } else if !flat {
-        add(b'G', words.text("sheet-pressure-angle"), |_, r| {
-            r.point.pressure_angle.to_degrees()
-        });
-        add(b'O', words.text("sheet-pitch-radius"), |_, r| {
-            MM * r.point.pitch_x.hypot(r.point.pitch_y)
-        });
-        add(b'P', words.text("sheet-pitch-angle"), |_, r| {
-            polar(r.point.pitch_x, r.point.pitch_y)
-        });
-        add(b'R', words.text("sheet-pitch-x"), |_, r| {
-            MM * r.point.pitch_x
-        });
-        add(b'S', words.text("sheet-pitch-y"), |_, r| {
-            MM * r.point.pitch_y
-        });
-    }
-    out
+    }),
+    (b'L', "sheet-contour-x", |_, r| MM * r.point.x),
+    (b'M', "sheet-contour-y", |_, r| MM * r.point.y),
+];
+
+/// Columns of a flat face that does not swing.
+const FLAT: [Column; 2] = [
+    (b'G', "sheet-contact-left", |_, r| {
+        (-MM * r.motion.v).max(0.0)
+    }),
+    (b'H', "sheet-contact-right", |_, r| {
+        (MM * r.motion.v).max(0.0)
+    }),
+];
+
+/// Columns of a roller.
+const ROLLER: [Column; 5] = [
+    (b'G', "sheet-pressure-angle", |_, r| {
+        r.point.pressure_angle.to_degrees()
+    }),
+    (b'O', "sheet-pitch-radius", |_, r| {
+        MM * r.point.pitch_x.hypot(r.point.pitch_y)
+    }),
+    (b'P', "sheet-pitch-angle", |_, r| {
+        polar(r.point.pitch_x, r.point.pitch_y)
+    }),
+    (b'R', "sheet-pitch-x", |_, r| MM * r.point.pitch_x),
+    (b'S', "sheet-pitch-y", |_, r| MM * r.point.pitch_y),
+];
+
+/// The columns of the kind of cam.
+fn columns(synthesis: &Design) -> impl Iterator<Item = Column> + Clone {
+    let own: &[Column] = match synthesis.cam.face_width() {
+        None => &ROLLER,
+        Some(_) if synthesis.cam.follower.is_oscillating() => &[],
+        Some(_) => &FLAT,
+    };
+    EVERY.iter().chain(own).copied()
+}
+
+/// Place of a letter in the sheet.
+fn at(letter: u8) -> u16 {
+    u16::from(letter - b'A')
 }
 
 /// Angle from +x, degrees in [0, 360).

@@ -1,18 +1,82 @@
 //! The picture of a simulation: force, torque and gap over the cam angle.
 
-use plotters::style::Color;
+use plotters::style::{Color, RGBAColor};
 
 use super::force::force_frame;
-use crate::plot::axes::padded;
-use crate::plot::layout::{Layout, columns, strips};
+use crate::plot::axes::{Panel, padded};
+use crate::plot::layout::{Figure, Layout, columns, strips};
 use crate::plot::palette::{BLUE, ORANGE, PURPLE, QUIET, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::Frame;
+use crate::plot::sheet::{Drawn, Frame};
 use crate::pose::target_at;
 use crate::words::{self, Words};
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{Model, Outcome};
 use gaitcam::synth::Design;
+
+/// A curve in the key: colour, width, name.
+type Entry = (RGBAColor, f64, String);
+
+/// Quantities of a run over the cam angle as it is shown.
+struct Shown<'a> {
+    synthesis: &'a Design,
+    outcome: &'a Outcome,
+    measures: Measures,
+}
+
+impl Shown<'_> {
+    /// Cam angle of a sample.
+    fn angle(&self, i: usize) -> f64 {
+        let (start, length) = self.synthesis.cam.law.extent();
+        let span = length * self.outcome.period_turns as f64;
+        start + span * i as f64 / self.outcome.rows.len() as f64
+    }
+
+    /// A quantity of the samples, the first once more at the end.
+    fn curve(&self, value: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
+        let (across, total) = (self.measures.angle().factor, self.outcome.rows.len());
+        let point = |i: usize| (across * self.angle(i), value(i % total));
+        (0..=total).map(point).collect()
+    }
+
+    fn panel<'a, 'c>(&self, f: &Figure<'a, 'c>, frame: Frame, y: [f64; 2]) -> Drawn<Panel<'a, 'c>> {
+        let ends = [0, self.outcome.rows.len()].map(|i| self.angle(i));
+        let x = ends.map(|angle| self.measures.angle().factor * angle);
+        f.panel(frame, x, columns(x, self.measures != Measures::Straight), y)
+    }
+
+    /// The force with target and rigid force behind it; returns their key.
+    fn force(&self, f: &Figure, frame: Frame, words: &Words) -> Drawn<Vec<Entry>> {
+        let law = &self.synthesis.cam.law;
+        let (start, length) = law.extent();
+        let within = |i: usize| start + (self.angle(i) - start) % length;
+        let target = self.synthesis.target.as_ref();
+        let target = target.map(|t| self.curve(|i| target_at(t, law, within(i))));
+        let rigid = |i: usize| self.synthesis.drive.force(law.svaj(within(i)));
+        let rigid = (self.outcome.model != Model::Rigid).then(|| self.curve(rigid));
+        let force = self.curve(|i| self.outcome.rows[i].contact_force);
+        let curves = [
+            (target, ORANGE.mix(0.55), 8.0, "figure-target"),
+            (rigid, QUIET, 1.4, "figure-rigid"),
+            (Some(force), BLUE, 2.2, "figure-simulated"),
+        ];
+        let values = curves.iter().filter_map(|c| c.0.as_ref()).flatten();
+        let y = padded(values.map(|p| p.1).chain([0.0]), 0.08);
+        let panel = self.panel(f, frame, y)?;
+        let mut entries = Vec::new();
+        for (curve, colour, width, key) in &curves {
+            if let Some(curve) = curve {
+                panel.curve(curve, *colour, *width)?;
+                entries.push((*colour, *width, words.text(key)));
+            }
+        }
+        panel.quantity(&words.text(match self.measures {
+            Measures::Oscillating => "figure-moment",
+            _ => "figure-force",
+        }))?;
+        Ok(entries)
+    }
+}
 
 /// Force with target and rigid force behind it, torque, and the gap where there is one.
 pub(crate) fn run_in(
@@ -22,37 +86,13 @@ pub(crate) fn run_in(
     words: &Words,
 ) -> Picture {
     layout.picture(words.language(), |f| {
-        let law = &synthesis.cam.law;
-        let (start, length) = law.extent();
-        let turns = outcome.period_turns;
-        let e = f.e;
-        let total = outcome.rows.len();
-        let span = length * turns as f64;
+        let (e, rows) = (f.e, &outcome.rows);
         let measures = synthesis.cam.follower.measures();
-        let across = measures.angle().factor;
-        let straight = measures == Measures::Straight;
-        let panel = |frame: Frame, y: [f64; 2]| {
-            let x = [across * start, across * (start + span)];
-            f.panel(frame, x, columns(x, !straight), y)
+        let shown = Shown {
+            synthesis,
+            outcome,
+            measures,
         };
-        let angle = |i: usize| start + span * i as f64 / total as f64;
-        let curve = |f: &dyn Fn(usize) -> f64| -> Vec<(f64, f64)> {
-            (0..=total)
-                .map(|i| (across * angle(i), f(i % total)))
-                .collect()
-        };
-        let rows = &outcome.rows;
-        let force = curve(&|i| rows[i].contact_force);
-        let torque = curve(&|i| rows[i].torque);
-        let lift = measures.lift(0);
-        let gap = curve(&|i| lift.factor * rows[i].gap);
-        let within = |i: usize| start + (angle(i) - start) % length;
-        let rigid = (outcome.model != Model::Rigid)
-            .then(|| curve(&|i| synthesis.drive.force(law.svaj(within(i)))));
-        let target = synthesis
-            .target
-            .as_ref()
-            .map(|t| curve(&|i| target_at(t, law, within(i))));
         let frame = force_frame(layout);
         let shares: &[f64] = if outcome.contact_lost {
             &[1.9, 1.0, 0.8]
@@ -60,48 +100,27 @@ pub(crate) fn run_in(
             &[1.9, 1.0]
         };
         let frames = strips(frame, shares, 0.9 * e);
-        let values = force
-            .iter()
-            .chain(rigid.iter().flatten())
-            .chain(target.iter().flatten())
-            .map(|p| p.1);
-        let forces = panel(frames[0], padded(values.chain([0.0]), 0.08))?;
-        let [target_name, rigid_name, run_name] =
-            ["figure-target", "figure-rigid", "figure-simulated"].map(|k| words.text(k));
-        let mut entries = Vec::new();
-        if let Some(target) = &target {
-            forces.curve(target, ORANGE.mix(0.55), 8.0)?;
-            entries.push((ORANGE.mix(0.55), 8.0, target_name.as_str()));
-        }
-        if let Some(rigid) = &rigid {
-            forces.curve(rigid, QUIET, 1.4)?;
-            entries.push((QUIET, 1.4, rigid_name.as_str()));
-        }
-        forces.curve(&force, BLUE, 2.2)?;
-        entries.push((BLUE, 2.2, run_name.as_str()));
-        let pressing = words.text(match measures {
-            Measures::Oscillating => "figure-moment",
-            _ => "figure-force",
-        });
-        forces.quantity(&pressing)?;
+        let entries = shown.force(&f, frames[0], words)?;
+        let torque = shown.curve(|i| rows[i].torque);
         let y = padded(torque.iter().map(|p| p.1).chain([0.0]), 0.12);
-        let torques = panel(frames[1], y)?;
-        torques.curve(&torque, PURPLE, 2.0)?;
-        let turning = words.text(if straight {
-            "figure-push"
-        } else {
-            "figure-torque"
-        });
-        torques.quantity(&turning)?;
+        let mut last = shown.panel(&f, frames[1], y)?;
+        last.curve(&torque, PURPLE, 2.0)?;
+        last.quantity(&words.text(match measures {
+            Measures::Straight => "figure-push",
+            _ => "figure-torque",
+        }))?;
         if outcome.contact_lost {
+            let lift = measures.lift(0);
+            let gap = shown.curve(|i| lift.factor * rows[i].gap);
             let top = padded(gap.iter().map(|p| p.1).chain([0.0]), 0.12)[1];
-            let gaps = panel(frames[2], [0.0, top])?;
-            gaps.curve(&gap, RED, 2.0)?;
-            gaps.quantity(&words.fill("figure-gap", &[("unit", lift.name)]))?;
-            gaps.across(&words::across(words, measures))?;
-        } else {
-            torques.across(&words::across(words, measures))?;
+            last = shown.panel(&f, frames[2], [0.0, top])?;
+            last.curve(&gap, RED, 2.0)?;
+            last.quantity(&words.fill("figure-gap", &[("unit", lift.name)]))?;
         }
+        last.across(&words::across(words, measures))?;
+        let entries: Vec<_> = (entries.iter())
+            .map(|(c, w, name)| (*c, *w, &**name))
+            .collect();
         f.key([frame.left, frame.top - 1.1 * e], e, &entries)
     })
 }

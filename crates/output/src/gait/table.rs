@@ -2,7 +2,7 @@
 
 use std::fmt::{Display, Write as _};
 
-use serde::Serialize;
+use serde_json::json;
 
 use super::WORDS;
 use gaitcam::force::{
@@ -63,15 +63,6 @@ pub fn cycle_table(curve: &ForceCurve, language: Language) -> String {
 pub(super) struct Lines {
     pub text: String,
     pub words: &'static Messages,
-}
-
-/// Labels with data.
-#[derive(Serialize)]
-#[serde(rename_all = "kebab-case")]
-enum Label {
-    More { count: usize },
-    Unacceptable { list: String, others: usize },
-    Doubts { list: String, names: String },
 }
 
 impl Lines {
@@ -214,11 +205,8 @@ impl Lines {
         let acceptable = questions.iter().filter(|q| q.is_acceptable());
         let names = acceptable.map(|q| q.name()).collect::<Vec<_>>().join(", ");
         let label = match names.is_empty() {
-            true => {
-                let others = unclipped(understood);
-                Label::Unacceptable { list, others }
-            }
-            false => Label::Doubts { list, names },
+            true => json!({"unacceptable": {"list": list, "others": unclipped(understood)}}),
+            false => json!({"doubts": {"list": list, "names": names}}),
         };
         let text = self.words.sentence("gait", &label);
         self.row("gait-doubt", text);
@@ -239,7 +227,10 @@ impl Lines {
     fn more(&mut self, all: usize) {
         if all > LISTED {
             let count = all - LISTED;
-            self.line(self.words.sentence("gait", &Label::More { count }));
+            self.line(
+                self.words
+                    .sentence("gait", &json!({"more": {"count": count}})),
+            );
         }
     }
 

@@ -1,11 +1,10 @@
 //! Several recordings: one line each, and their joint mean.
 
-use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::table::Lines;
 use gaitcam::error::Error;
-use gaitcam::force::{ForceCurve, Interpretation, JointMean, Kind, LeftOut, coded};
+use gaitcam::force::{ForceCurve, Interpretation, JointMean, LeftOut, coded};
 use gaitcam::wording::{Language, Messages};
 
 /// Widest name of a file in the table.
@@ -35,20 +34,6 @@ pub struct TrialRow<'a> {
     pub fault: Option<&'a Error>,
     /// Why it is excluded from the joint mean; `None` if it is included.
     pub left_out: Option<&'a LeftOut>,
-}
-
-/// Labels with data.
-#[derive(Serialize)]
-#[serde(rename_all = "kebab-case")]
-enum Line {
-    LeftOut {
-        reason: String,
-    },
-    JointMean {
-        trials: usize,
-        cycles: usize,
-        movement: Kind,
-    },
 }
 
 /// A table of several recordings, with their joint mean below it.
@@ -132,7 +117,7 @@ fn part(words: &Messages, row: &TrialRow) -> String {
         (None, Some(left_out)) => words.sentence("left-out", left_out),
         (None, None) => return words.text("gait-used"),
     };
-    words.sentence("gait", &Line::LeftOut { reason })
+    words.sentence("gait", &json!({"left-out": {"reason": reason}}))
 }
 
 fn write_joint(out: &mut Lines, joint: Option<&JointMean>) {
@@ -140,11 +125,9 @@ fn write_joint(out: &mut Lines, joint: Option<&JointMean>) {
     let Some(joint) = joint else {
         return out.line(format_args!("\n{}", words.text("gait-no-joint-mean")));
     };
-    let head = Line::JointMean {
-        trials: joint.trials(),
-        cycles: joint.cycles,
-        movement: joint.kind,
-    };
+    let (trials, cycles) = (joint.trials(), joint.cycles);
+    let numbers = json!({"trials": trials, "cycles": cycles, "movement": joint.kind});
+    let head = json!({"joint-mean": numbers});
     out.line(format_args!("\n{}", words.sentence("gait", &head)));
     out.period(joint.curve.period_s, joint.period_spread_s);
     let from = joint.mass_from.map(|f| words.sentence("mass-from", &f));

@@ -1,12 +1,11 @@
 //! A diagram over the cam angle: frame, grid, curves, marked extremes.
 
-use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
 
 use crate::plot::palette;
 use crate::plot::sheet::{
-    Canvas, Drawn, Frame, Lettering, Plane, circle, fill, line, rectangle, stroke, trace, units,
+    Canvas, Drawn, Frame, Lettering, Plane, circle, dashed, fill, line, rectangle, stroke, trace,
     write,
 };
 use crate::plot::text::text_width;
@@ -119,12 +118,7 @@ pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
 
 /// The dashed line of a level between two places on the sheet.
 pub(crate) fn dashes(canvas: &Canvas, ends: [[f64; 2]; 2], colour: RGBAColor) -> Drawn {
-    canvas.draw(&DashedPathElement::new(
-        ends.map(|[x, y]| (units(x), units(y))),
-        units(7.0),
-        units(5.0),
-        stroke(colour, 1.4),
-    ))
+    dashed(canvas, ends, [7.0, 5.0], stroke(colour, 1.4))
 }
 
 impl<'a, 'c> Panel<'a, 'c> {

@@ -43,8 +43,8 @@ impl Picture {
     /// The same with the decimal sign of a language in its texts.
     pub fn in_language(mut self, language: Language) -> Self {
         for shape in &mut self.shapes {
-            if let Shape::Text { text, .. } = shape {
-                *text = in_language(text, language);
+            if let Shape::Text { line, .. } = shape {
+                line.text = in_language(&line.text, language);
             }
         }
         self
@@ -86,66 +86,65 @@ impl Picture {
     fn write_shapes(&self, out: &mut String, variables: bool) {
         for shape in &self.shapes {
             // Writing to a String cannot fail.
-            let _ = match shape {
-                Shape::Line { points, ink, width } => {
-                    let paint = paint("stroke", *ink, variables);
-                    writeln!(
-                        out,
-                        "<path d=\"{}\" fill=\"none\" {paint} stroke-width=\"{}\" stroke-linejoin=\"round\"/>",
-                        path(points),
-                        short(*width)
-                    )
-                }
-                Shape::Area { points, ink } => {
-                    let paint = paint("fill", *ink, variables);
-                    writeln!(out, "<path d=\"{}Z\" {paint}/>", path(points))
-                }
-                Shape::Circle {
-                    centre: [x, y],
-                    radius,
-                    ink,
-                    width,
-                } => {
-                    let paint = match width {
-                        None => paint("fill", *ink, variables),
-                        Some(w) => format!(
-                            "fill=\"none\" {} stroke-width=\"{}\"",
-                            paint("stroke", *ink, variables),
-                            short(*w)
-                        ),
-                    };
-                    let (x, y, r) = (short(*x), short(*y), short(*radius));
-                    writeln!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" {paint}/>")
-                }
-                Shape::Text {
-                    text,
-                    at: [x, y],
-                    size,
-                    ink,
-                    anchor,
-                    bold,
-                    upwards,
-                } => {
-                    let (x, y, size) = (short(*x), short(*y), short(*size));
-                    let anchor = match anchor {
-                        0.0 => "",
-                        1.0 => " text-anchor=\"end\"",
-                        _ => " text-anchor=\"middle\"",
-                    };
-                    let weight = if *bold { " font-weight=\"bold\"" } else { "" };
-                    let turn = if *upwards {
-                        format!(" transform=\"rotate(-90 {x} {y})\"")
-                    } else {
-                        String::new()
-                    };
-                    let paint = paint("fill", *ink, variables);
-                    writeln!(
-                        out,
-                        "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{anchor}{weight}{turn} {paint}>{}</text>",
-                        escaped(text)
-                    )
+            let _ = write_shape(out, shape, variables);
+        }
+    }
+}
+
+fn write_shape(out: &mut String, shape: &Shape, variables: bool) -> std::fmt::Result {
+    let stroke = |ink: &Ink| paint("stroke", *ink, variables);
+    let fill = |ink: &Ink| paint("fill", *ink, variables);
+    match shape {
+        Shape::Line { points, ink, width } => {
+            let paint = stroke(ink);
+            writeln!(
+                out,
+                "<path d=\"{}\" fill=\"none\" {paint} stroke-width=\"{}\" stroke-linejoin=\"round\"/>",
+                path(points),
+                short(*width)
+            )
+        }
+        Shape::Area { points, ink } => {
+            writeln!(out, "<path d=\"{}Z\" {}/>", path(points), fill(ink))
+        }
+        Shape::Circle {
+            centre: [x, y],
+            radius,
+            ink,
+            width,
+        } => {
+            let paint = match width {
+                None => fill(ink),
+                Some(w) => {
+                    let (stroke, w) = (stroke(ink), short(*w));
+                    format!("fill=\"none\" {stroke} stroke-width=\"{w}\"")
                 }
             };
+            let [x, y, r] = [x, y, radius].map(|q| short(*q));
+            writeln!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" {paint}/>")
+        }
+        Shape::Text { line, ink } => {
+            let [x, y, size] = [line.at[0], line.at[1], line.size].map(short);
+            let anchor = match line.anchor {
+                0.0 => "",
+                1.0 => " text-anchor=\"end\"",
+                _ => " text-anchor=\"middle\"",
+            };
+            let weight = if line.bold {
+                " font-weight=\"bold\""
+            } else {
+                ""
+            };
+            let turn = match line.upwards {
+                true => format!(" transform=\"rotate(-90 {x} {y})\""),
+                false => String::new(),
+            };
+            let paint = fill(ink);
+            writeln!(
+                out,
+                "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{anchor}{weight}{turn} {paint}>{}</text>",
+                escaped(&line.text)
+            )
         }
     }
 }

@@ -5,7 +5,7 @@ use super::coverage::{Coverage, Covered};
 use super::outline::{disc, outline, straightened};
 use super::png::{Encoder, Rows, stride};
 use super::sheet::{Ink, Shape};
-use super::text::{Letter, Line};
+use super::text::Letter;
 
 /// Rows of a band.
 const BAND: usize = 64;
@@ -71,25 +71,7 @@ impl Layer {
                 ring.push(ring[0]);
                 Layer::filled(outline(&ring, *width), *ink)
             }
-            Shape::Text {
-                text,
-                at,
-                size,
-                ink,
-                anchor,
-                bold,
-                upwards,
-            } => Layer::written(
-                Letter::all(&Line {
-                    text,
-                    at: *at,
-                    size: *size,
-                    anchor: *anchor,
-                    bold: *bold,
-                    upwards: *upwards,
-                }),
-                *ink,
-            ),
+            Shape::Text { line, ink } => Layer::written(Letter::all(line), *ink),
         }
     }
 

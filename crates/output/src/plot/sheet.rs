@@ -7,6 +7,7 @@ use std::convert::Infallible;
 
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
+use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, Pos, VPos};
 use plotters_backend::{
@@ -14,6 +15,7 @@ use plotters_backend::{
 };
 
 use super::palette;
+use super::text::Line;
 
 /// Sheet units per point.
 pub const UNITS: f64 = 16.0;
@@ -50,16 +52,8 @@ pub enum Shape {
         ink: Ink,
         width: Option<f64>,
     },
-    /// A line of text on a baseline that starts, is centred or ends (0, ½, 1) at `at`.
-    Text {
-        text: String,
-        at: [f64; 2],
-        size: f64,
-        ink: Ink,
-        anchor: f64,
-        bold: bool,
-        upwards: bool,
-    },
+    /// A line of text.
+    Text { line: Line, ink: Ink },
 }
 
 /// Collects shapes from plotters.
@@ -190,7 +184,7 @@ impl DrawingBackend for Recorder<'_> {
             VPos::Bottom => 0.0,
         };
         let [x, y] = points(pos);
-        self.shapes.push(Shape::Text {
+        let line = Line {
             text: text.to_string(),
             at: if upwards {
                 [x + drop, y]
@@ -198,7 +192,6 @@ impl DrawingBackend for Recorder<'_> {
                 [x, y + drop]
             },
             size,
-            ink: ink(style.color()),
             anchor: match style.anchor().h_pos {
                 HPos::Left => 0.0,
                 HPos::Center => 0.5,
@@ -206,7 +199,9 @@ impl DrawingBackend for Recorder<'_> {
             },
             bold: matches!(style.style(), FontStyle::Bold),
             upwards,
-        });
+        };
+        let ink = ink(style.color());
+        self.shapes.push(Shape::Text { line, ink });
         Ok(())
     }
 }
@@ -304,6 +299,17 @@ pub fn line(canvas: &Canvas, through: &[[f64; 2]], style: ShapeStyle) -> Drawn {
     canvas.draw(&PathElement::new(path, style))
 }
 
+/// A dashed line on the sheet; dashes and gaps in points.
+pub fn dashed(
+    canvas: &Canvas,
+    ends: [[f64; 2]; 2],
+    [on, off]: [f64; 2],
+    style: ShapeStyle,
+) -> Drawn {
+    let ends = ends.map(|[x, y]| (units(x), units(y)));
+    canvas.draw(&DashedPathElement::new(ends, units(on), units(off), style))
+}
+
 /// A circle about a point of the canvas.
 pub fn circle(canvas: &Canvas, [x, y]: [f64; 2], radius: f64, style: ShapeStyle) -> Drawn {
     canvas.draw(&Circle::new((units(x), units(y)), units(radius), style))
@@ -328,20 +334,8 @@ pub struct Frame {
 impl Frame {
     /// Draws its edges.
     pub fn border(&self, canvas: &Canvas) -> Drawn {
-        let Frame {
-            left,
-            right,
-            top,
-            bottom,
-        } = *self;
-        let corners = [
-            [left, top],
-            [right, top],
-            [right, bottom],
-            [left, bottom],
-            [left, top],
-        ];
-        line(canvas, &corners, stroke(palette::AXIS, 1.0))
+        let corners = [[self.left, self.top], [self.right, self.bottom]];
+        rectangle(canvas, corners, stroke(palette::AXIS, 1.0))
     }
 
     /// Axes over it: `x` and `y` are the values at left and right, at bottom and top.

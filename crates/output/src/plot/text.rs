@@ -21,10 +21,10 @@ pub fn text_width(text: &str) -> f64 {
         .sum()
 }
 
-/// The text in lines of at most `width` ems, broken at blanks; a longer word has its own line.
-pub fn wrapped(text: &str, width: f64) -> Vec<String> {
+/// Lines of at most `width` ems of words that stay whole; a longer word has its own line.
+pub fn wrapped<'a>(words: impl Iterator<Item = &'a str>, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split(' ') {
+    for word in words {
         match lines.last_mut() {
             Some(line) if text_width(line) + text_width(" ") + text_width(word) <= width => {
                 line.push(' ');
@@ -37,11 +37,13 @@ pub fn wrapped(text: &str, width: f64) -> Vec<String> {
 }
 
 /// A line of text on a baseline.
-pub struct Line<'a> {
-    pub text: &'a str,
-    /// Where the baseline starts, is centred or ends, pixels.
+#[derive(Debug, Clone, PartialEq)]
+#[allow(missing_docs)] // the names are the documentation
+pub struct Line {
+    pub text: String,
+    /// Where the baseline starts, is centred or ends, points.
     pub at: [f64; 2],
-    /// Height of an em, pixels.
+    /// Height of an em, points.
     pub size: f64,
     /// 0 for the start, ½ for the middle, 1 for the end.
     pub anchor: f64,

@@ -49,42 +49,9 @@ pub fn drawing(out: &mut String, synthesis: &Design, running: Option<&Running>, 
     let cam = &synthesis.cam;
     let rows = cam.profile(POINTS);
     let slides = slide(cam) > 0.0;
-    let mut room = Bounds::default();
     let reach = reach(cam, &rows);
     let stem = 0.34 * reach;
-    if slides {
-        let travel = slide(cam) * cam.law.extent().1;
-        let half = (0.5 * travel).min(4.0 * reach);
-        room.hold([-half, -0.15 * reach], 0.0);
-        room.hold([half, reach], 0.0);
-    } else {
-        room.hold([0.0, 0.0], reach);
-    }
-    for follower in followers(synthesis) {
-        for theta in angles(&follower.cam.law, STEPS) {
-            let (at, _) = placed(follower.cam, theta);
-            let [x, y] = at.map(|q| follower.sign * MM * q);
-            let r = MM * follower.cam.follower.roller_radius();
-            room.hold([x, y], r);
-            if follower.cam.follower.pivot().is_none() {
-                room.hold([x, y + follower.sign * (stem + r)], 0.0);
-            }
-        }
-        if let Some(pivot) = follower.cam.follower.pivot() {
-            room.hold(pivot.map(|q| follower.sign * MM * q), 0.1 * reach);
-        }
-        if let (Some((low, high)), None) = (face_reach(follower.cam), follower.cam.follower.pivot())
-        {
-            room.hold([MM * low, 0.0], 0.1 * reach);
-            room.hold([MM * high, 0.0], 0.1 * reach);
-        }
-    }
-    if let Some(r) = running {
-        let gap = r.outcome.rows.iter().fold(0.0_f64, |m, row| m.max(row.gap));
-        if !cam.follower.is_oscillating() {
-            room.high[1] += MM * gap;
-        }
-    }
+    let room = room(synthesis, running, reach, stem);
     let [wide, high] = [0, 1].map(|k| room.high[k] - room.low[k]);
     let blank = 0.04 * wide;
     let (width, height) = (wide + 2.0 * blank, high + 2.0 * blank);
@@ -119,6 +86,46 @@ pub fn drawing(out: &mut String, synthesis: &Design, running: Option<&Running>, 
          <circle id=\"cam-contact\" r=\"{dot:.3}\" style=\"fill:var(--red)\"/>\n</g></svg>\n",
         1.2 * stem
     );
+}
+
+/// What the parts reach in the whole turn, mm.
+fn room(synthesis: &Design, running: Option<&Running>, reach: f64, stem: f64) -> Bounds {
+    let mut room = Bounds::default();
+    let cam = &synthesis.cam;
+    if slide(cam) > 0.0 {
+        let travel = slide(cam) * cam.law.extent().1;
+        let half = (0.5 * travel).min(4.0 * reach);
+        room.hold([-half, -0.15 * reach], 0.0);
+        room.hold([half, reach], 0.0);
+    } else {
+        room.hold([0.0, 0.0], reach);
+    }
+    for follower in followers(synthesis) {
+        for theta in angles(&follower.cam.law, STEPS) {
+            let (at, _) = placed(follower.cam, theta);
+            let [x, y] = at.map(|q| follower.sign * MM * q);
+            let r = MM * follower.cam.follower.roller_radius();
+            room.hold([x, y], r);
+            if follower.cam.follower.pivot().is_none() {
+                room.hold([x, y + follower.sign * (stem + r)], 0.0);
+            }
+        }
+        if let Some(pivot) = follower.cam.follower.pivot() {
+            room.hold(pivot.map(|q| follower.sign * MM * q), 0.1 * reach);
+        }
+        if let (Some((low, high)), None) = (face_reach(follower.cam), follower.cam.follower.pivot())
+        {
+            room.hold([MM * low, 0.0], 0.1 * reach);
+            room.hold([MM * high, 0.0], 0.1 * reach);
+        }
+    }
+    if let Some(r) = running {
+        let gap = r.outcome.rows.iter().fold(0.0_f64, |m, row| m.max(row.gap));
+        if !cam.follower.is_oscillating() {
+            room.high[1] += MM * gap;
+        }
+    }
+    room
 }
 
 /// One follower on the drawing; the second of a pair is seen turned by half a turn.
@@ -265,28 +272,33 @@ fn draw_follower(out: &mut String, drawn: &Drawn, reach: f64, stem: f64) {
             let _ = write!(out, "<circle r=\"{r:.4}\" {FOLLOWER}/>");
             bearing(out, [0.0, 0.0], 0.2 * half);
         }
-        (Pose::Face { .. }, pivot) => {
-            let (low, high) = face_reach(cam).unwrap_or((0.0, 0.0));
-            let (more, thick) = (0.08 * reach, 0.035 * reach);
-            let (low, high) = (MM * low - more, MM * high + more);
-            // The face's own normal away from the cam is −y where the pivot lies on +x.
-            let up = pivot.map_or(1.0, |p| -p[0].signum());
-            if pivot.is_none() {
-                let d = format!("M{:.3} {thick:.3}V{stem:.3}H{half:.3}V{thick:.3}", -half);
-                shape(out, &d, FOLLOWER);
-            }
-            let d = format!("M{low:.3} 0H{high:.3}V{:.3}H{low:.3}Z", up * thick);
-            shape(out, &d, FOLLOWER);
-            if let Follower::FlatOscillating { face_offset, .. } = cam.follower {
-                let pivot = -up * MM * face_offset;
-                let far = if low + high < 0.0 { low } else { high };
-                let d = format!("M0 {pivot:.3}V0H{far:.3}");
-                shape(out, &d, "style=\"stroke:var(--ink)\" stroke-width=\"2.4\"");
-                bearing(out, [0.0, pivot], 0.5 * half);
-            }
-        }
+        (Pose::Face { .. }, _) => draw_face(out, cam, reach, stem),
     }
     out.push_str("</g>\n");
+}
+
+/// A flat face with its stem, or with the arm to its pivot.
+fn draw_face(out: &mut String, cam: &Cam, reach: f64, stem: f64) {
+    let pivot = cam.follower.pivot();
+    let half = 0.04 * reach;
+    let (low, high) = face_reach(cam).unwrap_or((0.0, 0.0));
+    let (more, thick) = (0.08 * reach, 0.035 * reach);
+    let (low, high) = (MM * low - more, MM * high + more);
+    // The face's own normal away from the cam is −y where the pivot lies on +x.
+    let up = pivot.map_or(1.0, |p| -p[0].signum());
+    if pivot.is_none() {
+        let d = format!("M{:.3} {thick:.3}V{stem:.3}H{half:.3}V{thick:.3}", -half);
+        shape(out, &d, FOLLOWER);
+    }
+    let d = format!("M{low:.3} 0H{high:.3}V{:.3}H{low:.3}Z", up * thick);
+    shape(out, &d, FOLLOWER);
+    if let Follower::FlatOscillating { face_offset, .. } = cam.follower {
+        let pivot = -up * MM * face_offset;
+        let far = if low + high < 0.0 { low } else { high };
+        let d = format!("M0 {pivot:.3}V0H{far:.3}");
+        shape(out, &d, "style=\"stroke:var(--ink)\" stroke-width=\"2.4\"");
+        bearing(out, [0.0, pivot], 0.5 * half);
+    }
 }
 
 fn bearing(out: &mut String, [x, y]: [f64; 2], radius: f64) {

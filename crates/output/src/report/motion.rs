@@ -3,7 +3,6 @@
 use serde::Serialize;
 
 use super::Running;
-use crate::pose::lift_unit;
 use crate::pose::{Pose, pose, turned};
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::dynamics::Row;
@@ -138,7 +137,7 @@ pub fn placed(cam: &Cam, theta: f64) -> ([f64; 2], f64) {
 pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     let cam = &synthesis.cam;
     let (start, length) = cam.law.extent();
-    let (factor, unit) = lift_unit(synthesis);
+    let lift = cam.follower.measures().lift(0);
     let (per, angle_unit) = angle_unit(cam);
     let turns = running.map_or(1, |r| r.outcome.period_turns.clamp(1, MOST_TURNS));
     let later = running.and_then(|r| r.second_cam).map(|angle| Cam {
@@ -153,7 +152,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
         slide: slide(cam) / per,
         back: synthesis.drive.speed < 0.0,
         angle_unit,
-        unit,
+        unit: lift.name,
         force_unit: cam.follower.measures().force().name,
         readings: Some(Readings::default()),
         ..Motion::default()
@@ -182,7 +181,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
         };
         force = force.max(row.contact_force.abs());
         torque = torque.max(row.torque.abs());
-        out.take(higher, within, at, &row, factor);
+        out.take(higher, within, at, &row, lift.factor);
         if let Some(pair) = &synthesis.conjugate {
             let ([x, y], angle) = placed(&pair.second, within);
             out.qx.push(rounded(-MM * x));
@@ -214,9 +213,9 @@ impl Motion {
 
     fn take(&mut self, cam: &Cam, theta: f64, at: Svaj, row: &Row, factor: f64) {
         let p = cam.point(theta);
-        let in_space = |p: [f64; 2]| match cam.follower {
-            Follower::TranslatingCam { .. } | Follower::Barrel { .. } => cam.into_space(theta, p),
-            _ => turned(p, theta),
+        let in_space = |p: [f64; 2]| match cam.follower.is_unrolled() {
+            true => cam.into_space(theta, p),
+            false => turned(p, theta),
         };
         let [cx, cy] = in_space([p.x, p.y]);
         let ([px, py], pa) = placed(cam, theta);

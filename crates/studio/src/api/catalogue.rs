@@ -87,18 +87,13 @@ fn at_rest(design: &Design) -> String {
             format!("transform=\"translate({x} {y}) rotate({angle})\""),
         )
     };
+    let hidden = |id: &str| (format!("id=\"{id}\""), "display=\"none\"".to_string());
     let mut svg = parts::drawing(design, Language::En);
     let places = [
         stand("cam-follower", ["px", "py", "pa"]),
         stand("cam-second", ["qx", "qy", "qa"]),
-        (
-            "id=\"cam-push\"".to_string(),
-            "display=\"none\"".to_string(),
-        ),
-        (
-            "id=\"cam-contact\"".to_string(),
-            "display=\"none\"".to_string(),
-        ),
+        hidden("cam-push"),
+        hidden("cam-contact"),
     ];
     for (id, place) in places {
         svg = svg.replace(&id, &place);

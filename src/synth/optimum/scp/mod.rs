@@ -61,34 +61,19 @@ pub fn refine(
     program.settings.tolerance = STEP_TOLERANCE;
     let program = &program;
     let at_size = AtSize::new(limits, program);
-    let mut current = starts
+    let start = starts
         .iter()
         .filter_map(|start| start::feasible(program, start, &at_size))
         .min_by(|a, b| program.merit(a).total_cmp(&program.merit(b)))
-        .or_else(|| start::tightened(program, starts.last()?, &at_size))
-        .or_else(|| shrunk(program, starts.last()?, limits))?;
-    let mut steps = Vec::new();
-    let mut reach = f64::INFINITY;
-    let mut ended = Ended::MostSteps;
-    for _ in 0..MOST_STEPS {
-        match step(program, &current, &at_size, &mut reach) {
-            Outcome::Taken(next, one) => {
-                let gain = program.merit(&current) - one.merit;
-                let small = gain <= IMPROVEMENT * program.merit(&current).abs();
-                current = next;
-                steps.push(one);
-                if small {
-                    ended = Ended::SmallGain;
-                    break;
-                }
+        .or_else(|| {
+            let last = starts.last()?;
+            if program.keeps_sizes(&last.extra) {
+                start::tightened(program, last, &at_size)
+            } else {
+                shrunk(program, last, &at_size)
             }
-            Outcome::Failed(_) if reach_shrinks(program, reach) => (),
-            Outcome::Failed(why) | Outcome::Finished(why) => {
-                ended = why;
-                break;
-            }
-        }
-    }
+        })?;
+    let (mut current, steps, ended) = descended(program, start, &at_size, |_| false);
     // A start without steps needs no last program if it keeps the convex limits to rounding.
     let as_it_came = steps.is_empty() && current.violation <= TOLERANCE;
     let exact = (!as_it_came).then(|| held(program, &current, &at_size));
@@ -102,6 +87,35 @@ pub fn refine(
         };
     }
     Some((current, steps, ended))
+}
+
+/// Steps from a feasible start until none improves the objective or the law is good `enough`.
+fn descended(
+    program: &Program,
+    start: Solution,
+    at_size: &AtSize,
+    enough: impl Fn(&Solution) -> bool,
+) -> (Solution, Vec<Step>, Ended) {
+    let (mut current, mut steps, mut reach) = (start, Vec::new(), f64::INFINITY);
+    for _ in 0..MOST_STEPS {
+        if enough(&current) {
+            break;
+        }
+        match step(program, &current, at_size, &mut reach) {
+            Outcome::Taken(next, one) => {
+                let gain = program.merit(&current) - one.merit;
+                let small = gain <= IMPROVEMENT * program.merit(&current).abs();
+                current = next;
+                steps.push(one);
+                if small {
+                    return (current, steps, Ended::SmallGain);
+                }
+            }
+            Outcome::Failed(_) if reach_shrinks(program, reach) => (),
+            Outcome::Failed(why) | Outcome::Finished(why) => return (current, steps, why),
+        }
+    }
+    (current, steps, Ended::MostSteps)
 }
 
 /// Outcome of a step.
@@ -227,15 +241,15 @@ fn reach_shrinks(program: &Program, reach: f64) -> bool {
 }
 
 /// A start by shrinking a cam that is larger than allowed: the sequence with the size as the dominant objective.
-fn shrunk(program: &Program, start: &Solution, limits: NonconvexLimits) -> Option<Solution> {
-    if program.keeps_sizes(&start.extra) {
-        return None;
-    }
-    let size = SIZES.iter().fold(0.0_f64, |m, &k| m.max(start.extra[k]));
-    let rest = (program.objective(&start.x) + program.constant).abs();
-    let priced = program.with_sizes_priced(&start.extra, FOREMOST * rest / size);
-    let (found, ..) = refine(&priced, std::slice::from_ref(start), limits)?;
-    program.keeps_sizes(&found.extra).then_some(Solution {
+fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<Solution> {
+    let size = SIZES.iter().fold(0.0_f64, |m, &k| m.max(large.extra[k]));
+    let rest = (program.objective(&large.x) + program.constant).abs();
+    let priced = program.with_sizes_priced(&large.extra, FOREMOST * rest / size);
+    let start = start::feasible(&priced, large, at_size)
+        .or_else(|| start::tightened(&priced, large, at_size))?;
+    let small = |s: &Solution| program.keeps_sizes(&s.extra);
+    let (found, ..) = descended(&priced, start, at_size, small);
+    small(&found).then_some(Solution {
         active: Vec::new(),
         ..found
     })

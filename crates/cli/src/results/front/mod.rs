@@ -337,10 +337,7 @@ fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point)
     let path = folder.path().join("best.toml");
     folder.write("best.toml", table.to_string().as_bytes())?;
     synth::run(&SynthArgs {
-        scene: SceneArgs {
-            scene: Some(path),
-            set: Vec::new(),
-        },
+        scene: SceneArgs::of(path),
         out: Some(folder.path().join("best")),
         json: args.json,
         ..SynthArgs::default()

@@ -50,14 +50,9 @@ enum Machine {
 }
 
 impl Machine {
-    fn name(self) -> &'static str {
-        match self {
-            Machine::Shaker => "shaker",
-            Machine::Walk => "walk",
-            Machine::HeelTester => "heel-tester",
-            Machine::SpringBench => "spring-bench",
-            Machine::Programme => "programme",
-        }
+    fn name(self) -> String {
+        let value = self.to_possible_value();
+        value.map_or_else(String::new, |v| v.get_name().to_string())
     }
 
     fn template(self) -> &'static str {

@@ -15,15 +15,7 @@ impl Scene<'_> {
         {
             half = half.min(0.6 * MM * radius);
         }
-        let rod = |x: f64, from: f64, to: f64| {
-            let side = |x: f64| [(x, from), (x, to)];
-            let [left, right] = [side(x - half), side(x + half)];
-            let corners = [left[0], left[1], right[1], right[0]];
-            fill(plane, &corners, PAPER)?;
-            fill(plane, &corners, AXIS.mix(0.35))?;
-            trace(plane, left, stroke(INK, 1.8))?;
-            trace(plane, right, stroke(INK, 1.8))
-        };
+        let rod = |x, from, to| rod(plane, half, x, [from, to]);
         if let (true, Pose::Roller { centre, radius }) = (self.is_mushroom(), self.pose) {
             return self.cap(plane, centre.map(|c| MM * c), MM * radius);
         }
@@ -144,4 +136,15 @@ impl Scene<'_> {
 fn circle_about([x, y]: [f64; 2], radius: f64) -> Vec<(f64, f64)> {
     let points = circle(radius).into_iter();
     points.map(|(u, v)| (x + u, y + v)).collect()
+}
+
+/// A rod of half the width `half` along y, open at its ends.
+fn rod(plane: &Plane, half: f64, x: f64, [from, to]: [f64; 2]) -> Drawn {
+    let side = |x: f64| [(x, from), (x, to)];
+    let [left, right] = [side(x - half), side(x + half)];
+    let corners = [left[0], left[1], right[1], right[0]];
+    fill(plane, &corners, PAPER)?;
+    fill(plane, &corners, AXIS.mix(0.35))?;
+    trace(plane, left, stroke(INK, 1.8))?;
+    trace(plane, right, stroke(INK, 1.8))
 }

@@ -59,7 +59,7 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
         let mut y = scene.lines(&f, [table, top + 2.0 * e], words)? + 0.8 * e;
         for (name, value) in &facts {
             f.write(name, [table, y], Lettering::new(e, QUIET))?;
-            for line in wrapped(value, VALUES - 0.4) {
+            for line in wrapped(value.split(' '), VALUES - 0.4) {
                 f.write(&line, [table + values * e, y], Lettering::new(e, INK))?;
                 y += 1.75 * e;
             }
@@ -114,10 +114,7 @@ impl<'a> Scene<'a> {
 
     /// Whether the follower's face is an arc, of which only a part exists.
     fn is_mushroom(&self) -> bool {
-        matches!(
-            self.synthesis.cam.follower,
-            Follower::MushroomTranslating { .. } | Follower::MushroomOscillating { .. }
-        )
+        self.synthesis.cam.follower.kind().is_mushroom()
     }
 
     fn has_roller(&self) -> bool {
@@ -129,10 +126,7 @@ impl<'a> Scene<'a> {
 
     /// Whether the profile is drawn along a line: a straight cam, or a barrel unrolled.
     fn is_straight(&self) -> bool {
-        matches!(
-            self.synthesis.cam.follower,
-            Follower::TranslatingCam { .. } | Follower::Barrel { .. }
-        )
+        self.synthesis.cam.follower.is_unrolled()
     }
 
     /// Where the arm is pivoted, mm.

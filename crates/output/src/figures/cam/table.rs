@@ -1,12 +1,11 @@
 //! Legend and main dimensions next to the cam.
 
-use plotters::element::DashedPathElement;
 use plotters::style::{Color, RGBAColor};
 
 use super::{BASE, PITCH, PRIME, Scene};
 use crate::plot::layout::Figure;
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
-use crate::plot::sheet::{Drawn, Lettering, circle, line, stroke, units};
+use crate::plot::sheet::{Drawn, Lettering, circle, dashed, line, stroke};
 use crate::plot::text::text_width;
 use crate::words::Words;
 use gaitcam_base::text::{degrees, millimetres, number};
@@ -18,16 +17,10 @@ impl Scene<'_> {
         let step = 1.75 * e;
         let swatch = |colour: RGBAColor, width: f64, dash: Option<[f64; 2]>, y: f64| {
             let ends = [[x, y], [x + 1.8 * e, y]];
-            let Some([on, off]) = dash else {
-                return line(f.canvas, &ends, stroke(colour, width));
-            };
-            let path = ends.map(|[x, y]| (units(x), units(y)));
-            f.canvas.draw(&DashedPathElement::new(
-                path,
-                units(on),
-                units(off),
-                stroke(colour, width),
-            ))
+            match dash {
+                Some(dash) => dashed(f.canvas, ends, dash, stroke(colour, width)),
+                None => line(f.canvas, &ends, stroke(colour, width)),
+            }
         };
         let mut lines = vec![(BLUE, 2.6, None, words.text("figure-profile"))];
         if self.synthesis.conjugate.is_some() {

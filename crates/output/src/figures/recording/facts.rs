@@ -5,7 +5,7 @@ use plotters_backend::text_anchor::{HPos, VPos};
 use crate::plot::layout::Figure;
 use crate::plot::palette::{INK, QUIET, RED};
 use crate::plot::sheet::{Drawn, Frame, Lettering};
-use crate::plot::text::text_width;
+use crate::plot::text::wrapped;
 use crate::words::Words;
 use gaitcam::force::{Interpretation, Note};
 use gaitcam::wording::{catalogue, sentence};
@@ -29,14 +29,14 @@ pub(super) fn write_facts(
         let lettering = Lettering::new(e, colour).anchored(HPos::Left, VPos::Top);
         f.write(line, [frame.left, y], lettering)
     };
-    for line in wrapped(facts(understood, words).iter().map(String::as_str), room, 3) {
+    for line in shortened(facts(understood, words).iter().map(String::as_str), room, 3) {
         text(&line, INK, y)?;
         y += 1.5 * e;
     }
     for note in worst(understood) {
         let line = sentence(words.language(), "note", note);
         let colour = if note.doubt().is_some() { RED } else { QUIET };
-        for line in wrapped(line.split(' '), room, LINES) {
+        for line in shortened(line.split(' '), room, LINES) {
             text(&line, colour, y)?;
             y += 1.5 * e;
         }
@@ -103,24 +103,11 @@ fn facts(understood: &Interpretation, words: &Words) -> Vec<String> {
 
 /// Lines of at most `room` letter sizes of parts that stay whole; what does not fit into `most` of them ends in an
 /// ellipsis.
-fn wrapped<'a>(parts: impl Iterator<Item = &'a str>, room: f64, most: usize) -> Vec<String> {
-    let mut lines: Vec<String> = vec![String::new()];
-    for word in parts {
-        let Some(line) = lines.last_mut() else { break };
-        let longer = format!("{line} {word}");
-        if line.is_empty() {
-            *line = word.to_string();
-        } else if text_width(&longer) < room {
-            *line = longer;
-        } else {
-            lines.push(word.to_string());
-        }
-    }
+fn shortened<'a>(parts: impl Iterator<Item = &'a str>, room: f64, most: usize) -> Vec<String> {
+    let mut lines = wrapped(parts, room);
     if lines.len() > most {
         lines.truncate(most);
-        if let Some(last) = lines.last_mut() {
-            last.push_str(" …");
-        }
+        lines[most - 1].push_str(" …");
     }
     lines
 }
