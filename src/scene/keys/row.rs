@@ -124,7 +124,7 @@ impl Key {
     /// Sets a number without reading the scene again, for sweeps. Returns `false` if the scene has to be read again
     /// with the changed table.
     pub fn set_number(&self, scene: &mut Scene, index: usize, value: f64) -> bool {
-        let there = self.list().is_none() || self.get(scene, index).is_some();
+        let there = self.get(scene, index).is_some() || self.list().is_none();
         self.direct
             && there
             && self.range.contains(value)
