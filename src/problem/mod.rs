@@ -59,6 +59,8 @@ pub struct Problem {
     pub name: String,
     /// What does not depend on the course of the force; its fields are those of the problem.
     pub required: Requirements,
+    /// Degree of spline laws.
+    pub spline_degree: usize,
     /// One turn of the target force, scaled to the mass where the scene says so; `None` for a classical
     /// programme.
     pub target: Option<Target>,
@@ -142,9 +144,15 @@ impl Problem {
             Phase::Free => 0.0,
         };
         let (target, band) = cycle.as_ref().map_or((None, None), |c| c.at_phase(at));
+        let damped = scene.law.polydyne && scene.machine.damping_ratio > 0.0;
         Ok(Problem {
             name: scene.name.clone(),
             length: typical_lift(&required.drive, target.as_ref(), &scene.law),
+            spline_degree: scene.law.degree.unwrap_or(if damped {
+                DAMPED_DEGREE
+            } else {
+                USUAL_DEGREE
+            }),
             required,
             target,
             band,
@@ -165,13 +173,10 @@ impl Problem {
     pub fn at_phase(&self, phase: f64) -> Problem {
         let at = |cycle: &Arc<Cycle>| cycle.at_phase(phase);
         let (target, band) = self.cycle.as_ref().map_or((None, None), at);
-        Problem {
-            phase,
-            length: typical_lift(&self.drive, target.as_ref(), &self.law),
-            target,
-            band,
-            ..self.clone()
-        }
+        let mut out = self.clone();
+        (out.phase, out.target, out.band) = (phase, target, band);
+        out.length = typical_lift(&out.drive, out.target.as_ref(), &out.law);
+        out
     }
 
     /// The same whose force error is not judged.
@@ -211,13 +216,6 @@ impl Problem {
     /// Whether points or dwells are asked of the law.
     pub fn has_demands(&self) -> bool {
         !(self.law.points.is_empty() && self.law.dwells.is_empty())
-    }
-
-    /// Degree of spline laws.
-    pub fn spline_degree(&self) -> usize {
-        let damped = self.law.polydyne && self.machine.damping_ratio > 0.0;
-        let usual = if damped { DAMPED_DEGREE } else { USUAL_DEGREE };
-        self.law.degree.unwrap_or(usual)
     }
 
     /// Compliance between cam and mass, where the scene gives it.

@@ -10,7 +10,7 @@ use crate::problem::{Problem, Size, Target};
 use crate::scene::{Dwell, Minimise, Weigh};
 use crate::synth::limits;
 use crate::synth::optimum::Formulation;
-use crate::synth::qp::{Basis, PEAK, Program, Quadratic};
+use crate::synth::qp::{Basis, PEAK, Program, Quadratic, RmsLimit};
 use crate::synth::search::{Objective, ObjectiveKey, Search};
 use crate::units::Quantity;
 
@@ -53,6 +53,7 @@ pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Pr
 pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<Formulation> {
     let stiffness = stiffness(problem);
     let (mut program, force) = unlimited(problem, search, spans)?;
+    program.rms = accuracy(problem, &program.basis, &force);
     let mut rows = limits::rows(problem);
     if problem.law.monotone {
         rows.extend(limits::monotone(problem));
@@ -66,10 +67,6 @@ pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<For
     if problem.size() == Size::Sought {
         limits::with_size(problem, &mut program);
     }
-    program.rms = limits::accuracy(problem, || match problem.is_weighed() {
-        true => plain_distance(problem, &program.basis),
-        false => force.clone(),
-    });
     Ok(Formulation {
         program,
         force,
@@ -92,10 +89,8 @@ pub fn of_harmonics(
     let force = force_distance(problem, &basis);
     let mut program = Program::new(basis, force.clone(), Vec::new(), problem.length);
     program.halt = search.halt.clone();
+    program.rms = accuracy(problem, &program.basis, &force);
     program.limits = limits::rows(problem);
-    if problem.is_weighed() {
-        program.rms = limits::accuracy(problem, || plain_distance(problem, &program.basis));
-    }
     if !problem.level_is_known() {
         program.touch_at(unlimited.extremes(0).0.at);
     }
@@ -106,6 +101,14 @@ pub fn of_harmonics(
         above_base_circle: limits::above_base_circle(problem),
         pieces: 2 * count,
     }
+}
+
+/// The accuracy as a limit, on the force error that is not weighed by phase.
+fn accuracy(problem: &Problem, basis: &Basis, force: &Quadratic) -> Option<RmsLimit> {
+    limits::accuracy(problem, || match problem.is_weighed() {
+        true => plain_distance(problem, basis),
+        false => force.clone(),
+    })
 }
 
 /// α: the objective's square part is at least ½ α mean(s″²); `None` where it has none.
@@ -132,7 +135,7 @@ fn stiffness(problem: &Problem) -> Option<f64> {
 
 /// The objective; of few spans from the cache.
 fn cached_objective(problem: &Problem, search: &Search, spans: usize) -> Result<Objective> {
-    let degree = problem.spline_degree();
+    let degree = problem.spline_degree;
     let compute = || objective(problem, spans, degree);
     if spans > MOST_KEPT_SPANS {
         return compute();

@@ -34,7 +34,7 @@ pub fn spline_law(problem: &Problem, search: &Search) -> std::result::Result<Sol
     };
     let (objective, report) = (problem.objective(), optimum.report());
     Ok(SolvedLaw {
-        degree: problem.spline_degree(),
+        degree: problem.spline_degree,
         ..solved_law(problem, &optimum, Family::Spline, objective, report)
     })
 }
@@ -98,7 +98,7 @@ fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
         wanted,
         phase: problem.phase,
         drive: problem.drive,
-        degree: problem.spline_degree(),
+        degree: problem.spline_degree,
     };
     let spans = search.cache.spans.try_get(key, fewest)?;
     Ok(if follows {

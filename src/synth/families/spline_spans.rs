@@ -38,7 +38,7 @@ impl<'a> Forecast<'a> {
         suits.then(|| Forecast {
             target,
             drive: problem.drive,
-            degree: problem.spline_degree() as i32,
+            degree: problem.spline_degree as i32,
             whole: target.mean_square_from(problem.drive.rest_force),
         })
     }

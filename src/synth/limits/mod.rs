@@ -48,28 +48,16 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     out.extend(curvature::row(problem));
     out.extend(pressure_angle::rows(problem));
     out.extend(loads::row(problem));
-    if !problem.level_is_known() {
-        count_from_base_circle(&mut out[of_law_alone..]);
+    // The lift in limits on the profile is a distance from the base circle.
+    for limit in &mut out[of_law_alone..] {
+        limit.from_base_circle = !problem.level_is_known() && limit.weights[0] != 0.0;
     }
     out
-}
-
-/// Marks limits whose lift is a distance from the base circle.
-fn count_from_base_circle(limits: &mut [Limit]) {
-    for limit in limits {
-        limit.from_base_circle = limit.weights[0] != 0.0;
-    }
 }
 
 /// Limits of the profile with the cam's size among the variables, and what the size costs (theory §6).
 /// The radius is what is minimised, or it stays below its limit while something else is.
 pub fn with_size(problem: &Problem, program: &mut Program) {
-    let level_is_known = problem.level_is_known();
-    if level_is_known {
-        program.limits.retain(|l| l.name != Criterion::BaseCircle);
-        let above = kinematic::above_base_circle(problem);
-        program.limits.extend(above);
-    }
     let follower = problem.cam.follower;
     let mut sized = Vec::new();
     if follower == FollowerKind::FlatTranslating {
@@ -78,8 +66,8 @@ pub fn with_size(problem: &Problem, program: &mut Program) {
     } else if !follower.is_oscillating() {
         sized.extend(pressure_angle::rows_with_size(problem));
     }
-    if !level_is_known {
-        count_from_base_circle(&mut sized);
+    for limit in &mut sized {
+        limit.from_base_circle = !problem.level_is_known() && limit.weights[0] != 0.0;
     }
     program.limits.extend(sized);
     size::priced(problem, program);

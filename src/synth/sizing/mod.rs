@@ -36,20 +36,15 @@ const BREADTH_POINTS: usize = 720;
 /// Fails on a follower that needs a length the scene does not give, and on lengths that fix no cam: an arm
 /// too short, a pivot inside the cam, a breadth that the law does not keep.
 pub fn cam(problem: &Problem, law: Law, pressing: &Law) -> Result<Cam> {
-    if let Some(breadth) = problem.cam.breadth {
-        return constant_breadth(problem, law, breadth);
-    }
-    match problem.cam.follower {
-        FollowerKind::FlatTranslating => {
-            let follower = flat(problem, &law, pressing);
-            Ok(Cam { law, follower })
+    let follower = match (problem.cam.follower, problem.cam.breadth) {
+        (FollowerKind::FlatTranslating, None) => flat(problem, &law, pressing),
+        (FollowerKind::RollerTranslating | FollowerKind::KnifeTranslating, None) => {
+            roller(problem, &law, pressing)?
         }
-        FollowerKind::RollerTranslating | FollowerKind::KnifeTranslating => {
-            let follower = roller(problem, &law, pressing)?;
-            Ok(Cam { law, follower })
-        }
-        _ => sized(problem, law),
-    }
+        (_, None) => return sized(problem, law),
+        (_, Some(breadth)) => return constant_breadth(problem, law, breadth),
+    };
+    Ok(Cam { law, follower })
 }
 
 /// The second cam of a conjugate pair, where the scene has one.
