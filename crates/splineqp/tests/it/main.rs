@@ -3,3 +3,4 @@
 mod certificate;
 mod optima;
 mod rms;
+mod rms_limit;

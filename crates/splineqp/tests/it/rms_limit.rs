@@ -1,0 +1,169 @@
+//! A limit on a root mean square: closed form over harmonics, proofs, the edge of what has a law.
+
+use splineqp::poly::SplineSpace;
+use splineqp::{
+    Basis, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic, RADIUS, RmsLimit,
+    certificate, only, pointwise,
+};
+use std::f64::consts::TAU;
+
+/// f = 1 + Σ cos(nθ)/n + sin(nθ)/n² over the first harmonics.
+fn wave(count: usize) -> impl Fn(f64) -> f64 {
+    move |x| {
+        let wave = |n: usize| {
+            let n = n as f64;
+            (n * x).cos() / n + (n * x).sin() / (n * n)
+        };
+        1.0 + (1..=count).map(wave).sum::<f64>()
+    }
+}
+
+fn splines() -> Basis {
+    Basis::Spline {
+        space: SplineSpace::periodic_uniform(5, 24, TAU),
+        closed: true,
+    }
+}
+
+fn program(basis: Basis, order: usize, most: f64) -> Program<()> {
+    let mut half = Quadratic::zero(&basis);
+    half.add_distance(&basis, &[1.0], 40, pointwise(wave(4)), None);
+    let mut energy = Quadratic::zero(&basis);
+    if order > 0 {
+        energy.add_energy(&basis, order, 1.0);
+    }
+    let mut program = Program::new(basis, energy, Vec::new(), 1.0);
+    program.rms = Some(RmsLimit {
+        name: "distance",
+        half,
+        most,
+        meaning: Meaning::times(1.0),
+    });
+    program
+}
+
+/// ½ mean(s‴²) within an RMS distance e of f: aₙ = λ fₙ/(λ + n⁶), with λ such that the distance is e.
+#[test]
+fn the_smoothest_harmonics_near_a_wave_have_their_closed_form() {
+    for most in [0.4, 0.1, 0.01, 1e-4] {
+        let program = program(Basis::Harmonic { count: 4 }, 3, most);
+        let left = |lambda: f64| {
+            let square = |n: usize| {
+                let n = n as f64;
+                let part = n.powi(6) / (lambda + n.powi(6));
+                0.5 * part * part * (n.powi(-2) + n.powi(-4))
+            };
+            (1..=4).map(square).sum::<f64>().sqrt()
+        };
+        let (mut low, mut high) = (1e-12_f64, 1e12_f64);
+        for _ in 0..200 {
+            let middle = (low * high).sqrt();
+            if left(middle) > most {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let solution = program.solve().unwrap();
+        for n in 1..=4 {
+            let part = low / (low + (n as f64).powi(6));
+            let (a, b) = (1.0 / n as f64, 1.0 / (n * n) as f64);
+            let [x, y] = [solution.x[2 * n - 1], solution.x[2 * n]];
+            assert!(
+                (x - part * a).abs() < 1e-7 && (y - part * b).abs() < 1e-7,
+                "{most} {n}"
+            );
+        }
+        let proof = certificate(&program, &solution);
+        assert!(
+            proof.proves_optimum() && proof.keeps_limits(),
+            "{most} {proof:?}"
+        );
+        // The multiplier is what a wider distance is worth: dJ/de = λ e.
+        let worth = solution.active[0].multiplier;
+        assert!((worth - low * most).abs() < 1e-4 * worth, "{most} {worth}");
+    }
+}
+
+/// What is minimised: the peak of the acceleration, a radius above all slopes, or an energy of this order.
+fn minimising(order: usize, most: f64) -> Program<()> {
+    let energy = if order < 2 { 0 } else { order };
+    let mut program = program(splines(), energy, most);
+    program
+        .limits
+        .push(Limit::new("highest", only(0, 1.0), 2.9, 2.9));
+    for sign in [1.0, -1.0] {
+        let peak = Limit::new("peak", only(2, sign), 1.0, 1.0).minimised();
+        let mut slope = Limit::new("slope", only(1, sign), 0.0, 1.0);
+        slope.extra[RADIUS] = -1.0;
+        match order {
+            0 => program.limits.push(peak),
+            1 => program.limits.push(slope),
+            _ => (),
+        }
+    }
+    match order {
+        0 => program.cost[PEAK] = 1.0,
+        1 => {
+            program.cost[RADIUS] = 1.0;
+            let mut jerk = Quadratic::zero(&program.basis);
+            jerk.add_energy(&program.basis, 3, 1e-6);
+            program.hessian = jerk.hessian;
+        }
+        _ => (),
+    }
+    program
+}
+
+/// Every kind of objective beside another limit; the bound is no worse than that of a tighter limit.
+#[test]
+fn the_optimum_is_proved_and_falls_as_the_limit_widens() {
+    for order in 0..=4 {
+        let mut before: Option<f64> = None;
+        for most in [0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 1.0] {
+            let program = minimising(order, most);
+            let solution = match program.solve() {
+                Err(Failure::Infeasible) if before.is_none() => continue,
+                other => other.unwrap(),
+            };
+            let proof = certificate(&program, &solution);
+            assert!(
+                proof.proves_optimum() && proof.keeps_limits(),
+                "{order} {most} {proof:?}"
+            );
+            let value = program.merit(&solution);
+            let most = before.map_or(f64::INFINITY, |b| b + proof.duality_gap + 1e-12);
+            assert!(value <= most, "{order} {most} {value}");
+            before = Some(value);
+        }
+        assert!(before.is_some());
+    }
+}
+
+/// The best accuracy beside another limit is the edge of what has a law.
+#[test]
+fn laws_exist_down_to_the_least_distance() {
+    for order in 0..=4 {
+        let least = minimising(order, 0.1).of_least_rms().unwrap();
+        let nearest = least.solve().unwrap();
+        let edge = (2.0 * least.merit(&nearest)).sqrt();
+        let inside = minimising(order, edge * (1.0 + 1e-6));
+        assert!(
+            inside
+                .violation(&inside.solve().unwrap().x, &[0.0; EXTRAS])
+                .is_finite()
+        );
+        let outside = minimising(order, edge * (1.0 - 1e-6));
+        assert!(matches!(outside.solve(), Err(Failure::Infeasible)));
+    }
+}
+
+#[test]
+fn a_distance_that_no_law_has_is_infeasible() {
+    let mut program = program(Basis::Harmonic { count: 2 }, 3, 1e-3);
+    assert!(matches!(program.solve(), Err(Failure::Infeasible)));
+    if let Some(limit) = &mut program.rms {
+        limit.most = 1.0;
+    }
+    assert!(program.solve().is_ok());
+}
