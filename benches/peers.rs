@@ -108,67 +108,83 @@ fn main() {
         .map(|i| force(TAU * f64::from(i) / 1024.0))
         .collect();
     let target = ForceCurve::from_samples("peers", 1.0 / F, samples).expect("a curve");
-    let drive = Drive::moving_axis(WEIGHT / GRAVITY, GRAVITY, TAU * F);
     let free = Task {
         target: &target,
-        drive,
+        drive: Drive::moving_axis(WEIGHT / GRAVITY, GRAVITY, TAU * F),
         degree: 5,
         spans: SPANS,
         bounds: &[],
     };
+    let law = no_limits(&free);
+    jerk_limit(&free, 0.6 * peak(&law, 3));
+    acceleration_and_jerk(&free, &law);
+    double_dwell();
+}
+
+/// Greatest absolute derivative of an order.
+fn peak(law: &Law, order: usize) -> f64 {
+    let (low, high) = law.extremes(order);
+    high.value.max(-low.value)
+}
+
+/// The least-squares law, which the tasks with limits start from.
+fn no_limits(free: &Task) -> Law {
     let law = free.free().expect("a law").law;
-    let seconds = median(|| drop(black_box(black_box(&free).free())));
+    let seconds = median(|| drop(black_box(black_box(free).free())));
     tell(
         "no limits, quintic 32 spans",
         seconds,
-        &format!("{:.4} % RMS", error(&drive, &law)),
+        &format!("{:.4} % RMS", error(&free.drive, &law)),
     );
-
     let whole = scene_with(&[]);
-    let seconds = median(|| drop(black_box(synthesise(&whole, Some(&target)))));
+    let seconds = median(|| drop(black_box(synthesise(&whole, Some(free.target)))));
     tell(
         "no limits, quintic, public call",
         seconds,
         "spans sought, cam sized, limits and force checked, optimum proved",
     );
-    let peak = |law: &Law, order: usize| {
-        let (low, high) = law.extremes(order);
-        high.value.max(-low.value)
-    };
-    let most = 0.6 * peak(&law, 3);
+    law
+}
+
+fn jerk_limit(free: &Task, most: f64) {
     let bounds = [Bound { order: 3, most }];
     let held = Task {
         bounds: &bounds,
-        ..free
+        ..*free
     };
-    let free_law = law;
     let law = held.exchange().expect("feasible").law;
     let seconds = median(|| drop(black_box(black_box(&held).exchange())));
     let words = format!(
         "{:.4} % RMS, limit {:+.1e}",
-        error(&drive, &law),
+        error(&free.drive, &law),
         peak(&law, 3) / most - 1.0
     );
     tell("jerk limit, quintic 32 spans", seconds, &words);
-    let limit = format!("limits.jerk={} m/s^3", most * drive.speed.powi(3));
+    let limit = format!("limits.jerk={} m/s^3", most * free.drive.speed.powi(3));
     let changes = ["law.spans=32", "accuracy.rms=20 %", limit.as_str()];
     let whole = scene_with(&changes);
-    let seconds = median(|| drop(black_box(synthesise(&whole, Some(&target)))));
+    let seconds = median(|| drop(black_box(synthesise(&whole, Some(free.target)))));
     tell("jerk limit, quintic 32 spans, public call", seconds, &words);
+}
 
+/// Both limits at 95 % of what the law without limits has.
+fn acceleration_and_jerk(free: &Task, free_law: &Law) {
     let bounds = [2, 3].map(|order| Bound {
         order,
-        most: 0.95 * peak(&free_law, order),
+        most: 0.95 * peak(free_law, order),
     });
     let both = Task {
         bounds: &bounds,
-        ..free
+        ..*free
     };
     let law = both.exchange().expect("feasible").law;
     let excess = (bounds.iter())
         .map(|b| peak(&law, b.order) / b.most - 1.0)
         .fold(f64::NEG_INFINITY, f64::max);
-    let words = format!("{:.4} % RMS, limits {excess:+.1e}", error(&drive, &law));
+    let words = format!(
+        "{:.4} % RMS, limits {excess:+.1e}",
+        error(&free.drive, &law)
+    );
     let ready = both.program();
     let seconds = median(|| drop(black_box(black_box(&ready).solve())));
     tell(
@@ -182,7 +198,9 @@ fn main() {
         seconds,
         &words,
     );
+}
 
+fn double_dwell() {
     let quarter = |motion: &str, lift: f64| Segment {
         motion: Rise::from_name(motion).expect("in the catalogue"),
         lift,

@@ -238,35 +238,27 @@ mod tests {
     /// Central differences of h against the derivatives stated, at places of many kinds.
     #[test]
     fn derivatives_of_every_limit_agree_with_differences() {
-        let followers = [
-            Profile::Roller(ProfileSize {
-                rise: 0.04,
-                offset: 0.007,
-                radius: 0.0,
-                rho: 0.02,
-            }),
-            Profile::Arm {
-                pivot: 0.1,
-                arm: 0.08,
-                prime: 0.057,
-                rho: 0.02,
-                tan: [Some(0.6), Some(0.7)],
-            },
-            Profile::Face {
-                pivot: 0.1,
-                offset: 0.01,
-                base: 0.058,
-                rho: 0.005,
-            },
-        ];
-        for follower in followers {
-            let unit = if matches!(follower, Profile::Roller(_)) {
-                0.01
-            } else {
-                0.1
-            };
-            for i in 0..20 {
-                let x = f64::from(i);
+        let roller = Profile::Roller(ProfileSize {
+            rise: 0.04,
+            offset: 0.007,
+            radius: 0.0,
+            rho: 0.02,
+        });
+        let arm = Profile::Arm {
+            pivot: 0.1,
+            arm: 0.08,
+            prime: 0.057,
+            rho: 0.02,
+            tan: [Some(0.6), Some(0.7)],
+        };
+        let face = Profile::Face {
+            pivot: 0.1,
+            offset: 0.01,
+            base: 0.058,
+            rho: 0.005,
+        };
+        for (follower, unit) in [(roller, 0.01), (arm, 0.1), (face, 0.1)] {
+            for x in (0..20).map(f64::from) {
                 let at = Svaj {
                     s: unit * (1.0 + (1.3 * x).sin()),
                     v: unit * (0.7 * x).cos(),
@@ -274,38 +266,42 @@ mod tests {
                     j: 0.0,
                 };
                 for k in 0..follower.slacks(at).len() {
-                    let h = |at: Svaj| follower.slacks(at)[k].h;
-                    let d = 1e-6 * unit;
-                    let by = |plus: Svaj, minus: Svaj| (h(plus) - h(minus)) / (2.0 * d);
-                    let found = [
-                        by(Svaj { s: at.s + d, ..at }, Svaj { s: at.s - d, ..at }),
-                        by(Svaj { v: at.v + d, ..at }, Svaj { v: at.v - d, ..at }),
-                        by(Svaj { a: at.a + d, ..at }, Svaj { a: at.a - d, ..at }),
-                    ];
-                    let own = &follower.slacks(at)[k];
-                    let stated = [own.by_lift, own.by_velocity, own.by_acceleration];
-                    let at_radius = |more: f64| {
-                        let size = follower.size();
-                        let radius = size.radius + more;
-                        let other = follower.at_size(ProfileSize { radius, ..size });
-                        other.slacks(at)[k].h
-                    };
-                    let by_radius = (at_radius(d) - at_radius(-d)) / (2.0 * d);
-                    let tolerance = 1e-6 * own.by_radius.abs().max(own.by_lift.abs());
-                    assert!(
-                        (by_radius - own.by_radius).abs() <= tolerance,
-                        "{follower:?} {k}: {by_radius} {}",
-                        own.by_radius
-                    );
-                    let size = stated.iter().fold(0.0_f64, |m, s| m.max(s.abs()));
-                    for (f, s) in found.iter().zip(stated) {
-                        assert!(
-                            (f - s).abs() < 1e-6 * size,
-                            "{follower:?} {k}: {found:?} {stated:?}"
-                        );
-                    }
+                    agrees_with_differences(&follower, at, k, 1e-6 * unit);
                 }
             }
+        }
+    }
+
+    /// Asserts the derivatives of limit `k` by lift, velocity, acceleration and radius, with steps of `d`.
+    fn agrees_with_differences(follower: &Profile, at: Svaj, k: usize, d: f64) {
+        let h = |at: Svaj| follower.slacks(at)[k].h;
+        let by = |plus: Svaj, minus: Svaj| (h(plus) - h(minus)) / (2.0 * d);
+        let found = [
+            by(Svaj { s: at.s + d, ..at }, Svaj { s: at.s - d, ..at }),
+            by(Svaj { v: at.v + d, ..at }, Svaj { v: at.v - d, ..at }),
+            by(Svaj { a: at.a + d, ..at }, Svaj { a: at.a - d, ..at }),
+        ];
+        let own = &follower.slacks(at)[k];
+        let stated = [own.by_lift, own.by_velocity, own.by_acceleration];
+        let at_radius = |more: f64| {
+            let size = follower.size();
+            let radius = size.radius + more;
+            let other = follower.at_size(ProfileSize { radius, ..size });
+            other.slacks(at)[k].h
+        };
+        let by_radius = (at_radius(d) - at_radius(-d)) / (2.0 * d);
+        let tolerance = 1e-6 * own.by_radius.abs().max(own.by_lift.abs());
+        assert!(
+            (by_radius - own.by_radius).abs() <= tolerance,
+            "{follower:?} {k}: {by_radius} {}",
+            own.by_radius
+        );
+        let size = stated.iter().fold(0.0_f64, |m, s| m.max(s.abs()));
+        for (f, s) in found.iter().zip(stated) {
+            assert!(
+                (f - s).abs() < 1e-6 * size,
+                "{follower:?} {k}: {found:?} {stated:?}"
+            );
         }
     }
 

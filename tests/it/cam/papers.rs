@@ -2,8 +2,8 @@
 
 use super::{oscillating, roller};
 use gaitcam::cam::{
-    Cam, Closure, Conjugate, Follower, SizeLimits, smallest_base_radius, smallest_for,
-    smallest_prime_circle,
+    BarrelGroove, Cam, Closure, Conjugate, Follower, Rollers, SizeLimits, Wall,
+    smallest_base_radius, smallest_for, smallest_prime_circle,
 };
 use gaitcam::law::{Condition, Extent, Law, Rise, Segment, hermite_birkhoff, program};
 use gaitcam::poly::PiecewisePoly;
@@ -142,9 +142,8 @@ fn conjugate_of_ejemplo8_has_a_base_of_80() {
     assert!(Conjugate::new(&first, Closure::Angle(1.0), None).is_err());
 }
 
-#[test]
-fn groove_of_the_barrel_thesis() {
-    use gaitcam::cam::{BarrelGroove, Rollers, Wall};
+/// Rise and fall of 40 mm by Berzak's law D, a turn each, in a barrel of 30 mm with a groove to 21 mm.
+fn barrel_thesis() -> BarrelGroove {
     let rise = Segment {
         motion: Rise::BerzakD,
         lift: 0.04,
@@ -161,7 +160,12 @@ fn groove_of_the_barrel_thesis() {
         Extent::Turns(2),
     )
     .unwrap();
-    let groove = BarrelGroove::new(law, 0.021, 0.03, Rollers::One { radius: 0.005 }).unwrap();
+    BarrelGroove::new(law, 0.021, 0.03, Rollers::One { radius: 0.005 }).unwrap()
+}
+
+#[test]
+fn groove_of_the_barrel_thesis() {
+    let groove = barrel_thesis();
     // theory §4: table at 21 mm (misprinted radius), text at 30 mm.
     let phi = |degrees: f64, radius: f64| {
         groove
@@ -186,6 +190,21 @@ fn groove_of_the_barrel_thesis() {
         91.540,
         1e-3,
     );
+    assert!(groove.smallest_bulge(0.021, Wall::Lower).value > 0.0);
+    assert!(
+        BarrelGroove::new(
+            groove.law().clone(),
+            0.03,
+            0.02,
+            Rollers::One { radius: 0.005 }
+        )
+        .is_err()
+    );
+}
+
+#[test]
+fn walls_of_the_barrel_thesis_are_the_unrolled_ones() {
+    let groove = barrel_thesis();
     // Unrolled walls (theory §4): z = s ± R_f cos φ, δ = θ ∓ (R_f/R) sin φ.
     let theta = 1.0;
     let (at, angle) = (groove.law().svaj(theta), groove.pressure_angle(theta, 0.03));
@@ -201,16 +220,6 @@ fn groove_of_the_barrel_thesis() {
             0.005_f64.powi(3) / 0.03_f64.powi(3) * angle.sin().powi(3),
         );
     }
-    assert!(groove.smallest_bulge(0.021, Wall::Lower).value > 0.0);
-    assert!(
-        BarrelGroove::new(
-            groove.law().clone(),
-            0.03,
-            0.02,
-            Rollers::One { radius: 0.005 }
-        )
-        .is_err()
-    );
 }
 
 #[test]
@@ -336,7 +345,10 @@ fn mistakes_of_other_programs_stay_out() {
     let cam = Cam::new(steep, roller(30.0, 0.0, 10.0)).unwrap();
     near(cam.curvature().convex.value + 10.0, 9.675, 5e-4);
     assert!(cam.curvature().undercut);
-    // Oscillating followers: the pitch radius is the same all through a dwell.
+}
+
+#[test]
+fn the_pitch_radius_of_oscillating_followers_is_constant_in_a_dwell() {
     for cam in oscillating() {
         let (first, last) = (1.1 * PI / 2.0, 1.9 * PI / 2.0);
         let radius = |theta: f64| {

@@ -160,70 +160,67 @@ fn largest_gap(cam: &Cam, profile: &[ProfilePoint], half_turn: bool) -> f64 {
         .fold(0.0, f64::max)
 }
 
+fn translating() -> [Follower; 4] {
+    [
+        Follower::FlatTranslating { base_radius: 0.05 },
+        Follower::RollerTranslating {
+            prime_radius: 0.05,
+            offset: 0.008,
+            roller_radius: 0.01,
+        },
+        Follower::RollerTranslating {
+            prime_radius: 0.05,
+            offset: -0.004,
+            roller_radius: 0.0,
+        },
+        Follower::MushroomTranslating {
+            prime_radius: 0.24,
+            offset: 0.003,
+            arc_radius: 0.2,
+        },
+    ]
+}
+
+fn oscillating(pivot: f64) -> [Follower; 4] {
+    [
+        Follower::RollerOscillating {
+            pivot_distance: pivot,
+            arm: 0.08,
+            prime_radius: 0.05,
+            roller_radius: 0.01,
+        },
+        Follower::RollerOscillating {
+            pivot_distance: pivot,
+            arm: 0.08,
+            prime_radius: 0.05,
+            roller_radius: 0.0,
+        },
+        Follower::MushroomOscillating {
+            pivot_distance: pivot,
+            arm: 0.11,
+            prime_radius: 0.09,
+            arc_radius: 0.05,
+        },
+        Follower::FlatOscillating {
+            pivot_distance: pivot,
+            face_offset: 0.006,
+            base_radius: 0.04,
+        },
+    ]
+}
+
 fn rotating() -> Vec<Cam> {
-    let lift = 0.02;
-    let swing = 0.25;
-    let followers = [
-        (Follower::FlatTranslating { base_radius: 0.05 }, lift),
-        (
-            Follower::RollerTranslating {
-                prime_radius: 0.05,
-                offset: 0.008,
-                roller_radius: 0.01,
-            },
-            lift,
-        ),
-        (
-            Follower::RollerTranslating {
-                prime_radius: 0.05,
-                offset: -0.004,
-                roller_radius: 0.0,
-            },
-            lift,
-        ),
-        (
-            Follower::MushroomTranslating {
-                prime_radius: 0.24,
-                offset: 0.003,
-                arc_radius: 0.2,
-            },
-            lift,
-        ),
-    ];
-    let mut out: Vec<Cam> = followers
-        .into_iter()
-        .map(|(f, h)| Cam::new(lopsided(h), f).unwrap())
-        .collect();
-    for pivot in [0.1, -0.1] {
-        for follower in [
-            Follower::RollerOscillating {
-                pivot_distance: pivot,
-                arm: 0.08,
-                prime_radius: 0.05,
-                roller_radius: 0.01,
-            },
-            Follower::RollerOscillating {
-                pivot_distance: pivot,
-                arm: 0.08,
-                prime_radius: 0.05,
-                roller_radius: 0.0,
-            },
-            Follower::MushroomOscillating {
-                pivot_distance: pivot,
-                arm: 0.11,
-                prime_radius: 0.09,
-                arc_radius: 0.05,
-            },
-            Follower::FlatOscillating {
-                pivot_distance: pivot,
-                face_offset: 0.006,
-                base_radius: 0.04,
-            },
-        ] {
-            out.push(Cam::new(lopsided(swing), follower).unwrap());
-        }
-    }
-    out
+    let with = |followers: [Follower; 4], lift: f64| {
+        followers.map(|follower| Cam::new(lopsided(lift), follower).unwrap())
+    };
+    [
+        with(translating(), 0.02),
+        with(oscillating(0.1), 0.25),
+        with(oscillating(-0.1), 0.25),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 #[test]

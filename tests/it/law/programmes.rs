@@ -135,16 +135,21 @@ fn general_polynomials_take_their_ends_from_their_neighbours() {
     }
 }
 
+/// The fault of a programme that is refused.
+fn fault(segments: &[(&str, f64, f64)]) -> LawError {
+    let error = turn(segments).unwrap_err();
+    error
+        .fault::<LawError>()
+        .cloned()
+        .expect("a fault of the law")
+}
+
+fn is_near(x: Quantity, wanted: f64) -> bool {
+    (x.value - wanted).abs() < 1e-9
+}
+
 #[test]
 fn refused_programmes_name_the_segment() {
-    let fault = |s: &[(&str, f64, f64)]| {
-        let error = turn(s).unwrap_err();
-        error
-            .fault::<LawError>()
-            .cloned()
-            .expect("a fault of the law")
-    };
-    let near = |x: Quantity, wanted: f64| (x.value - wanted).abs() < 1e-9;
     let short = fault(&[
         ("3-4-5", 1.0, 90.0),
         ("dwell", 0.0, 90.0),
@@ -152,7 +157,7 @@ fn refused_programmes_name_the_segment() {
         ("dwell", 0.0, 80.0),
     ]);
     assert!(
-        matches!(short, LawError::Uncovered { missing, .. } if near(missing, 10f64.to_radians())),
+        matches!(short, LawError::Uncovered { missing, .. } if is_near(missing, 10f64.to_radians())),
         "{short:?}"
     );
     let below = fault(&[
@@ -163,7 +168,7 @@ fn refused_programmes_name_the_segment() {
     ]);
     assert!(
         matches!(&below, LawError::BelowBaseCircle { segment, depth, .. }
-            if segment.number() == 1 && near(*depth, 0.01)),
+            if segment.number() == 1 && is_near(*depth, 0.01)),
         "{below:?}"
     );
     let twins = fault(&[
@@ -176,6 +181,17 @@ fn refused_programmes_name_the_segment() {
             if first.number() == 1 && second.number() == 2),
         "{twins:?}"
     );
+    let moving = fault(&[("dwell", 0.1, 360.0)]);
+    assert!(matches!(moving, LawError::DwellLift { .. }), "{moving:?}");
+    let negative = fault(&[("3-4-5", 1.0, -10.0), ("3-4-5", -1.0, 370.0)]);
+    assert!(
+        matches!(&negative, LawError::SegmentLength { segment, .. } if segment.number() == 1),
+        "{negative:?}"
+    );
+}
+
+#[test]
+fn jumps_between_segments_are_refused_with_their_cure() {
     let line = fault(&[
         ("constant-velocity", 1.0, 90.0),
         ("dwell", 0.0, 90.0),
@@ -199,9 +215,13 @@ fn refused_programmes_name_the_segment() {
     ]);
     assert!(
         matches!(half, LawError::VelocityJump { cure: JoinCure::LetCover { length, .. }, .. }
-            if near(length, 30f64.to_radians())),
+            if is_near(length, 30f64.to_radians())),
         "{half:?}"
     );
+}
+
+#[test]
+fn unknown_motions_and_parameters_are_refused_by_name() {
     let typo = Rise::from_name("cyclodal").unwrap_err();
     assert!(
         matches!(typo.fault(), Some(LawError::UnknownMotion { nearest: Some(name), .. })
@@ -211,13 +231,6 @@ fn refused_programmes_name_the_segment() {
     let code = |name: &str| Rise::from_name(name).unwrap_err().code();
     assert_eq!(code("scca 0.5 0.6 0.1"), "law-scca-shares");
     assert_eq!(code("eccentric 0.5"), "law-eccentric-ratio");
-    let moving = fault(&[("dwell", 0.1, 360.0)]);
-    assert!(matches!(moving, LawError::DwellLift { .. }), "{moving:?}");
-    let negative = fault(&[("3-4-5", 1.0, -10.0), ("3-4-5", -1.0, 370.0)]);
-    assert!(
-        matches!(&negative, LawError::SegmentLength { segment, .. } if segment.number() == 1),
-        "{negative:?}"
-    );
 }
 
 #[test]

@@ -244,7 +244,12 @@ fn a_weighed_objective_finds_the_cheapest_point_of_the_front() {
         radius < 0.98 * free.cam.follower.prime_radius(),
         "the price of the size is felt"
     );
-    // A roller's cone weighs the same way.
+}
+
+/// A roller's cone weighs the same way as the flat face's rows.
+#[test]
+fn a_weighed_roller_gets_smaller_where_the_force_error_is_cheap() {
+    let target = young();
     let roller = [
         "law.spans=16",
         "cam.follower=roller-translating",

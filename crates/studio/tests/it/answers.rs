@@ -110,6 +110,14 @@ fn exported_tables_are_those_of_the_library_and_the_scene_reads_back() {
     );
     let text = String::from_utf8(export("scene.toml").body).unwrap();
     assert_eq!(gaitcam::scene::parse(&text).unwrap(), scene);
+}
+
+#[test]
+fn every_file_that_the_page_lists_is_exported() {
+    let studio = Running::new();
+    let answer = design(&studio, &json!({"scene": DEFAULT}));
+    let id = answer["id"].as_str().unwrap();
+    let export = |name: &str| studio.get(&format!("/{}/export/{id}/{name}", studio.token));
     for name in [
         "profile.dxf",
         "profile.svg",

@@ -99,23 +99,18 @@ fn missing_and_broken_files_are_named() {
         &["backwards.csv line 42", "backwards"],
     );
     refused(&write("one.csv", "time,Fz\n0,700\n"), &["one.csv"]);
-    refused(
-        &write(
-            "flat.csv",
-            &format!(
-                "time,Fz\n{}",
-                (0..200)
-                    .map(|i| format!("{:.2},0\n", f64::from(i) * 0.01))
-                    .collect::<String>()
-            ),
-        ),
-        &["flat.csv"],
-    );
-    let scene = write(
-        "scene.toml",
-        "name = \"x\"\n[gait]\nmodel = \"young\"\nmodel = \"setra\"\n",
-    );
-    let output = gaitcam(&["synth", &scene]);
+    let rows = (0..200).map(|i| format!("{:.2},0\n", f64::from(i) * 0.01));
+    let flat = "time,Fz\n".to_string() + &rows.collect::<String>();
+    refused(&write("flat.csv", &flat), &["flat.csv"]);
+}
+
+#[test]
+fn a_key_twice_is_refused_by_its_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("scene.toml");
+    let text = "name = \"x\"\n[gait]\nmodel = \"young\"\nmodel = \"setra\"\n";
+    fs::write(&scene, text).unwrap();
+    let output = gaitcam(&["synth", scene.to_str().unwrap()]);
     let message = stderr(&output);
     assert!(
         output.status.code() == Some(2) && message.contains("scene.toml line 4"),

@@ -109,7 +109,13 @@ fn a_file_of_rows_is_the_same_law_as_the_rows_written_out() {
         scene(folder, &format!("motion = \"table {file}\""));
         same(&inline, &law(folder, &["scene.toml"]));
     }
+}
 
+#[test]
+fn a_file_of_control_points_is_the_same_law_as_the_points_written_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let sizes = "lift = \"10 mm\"\nangle = \"120 deg\"";
     let control = [0.0, 0.0, 0.0, 2.0, 9.0, 10.0, 10.0, 10.0];
     let list = control.map(|c| c.to_string());
     scene(
@@ -202,174 +208,176 @@ fn refused(content: &str, segment: &str) -> (Option<i32>, Value) {
     (output.status.code(), object(&output))
 }
 
+/// The file of `rise` with another text in a line.
+fn line(number: usize, text: &str) -> String {
+    let good = csv("angle_deg,lift_mm", &rise());
+    let mut lines: Vec<&str> = good.lines().collect();
+    lines[number - 1] = text;
+    lines.join("\n")
+}
+
+const TABLE: &str = "motion = \"table lift.csv\"";
+
+/// Asserts that a scene whose first segment is a table of this content is refused: the code, the line of the fault, and
+/// a word that the error has.
+fn refuses(code: &str, content: &str, segment: &str, line: Option<usize>, named: &str) {
+    let (exit, json) = refused(content, segment);
+    let error = &json["error"];
+    assert_eq!(
+        (exit, error["code"].as_str()),
+        (Some(2), Some(code)),
+        "{json}"
+    );
+    let text = error.to_string();
+    if !code.starts_with("law-uncovered") {
+        assert!(text.contains(".csv"), "{text}");
+    }
+    if let Some(number) = line {
+        let place = error["place"].as_str().unwrap();
+        assert!(
+            place.ends_with(&format!("lift.csv line {number}")),
+            "{text}"
+        );
+    }
+    assert!(text.contains(named), "{text}");
+}
+
 #[test]
 fn faulty_files_are_refused_by_line_and_column() {
     let good = csv("angle_deg,lift_mm", &rise());
-    let table = "motion = \"table lift.csv\"";
-    let line = |number: usize, typed: &str| {
-        let mut lines: Vec<&str> = good.lines().collect();
-        lines[number - 1] = typed;
-        lines.join("\n")
-    };
-    let missing = "motion = \"table none.csv\"";
-    let stated = |key: &str, value: &str| format!("{table}\n{key} = \"{value}\"");
+    refuses(
+        "file-motion-value",
+        &line(6, "20,NaN"),
+        TABLE,
+        Some(6),
+        "lift_mm",
+    );
+    refuses(
+        "file-motion-value",
+        &line(7, "25"),
+        TABLE,
+        Some(7),
+        "lift_mm",
+    );
+    refuses(
+        "file-motion-value",
+        &line(9, "35,high"),
+        TABLE,
+        Some(9),
+        "lift_mm",
+    );
+    refuses(
+        "file-motion-order",
+        &line(8, "25,1"),
+        TABLE,
+        Some(8),
+        "angle_deg",
+    );
+    refuses(
+        "file-motion-unit",
+        &line(1, "angle,lift_mm"),
+        TABLE,
+        Some(1),
+        "angle",
+    );
+    refuses(
+        "file-motion-unit",
+        &line(1, "angle_deg,lift_s"),
+        TABLE,
+        Some(1),
+        "lift_s",
+    );
+    refuses(
+        "file-motion-column",
+        &line(1, "phase_deg,lift_mm"),
+        TABLE,
+        Some(1),
+        "angle",
+    );
+    refuses(
+        "file-motion-column",
+        &good.lines().skip(1).collect::<Vec<_>>().join("\n"),
+        TABLE,
+        Some(1),
+        "lift",
+    );
+}
+
+#[test]
+fn rows_that_make_no_motion_are_refused() {
+    let good = csv("angle_deg,lift_mm", &rise());
+    let stated = |key: &str, value: &str| format!("{TABLE}\n{key} = \"{value}\"");
     let long: Vec<(f64, f64)> = (0..=10_000).map(|i| (f64::from(i), f64::from(i))).collect();
+    refuses(
+        "law-table-rows",
+        &good.lines().take(2).collect::<Vec<_>>().join("\n"),
+        TABLE,
+        None,
+        "",
+    );
+    refuses(
+        "law-table-level",
+        &csv(
+            "angle_deg,lift_mm",
+            &[(0.0, 1.0), (60.0, 9.0), (120.0, 1.0)],
+        ),
+        TABLE,
+        None,
+        "",
+    );
+    refuses(
+        "file-motion-many-rows",
+        &csv("angle_deg,lift_mm", &long),
+        TABLE,
+        Some(10_002),
+        "",
+    );
+    refuses(
+        "file-motion-differs",
+        &good,
+        &stated("angle", "90 deg"),
+        None,
+        "angle_deg",
+    );
+    refuses(
+        "file-motion-differs",
+        &good,
+        &stated("lift", "-10 mm"),
+        None,
+        "lift_mm",
+    );
+    refuses(
+        "file-motion-control-angle",
+        &good,
+        "motion = \"spline lift.csv\"",
+        Some(1),
+        "angle_deg",
+    );
+    // The rows cover a third of the turn, the dwell and the fall two thirds; 110° leave 10° open.
+    refuses(
+        "law-uncovered",
+        &csv("angle_deg,lift_mm", &[(0.0, 0.0), (110.0, 10.0)]),
+        TABLE,
+        None,
+        "",
+    );
+}
+
+#[test]
+fn files_that_are_no_table_are_refused() {
+    let good = csv("angle_deg,lift_mm", &rise());
     let large = format!("angle_deg,lift_mm\n0,0\n{}", " ".repeat(64 << 20));
-    let cases: Vec<(&str, String, String, Option<usize>, &str)> = vec![
-        (
-            "file-cannot-read",
-            good.clone(),
-            missing.to_string(),
-            None,
-            "",
-        ),
-        (
-            "file-motion-value",
-            line(6, "20,NaN"),
-            table.to_string(),
-            Some(6),
-            "lift_mm",
-        ),
-        (
-            "file-motion-value",
-            line(7, "25"),
-            table.to_string(),
-            Some(7),
-            "lift_mm",
-        ),
-        (
-            "file-motion-value",
-            line(9, "35,high"),
-            table.to_string(),
-            Some(9),
-            "lift_mm",
-        ),
-        (
-            "file-motion-order",
-            line(8, "25,1"),
-            table.to_string(),
-            Some(8),
-            "angle_deg",
-        ),
-        (
-            "file-motion-unit",
-            line(1, "angle,lift_mm"),
-            table.to_string(),
-            Some(1),
-            "angle",
-        ),
-        (
-            "file-motion-unit",
-            line(1, "angle_deg,lift_s"),
-            table.to_string(),
-            Some(1),
-            "lift_s",
-        ),
-        (
-            "file-motion-column",
-            line(1, "phase_deg,lift_mm"),
-            table.to_string(),
-            Some(1),
-            "angle",
-        ),
-        (
-            "file-motion-column",
-            good.lines().skip(1).collect::<Vec<_>>().join("\n"),
-            table.to_string(),
-            Some(1),
-            "lift",
-        ),
-        (
-            "law-table-rows",
-            good.lines().take(2).collect::<Vec<_>>().join("\n"),
-            table.to_string(),
-            None,
-            "",
-        ),
-        (
-            "law-table-level",
-            csv(
-                "angle_deg,lift_mm",
-                &[(0.0, 1.0), (60.0, 9.0), (120.0, 1.0)],
-            ),
-            table.to_string(),
-            None,
-            "",
-        ),
-        (
-            "file-motion-many-rows",
-            csv("angle_deg,lift_mm", &long),
-            table.to_string(),
-            Some(10_002),
-            "",
-        ),
-        (
-            "file-motion-differs",
-            good.clone(),
-            stated("angle", "90 deg"),
-            None,
-            "angle_deg",
-        ),
-        (
-            "file-motion-differs",
-            good.clone(),
-            stated("lift", "-10 mm"),
-            None,
-            "lift_mm",
-        ),
-        (
-            "file-motion-control-angle",
-            good.clone(),
-            "motion = \"spline lift.csv\"".to_string(),
-            Some(1),
-            "angle_deg",
-        ),
-        ("read-empty", String::new(), table.to_string(), None, ""),
-        (
-            "read-no-table",
-            "nothing but words".to_string(),
-            table.to_string(),
-            None,
-            "",
-        ),
-        (
-            "read-foreign",
-            "PK\u{3}\u{4} a workbook".to_string(),
-            table.to_string(),
-            None,
-            "",
-        ),
-        ("file-too-large", large, table.to_string(), None, "64 MiB"),
-        // The rows cover a third of the turn, the dwell and the fall two thirds; 110° leave 10° open.
-        (
-            "law-uncovered",
-            csv("angle_deg,lift_mm", &[(0.0, 0.0), (110.0, 10.0)]),
-            table.to_string(),
-            None,
-            "",
-        ),
-    ];
-    for (code, content, segment, number, named) in cases {
-        let (exit, json) = refused(&content, &segment);
-        let error = &json["error"];
-        assert_eq!(
-            (exit, error["code"].as_str()),
-            (Some(2), Some(code)),
-            "{json}"
-        );
-        let text = error.to_string();
-        if !code.starts_with("law-uncovered") {
-            assert!(text.contains(".csv"), "{text}");
-        }
-        if let Some(number) = number {
-            let place = error["place"].as_str().unwrap();
-            assert!(
-                place.ends_with(&format!("lift.csv line {number}")),
-                "{text}"
-            );
-        }
-        assert!(text.contains(named), "{text}");
-    }
+    refuses(
+        "file-cannot-read",
+        &good,
+        "motion = \"table none.csv\"",
+        None,
+        "",
+    );
+    refuses("read-empty", "", TABLE, None, "");
+    refuses("read-no-table", "nothing but words", TABLE, None, "");
+    refuses("read-foreign", "PK\u{3}\u{4} a workbook", TABLE, None, "");
+    refuses("file-too-large", &large, TABLE, None, "64 MiB");
 }
 
 #[test]

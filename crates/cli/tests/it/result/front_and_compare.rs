@@ -78,21 +78,20 @@ fn a_sweep_says_of_the_machine_what_the_single_design_says() {
     }
 }
 
+/// A parabolic rise, which is for low speed only.
+const PARABOLA: &str = "name = \"x\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"1 rad/s\"\n[law]\nfamily = \"program\"\n\
+    [[law.segment]]\nmotion = \"parabolic\"\nlift = \"20 mm\"\nangle = \"120 deg\"\n\
+    [[law.segment]]\nmotion = \"dwell\"\nangle = \"60 deg\"\n\
+    [[law.segment]]\nmotion = \"3-4-5\"\nlift = \"-20 mm\"\nangle = \"180 deg\"\n\
+    [cam]\nfollower = \"flat-translating\"\nbase_radius = \"80 mm\"\n";
+
 #[test]
 fn a_front_admits_acceptable_designs_and_says_how_many_are_for_low_speed() {
     let folder = tempfile::tempdir().unwrap();
     let table = folder.path().join("t.csv");
     let out = table.to_str().unwrap();
     let scene = folder.path().join("x.toml");
-    std::fs::write(
-        &scene,
-        "name = \"x\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"1 rad/s\"\n[law]\nfamily = \"program\"\n\
-         [[law.segment]]\nmotion = \"parabolic\"\nlift = \"20 mm\"\nangle = \"120 deg\"\n\
-         [[law.segment]]\nmotion = \"dwell\"\nangle = \"60 deg\"\n\
-         [[law.segment]]\nmotion = \"3-4-5\"\nlift = \"-20 mm\"\nangle = \"180 deg\"\n\
-         [cam]\nfollower = \"flat-translating\"\nbase_radius = \"80 mm\"\n",
-    )
-    .unwrap();
+    std::fs::write(&scene, PARABOLA).unwrap();
     // The parabola is for low speed, and its stroke may be 19 mm to none of them.
     let swept = gaitcam(&[
         "sweep",
@@ -133,14 +132,9 @@ fn a_front_admits_acceptable_designs_and_says_how_many_are_for_low_speed() {
     assert_eq!(usual["not_for_high_speed_left_out"], slow);
     assert_eq!(run(&["--low-speed"])["candidates"], good + slow);
     assert_eq!(run(&["--all"])["candidates"], rows.len() as u64);
-    let told = gaitcam(&[
-        "front",
-        out,
-        "--minimise",
-        "prime_radius,acceleration",
-        "--out",
-        front.to_str().unwrap(),
-    ]);
+    let objectives = ["--minimise", "prime_radius,acceleration"];
+    let to = ["--out", front.to_str().unwrap()];
+    let told = gaitcam(&[&["front", out], &objectives[..], &to].concat());
     assert!(stderr(&told).contains("--low-speed"));
     // Lengths are read in millimetres, and named so.
     assert!(
@@ -219,20 +213,20 @@ fn compared_designs_are_told_in_their_units_and_a_bad_one_is_told_by_the_exit_co
         arguments.extend(changes.iter().flat_map(|change| ["--set", change]));
         gaitcam(&arguments).status.code().unwrap()
     };
-    assert_eq!(
-        built("arm", "scenes/camdas_02_oscillating_roller.toml", &[]),
-        0
-    );
-    assert_eq!(built("slide", "scenes/translating_cam.toml", &[]), 0);
-    assert_eq!(built("walk", "footbridge", &[]), 0);
-    assert_eq!(
-        built(
-            "steep",
-            "scenes/camdas_01_roller.toml",
-            &["cam.base_radius=5 mm"]
+    let small: &[&str] = &["cam.base_radius=5 mm"];
+    for (name, scene, changes, code) in [
+        (
+            "arm",
+            "scenes/camdas_02_oscillating_roller.toml",
+            &[][..],
+            0,
         ),
-        3
-    );
+        ("slide", "scenes/translating_cam.toml", &[], 0),
+        ("walk", "footbridge", &[], 0),
+        ("steep", "scenes/camdas_01_roller.toml", small, 3),
+    ] {
+        assert_eq!(built(name, scene, changes), code, "{name}");
+    }
     let compare = |names: &[&str]| {
         let out = place("compare");
         let folders: Vec<String> = names.iter().map(|name| place(name)).collect();

@@ -185,55 +185,50 @@ fn heel_tester_reproduces_the_paper() {
         0.0,
         1e-9,
     );
-    close(
-        "largest force",
-        number(s, "force.max_n") / POUND,
-        126.183,
-        0.0005,
-    );
-    close(
-        "largest lift",
-        number(s, "law.stroke_m") / INCH,
-        1.3469,
-        0.00005,
-    );
-    close(
-        "φ rise",
-        number(s, "cam.pressure_angle_max_rad").to_degrees(),
-        26.572,
-        0.0005,
-    );
-    close(
-        "φ fall",
-        number(s, "cam.pressure_angle_min_rad").to_degrees(),
-        -25.739,
-        0.0005,
-    );
     let speed = number(s, "drive.speed_rad_per_s");
-    close(
-        "velocity",
-        number(s, "law.v_max_m_per_rad") * speed / INCH,
-        22.550,
-        0.005,
-    );
-    close(
-        "acceleration",
-        number(s, "law.a_max_m_per_rad2") * speed * speed / INCH,
-        685.53,
-        0.005,
-    );
-    close(
-        "acceleration",
-        number(s, "law.a_min_m_per_rad2") * speed * speed / INCH,
-        -594.22,
-        0.005,
-    );
-    close(
-        "convex pitch radius",
-        number(s, "cam.rho_min_m") / INCH + 1.0,
-        2.3024,
-        0.00005,
-    );
+    let degree = 1f64.to_radians();
+    for (what, key, unit, expected, tolerance) in [
+        ("largest force", "force.max_n", POUND, 126.183, 0.0005),
+        ("largest lift", "law.stroke_m", INCH, 1.3469, 0.00005),
+        (
+            "φ rise",
+            "cam.pressure_angle_max_rad",
+            degree,
+            26.572,
+            0.0005,
+        ),
+        (
+            "φ fall",
+            "cam.pressure_angle_min_rad",
+            degree,
+            -25.739,
+            0.0005,
+        ),
+        (
+            "velocity",
+            "law.v_max_m_per_rad",
+            INCH / speed,
+            22.550,
+            0.005,
+        ),
+        (
+            "acceleration",
+            "law.a_max_m_per_rad2",
+            INCH / (speed * speed),
+            685.53,
+            0.005,
+        ),
+        (
+            "acceleration",
+            "law.a_min_m_per_rad2",
+            INCH / (speed * speed),
+            -594.22,
+            0.005,
+        ),
+        ("convex radius", "cam.rho_min_m", INCH, 1.3024, 0.00005),
+    ] {
+        close(what, number(s, key) / unit, expected, tolerance);
+    }
     let (_, law) = table(&run.folder.path().join("law.csv"));
     close("jerk at the start", law[0][4] / INCH, 41.0615, 0.00005);
     close("lift at 135°", law[540][1] / INCH, 0.8450, 0.00005);

@@ -93,6 +93,26 @@ const TRAPS: [(&str, Trap); 9] = [
     }),
 ];
 
+/// Makes both folders anew: a copy of a good result with a note of the user's, and files outside of it.
+fn afresh(good: &Path, result: &Path, outside: &Path) {
+    for folder in [result, outside] {
+        let _ = fs::remove_dir_all(folder);
+        fs::create_dir(folder).unwrap();
+    }
+    for (file, text) in [
+        ("victim.txt", "mine"),
+        ("law.csv", "mine"),
+        ("names.txt", "law.csv"),
+        ("summary.json", "{}"),
+    ] {
+        fs::write(outside.join(file), text).unwrap();
+    }
+    for file in ["law.csv", "profile.csv", "summary.json", "scene.toml"] {
+        fs::copy(good.join(file), result.join(file)).unwrap();
+    }
+    fs::write(result.join("notes.txt"), "mine").unwrap();
+}
+
 #[test]
 fn no_command_touches_what_lies_outside_a_result_folder() {
     let here = tempfile::tempdir().unwrap();
@@ -120,22 +140,7 @@ fn no_command_touches_what_lies_outside_a_result_folder() {
             (read.iter().map(|a| (true, a))).chain(write.iter().map(|a| (false, a)))
         {
             let (result, outside) = (here.path().join("R"), here.path().join("outside"));
-            for folder in [&result, &outside] {
-                let _ = fs::remove_dir_all(folder);
-                fs::create_dir(folder).unwrap();
-            }
-            for (file, text) in [
-                ("victim.txt", "mine"),
-                ("law.csv", "mine"),
-                ("names.txt", "law.csv"),
-                ("summary.json", "{}"),
-            ] {
-                fs::write(outside.join(file), text).unwrap();
-            }
-            for file in ["law.csv", "profile.csv", "summary.json", "scene.toml"] {
-                fs::copy(good.join(file), result.join(file)).unwrap();
-            }
-            fs::write(result.join("notes.txt"), "mine").unwrap();
+            afresh(&good, &result, &outside);
             trap(&result, &outside);
             let (before, inside) = (state(&outside), state(&result));
             run_in(here.path(), arguments);

@@ -1,0 +1,6 @@
+//! What is read and written: result folders, links and pipes, streams, and the numbers printed.
+
+mod folder;
+mod foreign;
+mod input_and_output;
+mod polish;

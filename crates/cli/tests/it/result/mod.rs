@@ -1,0 +1,5 @@
+//! Results used again: run at other speeds, compared with a measured cam and with each other.
+
+mod as_made;
+mod front_and_compare;
+mod inspect;

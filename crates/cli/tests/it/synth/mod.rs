@@ -1,0 +1,7 @@
+//! `gaitcam synth`: ready scenes, motions from files, verdicts, and what the accuracy stated means.
+
+mod all_scenes;
+mod explain;
+mod main_job;
+mod motion_file;
+mod verdicts;
