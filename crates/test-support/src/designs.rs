@@ -36,12 +36,13 @@ fn empty_problem() -> Arc<Problem> {
     Arc::new(problem.unwrap())
 }
 
-fn spectral() -> SolverReport {
+/// No limit active, certified.
+fn solved_by(tier: Tier, iterations: usize) -> SolverReport {
     SolverReport {
-        tier: Tier::Spectral,
+        tier,
         method: Method::NoLimitActive,
         passed_over: Vec::new(),
-        iterations: 0,
+        iterations,
         certified: true,
         doubt: None,
         certificate: None,
@@ -49,14 +50,50 @@ fn spectral() -> SolverReport {
     }
 }
 
-/// Both feet at 1.85 Hz by four harmonics, a flat face, moving axis: the law is the spectral inverse
-/// plus a third of a per cent in the fourth harmonic, so that there is an error to show.
-pub fn footbridge() -> Design {
-    let (weight, speed) = (700.0, TAU * 1.85);
-    let mass = weight / G;
-    let factors = [(0.37, 0.0), (0.054, 0.7), (0.026, 1.9), (0.01, 2.4)];
+/// A design of this cam without anything beside it: no target, pair, bore or note, and no limit asked for.
+fn plain(name: &str, drive: Drive, cam: Cam, force: ForceReport) -> Design {
+    Design {
+        name: name.into(),
+        weight_n: None,
+        target: None,
+        drive,
+        family: String::new(),
+        functions: Functions::Fourier,
+        coefficients: Vec::new(),
+        degree: 0,
+        end: None,
+        conjugate: None,
+        groove: None,
+        bore: None,
+        mark: false,
+        thickness: 0.01,
+        making: Making::default(),
+        force,
+        infeasible: None,
+        relaxations: Vec::new(),
+        together: Vec::new(),
+        verdict: Verdict::Acceptable,
+        easing: Vec::new(),
+        phase: 0.0,
+        band: None,
+        reasons: Vec::new(),
+        checks: Vec::new(),
+        binding: Vec::new(),
+        solver: solved_by(Tier::Spectral, 0),
+        out_of_time: false,
+        notes: Vec::new(),
+        problem: empty_problem(),
+        cam,
+    }
+}
+
+/// Amplitude over weight, and phase, of the first harmonics of both feet.
+const FACTORS: [(f64, f64); 4] = [(0.37, 0.0), (0.054, 0.7), (0.026, 1.9), (0.01, 2.4)];
+
+/// Both feet of 700 N at 1.85 Hz, with a spread.
+fn both_feet(weight: f64) -> ForceCurve {
     let force = |theta: f64| {
-        let waves = factors
+        let waves = FACTORS
             .iter()
             .enumerate()
             .map(|(i, (a, p))| a * ((i + 1) as f64 * theta + p).sin());
@@ -69,8 +106,16 @@ pub fn footbridge() -> Design {
         ForceCurve::from_samples("Young, 1.85 Hz, 700 N", 1.0 / 1.85, samples).unwrap();
     let spread = (0..360).map(|i| 24.0 + 10.0 * (TAU * f64::from(i) / 180.0).sin());
     target.spread_n = Some(spread.collect());
+    target
+}
+
+/// Both feet at 1.85 Hz by four harmonics, a flat face, moving axis: the law is the spectral inverse
+/// plus a third of a per cent in the fourth harmonic, so that there is an error to show.
+pub fn footbridge() -> Design {
+    let (weight, speed) = (700.0, TAU * 1.85);
+    let mass = weight / G;
     let mut terms = Vec::new();
-    for (i, (a, p)) in factors.iter().enumerate() {
+    for (i, (a, p)) in FACTORS.iter().enumerate() {
         let n = (i + 1) as f64;
         let scale = -weight * a / (mass * n * n * speed * speed);
         let scale = if i == 3 { 1.33 * scale } else { scale };
@@ -85,55 +130,32 @@ pub fn footbridge() -> Design {
     let drive = Drive::moving_axis(mass, G, speed);
     let (low, high) = drive.force_curve(&law).extremes();
     let amplitude = 0.33 * 0.01 * weight;
-    let stroke = law.stroke();
+    let stroke = Extreme {
+        at: 0.0,
+        value: law.stroke(),
+    };
     let cam = Cam {
         law,
         follower: Follower::FlatTranslating { base_radius },
     };
     let sharpest = cam.curvature().convex;
+    let force = ForceReport {
+        rms_error_n: amplitude / 2f64.sqrt(),
+        max_error_n: amplitude,
+        rms_error_percent_of_mean: 100.0 * amplitude / 2f64.sqrt() / weight,
+        target_mean_n: weight,
+        mean_n: weight,
+        min_n: low.value,
+        max_n: high.value,
+    };
+    let phase = Quantity::angle(0.5);
     Design {
-        name: "footbridge".into(),
-        weight_n: None,
-        target: Some(target),
-        drive,
+        target: Some(both_feet(weight)),
         family: "harmonic".into(),
-        functions: Functions::Fourier,
         coefficients: terms.iter().flat_map(|t| [t.0, t.1]).collect(),
-        degree: 0,
-        end: None,
-        conjugate: None,
-        groove: None,
-        bore: None,
-        mark: false,
-        thickness: 0.01,
-        making: Making::default(),
-        force: ForceReport {
-            rms_error_n: amplitude / 2f64.sqrt(),
-            max_error_n: amplitude,
-            rms_error_percent_of_mean: 100.0 * amplitude / 2f64.sqrt() / weight,
-            target_mean_n: weight,
-            mean_n: weight,
-            min_n: low.value,
-            max_n: high.value,
-        },
-        infeasible: None,
-        relaxations: Vec::new(),
-        together: Vec::new(),
-        verdict: Verdict::Acceptable,
-        easing: Vec::new(),
-        phase: 0.0,
-        band: None,
         reasons: vec![Reason::AllHold],
         checks: vec![
-            Check::at_most(
-                LimitKind::Stroke,
-                Extreme {
-                    at: 0.0,
-                    value: stroke,
-                },
-                0.06,
-                1e-9,
-            ),
+            Check::at_most(LimitKind::Stroke, stroke, 0.06, 1e-9),
             Check::at_least(LimitKind::Curvature, sharpest, rho, 1e-9),
             Check::at_least(LimitKind::ForceMin, low, 0.0, 1e-9),
         ],
@@ -142,34 +164,13 @@ pub fn footbridge() -> Design {
             multiplier: 1.0,
             at: sharpest.at,
         }],
-        solver: spectral(),
-        out_of_time: false,
-        notes: vec![
-            Note::NoBaseCircle,
-            Note::Phase {
-                phase: Quantity::angle(0.5),
-            },
-        ],
-        problem: empty_problem(),
-        cam,
+        notes: vec![Note::NoBaseCircle, Note::Phase { phase }],
+        ..plain("footbridge", drive, cam, force)
     }
 }
 
-/// The degree-8 polynomial of Vargas and León (2024) on its roller (theory §2): Rp 3 in, roller 1 in, no offset.
-pub fn heel_tester() -> Design {
-    let (speed, beta) = (4.0 * std::f64::consts::PI, 256.32_f64.to_radians());
-    let c = [
-        0.0, 0.0, 0.0, 612.721, -4057.255, 10696.565, -13873.375, 8822.470, -2201.126,
-    ];
-    // s = Σ Cₖ (θ/β)ᵏ in inches.
-    let rise: Vec<f64> = bernstein::from_power(&c.map(|x| x * INCH));
-    let dwell = vec![0.0; 9];
-    let law = Law::from_poly(
-        PiecewisePoly::new(vec![0.0, beta, TAU], 8, [rise, dwell].concat()),
-        true,
-    );
-    let psi = LBF / INCH.powi(2);
-    let drive = Drive::hydraulic(30.0 * psi / INCH.powi(3), 0.75 * INCH, speed);
+/// The critical points of Vargas and León (2024), s and lb, joined by cubic steps.
+fn critical_points() -> ForceCurve {
     let points: [(f64, f64); 6] = [
         (0.0, 0.0),
         (0.079, 110.282),
@@ -185,8 +186,22 @@ pub fn heel_tester() -> Design {
         LBF * (a.1 + (b.1 - a.1) * u * u * (3.0 - 2.0 * u))
     };
     let samples: Vec<f64> = (0..500).map(|i| force(f64::from(i) / 1000.0)).collect();
-    let target =
-        ForceCurve::from_samples("Vargas and León 2024, critical points", 0.5, samples).unwrap();
+    ForceCurve::from_samples("Vargas and León 2024, critical points", 0.5, samples).unwrap()
+}
+
+/// The degree-8 polynomial of Vargas and León (2024) on its roller (theory §2): Rp 3 in, roller 1 in, no offset.
+pub fn heel_tester() -> Design {
+    let (speed, beta) = (4.0 * std::f64::consts::PI, 256.32_f64.to_radians());
+    // s = Σ Cₖ (θ/β)ᵏ in inches.
+    let c = [
+        0.0, 0.0, 0.0, 612.721, -4057.255, 10696.565, -13873.375, 8822.470, -2201.126,
+    ]
+    .map(|x| x * INCH);
+    let rise: Vec<f64> = bernstein::from_power(&c);
+    let pieces = [rise, vec![0.0; 9]].concat();
+    let law = Law::from_poly(PiecewisePoly::new(vec![0.0, beta, TAU], 8, pieces), true);
+    let psi = LBF / INCH.powi(2);
+    let drive = Drive::hydraulic(30.0 * psi / INCH.powi(3), 0.75 * INCH, speed);
     let cam = Cam {
         law,
         follower: Follower::RollerTranslating {
@@ -202,63 +217,31 @@ pub fn heel_tester() -> Design {
         at: phi_low.at,
         value: -phi_low.value,
     };
+    let force = ForceReport {
+        rms_error_n: 36.0,
+        max_error_n: 84.0,
+        rms_error_percent_of_mean: 15.0,
+        target_mean_n: 285.0,
+        mean_n: 305.0,
+        min_n: low.value,
+        max_n: high.value,
+    };
+    let at = Quantity::angle(0.0);
     Design {
-        name: "heel_tester".into(),
-        weight_n: None,
-        target: Some(target),
-        drive,
+        target: Some(critical_points()),
         family: "polynomial".into(),
-        functions: Functions::Monomial {
-            range: [0.0, std::f64::consts::TAU],
-        },
-        coefficients: c.map(|x| x * INCH).to_vec(),
+        functions: Functions::Monomial { range: [0.0, TAU] },
+        coefficients: c.to_vec(),
         degree: 8,
-        end: None,
-        conjugate: None,
-        groove: None,
-        bore: None,
-        mark: false,
-        thickness: 0.01,
-        making: Making::default(),
-        force: ForceReport {
-            rms_error_n: 36.0,
-            max_error_n: 84.0,
-            rms_error_percent_of_mean: 15.0,
-            target_mean_n: 285.0,
-            mean_n: 305.0,
-            min_n: low.value,
-            max_n: high.value,
-        },
-        infeasible: None,
-        relaxations: Vec::new(),
-        together: Vec::new(),
         verdict: Verdict::NotForHighSpeed,
-        easing: Vec::new(),
-        phase: 0.0,
-        band: None,
-        reasons: vec![Reason::AccelerationJumps {
-            at: Quantity::angle(0.0),
-        }],
+        reasons: vec![Reason::AccelerationJumps { at }],
         checks: vec![
             Check::at_most(LimitKind::PressureAngleRise, phi_high, limit, 1e-9),
             Check::at_most(LimitKind::PressureAngleFall, falling, limit, 1e-9),
             Check::at_least(LimitKind::Curvature, cam.curvature().convex, 0.005, 1e-9),
         ],
-        binding: Vec::new(),
-        solver: SolverReport {
-            tier: Tier::Equality,
-            method: Method::NoLimitActive,
-            passed_over: Vec::new(),
-            iterations: 1,
-            certified: true,
-            doubt: None,
-            certificate: None,
-            steps: Vec::new(),
-        },
-        out_of_time: false,
-        notes: Vec::new(),
-        problem: empty_problem(),
-        cam,
+        solver: solved_by(Tier::Equality, 1),
+        ..plain("heel_tester", drive, cam, force)
     }
 }
 

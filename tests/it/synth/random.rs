@@ -4,7 +4,7 @@
 use gaitcam::cam::Criterion;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene;
-use gaitcam::synth::{Design, synthesise};
+use gaitcam::synth::{Design, Relaxation, synthesise};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use std::cell::RefCell;
@@ -85,6 +85,96 @@ enum Met {
     Refused(usize),
 }
 
+/// Extremes of a dense scan: range of the lift, largest acceleration and jerk, least force.
+struct Scan {
+    stroke: f64,
+    acceleration: f64,
+    jerk: f64,
+    force: f64,
+}
+
+fn scan(design: &Design) -> Result<Scan, TestCaseError> {
+    let speed = design.drive.speed;
+    let (mut low, mut high, mut a, mut j, mut force) =
+        (f64::MAX, f64::MIN, 0.0_f64, 0.0_f64, f64::MAX);
+    for i in 0..SCANNED {
+        let at = design.cam.law.svaj(TAU * f64::from(i) / f64::from(SCANNED));
+        prop_assert!(
+            [at.s, at.v, at.a, at.j].iter().all(|x| x.is_finite()),
+            "{at:?}"
+        );
+        (low, high) = (low.min(at.s), high.max(at.s));
+        a = a.max(at.a.abs() * speed.powi(2));
+        j = j.max(at.j.abs() * speed.powi(3));
+        force = force.min(design.drive.force(at));
+    }
+    Ok(Scan {
+        stroke: high - low,
+        acceleration: a,
+        jerk: j,
+        force,
+    })
+}
+
+/// Every limit of the wish on the scan.
+fn limits_hold(wish: &Wish, scan: &Scan) -> Result<(), TestCaseError> {
+    let under = |value: f64, limit: Option<f64>| limit.is_none_or(|l| value <= l * (1.0 + SLACK));
+    let Scan {
+        stroke,
+        acceleration,
+        jerk,
+        force,
+    } = *scan;
+    prop_assert!(
+        under(stroke, wish.stroke.map(|x| 1e-3 * x)),
+        "stroke {stroke}"
+    );
+    prop_assert!(
+        under(acceleration, wish.acceleration),
+        "acceleration {acceleration}"
+    );
+    prop_assert!(under(jerk, wish.jerk), "jerk {jerk}");
+    prop_assert!(
+        wish.force_min.is_none_or(|f| force >= f - SLACK * 700.0),
+        "force {force}"
+    );
+    Ok(())
+}
+
+/// Each relaxation builds by itself; how many were tried.
+fn relaxations_build(
+    relaxations: &[Relaxation],
+    asked: &[String],
+    target: &ForceCurve,
+) -> Result<usize, TestCaseError> {
+    let mut tried = 0;
+    for relaxation in relaxations {
+        let Some(to) = relaxation.to else { continue };
+        let unit = match relaxation.limit.name() {
+            "stroke" => "m",
+            "acceleration" => "m/s^2",
+            "jerk" => "m/s^3",
+            "force_min" => "N",
+            _ => continue,
+        };
+        // A millionth beyond the edge itself, which is decided by rounding.
+        let room = if unit == "N" {
+            -1e-6 * 700.0
+        } else {
+            1e-6 * to
+        };
+        let change = format!("limits.{}={} {unit}", relaxation.limit.name(), to + room);
+        let again = design(&[asked, &[change]].concat(), target).map_err(TestCaseError::fail)?;
+        prop_assert!(
+            again.infeasible.is_none(),
+            "{relaxation:?} does not help: {:?}",
+            again.infeasible
+        );
+        tried += 1;
+    }
+    Ok(tried)
+}
+
 fn holds(wish: &Wish) -> Result<Met, TestCaseError> {
     let target = model("young", Some(wish.frequency), 700.0, Feet::Both)
         .map_err(|e| TestCaseError::fail(e.to_string()))?;
@@ -96,82 +186,21 @@ fn holds(wish: &Wish) -> Result<Met, TestCaseError> {
             return Ok(Met::Words);
         }
     };
-    let speed = answer.drive.speed;
-    let (mut low, mut high, mut a, mut j, mut force) =
-        (f64::MAX, f64::MIN, 0.0_f64, 0.0_f64, f64::MAX);
-    for i in 0..SCANNED {
-        let at = answer.cam.law.svaj(TAU * f64::from(i) / f64::from(SCANNED));
-        prop_assert!(
-            [at.s, at.v, at.a, at.j].iter().all(|x| x.is_finite()),
-            "{at:?}"
-        );
-        (low, high) = (low.min(at.s), high.max(at.s));
-        a = a.max(at.a.abs() * speed.powi(2));
-        j = j.max(at.j.abs() * speed.powi(3));
-        force = force.min(answer.drive.force(at));
+    let scan = scan(&answer)?;
+    if let Some(conflict) = &answer.infeasible {
+        let tried = relaxations_build(&conflict.relaxations, &asked, &target)?;
+        return Ok(Met::Refused(tried));
     }
-    let mut tried = 0;
-    let built = answer.infeasible.is_none() && answer.checks.iter().all(|c| c.pass);
-    match &answer.infeasible {
-        // The accuracy may be out of reach of the spans given; every other limit is held or in conflict.
-        None if !built => {
-            let broken: Vec<_> = (answer.checks.iter())
-                .filter(|c| !c.pass && c.name != Criterion::RmsError)
-                .collect();
-            prop_assert!(broken.is_empty(), "neither held nor refused: {broken:?}");
-        }
-        None => {
-            let under =
-                |value: f64, limit: Option<f64>| limit.is_none_or(|l| value <= l * (1.0 + SLACK));
-            prop_assert!(
-                under(high - low, wish.stroke.map(|x| 1e-3 * x)),
-                "stroke {}",
-                high - low
-            );
-            prop_assert!(under(a, wish.acceleration), "acceleration {a}");
-            prop_assert!(under(j, wish.jerk), "jerk {j}");
-            prop_assert!(
-                wish.force_min.is_none_or(|f| force >= f - SLACK * 700.0),
-                "force {force}"
-            );
-        }
-        Some(conflict) => {
-            for relaxation in &conflict.relaxations {
-                let Some(to) = relaxation.to else { continue };
-                let mut relaxed = asked.clone();
-                let unit = match relaxation.limit.name() {
-                    "stroke" => "m",
-                    "acceleration" => "m/s^2",
-                    "jerk" => "m/s^3",
-                    "force_min" => "N",
-                    _ => continue,
-                };
-                // A millionth beyond the edge itself, which is decided by rounding.
-                let room = if unit == "N" {
-                    -1e-6 * 700.0
-                } else {
-                    1e-6 * to
-                };
-                relaxed.push(format!(
-                    "limits.{}={} {unit}",
-                    relaxation.limit.name(),
-                    to + room
-                ));
-                let again = design(&relaxed, &target).map_err(TestCaseError::fail)?;
-                prop_assert!(
-                    again.infeasible.is_none(),
-                    "{relaxation:?} does not help: {:?}",
-                    again.infeasible
-                );
-                tried += 1;
-            }
-        }
+    // The accuracy may be out of reach of the spans given; every other limit is held or in conflict.
+    if answer.checks.iter().any(|c| !c.pass) {
+        let broken: Vec<_> = (answer.checks.iter())
+            .filter(|c| !c.pass && c.name != Criterion::RmsError)
+            .collect();
+        prop_assert!(broken.is_empty(), "neither held nor refused: {broken:?}");
+        return Ok(Met::Inaccurate);
     }
-    Ok(match answer.infeasible {
-        Some(_) => Met::Refused(tried),
-        None if built => Met::Built(answer.solver.certified),
-        None => Met::Inaccurate,
-    })
+    limits_hold(wish, &scan)?;
+    Ok(Met::Built(answer.solver.certified))
 }
 
 fn run(cases: u32) {

@@ -10,20 +10,34 @@ fn design(text: &str) -> Design {
     gaitcam_test_support::design::<&str>(text, &[]).unwrap()
 }
 
+const POINTS: &str = "minimise = \"jerk\"\n[[law.point]]\nangle = \"0 deg\"\nlift = \"0\"\nvelocity = \"0\"\n[[law.point]]\nangle = \"120 deg\"\nlift = \"{0.012} m\"\n[[law.point]]\nangle = \"230 deg\"\nlift = \"{0.005} m\"\n";
+
+/// `[law]` of a spline through the points with so many spans.
+fn law(spans: usize) -> String {
+    format!("[law]\nfamily = \"spline\"\nspans = {spans}\n{POINTS}")
+}
+
+/// The law whose cam is to be smallest.
+fn sized() -> String {
+    law(24).replace("minimise = \"jerk\"", "minimise = \"size\"")
+}
+
+fn scene(law: &str, cam: &str) -> String {
+    let mass = if cam.contains("oscillating") {
+        ""
+    } else {
+        "mass = \"2 kg\"\n"
+    };
+    let drive = format!("[drive]\nkind = \"fixed-axis\"\nspeed = \"10 rad/s\"\n{mass}");
+    format!("name = \"scale\"\n{drive}{law}[cam]\n{cam}")
+}
+
 /// Scenes whose `{x}` stands for x metres at a scale of 1.
 fn scenes() -> Vec<(&'static str, String)> {
-    let points = "minimise = \"jerk\"\n[[law.point]]\nangle = \"0 deg\"\nlift = \"0\"\nvelocity = \"0\"\n[[law.point]]\nangle = \"120 deg\"\nlift = \"{0.012} m\"\n[[law.point]]\nangle = \"230 deg\"\nlift = \"{0.005} m\"\n";
-    let law = |spans: usize| format!("[law]\nfamily = \"spline\"\nspans = {spans}\n{points}");
-    let drive = "[drive]\nkind = \"fixed-axis\"\nspeed = \"10 rad/s\"\nmass = \"2 kg\"\n";
-    let scene = |law: &str, cam: &str| {
-        let drive = if cam.contains("oscillating") {
-            drive.replace("mass = \"2 kg\"\n", "")
-        } else {
-            drive.to_string()
-        };
-        format!("name = \"scale\"\n{drive}{law}[cam]\n{cam}")
-    };
-    let sized = law(24).replace("minimise = \"jerk\"", "minimise = \"size\"");
+    [rollers(), flat_faces()].concat()
+}
+
+fn rollers() -> Vec<(&'static str, String)> {
     vec![
         (
             "roller, size after the law",
@@ -35,7 +49,7 @@ fn scenes() -> Vec<(&'static str, String)> {
         (
             "roller, size among the variables",
             scene(
-                &sized,
+                &sized(),
                 "follower = \"roller-translating\"\nroller_radius = \"{0.006} m\"\n[limits]\npressure_angle = \"30 deg\"\ncurvature = \"{0.002} m\"\n",
             ),
         ),
@@ -54,6 +68,20 @@ fn scenes() -> Vec<(&'static str, String)> {
             ),
         ),
         (
+            "arm, size after the law",
+            scene(
+                &law(24)
+                    .replace("{0.012} m", "12 deg")
+                    .replace("{0.005} m", "5 deg"),
+                "follower = \"roller-oscillating\"\npivot_distance = \"{0.08} m\"\narm = \"{0.065} m\"\nroller_radius = \"{0.008} m\"\n[limits]\npressure_angle = \"40 deg\"\n",
+            ),
+        ),
+    ]
+}
+
+fn flat_faces() -> Vec<(&'static str, String)> {
+    vec![
+        (
             "flat face, limits that bind",
             scene(
                 &law(24),
@@ -63,7 +91,7 @@ fn scenes() -> Vec<(&'static str, String)> {
         (
             "flat face, smallest size",
             scene(
-                &sized,
+                &sized(),
                 "follower = \"flat-translating\"\n[limits]\ncurvature = \"{0.004} m\"\n",
             ),
         ),
@@ -72,15 +100,6 @@ fn scenes() -> Vec<(&'static str, String)> {
             scene(
                 &law(24),
                 "follower = \"flat-translating\"\nbase_radius = \"{0.02} m\"\n[limits]\nacceleration = \"{0.3} m/s^2\"\n",
-            ),
-        ),
-        (
-            "arm, size after the law",
-            scene(
-                &law(24)
-                    .replace("{0.012} m", "12 deg")
-                    .replace("{0.005} m", "5 deg"),
-                "follower = \"roller-oscillating\"\npivot_distance = \"{0.08} m\"\narm = \"{0.065} m\"\nroller_radius = \"{0.008} m\"\n[limits]\npressure_angle = \"40 deg\"\n",
             ),
         ),
     ]

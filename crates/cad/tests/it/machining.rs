@@ -252,6 +252,42 @@ fn stations(program: &str) -> Vec<[f64; 3]> {
     out
 }
 
+/// Least distance, mm, of a point of the barrel from the cutter's axis while the path is run, of lines nearer than `far`.
+///
+/// The barrel turns by A; the cutter's axis is its x axis at height X.
+fn distance_from_axis(path: &[[f64; 3]], p: [f64; 3], far: f64) -> f64 {
+    let off = |x: f64, a: f64| {
+        let (sin, cos) = a.sin_cos();
+        let along = cos * p[0] - sin * p[1];
+        let aside = sin * p[0] + cos * p[1];
+        if along > 0.0 {
+            aside.hypot(p[2] - x)
+        } else {
+            f64::INFINITY
+        }
+    };
+    let mut least = f64::INFINITY;
+    for pair in path.windows(2) {
+        let at = |u: f64| {
+            off(
+                pair[0][0] + u * (pair[1][0] - pair[0][0]),
+                pair[0][1] + u * (pair[1][1] - pair[0][1]),
+            )
+        };
+        // Far lines cannot touch: a line is at most 5 degrees long.
+        if at(0.5) > far {
+            continue;
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..60 {
+            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            if at(a) < at(b) { high = b } else { low = a }
+        }
+        least = least.min(at(0.5 * (low + high)));
+    }
+    least
+}
+
 #[test]
 fn the_swept_cutter_leaves_the_groove_of_a_barrel_to_a_micrometre() {
     let design = designed("thesis_barrel");
@@ -259,40 +295,6 @@ fn the_swept_cutter_leaves_the_groove_of_a_barrel_to_a_micrometre() {
     let tool = 5.25;
     let program = &gcode::milling(&design, 1e-3 * tool).unwrap()[0];
     let path = stations(program);
-    // The barrel turns by A, the cutter's axis is its x axis at height X: distance of a point of the barrel from that
-    // axis while a line is run, smallest over all lines.
-    let distance = |p: [f64; 3]| {
-        let off = |x: f64, a: f64| {
-            let (sin, cos) = a.sin_cos();
-            let along = cos * p[0] - sin * p[1];
-            let aside = sin * p[0] + cos * p[1];
-            if along > 0.0 {
-                aside.hypot(p[2] - x)
-            } else {
-                f64::INFINITY
-            }
-        };
-        let mut least = f64::INFINITY;
-        for pair in path.windows(2) {
-            let at = |u: f64| {
-                off(
-                    pair[0][0] + u * (pair[1][0] - pair[0][0]),
-                    pair[0][1] + u * (pair[1][1] - pair[0][1]),
-                )
-            };
-            // Far lines cannot touch: a line is at most 5 degrees long.
-            if at(0.5) > 2.0 * tool {
-                continue;
-            }
-            let (mut low, mut high) = (0.0, 1.0);
-            for _ in 0..60 {
-                let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-                if at(a) < at(b) { high = b } else { low = a }
-            }
-            least = least.min(at(0.5 * (low + high)));
-        }
-        least
-    };
     let (floor, surface) = groove.depth();
     let (mut gouged, mut left) = (0.0_f64, 0.0_f64);
     for i in 0..400 {
@@ -301,7 +303,7 @@ fn the_swept_cutter_leaves_the_groove_of_a_barrel_to_a_micrometre() {
             for wall in [Wall::Lower, Wall::Upper] {
                 let p = groove.wall_point(theta, radius, wall).map(|x| 1e3 * x);
                 // Where the groove crosses itself, both ways round, the other turn takes the wall away.
-                let near = distance(p);
+                let near = distance_from_axis(&path, p, 2.0 * tool);
                 let crossed = (theta.rem_euclid(TAU) - 0.5 * TAU).abs() < 0.9;
                 if !crossed {
                     gouged = gouged.max(tool - near);

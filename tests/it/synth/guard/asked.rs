@@ -153,6 +153,13 @@ impl Asked {
 
     fn write(&self, out: &mut String) -> std::fmt::Result {
         write!(out, "{}", self.machine)?;
+        self.write_follower(out)?;
+        self.write_limits(out)?;
+        self.write_law(out)?;
+        self.write_demands(out)
+    }
+
+    fn write_follower(&self, out: &mut String) -> std::fmt::Result {
         match self.follower {
             Follower::Flat { base } => {
                 writeln!(out, "[cam]\nfollower = \"flat-translating\"")?;
@@ -165,6 +172,10 @@ impl Asked {
                 "[cam]\nfollower = \"knife-translating\"\nprime_radius = \"{prime} m\"\noffset = \"{offset} m\""
             )?,
         }
+        Ok(())
+    }
+
+    fn write_limits(&self, out: &mut String) -> std::fmt::Result {
         let limits = &self.limits;
         // The reference knows no accuracy: another test compares that with a cone program.
         writeln!(out, "[accuracy]\nrms = \"none\"\n[limits]")?;
@@ -184,6 +195,10 @@ impl Asked {
                 writeln!(out, "{key} = \"{value} {unit}\"")?;
             }
         }
+        Ok(())
+    }
+
+    fn write_law(&self, out: &mut String) -> std::fmt::Result {
         let (degree, spans) = (self.degree, self.spans);
         writeln!(
             out,
@@ -210,6 +225,11 @@ impl Asked {
                 }
             }
         }
+        Ok(())
+    }
+
+    /// Points, weights of the force and dwells.
+    fn write_demands(&self, out: &mut String) -> std::fmt::Result {
         for p in &self.points {
             writeln!(out, "[[law.point]]\nangle = \"{} rad\"", p.angle)?;
             writeln!(out, "lift = \"{} m\"", p.lift)?;

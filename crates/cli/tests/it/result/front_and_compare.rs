@@ -238,10 +238,9 @@ fn compared_designs_are_told_in_their_units_and_a_bad_one_is_told_by_the_exit_co
     assert_eq!(good.status.code(), Some(0));
     let table = stdout(&good);
     let line = |heading: &str| {
-        let found = table.lines().find(|l| l.starts_with(heading));
-        found
-            .unwrap_or_else(|| panic!("{heading}: {table}"))
-            .to_string()
+        let mut lines = table.lines();
+        let found = lines.find(|l| l.starts_with(heading));
+        found.unwrap_or_else(|| panic!("{heading}: {table}"))
     };
     assert!(line("stroke").contains("10.000 °") && line("stroke").contains("20.000 mm"));
     assert!(line("speed").contains("m/s"));
