@@ -4,7 +4,7 @@
     cargo build --release && python3 benches/peers/run.py [--out reports]
 
 A temporary virtual environment is made for each peer and the peer is installed into it by name; what cannot
-be installed is reported as "skipped". gaitcam is measured by benches/peers.rs, which prints one line of JSON per
+be installed is reported as "skipped". gaitcam is measured by benches/peers/gaitcam.rs, which prints one line of JSON per
 task, before and after the peers; the slower of its two medians counts. All times are the
 processor's, of all threads together. The tables become the section "Peers" of speed_accuracy.md, which
 `gaitcam chart` keeps, and the chart of whole processes becomes whole_process.svg.
