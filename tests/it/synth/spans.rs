@@ -1,6 +1,6 @@
 //! Many spans and few: proofs that keep their digits, and searches that do not end with the first few spans.
 
-use super::relaxations::scene_of;
+use super::refusal::relaxations::scene_of;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene::{self, Minimise};
 use gaitcam::synth::{Binding, Design, Tier, synthesise};
@@ -217,7 +217,7 @@ fn a_sequence_on_120_spans_ends_at_the_cam_of_40() {
         let given = format!("law.spans={spans}");
         let roller = "follower = \"roller-translating\"\nroller_radius = \"10 mm\"";
         let flat = "follower = \"flat-translating\"\nbase_radius = \"20 mm\"";
-        let text = super::relaxations::HUMP.replace(flat, roller);
+        let text = super::refusal::relaxations::HUMP.replace(flat, roller);
         let limits = [
             "law.minimise=size",
             "limits.curvature=5 mm",

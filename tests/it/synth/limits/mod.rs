@@ -1,0 +1,8 @@
+//! Limits: each on its own, on loads and machine, and widened.
+
+mod every_limit;
+mod loads;
+mod machine;
+mod power;
+mod residual;
+mod widened;

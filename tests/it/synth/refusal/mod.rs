@@ -1,0 +1,5 @@
+//! Scenes without a law: reasons, relaxations, and an end by the user.
+
+mod interruption;
+mod out_of_reach;
+pub mod relaxations;
