@@ -4,4 +4,5 @@ mod all_scenes;
 mod explain;
 mod main_job;
 mod motion_file;
+mod time_limit;
 mod verdicts;
