@@ -53,6 +53,13 @@ impl Move {
     }
 }
 
+/// Feed of the cutter's centre on an arc of radius `path` m, mm/min: the contact, on the radius `profile` m, moves with one
+/// feed where the table's acceleration allows it.
+fn feed_on(path: f64, profile: f64) -> f64 {
+    let most = 60.0 * (ACCELERATION * MM * path).sqrt();
+    (FEED * path / profile).min(most)
+}
+
 /// A path of the cutter's centre, m.
 struct Path {
     start: [f64; 2],
@@ -87,7 +94,9 @@ pub fn milling(design: &Design, tool: f64) -> Result<Vec<String>> {
                 text.push_str("(THE KEYWAY IS NOT MILLED)\n");
             }
             // The round part; a cutter too wide for it leaves the bore to a drill.
-            if let Some(hole) = wire::hole(&Bore::plain(bore.diameter), tool) {
+            if let Some(mut hole) = wire::hole(&Bore::plain(bore.diameter), tool) {
+                let feed = feed_on(bore.radius() - tool, bore.radius());
+                hole.moves.iter_mut().for_each(|step| step.feed = feed);
                 begin(
                     &mut text,
                     hole.start,

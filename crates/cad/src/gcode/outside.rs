@@ -4,11 +4,10 @@
 //! accurate as the arcs. The cam is passed clockwise, the cutter on its left: climb milling with a spindle that
 //! turns clockwise.
 
-use super::{ACCELERATION, FEED, Move, Path};
+use super::{Move, Path, feed_on};
 use crate::biarc::{self, circle};
 use crate::outline::Edge;
 
-const MM: f64 = 1000.0;
 /// Largest distance of the arcs from the profile, m: with the rounding of the program below one micrometre.
 const ARCS: f64 = 5e-7;
 /// Radius of the arcs that lead to the profile and away, in radii of the cutter; at least so much, m.
@@ -116,11 +115,10 @@ fn parallel(a: [f64; 3], b: [f64; 3], tool: f64) -> Option<(Move, [[f64; 2]; 2])
     }
     let normal = |p: [f64; 2]| [0, 1].map(|k| outward * (p[k] - centre[k]) / radius);
     let (first, last) = (normal(from), normal(to));
-    let most = 60.0 * (ACCELERATION * MM * path).sqrt();
     let step = Move {
         to: [to[0] + tool * last[0], to[1] + tool * last[1]],
         arc: Some((centre, hollow)),
-        feed: (FEED * path / radius).min(most),
+        feed: feed_on(path, radius),
     };
     Some((step, [first, last]))
 }

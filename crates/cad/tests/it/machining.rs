@@ -162,6 +162,17 @@ fn the_bore_is_milled_before_the_outside_where_the_cutter_has_room() {
         let program = &gcode::milling(&design, 0.004).unwrap()[0];
         assert_eq!(program.contains("KEYWAY IS NOT MILLED"), keyway.is_some());
         let cuts = run(program);
+        // The contact on the bore moves with the feed of the profile.
+        let path = 500.0 * bore - 4.0;
+        let around = |c: &&Cut| c.arc.is_some() && (c.radius() - path).abs() < 1e-3;
+        let feeds: Vec<f64> = (cuts[..4].iter().filter(around))
+            .map(|c| c.feed * 500.0 * bore / path)
+            .collect();
+        assert_eq!(feeds.len(), 2);
+        assert!(
+            feeds.iter().all(|f| (f / 200.0 - 1.0).abs() < 0.02),
+            "{feeds:?}"
+        );
         for i in 0..360 {
             let (sin, cos) = f64::from(i).to_radians().sin_cos();
             let rim = [500.0 * bore * cos, 500.0 * bore * sin];
