@@ -45,14 +45,16 @@ fn optimum(problem: &Problem, search: &Search) -> std::result::Result<Optimum, N
     Ok(optimum)
 }
 
-/// The optimum with an error of at most `most` N RMS: first without that limit, because most laws keep it by themselves and are
-/// found several times faster, and where there is none without it there is none with it.
+/// The optimum with an error of at most `most` N RMS: first without that limit on as many spans, because most laws keep it by
+/// themselves and are found several times faster, and where there is none without it there is none with it.
 fn limited_in_error(
     problem: &Problem,
     search: &Search,
     most: f64,
 ) -> std::result::Result<Optimum, NoLaw> {
-    match optimum(&problem.without_accuracy(), search) {
+    let mut plain = problem.without_accuracy();
+    plain.law.spans = Some(spans(problem, search)?.first());
+    match optimum(&plain, search) {
         Ok(optimum) if optimum.left_out || optimum.force_error() <= most => Ok(optimum),
         Err(NoLaw::Refused(why)) if why.failure == Failure::Infeasible => Err(NoLaw::Refused(why)),
         _ => self::optimum(problem, search),
@@ -67,6 +69,14 @@ enum Spans {
     Fewest(usize, usize),
     /// This number, which reaches the accuracy (N RMS) without limits, or more where limits ask for more.
     AtLeast(usize, f64),
+}
+
+impl Spans {
+    /// The number with which the search begins.
+    fn first(&self) -> usize {
+        let (Spans::Given(spans) | Spans::Fewest(spans, _) | Spans::AtLeast(spans, _)) = self;
+        *spans
+    }
 }
 
 /// The fit with the problem's own number of spans, or with the fewest that reach the accuracy.
