@@ -105,7 +105,7 @@ pub fn json<'py>(py: Python<'py>, value: &serde_json::Value) -> PyResult<Bound<'
         .call_method1("loads", (value.to_string(),))
 }
 
-/// A whole number; one that is negative or too large is a fault of what is given.
+/// A whole number from 0; one that is negative or too large is a fault of what is given.
 pub fn whole<'py, T>(given: &Bound<'py, PyAny>) -> PyResult<T>
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
@@ -115,7 +115,7 @@ where
         if !fault.is_instance_of::<PyOverflowError>(py) {
             return fault;
         }
-        let what = format!("{given} is negative or too large");
+        let what = format!("{given} is negative or too large; give a whole number from 0");
         raised(py, Error::own("python-argument", what))
     })
 }

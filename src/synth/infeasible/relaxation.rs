@@ -277,8 +277,8 @@ impl<'a> Relaxing<'a> {
         is_size && self.problem.objective() == Minimise::Size
     }
 
-    /// With given spans the error that is minimised does not depend on the accuracy: then only the accuracy of the design itself can help, and
-    /// only if nothing else fails. The outer `None` where it has to be searched for.
+    /// With given spans the error that is minimised does not depend on the accuracy: then only the accuracy of the design
+    /// itself can help, and only if nothing else fails. The outer `None` where it has to be searched for.
     fn own_accuracy(&self, number: Relaxable, design: &Design) -> Option<Option<f64>> {
         let law = &self.problem.law;
         let given = law.spans.is_some() && law.family == Family::Spline;
