@@ -7,12 +7,14 @@ use crate::units::Quantity;
 
 mod feet;
 mod format;
+mod heels;
 mod kind;
 mod note;
 mod unit;
 
 pub use feet::{Feet, Foot};
 pub use format::{DecimalMark, Format, Processor, SeparatorName, Storage};
+pub use heels::Heels;
 pub use kind::{Kind, OpenQuestion};
 pub use note::{
     Axis, ClockSource, CycleSource, MassSource, Note, PeriodSource, UnitSource, WeightShare,
@@ -202,6 +204,8 @@ pub struct Recording {
     pub channels: Vec<Channel>,
     /// Foot strikes the file marks, in order of time.
     pub strikes: Vec<Strike>,
+    /// Paths of the heel markers, where the file has both.
+    pub heels: Option<Heels>,
     /// Spans without samples, s.
     pub gaps_s: Vec<(f64, f64)>,
     /// What was guessed or left out, and what is doubtful.

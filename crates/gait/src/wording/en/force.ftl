@@ -183,6 +183,7 @@ clock-guessed-rate = guessed
 
 name-heel-strikes = consecutive heel strikes of one foot
 name-marked-strikes = consecutive marked strikes of one foot
+name-heel-markers = heel markers
 name-doubled-steps = twice the mean step time
 name-impulse = the impulse balance with the body mass
 name-usual-duty = an assumed share of the stance in the stride (not in the recording)

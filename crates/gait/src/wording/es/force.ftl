@@ -183,6 +183,7 @@ clock-guessed-rate = supuesta
 
 name-heel-strikes = contactos de talón consecutivos de un pie
 name-marked-strikes = contactos marcados consecutivos de un pie
+name-heel-markers = marcadores de los talones
 name-doubled-steps = el doble de la duración media del paso
 name-impulse = balance de impulso con la masa corporal
 name-usual-duty = parte supuesta del apoyo en la zancada (no consta en el registro)
