@@ -8,6 +8,7 @@ mod header;
 mod headerless;
 mod layout;
 mod plain_row;
+mod plate_file;
 mod raw;
 mod stance_table;
 mod table;
@@ -21,7 +22,7 @@ use raw::Raw;
 use table::skip;
 use times::time_base;
 
-use super::columns::{Role, role};
+use super::columns::{Role, foot, role, words};
 use super::keys::{self, Keys};
 use super::number::trim;
 use super::vertical::{self, Facts};
@@ -31,6 +32,7 @@ use crate::recording::{ForceUnit, Format, Note, ReadOptions, Recording};
 pub(super) use choose::{column, unit_label};
 pub(super) use header::Table;
 pub(super) use layout::{Fields, Layout, Lines, Position, TextFile, detect, plain, text};
+pub use plate_file::{PlateFile, plate_of};
 pub use stance_table::metadata_name;
 pub(super) use table::{next_table, numbers};
 pub(super) use times::time_unit;
@@ -131,9 +133,21 @@ fn extract(file: &TextFile, table: &Table, plan: Plan) -> Result<Raw> {
     Ok(Raw::of(table, plan, read, place))
 }
 
-fn with_head(file: &TextFile, table: &Table, head: &[String], raw: Raw) -> Result<Recording> {
+fn with_head(file: &TextFile, table: &Table, head: &[String], mut raw: Raw) -> Result<Recording> {
     let keys = keys::read(head, file.layout.comma);
-    finish(file, table, raw, keys, format(file, table, head))
+    let format = format(file, table, head);
+    let plate = plate_file::of_head(head);
+    for force in &mut raw.forces {
+        if format == Format::Qualisys {
+            // Its exports of force are in newtons and do not say so.
+            force.unit = force.unit.or(Some(ForceUnit::Newton));
+        }
+        if let Some(file) = &plate {
+            force.foot = force.foot.or(foot(&words(&file.plate)));
+            force.name = format!("{} {}", file.plate, force.name);
+        }
+    }
+    finish(file, table, raw, keys, format)
 }
 
 /// Puts raw columns on a time base and makes channels of vertical force of them.
