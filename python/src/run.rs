@@ -48,14 +48,14 @@ pub fn simulate(
         let what = format!("{model:?} is no model; give auto, rigid, flexible or contact");
         return Err(argument(py, "model", what));
     };
-    if let Some(why) = design.design.no_cam(Language::En) {
+    let cam = design.shown()?;
+    if let Some(why) = cam.no_cam(Language::En) {
         return Err(NoSuchCam::new_err(why));
     }
     let (spec, drive) = match machine {
-        None => (design.input.scene.machine.clone(), design.design.drive),
+        None => (design.input.scene.machine.clone(), cam.drive),
         Some(changes) => machine_of(py, &design, changes)?,
     };
-    let cam = &design.design;
     let outcome = py.detach(|| dynamics::simulate(&cam.emitted(&spec, drive)?, model));
     let outcome = outcome.raise(py)?;
     let mut judged = cam.clone();
@@ -84,7 +84,7 @@ fn machine_of(
     }
     let scene = Scene::of_input(design.input.clone()).changed(py, changes)?;
     let scene = scene.input.scene;
-    let drive = drive_on(&design.design, &scene).raise(py)?;
+    let drive = drive_on(design.shown()?, &scene).raise(py)?;
     Ok((scene.machine, drive))
 }
 

@@ -114,6 +114,39 @@ def test_a_scene_that_no_cam_answers_says_which_limits_conflict(footbridge):
     assert "report.html" in design.files() and "profile.dxf" not in design.files()
 
 
+@pytest.mark.parametrize(
+    ("name", "changes", "key"),
+    [
+        ("camdas_01_roller", {"law.segment.1.motion": "constant-velocity"}, "law.segment"),
+        ("camdas_01_roller", {"law.segment.2.lift": "-49 mm"}, "law.segment"),
+        ("camdas_02_oscillating_roller", {"cam.arm": "20 mm"}, "cam"),
+        ("camdas_02_oscillating_roller", {"cam.base_radius": "auto", "limits.curvature": "10 m"}, "cam.base_radius"),
+        ("camdas_08_conjugate_flat", {"cam.conjugate.distance": "140 mm"}, "cam.conjugate"),
+        ("thesis_barrel", {"cam.depth": "200 mm"}, "cam.depth"),
+    ],
+)
+def test_a_scene_without_a_cam_is_a_design_that_says_why(name, changes, key, tmp_path):
+    design = gaitcam.synth(gaitcam.Scene.builtin(name).set(changes))
+    summary = design.summary
+    assert design.verdict == summary["verdict"] == "unacceptable"
+    assert summary["outcome"] == "infeasible" and summary["reasons"][0]["key"] == key
+    assert design.name == name and key in design.reason() and design.reason("es") != design.reason()
+    assert "unacceptable" in design._repr_html_() and "unacceptable" in repr(design)
+    assert set(design.files()) == {"scene.toml", "summary.json"}
+    design.save(tmp_path / "out")
+    assert json.loads((tmp_path / "out" / "summary.json").read_text())["reasons"] == summary["reasons"]
+    for shown in (
+        lambda: design.law,
+        lambda: design.profile,
+        lambda: design.motion,
+        lambda: design.checks,
+        lambda: design.tables(90),
+        lambda: gaitcam.simulate(design),
+    ):
+        with pytest.raises(gaitcam.NoSuchCam):
+            shown()
+
+
 def test_a_notebook_shows_verdict_and_pictures(design):
     html = design._repr_html_()
     assert "acceptable" in html and html.count("<svg") == 3 and "<script" not in html

@@ -146,7 +146,9 @@ pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
             match best {
                 Ok(sized) => (sized, Some(why)),
                 Err(NoLaw::Fault(fault)) => return Err(fault),
-                Err(NoLaw::Refused(_)) => return Err(why.no_law().at_key("law")),
+                Err(NoLaw::Refused(_)) => {
+                    return Err(why.no_law().at_key(why.key_of_demands()));
+                }
             }
         }
     };

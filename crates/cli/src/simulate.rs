@@ -14,13 +14,13 @@ use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
-use crate::synth::files_in;
+use crate::synth::{files_in, no_cam};
 use gaitcam::dynamics::{Model, Outcome, Run, simulate};
-use gaitcam::error::{Place, Placed, Result};
+use gaitcam::error::{Place, Placed, Result, is_no_cam};
 use gaitcam::scene::{MachineSpec, Scene};
 use gaitcam::synth::Design;
 use gaitcam::units::Dimension;
-use gaitcam_files::design::{check_inputs_stay, of_another_design, write_scene};
+use gaitcam_files::design::{check_inputs_stay, finish, of_another_design, summary, write_scene};
 use gaitcam_files::{PATIENCE, ResultFolder};
 use gaitcam_output::report::{Running, html_of_run};
 use gaitcam_output::{Timing, simulation};
@@ -84,12 +84,27 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
             .map_err(|e| e.placed(Place::Argument("--out".to_string())))?;
     }
     let solving = Instant::now();
-    let mut design = made.design()?;
+    let mut design = match made.design() {
+        Err(error) if is_no_cam(&error) => {
+            return no_cam(args.json, input, Some(folder), &error, start);
+        }
+        design => design?,
+    };
     let solve_s = solving.elapsed().as_secs_f64();
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("simulate-no-cam", &json!({"why": why})));
         if args.json {
             print_json(&json!({"model": null, "outcome": "infeasible", "why": why}));
+        }
+        // The complete result of the same scene stays.
+        if !others.is_empty() || !folder.path().join("summary.json").exists() {
+            let total_s = start.elapsed().as_secs_f64();
+            let scene = input.resolved();
+            let summary = summary(&design, &scene, Timing { solve_s, total_s });
+            let place = finish(folder, input, &scene, &summary)?;
+            if !args.json {
+                print(&files_in(&place, "summary.json"));
+            }
         }
         return Ok(NO_SUCH_CAM);
     }

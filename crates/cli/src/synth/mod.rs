@@ -167,7 +167,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     let problem = Problem::resolve(&input.scene, target.as_ref())?;
     let design = match synth::design(&problem, &search) {
         Err(error) if is_no_cam(&error) => {
-            return no_cam(args, &input, request.folder, &error, start);
+            return no_cam(args.json, &input, request.folder, &error, start);
         }
         design => design?,
     };
@@ -262,8 +262,8 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
 }
 
 /// Writes and prints why there is no cam to show.
-fn no_cam(
-    args: &SynthArgs,
+pub fn no_cam(
+    as_json: bool,
     input: &Input,
     folder: Option<ResultFolder>,
     error: &Error,
@@ -276,7 +276,7 @@ fn no_cam(
         Some(folder) => Some(design::finish(folder, input, &scene, &json)?),
         None => None,
     };
-    if args.json {
+    if as_json {
         print_json(&json);
         return Ok(exit_code::NO_SUCH_CAM);
     }
