@@ -56,7 +56,7 @@ pub struct GaitArgs {
     /// Name or number of a vertical force column (may be repeated)
     #[arg(long, value_name = "COLUMN")]
     force: Vec<String>,
-    /// Unit of the force columns: N, kN, lbf, kgf, N/kg, BW, %BW
+    /// Unit of the force columns: N, daN, kN, lbf, kgf, N/kg, BW, %BW
     #[arg(long)]
     unit: Option<String>,
     /// Sampling rate, if the file does not give it: "1000 Hz"

@@ -20,7 +20,7 @@ force-no-joint-mean = { $trials ->
     } un ciclo para una media conjunta
     .help = la tabla da el motivo de cada uno; resuelva lo abierto con la opción que cita, o acéptelo con --accept
 force-unknown-unit = «{ $word }» no es una unidad de fuerza
-    .help = las unidades son N, kN, lbf, kgf, N/kg, BW y %BW
+    .help = las unidades son N, daN, kN, lbf, kgf, N/kg, BW y %BW
 force-unknown-model = «{ $name }» no es un modelo de carga
     .help = los modelos de carga son { $known }
 force-misspelt-model = «{ $name }» no es un modelo de carga
