@@ -31,6 +31,7 @@ use crate::recording::{ForceUnit, Format, Note, ReadOptions, Recording};
 
 pub(super) use choose::{column, unit_label};
 pub(super) use header::Table;
+use layout::Separator;
 pub(super) use layout::{Fields, Layout, Lines, Position, TextFile, detect, plain, text};
 pub use plate_file::{PlateFile, plate_of};
 pub use stance_table::metadata_name;
@@ -50,6 +51,9 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
     while let Some(table) = next_table(bytes, file.layout, from) {
         let room = 600usize.saturating_sub(head.len());
         head.extend(table.head.iter().take(room).cloned());
+        if let Some(fault) = commas_twice(file, &table) {
+            return Err(fault.at_line(path, table.start.line));
+        }
         if stance_table::is_stance_table(&table.names) {
             return stance_table::read(file, &table, &head);
         }
@@ -65,6 +69,15 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
         from = skip(file, &table);
     }
     Err(nothing_found(file, &seen))
+}
+
+/// Twice as many fields as names, and no decimal point: commas that part the decimals as well as the columns.
+fn commas_twice(file: &TextFile, table: &Table) -> Option<ReadError> {
+    let (columns, fields) = (table.names.len(), table.width);
+    let (_, row) = Lines::from(file.bytes, table.start).next()?;
+    let commas = file.layout.separator == Separator::Byte(b',') && !file.layout.comma;
+    let twice = commas && columns > 1 && fields == 2 * columns && !row.contains(&b'.');
+    twice.then_some(ReadError::CommasTwice { columns, fields })
 }
 
 /// Reads the plates of a file of converter counts.

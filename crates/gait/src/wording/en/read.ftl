@@ -46,6 +46,8 @@ read-time-missing = a time value is missing after { $after }
     .help = every row needs a time
 read-short-rows = the rows have far fewer fields than the header
     .help = each row should have { $fields } fields
+read-commas-twice = { $columns } columns, and { $fields } fields in a row: decimal commas, with commas between the columns
+    .help = export with semicolons or tabs between the columns, or with decimal points
 read-few-samples = { $samples ->
         [0] the recording has no samples
         [one] the recording has one sample

@@ -46,6 +46,8 @@ read-time-missing = falta un tiempo después de { $after }
     .help = cada fila necesita un tiempo
 read-short-rows = las filas tienen muchos menos campos que la cabecera
     .help = cada fila debe tener { $fields } campos
+read-commas-twice = { $columns } columnas y { $fields } campos en una fila: comas decimales, con comas entre las columnas
+    .help = exporte con punto y coma o tabuladores entre las columnas, o con punto decimal
 read-few-samples = { $samples ->
         [0] el registro no tiene muestras
         [one] el registro tiene una muestra

@@ -293,6 +293,20 @@ fn every_unit_of_force_in_a_header_gives_the_same_newtons() {
 }
 
 #[test]
+fn decimal_commas_between_commas_are_refused_by_that_reason() {
+    for seed in 0..20 {
+        let dice = &mut Dice::new(seed);
+        let person = walker(dice, 6.0);
+        let table = belts(dice, &person, &plain(200.0), ["left fz", "right fz"]);
+        let points = table.delimited(CLOCK, false);
+        assert!(opened(&points, &none()).is_ok());
+        let commas = points.replace('.', ",");
+        let refused = opened(&commas, &none()).unwrap_err();
+        assert_eq!(refused.code(), "read-commas-twice", "{seed}");
+    }
+}
+
+#[test]
 fn both_feet_of_a_runner_in_one_column_give_the_stride() {
     for seed in 0..40 {
         let dice = &mut Dice::new(seed);

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use super::dice::Dice;
-use crate::c3d_file::{Build, Processor, build_with};
+use crate::c3d_file::{Build, Marker, Processor, build_with};
 use gaitcam_gait::{
     Cycle, Feet, Foot, Note, PeriodSource, ReadOptions, Recording, cycle, read, stances,
 };
@@ -100,7 +100,7 @@ impl Walk {
         let labels = dice.of(&LABELS);
         let rate = FRAMES_HZ * built.per_frame as f64;
         let toe = |_| Some([500.0, 20.0, 30.0]);
-        let markers: [(&str, &dyn Fn(usize) -> Option<[f64; 3]>); 3] = [
+        let markers: [Marker; 3] = [
             ("LTOE", &toe),
             (labels[1], &|i| right[i]),
             (labels[0], &|i| left[i]),
