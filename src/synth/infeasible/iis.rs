@@ -147,7 +147,15 @@ fn can_hold(
     program: &Program,
     nonconvex: Option<NonconvexLimits>,
 ) -> Option<bool> {
-    match program.solve() {
+    // The law of the least root mean square keeps the limit on it, or none does.
+    let solution = match (&program.rms, program.of_least_rms(None)) {
+        (Some(limit), Some(least)) => least.solve().and_then(|own| {
+            let holds = limit.excess(&own.x) <= BROKEN;
+            holds.then_some(own).ok_or(Failure::Infeasible)
+        }),
+        _ => program.solve(),
+    };
+    match solution {
         // What the exchange of rows could not bring inside the limits is no law.
         Ok(own) if own.violation > BROKEN => Some(false),
         Ok(own) => Some(nonconvex.is_none_or(|limits| {
@@ -178,7 +186,7 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
 /// The smallest force error under the other limits, as an accuracy; `None` for another limit.
 fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
     let limit = program.rms.as_ref().filter(|l| l.name == name)?;
-    let best = program.of_least_rms()?.solve().ok();
+    let best = program.of_least_rms(None)?.solve().ok();
     let best = best.filter(|s| s.violation <= BROKEN);
     let to = best.and_then(|s| limit.meaning.value(limit.half.root(&s.x)));
     Some(Relaxation::of(name, limit.meaning.value(limit.most)?, to))

@@ -6,7 +6,7 @@ use crate::criterion::Criterion;
 
 pub use demand::{Demand, Given};
 pub use splineqp::{
-    Basis, Certificate, EXTRAS, Entries, FACE_END, LOWEST, Meaning, OFFSET, PEAK, PROVED,
+    Basis, Certificate, EXTRAS, Entries, FACE_END, LOWEST, MeanSquare, Meaning, OFFSET, PEAK, PROVED,
     Quadratic, RADIUS, RISE, SIZES, Stop, TOLERANCE, apply, certificate, only, solve_equalities,
 };
 
