@@ -291,7 +291,7 @@ const CERTIFICATE: CertificateSettings = CertificateSettings {
 
 const RMS: RmsSettings = RmsSettings {
     step: 3.0,
-    steps: 6,
+    steps: 16,
     near_step: 0.5,
     near_steps: 3,
     peak_step: 0.2,

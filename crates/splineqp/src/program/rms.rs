@@ -1,6 +1,6 @@
 //! A limit on a root mean square of the law, such as its force error.
 
-use super::{EXTRAS, Meaning, PEAK, Program, Row};
+use super::{EXTRAS, Limit, Meaning, PEAK, Program, Row, SIZES};
 use crate::Names;
 use crate::objective::{MeanSquare, Quadratic};
 use crate::poly::Peak;
@@ -79,15 +79,28 @@ impl<N: Names> Program<N> {
         } = limit.half.whole;
         (out.hessian, out.gradient, out.constant) = (hessian, gradient, constant);
         out.cost = [0.0; EXTRAS];
-        for limit in out.limits.iter_mut().filter(|l| l.is_peak()) {
-            match peak {
-                Some(peak) => hold(&mut limit.bound, &mut limit.extra, peak),
-                // Rows about a peak without a cost say nothing.
-                None => *limit = limit.idle(),
+        if let Some(peak) = peak {
+            for limit in &mut out.limits {
+                hold(&mut limit.bound, &mut limit.extra, peak);
             }
         }
+        out.without_idle_limits();
         out.seeds.clear();
         Some(out)
+    }
+
+    /// Leaves out limits that a variable without a cost takes away: a peak or a size that nothing keeps from growing.
+    fn without_idle_limits(&mut self) {
+        let kept = |k: usize| {
+            self.cone && SIZES.contains(&k)
+                || self.limits.iter().any(|l| l.extra[k] > 0.0)
+                || self.fixed.iter().any(|r| r.extra[k] != 0.0)
+        };
+        let grows: [bool; EXTRAS] = std::array::from_fn(|k| self.cost[k] == 0.0 && !kept(k));
+        let is_idle = |l: &Limit<N>| (0..EXTRAS).any(|k| grows[k] && l.extra[k] < 0.0);
+        for limit in self.limits.iter_mut().filter(|l| is_idle(l)) {
+            *limit = limit.idle();
+        }
     }
 }
 

@@ -193,6 +193,15 @@ impl<'a, N: Names> Search<'a, N> {
         (solution, weight)
     }
 
+    /// Whether a number beside one that failed may have an answer.
+    fn may_differ_beside(&self, failure: &Failure<N>) -> bool {
+        match failure {
+            Failure::Infeasible => self.way == Way::Peak,
+            Failure::Numerical { stop } => *stop != Stop::OutOfTime,
+            Failure::Inconsistent { .. } => false,
+        }
+    }
+
     /// Optima that keep the limit and exceed it; `None` where no number tried does one of both.
     fn bracket(
         &mut self,
@@ -203,8 +212,8 @@ impl<'a, N: Names> Search<'a, N> {
         let holds = here.excess <= 0.0;
         for _ in 0..most {
             let next = match self.at(here.number + if holds { -step } else { step }) {
-                // The other limits leave no law of so small a peak.
-                Err(Failure::Infeasible) if self.way == Way::Peak => {
+                // The other limits leave no law of so small a peak, or rounding ended the solver here.
+                Err(failure) if self.may_differ_beside(&failure) => {
                     step *= 0.25;
                     continue;
                 }
@@ -227,7 +236,7 @@ impl<'a, N: Names> Search<'a, N> {
         mut outside: Tried<N>,
     ) -> Result<Solution<N>, Failure<N>> {
         let (mut low, mut high) = (outside.excess, inside.excess);
-        let mut was_inside = None;
+        let (mut was_inside, mut was_stopped) = (None, false);
         let settings = &self.program.settings.rms;
         for _ in 0..settings.weights {
             let apart = inside.number - outside.number;
@@ -235,7 +244,14 @@ impl<'a, N: Names> Search<'a, N> {
                 break;
             }
             let share = (low / (low - high)).clamp(1e-3, 1.0 - 1e-3);
-            let next = self.at(outside.number + share * apart)?;
+            let next = match self.at(outside.number + share * apart) {
+                Err(failure) if self.may_differ_beside(&failure) && !was_stopped => {
+                    (was_stopped, low, high) = (true, 1.0, -1.0);
+                    continue;
+                }
+                next => next?,
+            };
+            was_stopped = false;
             let is_inside = next.excess <= 0.0;
             let again = was_inside == Some(is_inside);
             was_inside = Some(is_inside);
