@@ -247,7 +247,10 @@ impl MeanSquare {
     pub(crate) fn along(&self, x: &[f64], way: &[f64]) -> (f64, f64) {
         let terms = self.nodes.iter().map(|(row, factor, value)| {
             let moved = apply(row, way);
-            (factor * moved * (apply(row, x) - value), factor * moved * moved)
+            (
+                factor * moved * (apply(row, x) - value),
+                factor * moved * moved,
+            )
         });
         terms.fold((0.0, 0.0), |sum, term| (sum.0 + term.0, sum.1 + term.1))
     }

@@ -87,8 +87,8 @@ impl<'a, N: Names> Search<'a, N> {
                 seeds.push(row.clone());
             }
         }
-        let is_flat = program.hessian.largest_diagonal() == 0.0
-            && program.gradient.iter().all(|g| *g == 0.0);
+        let is_flat =
+            program.hessian.largest_diagonal() == 0.0 && program.gradient.iter().all(|g| *g == 0.0);
         let priced = (0..EXTRAS).filter(|k| program.cost[*k] != 0.0);
         let way = if is_flat && priced.eq([PEAK]) {
             Way::Peak
@@ -176,7 +176,10 @@ impl<'a, N: Names> Search<'a, N> {
 
     /// The law of the least q under a peak as one of the program itself, and μ.
     fn of_peak(&self, mut solution: Solution<N>, peak: f64) -> (Solution<N>, f64) {
-        let of_peak = |row: &Row<N>| row.limit.map_or(0.0, |i| self.program.limits[i].extra[PEAK]);
+        let of_peak = |row: &Row<N>| {
+            row.limit
+                .map_or(0.0, |i| self.program.limits[i].extra[PEAK])
+        };
         let rows = solution.active.iter();
         let all: f64 = rows.map(|r| r.multiplier * of_peak(r).abs()).sum();
         let weight = if all > 0.0 {

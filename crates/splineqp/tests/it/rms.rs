@@ -5,8 +5,8 @@ use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, SupportedConeT};
 use splineqp::poly::{SplineSpace, gauss_legendre};
 use splineqp::{
-    Basis, Limit, MeanSquare, Meaning, Program, Quadratic, RmsLimit, certificate, clarabel_prepared,
-    clarabel_run, only, pointwise,
+    Basis, Limit, MeanSquare, Meaning, Program, Quadratic, RmsLimit, certificate,
+    clarabel_prepared, clarabel_run, only, pointwise,
 };
 use std::f64::consts::TAU;
 
