@@ -9,9 +9,15 @@ Area = collections.namedtuple("Area", "package files one_in first then")
 KINDS = {"lib": ["--lib"], "it": ["--test", "it"]}
 
 
+# Tests of the library that take more than five seconds, those of its words and examples, and that of the order of modules,
+# which the switches are not in: left out, so that a mutant that survives here may still be noticed by one of them.
+LEFT_OUT = ["layering", "readme", "examples", "wording", "random", "guard", "spans", "widened", "inspect", "leave_no_law",
+            "leaves_no_law", "that_fights", "the_smallest_cam_under", "follower_that_swings", "reads_back_exactly"]
+
+
 def library(*filters):
-    # The switches are not among the modules of which one test knows the order.
-    return [("gaitcam", "lib", list(filters)), ("gaitcam", "it", [*filters, "--skip", "layering"])]
+    skipped = [argument for name in LEFT_OUT for argument in ("--skip", name)]
+    return [("gaitcam", "lib", list(filters)), ("gaitcam", "it", [*filters, *skipped])]
 
 
 def gait(*filters):

@@ -4,6 +4,7 @@ use crate::dynamics::rigid::touch::{Touch, touch};
 
 use crate::drive::DriveKind;
 use crate::dynamics::thesis;
+use crate::law::{Extent, Rise, Segment, program};
 use crate::units::G;
 
 fn spring_loaded(speed: f64) -> Drive {
@@ -72,6 +73,53 @@ fn a_machine_without_mass_never_jumps_and_one_pulled_off_jumps_at_rest() {
         ..spring_loaded(10.0)
     };
     assert_eq!(liftoff_speed(&law, &pulled), Some(0.0));
+}
+
+#[test]
+fn damping_alone_lifts_off_where_the_fall_is_steepest() {
+    // F₀ + c ω v = 0 at v = −e.
+    let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+    let drive = Drive {
+        mass: 0.0,
+        spring_rate: 0.0,
+        damping: 30.0,
+        ..spring_loaded(10.0)
+    };
+    let jump = liftoff_speed(&law, &drive).unwrap();
+    assert!((jump - 50.0 / (30.0 * 0.01)).abs() < 1e-9, "{jump}");
+}
+
+#[test]
+fn a_steep_rise_under_much_damping_jumps_where_its_force_first_vanishes() {
+    // Damping presses on the rise, where inertia pulls most, and the fall is slow.
+    let segment = |lift: f64, degrees: f64| Segment {
+        motion: Rise::Poly345,
+        lift,
+        angle: degrees.to_radians(),
+    };
+    let law = program(&[segment(0.01, 30.0), segment(-0.01, 330.0)], Extent::TURN).unwrap();
+    let drive = Drive {
+        spring_rate: 0.0,
+        damping: 400.0,
+        ..spring_loaded(10.0)
+    };
+    let jump = liftoff_speed(&law, &drive).unwrap();
+    let lowest = |speed: f64| Drive { speed, ..drive }.force_extremes(&law).0.value;
+    assert!(lowest(jump * (1.0 - 1e-7)) > 0.0 && lowest(jump * (1.0 + 1e-7)) < 0.0);
+}
+
+#[test]
+fn a_pull_at_rest_counts_from_a_millionth_of_the_largest_force() {
+    // Lift 0 to 20 mm against 5000 N/m: at most 100 N.
+    let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+    let at_rest = |rest_force: f64| {
+        let drive = Drive {
+            rest_force,
+            ..spring_loaded(10.0)
+        };
+        liftoff_speed(&law, &drive) == Some(0.0)
+    };
+    assert!(at_rest(-1.1e-4) && !at_rest(-0.9e-4));
 }
 
 #[test]
