@@ -103,3 +103,34 @@ impl Verdict {
         self.into()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cam::LimitKind;
+
+    #[test]
+    fn a_check_gives_way_by_its_slack_and_no_more() {
+        for (limit, slack) in [(0.05_f64, 8e-10), (-3.0, 1e-8), (250.0, 0.0), (0.0, 1e-8)] {
+            let room = slack * limit.abs();
+            let over = (limit + 1.1 * room).max(limit.next_up());
+            for (value, passes) in [(limit + 0.9 * room, true), (over, false), (-1e9, true)] {
+                let check =
+                    Check::at_most(LimitKind::Stroke, Extreme { at: 1.0, value }, limit, slack);
+                assert_eq!(
+                    (check.pass, check.worst, check.limit, check.at),
+                    (passes, value, limit, 1.0)
+                );
+                let mirrored = Extreme {
+                    at: 1.0,
+                    value: -value,
+                };
+                let check = Check::at_least(LimitKind::Stroke, mirrored, -limit, slack);
+                assert_eq!(
+                    (check.pass, check.worst, check.limit),
+                    (passes, -value, -limit)
+                );
+            }
+        }
+    }
+}

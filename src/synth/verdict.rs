@@ -230,3 +230,40 @@ fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> V
     };
     vec![reason]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_unusable_profile_comes_before_lost_contact_and_that_before_a_limit() {
+        let ranks: Vec<usize> = [
+            LimitKind::Curvature.into(),
+            Criterion::Interference,
+            LimitKind::ForceMin.into(),
+            LimitKind::PressureAngleRise.into(),
+            Criterion::RmsError,
+            LimitKind::Stroke.into(),
+        ]
+        .map(severity)
+        .to_vec();
+        assert_eq!(ranks, [0, 1, 2, 3, 4, 5]);
+        assert_eq!(severity(Criterion::BaseCircle), 1);
+        assert_eq!(severity(Criterion::Band), 4);
+    }
+
+    #[test]
+    fn an_open_question_names_each_key_that_settles_it_once() {
+        let note = Note::CountOrMilliseconds {
+            stride: Quantity::new(1.0, Dimension::Time),
+        };
+        let keys = note.settled_by();
+        assert!(!keys.is_empty());
+        let reason = open((OpenQuestion::Clock, vec![note.clone(), note.clone()]));
+        let expected = Reason::RecordingClock {
+            because: vec![note.clone(), note],
+            keys: keys.to_vec(),
+        };
+        assert_eq!(reason, expected);
+    }
+}

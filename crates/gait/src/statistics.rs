@@ -69,6 +69,34 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_sample_deviates_by_n_minus_one_and_a_whole_by_n() {
+        // 1, 2, 6: squares about the mean 3 sum to 14.
+        let values = [1.0, 2.0, 6.0];
+        assert!((sample_deviation(&values).unwrap() - 7.0_f64.sqrt()).abs() < 1e-15);
+        let (mean, deviation) = mean_and_deviation(&values);
+        assert_eq!(mean, 3.0);
+        assert!((deviation - (14.0_f64 / 3.0).sqrt()).abs() < 1e-15);
+        assert_eq!(sample_deviation(&[4.0, 4.0]), Some(0.0));
+        assert_eq!(sample_deviation(&[4.0]), None);
+    }
+
+    #[test]
+    fn ends_are_found_among_the_eights_and_behind_them() {
+        for n in [1_usize, 7, 8, 9, 19] {
+            for k in 0..n {
+                let mut values = vec![0.0; n];
+                values[k] = 5.0;
+                let low = if n == 1 { 5.0 } else { 0.0 };
+                assert_eq!(ends(&values), Some((low, 5.0)), "{n} {k}");
+                values[k] = -5.0;
+                let high = if n == 1 { -5.0 } else { 0.0 };
+                assert_eq!(ends(&values), Some((-5.0, high)), "{n} {k}");
+            }
+        }
+        assert_eq!(ends(&[]), None);
+    }
+
+    #[test]
     fn the_median_of_two_is_their_mean() {
         assert_eq!(median(vec![1.2, 1.0]), Some(1.1));
         assert_eq!(median(vec![3.0, 1.0, 2.0]), Some(2.0));

@@ -267,3 +267,53 @@ fn project_off_equalities<N: Names>(
     *residual = apart.rest;
     dot(&frame.back_substituted(&apart.along), &missed).abs()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EXACT: Certificate = Certificate {
+        duality_gap: 2e-8,
+        relative_gap: 1e-8,
+        global_gap: 1e-8,
+        size: 2.0,
+        stationarity: 0.0,
+        violation: 0.0,
+    };
+
+    #[test]
+    fn a_proof_ends_where_it_says() {
+        let keeps = |violation| Certificate { violation, ..EXACT }.keeps_limits();
+        assert_eq!(
+            [TOLERANCE, 1.00001 * TOLERANCE, f64::NAN].map(keeps),
+            [true, false, false]
+        );
+        let proves = |relative_gap, stationarity| {
+            let other = Certificate {
+                relative_gap,
+                stationarity,
+                ..EXACT
+            };
+            other.proves_optimum()
+        };
+        assert!(proves(1e-6, 1e-6));
+        assert!(!proves(1.01e-6, 0.0) && !proves(0.0, 1.01e-6));
+    }
+
+    #[test]
+    fn a_gap_to_a_lower_bound_counts_in_parts_of_the_objective() {
+        let mut wide = EXACT;
+        wide.widen(1e-3);
+        assert_eq!(
+            (wide.duality_gap, wide.relative_gap, wide.global_gap),
+            (1e-3, 5e-4, 5e-4)
+        );
+        wide.widen(1e-4);
+        assert_eq!(wide.duality_gap, 1e-3);
+        let mut local = EXACT;
+        local.bounded_by(1e-3);
+        assert_eq!((local.relative_gap, local.global_gap), (1e-8, 5e-4));
+        local.bounded_by(0.0);
+        assert_eq!(local.global_gap, 1e-8);
+    }
+}

@@ -4,6 +4,7 @@ use crate::dynamics::rigid::touch::{Touch, touch};
 
 use crate::drive::DriveKind;
 use crate::dynamics::thesis;
+use crate::law::{Extent, Rise, Segment, program};
 use crate::units::G;
 
 fn spring_loaded(speed: f64) -> Drive {
@@ -40,10 +41,8 @@ fn thesis_cams_lift_off_at_31_320920_and_23_490690() {
 fn spring_loaded_eccentric_jumps_at_122_474() {
     // ω = √(k(2e + δ)/(m e)), theory §10: at the top the spring is compressed 2e + δ.
     let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
-    for speed in [50.0, -50.0] {
-        let jump = liftoff_speed(&law, &spring_loaded(speed)).unwrap();
-        assert!((jump - 15000.0_f64.sqrt()).abs() < 1e-9, "{jump}");
-    }
+    let jump = liftoff_speed(&law, &spring_loaded(50.0)).unwrap();
+    assert!((jump - 15000.0_f64.sqrt()).abs() < 1e-9, "{jump}");
 }
 
 #[test]
@@ -77,6 +76,53 @@ fn a_machine_without_mass_never_jumps_and_one_pulled_off_jumps_at_rest() {
 }
 
 #[test]
+fn damping_alone_lifts_off_where_the_fall_is_steepest() {
+    // F₀ + c ω v = 0 at v = −e.
+    let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+    let drive = Drive {
+        mass: 0.0,
+        spring_rate: 0.0,
+        damping: 30.0,
+        ..spring_loaded(10.0)
+    };
+    let jump = liftoff_speed(&law, &drive).unwrap();
+    assert!((jump - 50.0 / (30.0 * 0.01)).abs() < 1e-9, "{jump}");
+}
+
+#[test]
+fn a_steep_rise_under_much_damping_jumps_where_its_force_first_vanishes() {
+    // Damping presses on the rise, where inertia pulls most, and the fall is slow.
+    let segment = |lift: f64, degrees: f64| Segment {
+        motion: Rise::Poly345,
+        lift,
+        angle: degrees.to_radians(),
+    };
+    let law = program(&[segment(0.01, 30.0), segment(-0.01, 330.0)], Extent::TURN).unwrap();
+    let drive = Drive {
+        spring_rate: 0.0,
+        damping: 400.0,
+        ..spring_loaded(10.0)
+    };
+    let jump = liftoff_speed(&law, &drive).unwrap();
+    let lowest = |speed: f64| Drive { speed, ..drive }.force_extremes(&law).0.value;
+    assert!(lowest(jump * (1.0 - 1e-7)) > 0.0 && lowest(jump * (1.0 + 1e-7)) < 0.0);
+}
+
+#[test]
+fn a_pull_at_rest_counts_from_a_millionth_of_the_largest_force() {
+    // Lift 0 to 20 mm against 5000 N/m: at most 100 N.
+    let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+    let at_rest = |rest_force: f64| {
+        let drive = Drive {
+            rest_force,
+            ..spring_loaded(10.0)
+        };
+        liftoff_speed(&law, &drive) == Some(0.0)
+    };
+    assert!(at_rest(-1.1e-4) && !at_rest(-0.9e-4));
+}
+
+#[test]
 fn lossless_torque_integrates_to_zero_to_1e_10_of_its_range() {
     for cam in [thesis::eccentric(), thesis::double_harmonic()] {
         let drive = Drive {
@@ -103,6 +149,37 @@ fn thesis_friction_torque_is_equation_27() {
     let expected = 0.1 * force * (0.03 + at.s) + force * at.v;
     let torque = touch_at(&cam, &drive, 0.1, 0.7).torque;
     assert!((torque - expected).abs() < 1e-15);
+}
+
+#[test]
+fn torque_with_friction_is_the_contacts_own_at_every_angle() {
+    let cam = thesis::eccentric();
+    let drive = Drive {
+        spring_rate: 800.0,
+        damping: 5.0,
+        ..thesis::real(20.0)
+    };
+    let curve = torque_curve(&cam.law, &drive, 0.1, reach(&cam.follower)).unwrap();
+    for k in 0..12 {
+        let theta = 0.5 * f64::from(k);
+        let own = touch_at(&cam, &drive, 0.1, theta).torque;
+        assert!((curve.eval(theta) - own).abs() < 1e-12, "{theta}: {own}");
+    }
+}
+
+#[test]
+fn torque_with_friction_is_no_polynomial_where_the_force_changes_sign() {
+    let law = thesis::eccentric().law;
+    let lost = liftoff_speed(&law, &thesis::real(10.0)).unwrap();
+    for (part, friction, is_polynomial) in [
+        (1.01, 0.1, false),
+        (1.01, 0.0, true),
+        (0.99, 0.1, true),
+        (0.99, 0.0, true),
+    ] {
+        let curve = torque_curve(&law, &thesis::real(part * lost), friction, 0.03);
+        assert_eq!(curve.is_some(), is_polynomial, "{part} {friction}");
+    }
 }
 
 #[test]

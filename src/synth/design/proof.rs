@@ -49,3 +49,27 @@ pub fn doubt(certificate: &Certificate) -> Option<Doubt> {
         Some(Doubt::Gap)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_law_is_proved_only_by_limits_gap_and_gradient_together() {
+        let of = |violation: f64, relative_gap: f64, stationarity: f64| {
+            doubt(&Certificate {
+                duality_gap: relative_gap,
+                relative_gap,
+                global_gap: relative_gap,
+                size: 1.0,
+                stationarity,
+                violation,
+            })
+        };
+        assert_eq!(of(4e-10, 1e-6, 1e-6), None);
+        assert_eq!(of(5e-10, 0.0, 0.0), Some(Doubt::Limits));
+        assert_eq!(of(5e-10, 1e-3, 1e-3), Some(Doubt::Limits));
+        assert_eq!(of(0.0, 1.1e-6, 0.0), Some(Doubt::Gap));
+        assert_eq!(of(0.0, 0.0, 1.1e-6), Some(Doubt::Gap));
+    }
+}

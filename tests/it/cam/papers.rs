@@ -260,6 +260,51 @@ fn smallest_prime_circles_have_their_closed_form() {
     }
 }
 
+#[test]
+fn the_smallest_prime_circle_is_the_nearest_point_of_its_half_planes() {
+    // Steep on one side and shallow on the other, and the same turned round: every candidate becomes the answer.
+    let law = |up: f64, down: f64| turn(&[("3-4-5", 1.0, up), ("3-4-5", -1.0, down)]);
+    let mut seen = [0; 3];
+    for (up, down) in [(300.0, 60.0), (60.0, 300.0), (180.0, 180.0), (150.0, 210.0)] {
+        let law = law(up, down);
+        for (rise, fall) in [(30.0, 30.0), (55.0, 70.0), (75.0, 75.0), (80.0, 20.0)] {
+            let (rise, fall) = (f64::to_radians(rise), f64::to_radians(fall));
+            let circle = smallest_prime_circle(&law, rise, fall, None);
+            // Convex in the offset: the radius of each by the law's own samples, the least by golden section.
+            let samples: Vec<_> = (0..7200)
+                .map(|i| law.svaj(TAU * f64::from(i) / 7200.0))
+                .collect();
+            let radius = |e: f64| {
+                let need = samples
+                    .iter()
+                    .map(|at| ((at.v - e) / rise.tan() - at.s).max((e - at.v) / fall.tan() - at.s));
+                need.fold(0.0, f64::max).hypot(e)
+            };
+            let (mut low, mut high) = (-10.0, 10.0);
+            for _ in 0..60 {
+                let (a, b) = (low + 0.382 * (high - low), high - 0.382 * (high - low));
+                if radius(a) < radius(b) {
+                    high = b
+                } else {
+                    low = a
+                }
+            }
+            near(circle.radius, radius(low), 1e-5);
+            near(radius(circle.offset), circle.radius, 1e-5);
+            seen[usize::from(circle.offset > 1e-3) + 2 * usize::from(circle.offset < -1e-3)] += 1;
+        }
+    }
+    assert!(seen.iter().all(|n| *n > 0), "{seen:?}");
+}
+
+#[test]
+fn a_cam_that_never_comes_to_a_point_needs_no_base_radius() {
+    // s + a is the mean lift of a first harmonic.
+    let law = Law::harmonic(3.0, &[(0.0, 1.0)]);
+    near(smallest_base_radius(&law, 4.0), 1.0, 1e-12);
+    near(smallest_base_radius(&law, 2.0), 0.0, 0.0);
+}
+
 /// A rise alone: an open law, so that no fall asks for anything.
 fn rise_only(beta: f64) -> Law {
     let up = Segment {

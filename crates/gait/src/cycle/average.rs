@@ -219,3 +219,53 @@ pub(super) fn place(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_spread_of_cycles_is_the_sample_deviation_at_each_phase() {
+        let mut mean = Mean::new();
+        for x in [1.0, 2.0, 6.0] {
+            mean.add(&[x, -10.0 * x, 5.0]);
+        }
+        let (middle, spread) = mean.finish();
+        let spread = spread.unwrap();
+        for (k, (m, s)) in [(3.0, 7.0), (-30.0, 700.0), (5.0, 0.0_f64)]
+            .into_iter()
+            .enumerate()
+        {
+            assert!(
+                (middle[k] - m).abs() < 1e-14 && (spread[k] - s.sqrt()).abs() < 1e-14,
+                "{k}"
+            );
+        }
+        let mut one = Mean::new();
+        one.add(&[4.0]);
+        assert_eq!(one.finish().1, None);
+    }
+
+    #[test]
+    fn a_contact_reaches_down_to_its_noise_and_sixty_milliseconds_at_most() {
+        // At 1 kHz the force rises by 1 N a sample from 0.1 s on and falls the same way to 0.5 s; 2 N are noise.
+        let ramps = (0..600).map(|i: i32| f64::from((i - 100).min(500 - i).clamp(0, 150)));
+        let mut channel = Channel {
+            force_n: ramps.collect(),
+            noise_n: 1.0,
+            ..Channel::default()
+        };
+        let near = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).abs().max((a.1 - b.1).abs()) < 1e-12;
+        assert!(near(
+            whole_span(&channel, 1000.0, 0.12, 0.48),
+            (0.102, 0.498)
+        ));
+        assert!(near(whole_span(&channel, 1000.0, 0.18, 0.42), (0.12, 0.48)));
+        channel.rows.push(crate::recording::Row {
+            from: 0,
+            to: 600,
+            mass_kg: None,
+        });
+        assert_eq!(whole_span(&channel, 1000.0, 0.18, 0.42), (0.18, 0.42));
+    }
+}

@@ -150,9 +150,11 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
         average.add(&row);
         durations.push(pair[0] + pair[1]);
     }
+    // Three of four steps are regular, so that not every pair has one that is not.
     let strides = durations.len();
     let source = CycleSource::TotalForce { strides };
-    (strides > 0).then(|| Average::of_cycles(average, &durations, PeriodSource::TotalForce, source))
+    let from = PeriodSource::TotalForce;
+    Some(Average::of_cycles(average, &durations, from, source))
 }
 
 /// Longest part of a total that is looked at for its repetition, s, and the rate at which it is, Hz.

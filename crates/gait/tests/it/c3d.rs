@@ -103,3 +103,43 @@ fn damage_is_named_by_its_byte() {
     assert!(of(&|b| b.truncate(1600)).ends_with("read-no-frame"));
     assert_eq!(of(&|b| b[18] = 7), "bad.c3d byte 18: read-odd-analog");
 }
+
+#[test]
+fn a_channel_counts_from_one_to_the_last_of_the_file() {
+    let b = plain(Processor::Intel, true, 2);
+    let whole = build(&b, |i| one_stance(i, RATE));
+    // A plate of TYPE 2 has six channels and presses on its third, whose number stands behind six bytes on the list's shape.
+    let name = b"CHANNEL";
+    let list = whole.windows(name.len()).position(|w| w == name).unwrap() + name.len();
+    let third = list + 2 + 2 + 2 + 2 * 2;
+    assert_eq!(whole[third], 3);
+    let read_with = |number: u8, force: &[&str]| {
+        let mut bytes = whole.clone();
+        bytes[third] = number;
+        let options = ReadOptions {
+            force: force.iter().map(ToString::to_string).collect(),
+            ..ReadOptions::default()
+        };
+        read(Path::new("c.c3d"), &bytes, &options)
+    };
+    let first = |r: Recording| r.channels[0].force_n[0].abs();
+    for (number, value) in [(1, 3.0), (6, 7.0)] {
+        let plate = first(read_with(number, &[]).unwrap());
+        let named = first(read_with(3, &[&number.to_string()]).unwrap());
+        assert!(
+            (plate - value).abs() < 1e-6 && (named - value).abs() < 1e-6,
+            "{number}: {plate} {named}"
+        );
+    }
+    for number in [0, 7] {
+        // The plate is left out and said to be; the channel labelled "f" is read as a force instead.
+        let notes = read_with(number, &[]).unwrap().notes;
+        let missing = Note::PlateChannelMissing {
+            plate: 1,
+            channel: 3,
+        };
+        assert!(notes.contains(&missing), "{number}: {notes:?}");
+        let named = read_with(3, &[&number.to_string()]).map(first).unwrap_err();
+        assert_eq!(fault(&named), "c.c3d: read-no-channel");
+    }
+}

@@ -4,13 +4,11 @@ use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use gaitcam_gait::error::Result;
+use gaitcam_gait::error::{ForceError, Result};
 use gaitcam_gait::{
     Cycle, Feet, Note, OpenQuestion, PeriodSource, ReadOptions, Recording, cycle, force_curve,
     read, stances,
 };
-
-use crate::fault;
 
 const STANCE_S: f64 = 0.66;
 
@@ -66,7 +64,18 @@ fn a_time_column_that_counts_samples_is_questioned_and_milliseconds_are_not() {
     };
     let milliseconds = of(1000.0).unwrap();
     assert!((milliseconds.curve.period_s - 1.1).abs() < 0.005);
-    assert_eq!(fault(&of(300.0).unwrap_err()), "force-clock-implausible");
+    // Samples counted as milliseconds: a stride of 1.1 s at 300 Hz seems to last 0.33 s, at 100 Hz 0.11 s.
+    for rate_hz in [300.0, 200.0, 150.0, 100.0] {
+        let fault = of(rate_hz).unwrap_err();
+        let Some(ForceError::ClockImplausible { period }) = fault.fault() else {
+            panic!("{rate_hz} Hz: {fault:?}");
+        };
+        let seconds = 1.1e-3 * rate_hz;
+        assert!(
+            (period.value / seconds - 1.0).abs() < 0.1,
+            "{rate_hz} Hz: {period:?}"
+        );
+    }
 }
 
 #[test]

@@ -379,3 +379,62 @@ fn bad_texts_are_refused_by_code_and_line() {
     let e = of("time,fz\n0,1\n1,2\n", &o);
     assert_eq!(e, "read-rate-not-positive");
 }
+
+#[test]
+fn short_rows_are_missing_samples_in_a_recording_of_any_length() {
+    // Every fourth row ends before the second plate: of 8000 rows 2000 values are missing.
+    let text: String = (0..8000)
+        .map(|i| match i % 4 {
+            3 => format!("{:.3},{:.2}\n", i as f64 / RATE, right(i)),
+            _ => format!("{:.3},{:.2},{:.2}\n", i as f64 / RATE, right(i), left(i)),
+        })
+        .collect();
+    let r = open(format!("time,right fz,left fz\n{text}").as_bytes(), &none());
+    let samples: Vec<usize> = r.channels.iter().map(|c| c.force_n.len()).collect();
+    assert_eq!(samples, [8000, 8000]);
+    assert_eq!(r.channels[1].missing.len(), 2000);
+}
+
+#[test]
+fn of_a_long_header_the_first_and_the_last_lines_are_read() {
+    let remarks: String = (0..900)
+        .map(|i| format!("remark {i} of the laboratory\n"))
+        .collect();
+    let text = format!(
+        "Sampling rate: 200\n{remarks}right fz\n{}",
+        rows(|i, _| format!("{:.3}\n", right(i)))
+    );
+    let r = open(text.as_bytes(), &none());
+    assert_eq!(
+        (r.rate_hz, r.channels[0].name.as_str()),
+        (200.0, "right fz")
+    );
+}
+
+#[test]
+fn counts_are_scaled_so_that_a_stance_peaks_at_1_1_body_weights() {
+    let text = format!(
+        "File_Type:\tAnalog R/C ASCII\tGeneration#:\t1\nPreciseRate:\t200.0\n\nName\tF1X\tF1Y\tF1Z\nRate\t200\t200\t200\nRange\t10000\t10000\t10000\n{}",
+        rows(|i, t| format!(
+            "{t:.6}\t{}\t{}\t{}\n",
+            i % 3,
+            i % 2,
+            (7.3 * if i < 200 { right(i) } else { 0.0 }).round()
+        ))
+    );
+    let options = ReadOptions {
+        mass_kg: Some(60.0),
+        ..ReadOptions::default()
+    };
+    let r = read(Path::new("walk.anc"), text.as_bytes(), &options).unwrap();
+    let top = r
+        .channels
+        .iter()
+        .flat_map(|c| &c.force_n)
+        .fold(0.0_f64, |m, f| m.max(f.abs()));
+    assert!(
+        (top / (1.1 * 60.0 * 9.81) - 1.0).abs() < 1e-3,
+        "{top} {:?}",
+        r.notes
+    );
+}

@@ -258,3 +258,32 @@ fn normal(corners: &[f64]) -> Option<[f64; 3]> {
     let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
     (length.is_finite() && length > 0.0).then(|| n.map(|x| x / length))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_normal_of_a_plate_is_that_of_its_corners_wherever_it_stands() {
+        // Corners counted round, 400 × 600, seen from the tip of the normal.
+        let corners = |u: [f64; 3], v: [f64; 3]| -> Vec<f64> {
+            let signs = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+            let at =
+                signs.map(|(a, b)| [0, 1, 2].map(|k| 700.0 + 200.0 * a * u[k] + 300.0 * b * v[k]));
+            at.concat()
+        };
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let slant = [0.6, 0.0, 0.8];
+        for (u, v, expected) in [
+            (x, y, z),
+            (y, z, x),
+            (z, x, y),
+            (slant, y, [-0.8, 0.0, 0.6]),
+        ] {
+            let found = normal(&corners(u, v)).unwrap();
+            let off = (0..3).map(|k| (found[k] - expected[k]).abs());
+            assert!(off.fold(0.0, f64::max) < 1e-12, "{found:?} {expected:?}");
+        }
+        assert_eq!(normal(&corners(x, x)), None);
+    }
+}

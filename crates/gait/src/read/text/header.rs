@@ -162,3 +162,32 @@ fn joined(rows: &[Vec<String>]) -> Vec<String> {
     }
     names
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_of_names_names_half_the_columns_at_least() {
+        let layout = Layout {
+            separator: Separator::Byte(b','),
+            comma: false,
+        };
+        let row = |names: usize| -> Vec<String> {
+            (0..6)
+                .map(|k| {
+                    if k < names {
+                        format!("f{k}x")
+                    } else {
+                        String::new()
+                    }
+                })
+                .collect()
+        };
+        let named: Vec<usize> = (0..=6)
+            .filter(|n| is_name_row(&row(*n), 6, layout))
+            .collect();
+        assert_eq!(named, [3, 4, 5, 6]);
+        assert!(!is_name_row(&vec!["1.5".to_string(); 6], 6, layout));
+    }
+}

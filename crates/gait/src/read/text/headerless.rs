@@ -119,20 +119,14 @@ fn rising(file: &TextFile, table: &Table, times: &[f64]) -> Result<()> {
     }
 }
 
-/// The first column, where it rises through nearly all rows in steps that are much alike.
+/// The first column, where it falls in hardly any row and grows in one of ten at least.
 fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
     let several = columns.len() >= 2;
     let t = columns.first().filter(|t| several && t.len() >= 2)?;
-    let rises = t.windows(2).filter(|w| w[1] >= w[0]).count();
-    let mut steps: Vec<f64> = t
-        .windows(2)
-        .step_by(t.len() / SAMPLE + 1)
-        .map(|w| w[1] - w[0])
-        .collect();
-    steps.sort_by(f64::total_cmp);
-    let at = |q: f64| steps[((steps.len() - 1) as f64 * q) as usize];
-    let alike = at(0.9) > 0.0 && at(0.9) <= 4.0 * at(0.5).max(0.25 * at(0.9)) && at(0.1) >= 0.0;
-    (100 * rises >= 95 * (t.len() - 1) && alike).then_some(0)
+    let steps = t.len() - 1;
+    let count = |holds: fn(&[f64]) -> bool| t.windows(2).filter(|w| holds(w)).count();
+    let rises = 100 * count(|w| w[1] >= w[0]) >= 95 * steps;
+    (rises && 10 * count(|w| w[1] > w[0]) >= steps).then_some(0)
 }
 
 fn counts_samples(times: &[f64]) -> bool {
@@ -252,5 +246,29 @@ mod tests {
         let insole = vec![t, part(0.2), part(0.3), part(0.5), z.clone()];
         assert_eq!(force_columns(&insole, Some(0)), [4]);
         assert_eq!(time_column(&[z.clone(), z]), None);
+    }
+
+    #[test]
+    fn a_time_falls_in_hardly_any_row_and_does_not_stand() {
+        let of = |at: fn(usize) -> usize| {
+            let t: Vec<f64> = (0..101).map(|i| at(i) as f64).collect();
+            time_column(&[t.clone(), t]).is_some()
+        };
+        assert!(of(|i| i) && of(|i| i / 10) && !of(|i| i / 11) && !of(|i| 101 - i));
+        // One row in twenty falls, and one in sixteen.
+        assert!(of(|i| 2 * i - 3 * usize::from(i % 20 == 19)));
+        assert!(!of(|i| 2 * i - 3 * usize::from(i % 16 == 15)));
+    }
+
+    #[test]
+    fn a_total_is_looked_for_among_four_to_sixty_four_columns() {
+        let z: Vec<f64> = (0..400).map(|i| -stance(i, 0)).collect();
+        for (parts, found) in [(2, false), (3, true), (63, true), (64, false)] {
+            let part: Vec<f64> = z.iter().map(|f| f / parts as f64).collect();
+            let mut columns = vec![part; parts];
+            columns.push(z.clone());
+            let all: Vec<usize> = (0..=parts).collect();
+            assert_eq!(totals(&columns, &all) == [parts], found, "{parts}");
+        }
     }
 }

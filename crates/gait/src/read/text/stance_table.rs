@@ -289,4 +289,36 @@ mod tests {
         assert_eq!(name, Some(std::path::PathBuf::from("d/GRF_metadata.csv")));
         assert_eq!(metadata_name(Path::new("walk.csv")), None);
     }
+
+    #[test]
+    fn stances_in_body_weights_come_out_in_newtons_of_their_subjects() {
+        let names: Vec<String> = (1..=50).map(|i| format!("F_V_PRO_{i}")).collect();
+        let stance =
+            |n: usize| -> String { (1..=n).map(|i| format!(",-{}", 0.02 * i as f64)).collect() };
+        let table = format!(
+            "SUBJECT_ID,SESSION_ID,{}\nA,1{}\nB,1{}\n",
+            names.join(","),
+            stance(50),
+            stance(40)
+        );
+        let with = |subjects: &[u8]| {
+            let options = ReadOptions {
+                metadata: Some(subjects.to_vec()),
+                unit: Some(ForceUnit::BodyWeight),
+                ..ReadOptions::default()
+            };
+            super::super::read(Path::new("X_F_V_PRO_right.csv"), table.as_bytes(), &options)
+        };
+        let all = with(b"SUBJECT_ID,BODY_MASS\nA,30\nB,60\n").unwrap();
+        let force = &all.channels[0].force_n;
+        for (sample, newtons) in [(49, 30.0 * G), (89, 0.8 * 60.0 * G)] {
+            assert!((force[sample] - newtons).abs() < 1e-9, "{}", force[sample]);
+        }
+        let missing = |r: &Recording| {
+            let is = |n: &Note| matches!(n, Note::MassesMissing { .. });
+            r.notes.iter().any(is)
+        };
+        assert!(all.mass_kg == Some(45.0) && !missing(&all));
+        assert!(with(b"SUBJECT_ID,BODY_MASS\nA,30\n").is_err());
+    }
 }
