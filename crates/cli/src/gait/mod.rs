@@ -8,13 +8,14 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::{Value, json};
 
+use crate::console::error::CliError;
 use crate::console::exit_code::{BAD_INPUT, BUILT};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::input;
 use crate::input::recordings::{is_folder, recordings};
-use gaitcam::error::{Error, Place, Result};
+use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::force::{self, Cycle, Feet, ForceCurve, Interpretation, OpenQuestion, ReadOptions};
 use gaitcam::units::Dimension;
 use gaitcam_files::{read::read_bytes, target::metadata};
@@ -147,6 +148,9 @@ fn one(args: &GaitArgs, path: &Path, places: &Places, feet: Feet) -> Result<u8> 
 }
 
 fn read(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Read> {
+    if path.extension().is_some_and(|e| e == "toml") {
+        return Err(CliError::SceneNotRecording.in_file(path));
+    }
     let options = options(args, path)?;
     let bytes = read_bytes(path)?;
     let place = || Place::File(path.to_path_buf());
