@@ -190,8 +190,8 @@ impl Design {
 
     /// The law as a function of the cam angle.
     #[getter]
-    fn motion(&self) -> Law {
-        Law::of_design(&self.design.family, &self.design.cam.law)
+    fn motion(slf: &Bound<'_, Self>) -> Law {
+        Law::of_design(slf)
     }
 
     /// The scene that the design answers, with the force that was given.

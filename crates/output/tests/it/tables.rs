@@ -45,7 +45,7 @@ fn law_csv_has_the_promised_columns_and_reads_back_to_the_same_bits() {
 
 #[test]
 fn law_csv_of_an_arm_has_lifts_in_radians_and_forces_in_newtons_at_the_lever() {
-    let toml = "[gait]\nmodel = \"young\"\nbody_weight = \"700 N\"\n[drive]\nkind = \"fixed-axis\"\nspring_rate = \"300 N m/rad\"\n\
+    let toml = "[gait]\nmodel = \"young\"\nstep_frequency = \"1.85 Hz\"\nbody_weight = \"700 N\"\n[drive]\nkind = \"fixed-axis\"\nspring_rate = \"300 N m/rad\"\n\
                 lever = \"80 mm\"\n[cam]\nfollower = \"roller-oscillating\"\npivot_distance = \"120 mm\"\narm = \"100 mm\"\n\
                 roller_radius = \"10 mm\"";
     let scene = gaitcam::scene::parse(toml).unwrap();

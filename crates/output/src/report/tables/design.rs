@@ -62,7 +62,7 @@ fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
             } else {
                 tenths + 0.0
             } / 10.0;
-            format!("{factor:.4} ∠ {angle:.1}°")
+            format!("{factor:.4} ∠ {angle:.1}°").replace('-', "−")
         };
         let frequency = format!("{} Hz", number(f.frequency_hz, 4));
         let target = angled(f.target, f.target_phase_rad);
