@@ -223,9 +223,8 @@ impl Design {
 
     /// The law as a function of the cam angle.
     #[getter]
-    fn motion(&self) -> PyResult<Law> {
-        let design = self.shown()?;
-        Ok(Law::of_design(&design.family, &design.cam.law))
+    fn motion(slf: &Bound<'_, Self>) -> PyResult<Law> {
+        Law::of_design(slf)
     }
 
     /// The scene that the design answers, with the force that was given.

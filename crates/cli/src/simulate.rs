@@ -38,7 +38,7 @@ pub struct SimulateArgs {
     #[command(flatten)]
     scene: SceneArgs,
     /// Run the cam as made at this speed of the shaft: --speed '96 rpm'
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEED")]
     speed: Option<String>,
     /// auto (the simplest that is sufficient), rigid, flexible, contact
     #[arg(long, default_value = "auto")]
@@ -50,19 +50,19 @@ pub struct SimulateArgs {
     #[arg(long)]
     pub json: bool,
     /// First natural frequency of the follower train: "60 Hz"
-    #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
+    #[arg(long, value_name = "HZ")]
     natural_frequency: Option<String>,
     /// Damping ratio of the follower train (default: that of the scene, else 0.05)
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
+    #[arg(long, value_name = "RATIO")]
     damping_ratio: Option<String>,
     /// Coefficient of friction between cam and follower (default: that of the scene, else 0)
-    #[arg(long, value_name = "MU", allow_hyphen_values = true)]
+    #[arg(long, value_name = "MU")]
     friction: Option<String>,
     /// Coefficient of restitution of an impact, 0 … 1 (default: that of the scene, else 0)
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    #[arg(long, value_name = "E")]
     restitution: Option<String>,
     /// Angle by which a second, equal cam follows on the same shaft: "180 deg"
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "ANGLE")]
     second_cam: Option<String>,
 }
 

@@ -53,6 +53,7 @@ key-cam-conjugate-roller_radius = Radius of the second roller; auto takes that o
 key-drive-kind = Relation between lift and force: the cam carries its own shaft (moving-axis), lifts a spring-loaded follower (fixed-axis), or moves a piston (hydraulic). Default: moving-axis for translating followers, fixed-axis otherwise.
 key-drive-mass = Moved mass; auto takes mean force / g.
 key-drive-inertia = Moment of inertia of the arm about its pivot.
+key-drive-lever = Distance from the pivot of an arm at which target force and piston act; auto takes the length of the arm, under a flat face the distance of the pivot.
 key-drive-speed = Speed of the cam; auto takes one turn per force cycle.
 key-drive-gravity = Acceleration of gravity.
 key-drive-spring_rate = Stiffness of the return spring.

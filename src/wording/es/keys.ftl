@@ -53,6 +53,7 @@ key-cam-conjugate-roller_radius = Radio del segundo rodillo; auto toma el del pr
 key-drive-kind = Relación entre elevación y fuerza: la leva lleva su propio eje (moving-axis), levanta un seguidor con muelle (fixed-axis) o mueve un pistón (hydraulic). Por defecto: moving-axis con seguidores de traslación y fixed-axis en los demás.
 key-drive-mass = Masa móvil; auto toma fuerza media / g.
 key-drive-inertia = Momento de inercia del brazo respecto a su pivote.
+key-drive-lever = Distancia al pivote del brazo a la que actúan la fuerza objetivo y el pistón; auto toma la longitud del brazo; con cara plana, la distancia del pivote.
 key-drive-speed = Velocidad de la leva; auto toma una vuelta por ciclo de fuerza.
 key-drive-gravity = Aceleración de la gravedad.
 key-drive-spring_rate = Rigidez del muelle de retorno.

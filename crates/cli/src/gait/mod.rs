@@ -9,13 +9,14 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::{Value, json};
 
+use crate::console::error::CliError;
 use crate::console::exit_code::{BAD_INPUT, BUILT};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::input;
 use crate::input::recordings::recordings;
-use gaitcam::error::{Error, Place, Result};
+use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::force::{self, Cycle, Feet, ForceCurve, Interpretation, OpenQuestion, ReadOptions};
 use gaitcam::units::Dimension;
 use gaitcam_files::{read::read_bytes, target::metadata};
@@ -152,6 +153,9 @@ fn one(args: &GaitArgs, paths: &[PathBuf], places: &Places, feet: Feet) -> Resul
 /// Reads one recording: a file, or the files of its plates.
 fn read(args: &GaitArgs, paths: &[PathBuf], feet: Feet) -> Result<Read> {
     let path = paths[0].as_path();
+    if path.extension().is_some_and(|e| e == "toml") {
+        return Err(CliError::SceneNotRecording.in_file(path));
+    }
     let options = options(args, path)?;
     let bytes = read_bytes(path)?;
     let place = || Place::File(path.to_path_buf());

@@ -127,6 +127,7 @@ pub(super) fn no_table(bytes: &[u8]) -> ReadError {
         return ReadError::Empty;
     }
     let start = text(&bytes[..bytes.len().min(60)]);
+    let start = start.lines().next().unwrap_or_default();
     let start = start.chars().take(40).collect();
     ReadError::NoTable { start }
 }

@@ -21,7 +21,7 @@ read-mass-not-positive = invalid mass { $mass }
     .help = the mass must be positive, for example "70 kg"
 
 read-no-table = no table of numbers found
-    .help = the file starts with "{ $start }"
+    .help = the file starts with "{ $start }"; a recording is a table with a column of time or a rate, and columns of force
 read-header-without-rows = the header has a force column ("{ $column }"), but no rows of numbers follow
     .help = export the samples as well; each row should start with a time or a number
 read-no-force-column = no column of vertical force found

@@ -21,7 +21,7 @@ read-mass-not-positive = masa no válida { $mass }
     .help = debe ser positiva, por ejemplo "70 kg"
 
 read-no-table = no se encontró ninguna tabla de números
-    .help = el archivo empieza con «{ $start }»
+    .help = el archivo empieza con «{ $start }»; un registro es una tabla con una columna de tiempo o una frecuencia, y columnas de fuerza
 read-header-without-rows = la cabecera tiene una columna de fuerza («{ $column }»), pero no siguen filas de números
     .help = exporte también las muestras; cada fila debe empezar por un tiempo o un número
 read-no-force-column = no se encontró ninguna columna de fuerza vertical
