@@ -197,6 +197,20 @@ pub enum RunNote {
     NotPeriodic { turns: usize, impacts: usize },
     Swings,
     PairDistance { deviation: f64 },
+    /// The motor changes the force by less than is allowed: constant speed is enough.
+    SteadyShaft {
+        ripple: Quantity,
+        change: Quantity,
+        allowed: Quantity,
+    },
+    /// The speed varies.
+    ShaftVaries {
+        ripple: Quantity,
+        change: Quantity,
+        found: Quantity,
+    },
+    /// The compliant follower is run at the mean speed.
+    FlexibleAtMeanSpeed,
 }
 
 impl RunNote {
