@@ -38,6 +38,16 @@ pub struct Motor {
     pub efficiency: f64,
 }
 
+impl TorqueLine {
+    /// Speed at which the torque of a curve vanishes, rad/s; `None` of a line, whose supply is chosen.
+    pub fn no_load_speed(&self) -> Option<f64> {
+        match self {
+            TorqueLine::Slope(_) | TorqueLine::Stall(_) => None,
+            TorqueLine::Curve(rows) => Some(no_load_speed(rows)),
+        }
+    }
+}
+
 impl Motor {
     /// Torque at the camshaft, N·m, at a speed under a no-load speed, rad/s; its derivatives by both.
     pub fn torque(&self, speed: f64, no_load: f64) -> [f64; 3] {
@@ -62,7 +72,9 @@ impl Motor {
             TorqueLine::Slope(k) => speed + torque / k,
             TorqueLine::Stall(most) => speed / (1.0 - torque / most).max(0.05),
             TorqueLine::Curve(rows) => {
-                let i = rows.partition_point(|r| r[1] > torque).clamp(1, rows.len() - 1);
+                let i = rows
+                    .partition_point(|r| r[1] > torque)
+                    .clamp(1, rows.len() - 1);
                 let [a, b] = [rows[i - 1], rows[i]];
                 let at = a[0] + (torque - a[1]) * (b[0] - a[0]) / (b[1] - a[1]);
                 speed + no_load_speed(rows) - at
@@ -78,14 +90,18 @@ impl Motor {
 
 /// Speed at which the torque of a falling curve vanishes, rad/s.
 fn no_load_speed(rows: &[[f64; 2]]) -> f64 {
-    let i = rows.partition_point(|r| r[1] > 0.0).clamp(1, rows.len() - 1);
+    let i = rows
+        .partition_point(|r| r[1] > 0.0)
+        .clamp(1, rows.len() - 1);
     let [a, b] = [rows[i - 1], rows[i]];
     a[0] - a[1] * (b[0] - a[0]) / (b[1] - a[1])
 }
 
 /// Torque and slope of a curve at a speed.
 fn on(rows: &[[f64; 2]], speed: f64) -> (f64, f64) {
-    let i = rows.partition_point(|r| r[0] <= speed).clamp(1, rows.len() - 1);
+    let i = rows
+        .partition_point(|r| r[0] <= speed)
+        .clamp(1, rows.len() - 1);
     let [a, b] = [rows[i - 1], rows[i]];
     let slope = (b[1] - a[1]) / (b[0] - a[0]);
     (a[1] + slope * (speed - a[0]), slope)

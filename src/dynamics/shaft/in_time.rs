@@ -18,8 +18,17 @@ const ROUNDS: usize = 20;
 
 /// The distance of forces at equal angles, with speed, rad/s, and time, s, from a target at equal times of one period
 /// that begins at the same angle.
-pub fn error_in_time(forces: &[f64], speed: &[f64], time: &[f64], period: f64, target: &[f64]) -> InTime {
-    let weights: Vec<f64> = speed.iter().map(|w| TAU / forces.len() as f64 / w / period).collect();
+pub fn error_in_time(
+    forces: &[f64],
+    speed: &[f64],
+    time: &[f64],
+    period: f64,
+    target: &[f64],
+) -> InTime {
+    let weights: Vec<f64> = speed
+        .iter()
+        .map(|w| TAU / forces.len() as f64 / w / period)
+        .collect();
     let cubic = Cubic(target);
     let (mut shift, mut square) = (0.0, 0.0);
     for _ in 0..ROUNDS {

@@ -109,15 +109,29 @@ impl Motion {
 ///
 /// # Errors
 /// The shaft stops; the motor's no-load speed is too low for the mean speed; friction locks the follower.
-pub fn periodic(load: &Load, nodes: &[Node], motor: &Motor, speed: f64, lowest: f64) -> Result<Motion> {
+pub fn periodic(
+    load: &Load,
+    nodes: &[Node],
+    motor: &Motor,
+    speed: f64,
+    lowest: f64,
+) -> Result<Motion> {
     let coarse = load.every(COARSE);
     let Some(steady) = Steady::find(load, motor, speed) else {
         return Err(stalls(&coarse, motor, speed).into());
     };
-    if let Some(nominal) = motor.nominal.filter(|most| *most < steady.no_load * (1.0 - 1e-9)) {
-        let [nominal, needed, speed] = [nominal, steady.no_load, speed]
-            .map(|w| Quantity::new(w, Dimension::AngularSpeed));
-        return Err(DynamicsError::NoLoadSpeed { nominal, needed, speed }.into());
+    if let Some(nominal) = motor
+        .nominal
+        .filter(|most| *most < steady.no_load * (1.0 - 1e-9))
+    {
+        let [nominal, needed, speed] =
+            [nominal, steady.no_load, speed].map(|w| Quantity::new(w, Dimension::AngularSpeed));
+        return Err(DynamicsError::NoLoadSpeed {
+            nominal,
+            needed,
+            speed,
+        }
+        .into());
     }
     let (energy, time) = load.at_rows(&steady.turn);
     let rate = |(node, e): (&Node, &f64)| node.rate(motor, steady.no_load, *e)[0];
@@ -194,11 +208,16 @@ impl Steady {
             let off = [end - first, time - TAU / speed];
             let [[a, c], [b, d]] = [[turn.by_first[0] - 1.0, turn.by_first[1]], turn.by_supply];
             let determinant = a * d - b * c;
-            let step = [(off[1] * b - off[0] * d) / determinant, (off[0] * c - off[1] * a) / determinant];
+            let step = [
+                (off[1] * b - off[0] * d) / determinant,
+                (off[0] * c - off[1] * a) / determinant,
+            ];
             if !step.iter().all(|x| x.is_finite()) {
                 return None;
             }
-            let mut part = (0.5 * first / step[0].abs()).min(0.5 * no_load / step[1].abs()).min(1.0);
+            let mut part = (0.5 * first / step[0].abs())
+                .min(0.5 * no_load / step[1].abs())
+                .min(1.0);
             loop {
                 let (e, p) = (first + part * step[0], no_load + part * step[1]);
                 if let Ok(next) = load.turn(motor, p, e) {
@@ -222,7 +241,7 @@ impl Steady {
         let [min, max] = turn.range.map(|e| (2.0 * e).sqrt());
         let period = TAU / speed;
         let wasted = motor.friction * TAU;
-        let swing = motor.inertia * (turn.range[1] - turn.range[0]);
+        let swing = load.at_constant_speed(speed).1;
         let balance = turn.motor_work - wasted - turn.load_work;
         let least = LEAST_INERTIA * motor.inertia;
         let runs = Steady::find(coarse, &with_inertia(motor, least), speed).is_some();

@@ -195,7 +195,9 @@ impl Load {
 
     /// The same turn begun at the step nearest to an angle.
     pub fn begun_at(&self, angle: f64) -> Load {
-        let first = self.steps.partition_point(|s| s.from + 0.5 * s.width < angle);
+        let first = self
+            .steps
+            .partition_point(|s| s.from + 0.5 * s.width < angle);
         let mut steps = self.steps.clone();
         let count = steps.len().max(1);
         steps.rotate_left(first % count);
@@ -267,13 +269,23 @@ impl Turn {
     }
 
     /// The end of a step from its stages.
-    fn close(&mut self, step: &Step, motor: &Motor, no_load: f64, stages: &[f64; 3], rates: &[[f64; 3]; 3]) {
+    fn close(
+        &mut self,
+        step: &Step,
+        motor: &Motor,
+        no_load: f64,
+        stages: &[f64; 3],
+        rates: &[[f64; 3]; 3],
+    ) {
         let (h, rule) = (step.width, gauss_weights());
         let by_first = solve(h, rates, [self.by_first[0]; 3]);
         let inner = |i: usize| (0..STAGES).map(|k| INNER[i][k] * rates[k][2]).sum::<f64>();
         let direct = [0, 1, 2].map(|i| self.by_supply[0] + h * inner(i));
         let by_supply = solve(h, rates, direct);
-        let (mut energy, mut time) = (self.energy[self.energy.len() - 1], self.time[self.time.len() - 1]);
+        let (mut energy, mut time) = (
+            self.energy[self.energy.len() - 1],
+            self.time[self.time.len() - 1],
+        );
         for k in 0..STAGES {
             let (w, speed) = (h * rule[k], (2.0 * stages[k]).sqrt());
             energy += w * rates[k][0];
@@ -307,6 +319,8 @@ fn solve(h: f64, rates: &[[f64; 3]; STAGES], b: [f64; STAGES]) -> [f64; STAGES] 
     let unit = |i: usize, k: usize| f64::from(u8::from(i == k));
     let m = |i: usize, k: usize| unit(i, k) - h * INNER[i][k] * rates[k][1];
     let matrix = nalgebra::Matrix3::from_fn(m);
-    let x = matrix.try_inverse().map(|inverse| inverse * nalgebra::Vector3::from(b));
+    let x = matrix
+        .try_inverse()
+        .map(|inverse| inverse * nalgebra::Vector3::from(b));
     x.map_or(b, |x| [x[0], x[1], x[2]])
 }

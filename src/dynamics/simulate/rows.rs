@@ -30,7 +30,13 @@ impl Prepared {
     pub fn force_time(&self, forces: &[f64]) -> Option<InTime> {
         let (target, shaft) = (self.target.as_ref()?, self.shaft.as_ref()?);
         let period = self.cycle.length / self.drive.speed;
-        Some(error_in_time(forces, &shaft.speed, &shaft.time, period, target))
+        Some(error_in_time(
+            forces,
+            &shaft.speed,
+            &shaft.time,
+            period,
+            target,
+        ))
     }
 
     pub fn rms_error(&self, forces: &[f64]) -> Option<f64> {

@@ -54,8 +54,15 @@ fn refuse_unknown(input: &Run, p: &Prepared, motor: &Motor) -> Result<()> {
     if p.cycle != Cycle::TURN || p.laws.len() > 1 {
         return Err(DynamicsError::MotorTurns.into());
     }
-    let numbers = [motor.inertia, motor.friction, motor.gear, motor.efficiency, input.drive.speed];
-    let sound = numbers.iter().all(|x| x.is_finite()) && motor.inertia >= 0.0 && motor.friction >= 0.0;
+    let numbers = [
+        motor.inertia,
+        motor.friction,
+        motor.gear,
+        motor.efficiency,
+        input.drive.speed,
+    ];
+    let sound =
+        numbers.iter().all(|x| x.is_finite()) && motor.inertia >= 0.0 && motor.friction >= 0.0;
     if !sound || motor.gear <= 0.0 || motor.efficiency <= 0.0 || input.drive.speed == 0.0 {
         return Err(DynamicsError::Motor.into());
     }
@@ -79,7 +86,10 @@ fn forecast(p: &Prepared, load: &Load, motor: &Motor) -> (f64, f64) {
         .collect();
     let middle = works.iter().sum::<f64>() / works.len() as f64;
     for ((at, force), work) in p.nodes.iter().zip(&forces).zip(&works) {
-        let (part, slope) = ((work - middle) / scale, (mean_torque - at.v * force) / scale);
+        let (part, slope) = (
+            (work - middle) / scale,
+            (mean_torque - at.v * force) / scale,
+        );
         square += ((2.0 * m * at.a + c * at.v) * part + m * at.v * slope).powi(2);
         sum += force;
     }

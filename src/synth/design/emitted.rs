@@ -42,6 +42,7 @@ impl Design {
                 follower: STEEL,
             }),
             groove_floor: self.groove.as_ref().map(|groove| groove.depth().0),
+            motor: spec.motor(),
             ..Machine::default()
         };
         let angles = (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);

@@ -47,7 +47,12 @@ fn in_time(run: &Run, motor: &Motor, no_load: f64, mut omega: f64, rows: usize) 
     // Under a flat face T = F v + μ F (Rb + s).
     let rates = |[theta, w]: [f64; 2]| {
         let at = law.svaj(theta);
-        let arm = at.v + if reach > 0.0 { mu * (reach + at.s) } else { 0.0 };
+        let arm = at.v
+            + if reach > 0.0 {
+                mu * (reach + at.s)
+            } else {
+                0.0
+            };
         let still = drive.rest_force + drive.spring_rate * at.s + drive.damping * w * at.v;
         let still = still + drive.mass * w * w * at.a;
         let torque = motor.torque(w, no_load)[0] - motor.friction - arm * still;
@@ -103,7 +108,11 @@ fn the_motion_is_that_of_an_independent_integration_in_time() {
         };
         run
     };
-    let knife = Follower::RollerTranslating { prime_radius: 0.06, offset: 0.005, roller_radius: 0.0 };
+    let knife = Follower::RollerTranslating {
+        prime_radius: 0.06,
+        offset: 0.005,
+        roller_radius: 0.0,
+    };
     let rubbing = |mut run: Run| {
         run.machine.friction = 0.1;
         run
@@ -116,7 +125,10 @@ fn the_motion_is_that_of_an_independent_integration_in_time() {
         (rubbing(flat()), 0.5, 10.0),
         (shaker(knife), 0.5, 10.0),
     ] {
-        let motor = Motor { friction: 1.5, ..motor(slope, inertia) };
+        let motor = Motor {
+            friction: 1.5,
+            ..motor(slope, inertia)
+        };
         let (out, shaft) = run(&case, motor.clone());
         assert!(shaft.energy_balance.abs() < 1e-9, "{shaft:?}");
         let first = out.rows[0].speed;
@@ -125,7 +137,10 @@ fn the_motion_is_that_of_an_independent_integration_in_time() {
         let weight = case.drive.rest_force;
         for (i, force) in forces.iter().enumerate() {
             let own = out.rows[4 * i].contact_force;
-            assert!((own - force).abs() < 1e-5 * weight, "{i} {own} {force} {shaft:?}");
+            assert!(
+                (own - force).abs() < 1e-5 * weight,
+                "{i} {own} {force} {shaft:?}"
+            );
         }
     }
 }
@@ -137,7 +152,12 @@ fn a_constant_load_gives_the_point_on_the_motor_line() {
     case.cam = Cam::new(Law::harmonic(0.0, &[]), case.cam.follower).unwrap();
     case.profile = case.cam.profile(1440);
     case.machine.friction = 0.2;
-    let motor = Motor { friction: 2.0, gear: 5.0, efficiency: 0.8, ..motor(10.0, 0.3) };
+    let motor = Motor {
+        friction: 2.0,
+        gear: 5.0,
+        efficiency: 0.8,
+        ..motor(10.0, 0.3)
+    };
     let (_, shaft) = run(&case, motor);
     let torque = 0.2 * 70.0 * 9.81 * 0.05 + 2.0;
     assert!((shaft.no_load_speed - (case.drive.speed + torque / 10.0)).abs() < 1e-10);
@@ -165,7 +185,11 @@ fn a_large_wheel_swings_by_its_energy_over_its_inertia_and_an_endless_one_not_at
     let wheel = 1e4;
     let (_, shaft) = run(&case, motor(1e-3, wheel));
     let ripple = (high - low) / (wheel * case.drive.speed.powi(2));
-    assert!((shaft.ripple / ripple - 1.0).abs() < 1e-3, "{} {ripple}", shaft.ripple);
+    assert!(
+        (shaft.ripple / ripple - 1.0).abs() < 1e-3,
+        "{} {ripple}",
+        shaft.ripple
+    );
     let (out, _) = run(&case, motor(10.0, 1e13));
     let plain = simulate(&case, Model::Rigid).unwrap();
     for (a, b) in out.rows.iter().zip(&plain.rows) {

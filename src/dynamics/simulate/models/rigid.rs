@@ -10,6 +10,9 @@ use crate::dynamics::simulate::prepared::Prepared;
 use crate::dynamics::surface::Surface;
 use crate::error::Result;
 
+/// A mean torque below this part of the root mean square is rounding.
+const NO_TORQUE: f64 = 1e-9;
+
 pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     let friction = input.machine.friction;
     let mut out = p.outcome(Model::Rigid);
@@ -64,6 +67,9 @@ fn on_shaft(input: &Run, p: &Prepared, shaft: &Motion) -> Outcome {
         rms_error: out.force_time.map(|e| e.rms_error_n),
     };
     out.torque = p.signed(p.sampled_torque(input, &forces));
+    if out.torque.mean.abs() < NO_TORQUE * out.torque.rms {
+        out.torque.mean = 0.0;
+    }
     let pulled = forces.iter().filter(|f| **f < 0.0).count() as f64 / forces.len() as f64;
     note_pull(&mut out, input, p, pulled);
     out.contact_lost = out.lost_fraction > 0.0;
