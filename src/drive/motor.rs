@@ -82,6 +82,22 @@ impl Motor {
         }
     }
 
+    /// The same motor with its torque multiplied.
+    #[must_use]
+    pub fn with_torque(&self, part: f64) -> Motor {
+        let line = match &self.line {
+            TorqueLine::Slope(k) => TorqueLine::Slope(part * k),
+            TorqueLine::Stall(most) => TorqueLine::Stall(part * most),
+            TorqueLine::Curve(rows) => {
+                TorqueLine::Curve(rows.iter().map(|[w, t]| [*w, part * t]).collect())
+            }
+        };
+        Motor {
+            line,
+            ..self.clone()
+        }
+    }
+
     /// Torque of the motor itself, N·m, for a torque at the camshaft.
     pub fn own_torque(&self, at_cam: f64) -> f64 {
         at_cam / (self.gear * self.efficiency)

@@ -80,7 +80,7 @@ pub struct Shaft {
 }
 
 /// Speed and time over the turn at equal angles.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Motion {
     /// ω, rad/s.
     pub speed: Vec<f64>,
@@ -88,8 +88,8 @@ pub struct Motion {
     pub acceleration: Vec<f64>,
     /// Time since the first angle, s.
     pub time: Vec<f64>,
-    /// What is reported of it.
-    pub report: Shaft,
+    mean: f64,
+    steady: Steady,
 }
 
 impl Motion {
@@ -104,34 +104,63 @@ impl Motion {
     }
 }
 
-/// The periodic motion of a load under a motor at a mean speed, rad/s; `nodes` are the loads at its equal angles and
-/// `lowest` the angle of the lowest lift.
+impl Motion {
+    /// Highest less lowest speed, part of the mean.
+    pub fn ripple(&self) -> f64 {
+        let [min, max] = self.steady.turn.range.map(|e| (2.0 * e).sqrt());
+        (max - min) / self.mean
+    }
+
+    /// Part of the period, rad, at an angle since the first, rad, with its derivatives by the angle.
+    pub fn phase(&self, angle: f64) -> [f64; 3] {
+        let n = self.speed.len();
+        let h = TAU / n as f64;
+        let x = angle / h;
+        let (turns, place) = (x.div_euclid(n as f64), x.rem_euclid(n as f64));
+        let (i, u) = ((place as usize).min(n - 1), place - place.floor());
+        let at = |k: usize| {
+            let (w, rate) = (self.speed[k % n], self.acceleration[k % n]);
+            let from = if k == n { TAU } else { self.mean * self.time[k] };
+            [from, h * self.mean / w, -h * h * self.mean * rate / (w * w * w)]
+        };
+        // Hermite's quintic.
+        let ([y, d, e], [z, f, g]) = (at(i), at(i + 1));
+        let rise = z - y;
+        let c = [
+            10.0 * rise - 6.0 * d - 4.0 * f - 0.5 * (3.0 * e - g),
+            -15.0 * rise + 8.0 * d + 7.0 * f + 0.5 * (3.0 * e - 2.0 * g),
+            6.0 * rise - 3.0 * (d + f) - 0.5 * (e - g),
+        ];
+        let value = y + u * (d + u * (0.5 * e + u * (c[0] + u * (c[1] + u * c[2]))));
+        let slope = d + u * (e + u * (3.0 * c[0] + u * (4.0 * c[1] + u * 5.0 * c[2])));
+        let bend = e + u * (6.0 * c[0] + u * (12.0 * c[1] + u * 20.0 * c[2]));
+        [TAU * turns + value, slope / h, bend / (h * h)]
+    }
+
+    /// What is reported of it; `lowest` is the angle of the lowest lift.
+    pub fn report(&self, load: &Load, motor: &Motor, lowest: f64) -> Shaft {
+        self.steady.report(load, motor, self.mean, lowest)
+    }
+}
+
+/// The periodic motion of a load under a motor at a mean speed, rad/s; `nodes` are the loads at its equal angles.
 ///
 /// # Errors
-/// The shaft stops; the motor's no-load speed is too low for the mean speed; friction locks the follower.
-pub fn periodic(
-    load: &Load,
-    nodes: &[Node],
-    motor: &Motor,
-    speed: f64,
-    lowest: f64,
-) -> Result<Motion> {
-    let coarse = load.every(COARSE);
-    let Some(steady) = Steady::find(load, motor, speed) else {
-        return Err(stalls(&coarse, motor, speed).into());
+/// The shaft stops; the motor's no-load speed is too low for the mean speed.
+pub fn periodic(load: &Load, nodes: &[Node], motor: &Motor, mean: f64) -> Result<Motion> {
+    let Some(steady) = Steady::find(load, motor, mean) else {
+        return Err(stalls(&load.every(COARSE), motor, mean).into());
     };
-    if let Some(nominal) = motor
-        .nominal
-        .filter(|most| *most < steady.no_load * (1.0 - 1e-9))
-    {
+    let too_low = |most: &f64| *most < steady.no_load * (1.0 - 1e-9);
+    if let Some(nominal) = motor.nominal.filter(too_low) {
         let [nominal, needed, speed] =
-            [nominal, steady.no_load, speed].map(|w| Quantity::new(w, Dimension::AngularSpeed));
-        return Err(DynamicsError::NoLoadSpeed {
+            [nominal, steady.no_load, mean].map(|w| Quantity::new(w, Dimension::AngularSpeed));
+        let fault = DynamicsError::NoLoadSpeed {
             nominal,
             needed,
             speed,
-        }
-        .into());
+        };
+        return Err(fault.into());
     }
     let (energy, time) = load.at_rows(&steady.turn);
     let rate = |(node, e): (&Node, &f64)| node.rate(motor, steady.no_load, *e)[0];
@@ -139,7 +168,8 @@ pub fn periodic(
         acceleration: nodes.iter().zip(&energy).map(rate).collect(),
         speed: energy.iter().map(|e| (2.0 * e).sqrt()).collect(),
         time,
-        report: steady.report(load, &coarse, motor, speed, lowest),
+        mean,
+        steady,
     })
 }
 
@@ -181,6 +211,7 @@ fn between(load: &Load, motor: &Motor, speed: f64, [mut low, mut high]: [f64; 2]
 }
 
 /// A turn that repeats.
+#[derive(Debug, Clone)]
 struct Steady {
     turn: Turn,
     no_load: f64,
@@ -236,7 +267,8 @@ impl Steady {
         None
     }
 
-    fn report(&self, load: &Load, coarse: &Load, motor: &Motor, speed: f64, lowest: f64) -> Shaft {
+    fn report(&self, load: &Load, motor: &Motor, speed: f64, lowest: f64) -> Shaft {
+        let coarse = &load.every(COARSE);
         let turn = &self.turn;
         let [min, max] = turn.range.map(|e| (2.0 * e).sqrt());
         let period = TAU / speed;

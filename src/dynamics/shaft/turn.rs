@@ -96,29 +96,30 @@ pub struct Load {
 impl Load {
     /// Steps between equal angles and the breaks of the law; `arms` gives the torque per unit of force.
     pub fn new(law: &Law, drive: &Drive, equal: usize, arms: &dyn Fn(Svaj) -> [f64; 2]) -> Load {
-        let (start, length) = law.extent();
+        Load::of(law.extent(), law.breaks(), equal, &|theta| {
+            let at = law.svaj(theta);
+            Node::new(drive, at, arms(at))
+        })
+    }
+
+    /// The load `at` every angle of a turn from `start` over `length`, smooth between equal angles and breaks.
+    pub fn of(
+        (start, length): (f64, f64),
+        breaks: &[f64],
+        equal: usize,
+        at: &dyn Fn(f64) -> Node,
+    ) -> Load {
         let mut marks: Vec<f64> = (0..=equal)
             .map(|i| start + length * i as f64 / equal as f64)
-            .chain(law.breaks().iter().copied())
+            .chain(breaks.iter().copied())
             .collect();
         marks.sort_by(f64::total_cmp);
         let least = 1e-9 * length;
         marks.dedup_by(|b, a| *b - *a < least);
         let places = gauss_legendre(STAGES);
-        let breaks = law.breaks();
-        let mut piece = 0;
         let step = |ends: &[f64]| {
             let (from, width) = (ends[0], ends[1] - ends[0]);
-            while piece + 2 < breaks.len() && breaks[piece + 1] <= from + 0.5 * width {
-                piece += 1;
-            }
-            let (left, right) = (breaks[piece], breaks[piece + 1]);
-            let node = |k: usize| {
-                let theta = from + places[k].0 * width;
-                let at = law.svaj_on(piece, (theta - left) / (right - left));
-                Node::new(drive, at, arms(at))
-            };
-            let nodes = [node(0), node(1), node(2)];
+            let nodes = [0, 1, 2].map(|k| at(from + places[k].0 * width));
             Step { from, width, nodes }
         };
         let steps: Vec<Step> = marks.windows(2).map(step).collect();

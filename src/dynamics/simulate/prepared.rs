@@ -9,7 +9,7 @@ use crate::dynamics::recover::{Cycle, recover_cam};
 use crate::dynamics::rigid::hertz::Material;
 use crate::dynamics::rigid::touch::{held, rubs, touch};
 use crate::dynamics::run::Run;
-use crate::dynamics::shaft::Motion;
+use crate::dynamics::shaft::{Motion, Shaft};
 use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Svaj};
 
@@ -34,6 +34,7 @@ pub(super) struct Prepared {
     pub measures: Measures,
     /// Motion of the shaft where its speed varies.
     pub shaft: Option<Motion>,
+    pub shaft_report: Option<Shaft>,
     /// Whether the follower is held from both sides.
     pub held: bool,
     /// Whether friction makes the torque other than F·v and it is not the flat face's.
@@ -97,6 +98,7 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         bearing: bearing(input),
         measures: follower.measures(),
         shaft: None,
+        shaft_report: None,
         held,
         rubs: has_own_friction(input),
         target,

@@ -173,7 +173,7 @@ impl Prepared {
             liftoff_speed: self.liftoff(),
             settle_cycles: Some(0),
             period_turns: 1,
-            shaft: self.shaft.as_ref().map(|s| s.report),
+            shaft: self.shaft_report,
             force_time: None,
             impacts: Vec::new(),
             hertz: None,

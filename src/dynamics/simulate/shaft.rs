@@ -39,11 +39,12 @@ pub(super) fn turn(input: &Run, p: &mut Prepared, model: Model) -> Result<()> {
     let nodes = p.nodes.iter().map(|at| Node::new(&p.drive, *at, arms(*at)));
     let nodes: Vec<Node> = nodes.collect();
     let lowest = p.lift.extremes(0).0.at;
-    let motion = periodic(&load, &nodes, motor, p.drive.speed, lowest)?;
+    let motion = periodic(&load, &nodes, motor, p.drive.speed)?;
+    p.shaft_report = Some(motion.report(&load, motor, lowest));
     p.notes.push(RunNote::ShaftVaries {
         ripple: Quantity::share(ripple),
         change: Quantity::share(change),
-        found: Quantity::share(motion.report.ripple),
+        found: Quantity::share(motion.ripple()),
     });
     p.shaft = Some(motion);
     Ok(())

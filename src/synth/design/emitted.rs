@@ -46,7 +46,7 @@ impl Design {
             ..Machine::default()
         };
         let angles = (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);
-        let target = self.target.as_ref();
+        let target = self.target_in_time();
         Ok(Run {
             profile: self.cam.profile(POINTS),
             target: target.map(|t| angles.map(|theta| t.at(theta)).collect()),

@@ -56,7 +56,7 @@ impl Design {
         if weight <= 0.0 || self.is_idle() {
             return Vec::new();
         }
-        let achieved = self.drive.force_curve(self.pressing());
+        let achieved = self.force_curve();
         let angles = || (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
         let of = |samples: Vec<f64>| amplitudes(&samples);
         let wanted = if target.force_n.len() == SAMPLES {

@@ -13,6 +13,9 @@ use crate::synth::search::{ReportKey, Search};
 
 /// Smallest and largest force.
 pub fn rows(problem: &Problem) -> Vec<Limit> {
+    if problem.on_shaft.is_some() {
+        return Vec::new();
+    }
     let [s, v, a, _] = problem.drive.weights();
     let rest = problem.drive.rest_force;
     let scale = problem
@@ -33,6 +36,27 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
         let weights = [s, v, a, 0.0, 0.0];
         let limit = Limit::new(LimitKind::ForceMax, weights, high - rest, scale);
         out.push(limit.read_as(meaning(1.0)));
+    }
+    out
+}
+
+/// The same where the speed of the shaft adds to the force: the bounds are less by that; their shapes join the program.
+pub fn rows_on_shaft(problem: &Problem, program: &mut Program) -> Vec<Limit> {
+    let Some(shaft) = &problem.on_shaft else {
+        return Vec::new();
+    };
+    let mut at_mean = problem.clone();
+    at_mean.on_shaft = None;
+    let mut out = rows(&at_mean);
+    for limit in &mut out {
+        let sign = if limit.name == Criterion::from(LimitKind::ForceMin) {
+            1.0
+        } else {
+            -1.0
+        };
+        let shape = PiecewisePoly::combine(&[(sign, &shaft.extra)], 0.0);
+        program.shapes.push(shape);
+        limit.shape = Some(program.shapes.len() - 1);
     }
     out
 }
@@ -100,8 +124,8 @@ pub fn report(problem: &Problem, search: &Search, law: &Law) -> ForceReport {
 }
 
 fn measured(problem: &Problem, law: &Law) -> ForceReport {
-    let own = problem.drive.force_curve(law);
-    let (low, high) = problem.drive.force_extremes(law);
+    let own = problem.force_curve(law);
+    let (low, high) = problem.force_extremes(law);
     let (start, length) = law.extent();
     let mut report = ForceReport {
         mean_n: own.integral() / length,
@@ -110,7 +134,7 @@ fn measured(problem: &Problem, law: &Law) -> ForceReport {
         ..ForceReport::default()
     };
     if let Some(target) = &problem.target {
-        let apart = target.cells().distance(&own);
+        let apart = target.cells().distance(&problem.drive.force_curve(law));
         report.target_mean_n = target.mean_n();
         report.rms_error_n = (apart.square / length).max(0.0).sqrt();
         report.max_error_n = apart.largest;
@@ -126,7 +150,7 @@ const TOUCHES: f64 = 1e-7;
 /// Smallest and largest force of the design; contact is kept, asked for or not.
 pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
-    let (low, high) = design.problem.drive.force_extremes(design.pressing);
+    let (low, high) = design.problem.force_extremes(design.pressing);
     let mut out = Vec::new();
     if let Some(limit) = limits[LimitKind::ForceMin] {
         let mut check = Check::at_least(LimitKind::ForceMin, low, limit, SLACK);

@@ -21,7 +21,7 @@ mod slack;
 
 pub use dwell_vibration::Vibrations;
 pub use finished::{Finished, GEOMETRY};
-pub use force::{about_the_target, accuracy, report as force_report};
+pub use force::{about_the_target, accuracy, report as force_report, rows_on_shaft};
 pub use hertz_pressure::Press;
 pub use kinematic::{above_base_circle, monotone, peak};
 pub use loads::{bearable_on_some_size, largest, smallest_base_radius, torque_curve};

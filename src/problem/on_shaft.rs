@@ -1,0 +1,84 @@
+//! A problem on a shaft whose speed varies: the target by the cam angle, and what the speed adds to the force.
+//!
+//! F = F₀ + k s + c ω v + m (ω² a + ω ω′ v) is the force at the mean speed plus Δ = c (ω − Ω) v + m ((ω² − Ω²) a + ω ω′ v).
+//! With Δ of the round before, the force stays linear in the law: target, band and limits of the force are those less Δ, and
+//! every family, proof and check stays what it is at constant speed (theory §10).
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use super::{Problem, Target, piecewise};
+use crate::force::ForceCurve;
+use crate::law::Law;
+use crate::poly::{Extreme, PiecewisePoly};
+
+/// What a varying speed makes of a problem, by the cam angle.
+#[derive(Debug)]
+pub struct OnShaft {
+    /// Δ, N.
+    pub extra: PiecewisePoly,
+    /// The target, N.
+    pub target: Option<ForceCurve>,
+}
+
+impl Problem {
+    /// The same on a shaft that is at the parts `phases` of its period, rad, at equal cam angles, where the speed adds
+    /// the forces `extra`, N.
+    #[must_use]
+    pub fn on_shaft(&self, phases: &[f64], extra: &[f64]) -> Problem {
+        let moved = |curve: &ForceCurve| -> Vec<f64> {
+            phases.iter().map(|phase| curve.at(*phase)).collect()
+        };
+        let less = |curve: &ForceCurve| {
+            let forces = moved(curve).into_iter().zip(extra);
+            curve.with_forces(forces.map(|(f, x)| f - x).collect())
+        };
+        let mut out = self.clone();
+        let target = self.target.as_ref().map(|t| &*t.curve);
+        out.target = target.map(|curve| Target::new(less(curve)));
+        out.band = self.band.as_ref().map(|edges| edges.each_ref().map(less));
+        out.phase_is_free = false;
+        for weight in &mut out.weights {
+            for edge in [&mut weight.from, &mut weight.to] {
+                *edge = self.phase + angle_at(phases, *edge - self.phase);
+            }
+        }
+        let shape = |values: Vec<f64>| target.map(|curve| curve.with_forces(values));
+        out.on_shaft = shape(extra.to_vec()).map(|extra| {
+            Arc::new(OnShaft {
+                extra: piecewise(&extra),
+                target: target.and_then(|curve| shape(moved(curve))),
+            })
+        });
+        out
+    }
+
+    /// The force of a law over the turn, N, as a piecewise polynomial with exact extremes.
+    pub fn force_curve(&self, law: &Law) -> PiecewisePoly {
+        let own = self.drive.force_curve(law);
+        let Some(shaft) = &self.on_shaft else {
+            return own;
+        };
+        let extra = shaft.extra.cut_at(own.breaks());
+        let own = own.cut_at(extra.breaks());
+        PiecewisePoly::combine(&[(1.0, &own), (1.0, &extra)], 0.0)
+    }
+
+    /// Smallest and largest force of a law, N.
+    pub fn force_extremes(&self, law: &Law) -> (Extreme, Extreme) {
+        match &self.on_shaft {
+            None => self.drive.force_extremes(law),
+            Some(_) => self.force_curve(law).extremes(),
+        }
+    }
+}
+
+/// The cam angle at a part of the period, rad, both from 0; linear between the equal angles.
+fn angle_at(phases: &[f64], phase: f64) -> f64 {
+    let (turns, part) = ((phase / TAU).floor(), phase.rem_euclid(TAU));
+    let (n, first) = (phases.len(), phases[0]);
+    let place = |i: usize| if i < n { phases[i] - first } else { TAU };
+    let i = (1..n).find(|i| place(*i) > part).unwrap_or(n);
+    let (a, b) = (place(i - 1), place(i));
+    TAU * (turns + ((i - 1) as f64 + (part - a) / (b - a)) / n as f64)
+}
