@@ -1,6 +1,14 @@
 //! The motor that turns the cam: torque against speed, and the inertia and friction of its shaft.
 
 /// How the torque of a motor falls with the speed of the camshaft; the supply sets the no-load speed.
+///
+/// ```
+/// use gaitcam::drive::TorqueLine;
+///
+/// let curve = TorqueLine::Curve(vec![[0.0, 60.0], [10.0, 20.0], [12.0, -4.0]]);
+/// assert!((curve.no_load_speed().unwrap() - (10.0 + 20.0 / 12.0)).abs() < 1e-12);
+/// assert_eq!(TorqueLine::Slope(10.0).no_load_speed(), None);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum TorqueLine {
     /// Torque lost per speed, N·m·s/rad: T = slope·(ω₀ − ω).

@@ -5,7 +5,7 @@
 //!
 //! - [`rigid`]: F = F₀ + k s + c ω v + m ω² a, torque, contact pressure ([`rigid::hertz`]);
 //! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::linear`]);
-//! - [`mod@shaft`]: the rigid follower on a shaft whose speed its motor and its inertia give;
+//! - `shaft`: the rigid follower on a shaft whose speed its motor and its inertia give;
 //! - [`contact`]: lift-off, flight, impact and rest, one event after the other.
 //!
 //! The simplest sufficient model is chosen automatically, with its reason; [`flexible::polydyne`] computes the cam
@@ -18,7 +18,7 @@ mod reason;
 pub mod recover;
 pub mod rigid;
 mod run;
-pub mod shaft;
+pub(crate) mod shaft;
 mod simulate;
 pub mod surface;
 

@@ -13,6 +13,19 @@ use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 
 /// What a varying speed makes of a problem, by the cam angle.
+///
+/// ```
+/// use gaitcam::{Problem, scene};
+///
+/// // At 10 N more than at the mean speed the limits and the target of the force are 10 N less.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
+/// let phases: Vec<f64> = (0..360).map(|i| f64::from(i).to_radians()).collect();
+/// let on_shaft = problem.on_shaft(&phases, &[10.0; 360]);
+/// let targets = [&problem, &on_shaft].map(|p| p.target.as_ref().unwrap().curve.at(1.0));
+/// assert!((targets[0] - targets[1] - 10.0).abs() < 1e-3);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct OnShaft {
     /// Δ, N.

@@ -203,9 +203,16 @@ fn machine(scene: &Scene, _: Typed) -> Verdict {
 
 /// One torque line for the motor, falling, and the inertia of its shaft.
 fn motor(scene: &Scene) -> Verdict {
-    let Some(motor) = &scene.machine.motor else {
+    let motor = &scene.machine.motor;
+    if motor.no_load_speed.is_some() && motor.stall_torque.is_none() {
+        return Err((
+            "machine.motor.no_load_speed",
+            SceneError::NoLoadWithoutStall,
+        ));
+    }
+    if !motor.is_given() {
         return Ok(());
-    };
+    }
     let lines = [
         motor.slope.is_some(),
         motor.stall_torque.is_some(),
@@ -213,12 +220,6 @@ fn motor(scene: &Scene) -> Verdict {
     ];
     if lines.iter().filter(|given| **given).count() != 1 {
         return Err(("machine.motor.slope", SceneError::MotorLine));
-    }
-    if motor.no_load_speed.is_some() && motor.stall_torque.is_none() {
-        return Err((
-            "machine.motor.no_load_speed",
-            SceneError::NoLoadWithoutStall,
-        ));
     }
     if motor.curve.is_some() && motor.rows().is_none() {
         return Err(("machine.motor.curve", SceneError::MotorCurve));

@@ -5,6 +5,23 @@ use std::f64::consts::TAU;
 use serde::Serialize;
 
 /// Distance of a force to its target over time, the phase set right and the mean speed given.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::drive::{Drive, Motor, TorqueLine};
+/// use gaitcam::dynamics::{Model, Run, simulate};
+/// use gaitcam::law::Law;
+///
+/// // A target that is the force of the steady cam a tenth of a turn later: the phase is set right.
+/// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
+/// let mut run = Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720);
+/// let force = |i: i32| 98.1 - 0.9 * (f64::from(i).to_radians() - 0.6).sin();
+/// run.target = Some((0..360).map(force).collect());
+/// let line = TorqueLine::Slope(10.0);
+/// run.machine.motor = Some(Motor { line, nominal: None, inertia: 1e6, friction: 0.0, gear: 1.0, efficiency: 1.0 });
+/// assert!(simulate(&run, Model::Rigid)?.force_time.unwrap().rms_error_n < 1e-4);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct InTime {
     /// Root mean square over the period, N.

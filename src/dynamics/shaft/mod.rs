@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use crate::drive::{Drive, Motor};
+use crate::drive::{Drive, Motor, TorqueLine};
 use crate::error::{DynamicsError, Result};
 use crate::law::Svaj;
 use crate::units::{Dimension, Quantity};
@@ -22,8 +22,10 @@ use turn::Turn;
 
 /// Newton iterations of the periodic turn at most; five are usual.
 const ROUNDS: usize = 60;
-/// Relative change of energy and no-load speed at which they are found.
-const SAME: f64 = 1e-12;
+/// Relative change of energy and no-load speed at which they are found: its square is left.
+const SAME: f64 = 1e-7;
+/// A no-load speed or inertia that is proposed has this much more than is needed.
+const MARGIN: f64 = 1.01;
 /// Steps of a turn where only its existence is asked.
 const COARSE: usize = 96;
 /// Inertias are searched over this range, to this part.
@@ -120,8 +122,16 @@ impl Motion {
         let (i, u) = ((place as usize).min(n - 1), place - place.floor());
         let at = |k: usize| {
             let (w, rate) = (self.speed[k % n], self.acceleration[k % n]);
-            let from = if k == n { TAU } else { self.mean * self.time[k] };
-            [from, h * self.mean / w, -h * h * self.mean * rate / (w * w * w)]
+            let from = if k == n {
+                TAU
+            } else {
+                self.mean * self.time[k]
+            };
+            [
+                from,
+                h * self.mean / w,
+                -h * h * self.mean * rate / (w * w * w),
+            ]
         };
         // Hermite's quintic.
         let ([y, d, e], [z, f, g]) = (at(i), at(i + 1));
@@ -137,31 +147,58 @@ impl Motion {
         [TAU * turns + value, slope / h, bend / (h * h)]
     }
 
+    /// Refuses a motor whose supply does not reach the no-load speed of this motion; `load` is what it carries.
+    ///
+    /// # Errors
+    /// The motor's no-load speed is too low for the mean speed.
+    pub fn check_supply(&self, load: &Load, motor: &Motor) -> Result<()> {
+        let enough = |most: &f64| *most >= self.steady.no_load * (1.0 - 1e-9);
+        let Some(nominal) = motor.nominal.filter(|most| !enough(most)) else {
+            return Ok(());
+        };
+        // Another no-load speed of the same stall torque is another slope.
+        let needed = match motor.line {
+            TorqueLine::Slope(slope) => Motor {
+                line: TorqueLine::Stall(slope * nominal),
+                ..motor.clone()
+            },
+            TorqueLine::Stall(_) | TorqueLine::Curve(_) => motor.clone(),
+        };
+        let needed = Steady::find(load, &needed, self.mean).map(|s| s.no_load);
+        let needed = MARGIN * needed.unwrap_or(self.steady.no_load);
+        let [nominal, needed, speed] = [motor.gear * nominal, motor.gear * needed, self.mean]
+            .map(|w| Quantity::new(w, Dimension::AngularSpeed));
+        let fault = DynamicsError::NoLoadSpeed {
+            nominal,
+            needed,
+            speed,
+        };
+        Err(fault.into())
+    }
+
     /// What is reported of it; `lowest` is the angle of the lowest lift.
     pub fn report(&self, load: &Load, motor: &Motor, lowest: f64) -> Shaft {
         self.steady.report(load, motor, self.mean, lowest)
     }
 }
 
-/// The periodic motion of a load under a motor at a mean speed, rad/s; `nodes` are the loads at its equal angles.
+/// The periodic motion of a load under a motor at a mean speed, rad/s; `nodes` are the loads at its equal angles, and `near`
+/// is a motion not far from it, where one is known.
 ///
 /// # Errors
-/// The shaft stops; the motor's no-load speed is too low for the mean speed.
-pub fn periodic(load: &Load, nodes: &[Node], motor: &Motor, mean: f64) -> Result<Motion> {
-    let Some(steady) = Steady::find(load, motor, mean) else {
+/// The shaft stops.
+pub fn periodic(
+    load: &Load,
+    nodes: &[Node],
+    motor: &Motor,
+    mean: f64,
+    near: Option<&Motion>,
+) -> Result<Motion> {
+    let start = near.map(|m| [m.steady.turn.energy[0], m.steady.no_load]);
+    let near = start.and_then(|start| Steady::near(load, motor, mean, start));
+    let Some(steady) = near.or_else(|| Steady::find(load, motor, mean)) else {
         return Err(stalls(&load.every(COARSE), motor, mean).into());
     };
-    let too_low = |most: &f64| *most < steady.no_load * (1.0 - 1e-9);
-    if let Some(nominal) = motor.nominal.filter(too_low) {
-        let [nominal, needed, speed] =
-            [nominal, steady.no_load, mean].map(|w| Quantity::new(w, Dimension::AngularSpeed));
-        let fault = DynamicsError::NoLoadSpeed {
-            nominal,
-            needed,
-            speed,
-        };
-        return Err(fault.into());
-    }
     let (energy, time) = load.at_rows(&steady.turn);
     let rate = |(node, e): (&Node, &f64)| node.rate(motor, steady.no_load, *e)[0];
     Ok(Motion {
@@ -185,7 +222,7 @@ fn stalls(load: &Load, motor: &Motor, speed: f64) -> DynamicsError {
             let least = between(load, motor, speed, [0.5 * high, high]);
             DynamicsError::Stalls {
                 inertia: inertia(motor.inertia),
-                needed: inertia(least * (1.0 + INERTIA_PART)),
+                needed: inertia(least * MARGIN),
             }
         }
     }
@@ -233,7 +270,14 @@ impl Steady {
             no_load *= 1.05;
             turn = load.turn(motor, no_load, first);
         }
-        let mut turn = turn.ok()?;
+        turn.ok()?;
+        Steady::near(load, motor, speed, [first, no_load])
+    }
+
+    /// The same by Newton's method from an energy at the first angle and a no-load speed.
+    fn near(load: &Load, motor: &Motor, speed: f64, start: [f64; 2]) -> Option<Steady> {
+        let [mut first, mut no_load] = start;
+        let mut turn = load.turn(motor, no_load, first).ok()?;
         for _ in 0..ROUNDS {
             let [end, time] = [&turn.energy, &turn.time].map(|v| v.last().copied().unwrap_or(0.0));
             let off = [end - first, time - TAU / speed];

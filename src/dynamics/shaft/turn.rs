@@ -245,7 +245,7 @@ impl Turn {
         }
         let mut rates = [[0.0; 3]; STAGES];
         for round in 0..=ROUNDS {
-            if stages.iter().any(|e| !(*e > 0.0)) || round == ROUNDS {
+            if stages.iter().any(|e| e.is_nan() || *e <= 0.0) || round == ROUNDS {
                 return None;
             }
             for (k, rate) in rates.iter_mut().enumerate() {

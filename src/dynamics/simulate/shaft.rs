@@ -39,7 +39,8 @@ pub(super) fn turn(input: &Run, p: &mut Prepared, model: Model) -> Result<()> {
     let nodes = p.nodes.iter().map(|at| Node::new(&p.drive, *at, arms(*at)));
     let nodes: Vec<Node> = nodes.collect();
     let lowest = p.lift.extremes(0).0.at;
-    let motion = periodic(&load, &nodes, motor, p.drive.speed)?;
+    let motion = periodic(&load, &nodes, motor, p.drive.speed, None)?;
+    motion.check_supply(&load, motor)?;
     p.shaft_report = Some(motion.report(&load, motor, lowest));
     p.notes.push(RunNote::ShaftVaries {
         ripple: Quantity::share(ripple),

@@ -148,12 +148,12 @@ pub static KEYS: &[Key] = &[
     row("machine.friction",          number(Ratio, NotNegative),                "0",    field!(machine.friction)),
     row("machine.restitution",       number(Ratio, Between(0.0, 1.0)),          "0",    field!(machine.restitution)),
     row("machine.second_cam",        number(Angle, Any),                        "",     field!(machine.second_cam)),
-    row("machine.motor.slope",         number(AngularDamping, Positive),        "",     field!(machine.motor?.slope)).only(turns),
-    row("machine.motor.stall_torque",  number(Torque, Positive),                "",     field!(machine.motor?.stall_torque)).only(turns),
-    row("machine.motor.no_load_speed", number(AngularSpeed, Positive),          "auto", field!(machine.motor?.no_load_speed)).only(turns),
-    row("machine.motor.curve",         TEXT,                                    "",     field!(machine.motor?.curve)).only(turns),
-    row("machine.motor.gear",          number(Ratio, Positive),                 "1",    field!(machine.motor?.gear)).only(turns),
-    row("machine.motor.efficiency",    number(Ratio, Between(0.01, 1.0)),       "1",    field!(machine.motor?.efficiency)).only(turns),
+    row("machine.motor.slope",         number(AngularDamping, Positive),        "",     field!(machine.motor.slope)).only(turns),
+    row("machine.motor.stall_torque",  number(Torque, Positive),                "",     field!(machine.motor.stall_torque)).only(turns),
+    row("machine.motor.no_load_speed", number(AngularSpeed, Positive),          "auto", field!(machine.motor.no_load_speed)).only(turns),
+    row("machine.motor.curve",         TEXT,                                    "",     field!(machine.motor.curve)).only(turns),
+    row("machine.motor.gear",          number(Ratio, Positive),                 "1",    field!(machine.motor.gear)).only(turns).idle_when(no_motor),
+    row("machine.motor.efficiency",    number(Ratio, Between(0.01, 1.0)),       "1",    field!(machine.motor.efficiency)).only(turns).idle_when(no_motor),
     row("machine.inertia",             number(Inertia, Positive),               "",     field!(machine.inertia)).only(turns).idle_when(no_motor),
     row("machine.friction_torque",     number(Torque, NotNegative),             "0",    field!(machine.friction_torque)).only(turns).idle_when(no_motor),
 
@@ -301,7 +301,7 @@ fn rigid(scene: &Scene) -> Option<Idle> {
 
 /// Without a motor the shaft turns at constant speed.
 fn no_motor(scene: &Scene) -> Option<Idle> {
-    scene.machine.motor.is_none().then_some(Idle::NoMotor)
+    (!scene.machine.motor.is_given()).then_some(Idle::NoMotor)
 }
 
 /// Vibration is limited in dwells.

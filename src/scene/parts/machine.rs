@@ -34,8 +34,8 @@ pub struct MachineSpec {
     pub restitution: f64,
     /// Angle by which a second, equal cam follows on the same shaft, rad.
     pub second_cam: Option<f64>,
-    /// The motor; `None`: the shaft turns at constant speed.
-    pub motor: Option<MotorSpec>,
+    /// The motor; without a torque line the shaft turns at constant speed.
+    pub motor: MotorSpec,
     /// Moment of inertia of all that turns with the shaft, at the camshaft, kg·m².
     pub inertia: Option<f64>,
     /// Torque of friction in the bearings of the shaft, N·m.
@@ -49,7 +49,7 @@ pub struct MachineSpec {
 ///
 /// // 2 N·m at standstill, 100 rad/s without load, behind a gear of 8: a line of 8²·2/100 N·m·s/rad at the camshaft.
 /// let motor = MotorSpec { stall_torque: Some(2.0), no_load_speed: Some(100.0), gear: 8.0, ..MotorSpec::default() };
-/// let machine = MachineSpec { motor: Some(motor), inertia: Some(0.5), ..MachineSpec::default() };
+/// let machine = MachineSpec { motor, inertia: Some(0.5), ..MachineSpec::default() };
 /// let motor = machine.motor().unwrap();
 /// assert!((motor.torque(10.0, 12.5)[0] - 1.28 * 2.5).abs() < 1e-12);
 /// assert_eq!(motor.nominal, Some(12.5));
@@ -84,13 +84,18 @@ impl Default for MotorSpec {
 }
 
 impl MotorSpec {
+    /// Whether it has a torque line.
+    pub fn is_given(&self) -> bool {
+        self.slope.is_some() || self.stall_torque.is_some() || self.curve.is_some()
+    }
+
     /// Speeds and torques of the curve; `None` where they are no falling curve of at least two rows that reaches zero.
     pub fn rows(&self) -> Option<Vec<[f64; 2]>> {
         let numbers = self.curve.as_ref()?.split_whitespace().map(str::parse);
         let numbers: Vec<f64> = numbers.collect::<std::result::Result<_, _>>().ok()?;
         let rows: Vec<[f64; 2]> = numbers.chunks(2).map(|r| [r[0], r[r.len() - 1]]).collect();
         let falls = |r: &[[f64; 2]]| r[1][0] > r[0][0] && r[1][1] < r[0][1];
-        let sound = numbers.len() % 2 == 0 && rows.len() > 1 && rows.windows(2).all(falls);
+        let sound = numbers.len().is_multiple_of(2) && rows.len() > 1 && rows.windows(2).all(falls);
         sound.then_some(rows)
     }
 
@@ -117,7 +122,7 @@ impl MotorSpec {
 impl MachineSpec {
     /// The motor with flywheel and friction; `None` where the shaft turns at constant speed.
     pub fn motor(&self) -> Option<Motor> {
-        let spec = self.motor.as_ref()?;
+        let spec = &self.motor;
         let (line, nominal) = spec.line()?;
         Some(Motor {
             line,
@@ -155,7 +160,7 @@ impl Default for MachineSpec {
             friction: 0.0,
             restitution: 0.0,
             second_cam: None,
-            motor: None,
+            motor: MotorSpec::default(),
             inertia: None,
             friction_torque: 0.0,
         }

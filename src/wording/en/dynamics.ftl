@@ -42,8 +42,8 @@ dynamics-stalls = the shaft does not keep turning: its inertia of { $inertia } c
     .help = set machine.inertia = "{ $needed }" or more, or a steeper torque line
 dynamics-stalls-anyway = the shaft does not keep turning with any inertia: the torque line of the motor is too weak for the load
     .help = give a steeper torque line (machine.motor.slope, machine.motor.stall_torque)
-dynamics-no-load-speed = the no-load speed of the motor, { $nominal } at the camshaft, is too low for a mean speed of { $speed }
-    .help = { $needed } at the camshaft gives it: set machine.motor.no_load_speed to that times machine.motor.gear, or more
+dynamics-no-load-speed = the no-load speed of the motor, { $nominal }, is too low for a mean speed of { $speed } of the camshaft
+    .help = set machine.motor.no_load_speed = "{ $needed }" or more, or a lower machine.motor.gear
 dynamics-open-polydyne = a polydyne cam needs a law that repeats: otherwise there is no steady state
 dynamics-polydyne-jump = the { $derivative } of the law is discontinuous at { $at }; the lift of a polydyne cam contains the force, so the cam's own acceleration would be discontinuous there
     .help = use a law with four continuous derivatives: a spline of degree 5 or more, harmonics, or 5-6-7-8-9 segments

@@ -42,8 +42,8 @@ dynamics-stalls = el eje no sigue girando: su inercia de { $inertia } no lo llev
     .help = ponga machine.inertia = "{ $needed }" o más, o una recta de par más inclinada
 dynamics-stalls-anyway = el eje no sigue girando con ninguna inercia: la recta de par del motor es demasiado débil para la carga
     .help = dé una recta de par más inclinada (machine.motor.slope, machine.motor.stall_torque)
-dynamics-no-load-speed = la velocidad en vacío del motor, { $nominal } en el eje de la leva, es demasiado baja para una velocidad media de { $speed }
-    .help = la da { $needed } en el eje de la leva: ponga machine.motor.no_load_speed en ese valor por machine.motor.gear, o más
+dynamics-no-load-speed = la velocidad en vacío del motor, { $nominal }, es demasiado baja para una velocidad media de { $speed } del eje de la leva
+    .help = ponga machine.motor.no_load_speed = "{ $needed }" o más, o un machine.motor.gear menor
 dynamics-open-polydyne = una leva polidina necesita una ley que se repita: si no, no hay régimen permanente
 dynamics-polydyne-jump = la { $derivative ->
         [lift] elevación

@@ -117,6 +117,7 @@ label-law = law
 label-drive = drive
 label-cam = cam
 label-machine = machine
+label-shaft = shaft
 label-active = active
 label-relaxing = relaxing
 label-note = note
@@ -145,6 +146,17 @@ synth-law = { $family }{ $degree ->
 synth-offset = {" "}offset { $offset } mm,
 synth-cam = { $follower }, base radius { $base } mm, prime radius { $prime } mm,{ $offset } smallest convex radius { $convex } mm
 synth-load-factors = dynamic load factors 1 to 4: { $list }
+synth-shaft = { $low } … { $high } rad/s, ripple { $ripple } %; motor: no-load speed { $noload } rad/s, torque { $rms } N·m RMS, { $most } N·m peak
+synth-shaft-error = force error over time { $own } % of the mean; of the law for constant speed { $before } %{ $rounds ->
+        [0] {""}
+        [one] {"; "}one round
+       *[other] {"; "}{ $rounds } rounds
+    }{ $contraction ->
+        [0] {""}
+       *[other] {"; "}each changes the target { $contraction } times as much as the one before
+    }
+synth-shaft-sensitivity = with 10 % less or more of { $list }
+synth-shaft-differs = { $key }: { $less } %, { $more } %
 synth-torque-values = torque { $most } N·m maximum, { $rms } N·m RMS
 synth-power-value = power { $most } W maximum
 synth-lift-off = lift-off at { $speed }

@@ -117,6 +117,7 @@ label-law = ley
 label-drive = accionamiento
 label-cam = leva
 label-machine = máquina
+label-shaft = eje
 label-active = activo
 label-relaxing = relajar
 label-note = nota
@@ -145,6 +146,17 @@ synth-law = { $family }{ $degree ->
 synth-offset = {" "}excentricidad { $offset } mm,
 synth-cam = { $follower }, radio base { $base } mm, radio primario { $prime } mm,{ $offset } menor radio convexo { $convex } mm
 synth-load-factors = factores de carga dinámica 1 a 4: { $list }
+synth-shaft = { $low } … { $high } rad/s, oscilación { $ripple } %; motor: velocidad en vacío { $noload } rad/s, par { $rms } N·m RMS, máximo { $most } N·m
+synth-shaft-error = error de fuerza en el tiempo { $own } % de la media; de la ley para velocidad constante { $before } %{ $rounds ->
+        [0] {""}
+        [one] {"; "}una ronda
+       *[other] {"; "}{ $rounds } rondas
+    }{ $contraction ->
+        [0] {""}
+       *[other] {"; "}cada una cambia el objetivo { $contraction } veces lo que la anterior
+    }
+synth-shaft-sensitivity = con un 10 % menos o más de { $list }
+synth-shaft-differs = { $key }: { $less } %, { $more } %
 synth-torque-values = par máximo { $most } N·m, RMS { $rms } N·m
 synth-power-value = potencia máxima { $most } W
 synth-lift-off = pérdida de contacto a { $speed }

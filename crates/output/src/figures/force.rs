@@ -103,9 +103,19 @@ impl Achieved {
             drive.mass = 1.0;
         }
         let idle = synthesis.is_idle();
-        let curve = if idle { drive.force_curve(law) } else { synthesis.force_curve() };
+        let curve = if idle {
+            drive.force_curve(law)
+        } else {
+            synthesis.force_curve()
+        };
         let (low, high) = curve.extremes();
-        let force = |t: f64, m: Svaj| if idle { drive.force(m) } else { synthesis.force_at(t) };
+        let force = |t: f64, m: Svaj| {
+            if idle {
+                drive.force(m)
+            } else {
+                synthesis.force_at(t)
+            }
+        };
         Achieved {
             curve: motion(law)
                 .iter()
