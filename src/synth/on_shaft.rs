@@ -143,6 +143,18 @@ pub fn designed(first: Design, search: &Search) -> Result<Design> {
     let supply = clock.check_supply(&load, &motor);
     supply.map_err(|e| e.at_key("machine.motor"))?;
     let lowest = law.extremes(0).0.at;
+    let on_shaft = design.problem.on_shaft.clone();
+    if let Some(target) = on_shaft.and_then(|shaft| shaft.target.clone()) {
+        let at = |i: usize| (design.force_at(angle(i)), 1.0 / clock.speed[i]);
+        let [force, time] = (0..ROWS)
+            .map(at)
+            .fold([0.0, 0.0], |[sum, all], (force, time)| {
+                [sum + force * time, all + time]
+            });
+        (design.force.mean_n, design.force.target_mean_n) = (force / time, problem.target_mean());
+        design.target = Some(target);
+        design.band = problem.band.clone();
+    }
     design.shaft = Some(OnShaft {
         shaft: clock.report(&load, &motor, lowest),
         force_time: run.error(&law, &clock),
@@ -154,15 +166,6 @@ pub fn designed(first: Design, search: &Search) -> Result<Design> {
         time: clock.time,
         target: problem.target.as_ref().map(|t| (*t.curve).clone()),
     });
-    if let Some(target) = design
-        .problem
-        .on_shaft
-        .as_ref()
-        .and_then(|s| s.target.clone())
-    {
-        design.target = Some(target);
-        design.band = problem.band.clone();
-    }
     Ok(design)
 }
 

@@ -49,7 +49,7 @@ impl Design {
     ///
     /// A turn is a stride of two steps where the second harmonic of the target is larger than the first.
     pub fn load_factors(&self) -> Vec<LoadFactor> {
-        let Some(target) = &self.target else {
+        let Some(target) = self.target_in_time() else {
             return Vec::new();
         };
         let weight = self.weight_n.unwrap_or(target.mean_n());
@@ -64,7 +64,7 @@ impl Design {
         } else {
             of(angles().map(|t| target.at(t)).collect())
         };
-        let given = of(angles().map(|t| achieved.eval(t)).collect());
+        let given = of(angles().map(|t| achieved.eval(self.angle_at(t))).collect());
         let turns_per_s = self.drive.speed.abs() / TAU;
         let steps = steps_per_turn(&wanted);
         (1..=steps * HARMONICS)

@@ -221,6 +221,19 @@ impl Design {
         (mix(&shaft.speed, 0.0), mix(&shaft.time, period))
     }
 
+    /// Cam angle at a part of the turn's time, rad, both from 0.
+    fn angle_at(&self, phase: f64) -> f64 {
+        let Some(shaft) = &self.shaft else {
+            return phase;
+        };
+        let period = TAU / self.drive.speed.abs();
+        let time = phase / TAU * period;
+        let i = shaft.time.partition_point(|t| *t <= time).max(1);
+        let from = shaft.time[i - 1];
+        let to = shaft.time.get(i).copied().unwrap_or(period);
+        TAU * ((i - 1) as f64 + (time - from) / (to - from)) / shaft.time.len() as f64
+    }
+
     /// The target over one period of time, N, in step with the cam at its angle 0.
     pub fn target_in_time(&self) -> Option<&ForceCurve> {
         let own = self.shaft.as_ref().and_then(|shaft| shaft.target.as_ref());

@@ -65,8 +65,8 @@ fn in_time(run: &Run, motor: &Motor, no_load: f64, mut omega: f64, rows: usize) 
     for turn in 0..400 {
         let first = omega;
         time = 0.0;
-        for row in 0..rows {
-            forces[row] = rates([theta, omega]).1;
+        for (row, force) in forces.iter_mut().enumerate() {
+            *force = rates([theta, omega]).1;
             // A step of time to the next angle, found by two corrections, then split evenly.
             let goal = TAU * (row + 1) as f64 / rows as f64;
             let mut span = (goal - theta) / omega;

@@ -29,6 +29,8 @@ cli-restitution = invalid value { $value }
     .help = a coefficient of restitution lies in [0, 1]: 0 for a plastic impact, 1 for an elastic one
 cli-negative-friction = a coefficient of friction is 0 or more, not { $typed }
     .help = 0 for none; oiled steel on steel about 0.1
+cli-speeds = { $typed } is no range of speeds
+    .help = write first, last and number of speeds, 2 to { $most }: --speeds '1.4 Hz:2.3 Hz:10'
 cli-cam-is-made = the cam of a result is made: { $key } would design another
     .help = give only keys of drive and machine, or design the other cam with gaitcam synth SUMMARY.json --set …
 cli-broken-table = { $fault }
@@ -206,6 +208,8 @@ gait-mean-cycle-of = mean cycle of { $file }
 
 # simulate.
 simulate-no-cam = there is no cam to run: { $why }
+simulate-speeds-head =       rpm error N RMS torque N·m ripple %  load factors 1 to 4
+simulate-speeds-lost = contact lost
 simulate-as-made = the cam as it was made, at { $rpm } rpm
 simulate-designed-again = the cam was designed for this drive.speed; --speed runs one cam at another speed
 

@@ -29,6 +29,8 @@ cli-restitution = valor no válido { $value }
     .help = el coeficiente de restitución está en [0, 1]: 0 en un choque plástico, 1 en uno elástico
 cli-negative-friction = un coeficiente de rozamiento es 0 o mayor, no { $typed }
     .help = 0 si no hay; acero sobre acero con aceite, alrededor de 0.1
+cli-speeds = { $typed } no es un intervalo de velocidades
+    .help = escriba la primera, la última y el número de velocidades, de 2 a { $most }: --speeds '1.4 Hz:2.3 Hz:10'
 cli-cam-is-made = la leva de un resultado ya está hecha: { $key } diseñaría otra
     .help = dé solo claves de drive y machine, o diseñe la otra leva con gaitcam synth SUMMARY.json --set …
 cli-broken-table = { $fault }
@@ -206,6 +208,8 @@ gait-mean-cycle-of = ciclo medio de { $file }
 
 # simulate.
 simulate-no-cam = no hay ninguna leva que simular: { $why }
+simulate-speeds-head =       rpm error N RMS  par N·m oscil. %  factores de carga 1 a 4
+simulate-speeds-lost = contacto perdido
 simulate-as-made = la leva tal como se hizo, a { $rpm } rpm
 simulate-designed-again = la leva se diseñó para este drive.speed; --speed hace girar una misma leva a otra velocidad
 

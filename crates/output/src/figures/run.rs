@@ -127,7 +127,7 @@ pub(crate) fn run_in(
             let y = padded(speed.iter().map(|p| p.1), 0.12);
             last = shown.panel(&f, frames[2], y)?;
             last.curve(&speed, RED, 2.0)?;
-            last.quantity(&words.text("figure-speed"))?;
+            last.quantity(&words.text("figure-shaft-speed"))?;
         }
         if outcome.contact_lost {
             let lift = measures.lift(0);
