@@ -19,6 +19,7 @@ use cycle::Cycle;
 pub use mean_force::MeanForce;
 pub use notes::Note;
 pub use on_shaft::OnShaft;
+pub(crate) use on_shaft::sum;
 pub use requirements::Requirements;
 pub(crate) use size::hub_radius;
 pub use size::{Size, USUAL_PRESSURE_ANGLE};

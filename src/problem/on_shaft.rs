@@ -21,7 +21,7 @@ use crate::poly::{Extreme, PiecewisePoly};
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
 /// let phases: Vec<f64> = (0..360).map(|i| f64::from(i).to_radians()).collect();
-/// let on_shaft = problem.on_shaft(&phases, &[10.0; 360]);
+/// let on_shaft = problem.on_shaft(&phases, &[vec![10.0; 360], vec![0.0; 360], vec![0.0; 360]]);
 /// let targets = [&problem, &on_shaft].map(|p| p.target.as_ref().unwrap().curve.at(1.0));
 /// assert!((targets[0] - targets[1] - 10.0).abs() < 1e-3);
 /// # Ok::<(), gaitcam::error::Error>(())
@@ -30,20 +30,22 @@ use crate::poly::{Extreme, PiecewisePoly};
 pub struct OnShaft {
     /// Δ, N.
     pub extra: PiecewisePoly,
+    /// What is added to velocity and acceleration by time, m/s and m/s² (rad/s and rad/s²).
+    pub timed: [PiecewisePoly; 2],
     /// The target, N.
-    pub target: Option<ForceCurve>,
+    pub target: ForceCurve,
 }
 
 impl Problem {
     /// The same on a shaft that is at the parts `phases` of its period, rad, at equal cam angles, where the speed adds
-    /// the forces `extra`, N.
+    /// the forces, N, velocities and accelerations `extra`.
     #[must_use]
-    pub fn on_shaft(&self, phases: &[f64], extra: &[f64]) -> Problem {
+    pub fn on_shaft(&self, phases: &[f64], extra: &[Vec<f64>; 3]) -> Problem {
         let moved = |curve: &ForceCurve| -> Vec<f64> {
             phases.iter().map(|phase| curve.at(*phase)).collect()
         };
         let less = |curve: &ForceCurve| {
-            let forces = moved(curve).into_iter().zip(extra);
+            let forces = moved(curve).into_iter().zip(&extra[0]);
             curve.with_forces(forces.map(|(f, x)| f - x).collect())
         };
         let mut out = self.clone();
@@ -56,11 +58,12 @@ impl Problem {
                 *edge = self.phase + angle_at(phases, *edge - self.phase);
             }
         }
-        let shape = |values: Vec<f64>| target.map(|curve| curve.with_forces(values));
-        out.on_shaft = shape(extra.to_vec()).map(|extra| {
+        out.on_shaft = target.map(|curve| {
+            let shape = |i: usize| piecewise(&curve.with_forces(extra[i].clone()));
             Arc::new(OnShaft {
-                extra: piecewise(&extra),
-                target: target.and_then(|curve| shape(moved(curve))),
+                extra: shape(0),
+                timed: [shape(1), shape(2)],
+                target: curve.with_forces(moved(curve)),
             })
         });
         out
@@ -69,12 +72,10 @@ impl Problem {
     /// The force of a law over the turn, N, as a piecewise polynomial with exact extremes.
     pub fn force_curve(&self, law: &Law) -> PiecewisePoly {
         let own = self.drive.force_curve(law);
-        let Some(shaft) = &self.on_shaft else {
-            return own;
-        };
-        let extra = shaft.extra.cut_at(own.breaks());
-        let own = own.cut_at(extra.breaks());
-        PiecewisePoly::combine(&[(1.0, &own), (1.0, &extra)], 0.0)
+        match &self.on_shaft {
+            None => own,
+            Some(shaft) => sum(&own, &shaft.extra),
+        }
     }
 
     /// Smallest and largest force of a law, N.
@@ -84,6 +85,13 @@ impl Problem {
             Some(_) => self.force_curve(law).extremes(),
         }
     }
+}
+
+/// Sum of two curves with breaks of their own.
+pub fn sum(own: &PiecewisePoly, extra: &PiecewisePoly) -> PiecewisePoly {
+    let extra = extra.cut_at(own.breaks());
+    let own = own.cut_at(extra.breaks());
+    PiecewisePoly::combine(&[(1.0, &own), (1.0, &extra)], 0.0)
 }
 
 /// The cam angle at a part of the period, rad, both from 0; linear between the equal angles.

@@ -144,7 +144,7 @@ pub fn designed(first: Design, search: &Search) -> Result<Design> {
     supply.map_err(|e| e.at_key("machine.motor"))?;
     let lowest = law.extremes(0).0.at;
     let on_shaft = design.problem.on_shaft.clone();
-    if let Some(target) = on_shaft.and_then(|shaft| shaft.target.clone()) {
+    if let Some(target) = on_shaft.map(|shaft| shaft.target.clone()) {
         let at = |i: usize| (design.force_at(angle(i)), 1.0 / clock.speed[i]);
         let [force, time] = (0..ROWS)
             .map(at)
@@ -229,20 +229,10 @@ fn rounds(first: Last, run: &Runner, problem: &Problem, search: &Search) -> Resu
     .at_key("machine.inertia"))
 }
 
-/// Refuses limits that are given per time or on the torque: they have no form at varying speed yet.
+/// Refuses limits that have no form at varying speed: on the jerk, the torque and the contact pressure.
 fn refuse_unknown(problem: &Problem) -> Result<()> {
-    use crate::cam::LimitKind::{
-        Acceleration, HertzPressure, Jerk, Power, Torque, TorqueRate, Velocity,
-    };
-    let kinds = [
-        Velocity,
-        Acceleration,
-        Jerk,
-        Torque,
-        Power,
-        TorqueRate,
-        HertzPressure,
-    ];
+    use crate::cam::LimitKind::{HertzPressure, Jerk, Power, Torque, TorqueRate};
+    let kinds = [Jerk, Torque, Power, TorqueRate, HertzPressure];
     match kinds
         .into_iter()
         .find(|kind| problem.limits[*kind].is_some())
@@ -334,16 +324,20 @@ impl<'a> Runner<'a> {
     /// The problem for the clock that runs now; the law was designed for the one before.
     fn corrected(&self, problem: &Problem, law: &Law, clocks: &Clocks) -> Problem {
         let (clock, mean) = (&clocks.1, self.drive.speed);
-        let extra = |x: f64| {
+        let angles = || (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
+        let mut extra: [Vec<f64>; 3] = Default::default();
+        for x in angles() {
             let [_, rate, bend] = clock.phase(x);
             let w = mean / rate;
             let acceleration = -bend * w * w * w / mean;
             let at = told(law, clocks, x);
+            let velocity = (w - mean) * at.v;
             let inertia = (w * w - mean * mean) * at.a + acceleration * at.v;
-            self.drive.damping * (w - mean) * at.v + self.drive.mass * inertia
-        };
-        let angles = || (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
-        let extra: Vec<f64> = angles().map(extra).collect();
+            let force = self.drive.damping * velocity + self.drive.mass * inertia;
+            for (list, value) in extra.iter_mut().zip([force, velocity, inertia]) {
+                list.push(value);
+            }
+        }
         let phases: Vec<f64> = angles().map(|x| clock.phase(x)[0]).collect();
         problem.on_shaft(&phases, &extra)
     }

@@ -13,9 +13,6 @@ use crate::synth::search::{ReportKey, Search};
 
 /// Smallest and largest force.
 pub fn rows(problem: &Problem) -> Vec<Limit> {
-    if problem.on_shaft.is_some() {
-        return Vec::new();
-    }
     let [s, v, a, _] = problem.drive.weights();
     let rest = problem.drive.rest_force;
     let scale = problem
@@ -36,27 +33,6 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
         let weights = [s, v, a, 0.0, 0.0];
         let limit = Limit::new(LimitKind::ForceMax, weights, high - rest, scale);
         out.push(limit.read_as(meaning(1.0)));
-    }
-    out
-}
-
-/// The same where the speed of the shaft adds to the force: the bounds are less by that; their shapes join the program.
-pub fn rows_on_shaft(problem: &Problem, program: &mut Program) -> Vec<Limit> {
-    let Some(shaft) = &problem.on_shaft else {
-        return Vec::new();
-    };
-    let mut at_mean = problem.clone();
-    at_mean.on_shaft = None;
-    let mut out = rows(&at_mean);
-    for limit in &mut out {
-        let sign = if limit.name == Criterion::from(LimitKind::ForceMin) {
-            1.0
-        } else {
-            -1.0
-        };
-        let shape = PiecewisePoly::combine(&[(sign, &shaft.extra)], 0.0);
-        program.shapes.push(shape);
-        limit.shape = Some(program.shapes.len() - 1);
     }
     out
 }

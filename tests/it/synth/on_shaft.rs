@@ -88,6 +88,36 @@ fn limits_on_the_force_hold_at_every_angle_at_the_speed_that_the_shaft_has() {
 }
 
 #[test]
+fn limits_by_time_hold_at_the_speed_that_the_shaft_has() {
+    for (key, value, limit, order) in [
+        ("limits.velocity", "0.26 m/s", 0.26, 1),
+        ("limits.acceleration", "3.8 m/s^2", 3.8, 2),
+    ] {
+        let mut changes = motor("10 N m s/rad", "0.5 kg m^2");
+        changes.extend([(key, value), ("accuracy.rms", "15 %")]);
+        let design = footbridge(&changes).design().unwrap();
+        assert_eq!(design.verdict, Verdict::Acceptable, "{:?}", design.reasons);
+        // The velocity and acceleration of the emitted cam over time, by differences of its rows.
+        let run = design
+            .emitted(&design.problem.machine, design.drive)
+            .unwrap();
+        let rows = simulate(&run, Model::Rigid).unwrap().rows;
+        let n = rows.len();
+        let slope = |of: &dyn Fn(usize) -> f64, i: usize| {
+            let step = 2.0 * TAU / n as f64 / rows[i].speed;
+            (of((i + 1) % n) - of((i + n - 1) % n)) / step
+        };
+        let velocity = |i: usize| slope(&|k| rows[k].lift, i);
+        let value = |i: usize| match order {
+            1 => velocity(i),
+            _ => slope(&velocity, i),
+        };
+        let worst = (0..n).map(|i| value(i).abs()).fold(0.0, f64::max);
+        assert!((worst / limit - 1.0).abs() < 2e-3, "{key} {worst}");
+    }
+}
+
+#[test]
 fn a_wheel_without_end_gives_the_law_of_constant_speed() {
     let endless = footbridge(&motor("10 N m s/rad", "1e9 kg m^2"))
         .design()
