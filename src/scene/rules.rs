@@ -198,36 +198,7 @@ fn machine(scene: &Scene, _: Typed) -> Verdict {
             SceneError::ResidualWithoutFrequency,
         ));
     }
-    motor(scene)
-}
-
-/// One torque line for the motor, falling, and the inertia of its shaft.
-fn motor(scene: &Scene) -> Verdict {
-    let motor = &scene.machine.motor;
-    if motor.no_load_speed.is_some() && motor.stall_torque.is_none() {
-        return Err((
-            "machine.motor.no_load_speed",
-            SceneError::NoLoadWithoutStall,
-        ));
-    }
-    if !motor.is_given() {
-        return Ok(());
-    }
-    let lines = [
-        motor.slope.is_some(),
-        motor.stall_torque.is_some(),
-        motor.curve.is_some(),
-    ];
-    if lines.iter().filter(|given| **given).count() != 1 {
-        return Err(("machine.motor.slope", SceneError::MotorLine));
-    }
-    if motor.curve.is_some() && motor.rows().is_none() {
-        return Err(("machine.motor.curve", SceneError::MotorCurve));
-    }
-    if scene.machine.inertia.is_none() {
-        return Err(("machine.inertia", SceneError::MotorWithoutInertia));
-    }
-    Ok(())
+    machine.check_motor()
 }
 
 /// At most one key fixes the size of the cam.

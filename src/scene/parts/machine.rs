@@ -2,7 +2,7 @@
 
 use crate::drive::{Drive, Motor, TorqueLine};
 use crate::dynamics::Train;
-use crate::error::{Placed, Result};
+use crate::error::{Placed, SceneError};
 
 /// Default damping ratio of a follower train: steel parts with oiled joints.
 const DAMPING_RATIO: f64 = 0.05;
@@ -92,7 +92,7 @@ impl MotorSpec {
     /// Speeds and torques of the curve; `None` where they are no falling curve of at least two rows that reaches zero.
     pub fn rows(&self) -> Option<Vec<[f64; 2]>> {
         let numbers = self.curve.as_ref()?.split_whitespace().map(str::parse);
-        let numbers: Vec<f64> = numbers.collect::<std::result::Result<_, _>>().ok()?;
+        let numbers: Vec<f64> = numbers.collect::<Result<_, _>>().ok()?;
         let rows: Vec<[f64; 2]> = numbers.chunks(2).map(|r| [r[0], r[r.len() - 1]]).collect();
         let falls = |r: &[[f64; 2]]| r[1][0] > r[0][0] && r[1][1] < r[0][1];
         let sound = numbers.len().is_multiple_of(2) && rows.len() > 1 && rows.windows(2).all(falls);
@@ -120,6 +120,32 @@ impl MotorSpec {
 }
 
 impl MachineSpec {
+    /// A motor has one torque line, falling, and the inertia of its shaft; otherwise the key at fault.
+    pub(in crate::scene) fn check_motor(&self) -> Result<(), (&'static str, SceneError)> {
+        let motor = &self.motor;
+        let lines = [
+            motor.slope.is_some(),
+            motor.stall_torque.is_some(),
+            motor.curve.is_some(),
+        ];
+        let lines = lines.iter().filter(|given| **given).count();
+        let fault = if motor.no_load_speed.is_some() && motor.stall_torque.is_none() {
+            (
+                "machine.motor.no_load_speed",
+                SceneError::NoLoadWithoutStall,
+            )
+        } else if lines > 1 {
+            ("machine.motor.slope", SceneError::MotorLine)
+        } else if motor.curve.is_some() && motor.rows().is_none() {
+            ("machine.motor.curve", SceneError::MotorCurve)
+        } else if lines > 0 && self.inertia.is_none() {
+            ("machine.inertia", SceneError::MotorWithoutInertia)
+        } else {
+            return Ok(());
+        };
+        Err(fault)
+    }
+
     /// The motor with flywheel and friction; `None` where the shaft turns at constant speed.
     pub fn motor(&self) -> Option<Motor> {
         let spec = &self.motor;
@@ -138,7 +164,7 @@ impl MachineSpec {
     ///
     /// # Errors
     /// A natural frequency without a mass.
-    pub fn train(&self, drive: &Drive) -> Result<Option<Train>> {
+    pub fn train(&self, drive: &Drive) -> crate::error::Result<Option<Train>> {
         if let Some(hz) = self.natural_frequency {
             return Train::from_frequency(drive, hz, self.damping_ratio)
                 .map(Some)

@@ -181,7 +181,12 @@ fn a_table_of_speeds_has_the_load_factors_that_grow_with_the_square_of_the_speed
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
     let table = fs::read_to_string(format!("{out}/speeds.csv")).unwrap();
     let rows: Vec<Vec<f64>> = (table.lines().skip(1))
-        .map(|line| line.split(',').take(4).map(|x| x.parse().unwrap()).collect())
+        .map(|line| {
+            line.split(',')
+                .take(4)
+                .map(|x| x.parse().unwrap())
+                .collect()
+        })
         .collect();
     assert_eq!(rows.len(), 3);
     for (row, turns) in rows.iter().zip([1.0, 1.5, 2.0_f64]) {
