@@ -28,6 +28,7 @@ fn all_default_files(bencher: Bencher) {
                 1440,
                 gaitcam_cad::dxf::Content::All,
                 gaitcam_cad::dxf::Curves::Arcs,
+                gaitcam_cad::Units::Millimetres,
             ),
             gaitcam_cad::svg::profile(s, 1440),
             pictures.each_ref().map(gaitcam_output::plots::Picture::svg),

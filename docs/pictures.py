@@ -23,7 +23,10 @@ PICTURES = {
     ("first-cam", "primera-leva"): {"cam": "out/footbridge/cam.svg", "force": "out/footbridge/force.svg"},
     ("recording", "registro"): {"stances": "walk.svg"},
     ("heel-tester", "tacones"): {"force": "out/heel_tester_fitted/force.svg", "svaj": "out/heel_tester/svaj.svg"},
-    ("footbridge-shaker", "pasarela"): {"torque": "out/footbridge-front/front.svg"},
+    ("footbridge-shaker", "pasarela"): {
+        "torque": "out/footbridge-front/front.svg",
+        "motor": "out/plain-motor/report.html#run",
+    },
     ("limits", "limites"): {"stroke": "out/footbridge-front/front.svg"},
     ("no-cam", "sin-leva"): {"force": "out/short/force.svg"},
     ("run", "marcha"): {"run": "out/fast/report.html#run"},

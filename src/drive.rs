@@ -1,5 +1,9 @@
 //! How lift becomes force: F(θ) = F₀ + k·s + c·ω·v + m·ω²·a (theory §1), ω constant.
 
+mod motor;
+
+pub use motor::{Motor, TorqueLine};
+
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use serde::Serialize;

@@ -5,6 +5,7 @@
 //!
 //! - [`rigid`]: F = F₀ + k s + c ω v + m ω² a, torque, contact pressure ([`rigid::hertz`]);
 //! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::linear`]);
+//! - `shaft`: the rigid follower on a shaft whose speed its motor and its inertia give;
 //! - [`contact`]: lift-off, flight, impact and rest, one event after the other.
 //!
 //! The simplest sufficient model is chosen automatically, with its reason; [`flexible::polydyne`] computes the cam
@@ -17,6 +18,7 @@ mod reason;
 pub mod recover;
 pub mod rigid;
 mod run;
+pub(crate) mod shaft;
 mod simulate;
 pub mod surface;
 
@@ -30,6 +32,7 @@ pub use recover::{Emitted, recover};
 pub use rigid::hertz;
 pub use rigid::touch::{Touch, touch};
 pub use run::{Face, Machine, Run};
+pub use shaft::{InTime, Shaft};
 pub use simulate::simulate;
 
 /// Cams of a thesis that the tests run; unit tests of this crate compile them with its own types.

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::contact::Impact;
 use super::reason::{ModelReason, RunNote};
 use super::rigid::hertz::LineContact;
+use super::shaft::{InTime, Shaft};
 use crate::error::Error;
 
 /// Which model ran.
@@ -62,6 +63,10 @@ impl Model {
 pub struct Row {
     /// Cam angle, rad; over as many turns as the motion takes to repeat.
     pub theta: f64,
+    /// Time since the first row, s; 0 on a shaft that stands.
+    pub time: f64,
+    /// Speed of the shaft there, rad/s.
+    pub speed: f64,
     /// Force along the follower's motion, N; 0 in flight.
     pub contact_force: f64,
     /// Torque of the shaft in the sense of growing θ, N·m.
@@ -230,6 +235,10 @@ pub struct Outcome {
     pub settle_cycles: Option<usize>,
     /// Turns of one repetition.
     pub period_turns: usize,
+    /// Motion of the shaft under its motor; `None` at constant speed.
+    pub shaft: Option<Shaft>,
+    /// Distance of the force to the target over time, where there is one.
+    pub force_time: Option<InTime>,
     /// Landings of the whole run, settling included.
     pub impacts: Vec<Impact>,
     /// Highest line pressure of the rows, where the surfaces are known; impacts excluded.

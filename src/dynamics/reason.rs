@@ -188,15 +188,40 @@ pub enum Vibration {
 #[non_exhaustive]
 #[allow(missing_docs)] // fields are named as in the sentences
 pub enum RunNote {
-    SecondCamBears { part: Quantity, force: Quantity },
-    OtherWallBears { part: Quantity, force: Quantity },
+    SecondCamBears {
+        part: Quantity,
+        force: Quantity,
+    },
+    OtherWallBears {
+        part: Quantity,
+        force: Quantity,
+    },
     RigidPulls,
     RigidWithoutImpacts,
     FlexiblePulls,
     Escapes,
-    NotPeriodic { turns: usize, impacts: usize },
+    NotPeriodic {
+        turns: usize,
+        impacts: usize,
+    },
     Swings,
-    PairDistance { deviation: f64 },
+    PairDistance {
+        deviation: f64,
+    },
+    /// The motor changes the force by less than is allowed: constant speed is enough.
+    SteadyShaft {
+        ripple: Quantity,
+        change: Quantity,
+        allowed: Quantity,
+    },
+    /// The speed varies.
+    ShaftVaries {
+        ripple: Quantity,
+        change: Quantity,
+        found: Quantity,
+    },
+    /// The compliant follower is run at the mean speed.
+    FlexibleAtMeanSpeed,
 }
 
 impl RunNote {

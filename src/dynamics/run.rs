@@ -4,7 +4,7 @@ use super::contact::Limits;
 use super::flexible::Train;
 use super::rigid::hertz::Material;
 use crate::cam::{Cam, ProfilePoint};
-use crate::drive::Drive;
+use crate::drive::{Drive, Motor};
 
 /// Machine data beyond the drive; the default is a rigid machine without friction, with plastic impacts and one
 /// cam.
@@ -35,6 +35,8 @@ pub struct Machine {
     /// Radius of the floor of a barrel's groove, m, where the roller's normal force is largest; `None`: it is
     /// given for the radius of the follower.
     pub groove_floor: Option<f64>,
+    /// The motor with its shaft; `None`: the shaft turns at constant speed.
+    pub motor: Option<Motor>,
     /// How long a contact run may take to settle.
     pub limits: Limits,
 }

@@ -67,6 +67,20 @@ pub enum DynamicsError {
     HeldByPair,
     /// The contact model needs a law of one turn.
     NotOneTurn,
+    /// Motor data out of range.
+    Motor,
+    /// A motor turns one cam whose law is one turn.
+    MotorTurns,
+    /// The shaft does not keep turning.
+    Stalls { inertia: Quantity, needed: Quantity },
+    /// The shaft does not keep turning with any inertia.
+    StallsAnyway,
+    /// The no-load speed of the motor is too low.
+    NoLoadSpeed {
+        nominal: Quantity,
+        needed: Quantity,
+        speed: Quantity,
+    },
     /// A polydyne cam needs a closed law.
     OpenPolydyne,
     /// The target of a polydyne cam is not smooth enough.

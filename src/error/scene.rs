@@ -176,6 +176,14 @@ pub enum SceneError {
     PairNotClosed,
     /// The stiffness of the follower given twice.
     FrequencyAndStiffness,
+    /// A motor has not exactly one torque line.
+    MotorLine,
+    /// A no-load speed without the stall torque that makes a line of it.
+    NoLoadWithoutStall,
+    /// The torque of a motor does not fall with its speed.
+    MotorCurve,
+    /// A motor without the inertia of its shaft.
+    MotorWithoutInertia,
     /// A limit on vibration of a follower that is not known to vibrate.
     ResidualWithoutFrequency,
     /// A least force that is not below the largest.

@@ -48,6 +48,10 @@ pub enum SynthError {
     OnlySplines,
     /// The scene fixes the size of the cam.
     SizeFixed,
+    /// The rounds between law and speed of the shaft do not contract.
+    ShaftDiverges { ripple: Quantity, contraction: f64 },
+    /// The limit has no form at varying speed.
+    LimitOnShaft,
     /// No law even without the limits; a [`Reason`](crate::synth::Reason) as it serialises.
     /// No law exists, with the reason as data.
     NoLaw { reason: Value },

@@ -10,6 +10,7 @@ mod cycle;
 mod machine;
 mod mean_force;
 mod notes;
+mod on_shaft;
 mod requirements;
 mod size;
 mod target;
@@ -17,6 +18,8 @@ mod target;
 use cycle::Cycle;
 pub use mean_force::MeanForce;
 pub use notes::Note;
+pub use on_shaft::OnShaft;
+pub(crate) use on_shaft::sum;
 pub use requirements::Requirements;
 pub(crate) use size::hub_radius;
 pub use size::{Size, USUAL_PRESSURE_ANGLE};
@@ -80,6 +83,8 @@ pub struct Problem {
     pub open_questions: Vec<(OpenQuestion, Vec<force::Note>)>,
     /// Weight of the walker that the target is of, N, scaled as the target is; `None` without a force.
     pub weight_n: Option<f64>,
+    /// What the varying speed of the shaft makes of it; `None` at constant speed.
+    pub on_shaft: Option<Arc<OnShaft>>,
     weights: Vec<PhaseWeight>,
     /// The force and its band as they are at phase 0.
     cycle: Option<Arc<Cycle>>,
@@ -163,6 +168,7 @@ impl Problem {
             above_base_circle: true,
             open_questions: open_questions(gait, force),
             weight_n,
+            on_shaft: None,
             weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
             cycle: cycle.map(Arc::new),
             remarks: notes::remarks(scene, force),

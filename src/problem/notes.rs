@@ -155,7 +155,8 @@ impl Problem {
 
     /// Closure of the moving axis (theory §1): mean(F) = M g, free fall, the least stroke.
     fn closure(&self) -> Vec<Note> {
-        let Some(target) = &self.target else {
+        // On a shaft whose speed varies the target is what is left for the mean speed.
+        let Some(target) = self.target.as_ref().filter(|_| self.on_shaft.is_none()) else {
             return Vec::new();
         };
         let curve = &target.curve;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use toml::{Table, Value};
 
-use crate::error::{Error, FileError, Placed, Result};
+use crate::error::{Error, FileError, Placed, Result, SceneError};
 use crate::force::{Cell, NumberTable};
 use crate::law::Rise;
 use crate::scene::keys::short;
@@ -40,7 +40,65 @@ pub fn motion_files(scene: &Table) -> Vec<PathBuf> {
         let motion = segment.get("motion")?.as_str()?;
         Rise::named_file(motion).map(|named| PathBuf::from(named.1))
     };
-    segments(scene).iter().filter_map(named).collect()
+    let curve = curve_file(scene).map(PathBuf::from);
+    let motions = segments(scene).iter().filter_map(named);
+    motions.chain(curve).collect()
+}
+
+/// The file that the curve of the motor names; its numbers in place of it begin with one.
+fn curve_file(scene: &Table) -> Option<&str> {
+    let curve = scene.get("machine")?.get("motor")?.get("curve")?.as_str()?;
+    let first = curve.split_whitespace().next()?;
+    first.parse::<f64>().is_err().then_some(curve)
+}
+
+/// Puts the rows of the motor's curve in place of its file.
+fn put_curve(scene: &mut Table, read: &mut dyn FnMut(&Path) -> Result<Content>) -> Result<()> {
+    let Some(file) = curve_file(scene).map(str::to_string) else {
+        return Ok(());
+    };
+    let key = "machine.motor.curve";
+    let (path, bytes) = read(Path::new(&file)).map_err(|e| e.at_key(key))?;
+    let table = NumberTable::find(&path, &bytes)?;
+    let column = |name: &str| {
+        let place = table.names().iter().position(|n| n.trim() == name);
+        place.ok_or_else(|| {
+            let fault = FileError::MotionColumn {
+                column: name.to_string(),
+                example: name.to_string(),
+                columns: table.names().join(", "),
+            };
+            fault.at_line(&path, table.header_line())
+        })
+    };
+    let columns = [column("speed_rad_per_s")?, column("torque_n_m")?];
+    let (mut text, mut before) = (String::new(), None);
+    for (line, row) in table.rows() {
+        let mut numbers = [0.0; 2];
+        for (number, place) in numbers.iter_mut().zip(columns) {
+            let cell = row.get(place);
+            let fault = || {
+                let typed = cell.map_or(String::new(), |c| c.text.clone());
+                let column = table.names()[place].trim().to_string();
+                FileError::MotionValue { column, typed }.at_line(&path, line)
+            };
+            *number = cell.and_then(|c| c.number).ok_or_else(fault)?;
+        }
+        let [speed, torque] = numbers;
+        if before.is_some_and(|[w, t]: [f64; 2]| speed <= w || torque >= t) {
+            return Err(SceneError::MotorCurve.at_line(&path, line));
+        }
+        before = Some(numbers);
+        text.push_str(&format!("{speed} {torque} "));
+    }
+    let motor = scene.get_mut("machine").and_then(|m| m.get_mut("motor"));
+    if let Some(motor) = motor.and_then(Value::as_table_mut) {
+        motor.insert(
+            "curve".to_string(),
+            Value::String(text.trim_end().to_string()),
+        );
+    }
+    Ok(())
 }
 
 /// The scene with every file name of a motion replaced by the rows of the file; a segment that leaves out its angle or
@@ -70,6 +128,7 @@ pub fn with_motions(
     read: &mut dyn FnMut(&Path) -> Result<Content>,
 ) -> Result<Table> {
     let mut scene = scene.clone();
+    put_curve(&mut scene, read)?;
     let law = scene.get_mut("law").and_then(|law| law.get_mut("segment"));
     let Some(list) = law.and_then(Value::as_array_mut) else {
         return Ok(scene);

@@ -198,7 +198,7 @@ fn machine(scene: &Scene, _: Typed) -> Verdict {
             SceneError::ResidualWithoutFrequency,
         ));
     }
-    Ok(())
+    machine.check_motor()
 }
 
 /// At most one key fixes the size of the cam.

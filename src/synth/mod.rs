@@ -62,6 +62,7 @@ mod design;
 mod families;
 mod infeasible;
 mod limits;
+mod on_shaft;
 mod optimum;
 mod pareto;
 mod phase;
@@ -84,6 +85,7 @@ pub use design::{
     reason::{Change, Reason, sentences},
 };
 pub use infeasible::in_units;
+pub use on_shaft::{OnShaft, Sensitivity};
 pub use pareto::{Trade, trade, traded};
 pub use qp::{Certificate, Demand, Given, Stop};
 pub use search::Search;
@@ -134,6 +136,11 @@ impl Scene {
 /// # Errors
 /// Faults of the input.
 pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
+    on_shaft::designed(at_constant_speed(problem, search)?, search)
+}
+
+/// The design for constant speed.
+fn at_constant_speed(problem: &Problem, search: &Search) -> Result<Design> {
     sizing::check_arm(problem)?;
     let problem = phase::resolve(problem, |at| least_error(at, search))?;
     let (sized, infeasible) = match sized(&problem, &problem, search) {
@@ -273,6 +280,7 @@ fn finished(
     }
     Ok(Design {
         name: problem.name.clone(),
+        shaft: None,
         phase: problem.phase,
         weight_n: problem.weight_n,
         band: problem.band.clone(),

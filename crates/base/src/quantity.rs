@@ -44,6 +44,8 @@ pub enum Dimension {
     Power,
     /// Torsional stiffness, N·m/rad.
     AngularRate,
+    /// Torque per speed of a shaft, N·m·s/rad.
+    AngularDamping,
     /// Rotational inertia, kg·m².
     Inertia,
     /// Derivatives of lift by cam angle: m/rad, m/rad², m/rad³.
@@ -78,6 +80,7 @@ impl Dimension {
             Dimension::Torque => ([2, 1, -2, 0], "N m", "\"2 N m\""),
             Dimension::Power => ([2, 1, -3, 0], "W", "\"50 W\""),
             Dimension::AngularRate => ([2, 1, -2, -1], "N m/rad", "\"500 N m/rad\""),
+            Dimension::AngularDamping => ([2, 1, -1, -1], "N m s/rad", "\"10 N m s/rad\""),
             Dimension::Inertia => ([2, 1, 0, 0], "kg m^2", "\"0.02 kg m^2\""),
             Dimension::LengthPerAngle(n) => (
                 [1, 0, 0, -i32::from(n)],

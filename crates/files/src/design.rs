@@ -38,7 +38,7 @@ pub fn is_of_machine(key: &str) -> bool {
 /// # Errors
 /// A drive without speed or mass.
 pub fn drive_on(design: &Design, scene: &Scene) -> Result<Drive> {
-    let problem = Problem::resolve(scene, design.target.as_ref())?;
+    let problem = Problem::resolve(scene, design.target_in_time())?;
     Ok(problem.drive)
 }
 

@@ -2,13 +2,13 @@
 
 use crate::words::{self, Words};
 use gaitcam::cam::Measures;
-use gaitcam::dynamics::{Difference, Impact, Outcome, Pressure, Row};
+use gaitcam::dynamics::{Difference, Impact, Outcome, Pressure, Row, Shaft};
 use gaitcam::wording::Language;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Names of the columns of `dynamics.csv`, in order; of an arm lift and gap are [angles](ANGLES).
-const COLUMNS: [&str; 10] = [
+const COLUMNS: [&str; 12] = [
     "theta_rad",
     "contact_force_n",
     "torque_nm",
@@ -19,6 +19,8 @@ const COLUMNS: [&str; 10] = [
     "sliding_m_per_s",
     "entraining_m_per_s",
     "side_thrust_n",
+    "time_s",
+    "speed_rad_per_s",
 ];
 
 /// Names of the columns that are angles where the follower swings.
@@ -44,6 +46,8 @@ fn values(outcome: &Outcome, row: &Row) -> [f64; COLUMNS.len()] {
         row.sliding,
         row.entraining,
         row.side_thrust,
+        row.time,
+        row.speed,
     ]
 }
 
@@ -52,7 +56,7 @@ pub fn json(outcome: &Outcome) -> Value {
     let notes = outcome.notes.iter().map(|note| note.sentence(Language::En));
     let notes: Vec<String> = notes.collect();
     let impacts: Vec<Value> = outcome.impacts.iter().map(impact_json).collect();
-    json!({
+    let mut out = json!({
         "model": outcome.model.name(),
         "why": outcome.why.sentence(Language::En),
         "contact_lost": outcome.contact_lost,
@@ -79,7 +83,12 @@ pub fn json(outcome: &Outcome) -> Value {
             "law_mismatch_m": outcome.law_mismatch,
             "notes": notes,
         },
-    })
+    });
+    if let Some(shaft) = outcome.shaft {
+        out["shaft"] = json!(shaft);
+        out["force_time"] = json!(outcome.force_time);
+    }
+    out
 }
 
 /// The columns of `dynamics.csv`.
@@ -114,6 +123,7 @@ pub fn table(outcome: &Outcome, measures: Measures, language: Language) -> Strin
         ("simulation-contact", contact(outcome, words)),
     ];
     lines.extend(loads(outcome, measures, words));
+    lines.extend(outcome.shaft.iter().flat_map(|s| shaft(s, words)));
     lines.extend(motion(outcome, measures, words));
     if let Some(next) = &outcome.next {
         lines.push(("simulation-next-model", change(next, outcome.lever, words)));
@@ -139,6 +149,48 @@ fn contact(outcome: &Outcome, words: &Words) -> String {
     }
     let percent = words.decimal(format!("{:.3}", 100.0 * outcome.lost_fraction));
     words.fill("simulation-contact-lost", &[("percent", &percent)])
+}
+
+/// Speed, motor, start and least inertia of the shaft.
+pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)> {
+    let number = |x: f64, digits: usize| {
+        // Less than its last digit is 0, without a sign.
+        let zero = x.abs() < 0.5 * 0.1_f64.powi(digits as i32);
+        words.decimal(format!("{:.digits$}", if zero { 0.0 } else { x }))
+    };
+    let speed = [
+        ("least", &*number(shaft.min, 4)),
+        ("most", &*number(shaft.max, 4)),
+        ("ripple", &*number(100.0 * shaft.ripple, 2)),
+    ];
+    let motor = [
+        ("noload", &*number(shaft.no_load_speed, 4)),
+        ("rms", &*number(shaft.motor_torque_rms_n_m, 3)),
+        ("most", &*number(shaft.motor_torque_max_n_m, 3)),
+        ("power", &*number(shaft.motor_power_mean_w, 2)),
+    ];
+    let start = match shaft.stops_at_rad {
+        None => words.text("simulation-starts"),
+        Some(at) => {
+            let degrees = number(at.to_degrees(), 1);
+            words.fill("simulation-stops", &[("degrees", &degrees)])
+        }
+    };
+    let least = match shaft.least_inertia_kg_m2 {
+        0.0 => words.text("simulation-any-inertia"),
+        j => words.fill("simulation-least-inertia", &[("inertia", &number(j, 4))]),
+    };
+    vec![
+        (
+            "simulation-speed",
+            words.fill("simulation-speed-values", &speed),
+        ),
+        (
+            "simulation-motor",
+            words.fill("simulation-motor-values", &motor),
+        ),
+        ("simulation-start", format!("{start}; {least}")),
+    ]
 }
 
 /// Force, its error, torque and pressure.

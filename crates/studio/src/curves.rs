@@ -162,7 +162,8 @@ fn samples(design: &Design) -> Vec<Sample> {
     }
     let force = |theta: f64, at: Svaj| match &design.end {
         Some(end) => drive.force(end.law.svaj(theta)),
-        None => drive.force(at),
+        None if design.is_idle() => drive.force(at),
+        None => design.force_at(theta),
     };
     let cam = &design.cam;
     let motion = curve::motion(&cam.law).into_iter();

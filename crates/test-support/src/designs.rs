@@ -53,6 +53,7 @@ fn solved_by(tier: Tier, iterations: usize) -> SolverReport {
 /// A design of this cam without anything beside it: no target, pair, bore or note, and no limit asked for.
 fn plain(name: &str, drive: Drive, cam: Cam, force: ForceReport) -> Design {
     Design {
+        shaft: None,
         name: name.into(),
         weight_n: None,
         target: None,

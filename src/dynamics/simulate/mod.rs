@@ -4,6 +4,7 @@ mod choose;
 mod models;
 mod prepared;
 mod rows;
+mod shaft;
 
 use crate::dynamics::outcome::{Model, Outcome};
 use crate::dynamics::run::Run;
@@ -32,7 +33,9 @@ use prepared::{Prepared, prepare};
 /// On profiles that are no curve for their follower (see [`recover`](crate::dynamics::recover())), on machine data out of
 /// range, on an undamped resonance, and on `flexible` without a [`Train`](super::Train).
 pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
-    run_under(input, &prepare(input)?, model)
+    let mut prepared = prepare(input)?;
+    shaft::turn(input, &mut prepared, model)?;
+    run_under(input, &prepared, model)
 }
 
 fn run_under(input: &Run, prepared: &Prepared, model: Model) -> Result<Outcome> {

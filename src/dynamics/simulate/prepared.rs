@@ -9,6 +9,7 @@ use crate::dynamics::recover::{Cycle, recover_cam};
 use crate::dynamics::rigid::hertz::Material;
 use crate::dynamics::rigid::touch::{held, rubs, touch};
 use crate::dynamics::run::Run;
+use crate::dynamics::shaft::{Motion, Shaft};
 use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Svaj};
 
@@ -31,6 +32,9 @@ pub(super) struct Prepared {
     pub bearing: Follower,
     /// Units of the law, for messages.
     pub measures: Measures,
+    /// Motion of the shaft where its speed varies.
+    pub shaft: Option<Motion>,
+    pub shaft_report: Option<Shaft>,
     /// Whether the follower is held from both sides.
     pub held: bool,
     /// Whether friction makes the torque other than F·v and it is not the flat face's.
@@ -93,6 +97,8 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         step,
         bearing: bearing(input),
         measures: follower.measures(),
+        shaft: None,
+        shaft_report: None,
         held,
         rubs: has_own_friction(input),
         target,

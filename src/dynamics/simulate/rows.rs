@@ -7,6 +7,7 @@ use crate::dynamics::reason::ModelReason;
 use crate::dynamics::rigid::touch::{Touch, touch};
 use crate::dynamics::rigid::{self, hertz};
 use crate::dynamics::run::Run;
+use crate::dynamics::shaft::{InTime, error_in_time};
 use crate::law::Svaj;
 use crate::units::{Dimension, Quantity};
 
@@ -18,6 +19,24 @@ impl Prepared {
             _ => Dimension::Force,
         };
         Quantity::new(value, dimension)
+    }
+
+    /// Speed of the shaft at a row, rad/s, in the sense of turning.
+    pub fn speed(&self, row: usize) -> f64 {
+        (self.shaft.as_ref()).map_or(self.drive.speed, |shaft| shaft.speed[row])
+    }
+
+    /// Distance of the forces at the rows to the target over time, where the speed varies.
+    pub fn force_time(&self, forces: &[f64]) -> Option<InTime> {
+        let (target, shaft) = (self.target.as_ref()?, self.shaft.as_ref()?);
+        let period = self.cycle.length / self.drive.speed;
+        Some(error_in_time(
+            forces,
+            &shaft.speed,
+            &shaft.time,
+            period,
+            target,
+        ))
     }
 
     pub fn rms_error(&self, forces: &[f64]) -> Option<f64> {
@@ -43,6 +62,7 @@ impl Prepared {
         let mut rows = vec![Row::default(); total];
         for i in 0..total {
             let at = self.nodes[i % n];
+            let speed = self.speed(i % n);
             let touch = self.touch(input, i % n, at, forces[i]);
             let torque = self.torque(input, forces[i], at);
             let place = if self.reversed {
@@ -50,11 +70,17 @@ impl Prepared {
             } else {
                 i
             };
+            let time = match &self.shaft {
+                Some(shaft) => shaft.time[i % n],
+                None => self.step * i as f64 / speed,
+            };
             rows[place] = Row {
                 theta: first + self.step * place as f64,
+                time: if !time.is_finite() { 0.0 } else { time },
+                speed: sign * speed,
                 contact_force: forces[i],
                 torque: sign * torque,
-                power: torque * self.drive.speed,
+                power: torque * speed,
                 lift: at.s + heights[i],
                 gap: if forces[i] == 0.0 {
                     heights[i].max(0.0)
@@ -72,7 +98,7 @@ impl Prepared {
 
     /// The contact that bears: the second cam's where a conjugate pair's first one would have to pull.
     pub fn touch(&self, input: &Run, row: usize, at: Svaj, force: f64) -> Touch {
-        let (speed, friction) = (self.drive.speed, input.machine.friction);
+        let (speed, friction) = (self.speed(row), input.machine.friction);
         match (&input.machine.conjugate, &self.second) {
             (Some(cam), Some(nodes)) if force < 0.0 => {
                 touch(&cam.follower, speed, friction, nodes[row], -force)
@@ -149,6 +175,8 @@ impl Prepared {
             liftoff_speed: self.liftoff(),
             settle_cycles: Some(0),
             period_turns: 1,
+            shaft: self.shaft_report,
+            force_time: None,
             impacts: Vec::new(),
             hertz: None,
             next: None,

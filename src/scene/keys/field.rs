@@ -6,7 +6,7 @@ use crate::drive::DriveKind;
 use crate::error::{Result, SceneError, nearest};
 use crate::force::{Feet, Kind as Movement, OpenQuestion};
 use crate::law::Rise;
-use crate::scene::{Band, Family, ForceScale, KeywaySpec, Minimise, Phase, Scene};
+use crate::scene::{Band, Family, ForceScale, KeywaySpec, Minimise, Phase, Scene, ShaftSpeed};
 
 /// Getter and setter of a key; the number counts entries of a list from 0.
 #[derive(Clone, Copy)]
@@ -149,6 +149,7 @@ impl_words! {
     Feet: named_all(&Feet::ALL, Feet::name);
     ForceScale: named_all(ForceScale::ALL, ForceScale::name);
     Family: named_all(Family::ALL, Family::name);
+    ShaftSpeed: named_all(ShaftSpeed::ALL, ShaftSpeed::name);
     Minimise: Minimise::NAMES.to_vec();
 }
 

@@ -176,6 +176,8 @@ pub enum Idle {
     Model,
     /// The follower is rigid: neither stiffness nor natural frequency is given.
     RigidFollower,
+    /// The shaft has no motor.
+    NoMotor,
     /// The law has no dwell.
     NoDwell,
 }

@@ -15,7 +15,7 @@ use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
 use crate::force::{self, Feet, Kind as Movement};
 use crate::law::Rise;
-use crate::scene::{Family, ForceScale, Gait, LimitKind, Minimise, Scene};
+use crate::scene::{Family, ForceScale, Gait, LimitKind, Minimise, Scene, ShaftSpeed};
 use crate::units::Dimension::{self, *};
 
 /// Most spans of a spline: beyond this a certified optimum is not assured in reasonable time.
@@ -110,6 +110,7 @@ pub static KEYS: &[Key] = &[
     row("law.weigh.jerk",           by_arm(Jerk, AngularJerk, Positive), "",      weigh!(jerk)).read_again().idle_when(not_fitted),
     row("law.monotone",             FLAG,                                "false", field!(law.monotone)).idle_when(not_fitted),
     row("law.polydyne",             FLAG,                                "false", field!(law.polydyne)),
+    row("law.shaft",                words::<ShaftSpeed>(),               "motor", field!(law.shaft)).only(turns).idle_when(no_motor),
     row("law.point.N.angle",        number(Angle, Any),                  "",      field!(law.points[N].angle)).required().idle_when(neither_fitted_nor_polynomial),
     row("law.point.N.lift",         lift(0),                             "",      field!(law.points[N].lift)),
     row("law.point.N.force",        number(Force, Any),                  "",      field!(law.points[N].force)),
@@ -148,6 +149,14 @@ pub static KEYS: &[Key] = &[
     row("machine.friction",          number(Ratio, NotNegative),                "0",    field!(machine.friction)),
     row("machine.restitution",       number(Ratio, Between(0.0, 1.0)),          "0",    field!(machine.restitution)),
     row("machine.second_cam",        number(Angle, Any),                        "",     field!(machine.second_cam)),
+    row("machine.motor.slope",         number(AngularDamping, Positive),        "",     field!(machine.motor.slope)).only(turns),
+    row("machine.motor.stall_torque",  number(Torque, Positive),                "",     field!(machine.motor.stall_torque)).only(turns),
+    row("machine.motor.no_load_speed", number(AngularSpeed, Positive),          "auto", field!(machine.motor.no_load_speed)).only(turns),
+    row("machine.motor.curve",         TEXT,                                    "",     field!(machine.motor.curve)).only(turns),
+    row("machine.motor.gear",          number(Ratio, Positive),                 "1",    field!(machine.motor.gear)).only(turns).idle_when(no_motor),
+    row("machine.motor.efficiency",    number(Ratio, Between(0.01, 1.0)),       "1",    field!(machine.motor.efficiency)).only(turns).idle_when(no_motor),
+    row("machine.inertia",             number(Inertia, Positive),               "",     field!(machine.inertia)).only(turns).idle_when(no_motor),
+    row("machine.friction_torque",     number(Torque, NotNegative),             "0",    field!(machine.friction_torque)).only(turns).idle_when(no_motor),
 
     row("accuracy.rms", number(Percent, Positive).or(NONE), "auto", ACCURACY).relax(Up).idle_when(no_force),
 ];
@@ -294,6 +303,11 @@ fn rigid(scene: &Scene) -> Option<Idle> {
     let machine = &scene.machine;
     let is_flexible = machine.natural_frequency.is_some() || machine.stiffness.is_some();
     (!is_flexible).then_some(Idle::RigidFollower)
+}
+
+/// Without a motor the shaft turns at constant speed.
+fn no_motor(scene: &Scene) -> Option<Idle> {
+    (!scene.machine.motor.is_given()).then_some(Idle::NoMotor)
 }
 
 /// Vibration is limited in dwells.

@@ -47,6 +47,34 @@ impl Family {
     }
 }
 
+/// Speed of the shaft that a law is designed for.
+///
+/// ```
+/// use gaitcam::scene::{LawSpec, ShaftSpeed};
+///
+/// assert_eq!(LawSpec::default().shaft, ShaftSpeed::Motor);
+/// assert_eq!(ShaftSpeed::Constant.name(), "constant");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ShaftSpeed {
+    /// The one that the motor gives, where there is a motor.
+    #[default]
+    Motor,
+    /// Constant.
+    Constant,
+}
+
+impl ShaftSpeed {
+    /// Both.
+    pub const ALL: &'static [ShaftSpeed] = <ShaftSpeed as strum::VariantArray>::VARIANTS;
+
+    /// The name in a scene file.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+}
+
 /// Objective.
 ///
 /// ```
@@ -248,6 +276,8 @@ pub struct LawSpec {
     pub monotone: bool,
     /// Whether the law is that of the output of a compliant follower (polydyne cam).
     pub polydyne: bool,
+    /// Speed of the shaft that it is designed for.
+    pub shaft: ShaftSpeed,
     /// Exact conditions.
     pub points: Vec<LawPoint>,
     /// Dwells.

@@ -1,8 +1,8 @@
 //! `[machine]`: what is known of the machine beyond its drive.
 
-use crate::drive::Drive;
+use crate::drive::{Drive, Motor, TorqueLine};
 use crate::dynamics::Train;
-use crate::error::{Placed, Result};
+use crate::error::{Placed, SceneError};
 
 /// Default damping ratio of a follower train: steel parts with oiled joints.
 const DAMPING_RATIO: f64 = 0.05;
@@ -34,14 +34,137 @@ pub struct MachineSpec {
     pub restitution: f64,
     /// Angle by which a second, equal cam follows on the same shaft, rad.
     pub second_cam: Option<f64>,
+    /// The motor; without a torque line the shaft turns at constant speed.
+    pub motor: MotorSpec,
+    /// Moment of inertia of all that turns with the shaft, at the camshaft, kg·m².
+    pub inertia: Option<f64>,
+    /// Torque of friction in the bearings of the shaft, N·m.
+    pub friction_torque: f64,
+}
+
+/// `[machine.motor]`: how its torque falls with the speed.
+///
+/// ```
+/// use gaitcam::scene::{MachineSpec, MotorSpec};
+///
+/// // 2 N·m at standstill, 100 rad/s without load, behind a gear of 8: a line of 8²·2/100 N·m·s/rad at the camshaft.
+/// let motor = MotorSpec { stall_torque: Some(2.0), no_load_speed: Some(100.0), gear: 8.0, ..MotorSpec::default() };
+/// let machine = MachineSpec { motor, inertia: Some(0.5), ..MachineSpec::default() };
+/// let motor = machine.motor().unwrap();
+/// assert!((motor.torque(10.0, 12.5)[0] - 1.28 * 2.5).abs() < 1e-12);
+/// assert_eq!(motor.nominal, Some(12.5));
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotorSpec {
+    /// Torque lost per speed, at the camshaft, N·m·s/rad.
+    pub slope: Option<f64>,
+    /// Torque of the motor at standstill, N·m.
+    pub stall_torque: Option<f64>,
+    /// Speed of the motor without load, rad/s; `None`: the one that gives the mean speed.
+    pub no_load_speed: Option<f64>,
+    /// Speed, rad/s, and torque, N·m, of the motor in turn, from a file.
+    pub curve: Option<String>,
+    /// Turns of the motor per turn of the cam.
+    pub gear: f64,
+    /// Part of the torque that the gear passes on.
+    pub efficiency: f64,
+}
+
+impl Default for MotorSpec {
+    fn default() -> MotorSpec {
+        MotorSpec {
+            slope: None,
+            stall_torque: None,
+            no_load_speed: None,
+            curve: None,
+            gear: 1.0,
+            efficiency: 1.0,
+        }
+    }
+}
+
+impl MotorSpec {
+    /// Whether it has a torque line.
+    pub fn is_given(&self) -> bool {
+        self.slope.is_some() || self.stall_torque.is_some() || self.curve.is_some()
+    }
+
+    /// Speeds and torques of the curve; `None` where they are no falling curve of at least two rows that reaches zero.
+    pub fn rows(&self) -> Option<Vec<[f64; 2]>> {
+        let numbers = self.curve.as_ref()?.split_whitespace().map(str::parse);
+        let numbers: Vec<f64> = numbers.collect::<Result<_, _>>().ok()?;
+        let rows: Vec<[f64; 2]> = numbers.chunks(2).map(|r| [r[0], r[r.len() - 1]]).collect();
+        let falls = |r: &[[f64; 2]]| r[1][0] > r[0][0] && r[1][1] < r[0][1];
+        let sound = numbers.len().is_multiple_of(2) && rows.len() > 1 && rows.windows(2).all(falls);
+        sound.then_some(rows)
+    }
+
+    /// Torque against speed at the camshaft, and the highest no-load speed there.
+    fn line(&self) -> Option<(TorqueLine, Option<f64>)> {
+        let (n, factor) = (self.gear, self.gear * self.efficiency);
+        if let Some(slope) = self.slope {
+            return Some((TorqueLine::Slope(slope), None));
+        }
+        if let Some(stall) = self.stall_torque {
+            let at_cam = factor * stall;
+            return Some(match self.no_load_speed.map(|w| w / n) {
+                Some(nominal) => (TorqueLine::Slope(at_cam / nominal), Some(nominal)),
+                None => (TorqueLine::Stall(at_cam), None),
+            });
+        }
+        let rows = self.rows()?.into_iter().map(|[w, t]| [w / n, factor * t]);
+        let line = TorqueLine::Curve(rows.collect());
+        let nominal = line.no_load_speed();
+        Some((line, nominal))
+    }
 }
 
 impl MachineSpec {
+    /// A motor has one torque line, falling, and the inertia of its shaft; otherwise the key at fault.
+    pub(in crate::scene) fn check_motor(&self) -> Result<(), (&'static str, SceneError)> {
+        let motor = &self.motor;
+        let lines = [
+            motor.slope.is_some(),
+            motor.stall_torque.is_some(),
+            motor.curve.is_some(),
+        ];
+        let lines = lines.iter().filter(|given| **given).count();
+        let fault = if motor.no_load_speed.is_some() && motor.stall_torque.is_none() {
+            (
+                "machine.motor.no_load_speed",
+                SceneError::NoLoadWithoutStall,
+            )
+        } else if lines > 1 {
+            ("machine.motor.slope", SceneError::MotorLine)
+        } else if motor.curve.is_some() && motor.rows().is_none() {
+            ("machine.motor.curve", SceneError::MotorCurve)
+        } else if lines > 0 && self.inertia.is_none() {
+            ("machine.inertia", SceneError::MotorWithoutInertia)
+        } else {
+            return Ok(());
+        };
+        Err(fault)
+    }
+
+    /// The motor with flywheel and friction; `None` where the shaft turns at constant speed.
+    pub fn motor(&self) -> Option<Motor> {
+        let spec = &self.motor;
+        let (line, nominal) = spec.line()?;
+        Some(Motor {
+            line,
+            nominal,
+            inertia: self.inertia?,
+            friction: self.friction_torque,
+            gear: spec.gear,
+            efficiency: spec.efficiency,
+        })
+    }
+
     /// Compliance between cam and mass; `None` for a rigid follower.
     ///
     /// # Errors
     /// A natural frequency without a mass.
-    pub fn train(&self, drive: &Drive) -> Result<Option<Train>> {
+    pub fn train(&self, drive: &Drive) -> crate::error::Result<Option<Train>> {
         if let Some(hz) = self.natural_frequency {
             return Train::from_frequency(drive, hz, self.damping_ratio)
                 .map(Some)
@@ -63,6 +186,9 @@ impl Default for MachineSpec {
             friction: 0.0,
             restitution: 0.0,
             second_cam: None,
+            motor: MotorSpec::default(),
+            inertia: None,
+            friction_torque: 0.0,
         }
     }
 }

@@ -10,6 +10,6 @@ mod machine;
 pub use cam::{CamSpec, ConjugateSpec, KeywaySpec};
 pub use drive::DriveSpec;
 pub use gait::{Band, ForceScale, Gait, Phase, PhaseWeight, Source};
-pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, Weigh};
+pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, ShaftSpeed, Weigh};
 pub use limits::Limits;
-pub use machine::MachineSpec;
+pub use machine::{MachineSpec, MotorSpec};

@@ -239,6 +239,9 @@ impl<'a> Kernel<'a> {
     /// The row of a harmonic law that keeps its limits, from the harmonics of the force.
     fn closed_row(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Option<Row> {
         let gait = scene.gait.as_ref()?;
+        if scene.machine.motor.is_given() {
+            return None;
+        }
         let scale = match &gait.source {
             Source::File(_) => 1.0,
             Source::Model(_) => gait.model_weight(),

@@ -42,10 +42,11 @@ impl Design {
                 follower: STEEL,
             }),
             groove_floor: self.groove.as_ref().map(|groove| groove.depth().0),
+            motor: spec.motor(),
             ..Machine::default()
         };
         let angles = (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);
-        let target = self.target.as_ref();
+        let target = self.target_in_time();
         Ok(Run {
             profile: self.cam.profile(POINTS),
             target: target.map(|t| angles.map(|theta| t.at(theta)).collect()),

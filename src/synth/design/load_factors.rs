@@ -49,14 +49,14 @@ impl Design {
     ///
     /// A turn is a stride of two steps where the second harmonic of the target is larger than the first.
     pub fn load_factors(&self) -> Vec<LoadFactor> {
-        let Some(target) = &self.target else {
+        let Some(target) = self.target_in_time() else {
             return Vec::new();
         };
         let weight = self.weight_n.unwrap_or(target.mean_n());
         if weight <= 0.0 || self.is_idle() {
             return Vec::new();
         }
-        let achieved = self.drive.force_curve(self.pressing());
+        let achieved = self.force_curve();
         let angles = || (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
         let of = |samples: Vec<f64>| amplitudes(&samples);
         let wanted = if target.force_n.len() == SAMPLES {
@@ -64,7 +64,7 @@ impl Design {
         } else {
             of(angles().map(|t| target.at(t)).collect())
         };
-        let given = of(angles().map(|t| achieved.eval(t)).collect());
+        let given = of(angles().map(|t| achieved.eval(self.angle_at(t))).collect());
         let turns_per_s = self.drive.speed.abs() / TAU;
         let steps = steps_per_turn(&wanted);
         (1..=steps * HARMONICS)

@@ -87,15 +87,14 @@ impl Design {
             return MachineReport::default();
         }
         let turns = self.cam.follower.measures() != Measures::Straight;
-        let (drive, law) = (&self.drive, self.pressing());
-        let torque = torque_curve(drive, law, &self.cam.law);
+        let torque = torque_curve(self.force_curve(), &self.cam.law);
         let length = self.cam.law.extent().1;
         let (low, high) = torque.extremes();
         let rms = (torque.integral_of_square() / length).sqrt();
         let mut report = MachineReport::of_torque(
             [low.value, high.value],
             [torque.integral() / length, rms],
-            drive.speed,
+            self.drive.speed,
         );
         if turns {
             report.liftoff_speed_rad_per_s = self.liftoff();

@@ -16,6 +16,7 @@ pub use limited::{Binding, Conflicting, Easing, Infeasible, Minimised, Relaxatio
 pub use load_factors::LoadFactor;
 pub use solver::{SolverReport, Step, Tier};
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use serde::Serialize;
@@ -25,8 +26,9 @@ use crate::drive::Drive;
 use crate::dynamics::flexible::polydyne::Miss;
 use crate::force::ForceCurve;
 use crate::law::Law;
-use crate::poly::Extreme;
+use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Note, Problem};
+use crate::synth::on_shaft::OnShaft;
 use crate::units::Quantity;
 use crate::wording::Language;
 use parameters::Functions;
@@ -109,6 +111,8 @@ pub struct Design {
     pub out_of_time: bool,
     /// Notes besides the verdict.
     pub notes: Vec<Note>,
+    /// The shaft under its motor; `None` at constant speed.
+    pub shaft: Option<OnShaft>,
     /// What it is the design of.
     #[serde(skip)]
     pub problem: Arc<Problem>,
@@ -182,6 +186,58 @@ impl Design {
     /// Whether the drive presses with nothing: no mass, spring, damping or preload is given.
     pub fn is_idle(&self) -> bool {
         self.drive.is_idle()
+    }
+
+    /// Contact force over the law, N, at the speed that the shaft has.
+    pub fn force_curve(&self) -> PiecewisePoly {
+        let law = self.pressing();
+        match &self.problem.on_shaft {
+            None => self.drive.force_curve(law),
+            Some(_) => self.problem.force_curve(law),
+        }
+    }
+
+    /// Contact force at a cam angle, N, at the speed that the shaft has there.
+    pub fn force_at(&self, theta: f64) -> f64 {
+        let extra = self.problem.on_shaft.as_ref();
+        let extra = extra.map_or(0.0, |shaft| shaft.extra.eval(theta.rem_euclid(TAU)));
+        self.drive.force(self.pressing().svaj(theta)) + extra
+    }
+
+    /// Speed of the shaft, rad/s, and time since cam angle 0, s, at a cam angle of the first turn.
+    pub fn speed_and_time(&self, theta: f64) -> (f64, f64) {
+        let Some(shaft) = &self.shaft else {
+            let speed = self.drive.speed;
+            return (speed, theta / speed);
+        };
+        let n = shaft.speed.len();
+        let x = theta / TAU * n as f64;
+        let (i, u) = (x as usize, x - x.floor());
+        let mix = |values: &[f64], wrap: f64| {
+            let [a, b] = [i, i + 1].map(|k| values[k % n] + if k >= n { wrap } else { 0.0 });
+            a + u * (b - a)
+        };
+        let period = TAU / self.drive.speed.abs();
+        (mix(&shaft.speed, 0.0), mix(&shaft.time, period))
+    }
+
+    /// Cam angle at a part of the turn's time, rad, both from 0.
+    fn angle_at(&self, phase: f64) -> f64 {
+        let Some(shaft) = &self.shaft else {
+            return phase;
+        };
+        let period = TAU / self.drive.speed.abs();
+        let time = phase / TAU * period;
+        let i = shaft.time.partition_point(|t| *t <= time).max(1);
+        let from = shaft.time[i - 1];
+        let to = shaft.time.get(i).copied().unwrap_or(period);
+        TAU * ((i - 1) as f64 + (time - from) / (to - from)) / shaft.time.len() as f64
+    }
+
+    /// The target over one period of time, N, in step with the cam at its angle 0.
+    pub fn target_in_time(&self) -> Option<&ForceCurve> {
+        let own = self.shaft.as_ref().and_then(|shaft| shaft.target.as_ref());
+        own.or(self.target.as_ref())
     }
 
     /// Smallest and largest pressure angle, rad; of a barrel at the floor of its groove, where the roller

@@ -62,6 +62,7 @@ pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<For
         rows.extend(limits::peak(problem, order));
         program.cost[PEAK] = 1.0;
     }
+    rows.extend(limits::rows_on_shaft(problem, &mut program));
     rows.extend(limits::about_the_target(problem, &mut program));
     program.limits = rows;
     if problem.size() == Size::Sought {
@@ -91,6 +92,8 @@ pub fn of_harmonics(
     program.halt = search.halt.clone();
     program.rms = limits::accuracy(problem, || mean_square(problem, &program.basis));
     program.limits = limits::rows(problem);
+    let on_shaft = limits::rows_on_shaft(problem, &mut program);
+    program.limits.extend(on_shaft);
     if !problem.level_is_known() {
         program.touch_at(unlimited.extremes(0).0.at);
     }

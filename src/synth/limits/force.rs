@@ -100,8 +100,8 @@ pub fn report(problem: &Problem, search: &Search, law: &Law) -> ForceReport {
 }
 
 fn measured(problem: &Problem, law: &Law) -> ForceReport {
-    let own = problem.drive.force_curve(law);
-    let (low, high) = problem.drive.force_extremes(law);
+    let own = problem.force_curve(law);
+    let (low, high) = problem.force_extremes(law);
     let (start, length) = law.extent();
     let mut report = ForceReport {
         mean_n: own.integral() / length,
@@ -110,7 +110,7 @@ fn measured(problem: &Problem, law: &Law) -> ForceReport {
         ..ForceReport::default()
     };
     if let Some(target) = &problem.target {
-        let apart = target.cells().distance(&own);
+        let apart = target.cells().distance(&problem.drive.force_curve(law));
         report.target_mean_n = target.mean_n();
         report.rms_error_n = (apart.square / length).max(0.0).sqrt();
         report.max_error_n = apart.largest;
@@ -126,7 +126,7 @@ const TOUCHES: f64 = 1e-7;
 /// Smallest and largest force of the design; contact is kept, asked for or not.
 pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
-    let (low, high) = design.problem.drive.force_extremes(design.pressing);
+    let (low, high) = design.problem.force_extremes(design.pressing);
     let mut out = Vec::new();
     if let Some(limit) = limits[LimitKind::ForceMin] {
         let mut check = Check::at_least(LimitKind::ForceMin, low, limit, SLACK);

@@ -3,7 +3,7 @@
 use super::finished::SLACK;
 use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
-use crate::problem::Problem;
+use crate::problem::{Problem, sum};
 use crate::synth::qp::{FACE_END, LOWEST, Limit, Meaning, only};
 
 /// A law may dip below its base circle by this part of the stroke: rounding.
@@ -93,8 +93,14 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     }
     for (name, order, limit) in limited(problem) {
         let per_time = problem.drive.speed.powi(order as i32);
-        let worst = Extreme::largest(cam.derivative_extremes(order));
-        let timed = worst.map(|value| value * per_time);
+        let timed = match &problem.on_shaft {
+            None => Extreme::largest(cam.derivative_extremes(order)).map(|value| value * per_time),
+            Some(shaft) => {
+                let [weights @ .., _] = only(order, per_time);
+                let own = cam.law.combination(weights, 0.0);
+                Extreme::largest(sum(&own, &shaft.timed[order - 1]).extremes())
+            }
+        };
         out.push(Check::at_most(name, timed, limit, SLACK));
     }
     out

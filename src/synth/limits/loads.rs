@@ -213,7 +213,7 @@ impl Loads {
 /// Torque, its rate, the pressure and the power of the finished cam against the limits.
 pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
-    let torque = || torque_curve(&design.problem.drive, design.pressing, &design.cam.law);
+    let torque = || torque_curve(design.problem.force_curve(design.pressing), &design.cam.law);
     let mut out = Vec::new();
     let mut check = |kind: LimitKind, worst: Extreme, limit: f64| {
         out.push(Check::at_most(kind, worst, limit, SLACK));
@@ -248,9 +248,8 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     out
 }
 
-/// Shaft torque F·v without friction, N·m: the force of the law that presses, the velocity of the cam's.
-pub fn torque_curve(drive: &Drive, pressing: &Law, law: &Law) -> PiecewisePoly {
-    let force = drive.force_curve(pressing);
+/// Shaft torque F·v without friction, N·m, of a force over the turn and the law of the cam.
+pub fn torque_curve(force: PiecewisePoly, law: &Law) -> PiecewisePoly {
     let velocity = law.combination([0.0, 1.0, 0.0, 0.0], 0.0);
     let force = force.cut_at(velocity.breaks());
     velocity.cut_at(force.breaks()).times(&force)

@@ -32,6 +32,7 @@ pub use slack::ProfileSize;
 
 use super::qp::{Limit, Program};
 use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, FollowerKind, LimitKind, Wall};
+use crate::poly::PiecewisePoly;
 use crate::problem::Problem;
 
 /// Limits over the whole turn that are linear in the law.
@@ -42,8 +43,10 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     let mut out = kinematic::base_circle(problem);
     out.extend(kinematic::stroke(problem));
     out.extend(kinematic::face_width(problem));
-    out.extend(kinematic::timed(problem));
-    out.extend(force::rows(problem));
+    if problem.on_shaft.is_none() {
+        out.extend(kinematic::timed(problem));
+        out.extend(force::rows(problem));
+    }
     let of_law_alone = out.len();
     out.extend(curvature::row(problem));
     out.extend(pressure_angle::rows(problem));
@@ -51,6 +54,29 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     // The lift in limits on the profile is a distance from the base circle.
     for limit in &mut out[of_law_alone..] {
         limit.from_base_circle = !problem.level_is_known() && limit.weights[0] != 0.0;
+    }
+    out
+}
+
+/// Limits by time and on the force where the speed of the shaft varies: their bounds are less by what that adds; these
+/// shapes join the program.
+pub fn rows_on_shaft(problem: &Problem, program: &mut Program) -> Vec<Limit> {
+    let Some(shaft) = &problem.on_shaft else {
+        return Vec::new();
+    };
+    let mut out = force::rows(problem);
+    out.extend(kinematic::timed(problem));
+    for limit in &mut out {
+        let unit = problem.drive.speed.powi(limit.highest_order() as i32);
+        let (extra, factor) = match limit.name {
+            Criterion::Limit(LimitKind::ForceMin) => (&shaft.extra, 1.0),
+            Criterion::Limit(LimitKind::ForceMax) => (&shaft.extra, -1.0),
+            Criterion::Limit(LimitKind::Velocity) => (&shaft.timed[0], -limit.weights[1] / unit),
+            _ => (&shaft.timed[1], -limit.weights[2] / unit),
+        };
+        let shape = PiecewisePoly::combine(&[(factor, extra)], 0.0);
+        program.shapes.push(shape);
+        limit.shape = Some(program.shapes.len() - 1);
     }
     out
 }

@@ -182,7 +182,11 @@ fn thin_shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     if problem.cam.bore.is_some() || !turns || circle <= 0.0 {
         return None;
     }
-    let torque = limits::largest(&limits::torque_curve(&problem.drive, pressing, &cam.law)).value;
+    let torque = limits::largest(&limits::torque_curve(
+        problem.force_curve(pressing),
+        &cam.law,
+    ))
+    .value;
     // τ = 16 T/(π d³).
     let shaft = (16.0 * torque / (PI * SHEAR)).cbrt();
     (circle < shaft).then(|| Note::ThinShaft {

@@ -35,6 +35,15 @@ dynamics-held-by-pair = a conjugate pair guides the follower on both sides: cont
     .help = use the rigid or the flexible model, which give the side in contact
 dynamics-not-one-turn = the contact model needs a cam that turns once per cycle
     .help = use the rigid model: its minimum contact force shows whether a translating cam keeps contact
+dynamics-motor = inertia and friction of the motor's shaft must not be negative, gear and efficiency positive, and the speed of the shaft not 0
+dynamics-motor-turns = a motor turns one cam whose law is one turn
+    .help = omit machine.motor or the second cam
+dynamics-stalls = the shaft does not keep turning: its inertia of { $inertia } carries it not over the hardest part of the turn
+    .help = set machine.inertia = "{ $needed }" or more, or a steeper torque line
+dynamics-stalls-anyway = the shaft does not keep turning with any inertia: the torque line of the motor is too weak for the load
+    .help = give a steeper torque line (machine.motor.slope, machine.motor.stall_torque)
+dynamics-no-load-speed = the no-load speed of the motor, { $nominal }, is too low for a mean speed of { $speed } of the camshaft
+    .help = set machine.motor.no_load_speed = "{ $needed }" or more, or a lower machine.motor.gear
 dynamics-open-polydyne = a polydyne cam needs a law that repeats: otherwise there is no steady state
 dynamics-polydyne-jump = the { $derivative } of the law is discontinuous at { $at }; the lift of a polydyne cam contains the force, so the cam's own acceleration would be discontinuous there
     .help = use a law with four continuous derivatives: a spline of degree 5 or more, harmonics, or 5-6-7-8-9 segments
@@ -67,3 +76,6 @@ run-escapes = the mass leaves the cam and nothing brings it back
 run-not-periodic = the motion does not repeat within { $turns } turns and { $impacts } impacts
 run-swings = the follower oscillates: lift and gap are angles in rad, the force is the moment about the pivot in N·m (in the files the force at the lever, in N), and mass, spring and preload of the drive act about the pivot; the normal force is in N
 run-pair-distance = the conjugate pair keeps its distance within { $deviation }; where the force turns negative the second cam bears it
+run-steady-shaft = under its motor the speed would ripple by about { $ripple } and change the force by { $change } of the mean, no more than { $allowed }: constant speed is enough
+run-shaft-varies = under its motor the speed ripples by { $found } (forecast from inertia and energy { $ripple }, which would change the force by { $change } of the mean): the force is that of the varying speed
+run-flexible-at-mean-speed = the compliant follower is run at the mean speed of the shaft; the ripple is that under a rigid follower

@@ -128,6 +128,14 @@ scene-pair-not-closed = exactly one of this key and base_radius must be given
     .help = give the distance between faces or roller centres (oscillating: the angle between the arms), or the second cam's base_radius
 scene-frequency-and-stiffness = natural_frequency already defines the stiffness of the follower train
     .help = remove one of the two
+scene-motor-line = a motor needs one of slope, stall_torque and curve
+    .help = write for example slope = "10 N m s/rad" under [machine.motor], the torque lost per rad/s at the camshaft
+scene-no-load-without-stall = a no-load speed belongs to a stall_torque
+    .help = give both, or the slope alone: its no-load speed is found
+scene-motor-curve = the torque of the motor must fall with its speed, from row to row
+    .help = name a file with the columns speed_rad_per_s and torque_n_m, speeds increasing and torques decreasing
+scene-motor-without-inertia = missing; the motor needs the moment of inertia of its shaft
+    .help = write for example inertia = "0.5 kg m^2" under [machine], flywheel and rotor at the camshaft
 scene-residual-without-frequency = missing; the limit on residual vibration requires it
     .help = write for example "60 Hz" under [machine]
 scene-force-range = { $low } is not below force_max = { $high }
@@ -155,6 +163,7 @@ scene-no-effect = { $key } has no effect: { $why ->
         [no-force] no target force is given
         [recording] the force is a recording
         [model] the force is a load model
+        [no-motor] the shaft turns at constant speed without machine.motor
         [no-dwell] the law has no dwell
        *[rigid-follower] the follower is rigid without machine.natural_frequency or machine.stiffness
     }

@@ -55,6 +55,10 @@ design-polydyne = The cam is polydyne: at { $speed } the output end of a followe
 design-polydyne-miss = With its flexible follower this cam has a force error of { $own } RMS; a cam cut to the law itself would have { $plain } RMS.
 
 # Faults in what a design is asked for.
+synth-shaft-diverges = the law and the speed of the shaft do not settle: at a ripple of { $ripple } each round changes the target { $contraction } times as much as the one before
+    .help = a larger inertia or a steeper torque line, or law.shaft = "constant"
+synth-limit-on-shaft = this limit is not available for a law that is designed for the speed of its motor
+    .help = set law.shaft = "constant", or omit the limit
 synth-force-not-read = the force curve was not read
 synth-no-lift-changes-force = no lift changes the force: spring rate, damping and mass are all zero
     .help = give at least one of spring_rate, damping, mass

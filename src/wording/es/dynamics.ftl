@@ -35,6 +35,15 @@ dynamics-held-by-pair = un par conjugado guía el seguidor por ambos lados: no p
     .help = use el modelo rígido o el flexible, que indican el lado en contacto
 dynamics-not-one-turn = el modelo de contacto necesita una leva que gire una vuelta por ciclo
     .help = use el modelo rígido: su fuerza de contacto mínima indica si una leva de traslación mantiene el contacto
+dynamics-motor = inercia y rozamiento del eje del motor no deben ser negativos, reductor y rendimiento positivos y la velocidad del eje distinta de 0
+dynamics-motor-turns = un motor gira una sola leva cuya ley es una vuelta
+    .help = omita machine.motor o la segunda leva
+dynamics-stalls = el eje no sigue girando: su inercia de { $inertia } no lo lleva por la parte más dura de la vuelta
+    .help = ponga machine.inertia = "{ $needed }" o más, o una recta de par más inclinada
+dynamics-stalls-anyway = el eje no sigue girando con ninguna inercia: la recta de par del motor es demasiado débil para la carga
+    .help = dé una recta de par más inclinada (machine.motor.slope, machine.motor.stall_torque)
+dynamics-no-load-speed = la velocidad en vacío del motor, { $nominal }, es demasiado baja para una velocidad media de { $speed } del eje de la leva
+    .help = ponga machine.motor.no_load_speed = "{ $needed }" o más, o un machine.motor.gear menor
 dynamics-open-polydyne = una leva polidina necesita una ley que se repita: si no, no hay régimen permanente
 dynamics-polydyne-jump = la { $derivative ->
         [lift] elevación
@@ -73,3 +82,6 @@ run-escapes = la masa se separa de la leva y nada la devuelve
 run-not-periodic = el movimiento no se repite en { $turns } vueltas y { $impacts } impactos
 run-swings = el seguidor oscila: elevación y separación son ángulos en rad, la fuerza es el momento respecto al pivote en N·m (en los archivos, la fuerza en la palanca, en N), y la masa, el muelle y la precarga del accionamiento actúan respecto al pivote; la fuerza normal está en N
 run-pair-distance = el par conjugado mantiene su distancia dentro de { $deviation }; donde la fuerza se vuelve negativa la soporta la segunda leva
+run-steady-shaft = con su motor la velocidad oscilaría cerca de un { $ripple } y cambiaría la fuerza un { $change } de la media, no más del { $allowed }: basta la velocidad constante
+run-shaft-varies = con su motor la velocidad oscila un { $found } (previsto de inercia y energía { $ripple }, que cambiaría la fuerza un { $change } de la media): la fuerza es la de la velocidad variable
+run-flexible-at-mean-speed = el seguidor flexible se simula a la velocidad media del eje; la oscilación es la de un seguidor rígido

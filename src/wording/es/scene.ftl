@@ -128,6 +128,14 @@ scene-pair-not-closed = debe darse exactamente una de las dos: esta clave o base
     .help = dé la distancia entre caras o centros de rodillo (oscilantes: el ángulo entre los brazos), o el base_radius de la segunda leva
 scene-frequency-and-stiffness = natural_frequency ya define la rigidez del tren del seguidor
     .help = quite una de las dos
+scene-motor-line = un motor necesita uno de slope, stall_torque y curve
+    .help = escriba por ejemplo slope = "10 N m s/rad" en [machine.motor], el par que se pierde por rad/s en el eje de la leva
+scene-no-load-without-stall = una velocidad en vacío requiere un stall_torque
+    .help = indique ambos, o solo la pendiente slope: se busca su velocidad en vacío
+scene-motor-curve = el par del motor debe bajar con su velocidad, de fila en fila
+    .help = nombre un archivo con las columnas speed_rad_per_s y torque_n_m, velocidades crecientes y pares decrecientes
+scene-motor-without-inertia = falta; el motor necesita el momento de inercia de su eje
+    .help = escriba por ejemplo inertia = "0.5 kg m^2" en [machine], volante y rotor reducidos al eje de la leva
 scene-residual-without-frequency = falta; el límite de vibración residual la requiere
     .help = escriba por ejemplo "60 Hz" en [machine]
 scene-force-range = { $low } no es menor que force_max = { $high }
@@ -155,6 +163,7 @@ scene-no-effect = { $key } no tiene efecto: { $why ->
         [no-force] no se da ninguna fuerza objetivo
         [recording] la fuerza es un registro
         [model] la fuerza es un modelo de carga
+        [no-motor] sin machine.motor el eje gira a velocidad constante
         [no-dwell] la ley no tiene detenimientos
        *[rigid-follower] el seguidor es rígido sin machine.natural_frequency o machine.stiffness
     }

@@ -55,6 +55,10 @@ design-polydyne = La leva es polidina: a { $speed } el extremo de salida de un s
 design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fuerza de { $own } RMS; una leva tallada según la propia ley tendría { $plain } RMS.
 
 # Errores en lo que se pide de un diseño.
+synth-shaft-diverges = la ley y la velocidad del eje no convergen: con una oscilación de { $ripple } cada vuelta cambia el objetivo { $contraction } veces lo que la anterior
+    .help = más inercia o una recta de par más inclinada, o law.shaft = "constant"
+synth-limit-on-shaft = este límite no está disponible para una ley diseñada para la velocidad de su motor
+    .help = ponga law.shaft = "constant" u omita el límite
 synth-force-not-read = no se leyó la curva de fuerza
 synth-no-lift-changes-force = ninguna elevación cambia la fuerza: la rigidez, el amortiguamiento y la masa son cero
     .help = indique al menos spring_rate, damping o mass

@@ -1,3 +1,4 @@
 //! The emitted cam on its machine.
 
 mod polydyne;
+mod shaft;

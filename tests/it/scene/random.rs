@@ -49,6 +49,7 @@ pub fn typed(key: &Key, scene: &Scene, numbers: &mut Numbers) -> Option<String> 
         }
         Kind::Flag => Some((numbers.below(2) == 0).to_string()),
         Kind::Text if key.name() == "motion" => Some("cycloidal".to_string()),
+        Kind::Text if key.name() == "curve" => Some("0 20 10 5".to_string()),
         Kind::Text if key.name() == "accept" => Some("clock, mass".to_string()),
         Kind::Text if key.name() == "hardness" => Some(format!("{} HRC", 20 + numbers.below(45))),
         Kind::Text | Kind::Texts => Some(format!("word{}", numbers.below(9))),
@@ -97,7 +98,27 @@ pub fn table(numbers: &mut Numbers) -> Table {
             key.set(&mut scene, 0, text).unwrap();
         }
     }
+    complete_motor(&mut table);
     table
+}
+
+/// Leaves a motor one torque line and gives it the inertia of its shaft.
+fn complete_motor(table: &mut Table) {
+    let Some(machine) = table.get_mut("machine").and_then(|m| m.as_table_mut()) else {
+        return;
+    };
+    let Some(motor) = machine.get_mut("motor").and_then(|m| m.as_table_mut()) else {
+        return;
+    };
+    let lines = ["slope", "stall_torque", "curve"];
+    let kept = lines.into_iter().find(|line| motor.contains_key(*line));
+    let is_other = |key: &str| lines.contains(&key) && Some(key) != kept;
+    motor.retain(|key, _| !is_other(key));
+    if kept != Some("stall_torque") {
+        motor.remove("no_load_speed");
+    }
+    let inertia = || toml::Value::String("0.5 kg m^2".to_string());
+    machine.entry("inertia").or_insert_with(inertia);
 }
 
 fn lookup(table: &Table, path: &str) -> Option<String> {

@@ -28,6 +28,7 @@ pub enum CliError {
     NoModel { typed: String },
     Restitution { value: f64 },
     NegativeFriction { typed: String },
+    Speeds { typed: String, most: usize },
     CamIsMade { key: String },
     BrokenTable { fault: String },
     FieldNotNumber,

@@ -30,6 +30,7 @@ pub fn text(design: &Design, time: Timing) -> String {
     out.push(drive(design));
     out.push(cam(design));
     out.extend(machine(design));
+    out.extend(shaft(design));
     out.extend(passed_checks(design));
     out.extend(active_limits(design));
     out.extend(sensitivities(design));
@@ -42,9 +43,9 @@ pub fn text(design: &Design, time: Timing) -> String {
 }
 
 /// Labels of the rows, without `label-`.
-const LABELS: [&str; 13] = [
-    "failed", "ok", "force", "law", "drive", "cam", "machine", "active", "relaxing", "note",
-    "solved", "optimum", "sequence",
+const LABELS: [&str; 14] = [
+    "failed", "ok", "force", "law", "drive", "cam", "machine", "shaft", "active", "relaxing",
+    "note", "solved", "optimum", "sequence",
 ];
 
 /// A row under its label; a label that is empty continues the row before.
@@ -220,6 +221,50 @@ fn machine(design: &Design) -> Option<String> {
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     (!parts.is_empty()).then(|| row("machine", &parts.join(", ")))
+}
+
+/// Speed of the shaft under its motor, the force error over time and what another machine makes of it.
+fn shaft(design: &Design) -> Vec<String> {
+    let Some(on_shaft) = &design.shaft else {
+        return Vec::new();
+    };
+    let s = &on_shaft.shaft;
+    let mut out = vec![filled(
+        "shaft",
+        "synth-shaft",
+        json!({"low": fixed(s.min, 3), "high": fixed(s.max, 3), "ripple": fixed(100.0 * s.ripple, 2),
+                "noload": fixed(s.no_load_speed, 4), "rms": fixed(s.motor_torque_rms_n_m, 3),
+                "most": fixed(s.motor_torque_max_n_m, 3)}),
+    )];
+    if let Some((own, before)) = on_shaft.force_time.zip(on_shaft.at_constant_speed) {
+        let percent = [own, before].map(|e| fixed(e.rms_error_percent_of_mean, 3));
+        let contraction = on_shaft.contraction.map_or(String::new(), |c| fixed(c, 4));
+        out.push(filled(
+            "",
+            "synth-shaft-error",
+            json!({"own": percent[0], "before": percent[1], "rounds": on_shaft.rounds,
+                    "contraction": contraction}),
+        ));
+    }
+    let differs = on_shaft.sensitivity.iter().map(|s| {
+        let percent = s
+            .percent
+            .map(|p| p.map_or("—".to_string(), |p| fixed(p, 2)));
+        let [less, more] = percent;
+        words::fill(
+            "synth-shaft-differs",
+            &json!({"key": s.key, "less": less, "more": more}),
+        )
+    });
+    let differs: Vec<String> = differs.collect();
+    if on_shaft.force_time.is_some() {
+        out.push(filled(
+            "",
+            "synth-shaft-sensitivity",
+            json!({"list": differs.join(", ")}),
+        ));
+    }
+    out
 }
 
 /// The Hertz pressure, and the permissible one where the hardness of the surface is given.

@@ -33,6 +33,8 @@ cli-restitution = invalid value { $value }
     .help = a coefficient of restitution lies in [0, 1]: 0 for a plastic impact, 1 for an elastic one
 cli-negative-friction = a coefficient of friction is 0 or more, not { $typed }
     .help = 0 for none; oiled steel on steel about 0.1
+cli-speeds = { $typed } is no range of speeds
+    .help = write first, last and number of speeds, 2 to { $most }: --speeds '1.4 Hz:2.3 Hz:10'
 cli-cam-is-made = the cam of a result is made: { $key } would design another
     .help = give only keys of drive and machine, or design the other cam with gaitcam synth SUMMARY.json --set …
 cli-broken-table = { $fault }
@@ -121,6 +123,7 @@ label-law = law
 label-drive = drive
 label-cam = cam
 label-machine = machine
+label-shaft = shaft
 label-active = active
 label-relaxing = relaxing
 label-note = note
@@ -149,6 +152,17 @@ synth-law = { $family }{ $degree ->
 synth-offset = {" "}offset { $offset } mm,
 synth-cam = { $follower }, base radius { $base } mm, prime radius { $prime } mm,{ $offset } smallest convex radius { $convex } mm
 synth-load-factors = dynamic load factors 1 to 4: { $list }
+synth-shaft = { $low } … { $high } rad/s, ripple { $ripple } %; motor: no-load speed { $noload } rad/s, torque { $rms } N·m RMS, { $most } N·m peak
+synth-shaft-error = force error over time { $own } % of the mean; of the law for constant speed { $before } %{ $rounds ->
+        [0] {""}
+        [one] {"; "}one round
+       *[other] {"; "}{ $rounds } rounds
+    }{ $contraction ->
+        [0] {""}
+       *[other] {"; "}each changes the target { $contraction } times as much as the one before
+    }
+synth-shaft-sensitivity = with 10 % less or more of { $list }
+synth-shaft-differs = { $key }: { $less } %, { $more } %
 synth-torque-values = torque { $most } N·m maximum, { $rms } N·m RMS
 synth-power-value = power { $most } W maximum
 synth-lift-off = lift-off at { $speed }
@@ -198,6 +212,8 @@ gait-mean-cycle-of = mean cycle of { $file }
 
 # simulate.
 simulate-no-cam = there is no cam to run: { $why }
+simulate-speeds-head =       rpm error N RMS torque N·m ripple %  load factors 1 to 4
+simulate-speeds-lost = contact lost
 simulate-as-made = the cam as it was made, at { $rpm } rpm
 simulate-designed-again = the cam was designed for this drive.speed; --speed runs one cam at another speed
 

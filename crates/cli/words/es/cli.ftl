@@ -33,6 +33,8 @@ cli-restitution = valor no válido { $value }
     .help = el coeficiente de restitución está en [0, 1]: 0 en un choque plástico, 1 en uno elástico
 cli-negative-friction = un coeficiente de rozamiento es 0 o mayor, no { $typed }
     .help = 0 si no hay; acero sobre acero con aceite, alrededor de 0.1
+cli-speeds = { $typed } no es un intervalo de velocidades
+    .help = escriba la primera, la última y el número de velocidades, de 2 a { $most }: --speeds '1.4 Hz:2.3 Hz:10'
 cli-cam-is-made = la leva de un resultado ya está hecha: { $key } diseñaría otra
     .help = dé solo claves de drive y machine, o diseñe la otra leva con gaitcam synth SUMMARY.json --set …
 cli-broken-table = { $fault }
@@ -121,6 +123,7 @@ label-law = ley
 label-drive = accionamiento
 label-cam = leva
 label-machine = máquina
+label-shaft = eje
 label-active = activo
 label-relaxing = relajar
 label-note = nota
@@ -149,6 +152,17 @@ synth-law = { $family }{ $degree ->
 synth-offset = {" "}excentricidad { $offset } mm,
 synth-cam = { $follower }, radio base { $base } mm, radio primario { $prime } mm,{ $offset } menor radio convexo { $convex } mm
 synth-load-factors = factores de carga dinámica 1 a 4: { $list }
+synth-shaft = { $low } … { $high } rad/s, oscilación { $ripple } %; motor: velocidad en vacío { $noload } rad/s, par { $rms } N·m RMS, máximo { $most } N·m
+synth-shaft-error = error de fuerza en el tiempo { $own } % de la media; de la ley para velocidad constante { $before } %{ $rounds ->
+        [0] {""}
+        [one] {"; "}una ronda
+       *[other] {"; "}{ $rounds } rondas
+    }{ $contraction ->
+        [0] {""}
+       *[other] {"; "}cada una cambia el objetivo { $contraction } veces lo que la anterior
+    }
+synth-shaft-sensitivity = con un 10 % menos o más de { $list }
+synth-shaft-differs = { $key }: { $less } %, { $more } %
 synth-torque-values = par máximo { $most } N·m, RMS { $rms } N·m
 synth-power-value = potencia máxima { $most } W
 synth-lift-off = pérdida de contacto a { $speed }
@@ -198,6 +212,8 @@ gait-mean-cycle-of = ciclo medio de { $file }
 
 # simulate.
 simulate-no-cam = no hay ninguna leva que simular: { $why }
+simulate-speeds-head =       rpm error N RMS  par N·m oscil. %  factores de carga 1 a 4
+simulate-speeds-lost = contacto perdido
 simulate-as-made = la leva tal como se hizo, a { $rpm } rpm
 simulate-designed-again = la leva se diseñó para este drive.speed; --speed hace girar una misma leva a otra velocidad
 

@@ -104,6 +104,7 @@ gait-span = El archivo cubre esta parte de la vuelta; en el resto la fuerza es c
 gait-accept = Incluye en la media conjunta un registro aunque esto quede abierto: kind, clock, mass
 
 simulate-speed = Hace girar la leva tal como se hizo a esta velocidad del árbol: --speed '96 rpm'
+simulate-speeds = Hace girar la leva tal como se hizo a varias velocidades: --speeds '1.4 Hz:2.3 Hz:10' (primera, última, número)
 simulate-model = auto (el más simple que basta) | rigid | flexible | contact
 simulate-out = Carpeta de dynamics.csv, simulation.json y report.html (por defecto out/NOMBRE)
 simulate-natural_frequency = Primera frecuencia propia del tren del seguidor: "60 Hz"

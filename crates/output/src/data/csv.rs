@@ -5,7 +5,7 @@ use gaitcam::cam::{ProfilePoint, Wall};
 use gaitcam::synth::Design;
 
 /// Columns of `law.csv` for a translating follower.
-const LAW_METRES: [&str; 7] = [
+const LAW_METRES: [&str; 9] = [
     "theta_rad",
     "s_m",
     "v_m_per_rad",
@@ -13,9 +13,11 @@ const LAW_METRES: [&str; 7] = [
     "j_m_per_rad3",
     "force_n",
     "target_n",
+    "time_s",
+    "speed_rad_per_s",
 ];
 /// Columns of `law.csv` for an oscillating follower.
-const LAW_RADIANS: [&str; 7] = [
+const LAW_RADIANS: [&str; 9] = [
     "theta_rad",
     "s_rad",
     "v_rad_per_rad",
@@ -23,6 +25,8 @@ const LAW_RADIANS: [&str; 7] = [
     "j_rad_per_rad3",
     "force_n",
     "target_n",
+    "time_s",
+    "speed_rad_per_s",
 ];
 const PROFILE: [&str; 7] = [
     "theta_rad",
@@ -59,11 +63,12 @@ pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     let drive = &synthesis.drive;
     let rows = angles(&cam.law, points).map(|theta| {
         let at = cam.law.svaj(theta);
-        let force = drive.force(synthesis.pressing().svaj(theta));
+        let force = synthesis.force_at(theta);
         let target = synthesis.target.as_ref();
         let target = target.map_or(f64::NAN, |t| target_at(t, &cam.law, theta));
         let [force, target] = [force, target].map(|f| drive.newtons(f));
-        [theta, at.s, at.v, at.a, at.j, force, target]
+        let (speed, time) = synthesis.speed_and_time(theta);
+        [theta, at.s, at.v, at.a, at.j, force, target, time, speed]
     });
     columns(names, rows)
 }

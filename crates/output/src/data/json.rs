@@ -6,7 +6,7 @@ use crate::Timing;
 use gaitcam::cam::{Cam, Continuity, Verdict};
 use gaitcam::drive::Drive;
 use gaitcam::error::Error;
-use gaitcam::synth::{Design, End, FIGURES, Figures, Reason};
+use gaitcam::synth::{Design, End, FIGURES, Figures, OnShaft, Reason};
 use gaitcam::wording::Language;
 
 /// The summary of a design.
@@ -61,11 +61,26 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     if !design.together.is_empty() {
         put("relaxed_together", json!(design.together));
     }
+    if let Some(on_shaft) = &design.shaft {
+        put("shaft", json!(on_shaft.shaft));
+        put("force_time", json!(on_shaft.force_time));
+        put("shaft_design", shaft_design(on_shaft));
+    }
     put("out_of_time", json!(design.out_of_time));
     put("remarks", json!(design.remarks(Language::En)));
     put("solver", solver(design, time));
     put("time", json!({"total_s": time.total_s}));
     Value::Object(out)
+}
+
+/// How the law and the speed of the shaft were made to agree, and what a machine that differs makes of it.
+fn shaft_design(on_shaft: &OnShaft) -> Value {
+    json!({
+        "rounds": on_shaft.rounds,
+        "contraction": on_shaft.contraction,
+        "at_constant_speed": on_shaft.at_constant_speed,
+        "sensitivity": on_shaft.sensitivity,
+    })
 }
 
 /// The summary of a scene for which there is no cam to show: why, and the key at fault.

@@ -12,6 +12,7 @@ use crate::pose::{angles, target_at};
 use crate::words::{self, Words};
 use gaitcam::cam::Measures;
 use gaitcam::force::ForceCurve;
+use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 use gaitcam_base::text::number;
@@ -101,11 +102,24 @@ impl Achieved {
             // Where nothing presses, the force of one unit of moved mass is drawn.
             drive.mass = 1.0;
         }
-        let (low, high) = drive.force_curve(law).extremes();
+        let idle = synthesis.is_idle();
+        let curve = if idle {
+            drive.force_curve(law)
+        } else {
+            synthesis.force_curve()
+        };
+        let (low, high) = curve.extremes();
+        let force = |t: f64, m: Svaj| {
+            if idle {
+                drive.force(m)
+            } else {
+                synthesis.force_at(t)
+            }
+        };
         Achieved {
             curve: motion(law)
                 .iter()
-                .map(|(t, m)| (factor * t, drive.force(*m)))
+                .map(|(t, m)| (factor * t, force(*t, *m)))
                 .collect(),
             low: (factor * low.at, low.value),
             high: (factor * high.at, high.value),
@@ -163,9 +177,9 @@ fn difference(
     let across = |t: f64| measures.angle().factor * t;
     let error: Vec<(f64, f64)> = motion(law)
         .iter()
-        .map(|(t, m)| {
+        .map(|(t, _)| {
             let desired = target_at(target, law, *t);
-            (across(*t), synthesis.drive.force(*m) - desired)
+            (across(*t), synthesis.force_at(*t) - desired)
         })
         .collect();
     let rms = synthesis.force.rms_error_n;

@@ -2,6 +2,8 @@
 
 use plotters::style::{Color, RGBAColor};
 
+use std::f64::consts::TAU;
+
 use super::force::force_frame;
 use crate::plot::axes::{Panel, padded};
 use crate::plot::layout::{Figure, Layout, columns, strips};
@@ -12,6 +14,7 @@ use crate::pose::target_at;
 use crate::words::{self, Words};
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{Model, Outcome};
+use gaitcam::force::ForceCurve;
 use gaitcam::synth::Design;
 
 /// A curve in the key: colour, width, name.
@@ -50,14 +53,26 @@ impl Shown<'_> {
         let law = &self.synthesis.cam.law;
         let (start, length) = law.extent();
         let within = |i: usize| start + (self.angle(i) - start) % length;
-        let target = self.synthesis.target.as_ref();
-        let target = target.map(|t| self.curve(|i| target_at(t, law, within(i))));
+        let on_shaft = self.outcome.shaft.is_some();
+        let period = TAU / self.synthesis.drive.speed.abs();
+        let target = self.synthesis.target_in_time();
+        let wanted = |t: &ForceCurve, i: usize| match on_shaft {
+            true => t.at(TAU * self.outcome.rows[i].time / period),
+            false => target_at(t, law, within(i)),
+        };
+        let target = target.map(|t| self.curve(|i| wanted(t, i)));
         let rigid = |i: usize| self.synthesis.drive.force(law.svaj(within(i)));
-        let rigid = (self.outcome.model != Model::Rigid).then(|| self.curve(rigid));
+        let apart = self.outcome.model != Model::Rigid || on_shaft;
+        let rigid = apart.then(|| self.curve(rigid));
+        let grey = if on_shaft {
+            "figure-constant-speed"
+        } else {
+            "figure-rigid"
+        };
         let force = self.curve(|i| self.outcome.rows[i].contact_force);
         let curves = [
             (target, ORANGE.mix(0.55), 8.0, "figure-target"),
-            (rigid, QUIET, 1.4, "figure-rigid"),
+            (rigid, QUIET, 1.4, grey),
             (Some(force), BLUE, 2.2, "figure-simulated"),
         ];
         let values = curves.iter().filter_map(|c| c.0.as_ref()).flatten();
@@ -94,12 +109,10 @@ pub(crate) fn run_in(
             measures,
         };
         let frame = force_frame(layout);
-        let shares: &[f64] = if outcome.contact_lost {
-            &[1.9, 1.0, 0.8]
-        } else {
-            &[1.9, 1.0]
-        };
-        let frames = strips(frame, shares, 0.9 * e);
+        let more = [outcome.shaft.is_some(), outcome.contact_lost];
+        let more = more.iter().filter(|is_drawn| **is_drawn);
+        let shares: Vec<f64> = [1.9, 1.0].into_iter().chain(more.map(|_| 0.8)).collect();
+        let frames = strips(frame, &shares, 0.9 * e);
         let entries = shown.force(&f, frames[0], words)?;
         let torque = shown.curve(|i| rows[i].torque);
         let y = padded(torque.iter().map(|p| p.1).chain([0.0]), 0.12);
@@ -109,11 +122,18 @@ pub(crate) fn run_in(
             Measures::Straight => "figure-push",
             _ => "figure-torque",
         }))?;
+        if outcome.shaft.is_some() {
+            let speed = shown.curve(|i| rows[i].speed);
+            let y = padded(speed.iter().map(|p| p.1), 0.12);
+            last = shown.panel(&f, frames[2], y)?;
+            last.curve(&speed, RED, 2.0)?;
+            last.quantity(&words.text("figure-shaft-speed"))?;
+        }
         if outcome.contact_lost {
             let lift = measures.lift(0);
             let gap = shown.curve(|i| lift.factor * rows[i].gap);
             let top = padded(gap.iter().map(|p| p.1).chain([0.0]), 0.12)[1];
-            last = shown.panel(&f, frames[2], [0.0, top])?;
+            last = shown.panel(&f, frames[frames.len() - 1], [0.0, top])?;
             last.curve(&gap, RED, 2.0)?;
             last.quantity(&words.fill("figure-gap", &[("unit", lift.name)]))?;
         }

@@ -195,7 +195,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
 
 /// The rigid machine at one point of the law.
 fn still(synthesis: &Design, theta: f64, at: Svaj) -> Row {
-    let force = synthesis.drive.force(synthesis.pressing().svaj(theta));
+    let force = synthesis.force_at(theta);
     Row {
         contact_force: force,
         torque: force * at.v,

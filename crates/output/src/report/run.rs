@@ -28,7 +28,11 @@ pub fn section(out: &mut String, synthesis: &Design, running: &Running, words: &
     out.push_str("<div class=\"turning\">\n");
     animation::stage(out, synthesis, Some(running), words);
     out.push_str("</div>\n");
-    let layout = Layout::figure(if outcome.contact_lost { 620 } else { 500 });
+    let layout = Layout::figure(if outcome.contact_lost || outcome.shaft.is_some() {
+        620
+    } else {
+        500
+    });
     let frame = force_frame(layout);
     let data = format!(
         " data-left=\"{}\" data-right=\"{}\" data-top=\"{}\" data-bottom=\"{}\" data-turns=\"{}\"",

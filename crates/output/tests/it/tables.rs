@@ -14,7 +14,7 @@ use gaitcam_test_support::readers::table;
 fn law_csv_has_the_promised_columns_and_reads_back_to_the_same_bits() {
     let s = footbridge();
     let (head, rows) = table(&gaitcam_output::csv::law(&s, 1440));
-    let promised = "theta_rad,s_m,v_m_per_rad,a_m_per_rad2,j_m_per_rad3,force_n,target_n";
+    let promised = "theta_rad,s_m,v_m_per_rad,a_m_per_rad2,j_m_per_rad3,force_n,target_n,time_s,speed_rad_per_s";
     assert_eq!(head.join(","), promised);
     assert_eq!(rows.len(), 1440);
     for (i, row) in rows.iter().enumerate() {
@@ -26,6 +26,8 @@ fn law_csv_has_the_promised_columns_and_reads_back_to_the_same_bits() {
         }
         let target = s.target.as_ref().unwrap();
         assert_eq!(row[6], Some(target.at(theta)));
+        let speed = s.drive.speed;
+        assert_eq!(row[7..], [Some(theta / speed), Some(speed)]);
         if i % 4 == 0 {
             // One of the curve's 360 samples, in closed form: Young's four harmonics as in the design.
             let factors = [(0.37, 0.0), (0.054, 0.7), (0.026, 1.9), (0.01, 2.4)];
@@ -40,7 +42,7 @@ fn law_csv_has_the_promised_columns_and_reads_back_to_the_same_bits() {
     let mut classical = s;
     classical.target = None;
     let (_, rows) = table(&gaitcam_output::csv::law(&classical, 12));
-    assert!(rows.iter().all(|r| r.len() == 7 && r[6].is_none()));
+    assert!(rows.iter().all(|r| r.len() == 9 && r[6].is_none()));
 }
 
 #[test]

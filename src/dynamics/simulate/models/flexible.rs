@@ -17,6 +17,9 @@ pub fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     }
     let steady = flexible::steady(&p.lift, &p.drive, train)?;
     let mut out = p.outcome(Model::Flexible);
+    if out.shaft.is_some() {
+        out.notes.push(RunNote::FlexibleAtMeanSpeed);
+    }
     let n = p.nodes.len();
     // Most rows' angles are among the breaks of the forcing; the others all but touch one.
     let last = steady.theta.len() - 1;

@@ -18,4 +18,5 @@ name-spring-rate = spring rate
 name-damping = damping
 name-power = power
 name-angular-rate = angular rate
+name-angular-damping = angular damping
 name-inertia = inertia

@@ -18,4 +18,5 @@ name-spring-rate = rigidez del muelle
 name-damping = amortiguamiento
 name-power = potencia
 name-angular-rate = rigidez a torsión
+name-angular-damping = amortiguamiento angular
 name-inertia = momento de inercia

@@ -172,3 +172,37 @@ fn measured_points_are_those_of_the_same_cam_at_every_speed() {
     let peak = |run: &serde_json::Value| run["made"]["acceleration_max"].as_f64().unwrap();
     assert!((peak(&fast) / peak(&slow) - 4.0).abs() < 1e-6);
 }
+
+#[test]
+fn a_table_of_speeds_has_the_load_factors_that_grow_with_the_square_of_the_speed() {
+    let shaker = Shaker::new();
+    let (made, out) = (shaker.path("made"), shaker.path("speeds"));
+    let run = gaitcam(&["simulate", &made, "--speeds", "1:2:3 Hz", "--out", &out]);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let table = fs::read_to_string(format!("{out}/speeds.csv")).unwrap();
+    let rows: Vec<Vec<f64>> = (table.lines().skip(1))
+        .map(|line| {
+            line.split(',')
+                .take(4)
+                .map(|x| x.parse().unwrap())
+                .collect()
+        })
+        .collect();
+    assert_eq!(rows.len(), 3);
+    for (row, turns) in rows.iter().zip([1.0, 1.5, 2.0_f64]) {
+        assert!((row[0] - 2.0 * PI * turns).abs() < 1e-9);
+        // F = M g + (ω/ω₀)² f(θ), ω₀ = 120 rpm; the target stays f(θ).
+        let share = (turns / 2.0).powi(2);
+        let [rms, first, second] = [row[1], row[2], row[3]];
+        let own = 0.005 * 700.0;
+        assert!((first - share * 210.0 / 700.0).abs() < 0.006, "{first}");
+        assert!((second - share * 60.0 / 700.0).abs() < 0.006, "{second}");
+        let swing = (210.0_f64.powi(2) / 2.0 + 60.0_f64.powi(2) / 2.0).sqrt();
+        assert!((rms - (1.0 - share) * swing).abs() < 1.5 * own, "{rms}");
+    }
+    for faulty in ["1 Hz:2 Hz", "1 Hz:2 Hz:1", "1 mm:2 mm:3", "0 Hz:2 Hz:3"] {
+        let run = gaitcam(&["simulate", &made, "--speeds", faulty, "--out", &out]);
+        assert_eq!(run.status.code(), Some(2), "{faulty}");
+        assert!(stderr(&run).contains("--speeds"), "{faulty}");
+    }
+}

@@ -94,7 +94,9 @@ fn force_column_is_the_force_relation_of_the_law_column() {
             "a_m_per_rad2",
             "j_m_per_rad3",
             "force_n",
-            "target_n"
+            "target_n",
+            "time_s",
+            "speed_rad_per_s"
         ]
     );
     assert_eq!(rows.len(), 1440);

@@ -1,5 +1,7 @@
 //! `gaitcam simulate`: runs the emitted cam, not the law it came from.
 
+mod speeds;
+
 use std::f64::consts::PI;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -28,6 +30,7 @@ use gaitcam_output::{Timing, simulation};
 const EXAMPLES: &str = "Examples:
   gaitcam simulate scenes/footbridge.toml
   gaitcam simulate out/footbridge --speed '96 rpm'
+  gaitcam simulate out/footbridge --speeds '1.4 Hz:2.3 Hz:10'
   gaitcam simulate scenes/heel_tester.toml --model flexible --natural-frequency '60 Hz'
   gaitcam simulate scenes/thesis_iteration_3.toml --set 'drive.speed=300 rpm' --restitution 0.5";
 
@@ -40,6 +43,9 @@ pub struct SimulateArgs {
     /// Run the cam as made at this speed of the shaft: --speed '96 rpm'
     #[arg(long, value_name = "SPEED")]
     speed: Option<String>,
+    /// Run the cam as made at several speeds: --speeds '1.4 Hz:2.3 Hz:10' (first, last, number)
+    #[arg(long, value_name = "RANGE", conflicts_with = "speed")]
+    speeds: Option<String>,
     /// auto (the simplest that is sufficient), rigid, flexible, contact
     #[arg(long, default_value = "auto")]
     model: String,
@@ -73,6 +79,9 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         let typed = args.model.clone();
         CliError::NoModel { typed }.at_argument("--model")
     })?;
+    if let Some(speeds) = &args.speeds {
+        return speeds::run(args, speeds, model);
+    }
     let start = Instant::now();
     let made = Made::read(&args.scene, args.speed.as_deref())?;
     let input = &made.input;

@@ -1,0 +1,132 @@
+//! The motor that turns the cam: torque against speed, and the inertia and friction of its shaft.
+
+/// How the torque of a motor falls with the speed of the camshaft; the supply sets the no-load speed.
+///
+/// ```
+/// use gaitcam::drive::TorqueLine;
+///
+/// let curve = TorqueLine::Curve(vec![[0.0, 60.0], [10.0, 20.0], [12.0, -4.0]]);
+/// assert!((curve.no_load_speed().unwrap() - (10.0 + 20.0 / 12.0)).abs() < 1e-12);
+/// assert_eq!(TorqueLine::Slope(10.0).no_load_speed(), None);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub enum TorqueLine {
+    /// Torque lost per speed, N·m·s/rad: T = slope·(ω₀ − ω).
+    Slope(f64),
+    /// Torque at standstill, N·m: T = stall·(1 − ω/ω₀).
+    Stall(f64),
+    /// Speed, rad/s, and torque, N·m, falling, linear between the rows and beyond them; the supply shifts it along the
+    /// speed until the torque vanishes at ω₀.
+    Curve(Vec<[f64; 2]>),
+}
+
+/// A motor, its flywheel and its friction, as the camshaft feels them.
+///
+/// ```
+/// use gaitcam::drive::{Motor, TorqueLine};
+///
+/// // A line that loses 10 N·m per rad/s, run at 12 rad/s under a no-load speed of 13 rad/s.
+/// let motor = Motor { line: TorqueLine::Slope(10.0), nominal: None, inertia: 0.5, friction: 1.0, gear: 1.0, efficiency: 1.0 };
+/// assert_eq!(motor.torque(12.0, 13.0)[0], 10.0);
+/// assert_eq!(motor.torque(12.0, 13.0)[1..], [-10.0, 10.0]);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motor {
+    /// Torque against speed at the camshaft, losses of the gear included.
+    pub line: TorqueLine,
+    /// Highest no-load speed that its supply gives, rad/s; `None` where the supply is chosen to suit.
+    pub nominal: Option<f64>,
+    /// Moment of inertia of all that turns with the shaft, at the camshaft, kg·m².
+    pub inertia: f64,
+    /// Torque of friction in the bearings, N·m.
+    pub friction: f64,
+    /// Turns of the motor per turn of the cam.
+    pub gear: f64,
+    /// Part of the motor's torque that its gear passes on, 0 … 1.
+    pub efficiency: f64,
+}
+
+impl TorqueLine {
+    /// Speed at which the torque of a curve vanishes, rad/s; `None` of a line, whose supply is chosen.
+    pub fn no_load_speed(&self) -> Option<f64> {
+        match self {
+            TorqueLine::Slope(_) | TorqueLine::Stall(_) => None,
+            TorqueLine::Curve(rows) => Some(no_load_speed(rows)),
+        }
+    }
+}
+
+impl Motor {
+    /// Torque at the camshaft, N·m, at a speed under a no-load speed, rad/s; its derivatives by both.
+    pub fn torque(&self, speed: f64, no_load: f64) -> [f64; 3] {
+        match &self.line {
+            TorqueLine::Slope(k) => [k * (no_load - speed), -k, *k],
+            TorqueLine::Stall(most) => [
+                most * (1.0 - speed / no_load),
+                -most / no_load,
+                most * speed / (no_load * no_load),
+            ],
+            TorqueLine::Curve(rows) => {
+                let own = no_load_speed(rows);
+                let (torque, slope) = on(rows, speed - no_load + own);
+                [torque, slope, -slope]
+            }
+        }
+    }
+
+    /// No-load speed under which the motor gives a mean torque, N·m, at a speed, rad/s.
+    pub fn no_load_for(&self, speed: f64, torque: f64) -> f64 {
+        match &self.line {
+            TorqueLine::Slope(k) => speed + torque / k,
+            TorqueLine::Stall(most) => speed / (1.0 - torque / most).max(0.05),
+            TorqueLine::Curve(rows) => {
+                let i = rows
+                    .partition_point(|r| r[1] > torque)
+                    .clamp(1, rows.len() - 1);
+                let [a, b] = [rows[i - 1], rows[i]];
+                let at = a[0] + (torque - a[1]) * (b[0] - a[0]) / (b[1] - a[1]);
+                speed + no_load_speed(rows) - at
+            }
+        }
+    }
+
+    /// The same motor with its torque multiplied.
+    #[must_use]
+    pub fn with_torque(&self, part: f64) -> Motor {
+        let line = match &self.line {
+            TorqueLine::Slope(k) => TorqueLine::Slope(part * k),
+            TorqueLine::Stall(most) => TorqueLine::Stall(part * most),
+            TorqueLine::Curve(rows) => {
+                TorqueLine::Curve(rows.iter().map(|[w, t]| [*w, part * t]).collect())
+            }
+        };
+        Motor {
+            line,
+            ..self.clone()
+        }
+    }
+
+    /// Torque of the motor itself, N·m, for a torque at the camshaft.
+    pub fn own_torque(&self, at_cam: f64) -> f64 {
+        at_cam / (self.gear * self.efficiency)
+    }
+}
+
+/// Speed at which the torque of a falling curve vanishes, rad/s.
+fn no_load_speed(rows: &[[f64; 2]]) -> f64 {
+    let i = rows
+        .partition_point(|r| r[1] > 0.0)
+        .clamp(1, rows.len() - 1);
+    let [a, b] = [rows[i - 1], rows[i]];
+    a[0] - a[1] * (b[0] - a[0]) / (b[1] - a[1])
+}
+
+/// Torque and slope of a curve at a speed.
+fn on(rows: &[[f64; 2]], speed: f64) -> (f64, f64) {
+    let i = rows
+        .partition_point(|r| r[0] <= speed)
+        .clamp(1, rows.len() - 1);
+    let [a, b] = [rows[i - 1], rows[i]];
+    let slope = (b[1] - a[1]) / (b[0] - a[0]);
+    (a[1] + slope * (speed - a[0]), slope)
+}

@@ -1,0 +1,105 @@
+//! A problem on a shaft whose speed varies: the target by the cam angle, and what the speed adds to the force.
+//!
+//! F = F₀ + k s + c ω v + m (ω² a + ω ω′ v) is the force at the mean speed plus Δ = c (ω − Ω) v + m ((ω² − Ω²) a + ω ω′ v).
+//! With Δ of the round before, the force stays linear in the law: target, band and limits of the force are those less Δ, and
+//! every family, proof and check stays what it is at constant speed (theory §10).
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use super::{Problem, Target, piecewise};
+use crate::force::ForceCurve;
+use crate::law::Law;
+use crate::poly::{Extreme, PiecewisePoly};
+
+/// What a varying speed makes of a problem, by the cam angle.
+///
+/// ```
+/// use gaitcam::{Problem, scene};
+///
+/// // At 10 N more than at the mean speed the limits and the target of the force are 10 N less.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
+/// let phases: Vec<f64> = (0..360).map(|i| f64::from(i).to_radians()).collect();
+/// let on_shaft = problem.on_shaft(&phases, &[vec![10.0; 360], vec![0.0; 360], vec![0.0; 360]]);
+/// let targets = [&problem, &on_shaft].map(|p| p.target.as_ref().unwrap().curve.at(1.0));
+/// assert!((targets[0] - targets[1] - 10.0).abs() < 1e-3);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct OnShaft {
+    /// Δ, N.
+    pub extra: PiecewisePoly,
+    /// What is added to velocity and acceleration by time, m/s and m/s² (rad/s and rad/s²).
+    pub timed: [PiecewisePoly; 2],
+    /// The target, N.
+    pub target: ForceCurve,
+}
+
+impl Problem {
+    /// The same on a shaft that is at the parts `phases` of its period, rad, at equal cam angles, where the speed adds
+    /// the forces, N, velocities and accelerations `extra`.
+    #[must_use]
+    pub fn on_shaft(&self, phases: &[f64], extra: &[Vec<f64>; 3]) -> Problem {
+        let moved = |curve: &ForceCurve| -> Vec<f64> {
+            phases.iter().map(|phase| curve.at(*phase)).collect()
+        };
+        let less = |curve: &ForceCurve| {
+            let forces = moved(curve).into_iter().zip(&extra[0]);
+            curve.with_forces(forces.map(|(f, x)| f - x).collect())
+        };
+        let mut out = self.clone();
+        let target = self.target.as_ref().map(|t| &*t.curve);
+        out.target = target.map(|curve| Target::new(less(curve)));
+        out.band = self.band.as_ref().map(|edges| edges.each_ref().map(less));
+        out.phase_is_free = false;
+        for weight in &mut out.weights {
+            for edge in [&mut weight.from, &mut weight.to] {
+                *edge = self.phase + angle_at(phases, *edge - self.phase);
+            }
+        }
+        out.on_shaft = target.map(|curve| {
+            let shape = |i: usize| piecewise(&curve.with_forces(extra[i].clone()));
+            Arc::new(OnShaft {
+                extra: shape(0),
+                timed: [shape(1), shape(2)],
+                target: curve.with_forces(moved(curve)),
+            })
+        });
+        out
+    }
+
+    /// The force of a law over the turn, N, as a piecewise polynomial with exact extremes.
+    pub fn force_curve(&self, law: &Law) -> PiecewisePoly {
+        let own = self.drive.force_curve(law);
+        match &self.on_shaft {
+            None => own,
+            Some(shaft) => sum(&own, &shaft.extra),
+        }
+    }
+
+    /// Smallest and largest force of a law, N.
+    pub fn force_extremes(&self, law: &Law) -> (Extreme, Extreme) {
+        match &self.on_shaft {
+            None => self.drive.force_extremes(law),
+            Some(_) => self.force_curve(law).extremes(),
+        }
+    }
+}
+
+/// Sum of two curves with breaks of their own.
+pub fn sum(own: &PiecewisePoly, extra: &PiecewisePoly) -> PiecewisePoly {
+    let extra = extra.cut_at(own.breaks());
+    let own = own.cut_at(extra.breaks());
+    PiecewisePoly::combine(&[(1.0, &own), (1.0, &extra)], 0.0)
+}
+
+/// The cam angle at a part of the period, rad, both from 0; linear between the equal angles.
+fn angle_at(phases: &[f64], phase: f64) -> f64 {
+    let (turns, part) = ((phase / TAU).floor(), phase.rem_euclid(TAU));
+    let (n, first) = (phases.len(), phases[0]);
+    let place = |i: usize| if i < n { phases[i] - first } else { TAU };
+    let i = (1..n).find(|i| place(*i) > part).unwrap_or(n);
+    let (a, b) = (place(i - 1), place(i));
+    TAU * (turns + ((i - 1) as f64 + (part - a) / (b - a)) / n as f64)
+}

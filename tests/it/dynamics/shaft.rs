@@ -1,0 +1,199 @@
+//! The shaft under its motor, against closed forms and an independent integration in time.
+
+use gaitcam::cam::{Cam, Follower};
+use gaitcam::drive::{Drive, Motor, TorqueLine};
+use gaitcam::dynamics::{Model, Outcome, Run, Shaft, simulate};
+use gaitcam::law::Law;
+use std::f64::consts::TAU;
+
+fn motor(slope: f64, inertia: f64) -> Motor {
+    Motor {
+        line: TorqueLine::Slope(slope),
+        nominal: None,
+        inertia,
+        friction: 0.0,
+        gear: 1.0,
+        efficiency: 1.0,
+    }
+}
+
+/// A law of two harmonics under a block of 70 kg.
+fn shaker(follower: Follower) -> Run {
+    let law = Law::harmonic(0.03, &[(0.004, 0.02), (0.002, -0.001)]);
+    let cam = Cam::new(law, follower).unwrap();
+    Run::new(cam, Drive::moving_axis(70.0, 9.81, TAU * 1.85), 1440)
+}
+
+fn flat() -> Run {
+    shaker(Follower::FlatTranslating { base_radius: 0.05 })
+}
+
+fn run(run: &Run, motor: Motor) -> (Outcome, Shaft) {
+    let mut run = run.clone();
+    run.machine.motor = Some(motor);
+    let out = simulate(&run, Model::Rigid).unwrap();
+    let shaft = out.shaft.unwrap();
+    (out, shaft)
+}
+
+/// Steady force at equal angles by classical Runge and Kutta steps in time on θ and ω, from the law itself, and the mean
+/// speed: nothing of the product's integrator is in it.
+fn in_time(run: &Run, motor: &Motor, no_load: f64, mut omega: f64, rows: usize) -> (Vec<f64>, f64) {
+    let (law, drive, mu) = (&run.cam.law, &run.drive, run.machine.friction);
+    let reach = match run.cam.follower {
+        Follower::FlatTranslating { base_radius } => base_radius,
+        _ => 0.0,
+    };
+    // Under a flat face T = F v + μ F (Rb + s).
+    let rates = |[theta, w]: [f64; 2]| {
+        let at = law.svaj(theta);
+        let arm = at.v
+            + if reach > 0.0 {
+                mu * (reach + at.s)
+            } else {
+                0.0
+            };
+        let still = drive.rest_force + drive.spring_rate * at.s + drive.damping * w * at.v;
+        let still = still + drive.mass * w * w * at.a;
+        let torque = motor.torque(w, no_load)[0] - motor.friction - arm * still;
+        let rate = torque / (motor.inertia + arm * drive.mass * at.v);
+        ([w, rate], still + drive.mass * at.v * rate)
+    };
+    let mut theta = 0.0;
+    let (mut forces, mut time) = (vec![0.0; rows], 0.0);
+    let fine = 8;
+    for turn in 0..400 {
+        let first = omega;
+        time = 0.0;
+        for (row, force) in forces.iter_mut().enumerate() {
+            *force = rates([theta, omega]).1;
+            // A step of time to the next angle, found by two corrections, then split evenly.
+            let goal = TAU * (row + 1) as f64 / rows as f64;
+            let mut span = (goal - theta) / omega;
+            for round in 0..6 {
+                let mut state = [theta, omega];
+                let h = span / f64::from(fine);
+                for _ in 0..fine {
+                    let add = |k: [f64; 2], f: f64| [state[0] + f * k[0], state[1] + f * k[1]];
+                    let k1 = rates(state).0;
+                    let k2 = rates(add(k1, 0.5 * h)).0;
+                    let k3 = rates(add(k2, 0.5 * h)).0;
+                    let k4 = rates(add(k3, h)).0;
+                    let mean = |i: usize| (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]) / 6.0;
+                    state = [state[0] + h * mean(0), state[1] + h * mean(1)];
+                }
+                if round == 5 {
+                    time += span;
+                    (theta, omega) = (goal, state[1]);
+                } else {
+                    span += (goal - state[0]) / state[1];
+                }
+            }
+        }
+        theta = 0.0;
+        if turn > 3 && (omega - first).abs() < 1e-12 * omega {
+            break;
+        }
+    }
+    (forces, TAU / time)
+}
+
+#[test]
+fn the_motion_is_that_of_an_independent_integration_in_time() {
+    let spring = |mut run: Run| {
+        run.drive = Drive {
+            rest_force: 400.0,
+            damping: 60.0,
+            ..Drive::fixed_axis(20.0, 5000.0, 9.0)
+        };
+        run
+    };
+    let knife = Follower::RollerTranslating {
+        prime_radius: 0.06,
+        offset: 0.005,
+        roller_radius: 0.0,
+    };
+    let rubbing = |mut run: Run| {
+        run.machine.friction = 0.1;
+        run
+    };
+    for (case, inertia, slope) in [
+        (flat(), 0.5, 10.0),
+        (flat(), 0.5, 2.0),
+        (flat(), 2.0, 50.0),
+        (spring(flat()), 0.3, 5.0),
+        (rubbing(flat()), 0.5, 10.0),
+        (shaker(knife), 0.5, 10.0),
+    ] {
+        let motor = Motor {
+            friction: 1.5,
+            ..motor(slope, inertia)
+        };
+        let (out, shaft) = run(&case, motor.clone());
+        assert!(shaft.energy_balance.abs() < 1e-9, "{shaft:?}");
+        let first = out.rows[0].speed;
+        let (forces, mean) = in_time(&case, &motor, shaft.no_load_speed, first, 360);
+        assert!((mean / case.drive.speed - 1.0).abs() < 1e-6, "{mean}");
+        let weight = case.drive.rest_force;
+        for (i, force) in forces.iter().enumerate() {
+            let own = out.rows[4 * i].contact_force;
+            assert!(
+                (own - force).abs() < 1e-5 * weight,
+                "{i} {own} {force} {shaft:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_constant_load_gives_the_point_on_the_motor_line() {
+    // A disc under a face: no lift, friction μ F Rb alone. T = μ F Rb + T_f at every speed, ω₀ = ω + T/k.
+    let mut case = flat();
+    case.cam = Cam::new(Law::harmonic(0.0, &[]), case.cam.follower).unwrap();
+    case.profile = case.cam.profile(1440);
+    case.machine.friction = 0.2;
+    let motor = Motor {
+        friction: 2.0,
+        gear: 5.0,
+        efficiency: 0.8,
+        ..motor(10.0, 0.3)
+    };
+    let (_, shaft) = run(&case, motor);
+    let torque = 0.2 * 70.0 * 9.81 * 0.05 + 2.0;
+    assert!((shaft.no_load_speed - (case.drive.speed + torque / 10.0)).abs() < 1e-10);
+    assert!(shaft.ripple < 1e-12);
+    assert!((shaft.motor_torque_rms_n_m - torque / 4.0).abs() < 1e-10);
+    assert!((shaft.motor_power_mean_w - torque * case.drive.speed / 0.8).abs() < 1e-8);
+}
+
+#[test]
+fn a_large_wheel_swings_by_its_energy_over_its_inertia_and_an_endless_one_not_at_all() {
+    let case = flat();
+    // ΔE of F v at constant speed, by quadrature of the law.
+    let work = |n: usize| {
+        let torque = |i: usize| {
+            let at = case.cam.law.svaj(TAU * (i as f64 + 0.5) / n as f64);
+            case.drive.force(at) * at.v * TAU / n as f64
+        };
+        let works = (0..n).scan(0.0, |sum, i| {
+            *sum += torque(i);
+            Some(*sum)
+        });
+        works.fold((0.0_f64, 0.0_f64), |(l, h), x| (l.min(x), h.max(x)))
+    };
+    let (low, high) = work(100_000);
+    let wheel = 1e4;
+    let (_, shaft) = run(&case, motor(1e-3, wheel));
+    let ripple = (high - low) / (wheel * case.drive.speed.powi(2));
+    assert!(
+        (shaft.ripple / ripple - 1.0).abs() < 1e-3,
+        "{} {ripple}",
+        shaft.ripple
+    );
+    let (out, _) = run(&case, motor(10.0, 1e13));
+    let plain = simulate(&case, Model::Rigid).unwrap();
+    for (a, b) in out.rows.iter().zip(&plain.rows) {
+        assert!((a.contact_force - b.contact_force).abs() < 1e-9 * 70.0 * 9.81);
+        assert!((a.time - b.time).abs() < 1e-9 && (a.speed - b.speed).abs() < 1e-9);
+    }
+}

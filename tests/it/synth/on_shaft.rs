@@ -1,0 +1,187 @@
+//! Laws for the speed that the motor gives the shaft.
+
+use gaitcam::dynamics::{Model, simulate};
+use gaitcam::{Design, Scene, Verdict, scene};
+use std::f64::consts::TAU;
+
+fn changed(changes: &[(&str, &str)]) -> gaitcam::Result<Scene> {
+    let mut table = scene::built_in("footbridge")?.scene()?.to_table();
+    for (key, value) in changes {
+        scene::set(&mut table, &format!("{key}={value}"))?;
+    }
+    scene::read(&table)
+}
+
+fn footbridge(changes: &[(&str, &str)]) -> Scene {
+    changed(changes).unwrap()
+}
+
+fn motor<'a>(slope: &'a str, inertia: &'a str) -> Vec<(&'a str, &'a str)> {
+    vec![
+        ("machine.motor.slope", slope),
+        ("machine.inertia", inertia),
+        ("accuracy.rms", "0.05 %"),
+    ]
+}
+
+/// Force error over time, percent of the mean, of the emitted cam: simulate knows nothing of the rounds of the design.
+fn emitted_error(design: &Design) -> f64 {
+    let run = design
+        .emitted(&design.problem.machine, design.drive)
+        .unwrap();
+    let out = simulate(&run, Model::Rigid).unwrap();
+    assert!(!out.contact_lost);
+    out.force_time.unwrap().rms_error_percent_of_mean
+}
+
+#[test]
+fn the_footbridge_presses_to_a_thousandth_of_its_weight_with_small_wheels_and_soft_motors() {
+    for slope in ["2 N m s/rad", "10 N m s/rad", "50 N m s/rad"] {
+        for inertia in ["0.5 kg m^2", "2 kg m^2"] {
+            let design = footbridge(&motor(slope, inertia)).design().unwrap();
+            let on_shaft = design.shaft.as_ref().unwrap();
+            assert_eq!(design.verdict, Verdict::Acceptable, "{slope} {inertia}");
+            let own = on_shaft.force_time.unwrap().rms_error_percent_of_mean;
+            let emitted = emitted_error(&design);
+            assert!(
+                own < 0.1 && emitted < 0.1,
+                "{slope} {inertia}: {own} {emitted}"
+            );
+            assert!((own - emitted).abs() < 0.01, "{own} {emitted}");
+            let before = on_shaft
+                .at_constant_speed
+                .unwrap()
+                .rms_error_percent_of_mean;
+            assert!(before > 10.0 * own, "{before} {own}");
+            assert!(on_shaft.contraction.unwrap() < 1.0);
+            assert!(on_shaft.shaft.energy_balance.abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn limits_on_the_force_hold_at_every_angle_at_the_speed_that_the_shaft_has() {
+    for (key, value, limit, side) in [
+        ("limits.force_max", "950 N", 950.0, 1.0),
+        ("limits.force_min", "560 N", 560.0, -1.0),
+    ] {
+        let mut changes = motor("10 N m s/rad", "0.5 kg m^2");
+        changes.extend([(key, value), ("accuracy.rms", "10 %")]);
+        let design = footbridge(&changes).design().unwrap();
+        assert_eq!(design.verdict, Verdict::Acceptable, "{:?}", design.reasons);
+        let run = design
+            .emitted(&design.problem.machine, design.drive)
+            .unwrap();
+        let out = simulate(&run, Model::Rigid).unwrap();
+        let worst = if side > 0.0 {
+            out.force.max
+        } else {
+            out.force.min
+        };
+        // The rounds end where the target changes by less than 1e-4 of the mean.
+        assert!(side * (worst - limit) < 2e-4 * 700.0, "{key} {worst}");
+        assert!(
+            side * (worst - limit) > -5e-3 * 700.0,
+            "the limit is active: {worst}"
+        );
+    }
+}
+
+#[test]
+fn limits_by_time_hold_at_the_speed_that_the_shaft_has() {
+    for (key, value, limit, order) in [
+        ("limits.velocity", "0.26 m/s", 0.26, 1),
+        ("limits.acceleration", "3.8 m/s^2", 3.8, 2),
+    ] {
+        let mut changes = motor("10 N m s/rad", "0.5 kg m^2");
+        changes.extend([(key, value), ("accuracy.rms", "15 %")]);
+        let design = footbridge(&changes).design().unwrap();
+        assert_eq!(design.verdict, Verdict::Acceptable, "{:?}", design.reasons);
+        // The velocity and acceleration of the emitted cam over time, by differences of its rows.
+        let run = design
+            .emitted(&design.problem.machine, design.drive)
+            .unwrap();
+        let rows = simulate(&run, Model::Rigid).unwrap().rows;
+        let n = rows.len();
+        let slope = |of: &dyn Fn(usize) -> f64, i: usize| {
+            let step = 2.0 * TAU / n as f64 / rows[i].speed;
+            (of((i + 1) % n) - of((i + n - 1) % n)) / step
+        };
+        let velocity = |i: usize| slope(&|k| rows[k].lift, i);
+        let value = |i: usize| match order {
+            1 => velocity(i),
+            _ => slope(&velocity, i),
+        };
+        let worst = (0..n).map(|i| value(i).abs()).fold(0.0, f64::max);
+        assert!((worst / limit - 1.0).abs() < 2e-3, "{key} {worst}");
+    }
+}
+
+#[test]
+fn a_wheel_without_end_gives_the_law_of_constant_speed() {
+    let endless = footbridge(&motor("10 N m s/rad", "1e9 kg m^2"))
+        .design()
+        .unwrap();
+    let plain = footbridge(&[("accuracy.rms", "0.05 %")]).design().unwrap();
+    for i in 0..360 {
+        let theta = TAU * f64::from(i) / 360.0;
+        let off = endless.force_at(theta) - plain.force_at(theta);
+        assert!(off.abs() < 0.1e-2 * 700.0, "{theta} {off}");
+    }
+    assert!(endless.shaft.unwrap().shaft.ripple < 1e-6);
+    let kept = footbridge(&[
+        ("machine.motor.slope", "10 N m s/rad"),
+        ("machine.inertia", "0.5 kg m^2"),
+        ("accuracy.rms", "0.05 %"),
+        ("law.shaft", "constant"),
+    ]);
+    assert_eq!(kept.design().unwrap().cam, plain.cam);
+}
+
+#[test]
+fn motors_that_cannot_turn_the_shaft_are_named_with_what_would_do() {
+    let fault = |changes: &[(&str, &str)]| {
+        let error = footbridge(changes).design().unwrap_err();
+        (error.place.to_string(), error.to_string())
+    };
+    let (place, words) = fault(&[
+        ("machine.motor.stall_torque", "20 N m"),
+        ("machine.motor.no_load_speed", "90 rpm"),
+        ("machine.inertia", "0.5 kg m^2"),
+    ]);
+    assert!(
+        place.contains("machine.motor") && words.contains("too low"),
+        "{words}"
+    );
+    // What the message names does.
+    let needed = words.split('"').nth(1).unwrap().to_string();
+    let enough = footbridge(&[
+        ("machine.motor.stall_torque", "20 N m"),
+        ("machine.motor.no_load_speed", &needed),
+        ("machine.inertia", "0.5 kg m^2"),
+    ]);
+    assert!(enough.design().is_ok(), "{words}");
+    let (_, words) = fault(&[
+        ("machine.motor.slope", "0.5 N m s/rad"),
+        ("machine.inertia", "0.05 kg m^2"),
+    ]);
+    let needed = words.split('"').nth(1).unwrap().to_string();
+    assert!(words.contains("machine.inertia"), "{words}");
+    let enough = footbridge(&[
+        ("machine.motor.slope", "0.5 N m s/rad"),
+        ("machine.inertia", &needed),
+        ("law.shaft", "constant"),
+    ]);
+    assert!(enough.design().is_ok(), "{words}");
+    let wheel = ("machine.inertia", "0.5 kg m^2");
+    let line = ("machine.motor.slope", "10 N m s/rad");
+    for faulty in [
+        &[wheel, ("machine.motor.curve", "0 50 10 50 12 0")][..],
+        &[wheel, line, ("machine.motor.stall_torque", "2 N m")],
+        &[wheel, line, ("machine.motor.no_load_speed", "90 rpm")],
+        &[line],
+    ] {
+        assert!(changed(faulty).is_err(), "{faulty:?}");
+    }
+    assert!(changed(&[wheel, line]).is_ok());
+}
