@@ -56,10 +56,10 @@ pub fn design(asked: &Asked) -> Result<Design, String> {
     synthesise(&scene, force).map_err(|e| e.to_string())
 }
 
-/// Compares both routes; the words say where they differ.
-pub fn compare(asked: &Asked) -> Result<Seen, String> {
+/// Compares an answer with the other route; the words say where they differ.
+pub fn compare(asked: &Asked, answer: Result<Design, String>) -> Result<Seen, String> {
     let reference = Reference::new(asked);
-    let design = match design(asked) {
+    let design = match answer {
         Ok(design) => design,
         Err(words) if reference.space(None).is_some() => {
             return refused(asked, &reference).map_err(|_| words);

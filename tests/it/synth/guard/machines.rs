@@ -5,12 +5,18 @@ use super::scenes::Kind;
 use gaitcam::force::{Feet, ForceCurve, catalogue, model};
 use std::f64::consts::{PI, TAU};
 
+/// Spans that are drawn from, as often as they stand here …
+const SPANS: [usize; 9] = [8, 9, 10, 12, 14, 16, 20, 24, 32];
+/// … and where few and many of them are asked for.
+const LONG: [usize; 9] = [4, 5, 6, 40, 64, 80, 100, 150, 200];
+
 /// SplitMix64.
-pub struct Random(u64);
+pub struct Random(u64, [usize; 9]);
 
 impl Random {
     pub fn new(kind: Kind, seed: usize) -> Self {
-        Random((kind as u64) << 32 | seed as u64)
+        let spans = if kind == Kind::Long { LONG } else { SPANS };
+        Random((kind as u64) << 32 | seed as u64, spans)
     }
 
     fn next(&mut self) -> u64 {
@@ -45,7 +51,7 @@ impl Random {
 pub fn bare(r: &mut Random) -> Asked {
     Asked {
         degree: 3 + r.below(5),
-        spans: [8, 9, 10, 12, 14, 16, 20, 24, 32][r.below(9)],
+        spans: r.1[r.below(9)],
         weights: [0.0; 3],
         rest: 0.0,
         speed: 1.0,

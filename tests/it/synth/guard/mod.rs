@@ -11,7 +11,8 @@
 //! - where the objective is that sensitive to its limits, it lies in the interval between the optima under
 //!   limits eased and tightened by 1e-9;
 //! - a law of open level is the optimum at its own touching angle, and at none of 72 others is there a better one;
-//! - where the answer is that there is no law, the reference needs limits moved out to have one.
+//! - where the answer is that there is no law, the reference needs limits moved out to have one;
+//! - the answer, with its relaxations where there is none, takes 5 seconds of a processor at most.
 
 mod asked;
 mod compare;
@@ -25,9 +26,13 @@ mod scenes;
 mod solve;
 mod splines;
 
-use compare::{Built, Judgement, Seen, compare};
+use asked::Asked;
+use compare::{Built, Judgement, Seen, compare, design};
+use gaitcam::synth::Design;
 use rayon::prelude::*;
 use scenes::{KINDS, Kind};
+use std::sync::LazyLock;
+use std::time::Instant;
 
 /// Scenes that are drawn, and those that have to be built, of each kind.
 fn share(kind: Kind) -> (usize, usize) {
@@ -44,11 +49,14 @@ fn share(kind: Kind) -> (usize, usize) {
         Kind::Ranges => (120, 110),
         Kind::Weighed => (120, 110),
         Kind::Many => (80, 50),
+        Kind::Long => (60, 45),
     }
 }
 
 /// Without optimisation one scene in this many is drawn.
 const THINNED: usize = if cfg!(debug_assertions) { 10 } else { 1 };
+/// Seconds of a processor that an answer may take.
+const LONGEST: f64 = if cfg!(debug_assertions) { 100.0 } else { 5.0 };
 /// Scenes that have to be built in all.
 const BUILT: usize = 2000;
 
@@ -87,7 +95,8 @@ fn two_thousand_random_scenes_are_solved_as_a_second_route_solves_them() {
         }
         let differ = seen
             .iter()
-            .filter_map(|(seed, s)| Some((seed, s.as_ref().err()?)));
+            .filter_map(|(seed, s)| Some((seed, s.as_ref().err()?)))
+            .filter(|(_, words)| !is_undecided(kind, words));
         disagreements.extend(differ.map(|(seed, words)| format!("{kind:?} {seed}: {words}")));
     }
     println!("{all} built in all");
@@ -123,10 +132,36 @@ fn line(kind: Kind, seen: &[(usize, Result<Seen, String>)], built: &[Built]) -> 
     )
 }
 
+/// Whether the reference, not the program, gave up: its dense matrices do not resolve every law of up to 200 spans. How
+/// many of a kind have to be built leaves room for some of them.
+fn is_undecided(kind: Kind, words: &str) -> bool {
+    kind == Kind::Long && words.starts_with("reference: ")
+}
+
 /// A panic is a disagreement like any other.
 fn without_panic(kind: Kind, seed: usize) -> Result<Seen, String> {
-    let seen = std::panic::catch_unwind(|| compare(&scenes::scene(kind, seed)));
+    let seen = std::panic::catch_unwind(|| timely(&scenes::scene(kind, seed)));
     seen.unwrap_or_else(|_| Err("panic".to_string()))
+}
+
+/// The comparison of an answer that came in time.
+fn timely(asked: &Asked) -> Result<Seen, String> {
+    let before = processor_seconds();
+    let answer = design(asked).map(Design::relaxed);
+    let taken = processor_seconds() - before;
+    let seen = compare(asked, answer)?;
+    if taken > LONGEST {
+        return Err(format!("{taken:.1} s for {seen:?}"));
+    }
+    Ok(seen)
+}
+
+/// Seconds that this thread has had of a processor; on the wall where the system does not say.
+fn processor_seconds() -> f64 {
+    static BEGUN: LazyLock<Instant> = LazyLock::new(Instant::now);
+    let own = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = own.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
+    nanoseconds.map_or_else(|| BEGUN.elapsed().as_secs_f64(), |n| 1e-9 * n)
 }
 
 #[test]
@@ -136,5 +171,5 @@ fn one() {
     let (kind, seed) = text.split_once(' ').unwrap();
     let kind = KINDS.iter().find(|k| format!("{k:?}") == kind).unwrap();
     let asked = scenes::scene(*kind, seed.parse().unwrap());
-    println!("{}\n{:?}", asked.toml(), compare(&asked));
+    println!("{}\n{:?}", asked.toml(), timely(&asked));
 }

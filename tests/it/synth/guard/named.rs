@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 /// Agreed, and certified.
 fn certified(asked: &Asked) -> Built {
     let solver = design(asked).map(|d| d.solver);
-    let built = compare(asked);
+    let built = compare(asked, design(asked));
     match built {
         Ok(Seen::Built(built)) if built.certified => built,
         other => panic!("{other:?} {solver:?}\n{}", asked.toml()),

@@ -34,9 +34,11 @@ pub enum Kind {
     Weighed,
     /// A limit under which peaks and energies have many spans.
     Many,
+    /// Any of these on 4 to 200 spans.
+    Long,
 }
 
-pub const KINDS: [Kind; 12] = [
+pub const KINDS: [Kind; 13] = [
     Kind::Moving,
     Kind::Fixed,
     Kind::Hydraulic,
@@ -49,6 +51,7 @@ pub const KINDS: [Kind; 12] = [
     Kind::Ranges,
     Kind::Weighed,
     Kind::Many,
+    Kind::Long,
 ];
 
 /// The scene of a kind and seed.
@@ -76,6 +79,19 @@ pub fn scene(kind: Kind, seed: usize) -> Asked {
         Kind::Ranges => ranges(r),
         Kind::Weighed => weighed(r),
         Kind::Many => many(r),
+        Kind::Long => match r.below(8) {
+            0 => limited(moving(r), r),
+            1 => limited(fixed(r), r),
+            2 => limited(hydraulic(r), r),
+            3 => limited(points(r), r),
+            4 => dwells(r),
+            5 => ranges(r),
+            6 => pressure_angle(r),
+            _ => Asked {
+                objective: Objective::Peak(2),
+                ..points(r)
+            },
+        },
     }
 }
 
