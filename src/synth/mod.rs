@@ -213,7 +213,8 @@ fn sized(
 }
 
 /// The best law without the accuracy where the other limits have one, without any limit, or without the base circle
-/// either: what is shown where they leave none. Where the accuracy is a limit, the best is that of the least force error.
+/// either: what is shown where they leave none. Where the accuracy is a limit and the objective no force, the best is that of the
+/// least force error.
 fn without_limits(
     problem: &Problem,
     search: &Search,
@@ -233,7 +234,7 @@ fn without_limits(
         problem.without_limits()
     };
     bare.law.family = refusal.family();
-    if problem.limited_error().is_some() {
+    if problem.limited_error().is_some() && problem.objective() != Minimise::PeakForceError {
         bare.law.minimise = Some(Minimise::ForceError);
     }
     let mut best = sized(problem, &bare, &timely).or_else(|no_law| match no_law {

@@ -353,8 +353,8 @@ fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted
             (degree + 1, target.nearest(&breaks, degree).to_vec(), true)
         }
         Basis::Harmonic { .. } => {
-            let nodes = harmonic_nodes(basis, target);
-            let rule = gauss_legendre(nodes);
+            let rule = gauss_legendre(harmonic_nodes(basis, target));
+            let nodes = rule.len();
             let mut values = vec![0.0; nodes * (breaks.len() - 1)];
             for (ends, out) in breaks.windows(2).zip(values.chunks_exact_mut(nodes)) {
                 target.cells().on((ends[0], ends[1] - ends[0]), &rule, out);
