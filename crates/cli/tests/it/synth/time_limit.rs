@@ -15,9 +15,8 @@ const COSTLY: [&[&str]; 4] = [
     &[
         "footbridge",
         "law.family=spline",
-        "law.spans=400",
-        "law.minimise=peak-acceleration",
-        "limits.stroke=20 mm",
+        "law.spans=200",
+        "law.minimise=size",
     ],
     &[
         "footbridge",

@@ -22,7 +22,7 @@ fn equal_demands_are_taken_once_and_contradictions_are_named() {
     assert!((good.cam.law.svaj(0.5 * PI).s - 0.005).abs() < 1e-9);
     let refusal = twice("6 mm").unwrap_err();
     assert_eq!(refusal.code(), "synth-no-law", "{refusal}");
-    assert_eq!(refusal.place, Place::Key("law".to_string()));
+    assert_eq!(refusal.place, Place::Key("law.point".to_string()));
 }
 
 /// Up 20 mm and down again in one turn takes 16 h/T² of acceleration (theory §1, Favard): limits just above,
