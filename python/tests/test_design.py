@@ -24,7 +24,11 @@ def test_the_default_scene_is_acceptable_and_meets_its_accuracy(design):
 
 def test_tables_are_the_law_and_the_profile(design):
     law, profile = design.law, design.profile
-    assert law.column_names == ["theta_rad", "s_m", "v_m_per_rad", "a_m_per_rad2", "j_m_per_rad3", "force_n", "target_n"]
+    assert law.column_names == [
+        *("theta_rad", "s_m", "v_m_per_rad", "a_m_per_rad2", "j_m_per_rad3", "force_n", "target_n"),
+        *("time_s", "speed_rad_per_s"),
+    ]
+    assert np.allclose(law["time_s"] * law["speed_rad_per_s"], law["theta_rad"], rtol=1e-12)
     assert len(law) == len(profile) == 1440
     s, v, a, j = design.motion(law["theta_rad"])
     for name, values in zip(law.column_names[1:5], (s, v, a, j)):
