@@ -8,6 +8,7 @@ use gaitcam::dynamics::recover::{Emitted, recover};
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::{Machine, Model, Run, simulate, touch};
 use gaitcam::law::Svaj;
+use gaitcam::scene::{self, Family, Scene, ShaftSpeed};
 use gaitcam_evidence::thesis;
 
 fn main() {
@@ -45,6 +46,37 @@ fn flexible_cycle(bencher: divan::Bencher) {
     let drive = thesis::real(thesis::SPEED);
     let train = Train::from_frequency(&drive, 30.0, 0.05).expect("a fine train");
     bencher.bench(|| flexible::steady(&emitted.law, &drive, &train));
+}
+
+/// The footbridge on a shaft with a wheel of 0.5 kg·m² and a motor that loses 10 N·m per rad/s, or without either.
+fn shaker(has_motor: bool) -> Scene {
+    let scene = scene::built_in("footbridge").and_then(|s| s.scene());
+    let mut scene = scene.expect("a built-in scene");
+    // Both designs of one family.
+    scene.law.family = Family::Spline;
+    if has_motor {
+        scene.machine.motor.slope = Some(10.0);
+        scene.machine.inertia = Some(0.5);
+    }
+    scene
+}
+
+/// Asked for: ≤ 2 ms with the motor.
+#[divan::bench(args = [false, true])]
+fn run_on_a_shaft(bencher: divan::Bencher, has_motor: bool) {
+    let mut scene = shaker(has_motor);
+    scene.law.shaft = ShaftSpeed::Constant;
+    let design = scene.design().expect("a design");
+    let run = design.emitted(&scene.machine, design.drive);
+    let run = run.expect("a rigid machine");
+    bencher.bench(|| simulate(&run, Model::Rigid));
+}
+
+/// With the motor two to four programs, some ten runs of the shaft and those of its sensitivity.
+#[divan::bench(args = [false, true])]
+fn design_for_a_shaft(bencher: divan::Bencher, has_motor: bool) {
+    let scene = shaker(has_motor);
+    bencher.bench(|| scene.design());
 }
 
 fn bouncing() -> (Vec<Surface>, Drive) {

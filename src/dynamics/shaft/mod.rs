@@ -22,8 +22,8 @@ use turn::Turn;
 
 /// Newton iterations of the periodic turn at most; five are usual.
 const ROUNDS: usize = 60;
-/// Relative change of energy and no-load speed at which they are found: its square is left.
-const SAME: f64 = 1e-7;
+/// Relative change of energy and no-load speed at which they are found.
+const SAME: f64 = 1e-10;
 /// A no-load speed or inertia that is proposed has this much more than is needed.
 const MARGIN: f64 = 1.01;
 /// Steps of a turn where only its existence is asked.
@@ -257,6 +257,12 @@ struct Steady {
 impl Steady {
     /// The turn that ends as it begins and takes the time of the mean speed.
     fn find(load: &Load, motor: &Motor, speed: f64) -> Option<Steady> {
+        if load.steps() > 2 * COARSE
+            && let Some(coarse) = Steady::find(&load.every(COARSE), motor, speed)
+        {
+            let start = [coarse.turn.energy[0], coarse.no_load];
+            return Steady::near(load, motor, speed, start);
+        }
         let (mean, swing) = load.at_constant_speed(speed);
         let mut no_load = motor.no_load_for(speed, mean + motor.friction);
         let mut first = 0.5 * speed * speed;
@@ -287,6 +293,9 @@ impl Steady {
                 (off[1] * b - off[0] * d) / determinant,
                 (off[0] * c - off[1] * a) / determinant,
             ];
+            if step[0].abs() <= SAME * first && step[1].abs() <= SAME * no_load {
+                return Some(Steady { turn, no_load });
+            }
             if !step.iter().all(|x| x.is_finite()) {
                 return None;
             }
@@ -303,9 +312,6 @@ impl Steady {
                 if part < 1e-3 {
                     return None;
                 }
-            }
-            if step[0].abs() <= SAME * first && step[1].abs() <= SAME * no_load {
-                return Some(Steady { turn, no_load });
             }
         }
         None

@@ -4,6 +4,8 @@
 //! per unit of contact force (v without friction). Time is ∫ dθ/ω. The stages of a step are found by Newton's method, and
 //! their derivatives by the first energy and by the no-load speed go with them (theory §10).
 
+use nalgebra::{Matrix3, Vector3};
+
 use crate::drive::{Drive, Motor};
 use crate::law::{Law, Svaj};
 use crate::poly::gauss_legendre;
@@ -180,6 +182,11 @@ impl Load {
         (of(&turn.energy), of(&turn.time))
     }
 
+    /// Number of its steps.
+    pub fn steps(&self) -> usize {
+        self.steps.len()
+    }
+
     /// The same load with its steps joined to about this many.
     pub fn every(&self, count: usize) -> Load {
         let at_once = (self.steps.len() / count).max(1);
@@ -237,7 +244,7 @@ impl Turn {
     fn advance(&mut self, step: &Step, motor: &Motor, no_load: f64, before: f64) -> Option<f64> {
         let first = *self.energy.last()?;
         let h = step.width;
-        let mut stages = [first + 0.5 * h * before; STAGES];
+        let mut stages = [0.1127, 0.5, 0.8873].map(|part| first + part * h * before);
         if first == 0.0 {
             // From rest the shaft moves if the motor starts it.
             let start = step.nodes[0].rate(motor, no_load, 0.0)[0];
@@ -255,9 +262,9 @@ impl Turn {
                 let sum: f64 = (0..STAGES).map(|k| INNER[i][k] * rates[k][0]).sum();
                 first + h * sum - stages[i]
             };
-            let change = solve(h, &rates, [residual(0), residual(1), residual(2)]);
+            let change = inverse(h, &rates) * Vector3::new(residual(0), residual(1), residual(2));
             let mut largest = 0.0_f64;
-            for (stage, d) in stages.iter_mut().zip(change) {
+            for (stage, d) in stages.iter_mut().zip(change.iter()) {
                 largest = largest.max(d.abs() / *stage);
                 *stage += d.max(-0.9 * *stage);
             }
@@ -279,10 +286,10 @@ impl Turn {
         rates: &[[f64; 3]; 3],
     ) {
         let (h, rule) = (step.width, gauss_weights());
-        let by_first = solve(h, rates, [self.by_first[0]; 3]);
+        let inverse = inverse(h, rates);
+        let by_first = inverse * Vector3::repeat(self.by_first[0]);
         let inner = |i: usize| (0..STAGES).map(|k| INNER[i][k] * rates[k][2]).sum::<f64>();
-        let direct = [0, 1, 2].map(|i| self.by_supply[0] + h * inner(i));
-        let by_supply = solve(h, rates, direct);
+        let by_supply = inverse * Vector3::from_fn(|i, _| self.by_supply[0] + h * inner(i));
         let (mut energy, mut time) = (
             self.energy[self.energy.len() - 1],
             self.time[self.time.len() - 1],
@@ -315,13 +322,9 @@ const fn gauss_weights() -> [f64; STAGES] {
     [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0]
 }
 
-/// Solves (I − h A D) x = b, D the derivatives of the rates by the energy.
-fn solve(h: f64, rates: &[[f64; 3]; STAGES], b: [f64; STAGES]) -> [f64; STAGES] {
+/// (I − h A D)⁻¹, D the derivatives of the rates by the energy, by cofactors; the unit matrix where there is none.
+fn inverse(h: f64, rates: &[[f64; 3]; STAGES]) -> Matrix3<f64> {
     let unit = |i: usize, k: usize| f64::from(u8::from(i == k));
-    let m = |i: usize, k: usize| unit(i, k) - h * INNER[i][k] * rates[k][1];
-    let matrix = nalgebra::Matrix3::from_fn(m);
-    let x = matrix
-        .try_inverse()
-        .map(|inverse| inverse * nalgebra::Vector3::from(b));
-    x.map_or(b, |x| [x[0], x[1], x[2]])
+    let matrix = Matrix3::from_fn(|i, k| unit(i, k) - h * INNER[i][k] * rates[k][1]);
+    matrix.try_inverse().unwrap_or_else(Matrix3::identity)
 }

@@ -1,6 +1,6 @@
 //! Distance between a piecewise polynomial and cells, without building their difference.
 
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 
 use super::Cells;
 use super::rule::{Rule, restricted};
@@ -60,6 +60,23 @@ struct Search<'a, const Q: usize> {
     square: f64,
 }
 
+/// Whole cells of one piece. A type of its own, because a closure is not sure to be compiled for the processor's vectors.
+struct Whole<'s, 'a, const Q: usize> {
+    search: &'s mut Search<'a, Q>,
+    piece: usize,
+    ends: (f64, f64),
+    cells: std::ops::Range<usize>,
+}
+
+impl<const Q: usize> WithSimd for Whole<'_, '_, Q> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.search.add_whole(self.piece, self.ends, self.cells);
+    }
+}
+
 impl<'a, const Q: usize> Search<'a, Q> {
     fn new(cells: &'a Cells, own: &'a PiecewisePoly) -> Self {
         let n = own.degree();
@@ -114,7 +131,13 @@ impl<'a, const Q: usize> Search<'a, Q> {
         }
         if last > first {
             let cells = first as usize..last as usize;
-            Arch::new().dispatch(|| self.add_whole(piece, (start, end), cells));
+            let search = &mut *self;
+            Arch::new().dispatch(Whole {
+                search,
+                piece,
+                ends: (start, end),
+                cells,
+            });
         }
         if end - last > SAME {
             self.add_part(piece, last, end);
