@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes docs/pictures/: the pictures that the program makes when the commands of the guide's pages are run.
 
-    python3 docs/pictures.py target/release/gaitcam
+    python3 docs/pictures.py target/release/gaitcam            # --check: compares instead, and fails where one is old
 
 Nothing is drawn here: every SVG is a file that gaitcam wrote, or a diagram of its report. The picture of the studio is
 a screenshot; it is taken where Playwright and Chromium are installed (CHROMIUM names the browser).
@@ -76,7 +76,8 @@ def studio(binary):
     served.wait()
 
 
-def main(binary):
+def main(binary, check):
+    old = []
     TARGET.mkdir(exist_ok=True)
     for names, pictures in PICTURES.items():
         for name, folder_of_pages, suffix in zip(names, ("guide", "guia"), ("", "-es")):
@@ -87,12 +88,20 @@ def main(binary):
                 Page(path, binary, folder).run()
                 for picture, source in pictures.items():
                     file = TARGET / f"{names[0]}-{picture}{suffix}.svg"
-                    file.write_text(content(Path(folder), source), encoding="utf-8")
+                    text = content(Path(folder), source)
+                    if check:
+                        old += [file.name] * (not file.exists() or file.read_text(encoding="utf-8") != text)
+                        continue
+                    file.write_text(text, encoding="utf-8")
                     print(f"{file.relative_to(ROOT)} {file.stat().st_size}")
-    studio(binary)
+    if old:
+        sys.exit(f"old pictures: {', '.join(old)}; python3 docs/pictures.py {binary}")
+    if not check:
+        studio(binary)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    arguments = [a for a in sys.argv[1:] if a != "--check"]
+    if len(arguments) != 1:
         sys.exit(__doc__)
-    main(str(Path(sys.argv[1]).resolve()))
+    main(str(Path(arguments[0]).resolve()), "--check" in sys.argv)

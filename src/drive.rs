@@ -67,6 +67,9 @@ pub struct Drive {
     pub mass: f64,
     /// Cam speed ω, rad/s; positive.
     pub speed: f64,
+    /// Distance from the pivot of an arm at which forces act, m; 1 under a follower that translates. Under an arm
+    /// every force of the drive is a moment about the pivot, N·m: force times lever.
+    pub lever: f64,
 }
 
 impl Drive {
@@ -88,6 +91,7 @@ impl Drive {
             damping: 0.0,
             mass,
             speed,
+            lever: 1.0,
         }
     }
 
@@ -98,6 +102,35 @@ impl Drive {
             kind: DriveKind::Hydraulic,
             ..Drive::fixed_axis(0.0, pressure_per_volume * area * area, speed)
         }
+    }
+
+    /// The same on an arm, with forces at `lever` (m) from the pivot: the spring acts there, the mass is a moment of
+    /// inertia.
+    ///
+    /// ```
+    /// use gaitcam::drive::Drive;
+    ///
+    /// // A piston at 0.1 m moves 0.1 m per rad: stiffness about the pivot k·L², N·m/rad.
+    /// let piston = Drive::hydraulic(2e9, 0.01, 5.0);
+    /// let arm = piston.at_lever(0.1);
+    /// assert!((arm.spring_rate / (0.01 * piston.spring_rate) - 1.0).abs() < 1e-12);
+    /// assert_eq!(arm.newtons(70.0), 700.0);
+    /// ```
+    #[must_use]
+    pub fn at_lever(self, lever: f64) -> Drive {
+        let square = lever * lever;
+        Drive {
+            rest_force: lever * self.rest_force,
+            spring_rate: square * self.spring_rate,
+            damping: square * self.damping,
+            lever,
+            ..self
+        }
+    }
+
+    /// A force of the drive in N: of an arm, its moment divided by the lever.
+    pub fn newtons(&self, force: f64) -> f64 {
+        force / self.lever
     }
 
     /// Whether there is no force: no mass, spring, damping or preload.

@@ -49,6 +49,7 @@ impl Asked<'_> {
             },
             language: language(py, self.lang)?,
             title,
+            ..Contents::default()
         })
     }
 }

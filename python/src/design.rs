@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use gaitcam::Problem;
-use gaitcam::error::Result;
+use gaitcam::cam::Verdict;
+use gaitcam::error::{Result, is_no_cam};
 use gaitcam::synth::Search;
 use gaitcam_files::design::{self, check_inputs_stay, finish};
 use gaitcam_files::files::{self, Source};
@@ -13,10 +14,11 @@ use gaitcam_files::{Contents, Input, PATIENCE, ROWS, ResultFolder};
 use gaitcam_output::{self as output, Language, Timing};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyBytes, PyDict};
+use serde_json::Value;
 
 use crate::asked::{Asked, language, rows};
 use crate::convert::{self, Reduced};
-use crate::error::Raise;
+use crate::error::{NoSuchCam, Raise};
 use crate::force::{FILE, Force};
 use crate::interrupt::{self, Interrupt};
 use crate::law::Law;
@@ -26,8 +28,8 @@ use crate::table::Table;
 /// A finished design: law, cam, checks and verdict.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Design {
-    /// The design itself.
-    pub design: gaitcam::Design,
+    /// The design itself; where there is none to show, why.
+    made: Result<gaitcam::Design>,
     /// The scene that it answers, with the force that was given in its `[gait]`.
     pub input: Input,
     asked: Scene,
@@ -50,7 +52,8 @@ pub struct Design {
 /// Returns
 /// -------
 /// Design
-///     Also where no cam keeps the limits: its ``verdict`` and ``summary["reasons"]`` say so.
+///     Also where no cam keeps the limits, or none can be shown at all: its ``verdict`` and ``summary["reasons"]`` say
+///     so.
 ///
 /// Raises
 /// ------
@@ -73,13 +76,13 @@ pub fn synth(
     let interrupt = Interrupt::after(interrupt::limit(py, time_limit)?);
     let made = py.detach(|| made(&input, force.as_ref(), &interrupt));
     interrupt.result()?;
-    let (design, solve_s) = made.raise(py)?;
+    let (made, solve_s) = made.raise(py)?;
     let time = Timing {
         solve_s,
         total_s: interrupt.elapsed_s(),
     };
     Ok(Design {
-        design,
+        made,
         input,
         asked,
         force,
@@ -92,7 +95,7 @@ fn made(
     input: &Input,
     force: Option<&Force>,
     interrupt: &Arc<Interrupt>,
-) -> Result<(gaitcam::Design, f64)> {
+) -> Result<(Result<gaitcam::Design>, f64)> {
     let named = match force {
         Some(_) => None,
         None => input.target()?,
@@ -101,17 +104,42 @@ fn made(
     let search = Search::until(interrupt.halt());
     let problem = Problem::resolve(&input.scene, target)?;
     let begun = interrupt.elapsed_s();
-    let design = gaitcam::synth::design(&problem, &search)?;
+    let design = gaitcam::synth::design(&problem, &search);
     let solve_s = interrupt.elapsed_s() - begun;
-    let design = design.relaxed_with(&search);
-    Ok((design, solve_s))
+    Ok(match design {
+        Err(why) if is_no_cam(&why) => (Err(why), solve_s),
+        design => (Ok(design?.relaxed_with(&search)), solve_s),
+    })
 }
 
 impl Design {
-    fn has_cam(&self, py: Python<'_>) -> PyResult<()> {
-        match &self.design.infeasible {
-            Some(why) => Err(crate::error::NoSuchCam::new_err(why.sentence(Language::En))),
-            None => py.check_signals(),
+    /// The design, also one that breaks limits.
+    pub fn shown(&self) -> PyResult<&gaitcam::Design> {
+        let made = self.made.as_ref();
+        made.map_err(|why| NoSuchCam::new_err(why.sentence(Language::En)))
+    }
+
+    fn cam(&self, py: Python<'_>) -> PyResult<&gaitcam::Design> {
+        let design = self.shown()?;
+        match &design.infeasible {
+            Some(why) => Err(NoSuchCam::new_err(why.sentence(Language::En))),
+            None => py.check_signals().map(|()| design),
+        }
+    }
+
+    fn summarised(&self, scene: &toml::Table) -> Value {
+        match &self.made {
+            Ok(made) => design::summary(made, scene, self.time),
+            Err(why) => {
+                design::summary_without_cam(&self.input.scene.name, why, scene, self.time.total_s)
+            }
+        }
+    }
+
+    fn said(&self, language: Language) -> String {
+        match &self.made {
+            Ok(design) => design.reason(language),
+            Err(why) => why.sentence(language),
         }
     }
 
@@ -121,7 +149,9 @@ impl Design {
         contents: &Contents,
         mut put: impl FnMut(&str, &[u8]) -> Result<()>,
     ) -> Result<()> {
-        files::write(&Source::new(&self.design, self.time, contents), &mut put)?;
+        if let Ok(design) = &self.made {
+            files::write(&Source::new(design, self.time, contents), &mut put)?;
+        }
         match self.force.as_ref().and_then(|f| f.content(Path::new(FILE))) {
             Some(content) => put(FILE, &content),
             None => Ok(()),
@@ -134,40 +164,43 @@ impl Design {
     /// Class of the cam: ``acceptable``, ``not-for-high-speed`` or ``unacceptable``.
     #[getter]
     fn verdict(&self) -> &'static str {
-        self.design.verdict.name()
+        let verdict = self.made.as_ref().map(|design| design.verdict);
+        verdict.unwrap_or(Verdict::Unacceptable).name()
     }
 
     /// Why the verdict is what it is, as sentences.
     #[pyo3(signature = (lang = "en"))]
     fn reason(&self, py: Python<'_>, lang: &str) -> PyResult<String> {
-        Ok(self.design.reason(language(py, lang)?))
+        Ok(self.said(language(py, lang)?))
     }
 
     /// The design in numbers, as in ``summary.json``; SI, units in the names.
     #[getter]
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let summary = || design::summary(&self.design, &self.input.resolved(), self.time);
+        let summary = || self.summarised(&self.input.resolved());
         convert::json(py, &py.detach(summary))
     }
 
     /// Every limit held against the design: a list of ``{name, worst, limit, at_rad, pass}``.
     #[getter]
     fn checks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.shown()?;
         self.summary(py)?.get_item("checks")
     }
 
     /// The law at 1440 equal steps of the cam angle, as in ``law.csv``.
     #[getter]
     fn law(&self, py: Python<'_>) -> PyResult<Table> {
-        let columns = py.detach(|| output::csv::law_columns(&self.design, ROWS));
+        let design = self.shown()?;
+        let columns = py.detach(|| output::csv::law_columns(design, ROWS));
         Ok(Table::of_numbers(columns))
     }
 
     /// The profile at 1440 equal steps of the cam angle, as in ``profile.csv``; row i is the contact at its angle.
     #[getter]
     fn profile(&self, py: Python<'_>) -> PyResult<Table> {
-        self.has_cam(py)?;
-        let columns = py.detach(|| output::csv::profile_columns(&self.design, ROWS));
+        let design = self.cam(py)?;
+        let columns = py.detach(|| output::csv::profile_columns(design, ROWS));
         Ok(Table::of_numbers(columns))
     }
 
@@ -178,11 +211,11 @@ impl Design {
         #[pyo3(from_py_with = convert::whole)] points: usize,
     ) -> PyResult<(Table, Table)> {
         let points = rows(py, points)?;
-        self.has_cam(py)?;
+        let design = self.cam(py)?;
         let (law, profile) = py.detach(|| {
             (
-                output::csv::law_columns(&self.design, points),
-                output::csv::profile_columns(&self.design, points),
+                output::csv::law_columns(design, points),
+                output::csv::profile_columns(design, points),
             )
         });
         Ok((Table::of_numbers(law), Table::of_numbers(profile)))
@@ -190,8 +223,8 @@ impl Design {
 
     /// The law as a function of the cam angle.
     #[getter]
-    fn motion(&self) -> Law {
-        Law::of_design(&self.design.family, &self.design.cam.law)
+    fn motion(slf: &Bound<'_, Self>) -> PyResult<Law> {
+        Law::of_design(slf)
     }
 
     /// The scene that the design answers, with the force that was given.
@@ -203,7 +236,7 @@ impl Design {
     /// Name of the scene.
     #[getter]
     fn name(&self) -> &str {
-        &self.design.name
+        &self.input.scene.name
     }
 
     /// Writes what ``gaitcam synth --out DIR`` writes and returns the folder.
@@ -259,7 +292,7 @@ impl Design {
             let place = ResultFolder::open(&folder, PATIENCE)?;
             self.write(&contents, |name, bytes| place.write(name, bytes))?;
             let scene = self.input.resolved();
-            let summary = design::summary(&self.design, &scene, self.time);
+            let summary = self.summarised(&scene);
             finish(place, &self.input, &scene, &summary)
         });
         written.raise(py)
@@ -299,7 +332,7 @@ impl Design {
                 Ok(())
             })?;
             let scene = self.input.resolved();
-            let summary = design::summary(&self.design, &scene, self.time);
+            let summary = self.summarised(&scene);
             let summary = serde_json::to_string_pretty(&summary).unwrap_or_default();
             files.insert("summary.json".to_string(), summary.into_bytes());
             let scene = toml::to_string(&scene).unwrap_or_default();
@@ -312,17 +345,16 @@ impl Design {
     }
 
     fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
-        let design = &self.design;
         let text = |s: &str| s.replace('&', "&amp;").replace('<', "&lt;");
         let head = format!(
             "<p><b>{}</b>: <b>{}</b><br>{}</p>",
-            text(&design.name),
-            design.verdict.name(),
-            text(&design.reason(Language::En))
+            text(self.name()),
+            self.verdict(),
+            text(&self.said(Language::En))
         );
-        if design.infeasible.is_some() {
+        let Some(design) = self.made.as_ref().ok().filter(|d| d.infeasible.is_none()) else {
             return Ok(head);
-        }
+        };
         let pictures = py.detach(|| {
             let language = Language::En;
             [
@@ -357,10 +389,6 @@ impl Design {
     }
 
     fn __repr__(&self) -> String {
-        format!(
-            "<gaitcam.Design {:?}: {}>",
-            self.design.name,
-            self.design.verdict.name()
-        )
+        format!("<gaitcam.Design {:?}: {}>", self.name(), self.verdict())
     }
 }

@@ -4,7 +4,7 @@ use gaitcam::sweep::{self, Admission, Objective};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 
-use crate::convert;
+use crate::convert::{self, Reduced};
 use crate::error::Raise;
 
 /// The designs of a table that no other design beats in every objective.
@@ -16,6 +16,9 @@ pub struct Front {
     values: Vec<Vec<f64>>,
     left_out: usize,
 }
+
+/// Its fields, as they travel where it is pickled.
+type State = (Vec<String>, Vec<i64>, Option<i64>, Vec<Vec<f64>>, usize);
 
 /// One name or several.
 #[derive(FromPyObject)]
@@ -163,6 +166,36 @@ impl Front {
     #[getter]
     fn left_out(&self) -> usize {
         self.left_out
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, State> {
+        let restore = py.get_type::<Front>().getattr("_restore")?;
+        let (names, values) = (self.names.clone(), self.values.clone());
+        let state = (
+            names,
+            self.positions.clone(),
+            self.best,
+            values,
+            self.left_out,
+        );
+        Ok((restore, state))
+    }
+
+    #[staticmethod]
+    fn _restore(
+        names: Vec<String>,
+        positions: Vec<i64>,
+        best: Option<i64>,
+        values: Vec<Vec<f64>>,
+        left_out: usize,
+    ) -> Front {
+        Front {
+            names,
+            positions,
+            best,
+            values,
+            left_out,
+        }
     }
 
     fn __len__(&self) -> usize {

@@ -4,9 +4,10 @@ use gaitcam::law::{self, Extent, Rise, Segment};
 use gaitcam::units::{Dimension, parse};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict, PyString};
+use pyo3::types::{IntoPyDict, PyDict, PyString, PyTuple};
 
-use crate::convert;
+use crate::convert::{self, Reduced};
+use crate::design::Design;
 use crate::error::Raise;
 
 /// A law of motion: ``law(theta)`` gives s, v, a, j, each of the shape of ``theta``.
@@ -18,16 +19,28 @@ pub struct Law {
     name: String,
     law: law::Law,
     factors: Option<law::Factors>,
+    origin: Origin,
+}
+
+/// What a law follows from: that is what travels where it is pickled.
+enum Origin {
+    /// Its name in the catalogue.
+    Catalogue,
+    /// Motion, lift in m and angle in rad of each segment.
+    Program(Vec<(String, f64, f64)>),
+    Design(Py<Design>),
 }
 
 impl Law {
     /// The law of a design.
-    pub fn of_design(name: &str, law: &law::Law) -> Law {
-        Law {
-            name: name.to_string(),
-            law: law.clone(),
+    pub fn of_design(design: &Bound<'_, Design>) -> PyResult<Law> {
+        let own = design.get().shown()?;
+        Ok(Law {
+            name: own.family.clone(),
+            law: own.cam.law.clone(),
             factors: None,
-        }
+            origin: Origin::Design(design.clone().unbind()),
+        })
     }
 
     fn of_rise(rise: &Rise) -> gaitcam::error::Result<Law> {
@@ -35,6 +48,7 @@ impl Law {
             name: rise.written(),
             law: rise.law()?,
             factors: Some(rise.factors()?),
+            origin: Origin::Catalogue,
         })
     }
 }
@@ -142,6 +156,21 @@ impl Law {
         factors.map(|all| all.into_py_dict(py)).transpose()
     }
 
+    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, Bound<'py, PyTuple>> {
+        let gaitcam = py.import("gaitcam")?;
+        Ok(match &self.origin {
+            Origin::Catalogue => (gaitcam.getattr("Law")?, (&self.name,).into_pyobject(py)?),
+            Origin::Program(segments) => {
+                let segments = segments.clone().into_pyobject(py)?;
+                (gaitcam.getattr("program")?, (segments,).into_pyobject(py)?)
+            }
+            Origin::Design(design) => {
+                let get = py.import("builtins")?.getattr("getattr")?;
+                (get, (design, "motion").into_pyobject(py)?)
+            }
+        })
+    }
+
     fn __repr__(&self) -> String {
         format!("<gaitcam.Law {:?}>", self.name)
     }
@@ -175,7 +204,14 @@ pub fn program(
         });
     }
     let law = py.detach(|| law::program(&all, Extent::TURN)).raise(py)?;
-    Ok(Law::of_design("program", &law))
+    let segment =
+        |(s, (motion, ..)): (&Segment, &(String, _, _))| (motion.clone(), s.lift, s.angle);
+    Ok(Law {
+        name: "program".to_string(),
+        law,
+        factors: None,
+        origin: Origin::Program(all.iter().zip(&segments).map(segment).collect()),
+    })
 }
 
 fn quantity(given: &Bound<'_, PyAny>, dimension: Dimension, key: &str) -> PyResult<f64> {

@@ -1,13 +1,14 @@
 //! The emitted cam in motion.
 
+use gaitcam::cam::Measures;
 use gaitcam::dynamics::{self, Model, Outcome};
 use gaitcam::wording::Language;
 use gaitcam_files::design::{drive_on, is_of_machine};
 use gaitcam_output::simulation;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{IntoPyDict, PyDict};
 
-use crate::convert;
+use crate::convert::{self, Reduced};
 use crate::design::Design;
 use crate::error::{NoSuchCam, Raise, argument};
 use crate::scene::Scene;
@@ -19,6 +20,9 @@ pub struct Run {
     outcome: Outcome,
     verdict: &'static str,
     name: String,
+    design: Py<Design>,
+    asked: Model,
+    machine: Option<Py<PyDict>>,
 }
 
 /// Runs the emitted cam of a design, not the law it came from.
@@ -40,22 +44,24 @@ pub struct Run {
 #[pyo3(signature = (design, model = "auto", *, machine = None))]
 pub fn simulate(
     py: Python<'_>,
-    design: PyRef<'_, Design>,
+    design: &Bound<'_, Design>,
     model: &str,
     machine: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Run> {
+    let made = design;
+    let design = made.get();
     let Some(model) = Model::parse(model) else {
         let what = format!("{model:?} is no model; give auto, rigid, flexible or contact");
         return Err(argument(py, "model", what));
     };
-    if let Some(why) = design.design.no_cam(Language::En) {
+    let cam = design.shown()?;
+    if let Some(why) = cam.no_cam(Language::En) {
         return Err(NoSuchCam::new_err(why));
     }
     let (spec, drive) = match machine {
-        None => (design.input.scene.machine.clone(), design.design.drive),
-        Some(changes) => machine_of(py, &design, changes)?,
+        None => (design.input.scene.machine.clone(), cam.drive),
+        Some(changes) => machine_of(py, design, changes)?,
     };
-    let cam = &design.design;
     let outcome = py.detach(|| dynamics::simulate(&cam.emitted(&spec, drive)?, model));
     let outcome = outcome.raise(py)?;
     let mut judged = cam.clone();
@@ -66,6 +72,9 @@ pub fn simulate(
         outcome,
         verdict: judged.verdict.name(),
         name: judged.name,
+        design: made.clone().unbind(),
+        asked: model,
+        machine: machine.map(|m| m.copy()).transpose()?.map(Bound::unbind),
     })
 }
 
@@ -84,7 +93,7 @@ fn machine_of(
     }
     let scene = Scene::of_input(design.input.clone()).changed(py, changes)?;
     let scene = scene.input.scene;
-    let drive = drive_on(&design.design, &scene).raise(py)?;
+    let drive = drive_on(design.shown()?, &scene).raise(py)?;
     Ok((scene.machine, drive))
 }
 
@@ -129,13 +138,25 @@ impl Run {
     }
 
     fn _repr_html_(&self) -> String {
-        let measures = gaitcam::cam::Measures::Translating;
+        let measures = match self.outcome.swings {
+            true => Measures::Oscillating,
+            false => Measures::Translating,
+        };
         let text = simulation::table(&self.outcome, measures, Language::En);
         let text = text.replace('&', "&amp;").replace('<', "&lt;");
         format!(
             "<p><b>{}</b>: {}</p><pre>{text}</pre>",
             self.name, self.verdict
         )
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (&Py<Design>, &'static str)> {
+        // A run follows from its question: that is what travels.
+        let simulate = py.import("gaitcam")?.getattr("simulate")?;
+        let keywords = [("machine", self.machine.as_ref())].into_py_dict(py)?;
+        let partial = py.import("functools")?.getattr("partial")?;
+        let question = partial.call((simulate,), Some(&keywords))?;
+        Ok((question, (&self.design, self.asked.name())))
     }
 
     fn __repr__(&self) -> String {

@@ -100,6 +100,32 @@ def test_designs_and_their_questions_are_pickled(design, footbridge):
     assert np.array_equal(again.law["s_m"], given.law["s_m"])
 
 
+def test_laws_and_runs_are_pickled(design):
+    theta = np.linspace(0, 6, 50)
+    program = gaitcam.program([("cycloidal", "20 mm", "180 deg"), ("3-4-5", -0.02, np.pi)])
+    for law in (design.motion, gaitcam.Law("scca 0.25 0.25 0.5"), gaitcam.laws()["modified-sine"], program):
+        again = pickle.loads(pickle.dumps(law))
+        x = theta / 6 if law.factors else theta
+        assert again.name == law.name and all(np.array_equal(a, b) for a, b in zip(again(x), law(x)))
+    for machine in (None, {"drive.speed": "60 rpm"}):
+        run = gaitcam.simulate(design, "rigid", machine=machine)
+        again = pickle.loads(pickle.dumps(run))
+        assert again.summary == run.summary
+        assert np.array_equal(again.table["torque_nm"], run.table["torque_nm"])
+
+
+def test_tables_of_an_arm_have_its_units():
+    arm = {"follower": "roller-oscillating", "roller_radius": "10 mm", "pivot_distance": "120 mm", "arm": "100 mm"}
+    drive = {"kind": "fixed-axis", "spring_rate": "300 N m/rad", "lever": "80 mm"}
+    design = gaitcam.synth(gaitcam.Scene({"gait": {"model": "young", "step_frequency": "1.85 Hz", "body_weight": "700 N"}, "drive": drive, "cam": arm}))
+    assert design.law["force_n"] == pytest.approx(300 * design.law["s_rad"] / 0.08)
+    table = gaitcam.simulate(design, "rigid").table
+    assert table["contact_force_n"] == pytest.approx(300 * table["lift_rad"] / 0.08, rel=1e-6)
+    assert np.mean(table["contact_force_n"]) == pytest.approx(design.summary["force"]["mean_n"], rel=1e-6)
+    assert "gap_rad" in table.column_names and "lift_m" not in table.column_names
+    assert "N·m" in gaitcam.simulate(design, "rigid")._repr_html_()
+
+
 def test_a_scene_that_no_cam_answers_says_which_limits_conflict(footbridge):
     # A double integrator needs 49 mm for this walk.
     design = gaitcam.synth(footbridge.set({"limits.stroke": "5 mm", "gait.band": "20 N", "law.spans": 8}))
@@ -112,6 +138,39 @@ def test_a_scene_that_no_cam_answers_says_which_limits_conflict(footbridge):
         design.profile
     assert "unacceptable" in design._repr_html_()
     assert "report.html" in design.files() and "profile.dxf" not in design.files()
+
+
+@pytest.mark.parametrize(
+    ("name", "changes", "key"),
+    [
+        ("camdas_01_roller", {"law.segment.1.motion": "constant-velocity"}, "law.segment"),
+        ("camdas_01_roller", {"law.segment.2.lift": "-49 mm"}, "law.segment"),
+        ("camdas_02_oscillating_roller", {"cam.arm": "20 mm"}, "cam"),
+        ("camdas_02_oscillating_roller", {"cam.base_radius": "auto", "limits.curvature": "10 m"}, "cam.base_radius"),
+        ("camdas_08_conjugate_flat", {"cam.conjugate.distance": "140 mm"}, "cam.conjugate"),
+        ("thesis_barrel", {"cam.depth": "200 mm"}, "cam.depth"),
+    ],
+)
+def test_a_scene_without_a_cam_is_a_design_that_says_why(name, changes, key, tmp_path):
+    design = gaitcam.synth(gaitcam.Scene.builtin(name).set(changes))
+    summary = design.summary
+    assert design.verdict == summary["verdict"] == "unacceptable"
+    assert summary["outcome"] == "infeasible" and summary["reasons"][0]["key"] == key
+    assert design.name == name and key in design.reason() and design.reason("es") != design.reason()
+    assert "unacceptable" in design._repr_html_() and "unacceptable" in repr(design)
+    assert set(design.files()) == {"scene.toml", "summary.json"}
+    design.save(tmp_path / "out")
+    assert json.loads((tmp_path / "out" / "summary.json").read_text())["reasons"] == summary["reasons"]
+    for shown in (
+        lambda: design.law,
+        lambda: design.profile,
+        lambda: design.motion,
+        lambda: design.checks,
+        lambda: design.tables(90),
+        lambda: gaitcam.simulate(design),
+    ):
+        with pytest.raises(gaitcam.NoSuchCam):
+            shown()
 
 
 def test_a_notebook_shows_verdict_and_pictures(design):

@@ -154,6 +154,9 @@ def test_the_front_is_found_in_every_kind_of_table(spectral):
         good[k] and x[k] <= x[i] * (1 - 1e-9) and y[k] <= y[i] * (1 - 1e-9) for k in range(400))]
     assert set(front.positions) <= set(kept) and front.best in front.positions and len(front) > 1
     assert front.values[:, 0].tolist() == x[front.positions].tolist()
+    again = pickle.loads(pickle.dumps(front))
+    assert (again.best, again.objectives, again.left_out) == (front.best, front.objectives, front.left_out)
+    assert np.array_equal(again.values, front.values) and np.array_equal(again.positions, front.positions)
     for other in (pa.table(table), pl.DataFrame(table), pa.table(table).to_pandas(), {n: table[n] for n in table.keys()}):
         again = gaitcam.front(other, minimise=["stroke", "torque_max"], low_speed=True)
         assert again.positions.tolist() == front.positions.tolist()

@@ -210,6 +210,10 @@ pub struct Pressure {
 pub struct Outcome {
     /// The model that was run; never `Auto`.
     pub model: Model,
+    /// Whether the follower is an arm: lifts and gaps are angles, forces moments about the pivot, N·m.
+    pub swings: bool,
+    /// Distance from the pivot at which a force makes that moment, m; 1 without an arm.
+    pub lever: f64,
     /// Reason for this model.
     pub why: ModelReason,
     /// Whether the follower leaves the cam.

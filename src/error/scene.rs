@@ -164,14 +164,14 @@ pub enum SceneError {
     KeywayTooWide { width: String, bore: String },
     /// An offset as large as the prime radius.
     OffsetReachesPrime { offset: String, prime: String },
-    /// A target force for a follower whose lift is not a length over one turn.
-    ForceNeedsTranslation { follower: &'static str },
+    /// A target force for a follower whose lift is not over one turn.
+    ForceNeedsTurn { follower: &'static str },
     /// A law over a length that is not a programme.
     LengthNeedsProgram,
     /// A law over several turns that is not a programme.
     TurnsNeedProgram,
-    /// An arm with a drive other than the fixed axis.
-    ArmNeedsFixedAxis,
+    /// An arm under a cam on a moving axis.
+    ArmOnMovingAxis,
     /// A conjugate pair with no closure, or with two.
     PairNotClosed,
     /// The stiffness of the follower given twice.

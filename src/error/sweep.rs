@@ -66,6 +66,8 @@ pub enum SweepError {
     NegativeTolerance { part: String, typed: String },
     /// A scene without target force has no force error.
     NoForceError,
+    /// Tolerances of a cam under an arm.
+    ScatterOfArm,
     /// A front over lift-off speed needs a moving axis.
     FrontWithoutMovingAxis,
     /// A front needs a base or prime radius here.

@@ -34,6 +34,7 @@ pub enum WriteError {
     HubTooLarge { hub: Quantity, free: Quantity },
     BoreTooLarge { bore: Quantity, free: Quantity },
     CutterRadius { radius: Quantity },
+    DepthOfPass { pass: Quantity },
     TooSharp,
     NoCutterPath,
     GrooveCutter { radius: Quantity, roller: Quantity },

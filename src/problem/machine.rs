@@ -6,7 +6,7 @@ use super::mean_force::MeanForce;
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
-use crate::scene::{DriveSpec, ForceScale};
+use crate::scene::{CamSpec, DriveSpec, ForceScale};
 use crate::units::Quantity;
 
 /// The target as a multiple of a force, plus a constant, N.
@@ -27,12 +27,12 @@ impl Scaling {
     }
 }
 
-/// How a force of some mean, N, is scaled to the mass, where that is asked for.
+/// How a force of some mean, N, becomes the target: the moment of an arm, scaled to the mass where that is asked for.
 ///
 /// # Errors
 /// A mean force that no mass can rest under.
 pub fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
-    let (mut factor, mut shift) = (1.0, 0.0);
+    let (mut factor, mut shift) = (drive.lever, 0.0);
     match how {
         ForceScale::ToMass | ForceScale::Alternating if drive.kind != DriveKind::MovingAxis => {}
         ForceScale::ToMass if mean <= 0.0 => {
@@ -50,7 +50,7 @@ pub fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
 ///
 /// # Errors
 /// No speed or no mass where no force gives one.
-pub fn drive(spec: &DriveSpec, force: Option<MeanForce>) -> Result<Drive> {
+pub fn drive(spec: &DriveSpec, cam: &CamSpec, force: Option<MeanForce>) -> Result<Drive> {
     let speed = match (spec.speed, force) {
         (Some(w), _) => w,
         (None, Some(force)) => TAU / force.period_s,
@@ -58,6 +58,7 @@ pub fn drive(spec: &DriveSpec, force: Option<MeanForce>) -> Result<Drive> {
             return Err(SynthError::ValueMissing.at_key("drive.speed"));
         }
     };
+    let lever = spec.lever.or_else(|| cam.lever()).unwrap_or(1.0);
     Ok(match spec.kind {
         DriveKind::MovingAxis => {
             let mass = moving_mass(spec, force.map(|f| f.mean_n))?;
@@ -70,9 +71,10 @@ pub fn drive(spec: &DriveSpec, force: Option<MeanForce>) -> Result<Drive> {
             damping: spec.damping,
             mass: spec.mass.unwrap_or(0.0),
             speed,
+            lever,
         },
         DriveKind::Hydraulic => {
-            Drive::hydraulic(spec.pressure_per_volume, spec.piston_radius, speed)
+            Drive::hydraulic(spec.pressure_per_volume, spec.piston_radius, speed).at_lever(lever)
         }
     })
 }

@@ -136,6 +136,7 @@ impl Problem {
         let factor = required.scaling.factor;
         let weight_n = gait.zip(force).map(|(g, force)| factor * weight(g, force));
         let band = gait.and_then(|g| g.band);
+        let band = band.map(|band| band.at_lever(required.drive.lever));
         let cycle = force.map(|force| Cycle::new(required.scaling.of(force), band));
         let cycle = cycle.transpose()?;
         let phase = gait.map_or(Phase::At(0.0), |g| g.phase);

@@ -80,6 +80,8 @@ pub enum Note {
     NoBaseCircle,
     /// The wall between the bore and the base circle is thinner than that of a usual hub.
     ThinWall { wall: Quantity, usual: Quantity },
+    /// A roller larger than the cam that it rolls on.
+    LargeRoller { roller: Quantity, cam: Quantity },
     /// No shaft that carries the torque fits into the base circle.
     ThinShaft {
         /// Diameter of the base circle.

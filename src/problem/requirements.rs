@@ -45,7 +45,7 @@ impl Requirements {
     /// The scene needs a force and none is given; the mean force is not positive on a moving axis; the drive
     /// relates no lift to force.
     pub fn of(scene: &Scene, force: Option<MeanForce>) -> Result<Requirements> {
-        let drive = machine::drive(&scene.drive, force)?;
+        let drive = machine::drive(&scene.drive, &scene.cam, force)?;
         let how = scene.gait.as_ref().map_or(ForceScale::None, |g| g.scale);
         let scaling = machine::scaling(&drive, how, force.map_or(1.0, |f| f.mean_n))?;
         if force.is_some() && drive.weights() == [0.0; 4] {
@@ -56,9 +56,13 @@ impl Requirements {
             spread_n: scaling.factor * force.spread_n,
             ..force
         };
+        let mut law = scene.law.clone();
+        for force in law.points.iter_mut().filter_map(|p| p.force.as_mut()) {
+            *force *= drive.lever;
+        }
         Ok(Requirements {
             drive,
-            law: scene.law.clone(),
+            law,
             cam: scene.cam.clone(),
             limits: scene.limits.clone(),
             accuracy: scene.rms,

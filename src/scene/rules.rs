@@ -314,15 +314,18 @@ fn circles(scene: &Scene, typed: Typed) -> Verdict {
     Ok(())
 }
 
-/// A target force needs a lift in metres over one turn; other motions take programmes only.
+/// A target force needs one turn of a disc; other motions take programmes only. An arm has a fixed pivot.
 fn motion(scene: &Scene, _: Typed) -> Verdict {
     let cam = &scene.cam;
-    if !(cam.is_oscillating() || cam.is_straight() || cam.turns > 1) {
+    if cam.is_oscillating() && scene.drive.kind == DriveKind::MovingAxis {
+        return Err(("drive.kind", SceneError::ArmOnMovingAxis));
+    }
+    if !(cam.is_straight() || cam.turns > 1) {
         return Ok(());
     }
     if scene.gait.is_some() {
         let follower = cam.follower.name();
-        return Err(("gait", SceneError::ForceNeedsTranslation { follower }));
+        return Err(("gait", SceneError::ForceNeedsTurn { follower }));
     }
     let program = scene.law.family == Family::Program;
     if cam.turns > 1 && !program {
@@ -330,9 +333,6 @@ fn motion(scene: &Scene, _: Typed) -> Verdict {
     }
     if cam.is_straight() && !program {
         return Err(("law.family", SceneError::LengthNeedsProgram));
-    }
-    if cam.is_oscillating() && scene.drive.kind != DriveKind::FixedAxis {
-        return Err(("drive.kind", SceneError::ArmNeedsFixedAxis));
     }
     Ok(())
 }

@@ -95,7 +95,7 @@ use crate::cam::{Check, LimitKind, Verdict};
 use crate::error::{Placed, Result};
 use crate::force::ForceCurve;
 use crate::problem::{Note, Problem};
-use crate::scene::Scene;
+use crate::scene::{Minimise, Scene};
 use families::SolvedLaw;
 use optimum::{NoLaw, Refusal};
 use sizing::checked_cam::{CheckedCam, checked_cam};
@@ -146,7 +146,9 @@ pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
             match best {
                 Ok(sized) => (sized, Some(why)),
                 Err(NoLaw::Fault(fault)) => return Err(fault),
-                Err(NoLaw::Refused(_)) => return Err(why.no_law().at_key("law")),
+                Err(NoLaw::Refused(_)) => {
+                    return Err(why.no_law().at_key(why.key_of_demands()));
+                }
             }
         }
     };
@@ -204,7 +206,7 @@ fn sized(
 }
 
 /// The best law without the accuracy where the other limits have one, without any limit, or without the base circle
-/// either: what is shown where they leave none.
+/// either: what is shown where they leave none. Where the accuracy is a limit, the best is that of the least force error.
 fn without_limits(
     problem: &Problem,
     search: &Search,
@@ -224,6 +226,9 @@ fn without_limits(
         problem.without_limits()
     };
     bare.law.family = refusal.family();
+    if problem.limited_error().is_some() {
+        bare.law.minimise = Some(Minimise::ForceError);
+    }
     let mut best = sized(problem, &bare, &timely).or_else(|no_law| match no_law {
         NoLaw::Refused(_) => {
             bare.above_base_circle = false;

@@ -116,6 +116,14 @@ fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> 
     }
 }
 
+/// The preload of a spring and the least force of a target below it: no lift presses with less. A mass may.
+fn preload_above(problem: &Problem) -> Option<[f64; 2]> {
+    let drive = &problem.drive;
+    let [least, _] = problem.target.as_ref()?.range_n();
+    let held = drive.kind == DriveKind::FixedAxis && problem.lift_of_force(least)? < 0.0;
+    (held && drive.rest_force - least > problem.wanted_error()).then_some([drive.rest_force, least])
+}
+
 /// A pressure angle above the usual one, where the scene limits none.
 fn steep(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     let [usual, _] = usual_pressure_angle(problem)?;
@@ -207,9 +215,17 @@ fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> V
         Criterion::Limit(LimitKind::ForceMin) if problem.limits[LimitKind::ForceMin].is_none() => {
             lifts_off(problem, cam, force, check)
         }
-        Criterion::RmsError => Reason::ForceError {
-            error: value,
-            allowed,
+        Criterion::RmsError => match preload_above(problem) {
+            Some([preload, least]) => Reason::PreloadAboveTarget {
+                error: value,
+                allowed,
+                preload: quantity(measures, check.name, preload),
+                least: quantity(measures, check.name, least),
+            },
+            None => Reason::ForceError {
+                error: value,
+                allowed,
+            },
         },
         Criterion::BaseCircle => Reason::BelowBaseCircle {
             at,

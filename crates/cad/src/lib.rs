@@ -2,7 +2,7 @@
 //!
 //! A [`Design`](gaitcam::synth::Design) determines one or more edges to cut: the profile of a disc, both profiles
 //! of a conjugate pair, the walls of a barrel's groove ([`outline`]). Every exporter is a pure function from the
-//! design to the bytes of one file, in millimetres at true scale; the same design gives the same bytes.
+//! design to the bytes of one file at true scale, in millimetres or, of DXF, drawing and programs, in [`Units`]; the same design gives the same bytes.
 //!
 //! | module | makes | accuracy |
 //! |---|---|---|
@@ -16,11 +16,11 @@
 //! ```
 //! use gaitcam::scene::built_in;
 //! use gaitcam::synth::synthesise;
-//! use gaitcam_cad::{dxf, step};
+//! use gaitcam_cad::{Units, dxf, step};
 //!
 //! let scene = built_in("camdas_01_roller").unwrap().scene().unwrap();
 //! let design = synthesise(&scene, None).unwrap();
-//! let outline = dxf::profile(&design, 720, dxf::Content::CutOnly, dxf::Curves::Arcs);
+//! let outline = dxf::profile(&design, 720, dxf::Content::CutOnly, dxf::Curves::Arcs, Units::Inches);
 //! let solid = step::solid(&design).unwrap();
 //! assert!(outline.len() > 10_000 && solid.starts_with(b"ISO-10303-21;"));
 //! ```
@@ -39,7 +39,10 @@ pub mod solid;
 mod spline;
 pub mod step;
 pub mod svg;
+mod units;
 pub mod words;
+
+pub use units::Units;
 
 #[cfg(test)]
 use gaitcam_test_support as _;

@@ -80,7 +80,7 @@ enum Command {
 
 /// Runs the command with its arguments (the first is the program's name) and returns the exit code.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let arguments = usage::with_negative_values(arguments);
     language::set(&arguments);
     let parsed = help::parser(language::current())
         .try_get_matches_from(&arguments)

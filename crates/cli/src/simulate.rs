@@ -14,13 +14,13 @@ use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
-use crate::synth::files_in;
+use crate::synth::{files_in, no_cam};
 use gaitcam::dynamics::{Model, Outcome, Run, simulate};
-use gaitcam::error::{Place, Placed, Result};
+use gaitcam::error::{Place, Placed, Result, is_no_cam};
 use gaitcam::scene::{MachineSpec, Scene};
 use gaitcam::synth::Design;
 use gaitcam::units::Dimension;
-use gaitcam_files::design::{check_inputs_stay, of_another_design, write_scene};
+use gaitcam_files::design::{check_inputs_stay, finish, of_another_design, summary, write_scene};
 use gaitcam_files::{PATIENCE, ResultFolder};
 use gaitcam_output::report::{Running, html_of_run};
 use gaitcam_output::{Timing, simulation};
@@ -38,7 +38,7 @@ pub struct SimulateArgs {
     #[command(flatten)]
     scene: SceneArgs,
     /// Run the cam as made at this speed of the shaft: --speed '96 rpm'
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEED")]
     speed: Option<String>,
     /// auto (the simplest that is sufficient), rigid, flexible, contact
     #[arg(long, default_value = "auto")]
@@ -50,19 +50,19 @@ pub struct SimulateArgs {
     #[arg(long)]
     pub json: bool,
     /// First natural frequency of the follower train: "60 Hz"
-    #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
+    #[arg(long, value_name = "HZ")]
     natural_frequency: Option<String>,
     /// Damping ratio of the follower train (default: that of the scene, else 0.05)
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
+    #[arg(long, value_name = "RATIO")]
     damping_ratio: Option<String>,
     /// Coefficient of friction between cam and follower (default: that of the scene, else 0)
-    #[arg(long, value_name = "MU", allow_hyphen_values = true)]
+    #[arg(long, value_name = "MU")]
     friction: Option<String>,
     /// Coefficient of restitution of an impact, 0 … 1 (default: that of the scene, else 0)
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    #[arg(long, value_name = "E")]
     restitution: Option<String>,
     /// Angle by which a second, equal cam follows on the same shaft: "180 deg"
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "ANGLE")]
     second_cam: Option<String>,
 }
 
@@ -84,12 +84,27 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
             .map_err(|e| e.placed(Place::Argument("--out".to_string())))?;
     }
     let solving = Instant::now();
-    let mut design = made.design()?;
+    let mut design = match made.design() {
+        Err(error) if is_no_cam(&error) => {
+            return no_cam(args.json, input, Some(folder), &error, start);
+        }
+        design => design?,
+    };
     let solve_s = solving.elapsed().as_secs_f64();
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("simulate-no-cam", &json!({"why": why})));
         if args.json {
             print_json(&json!({"model": null, "outcome": "infeasible", "why": why}));
+        }
+        // The complete result of the same scene stays.
+        if !others.is_empty() || !folder.path().join("summary.json").exists() {
+            let total_s = start.elapsed().as_secs_f64();
+            let scene = input.resolved();
+            let summary = summary(&design, &scene, Timing { solve_s, total_s });
+            let place = finish(folder, input, &scene, &summary)?;
+            if !args.json {
+                print(&files_in(&place, "summary.json"));
+            }
         }
         return Ok(NO_SUCH_CAM);
     }

@@ -62,5 +62,6 @@ pub fn ideal(speed: f64) -> Drive {
         damping: 0.0,
         mass: MASS,
         speed,
+        lever: 1.0,
     }
 }

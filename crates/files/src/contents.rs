@@ -2,7 +2,7 @@
 
 use gaitcam::error::Error;
 use gaitcam_cad::cutter::Gouge;
-use gaitcam_cad::{drawing, dxf};
+use gaitcam_cad::{Units, drawing, dxf};
 use gaitcam_output::Language;
 
 /// Rows of law.csv and profile.csv unless the user asks for another number.
@@ -19,12 +19,16 @@ pub struct Contents {
     pub solid: bool,
     /// Radius of a cutter whose path is written, m.
     pub tool: Option<f64>,
+    /// Depth of a pass of that cutter, m; without it the operator brings the cutter to depth.
+    pub pass: Option<f64>,
     /// Half the diameter of a wire and its spark gap, m: its path is written.
     pub wire: Option<f64>,
     /// Layers of the DXF drawings.
     pub drawn: dxf::Content,
     /// Edges of profile.dxf as arcs or splines.
     pub curves: dxf::Curves,
+    /// Unit of the drawing, of DXF and of programs.
+    pub units: Units,
     /// Title block of the drawing.
     pub title: drawing::Title,
     /// Language of pictures and report.
@@ -38,9 +42,11 @@ impl Default for Contents {
             png: true,
             solid: false,
             tool: None,
+            pass: None,
             wire: None,
             drawn: dxf::Content::All,
             curves: dxf::Curves::default(),
+            units: Units::default(),
             title: drawing::Title::default(),
             language: Language::En,
         }

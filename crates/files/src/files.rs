@@ -149,7 +149,7 @@ pub const ALL: [File; 25] = {
         file(Tables, "summary.json", All, Finish, |_| none()),
         file(Drawings, "profile.dxf", Cams, Always, |s| {
             let c = s.contents;
-            made(dxf::profile(s.design, c.points, c.drawn, c.curves))
+            made(dxf::profile(s.design, c.points, c.drawn, c.curves, c.units))
         }),
         file(Drawings, "profile.svg", Cams, Always, |s| {
             made(svg::profile(s.design, s.contents.points))
@@ -196,7 +196,10 @@ pub const ALL: [File; 25] = {
         }),
         file(Workshop, "wire.nc", Cams, Wire, |s| {
             let radius = s.contents.wire.unwrap_or_default();
-            or_remark(gcode::wire(s.design, radius), Remark::NoProgram)
+            or_remark(
+                gcode::wire(s.design, radius, s.contents.units),
+                Remark::NoProgram,
+            )
         }),
     ]
 };
@@ -225,7 +228,11 @@ fn second_profile(source: &Source) -> Made {
 
 fn sheet(source: &Source) -> Made {
     let (design, contents) = (source.design, source.contents);
-    let bytes = drawing::pdf(design, &contents.title, contents.language);
+    let title = drawing::Title {
+        units: contents.units,
+        ..contents.title
+    };
+    let bytes = drawing::pdf(design, &title, contents.language);
     let lacks = design.making.balance && design.balance_holes().contains(&None);
     Ok((
         Some(bytes),
@@ -248,6 +255,7 @@ fn arcs(source: &Source) -> Made {
         version: dxf::Version::R2000,
         bore: source.design.bore,
         content: source.contents.drawn,
+        units: source.contents.units,
     };
     Ok(match dxf::arcs(source.design, ARCS, options) {
         Some(drawing) => {
@@ -260,7 +268,12 @@ fn arcs(source: &Source) -> Made {
 
 /// The program for the first or the second cam.
 fn program(source: &Source, cam: usize) -> Made {
-    match gcode::milling(source.design, source.tool()) {
+    let cut = gcode::Milling {
+        tool: source.tool(),
+        pass: source.contents.pass,
+        units: source.contents.units,
+    };
+    match gcode::milling(source.design, &cut) {
         Ok(programs) => Ok((
             programs.into_iter().nth(cam).map(String::into_bytes),
             Vec::new(),

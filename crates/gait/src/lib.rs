@@ -38,11 +38,11 @@ pub use interpretation::{
     Clock, Column, Contact, Interpretation, MeanStanceCurve, Overlay, Period, coded,
 };
 pub use models::{ModelInfo, Status, catalogue, fourier, model};
-pub use read::{Cell, NumberTable, metadata_name, of_arrays, one_cycle, read};
+pub use read::{Cell, NumberTable, PlateFile, metadata_name, of_arrays, one_cycle, plate_of, read};
 pub use recording::{
-    Axis, Channel, ClockSource, CycleSource, DecimalMark, Feet, Foot, ForceUnit, Format, Idle,
-    Kind, MassSource, Note, OpenQuestion, PeriodSource, Processor, ReadOptions, Recording, Row,
-    SeparatorName, Storage, Strike, UnitSource, WeightShare,
+    Axis, Channel, ClockSource, CycleSource, DecimalMark, Feet, Foot, ForceUnit, Format, Heels,
+    Idle, Kind, MassSource, Note, OpenQuestion, PeriodSource, Processor, ReadOptions, Recording,
+    Row, SeparatorName, Storage, Strike, UnitSource, WeightShare,
 };
 pub use source::force_curve;
 pub use stance::{Point, RejectReason, Rejected, Stance, Stances, stances};

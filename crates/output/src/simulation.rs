@@ -7,7 +7,7 @@ use gaitcam::wording::Language;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Names of the columns of `dynamics.csv`, in order.
+/// Names of the columns of `dynamics.csv`, in order; of an arm lift and gap are [angles](ANGLES).
 const COLUMNS: [&str; 10] = [
     "theta_rad",
     "contact_force_n",
@@ -21,10 +21,21 @@ const COLUMNS: [&str; 10] = [
     "side_thrust_n",
 ];
 
-fn values(row: &Row) -> [f64; COLUMNS.len()] {
+/// Names of the columns that are angles where the follower swings.
+const ANGLES: [(&str, &str); 2] = [("lift_m", "lift_rad"), ("gap_m", "gap_rad")];
+
+/// The names of the columns for the follower that ran.
+fn names(outcome: &Outcome) -> [&'static str; COLUMNS.len()] {
+    COLUMNS.map(|name| {
+        let angle = ANGLES.iter().find(|a| a.0 == name && outcome.swings);
+        angle.map_or(name, |a| a.1)
+    })
+}
+
+fn values(outcome: &Outcome, row: &Row) -> [f64; COLUMNS.len()] {
     [
         row.theta,
-        row.contact_force,
+        row.contact_force / outcome.lever,
         row.torque,
         row.power,
         row.lift,
@@ -47,9 +58,9 @@ pub fn json(outcome: &Outcome) -> Value {
         "contact_lost": outcome.contact_lost,
         "lost_fraction": outcome.lost_fraction,
         "force": {
-            "min": outcome.force.min,
-            "max": outcome.force.max,
-            "rms_error_n": outcome.force.rms_error,
+            "min": outcome.force.min / outcome.lever,
+            "max": outcome.force.max / outcome.lever,
+            "rms_error_n": outcome.force.rms_error.map(|e| e / outcome.lever),
         },
         "torque": {
             "min": outcome.torque.min,
@@ -63,7 +74,7 @@ pub fn json(outcome: &Outcome) -> Value {
             "period_turns": outcome.period_turns,
             "impacts": impacts,
             "hertz": outcome.hertz.map(pressure_json),
-            "next": outcome.next.as_ref().map(difference_json),
+            "next": outcome.next.as_ref().map(|d| difference_json(d, outcome.lever)),
             "profile_mismatch_m": outcome.profile_mismatch,
             "law_mismatch_m": outcome.law_mismatch,
             "notes": notes,
@@ -73,18 +84,21 @@ pub fn json(outcome: &Outcome) -> Value {
 
 /// The columns of `dynamics.csv`.
 pub fn columns(outcome: &Outcome) -> Vec<(&'static str, Vec<f64>)> {
-    let column = |i: usize| outcome.rows.iter().map(|r| values(r)[i]).collect();
-    (COLUMNS.iter().enumerate())
-        .map(|(i, name)| (*name, column(i)))
+    let column = |i: usize| outcome.rows.iter().map(|r| values(outcome, r)[i]).collect();
+    (names(outcome).into_iter().enumerate())
+        .map(|(i, name)| (name, column(i)))
         .collect()
 }
 
 /// `dynamics.csv`: a header and one row per angle, numbers that read back exactly.
 pub fn csv(outcome: &Outcome) -> String {
-    let mut out = COLUMNS.join(",");
+    let mut out = names(outcome).join(",");
     out.push('\n');
     for row in &outcome.rows {
-        let cells: Vec<String> = values(row).iter().map(|x| format!("{x}")).collect();
+        let cells: Vec<String> = values(outcome, row)
+            .iter()
+            .map(|x| format!("{x}"))
+            .collect();
         out.push_str(&cells.join(","));
         out.push('\n');
     }
@@ -102,7 +116,7 @@ pub fn table(outcome: &Outcome, measures: Measures, language: Language) -> Strin
     lines.extend(loads(outcome, measures, words));
     lines.extend(motion(outcome, measures, words));
     if let Some(next) = &outcome.next {
-        lines.push(("simulation-next-model", change(next, words)));
+        lines.push(("simulation-next-model", change(next, outcome.lever, words)));
     }
     for note in &outcome.notes {
         lines.push(("simulation-note", note.sentence(language)));
@@ -242,19 +256,21 @@ fn pressure_json(p: Pressure) -> Value {
     })
 }
 
-fn difference_json(next: &Difference) -> Value {
+fn difference_json(next: &Difference, lever: f64) -> Value {
     json!({
         "model": next.model.name(),
-        "force_min_change_n": next.force_min,
-        "force_max_change_n": next.force_max,
-        "rms_error_change_n": next.rms_error,
+        "force_min_change_n": next.force_min / lever,
+        "force_max_change_n": next.force_max / lever,
+        "rms_error_change_n": next.rms_error.map(|e| e / lever),
         "lost_fraction_change": next.lost_fraction,
         "failed": next.failed.as_ref().map(ToString::to_string),
     })
 }
 
 /// What the next finer model would change.
-pub(crate) fn change(next: &Difference, words: &Words) -> String {
+///
+/// Forces in N: those of an arm at its lever, m.
+pub(crate) fn change(next: &Difference, lever: f64, words: &Words) -> String {
     let model = &*words.name(next.model.name());
     if let Some(fault) = &next.failed {
         let fault = fault.sentence(words.language());
@@ -274,12 +290,12 @@ pub(crate) fn change(next: &Difference, words: &Words) -> String {
         format!("{sign}{}", words.decimal(format!("{x:.4}")))
     };
     let error = next.rms_error.map_or(String::new(), |e| {
-        words.fill("simulation-next-rms", &[("rms", &written(e))])
+        words.fill("simulation-next-rms", &[("rms", &written(e / lever))])
     });
     let values = [
         ("model", model),
-        ("least", &*written(next.force_min)),
-        ("most", &*written(next.force_max)),
+        ("least", &*written(next.force_min / lever)),
+        ("most", &*written(next.force_max / lever)),
         ("error", &*error),
         ("lost", &*written(100.0 * next.lost_fraction)),
     ];

@@ -54,7 +54,7 @@ mod solve;
 pub use basis::{Basis, Entries, apply};
 pub use certificate::{Certificate, PROVED, certificate};
 pub use equality::solve as solve_equalities;
-pub use objective::{Quadratic, pointwise};
+pub use objective::{MeanSquare, Quadratic, pointwise};
 pub use program::{
     EXTRAS, Equality, FACE_END, Failure, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS,
     RISE, RmsLimit, Row, SIZES, Solution, Stop, only,

@@ -1,7 +1,7 @@
 //! Quadratic objectives: distance of the force to the target, and energies of derivatives.
 
 use super::band::ArrowMatrix;
-use super::basis::{Basis, Entries};
+use super::basis::{Basis, Entries, apply};
 use super::frame::dot;
 use crate::poly::{SplineSpace, gauss_legendre};
 use crate::program::only;
@@ -165,6 +165,94 @@ impl Quadratic {
     /// The root of twice the value at `x`: the RMS of what half a mean square is the value of.
     pub fn root(&self, x: &[f64]) -> f64 {
         (2.0 * self.value(x)).max(0.0).sqrt()
+    }
+}
+
+/// Half a mean square, ½ Σ factor (row·x − value)² + rest. As a sum of squares it keeps the digits that ½xᵀHx + gᵀx + c
+/// loses on many spans, where these terms are 10¹⁰ times what they leave.
+#[derive(Debug, Clone)]
+pub struct MeanSquare {
+    /// The same as one quadratic.
+    pub whole: Quadratic,
+    /// Rows at the nodes of a quadrature, with factor and value.
+    nodes: Vec<(Entries, f64, f64)>,
+    /// What no law takes away.
+    rest: f64,
+}
+
+impl MeanSquare {
+    /// ½·mean over the law of (w·svaj − target(θ))², as [`Quadratic::add_distance`] has it.
+    pub fn distance(
+        basis: &Basis,
+        weights: &[f64],
+        nodes: usize,
+        mut target: impl FnMut(f64, f64, &[(f64, f64)], &mut [f64]),
+    ) -> Self {
+        let breaks = basis.breaks();
+        let total = breaks[breaks.len() - 1] - breaks[0];
+        let (mut whole, mut all) = (Quadratic::zero(basis), Vec::new());
+        whole.add_distance(
+            basis,
+            weights,
+            nodes,
+            |start, width, rule, out| {
+                target(start, width, rule, out);
+                let piece = breaks.partition_point(|b| *b <= start) - 1;
+                for (&(u, part), &value) in rule.iter().zip(out.iter()) {
+                    let row = basis.row_on(piece, u, weights);
+                    all.push((row, part * width / total, value));
+                }
+            },
+            None,
+        );
+        MeanSquare {
+            whole,
+            nodes: all,
+            rest: 0.0,
+        }
+    }
+
+    /// The same for a target of this mean square, of which the values at the nodes are the nearest polynomials.
+    #[must_use]
+    pub fn with_mean_square(mut self, square: f64) -> Self {
+        self.rest = 0.5 * square - self.whole.constant;
+        self.whole.constant = 0.5 * square;
+        self
+    }
+
+    /// The value at `x`.
+    pub fn value(&self, x: &[f64]) -> f64 {
+        let square = |(row, factor, value): &(Entries, f64, f64)| {
+            0.5 * factor * (apply(row, x) - value).powi(2)
+        };
+        self.nodes.iter().map(square).sum::<f64>() + self.rest
+    }
+
+    /// The root of twice the value at `x`.
+    pub fn root(&self, x: &[f64]) -> f64 {
+        (2.0 * self.value(x)).max(0.0).sqrt()
+    }
+
+    /// The gradient at `x`.
+    pub(crate) fn gradient(&self, x: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; x.len()];
+        for (row, factor, value) in &self.nodes {
+            let miss = factor * (apply(row, x) - value);
+            row.iter().for_each(|&(i, a)| out[i] += miss * a);
+        }
+        out
+    }
+
+    /// First and second derivative at `x` along `way`.
+    pub(crate) fn along(&self, x: &[f64], way: &[f64]) -> (f64, f64) {
+        let terms = self.nodes.iter().map(|(row, factor, value)| {
+            let moved = apply(row, way);
+            (
+                factor * moved * (apply(row, x) - value),
+                factor * moved * moved,
+            )
+        });
+        terms.fold((0.0, 0.0), |sum, term| (sum.0 + term.0, sum.1 + term.1))
     }
 }
 

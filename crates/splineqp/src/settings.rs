@@ -105,8 +105,12 @@ pub struct RmsSettings {
     pub steps: usize,
     /// … from the weight of a neighbouring program …
     pub near_step: f64,
-    /// … so many times.
+    /// … so many times …
     pub near_steps: usize,
+    /// … or of ln p from the peak of the law of the least root mean square …
+    pub peak_step: f64,
+    /// … so many times.
+    pub peak_steps: usize,
     /// Contacts nearer to each other than this part of a piece begin as one.
     pub coincident: f64,
     /// Weights tried between two.
@@ -287,9 +291,11 @@ const CERTIFICATE: CertificateSettings = CertificateSettings {
 
 const RMS: RmsSettings = RmsSettings {
     step: 3.0,
-    steps: 6,
+    steps: 16,
     near_step: 0.5,
     near_steps: 3,
+    peak_step: 0.2,
+    peak_steps: 24,
     coincident: 0.02,
     weights: 40,
     same_weight: 1e-11,

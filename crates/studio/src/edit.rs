@@ -222,7 +222,7 @@ fn mend(table: &mut Table, read: &Read) {
             | SceneError::MassOfArm => {
                 remove(table, path);
             }
-            SceneError::ArmNeedsFixedAxis => remove(table, "drive.kind"),
+            SceneError::ArmOnMovingAxis => remove(table, "drive.kind"),
             _ => return,
         }
     }

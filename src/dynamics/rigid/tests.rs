@@ -16,6 +16,7 @@ fn spring_loaded(speed: f64) -> Drive {
         damping: 0.0,
         mass: 1.0,
         speed,
+        lever: 1.0,
     }
 }
 

@@ -139,6 +139,8 @@ impl Prepared {
     pub fn outcome(&self, model: Model) -> Outcome {
         Outcome {
             model,
+            swings: self.measures == Measures::Oscillating,
+            lever: self.drive.lever,
             why: ModelReason::AskedFor,
             contact_lost: false,
             lost_fraction: 0.0,

@@ -299,6 +299,7 @@ fn a_slow_or_standing_shaft_gives_the_static_force_in_every_model() {
         damping: 3.0,
         mass: 1.0,
         speed: 0.0,
+        lever: 1.0,
     };
     run.machine.train = Some(Train {
         stiffness: 1e9,

@@ -162,6 +162,7 @@ impl Key {
             (_, "pivot_distance") => "\"80 mm\"".to_string(),
             (_, "arm") => "\"70 mm\"".to_string(),
             (_, "piston_radius") => "\"0.75 in\"".to_string(),
+            _ if self.range == Range::Acute => "\"30 deg\"".to_string(),
             (Some(dimension), _) => dimension.example().to_string(),
             (None, _) => format!("\"{}\"", self.default),
         }

@@ -13,7 +13,7 @@ use super::special::{
 };
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
-use crate::force::{Feet, Kind as Movement};
+use crate::force::{self, Feet, Kind as Movement};
 use crate::law::Rise;
 use crate::scene::{Family, ForceScale, Gait, LimitKind, Minimise, Scene};
 use crate::units::Dimension::{self, *};
@@ -37,7 +37,7 @@ pub static KEYS: &[Key] = &[
     row("name", TEXT, "cam", field!(name)),
 
     row("gait.file",            TEXT,                                 "",      FILE),
-    row("gait.model",           TEXT,                                 "",      MODEL),
+    row("gait.model",           MODELS,                               "",      MODEL),
     row("gait.step_frequency",  number(Frequency, Positive),          "auto",  field!(gait?.step_frequency)).idle_when(over_recordings),
     row("gait.body_weight",     number(Force, Positive),              "auto",  field!(gait?.body_weight)).idle_when(over_recordings),
     row("gait.time",            TEXT,                                 "",      field!(gait?.time)).idle_when(over_models),
@@ -91,6 +91,7 @@ pub static KEYS: &[Key] = &[
     row("drive.kind",                words::<DriveKind>(),                "",           field!(drive.kind)),
     row("drive.mass",                number(Mass, Positive),              "auto",       field!(drive.mass)).only(|s| !is_on_arm(s)).idle_when(hydraulic),
     row("drive.inertia",             number(Inertia, Positive),           "auto",       field!(drive.mass)).only(is_on_arm).idle_when(hydraulic),
+    row("drive.lever",               number(Length, Positive),            "auto",       field!(drive.lever)).only(is_on_arm),
     row("drive.speed",               SPEED,                               "auto",       field!(drive.speed)),
     row("drive.gravity",             number(Acceleration, Positive),      "9.81 m/s^2", field!(drive.gravity)),
     row("drive.spring_rate",         by_arm(SpringRate, AngularRate, NotNegative), "0", field!(drive.spring_rate)).only(is_fixed_axis),
@@ -166,6 +167,11 @@ impl Takes {
 
 const FLAG: Takes = Takes(Kind::Flag, Any);
 const TEXT: Takes = Takes(Kind::Text, Any);
+/// The published load models.
+const MODELS: Takes = Takes(
+    Kind::Choice(|| force::catalogue().iter().map(|m| m.name).collect()),
+    Any,
+);
 const TEXTS: Takes = Takes(Kind::Texts, Any);
 /// Speed of a cam that turns or travels.
 const SPEED: Takes = Takes(

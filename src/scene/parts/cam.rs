@@ -129,6 +129,17 @@ impl CamSpec {
         }
     }
 
+    /// Distance from an arm's pivot at which forces act where the drive does not say, m: its length, under a flat face
+    /// the distance of the pivot. `None` under a follower that translates.
+    pub fn lever(&self) -> Option<f64> {
+        let arm = if self.follower.is_flat() {
+            self.pivot_distance.map(f64::abs)
+        } else {
+            self.arm
+        };
+        arm.filter(|_| self.is_oscillating())
+    }
+
     /// The hole for the shaft; without a keyway where the standard has none for it.
     pub fn hole(&self) -> Option<Bore> {
         let diameter = self.bore?;

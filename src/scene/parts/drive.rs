@@ -33,6 +33,9 @@ pub struct DriveSpec {
     pub preload: f64,
     /// Fixed axis: N·s/m.
     pub damping: f64,
+    /// Oscillating: distance from the pivot at which the target force and the piston act, m; `None` = the arm's length,
+    /// under a flat face the distance of the pivot.
+    pub lever: Option<f64>,
 }
 
 impl Default for DriveSpec {
@@ -47,6 +50,7 @@ impl Default for DriveSpec {
             spring_rate: 0.0,
             preload: 0.0,
             damping: 0.0,
+            lever: None,
         }
     }
 }

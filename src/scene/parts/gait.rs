@@ -209,6 +209,16 @@ pub enum Band {
     Width(f64),
 }
 
+impl Band {
+    /// The band of the moment that the force makes at a lever, m.
+    pub(crate) fn at_lever(self, lever: f64) -> Band {
+        match self {
+            Band::Spread => Band::Spread,
+            Band::Width(width) => Band::Width(lever * width),
+        }
+    }
+}
+
 /// A range of the cycle with its weight in the mean square force error.
 ///
 /// ```

@@ -188,12 +188,16 @@ impl Scatter {
     /// Computes the mean products of a design.
     ///
     /// # Errors
-    /// A design without a target force, which has no force error.
+    /// A design without a target force, which has no force error; an arm, whose lift changes with a profile error
+    /// differently at every angle.
     pub fn new(design: &Design) -> Result<Self> {
         let Some(target) = &design.target else {
             return Err(SweepError::NoForceError.into());
         };
         let count = FIXED + 2 * LOBES.count();
+        if design.cam.follower.is_oscillating() {
+            return Err(SweepError::ScatterOfArm.into());
+        }
         let mut products = vec![vec![0.0; count]; count];
         let mut row = vec![0.0; count];
         for i in 0..POINTS {

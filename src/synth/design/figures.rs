@@ -19,7 +19,7 @@ use crate::cam::LimitKind as Limit;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Figures {
-    /// Force against target.
+    /// Force against target, N; of an arm at its lever.
     pub force: ForceReport,
     /// Moved mass, kg.
     pub mass: f64,
@@ -51,7 +51,7 @@ impl Figures {
         let (cam, speed) = (&design.cam, design.drive.speed);
         let (follower, (low, high)) = (&cam.follower, design.pressure_angle_extremes());
         Figures {
-            force: design.force,
+            force: design.force.newtons(&design.drive),
             mass: design.drive.mass,
             speed,
             stroke: cam.law.stroke(),

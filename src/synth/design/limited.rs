@@ -26,6 +26,21 @@ impl Infeasible {
         let reason = serde_json::to_value(self.reasons.first()).unwrap_or_default();
         SynthError::NoLaw { reason }
     }
+
+    /// The key of the demands at fault; that of the law where points and dwells are.
+    pub(in crate::synth) fn key_of_demands(&self) -> &'static str {
+        let named = |of: fn(&Demand) -> bool| {
+            let of = |c: &Conflicting| matches!(c, Conflicting::Demand(d) if of(d));
+            self.conflict.iter().any(of)
+        };
+        let points = named(|d| matches!(d, Demand::AtPoint { .. }));
+        let dwells = named(|d| matches!(d, Demand::InDwell { .. }));
+        match (points, dwells) {
+            (true, false) => "law.point",
+            (false, true) => "law.dwell",
+            _ => "law",
+        }
+    }
 }
 
 /// A limit that holds with equality and pushes on the law.

@@ -228,3 +228,19 @@ pub struct ForceReport {
     /// Largest force.
     pub max_n: f64,
 }
+
+impl ForceReport {
+    /// The report in N: forces at the lever of an arm instead of moments about its pivot.
+    #[must_use]
+    pub fn newtons(self, drive: &Drive) -> ForceReport {
+        ForceReport {
+            rms_error_n: drive.newtons(self.rms_error_n),
+            max_error_n: drive.newtons(self.max_error_n),
+            rms_error_percent_of_mean: self.rms_error_percent_of_mean,
+            target_mean_n: drive.newtons(self.target_mean_n),
+            mean_n: drive.newtons(self.mean_n),
+            min_n: drive.newtons(self.min_n),
+            max_n: drive.newtons(self.max_n),
+        }
+    }
+}

@@ -116,6 +116,13 @@ pub enum Reason {
         roller: Quantity,
         hollow: Quantity,
     },
+    /// The force error of a spring whose preload is above the target.
+    PreloadAboveTarget {
+        error: Quantity,
+        allowed: Quantity,
+        preload: Quantity,
+        least: Quantity,
+    },
     /// The pressure angle is larger than allowed.
     PressureAngle {
         at: Quantity,

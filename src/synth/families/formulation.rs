@@ -10,7 +10,7 @@ use crate::problem::{Problem, Size, Target};
 use crate::scene::{Dwell, Minimise, Weigh};
 use crate::synth::limits;
 use crate::synth::optimum::Formulation;
-use crate::synth::qp::{Basis, PEAK, Program, Quadratic, RmsLimit};
+use crate::synth::qp::{Basis, MeanSquare, PEAK, Program, Quadratic};
 use crate::synth::search::{Objective, ObjectiveKey, Search};
 use crate::units::Quantity;
 
@@ -53,7 +53,7 @@ pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Pr
 pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<Formulation> {
     let stiffness = stiffness(problem);
     let (mut program, force) = unlimited(problem, search, spans)?;
-    program.rms = accuracy(problem, &program.basis, &force);
+    program.rms = limits::accuracy(problem, || mean_square(problem, &program.basis));
     let mut rows = limits::rows(problem);
     if problem.law.monotone {
         rows.extend(limits::monotone(problem));
@@ -89,7 +89,7 @@ pub fn of_harmonics(
     let force = force_distance(problem, &basis);
     let mut program = Program::new(basis, force.clone(), Vec::new(), problem.length);
     program.halt = search.halt.clone();
-    program.rms = accuracy(problem, &program.basis, &force);
+    program.rms = limits::accuracy(problem, || mean_square(problem, &program.basis));
     program.limits = limits::rows(problem);
     if !problem.level_is_known() {
         program.touch_at(unlimited.extremes(0).0.at);
@@ -101,14 +101,6 @@ pub fn of_harmonics(
         above_base_circle: limits::above_base_circle(problem),
         pieces: 2 * count,
     }
-}
-
-/// The accuracy as a limit, on the force error that is not weighed by phase.
-fn accuracy(problem: &Problem, basis: &Basis, force: &Quadratic) -> Option<RmsLimit> {
-    limits::accuracy(problem, || match problem.is_weighed() {
-        true => plain_distance(problem, basis),
-        false => force.clone(),
-    })
 }
 
 /// α: the objective's square part is at least ½ α mean(s″²); `None` where it has none.
@@ -308,44 +300,72 @@ fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
 /// The same with every part of the turn counted once.
 fn plain_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     let mut force = Quadratic::zero(basis);
-    let Some(target) = &problem.target else {
-        return force;
-    };
-    let (w, rest) = (problem.drive.weights(), problem.drive.rest_force);
-    match basis {
-        // Against polynomials the target is its nearest polynomial on every span.
-        Basis::Spline { space, .. } => {
-            let degree = space.degree();
-            let nearest = target.nearest(&basis.breaks(), degree);
-            let mut pieces = nearest.chunks_exact(degree + 1);
-            force.add_distance(
-                basis,
-                &w,
-                degree + 1,
-                |_, _, _, out| {
-                    for (out, f) in out.iter_mut().zip(pieces.next().unwrap_or_default()) {
-                        *out = f - rest;
-                    }
-                },
-                None,
-            );
-            force.constant = 0.5 * target.mean_square_from(rest);
-        }
-        Basis::Harmonic { .. } => {
-            let nodes = harmonic_nodes(basis, target);
-            force.add_distance(
-                basis,
-                &w,
-                nodes,
-                |start, width, places, out| {
-                    target.cells().on((start, width), places, out);
-                    out.iter_mut().for_each(|f| *f -= rest);
-                },
-                None,
-            );
+    if let Some((target, wanted)) = wanted(problem, basis) {
+        let w = problem.drive.weights();
+        force.add_distance(basis, &w, wanted.nodes, wanted.filling(), None);
+        if wanted.is_nearest {
+            force.constant = 0.5 * target.mean_square_from(problem.drive.rest_force);
         }
     }
     force
+}
+
+/// The same as a sum of squares.
+fn mean_square(problem: &Problem, basis: &Basis) -> MeanSquare {
+    let Some((target, wanted)) = wanted(problem, basis) else {
+        return MeanSquare::distance(basis, &[0.0], 1, |_, _, _, out| out.fill(0.0));
+    };
+    let w = problem.drive.weights();
+    let sum = MeanSquare::distance(basis, &w, wanted.nodes, wanted.filling());
+    if wanted.is_nearest {
+        sum.with_mean_square(target.mean_square_from(problem.drive.rest_force))
+    } else {
+        sum
+    }
+}
+
+/// The wanted force less that at rest, at the nodes of every piece of a basis.
+struct Wanted {
+    nodes: usize,
+    values: Vec<f64>,
+    /// Whether they are those of the nearest polynomials and not of the force itself.
+    is_nearest: bool,
+}
+
+impl Wanted {
+    /// Piece after piece, as a distance takes them.
+    fn filling(&self) -> impl FnMut(f64, f64, &[(f64, f64)], &mut [f64]) {
+        let mut pieces = self.values.chunks_exact(self.nodes);
+        move |_, _, _, out| out.copy_from_slice(pieces.next().unwrap_or_default())
+    }
+}
+
+/// `None` where no force is wanted. Against polynomials the target is its nearest polynomial on every span.
+fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted)> {
+    let target = problem.target.as_ref()?;
+    let breaks = basis.breaks();
+    let (nodes, mut values, is_nearest) = match basis {
+        Basis::Spline { space, .. } => {
+            let degree = space.degree();
+            (degree + 1, target.nearest(&breaks, degree).to_vec(), true)
+        }
+        Basis::Harmonic { .. } => {
+            let nodes = harmonic_nodes(basis, target);
+            let rule = gauss_legendre(nodes);
+            let mut values = vec![0.0; nodes * (breaks.len() - 1)];
+            for (ends, out) in breaks.windows(2).zip(values.chunks_exact_mut(nodes)) {
+                target.cells().on((ends[0], ends[1] - ends[0]), &rule, out);
+            }
+            (nodes, values, false)
+        }
+    };
+    (values.iter_mut()).for_each(|f| *f -= problem.drive.rest_force);
+    let wanted = Wanted {
+        nodes,
+        values,
+        is_nearest,
+    };
+    Some((target, wanted))
 }
 
 /// Nodes on every piece between whose ends harmonics and the cells of a force are smooth.

@@ -46,12 +46,16 @@ fn optimum(problem: &Problem, search: &Search) -> std::result::Result<Optimum, N
 }
 
 /// The optimum with an error of at most `most` N RMS: first without that limit on as many spans, because most laws keep it by
-/// themselves and are found several times faster, and where there is none without it there is none with it.
+/// themselves and are found several times faster, and where there is none without it there is none with it. A law of the least
+/// peak of a derivative does not move without a force to follow.
 fn limited_in_error(
     problem: &Problem,
     search: &Search,
     most: f64,
 ) -> std::result::Result<Optimum, NoLaw> {
+    if let Minimise::Peak(_) = problem.objective() {
+        return optimum(problem, search);
+    }
     let mut plain = problem.without_accuracy();
     plain.law.spans = Some(spans(problem, search)?.first());
     match optimum(&plain, search) {

@@ -9,7 +9,9 @@ use crate::synth::design::{Conflicting, Infeasible, Relaxation};
 use crate::synth::families::easing;
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::optimum::{Refusal, at_own_size, scp};
-use crate::synth::qp::{Demand, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic};
+use crate::synth::qp::{
+    Demand, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic, RmsLimit,
+};
 
 /// More demands than this are named without looking for the few that are to blame: each costs a program.
 const MOST_DEMANDS: usize = 64;
@@ -104,7 +106,9 @@ fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
         let stays = |name: Criterion| !names.contains(&name) || kept.contains(&name);
         let mut program = refusal.program.clone();
         program.limits.retain(|l| stays(l.name));
-        program.rms = program.rms.filter(|l| stays(l.name));
+        program.rms = program
+            .rms
+            .map(|l| if stays(l.name) { l } else { unlimited(l) });
         can_hold(problem, &program, refusal.nonconvex.map(|b| b.only(stays)))
     };
     // Where no law is found without any limit, the limits are not to blame.
@@ -127,13 +131,21 @@ fn conflicting_demands(problem: &Problem, program: &Program) -> Vec<Demand> {
     }
     let mut program = program.clone();
     program.limits.retain(|l| !is_asked(l));
-    program.rms = None;
+    program.rms = program.rms.map(unlimited);
     irreducible(&names, |kept| {
         let mut trial = program.clone();
         trial.equalities.retain(|e| kept.contains(&e.name));
         // Without a demand the law rests on the base circle.
         Some(kept.is_empty() || can_hold(problem, &trial, None) == Some(true))
     })
+}
+
+/// A limit on a mean that everything keeps: it still says which law is easily found.
+fn unlimited(limit: RmsLimit) -> RmsLimit {
+    RmsLimit {
+        most: f64::INFINITY,
+        ..limit
+    }
 }
 
 /// Whether a row is a number of the scene, and not the base circle, a monotone flank or the objective.
@@ -147,7 +159,15 @@ fn can_hold(
     program: &Program,
     nonconvex: Option<NonconvexLimits>,
 ) -> Option<bool> {
-    match program.solve() {
+    // The law of the least root mean square keeps the limit on it, or none does.
+    let solution = match (&program.rms, program.of_least_rms(None)) {
+        (Some(limit), Some(least)) => least.solve().and_then(|own| {
+            let holds = limit.excess(&own.x) <= BROKEN;
+            holds.then_some(own).ok_or(Failure::Infeasible)
+        }),
+        _ => program.solve(),
+    };
+    match solution {
         // What the exchange of rows could not bring inside the limits is no law.
         Ok(own) if own.violation > BROKEN => Some(false),
         Ok(own) => Some(nonconvex.is_none_or(|limits| {
@@ -178,7 +198,7 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
 /// The smallest force error under the other limits, as an accuracy; `None` for another limit.
 fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
     let limit = program.rms.as_ref().filter(|l| l.name == name)?;
-    let best = program.of_least_rms()?.solve().ok();
+    let best = program.of_least_rms(None)?.solve().ok();
     let best = best.filter(|s| s.violation <= BROKEN);
     let to = best.and_then(|s| limit.meaning.value(limit.half.root(&s.x)));
     Some(Relaxation::of(name, limit.meaning.value(limit.most)?, to))

@@ -189,6 +189,16 @@ impl<'a> Relaxing<'a> {
         passing(&number.with(self.problem, value), self.search)
     }
 
+    /// Whether a design passes with one value changed: where the accuracy is a limit, the law of the least force error keeps it
+    /// or none does, and is found sooner.
+    fn may_pass(&self, number: Relaxable, value: f64) -> bool {
+        let mut problem = number.with(self.problem, value);
+        if problem.limited_error().is_some() && self.problem.law.family == Family::Spline {
+            problem.law.minimise = Some(Minimise::ForceError);
+        }
+        passing(&problem, self.search).is_some()
+    }
+
     /// The value of the convex program, or a little more, where the design passes with it and not with less.
     fn near(&self, number: Relaxable, hint: f64) -> Option<f64> {
         // Next to the edge of what exists a program is hard to solve: where a little room does not help, nothing does.
@@ -201,7 +211,7 @@ impl<'a> Relaxing<'a> {
                 continue;
             }
             let back = to - BACK * to.abs() * number.sign();
-            return (room > 0.0 || self.tried(number, back).is_none()).then_some(to);
+            return (room > 0.0 || !self.may_pass(number, back)).then_some(to);
         }
         Some(weakest)
     }
@@ -239,11 +249,11 @@ impl<'a> Relaxing<'a> {
         }
         let size = from.abs().max(1e-3 * works.abs());
         let precise = |works: f64| self.precision * works.abs().max(size);
-        let holds = |value: f64| self.tried(number, value).is_some();
+        let holds = |value: f64| self.may_pass(number, value);
         let works = self.bisected(works, fails, precise, holds);
         // At the boundary of feasibility a program may fail numerically; a slightly weaker one is solved.
         let rounded = ROOMS.map(|room| number.with_room(works, room));
-        let passes = |to: &f64| *to == works || self.tried(number, *to).is_some();
+        let passes = |to: &f64| self.tried(number, *to).is_some();
         rounded.into_iter().find(passes)
     }
 

@@ -8,7 +8,7 @@ use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Problem, piecewise};
 use crate::scene::Minimise;
 use crate::synth::design::ForceReport;
-use crate::synth::qp::{Limit, Meaning, PEAK, Program, Quadratic, RmsLimit, TOLERANCE};
+use crate::synth::qp::{Limit, MeanSquare, Meaning, PEAK, Program, RmsLimit, TOLERANCE};
 use crate::synth::search::{ReportKey, Search};
 
 /// Smallest and largest force.
@@ -79,7 +79,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
 }
 
 /// The accuracy, where it limits a law that minimises something else; `half` is half the mean square of the force error.
-pub fn accuracy(problem: &Problem, half: impl FnOnce() -> Quadratic) -> Option<RmsLimit> {
+pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<RmsLimit> {
     let most = problem.limited_error()?;
     Some(RmsLimit {
         name: Criterion::Accuracy,

@@ -36,8 +36,8 @@ impl Refusal {
 
     /// Whether there is a law without the accuracy.
     pub fn is_of_accuracy(&self) -> bool {
-        let mut open = self.program.clone();
-        self.nonconvex.is_none() && open.rms.take().is_some() && open.solve().is_ok()
+        let open = self.program.of_least_rms(None);
+        self.nonconvex.is_none() && open.is_some_and(|open| open.solve().is_ok())
     }
 
     /// Family of the laws that it refuses.

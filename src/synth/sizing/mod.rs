@@ -148,7 +148,19 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
 pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
     let (size, wall) = (chosen_size(problem, cam), thin_wall(problem, cam));
     let shaft = thin_shaft(problem, cam, pressing);
-    [size, wall, shaft].into_iter().flatten().collect()
+    let roller = large_roller(problem, cam);
+    [size, wall, shaft, roller].into_iter().flatten().collect()
+}
+
+/// A roller larger than the cam itself is mostly a slip of the unit.
+fn large_roller(problem: &Problem, cam: &Cam) -> Option<Note> {
+    let follower = &cam.follower;
+    let largest = follower.base_radius() + problem.lever() * cam.law.stroke();
+    let rolls = !follower.is_unrolled() && !follower.kind().is_mushroom();
+    (rolls && follower.roller_radius() > largest).then(|| Note::LargeRoller {
+        roller: Quantity::length(follower.roller_radius()),
+        cam: Quantity::length(largest),
+    })
 }
 
 /// A wall around the hole for the shaft that is thinner than usual; a hole that cuts the profile is a failed check.

@@ -65,5 +65,5 @@ run-rigid-without-impacts = the rigid model leaves out the impacts where one cam
 run-flexible-pulls = the vibrating follower leaves the cam: the flexible model pulls there
 run-escapes = the mass leaves the cam and nothing brings it back
 run-not-periodic = the motion does not repeat within { $turns } turns and { $impacts } impacts
-run-swings = the follower oscillates: lift and gap are angles in rad, the force is the moment about the pivot in N·m, and mass, spring and preload of the drive act about the pivot; the normal force is in N
+run-swings = the follower oscillates: lift and gap are angles in rad, the force is the moment about the pivot in N·m (in the files the force at the lever, in N), and mass, spring and preload of the drive act about the pivot; the normal force is in N
 run-pair-distance = the conjugate pair keeps its distance within { $deviation }; where the force turns negative the second cam bears it

@@ -116,14 +116,14 @@ scene-keyway-too-wide = a keyway of { $width } does not fit a bore of { $bore }
     .help = write "auto", which takes the width of DIN 6885-1 for the bore
 scene-offset-reaches-prime = the offset of { $offset } is not smaller than the prime radius of { $prime }
     .help = reduce the offset or increase the prime radius
-scene-force-needs-translation = a target force defines a lift in metres over one turn, which this follower ({ $follower }) does not have
-    .help = use a translating follower, or remove [gait] and give a programme
+scene-force-needs-turn = a target force defines a lift over one turn, which this follower ({ $follower }) does not have
+    .help = use a follower on a disc cam, or remove [gait] and give a programme
 scene-length-needs-program = a law over a length must be given as a programme
     .help = set law.family = "program" with segments
 scene-turns-need-program = a law over several turns must be given as a programme
     .help = set law.family = "program" with segments
-scene-arm-needs-fixed-axis = the lift of an oscillating follower is an angle; a mass or a spring force in newtons does not apply to it
-    .help = use kind = "fixed-axis"; inertia, spring_rate and preload then refer to the pivot
+scene-arm-on-moving-axis = the shaft of a cam on a moving axis rides on a follower that translates; this follower swings about a fixed pivot
+    .help = use kind = "fixed-axis", whose inertia, spring_rate and preload refer to the pivot, or "hydraulic"
 scene-pair-not-closed = exactly one of this key and base_radius must be given
     .help = give the distance between faces or roller centres (oscillating: the angle between the arms), or the second cam's base_radius
 scene-frequency-and-stiffness = natural_frequency already defines the stiffness of the follower train

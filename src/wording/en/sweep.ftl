@@ -37,6 +37,7 @@ sweep-no-tolerance = "{ $typed }" takes no tolerance
 sweep-negative-tolerance = the tolerance of { $part } is negative: { $typed }
     .help = give the half width of the tolerance, 0 or more
 sweep-no-force-error = the scene has no target force, so it has no force error
+sweep-scatter-of-arm = tolerances are computed of followers that translate: on an arm the same error of the profile changes the lift differently at every angle; measure a made cam with gaitcam inspect
 sweep-front-without-moving-axis = only on a moving axis does a force limit hold the lift-off speed; use gaitcam sweep and gaitcam front --maximise liftoff_speed
 sweep-front-without-size = the size of the cam follows from the pressure here: give base_radius or prime_radius
     .help = add [gait] to the scene

@@ -71,5 +71,5 @@ run-rigid-without-impacts = el modelo rígido no incluye los impactos donde una 
 run-flexible-pulls = el seguidor que vibra se separa de la leva: ahí el modelo flexible tira
 run-escapes = la masa se separa de la leva y nada la devuelve
 run-not-periodic = el movimiento no se repite en { $turns } vueltas y { $impacts } impactos
-run-swings = el seguidor oscila: elevación y separación son ángulos en rad, la fuerza es el momento respecto al pivote en N·m, y la masa, el muelle y la precarga del accionamiento actúan respecto al pivote; la fuerza normal está en N
+run-swings = el seguidor oscila: elevación y separación son ángulos en rad, la fuerza es el momento respecto al pivote en N·m (en los archivos, la fuerza en la palanca, en N), y la masa, el muelle y la precarga del accionamiento actúan respecto al pivote; la fuerza normal está en N
 run-pair-distance = el par conjugado mantiene su distancia dentro de { $deviation }; donde la fuerza se vuelve negativa la soporta la segunda leva

@@ -116,14 +116,14 @@ scene-keyway-too-wide = un chavetero de { $width } no cabe en un agujero de { $b
     .help = escriba "auto", que toma la anchura de DIN 6885-1 para el agujero
 scene-offset-reaches-prime = la excentricidad de { $offset } no es menor que el radio primario, { $prime }
     .help = reduzca la excentricidad o aumente el radio primario
-scene-force-needs-translation = una fuerza objetivo define una elevación en metros en una vuelta, que este seguidor ({ $follower }) no tiene
-    .help = use un seguidor de traslación, o quite [gait] y dé un programa
+scene-force-needs-turn = una fuerza objetivo define una elevación en una vuelta, que este seguidor ({ $follower }) no tiene
+    .help = use un seguidor sobre una leva de disco, o quite [gait] y dé un programa
 scene-length-needs-program = una ley sobre una longitud debe darse como programa
     .help = ponga law.family = "program" con segmentos
 scene-turns-need-program = una ley de varias vueltas debe darse como programa
     .help = ponga law.family = "program" con segmentos
-scene-arm-needs-fixed-axis = la elevación de un seguidor oscilante es un ángulo; no se le puede aplicar una masa ni un muelle en newtons
-    .help = use kind = "fixed-axis"; inertia, spring_rate y preload se refieren entonces al pivote
+scene-arm-on-moving-axis = el árbol de una leva de eje móvil descansa sobre un seguidor de traslación; este seguidor oscila alrededor de un pivote fijo
+    .help = use kind = "fixed-axis", cuyos inertia, spring_rate y preload se refieren al pivote, o "hydraulic"
 scene-pair-not-closed = debe darse exactamente una de las dos: esta clave o base_radius
     .help = dé la distancia entre caras o centros de rodillo (oscilantes: el ángulo entre los brazos), o el base_radius de la segunda leva
 scene-frequency-and-stiffness = natural_frequency ya define la rigidez del tren del seguidor

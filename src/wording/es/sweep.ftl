@@ -37,6 +37,7 @@ sweep-no-tolerance = "{ $typed }" no admite tolerancia
 sweep-negative-tolerance = la tolerancia de { $part } es negativa: { $typed }
     .help = dé la semianchura de la tolerancia, 0 o más
 sweep-no-force-error = la escena no tiene fuerza objetivo, así que no tiene error de fuerza
+sweep-scatter-of-arm = las tolerancias se calculan para seguidores de traslación: en un brazo, el mismo error del perfil cambia la elevación de forma distinta en cada ángulo; mida una leva hecha con gaitcam inspect
 sweep-front-without-moving-axis = solo en un eje móvil un límite de fuerza fija la velocidad de despegue; use gaitcam sweep y gaitcam front --maximise liftoff_speed
 sweep-front-without-size = aquí el tamaño de la leva se deduce de la presión: indique base_radius o prime_radius
     .help = añada [gait] a la escena

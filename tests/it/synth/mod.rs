@@ -1,5 +1,6 @@
 //! Designs: families, limits, certificates, relaxations.
 
+mod arm;
 mod families;
 mod guard;
 mod limits;

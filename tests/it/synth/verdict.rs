@@ -397,3 +397,46 @@ fn none_is_read_and_written_back() {
         assert!(notes.contains(&Note::NotJudged { key }));
     }
 }
+
+#[test]
+fn a_preload_above_the_target_is_named_as_the_cause_of_the_force_error() {
+    // Half a sine of 500 N and nothing: a spring with a preload of 20 N presses with 20 N at least.
+    let force = |i: i32| (500.0 * (f64::from(i) * std::f64::consts::TAU / 200.0).sin()).max(0.0);
+    let target = ForceCurve::from_samples("a push", 1.0, (0..200).map(force).collect()).unwrap();
+    let pressed = |preload: &str| {
+        let text = format!(
+            "[gait]\nmodel = \"young\"\n[drive]\nkind = \"fixed-axis\"\nspring_rate = \"20 N/mm\"\n\
+             preload = \"{preload}\"\n[cam]\n{ROLLER}"
+        );
+        let scene = gaitcam::scene::Scene {
+            gait: Some(scene::Gait::given()),
+            ..scene_of(&text, &[])
+        };
+        synthesise(&scene, Some(&target)).unwrap()
+    };
+    judged(
+        &pressed("20 N"),
+        Verdict::Unacceptable,
+        "reason-preload-above-target",
+    );
+    assert!(!has(&pressed("20 N"), "reason-force-error"));
+    for preload in ["0", "-20 N"] {
+        assert!(
+            !has(&pressed(preload), "reason-preload-above-target"),
+            "{preload}"
+        );
+    }
+}
+
+#[test]
+fn a_roller_larger_than_its_cam_is_noted() {
+    let noted = |radius: &str| {
+        let design = walking(&[
+            "cam.follower=roller-translating",
+            &format!("cam.roller_radius={radius}"),
+        ]);
+        (design.notes.iter()).any(|note| matches!(note, Note::LargeRoller { .. }))
+    };
+    assert!(noted("10 m"));
+    assert!(!noted("10 mm"));
+}

@@ -125,9 +125,9 @@ impl<'a> Barrel<'a> {
                 .collect();
             pen.line(&line, Stroke::Centre);
         }
-        let length = words.mm(self.length(), 3);
+        let length = words.length(self.length(), 3);
         pen.upright(&length, [corner[1], top], corner[0], corner[0] - 8.0);
-        let around = words.mm(TAU * self.radius(), 3);
+        let around = words.length(TAU * self.radius(), 3);
         pen.level(&around, [corner[0], right], corner[1], corner[1] - 9.0);
     }
 
@@ -191,7 +191,7 @@ impl<'a> Barrel<'a> {
             pen.label(&text, from, slot, side);
         };
         let diameter = |key: &str, radius: f64| {
-            let size = format!("Ø {}", words.mm(2.0 * radius, 3));
+            let size = format!("Ø {}", words.length(2.0 * radius, 3));
             [words.text(key), size]
         };
         let at = |r: f64, angle: f64| [cx + r * angle.cos(), cy + r * angle.sin()];
@@ -202,7 +202,7 @@ impl<'a> Barrel<'a> {
         let mut cutter = diameter("drawing-groove-cutter", self.groove.roller_radius());
         let off = self.groove.axis_offset(Wall::Upper);
         if off > 0.0 {
-            cutter[1] += &format!(", z ± {}", words.mm(off, 3));
+            cutter[1] += &format!(", z ± {}", words.length(off, 3));
         }
         let cut = [cx, cy - 0.5 * scale * (floor + surface)];
         label(cutter, cut, -1.0, -0.75);
@@ -224,14 +224,14 @@ impl<'a> Barrel<'a> {
             let degrees = STEP * k;
             let theta = start + (degrees as f64).to_radians();
             let z = self.groove.law().svaj(theta).s - self.ends[0];
-            vec![degrees.to_string(), words.mm(z, 3)]
+            vec![degrees.to_string(), words.length(z, 3)]
         };
         Table {
             heading: vec![
                 words.text("drawing-stations"),
                 words.text("drawing-stations-height"),
             ],
-            columns: vec!["θ, °", "z, mm"],
+            columns: vec!["θ, °".to_string(), words.column("z")],
             rows: (self.rows[0]..self.rows[1]).map(row).collect(),
         }
     }

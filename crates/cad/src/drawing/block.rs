@@ -105,14 +105,15 @@ fn fields(
     words: &Words,
 ) -> Vec<Field> {
     let field = |key: &str, value: String| (words.text(key), value);
-    let mm = |x: f64| words.decimal(format!("{:.3} mm", 1e3 * x));
+    let unit = words.units().name();
+    let long = |x: f64| format!("{} {unit}", words.length(x, 3));
     let blank = || "–".to_string();
     let curvature = cam.curvature();
-    let concave = curvature.concave.map_or_else(blank, |c| mm(-c.value));
+    let concave = curvature.concave.map_or_else(blank, |c| long(-c.value));
     let roller = cam.follower.roller_radius();
     let contact = match cam.face_width() {
-        Some(width) => field("drawing-face", mm(width)),
-        None => field("drawing-roller", format!("Ø {}", mm(2.0 * roller))),
+        Some(width) => field("drawing-face", long(width)),
+        None => field("drawing-roller", format!("Ø {}", long(2.0 * roller))),
     };
     let speed = match cam.follower.measures() {
         Measures::Straight => format!("{} m/s", number(design.drive.speed.abs(), 4)),
@@ -138,7 +139,7 @@ fn fields(
         field("drawing-force-error", error),
         field("drawing-follower", words.name(cam.follower.kind().name())),
         contact,
-        field("drawing-convex", mm(curvature.convex.value)),
+        field("drawing-convex", long(curvature.convex.value)),
         field("drawing-concave", concave),
         field("drawing-speed", words.decimal(speed)),
         field(
@@ -151,7 +152,10 @@ fn fields(
         ),
         field("drawing-date", title.date.map_or_else(blank, civil_date)),
         field("drawing-sheet", format!("{sheet} / {sheets}")),
-        field("drawing-units", words.text("drawing-mm")),
+        field(
+            "drawing-units",
+            words.fill("drawing-lengths", &[("unit", unit)]),
+        ),
         field("drawing-program", program),
     ]
 }
@@ -169,7 +173,9 @@ fn accuracy(design: &Design, title: &Title, words: &Words) -> (String, String) {
         None => words.text("drawing-no-force"),
     };
     let tolerance = making.map_or(design.making.tolerance, |m| Some(m.tolerance));
-    let tolerance = tolerance.map_or("±".to_string(), |t| format!("± {} mm", short(1e3 * t)));
+    let units = words.units();
+    let within = |t: f64| format!("± {} {}", short(units.per_metre() * t), units.name());
+    let tolerance = tolerance.map_or("–".to_string(), within);
     (words.decimal(tolerance), error)
 }
 

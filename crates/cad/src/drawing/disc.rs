@@ -27,17 +27,24 @@ impl Piece<'_> {
     /// Draws the views; returns the table of radii.
     pub fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Words) -> Table {
         Views::new(self, layout, words).draw(pen);
-        let ball = words.mm(BALL, 3);
+        let ball = words.length(BALL, 3);
         let row = |row: &Radius| {
             let angle = format!("{:.0}", row.angle.to_degrees());
-            vec![angle, words.mm(row.profile, 3), words.mm(row.ball, 3)]
+            vec![
+                angle,
+                words.length(row.profile, 3),
+                words.length(row.ball, 3),
+            ]
         };
         Table {
             heading: vec![
                 words.text("drawing-radii"),
-                words.fill("drawing-radii-ball", &[("radius", &ball)]),
+                words.fill(
+                    "drawing-radii-ball",
+                    &[("radius", &ball), ("unit", words.units().name())],
+                ),
             ],
-            columns: vec!["φ, °", "r, mm", "b, mm"],
+            columns: vec!["φ, °".to_string(), words.column("r"), words.column("b")],
             rows: radii(&self.edge, BALL, ROWS).iter().map(row).collect(),
         }
     }

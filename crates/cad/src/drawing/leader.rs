@@ -104,13 +104,13 @@ impl Pen {
 
 /// Label of the hole for the shaft.
 pub fn bore(bore: &Bore, words: &Words) -> [String; 2] {
-    let size = format!("Ø {} H7", words.mm(bore.diameter, 3));
+    let size = format!("Ø {} H7", words.length(bore.diameter, 3));
     [words.text("drawing-bore"), size]
 }
 
 /// Label of its keyway: width with the fit of the key's seat, and the bore's height through it, by which it is measured.
 pub fn keyway(bore: &Bore, key: &Keyway, words: &Words) -> [String; 2] {
-    let height = words.mm(bore.diameter + key.depth, 2);
-    let size = format!("{} JS9, {height}", words.mm(key.width, 1));
+    let height = words.length(bore.diameter + key.depth, 2);
+    let size = format!("{} JS9, {height}", words.length(key.width, 1));
     [words.text("drawing-keyway"), size]
 }

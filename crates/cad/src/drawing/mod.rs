@@ -1,7 +1,7 @@
 //! `drawing.pdf`: the workshop drawing, one sheet for each cam.
 //!
 //! Lines and letters only (no pictures), with the fonts every reader has, so that the file stays small and its
-//! numbers can be searched and copied. Lengths on the sheet are millimetres, angles degrees, in the frame of
+//! numbers can be searched and copied. Lengths on the sheet are millimetres or inches, angles degrees, in the frame of
 //! the cam at θ = 0, the follower's motion upwards.
 
 mod barrel;
@@ -22,6 +22,7 @@ use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 use pdf_writer::{Finish, Name, Pdf, Rect, Ref, TextStr};
 
+use crate::Units;
 use crate::words::{Words, words};
 use barrel::Barrel;
 use layout::Layout;
@@ -42,6 +43,8 @@ pub struct Title {
     pub date: Option<u64>,
     /// RMS force error allowed, part of the mean force.
     pub accuracy: f64,
+    /// Unit of the dimensions.
+    pub units: Units,
 }
 
 /// RMS force error allowed where the scene says nothing, part of the mean force.
@@ -53,6 +56,7 @@ impl Default for Title {
             revision: None,
             date: None,
             accuracy: USUAL_ACCURACY,
+            units: Units::default(),
         }
     }
 }
@@ -110,7 +114,7 @@ impl<'a> Subject<'a> {
 
 /// The drawing.
 pub fn pdf(design: &Design, title: &Title, language: Language) -> Vec<u8> {
-    let words = words(language);
+    let words = words(language, title.units);
     let subjects = Subject::all(design);
     let mut next = 0;
     let mut fresh = || {

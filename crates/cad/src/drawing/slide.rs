@@ -82,10 +82,10 @@ impl<'a> Slide<'a> {
         pen.ring(&ring, Stroke::Outline);
         let pitch: Vec<[f64; 2]> = self.pitch.iter().map(place).collect();
         pen.line(&pitch, Stroke::Centre);
-        let length = words.mm(self.ends[1] - self.ends[0], 3);
+        let length = words.length(self.ends[1] - self.ends[0], 3);
         pen.level(&length, [x, x + long], y, y - 10.0);
         let start = self.points[0][1];
-        pen.upright(&words.mm(start, 3), [y, y + scale * start], x, x - 8.0);
+        pen.upright(&words.length(start, 3), [y, y + scale * start], x, x - 8.0);
         self.side(pen, [x + long + BETWEEN, y], scale, words);
         // The mark of θ = 0 and the cam's motion, above everything.
         let level = y + high + 6.0;
@@ -112,13 +112,13 @@ impl<'a> Slide<'a> {
         let [first, last] = [0, self.points.len() - 1].map(|i| foot + scale * self.points[i][1]);
         pen.line(&[[left, first], [right, first]], Stroke::Hidden);
         pen.line(&[[left, last], [right, last]], Stroke::Thin);
-        let thick = words.mm(self.design.thickness, 2);
+        let thick = words.length(self.design.thickness, 2);
         pen.level(&thick, [left, right], foot, foot - 10.0);
-        pen.upright(&words.mm(self.top, 3), [foot, top], left, left - 8.0);
+        pen.upright(&words.length(self.top, 3), [foot, top], left, left - 8.0);
     }
 
     fn table(&self, words: &Words) -> Table {
-        let ball = words.mm(BALL, 3);
+        let ball = words.length(BALL, 3);
         let [first, last] = self.ends;
         let step = step((last - first) / (ROWS - 2) as f64);
         let mut places: Vec<f64> = (0..ROWS)
@@ -127,16 +127,19 @@ impl<'a> Slide<'a> {
             .collect();
         places.push(last);
         let row = |&x: &f64| {
-            let mm = |y: Option<f64>| y.map_or("–".to_string(), |y| words.mm(y, 3));
+            let mm = |y: Option<f64>| y.map_or("–".to_string(), |y| words.length(y, 3));
             let [profile, ball] = [0.0, BALL].map(|off| mm(height(&self.edge, x, off)));
-            vec![words.mm(x - first, 3), profile, ball]
+            vec![words.length(x - first, 3), profile, ball]
         };
         Table {
             heading: vec![
                 words.text("drawing-heights"),
-                words.fill("drawing-heights-ball", &[("radius", &ball)]),
+                words.fill(
+                    "drawing-heights-ball",
+                    &[("radius", &ball), ("unit", words.units().name())],
+                ),
             ],
-            columns: vec!["x, mm", "y, mm", "b, mm"],
+            columns: ["x", "y", "b"].map(|symbol| words.column(symbol)).into(),
             rows: places.iter().map(row).collect(),
         }
     }

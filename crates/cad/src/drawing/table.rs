@@ -13,7 +13,7 @@ pub struct Table {
     /// What its columns are, one or two lines.
     pub heading: Vec<String>,
     /// Their symbols and units.
-    pub columns: Vec<&'static str>,
+    pub columns: Vec<String>,
     /// Its rows.
     pub rows: Vec<Vec<String>>,
 }
@@ -44,16 +44,15 @@ pub fn draw(pen: &mut Pen, table: &Table, layout: &Layout) {
     let width = (area.right - area.left) / blocks as f64;
     for (k, block) in table.rows.chunks(high).enumerate() {
         let left = area.left + width * k as f64;
-        let write = |pen: &mut Pen, cells: &[&str], y: f64| {
+        let write = |pen: &mut Pen, cells: &[String], y: f64| {
             for (cell, stop) in cells.iter().zip(&stops[1..]) {
                 pen.text(cell, [left + width * stop - 2.0, y], LETTERS, Anchor::End);
             }
         };
         write(pen, &table.columns, top - LINE + 1.2);
         for (i, row) in block.iter().enumerate() {
-            let cells: Vec<&str> = row.iter().map(String::as_str).collect();
             let y = top - LINE - ROW * (i + 1) as f64 + 0.8;
-            write(pen, &cells, y);
+            write(pen, row, y);
         }
         let bottom = top - LINE - ROW * high as f64 - 0.4;
         pen.frame([left, bottom], [left + width, top], Stroke::Thin);

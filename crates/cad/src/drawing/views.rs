@@ -171,7 +171,7 @@ impl<'a> Views<'a> {
         let angle = |[x, y]: [f64; 2]| x.atan2(y).rem_euclid(TAU).to_degrees();
         let circle = |radius: f64| Target::Circle(self.scale * radius);
         let far = farthest(&piece.edge, 20 * POINTS).p;
-        let long = words.mm(far[0].hypot(far[1]), 3);
+        let long = words.length(far[0].hypot(far[1]), 3);
         let at = words.decimal(format!("{:.1}", angle(far)));
         let size = format!("R {long}  φ {at}°");
         add(
@@ -179,7 +179,7 @@ impl<'a> Views<'a> {
             Target::Point(self.place(far)),
         );
         let (base, prime) = (piece.base(), piece.prime());
-        let size = |radius: f64| format!("R {}", words.mm(radius, 3));
+        let size = |radius: f64| format!("R {}", words.length(radius, 3));
         add(named("drawing-base-circle", size(base)), circle(base));
         if prime > base {
             add(named("drawing-prime-circle", size(prime)), circle(prime));
@@ -194,7 +194,7 @@ impl<'a> Views<'a> {
         }
         if let Some(hole) = piece.balance {
             let [x, y] = hole.centre;
-            let (size, far) = (words.mm(hole.diameter, 2), words.mm(x.hypot(y), 3));
+            let (size, far) = (words.length(hole.diameter, 2), words.length(x.hypot(y), 3));
             let at = words.decimal(format!("{:.2}", angle(hole.centre)));
             let size = format!("Ø {size}  R {far}  φ {at}°");
             add(
@@ -203,7 +203,7 @@ impl<'a> Views<'a> {
             );
         }
         if let Some(hub) = piece.hub {
-            let size = format!("Ø {}", words.mm(hub.diameter, 2));
+            let size = format!("Ø {}", words.length(hub.diameter, 2));
             add(named("drawing-hub", size), circle(0.5 * hub.diameter));
         }
         out
@@ -250,7 +250,7 @@ impl<'a> Views<'a> {
                 pen.line(&[[left, edge], [far, edge]], Stroke::Hidden);
             }
         }
-        let thickness = self.words.mm(self.piece.thickness, 2);
+        let thickness = self.words.length(self.piece.thickness, 2);
         let below = if self.piece.hub.is_some() {
             UNDER_HUB
         } else {
@@ -260,7 +260,7 @@ impl<'a> Views<'a> {
         if let Some(hub) = self.piece.hub {
             let (half, out) = (0.5 * self.scale * hub.diameter, self.scale * hub.length);
             pen.frame([right, y - half], [right + out, y + half], Stroke::Outline);
-            let whole = self.words.mm(self.piece.width(), 2);
+            let whole = self.words.length(self.piece.width(), 2);
             pen.level(&whole, [left, right + out], ends[0], ends[0] - UNDER);
         }
     }

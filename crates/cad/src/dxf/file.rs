@@ -7,6 +7,7 @@
 use std::fmt::{Display, Write};
 
 use super::Version;
+use crate::Units;
 use crate::spline::Clamped;
 use gaitcam_base::text::append;
 
@@ -32,10 +33,43 @@ pub enum Shape {
     },
 }
 
+impl Shape {
+    /// The same as large by a factor.
+    fn scaled(&self, factor: f64) -> Shape {
+        let point = |p: [f64; 2]| p.map(|x| factor * x);
+        match self {
+            Shape::Polyline { vertices, closed } => Shape::Polyline {
+                vertices: (vertices.iter())
+                    .map(|&[x, y, bulge]| [factor * x, factor * y, bulge])
+                    .collect(),
+                closed: *closed,
+            },
+            Shape::Spline(Clamped { control, knots }) => Shape::Spline(Clamped {
+                control: control.iter().map(|&p| point(p)).collect(),
+                knots: knots.clone(),
+            }),
+            Shape::Circle { centre, radius } => Shape::Circle {
+                centre: point(*centre),
+                radius: factor * radius,
+            },
+            Shape::Line { ends } => Shape::Line {
+                ends: ends.map(point),
+            },
+            Shape::Text { at, height, text } => Shape::Text {
+                at: point(*at),
+                height: factor * height,
+                text,
+            },
+        }
+    }
+}
+
 /// A drawing of shapes on layers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawing {
     pub version: Version,
+    /// Unit of the file.
+    pub units: Units,
     /// Names with their colour indices.
     pub layers: Vec<(&'static str, u8)>,
     pub shapes: Vec<(&'static str, Shape)>,
@@ -60,6 +94,11 @@ impl Drawing {
         file.text.into_bytes()
     }
 
+    /// From millimetres to the unit of the file.
+    fn scale(&self) -> f64 {
+        1e-3 * self.units.per_metre()
+    }
+
     fn header(&self, out: &mut Groups, free: u32) {
         let version = match self.version {
             Version::R12 => "AC1009",
@@ -71,11 +110,15 @@ impl Drawing {
             out.put(9, "$DWGCODEPAGE").put(3, "ANSI_1252");
             out.put(9, "$HANDSEED").put(5, format!("{free:X}"));
         }
-        // R12 has no variable for units; its readers look for the later one. 4 is millimetres.
-        out.put(9, "$INSUNITS").put(70, 4);
-        out.put(9, "$MEASUREMENT").put(70, 1);
+        let [unit, measurement] = match self.units {
+            Units::Millimetres => [4, 1],
+            Units::Inches => [1, 0],
+        };
+        // R12 has no variable for units; its readers look for the later one.
+        out.put(9, "$INSUNITS").put(70, unit);
+        out.put(9, "$MEASUREMENT").put(70, measurement);
         for (name, [x, y]) in ["$EXTMIN", "$EXTMAX"].into_iter().zip(self.extent) {
-            out.put(9, name).point(10, [x, y]);
+            out.put(9, name).point(10, [x, y].map(|x| self.scale() * x));
         }
         out.put(0, "ENDSEC");
     }
@@ -142,7 +185,7 @@ impl Drawing {
     fn entities(&self, out: &mut Groups, space: u32) {
         out.section("ENTITIES");
         for (layer, shape) in &self.shapes {
-            match shape {
+            match &shape.scaled(self.scale()) {
                 Shape::Polyline { vertices, closed } => {
                     out.polyline(space, layer, vertices, *closed);
                 }

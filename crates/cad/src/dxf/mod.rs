@@ -1,10 +1,10 @@
-//! `profile.dxf`: the cam for CAD, at true scale in millimetres, each curve on its own layer.
+//! `profile.dxf`: the cam for CAD, at true scale in millimetres or inches, each curve on its own layer.
 
 mod file;
 
 use self::file::{Drawing, Shape};
 use super::outline::{Arrow, Edge, marks, zero_mark};
-use super::{biarc, spline};
+use super::{Units, biarc, spline};
 use gaitcam::cam::Bore;
 use gaitcam::synth::Design;
 
@@ -73,6 +73,8 @@ pub struct Options {
     pub bore: Option<Bore>,
     /// Which layers.
     pub content: Content,
+    /// Unit of lengths.
+    pub units: Units,
 }
 
 /// Largest distance of the default drawing from the profile, m: a hundredth of the error of grinding, with fewer
@@ -85,12 +87,19 @@ const SPLINES: f64 = 5e-8;
 /// The drawing that is cut from: the profile in arcs that stay within [`FAITHFUL`] of it (R12) or in splines (R2000),
 /// the bore that the scene gives. A profile that neither follows, and the pitch curve, are polylines of `points`
 /// vertices at equal steps of the cam angle.
-pub fn profile(synthesis: &Design, points: usize, content: Content, curves: Curves) -> Vec<u8> {
+pub fn profile(
+    synthesis: &Design,
+    points: usize,
+    content: Content,
+    curves: Curves,
+    units: Units,
+) -> Vec<u8> {
     let options = Options {
         points,
         version: Version::R12,
         bore: synthesis.bore,
         content,
+        units,
     };
     let drawn = match curves {
         Curves::Arcs => arcs(synthesis, FAITHFUL, options).map(|drawn| drawn.bytes),
@@ -183,6 +192,7 @@ impl Sheet {
         Sheet {
             drawing: Drawing {
                 version: options.version,
+                units: options.units,
                 layers: Vec::new(),
                 shapes: Vec::new(),
                 extent: [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]],

@@ -10,7 +10,7 @@ use gaitcam::cam::{BarrelGroove, Wall};
 use gaitcam::error::{Result, WriteError};
 use gaitcam::units::Quantity;
 
-use super::{ACCELERATION, FEED, comment, finished};
+use super::{ACCELERATION, DECIMALS, FEED, Milling, code, comment, finished, named};
 
 const MM: f64 = 1000.0;
 /// Largest distance of the lines from the path of the roller, m.
@@ -22,8 +22,9 @@ const DEEPEST: usize = 16;
 /// Relative difference below which two radii are equal.
 const ONE: f64 = 1e-6;
 
-/// The program for a cutter of radius `tool` m; two passes where two rollers are set off from their stud.
-pub fn program(groove: &BarrelGroove, name: &str, tool: f64) -> Result<String> {
+/// The program for a cutter; two passes where two rollers are set off from their stud.
+pub fn program(groove: &BarrelGroove, name: &str, cut: &Milling) -> Result<String> {
+    let (tool, units) = (cut.tool, cut.units);
     let roller = groove.roller_radius();
     if (tool - roller).abs() > ONE * roller {
         return Err(WriteError::GrooveCutter {
@@ -43,19 +44,27 @@ pub fn program(groove: &BarrelGroove, name: &str, tool: f64) -> Result<String> {
     let stations = stations(groove);
     let mut offsets = walls.map(|wall| groove.axis_offset(wall)).to_vec();
     offsets.dedup();
-    let place = |theta: f64, offset: f64| MM * (groove.law().svaj(theta).s + offset);
+    let place = |theta: f64, offset: f64| groove.law().svaj(theta).s + offset;
+    let long = |x: f64| units.number(x, DECIMALS);
     // Writing to a String cannot fail.
     let _ = write!(
         out,
-        "(GROOVE, CUTTER AND ROLLER OF RADIUS {:.4} MM, BOTH AXES MEET)\n\
+        "(GROOVE, CUTTER AND ROLLER OF RADIUS {}, BOTH AXES MEET)\n\
          (X ALONG THE BARREL FROM LIFT 0, A = THETA: ANGLE OF THE BARREL)\n\
-         (FLOOR AT RADIUS {:.4} MM, SURFACE AT RADIUS {:.4} MM)\n\
-         (FEED {FEED:.0} MM/MIN AT THE SURFACE, WRITTEN AS 1/MIN)\n\
-         G90 G21 G40 G94\nG0 X{:.4} A{:.5}\nM0 (TOOL TO THE FLOOR)\nG93\n",
-        MM * tool,
-        MM * floor,
-        MM * surface,
-        place(start, offsets[0]),
+         (FLOOR AT RADIUS {}, SURFACE AT RADIUS {})\n\
+         (FEED {FEED:.0} MM/MIN AT THE SURFACE, WRITTEN AS 1/MIN)\n",
+        named(units, tool),
+        named(units, floor),
+        named(units, surface),
+    );
+    if cut.pass.is_some() {
+        out.push_str("(ONE PASS, DEPTH BY THE OPERATOR)\n");
+    }
+    let _ = write!(
+        out,
+        "G90 {} G40 G94\nG0 X{} A{:.5}\nM0 (TOOL TO THE FLOOR)\nG93\n",
+        code(units),
+        long(place(start, offsets[0])),
         start.to_degrees(),
     );
     for (pass, offset) in offsets.iter().enumerate() {
@@ -63,17 +72,17 @@ pub fn program(groove: &BarrelGroove, name: &str, tool: f64) -> Result<String> {
         if pass > 0 {
             let across = MM * (offset - offsets[pass - 1]).abs();
             let x = place(start, *offset);
-            let _ = writeln!(out, "G1 X{x:.4} F{:.3}", FEED / across);
+            let _ = writeln!(out, "G1 X{} F{:.3}", long(x), FEED / across);
         }
         for pair in stations.windows(2) {
-            let rise = place(pair[1], 0.0) - place(pair[0], 0.0);
-            let long = (MM * surface * (pair[1] - pair[0])).hypot(rise);
+            let rise = MM * (place(pair[1], 0.0) - place(pair[0], 0.0));
+            let way = (MM * surface * (pair[1] - pair[0])).hypot(rise);
             let _ = writeln!(
                 out,
-                "G1 X{:.4} A{:.5} F{:.3}",
-                place(pair[1], *offset),
+                "G1 X{} A{:.5} F{:.3}",
+                long(place(pair[1], *offset)),
                 (pair[1] + gone).to_degrees(),
-                feed(groove, 0.5 * (pair[0] + pair[1])) / long
+                feed(groove, 0.5 * (pair[0] + pair[1])) / way
             );
         }
     }

@@ -5,25 +5,60 @@ mod groove;
 mod outside;
 mod wire;
 
-use std::fmt::Write;
-
 use gaitcam::cam::Bore;
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
 use self::outside::Lead;
-use super::cutter;
 use super::outline::Edge;
+use super::{Units, cutter};
 
 const MM: f64 = 1000.0;
 /// Feed of the point of contact along the profile, mm/min: 0.05 mm per tooth, two teeth, 2000 rpm. Operators
 /// adjust it with the override.
 const FEED: f64 = 200.0;
+/// Speed of the spindle that belongs to it, 1/min.
+const SPINDLE: f64 = 2000.0;
+/// Feed of the cutter along its axis, part of [`FEED`].
+const PLUNGE: f64 = 0.25;
+/// Height above the plate at which the cutter moves fast, m.
+const CLEAR: f64 = 0.005;
+/// A rest of the plate below this part of a pass is no pass of its own.
+const REST: f64 = 1e-6;
 /// Acceleration that the machine's table keeps to on an arc, mm/s².
 const ACCELERATION: f64 = 500.0;
 /// Relative change from which a feed is written again.
 const NEW_FEED: f64 = 0.01;
+
+/// How a cam is milled.
+///
+/// ```
+/// use gaitcam_cad::{Units, gcode::Milling};
+///
+/// let cut = Milling { pass: Some(0.002), ..Milling::of(0.003) };
+/// assert_eq!((cut.tool, cut.units), (0.003, Units::Millimetres));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Milling {
+    /// Radius of the cutter, m.
+    pub tool: f64,
+    /// Depth of a pass, m; `None` leaves depth and spindle to the operator.
+    pub pass: Option<f64>,
+    /// Unit of the program.
+    pub units: Units,
+}
+
+impl Milling {
+    /// With a cutter of a radius, m, in millimetres, depth by the operator.
+    pub fn of(tool: f64) -> Milling {
+        Milling {
+            tool,
+            pass: None,
+            units: Units::Millimetres,
+        }
+    }
+}
 
 /// A piece of a path; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,55 +101,71 @@ struct Path {
     moves: Vec<Move>,
 }
 
-/// The programs for a cutter of radius `tool` m: the bore and around the outside of each cam, or through the groove of a
-/// barrel, whose cutter has the roller's radius.
+/// The programs for a cutter: the bore and around the outside of each cam, or through the groove of a barrel, whose
+/// cutter has the roller's radius.
 ///
 /// # Errors
-/// A radius that is not positive; a profile that no chain of arcs follows (undercut, jumps of the velocity), a cutter
-/// that does not fit a hollow or is not the groove's.
-pub fn milling(design: &Design, tool: f64) -> Result<Vec<String>> {
-    let tool = cutter::positive(tool)?;
+/// A radius or a pass that is not positive; a profile that no chain of arcs follows (undercut, jumps of the velocity), a
+/// cutter that does not fit a hollow or is not the groove's.
+pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
+    let tool = cutter::positive(cut.tool)?;
+    if let Some(pass) = cut.pass.filter(|p| !(p.is_finite() && *p > 0.0)) {
+        let pass = Quantity::length(pass);
+        return Err(WriteError::DepthOfPass { pass }.into());
+    }
     if let Some(groove) = &design.groove {
-        return Ok(vec![groove::program(groove, &design.name, tool)?]);
+        return Ok(vec![groove::program(groove, &design.name, cut)?]);
     }
     let program = |edge: &Edge| {
         let path = outside::path(edge, tool, Lead::Arcs).ok_or(WriteError::NoCutterPath)?;
-        let mut text = head(
-            design,
-            &[
-                &format!(
-                    "CENTRE PATH, RADIUS OF CUTTER {:.4} MM, NO COMPENSATION",
-                    MM * tool
-                ),
-                &format!("FEED {FEED:.0} MM/MIN AT THE PROFILE"),
-            ],
-        );
-        if let Some(bore) = design.bore {
-            if bore.keyway.is_some() {
-                text.push_str("(THE KEYWAY IS NOT MILLED)\n");
-            }
-            // The round part; a cutter too wide for it leaves the bore to a drill.
-            if let Some(mut hole) = wire::hole(&Bore::plain(bore.diameter), tool) {
-                let feed = feed_on(bore.radius() - tool, bore.radius());
-                hole.moves.iter_mut().for_each(|step| step.feed = feed);
-                begin(
-                    &mut text,
-                    hole.start,
-                    "BORE, TOOL TO DEPTH",
-                    design.thickness,
-                );
-                moves(&mut text, &hole);
-                text.push_str("M0 (TOOL CLEAR)\n");
-            } else {
-                text.push_str("(THE BORE IS NOT MILLED, CUTTER TOO WIDE)\n");
-            }
+        let mut out = Program::new(design, cut.units);
+        out.note(&format!(
+            "CENTRE PATH, RADIUS OF CUTTER {}, NO COMPENSATION",
+            out.named(tool)
+        ));
+        let feed = out.feed(FEED);
+        out.note(&format!(
+            "FEED {feed} AT THE PROFILE, CLIMB MILLING, SPINDLE CLOCKWISE"
+        ));
+        if let Some(pass) = cut.pass {
+            let depth = out.named(pass);
+            out.note(&format!("Z0 ON TOP OF THE PLATE, PASSES OF {depth}"));
         }
-        begin(&mut text, path.start, "TOOL TO DEPTH", design.thickness);
-        moves(&mut text, &path);
-        end(&mut text, "TOOL CLEAR");
-        Ok(finished(text))
+        out.begin_plane(design);
+        if cut.pass.is_some() {
+            let clear = out.length(CLEAR);
+            out.line(&format!("G0 Z{clear}\nS{SPINDLE:.0} M3"));
+        }
+        bore(&mut out, design, cut);
+        out.passes(&path, "TOOL TO DEPTH", cut.pass);
+        out.end(if cut.pass.is_some() {
+            "M5"
+        } else {
+            "M0 (TOOL CLEAR)"
+        });
+        Ok(out.finished())
     };
     Edge::all(design).iter().map(program).collect()
+}
+
+/// The round part of the bore; a cutter too wide for it leaves it to a drill.
+fn bore(out: &mut Program, design: &Design, cut: &Milling) {
+    let Some(bore) = design.bore else {
+        return;
+    };
+    if bore.keyway.is_some() {
+        out.note("THE KEYWAY IS NOT MILLED, A CUTTER ROUNDS ITS CORNERS. BROACH IT OR USE A WIRE");
+    }
+    let Some(mut hole) = wire::hole(&Bore::plain(bore.diameter), cut.tool) else {
+        out.note("THE BORE IS NOT MILLED, CUTTER TOO WIDE");
+        return;
+    };
+    let feed = feed_on(bore.radius() - cut.tool, bore.radius());
+    hole.moves.iter_mut().for_each(|step| step.feed = feed);
+    out.passes(&hole, "BORE, TOOL TO DEPTH", cut.pass);
+    if cut.pass.is_none() {
+        out.line("M0 (TOOL CLEAR)");
+    }
 }
 
 /// The program for a wire that cuts at `radius` m from its centre (half its diameter and the spark gap): hole for the shaft with
@@ -122,113 +173,186 @@ pub fn milling(design: &Design, tool: f64) -> Result<Vec<String>> {
 ///
 /// # Errors
 /// As [`milling`]; a barrel, and a wire that the keyway has no room for.
-pub fn wire(design: &Design, radius: f64) -> Result<String> {
+pub fn wire(design: &Design, radius: f64, units: Units) -> Result<String> {
     let radius = cutter::positive(radius)?;
     if design.groove.is_some() {
         return Err(WriteError::NoCutterPath.into());
     }
     let outside = outside::path(&Edge::of(&design.cam), radius, Lead::Lines);
     let outside = outside.ok_or(WriteError::NoCutterPath)?;
-    let mut text = head(
-        design,
-        &[&format!(
-            "WIRE AND GAP {:.4} MM, NO COMPENSATION, FEED BY THE GENERATOR",
-            MM * radius
-        )],
-    );
+    let mut out = Program::new(design, units);
+    let size = out.named(radius);
+    out.note(&format!(
+        "WIRE AND GAP {size}, NO COMPENSATION, FEED BY THE GENERATOR"
+    ));
+    out.begin_plane(design);
     if let Some(bore) = &design.bore {
         let hole = wire::hole(bore, radius).ok_or(WriteError::WireTooThick {
             radius: Quantity::length(radius),
         })?;
         if bore.keyway.is_some() {
-            let _ = writeln!(
-                text,
-                "(CORNERS OF THE KEYWAY KEEP A RADIUS OF {:.4} MM)",
-                MM * radius
-            );
+            out.note(&format!("CORNERS OF THE KEYWAY KEEP A RADIUS OF {size}"));
         }
-        begin(
-            &mut text,
-            hole.start,
-            "THREAD THE WIRE, START HOLE",
-            design.thickness,
-        );
-        moves(&mut text, &hole);
-        text.push_str("M0 (CUT THE WIRE)\n");
+        out.passes(&hole, "THREAD THE WIRE, START HOLE", None);
+        out.line("M0 (CUT THE WIRE)");
     }
-    begin(
-        &mut text,
-        outside.start,
-        "THREAD THE WIRE, START HOLE OR EDGE",
-        design.thickness,
-    );
-    moves(&mut text, &outside);
-    end(&mut text, "CUT THE WIRE");
-    Ok(finished(text))
+    out.passes(&outside, "THREAD THE WIRE, START HOLE OR EDGE", None);
+    out.end("M0 (CUT THE WIRE)");
+    Ok(out.finished())
 }
 
-/// The program's first lines, for paths in the plane of the cam.
-fn head(design: &Design, notes: &[&str]) -> String {
-    let mut out = format!("%\n({})\n", comment(&design.name));
-    for note in notes {
-        // Writing to a String cannot fail.
-        let _ = writeln!(out, "({note})");
+/// A program that is being written.
+struct Program {
+    text: String,
+    units: Units,
+    thickness: f64,
+}
+
+impl Program {
+    fn new(design: &Design, units: Units) -> Program {
+        Program {
+            text: format!("%\n({})\n", comment(&design.name)),
+            units,
+            thickness: design.thickness,
+        }
     }
-    let zero = if design.cam.follower.is_unrolled() {
-        "ZERO AT THE FOOT BELOW THE START, +Y ALONG THE FOLLOWER"
-    } else {
-        "ZERO AT THE CENTRE OF THE CAM, +Y ALONG THE FOLLOWER AT THETA = 0"
-    };
-    let _ = writeln!(out, "({zero})\nG90 G21 G17 G40 G94");
-    out
-}
 
-/// Move to the start of a path, with an instruction for the operator.
-fn begin(out: &mut String, start: [f64; 2], task: &str, thickness: f64) {
-    let [x, y] = start.map(|v| MM * v);
-    let _ = writeln!(
-        out,
-        "G0 X{x:.4} Y{y:.4}\nM0 ({task}, PLATE {:.3} MM)",
-        MM * thickness
-    );
-}
+    /// Lines as they are.
+    fn line(&mut self, line: &str) {
+        self.text.push_str(line);
+        self.text.push('\n');
+    }
 
-fn moves(out: &mut String, path: &Path) {
-    let mut at = path.start;
-    let mut feed: f64 = 0.0;
-    for step in &path.moves {
-        let [x, y] = step.to.map(|v| MM * v);
-        let _ = match step.arc {
-            None => write!(out, "G1 X{x:.4} Y{y:.4}"),
-            Some((centre, counter_clockwise)) => {
-                let code = if counter_clockwise { "G3" } else { "G2" };
-                let [i, j] = [0, 1].map(|k| MM * (centre[k] - rounded(at[k])));
-                write!(out, "{code} X{x:.4} Y{y:.4} I{i:.4} J{j:.4}")
-            }
+    fn note(&mut self, note: &str) {
+        self.line(&format!("({note})"));
+    }
+
+    /// A length in m.
+    fn length(&self, x: f64) -> String {
+        self.units.number(x, DECIMALS)
+    }
+
+    /// A length in m with its unit.
+    fn named(&self, x: f64) -> String {
+        named(self.units, x)
+    }
+
+    /// A feed in mm/min with its unit.
+    fn feed(&self, feed: f64) -> String {
+        let unit = self.units.name().to_uppercase();
+        format!("{} {unit}/MIN", written_feed(self.units, feed))
+    }
+
+    /// The end of the head, for paths in the plane of the cam.
+    fn begin_plane(&mut self, design: &Design) {
+        self.note(if design.cam.follower.is_unrolled() {
+            "ZERO AT THE FOOT BELOW THE START, +Y ALONG THE FOLLOWER"
+        } else {
+            "ZERO AT THE CENTRE OF THE CAM, +Y ALONG THE FOLLOWER AT THETA = 0"
+        });
+        let plane = code(self.units);
+        self.line(&format!("G90 {plane} G17 G40 G94"));
+    }
+
+    /// A path at every depth of a pass (m), or once with an instruction for the operator.
+    fn passes(&mut self, path: &Path, task: &str, pass: Option<f64>) {
+        let [x, y] = path.start.map(|v| self.length(v));
+        let start = format!("G0 X{x} Y{y}");
+        let Some(pass) = pass else {
+            let plate = self.units.number(self.thickness, 3);
+            let unit = self.units.name().to_uppercase();
+            self.line(&format!("{start}\nM0 ({task}, PLATE {plate} {unit})"));
+            return self.moves(path);
         };
-        if (step.feed - feed).abs() > NEW_FEED * feed {
-            feed = step.feed;
-            let _ = write!(out, " F{feed:.0}");
+        let plunge = written_feed(self.units, PLUNGE * FEED);
+        let count = (self.thickness / pass - REST).ceil().max(1.0) as usize;
+        for k in 1..=count {
+            let depth = self.length(-(k as f64 * pass).min(self.thickness));
+            self.line(&format!("{start}\nG1 Z{depth} F{plunge}"));
+            self.moves(path);
+            let clear = self.length(CLEAR);
+            self.line(&format!("G0 Z{clear}"));
         }
-        out.push('\n');
-        at = step.to;
+    }
+
+    fn moves(&mut self, path: &Path) {
+        let mut at = path.start;
+        let mut feed: f64 = 0.0;
+        for step in &path.moves {
+            let [x, y] = step.to.map(|v| self.length(v));
+            let mut line = match step.arc {
+                None => format!("G1 X{x} Y{y}"),
+                Some((centre, counter_clockwise)) => {
+                    let code = if counter_clockwise { "G3" } else { "G2" };
+                    let [i, j] =
+                        [0, 1].map(|k| self.length(centre[k] - rounded(self.units, at[k])));
+                    format!("{code} X{x} Y{y} I{i} J{j}")
+                }
+            };
+            if (step.feed - feed).abs() > NEW_FEED * feed {
+                feed = step.feed;
+                line += &format!(" F{}", written_feed(self.units, feed));
+            }
+            self.line(&line);
+            at = step.to;
+        }
+    }
+
+    fn end(&mut self, last: &str) {
+        self.line(&format!("{last}\nM30\n%"));
+    }
+
+    fn finished(self) -> String {
+        finished(self.text)
     }
 }
 
-fn end(out: &mut String, task: &str) {
-    let _ = write!(out, "M0 ({task})\nM30\n%\n");
+/// Decimals of a millimetre.
+const DECIMALS: usize = 4;
+
+/// A length in m with its unit.
+fn named(units: Units, x: f64) -> String {
+    let unit = units.name().to_uppercase();
+    format!("{} {unit}", units.number(x, DECIMALS))
+}
+
+/// The code of the unit.
+fn code(units: Units) -> &'static str {
+    match units {
+        Units::Millimetres => "G21",
+        Units::Inches => "G20",
+    }
+}
+
+/// A feed in mm/min in the unit of the program.
+fn written_feed(units: Units, feed: f64) -> String {
+    match units {
+        Units::Millimetres => format!("{feed:.0}"),
+        Units::Inches => format!("{:.2}", feed / 25.4),
+    }
 }
 
 /// Some machines refuse −0.0000.
 fn finished(text: String) -> String {
-    text.replace("-0.00000", "0.00000")
-        .replace("-0.0000 ", "0.0000 ")
-        .replace("-0.0000\n", "0.0000\n")
+    let lines = text.lines().map(|line| {
+        let words = line.split(' ').map(|word| match word.split_once('-') {
+            Some((letter, number)) if number.bytes().all(|c| matches!(c, b'0' | b'.')) => {
+                format!("{letter}{number}")
+            }
+            _ => word.to_string(),
+        });
+        words.collect::<Vec<_>>().join(" ") + "\n"
+    });
+    lines.collect()
 }
 
 /// A coordinate as the program writes it, m.
-fn rounded(x: f64) -> f64 {
-    (x * 1e7).round() / 1e7
+fn rounded(units: Units, x: f64) -> f64 {
+    let step = match units {
+        Units::Millimetres => 1e7,
+        Units::Inches => 1e5 / 0.0254,
+    };
+    (x * step).round() / step
 }
 
 /// Letters that every control reads within a comment.

@@ -9,7 +9,7 @@ drawing-keyway = chavetero, altura
 drawing-balance = agujero de equilibrado
 drawing-hub = cubo
 drawing-heights = x: distancia desde el extremo izquierdo. y: altura del perfil sobre la base.
-drawing-heights-ball = b: altura en que queda el centro de una bola R { $radius } mm que se baja hasta tocar.
+drawing-heights-ball = b: altura en que queda el centro de una bola R { $radius } { $unit } que se baja hasta tocar.
 drawing-motion = la leva se mueve
 drawing-unrolled = superficie desarrollada, vista desde fuera: θ crece hacia la izquierda
 drawing-surface = superficie
@@ -18,7 +18,7 @@ drawing-groove-cutter = fresa y rodillo
 drawing-stations = θ: ángulo desde la marca θ = 0, en sentido horario en la vista del extremo.
 drawing-stations-height = z: altura del eje de la fresa (con dos rodillos: de su perno) sobre el extremo inferior.
 drawing-radii = φ: ángulo en el centro desde la marca θ = 0, en sentido horario en esta vista. r: radio del perfil.
-drawing-radii-ball = b: radio en que queda el centro de una bola R { $radius } mm que se acerca por el rayo hasta tocar.
+drawing-radii-ball = b: radio en que queda el centro de una bola R { $radius } { $unit } que se acerca por el rayo hasta tocar.
 drawing-material = Material
 drawing-steel = acero
 drawing-roughness = Rugosidad, µm: perfil (otras caras)
@@ -37,5 +37,5 @@ drawing-revision = Revisión (resumen de la escena)
 drawing-date = Fecha de la escena
 drawing-sheet = Hoja
 drawing-units = Unidades
-drawing-mm = mm, grados
+drawing-lengths = { $unit }, grados
 drawing-program = Dibujado por

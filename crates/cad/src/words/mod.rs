@@ -3,23 +3,32 @@
 use gaitcam::wording::{self, Catalogue, Language, Messages};
 use serde_json::{Map, Value};
 
+use crate::Units;
+
 static WORDS: Catalogue = Catalogue::new(&[&[[include_str!("en.ftl"), include_str!("es.ftl")]]]);
 
 /// Labels of the drawing in a language.
-pub(crate) fn words(language: Language) -> Words {
-    Words::new(WORDS.of(language))
+pub(crate) fn words(language: Language, units: Units) -> Words {
+    Words {
+        units,
+        ..Words::new(WORDS.of(language))
+    }
 }
 
 /// The texts of a catalogue, and numbers and names in its language.
 #[derive(Clone, Copy)]
 pub struct Words {
     own: &'static Messages,
+    units: Units,
 }
 
 impl Words {
     /// The words of a catalogue.
     pub fn new(own: &'static Messages) -> Self {
-        Words { own }
+        Words {
+            own,
+            units: Units::default(),
+        }
     }
 
     /// Its language.
@@ -40,9 +49,19 @@ impl Words {
         }
     }
 
-    /// A length given in m as a number of millimetres.
-    pub fn mm(&self, length: f64, decimals: usize) -> String {
-        self.decimal(format!("{:.decimals$}", 1e3 * length))
+    /// The unit of lengths.
+    pub fn units(&self) -> Units {
+        self.units
+    }
+
+    /// A length given in m as its number, with so many decimals of a millimetre.
+    pub fn length(&self, length: f64, decimals: usize) -> String {
+        self.decimal(self.units.number(length, decimals))
+    }
+
+    /// The head of a column of lengths: "r, mm".
+    pub fn column(&self, symbol: &str) -> String {
+        format!("{symbol}, {}", self.units.name())
     }
 
     /// A heading or label.

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use gaitcam::cam::{Bore, Keyway, Wall};
 use gaitcam::synth::Design;
+use gaitcam_cad::Units;
 use gaitcam_cad::dxf::{Content, Curves};
 
 use gaitcam_test_support::designed;
@@ -18,6 +19,7 @@ fn drawn(s: &Design) -> Drawing {
         720,
         Content::All,
         Curves::Arcs,
+        Units::Millimetres,
     ))
 }
 
@@ -165,6 +167,7 @@ fn what_is_cut_lies_on_its_own_layers_and_can_be_had_alone() {
             720,
             Content::CutOnly,
             Curves::Arcs,
+            Units::Millimetres,
         ));
         assert!(cut.layers.iter().all(|l| l.starts_with("CUT_")), "{scene}");
         assert!(

@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use gaitcam::cam::{Bore, Follower, Keyway, Wall};
 use gaitcam::law::Law;
 use gaitcam::synth::Design;
-use gaitcam_cad::gcode;
+use gaitcam_cad::Units;
+use gaitcam_cad::gcode::{self, Milling};
 
 use gaitcam_test_support::designed;
 
@@ -129,7 +130,7 @@ fn the_swept_cutter_leaves_the_cam_to_a_micrometre() {
         (heel_tester(), 0.003),
         (hollow(), 0.005),
     ] {
-        let program = &gcode::milling(&design, tool).unwrap()[0];
+        let program = &gcode::milling(&design, &Milling::of(tool)).unwrap()[0];
         let cuts = run(program);
         assert!(cuts.len() > 10, "{}", design.name);
         for pair in cuts.windows(2) {
@@ -159,7 +160,7 @@ fn the_bore_is_milled_before_the_outside_where_the_cutter_has_room() {
             diameter: bore,
             keyway,
         });
-        let program = &gcode::milling(&design, 0.004).unwrap()[0];
+        let program = &gcode::milling(&design, &Milling::of(0.004)).unwrap()[0];
         assert_eq!(program.contains("KEYWAY IS NOT MILLED"), keyway.is_some());
         let cuts = run(program);
         // The contact on the bore moves with the feed of the profile.
@@ -181,14 +182,14 @@ fn the_bore_is_milled_before_the_outside_where_the_cutter_has_room() {
             assert!(left.abs() < 1e-3, "{bore} at {i}: {left}");
         }
     }
-    let wide = &gcode::milling(&design, 0.016).unwrap()[0];
+    let wide = &gcode::milling(&design, &Milling::of(0.016)).unwrap()[0];
     assert!(wide.contains("BORE IS NOT MILLED") && !wide.contains("BORE, TOOL"));
 }
 
 #[test]
 fn the_contact_moves_with_one_feed() {
     let tool = 5.0;
-    let program = &gcode::milling(&hollow(), 1e-3 * tool).unwrap()[0];
+    let program = &gcode::milling(&hollow(), &Milling::of(1e-3 * tool)).unwrap()[0];
     let cuts = run(program);
     let (mut convex, mut concave) = (0, 0);
     for cut in &cuts[1..cuts.len() - 1] {
@@ -216,17 +217,17 @@ fn the_contact_moves_with_one_feed() {
 fn a_cutter_wider_than_a_hollow_has_no_program() {
     let design = hollow();
     let radius = -design.cam.curvature().concave.unwrap().value;
-    assert!(gcode::milling(&design, 1.05 * radius).is_err());
-    assert!(gcode::milling(&design, 0.95 * radius).is_ok());
-    assert!(gcode::milling(&design, 0.0).is_err());
-    assert!(gcode::wire(&design, f64::NAN).is_err());
+    assert!(gcode::milling(&design, &Milling::of(1.05 * radius)).is_err());
+    assert!(gcode::milling(&design, &Milling::of(0.95 * radius)).is_ok());
+    assert!(gcode::milling(&design, &Milling::of(0.0)).is_err());
+    assert!(gcode::wire(&design, f64::NAN, Units::Millimetres).is_err());
 }
 
 #[test]
 fn both_cams_of_a_pair_are_left_by_their_programs() {
     let design = designed("camdas_07_conjugate_roller");
     let tool = 4.0;
-    let programs = gcode::milling(&design, 1e-3 * tool).unwrap();
+    let programs = gcode::milling(&design, &Milling::of(1e-3 * tool)).unwrap();
     assert_eq!(programs.len(), 2);
     let cuts = run(&programs[1]);
     let pair = design.conjugate.as_ref().unwrap();
@@ -304,7 +305,7 @@ fn the_swept_cutter_leaves_the_groove_of_a_barrel_to_a_micrometre() {
     let design = designed("thesis_barrel");
     let groove = design.groove.as_ref().unwrap();
     let tool = 5.25;
-    let program = &gcode::milling(&design, 1e-3 * tool).unwrap()[0];
+    let program = &gcode::milling(&design, &Milling::of(1e-3 * tool)).unwrap()[0];
     let path = stations(program);
     let (floor, surface) = groove.depth();
     let (mut gouged, mut left) = (0.0_f64, 0.0_f64);
@@ -332,7 +333,7 @@ fn the_swept_cutter_leaves_the_groove_of_a_barrel_to_a_micrometre() {
     let fastest = fastest.fold(0.0, f64::max);
     assert!((199.0..201.0).contains(&fastest), "{fastest}");
     // Another cutter leaves another groove.
-    assert!(gcode::milling(&design, 5e-3).is_err());
+    assert!(gcode::milling(&design, &Milling::of(5e-3)).is_err());
 }
 
 #[test]
@@ -344,7 +345,7 @@ fn a_wire_cuts_hole_keyway_and_outside_from_its_start_holes() {
     };
     design.bore = Some(bore);
     let wire = 0.14;
-    let program = gcode::wire(&design, 1e-3 * wire).unwrap();
+    let program = gcode::wire(&design, 1e-3 * wire, Units::Millimetres).unwrap();
     let cuts = run(&program);
     let [gouged, left] = swept(&design, &cuts, wire);
     assert!(gouged < 1e-3 && left < 1e-3, "{gouged} {left}");
@@ -365,5 +366,77 @@ fn a_wire_cuts_hole_keyway_and_outside_from_its_start_holes() {
     let first = cuts[0];
     assert_eq!(first.from, [0.0, 0.0]);
     // A wire wider than the keyway.
-    assert!(gcode::wire(&design, 3.1e-3).is_err());
+    assert!(gcode::wire(&design, 3.1e-3, Units::Millimetres).is_err());
+}
+
+#[test]
+fn a_program_in_inches_leaves_the_same_cam() {
+    let design = footbridge();
+    let cut = Milling {
+        units: Units::Inches,
+        ..Milling::of(0.006)
+    };
+    let program = &gcode::milling(&design, &cut).unwrap()[0];
+    assert!(program.contains("G20") && program.contains("RADIUS OF CUTTER 0.23622 IN"));
+    assert!(program.contains("FEED 7.87 IN/MIN AT THE PROFILE, CLIMB MILLING"));
+    let inch = |p: [f64; 2]| p.map(|x| 25.4 * x);
+    let cuts = run(program).into_iter().map(|c| Cut {
+        from: inch(c.from),
+        to: inch(c.to),
+        arc: c.arc.map(|(centre, angle)| (inch(centre), angle)),
+        feed: c.feed,
+    });
+    let [gouged, left] = swept(&design, &cuts.collect::<Vec<_>>(), 6.0);
+    assert!(gouged < 1e-3 && left < 1e-3, "{gouged} {left}");
+    let wire = gcode::wire(&design, 1e-4, Units::Inches).unwrap();
+    assert!(wire.contains("G90 G20"));
+    let barrel = designed("thesis_barrel");
+    let tool = barrel.groove.as_ref().unwrap().roller_radius();
+    let cut = Milling { tool, ..cut };
+    assert!(gcode::milling(&barrel, &cut).unwrap()[0].contains("G90 G20"));
+}
+
+#[test]
+fn passes_reach_the_bottom_of_the_plate_and_each_runs_the_whole_path() {
+    let mut design = footbridge();
+    design.thickness = 0.01;
+    design.bore = Some(Bore {
+        diameter: 0.014,
+        keyway: None,
+    });
+    let whole = Milling::of(0.003);
+    let in_passes = |pass: f64| {
+        let pass = Some(pass);
+        gcode::milling(&design, &Milling { pass, ..whole })
+    };
+    let program = in_passes(0.003).unwrap().remove(0);
+    let depths = |program: &str| -> Vec<f64> {
+        let plunges = program.lines().filter(|l| l.starts_with("G1 Z"));
+        plunges
+            .map(|l| l[4..].split(' ').next().unwrap().parse().unwrap())
+            .collect()
+    };
+    // Of the bore and of the outside.
+    let each = [-3.0, -6.0, -9.0, -10.0];
+    assert_eq!(depths(&program), [each, each].concat());
+    assert_eq!(program.matches("S2000 M3").count(), 1);
+    assert!(program.contains("M5\nM30") && !program.contains("M0"));
+    // Every move in the plane is made at depth, and fast ones above the plate.
+    let mut z = f64::INFINITY;
+    for line in program.lines() {
+        let code = |code: &str| line.starts_with(code);
+        if let Some(to) = line.split(" Z").nth(1) {
+            z = to.split(' ').next().unwrap().parse().unwrap();
+        } else if code("G0 ") {
+            assert!(z > 0.0, "{line}");
+        } else if code("G1 ") || code("G2 ") || code("G3 ") {
+            assert!(z < 0.0, "{line}");
+        }
+    }
+    let moves = |program: &str| run(program).iter().filter(|c| c.arc.is_some()).count();
+    let one = gcode::milling(&design, &whole).unwrap().remove(0);
+    assert_eq!(moves(&program), 4 * moves(&one));
+    // A depth that the plate is a multiple of takes no empty pass.
+    assert_eq!(depths(&in_passes(0.005).unwrap()[0]).len(), 4);
+    assert!(in_passes(0.0).is_err() && in_passes(f64::NAN).is_err());
 }

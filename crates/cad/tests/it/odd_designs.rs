@@ -1,6 +1,7 @@
 //! Equal designs give equal bytes, and odd designs give whole files.
 
 use gaitcam::cam::Bore;
+use gaitcam_cad::Units;
 use gaitcam_cad::dxf::{self, Content, Curves};
 use gaitcam_cad::solid::{self, Plate};
 use gaitcam_cad::{biarc, cutter, svg};
@@ -22,7 +23,7 @@ fn the_same_design_gives_the_same_bytes() {
     let s = heel_tester();
     let files = || {
         [
-            dxf::profile(&s, 360, Content::All, Curves::Arcs),
+            dxf::profile(&s, 360, Content::All, Curves::Arcs, Units::Millimetres),
             solid::threemf(&s, form(0.02, 360)).unwrap(),
         ]
     };
@@ -32,7 +33,13 @@ fn the_same_design_gives_the_same_bytes() {
 #[test]
 fn odd_designs_are_handed_over_without_fault() {
     for s in odd_ones() {
-        let drawing = read(&dxf::profile(&s, 100, Content::All, Curves::Arcs));
+        let drawing = read(&dxf::profile(
+            &s,
+            100,
+            Content::All,
+            Curves::Arcs,
+            Units::Millimetres,
+        ));
         assert_eq!(drawing.outline("CUT_PROFILE").1, s.cam.law.is_closed());
         elements(&svg::profile(&s, 100));
         assert_eq!(

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use gaitcam::cam::{Bore, Cam, Follower};
 use gaitcam::law::Law;
+use gaitcam_cad::Units;
 use gaitcam_cad::biarc;
 use gaitcam_cad::dxf::{Content, Curves, Options, Version};
 
@@ -15,6 +16,7 @@ fn dxf_is_the_closed_profile_in_true_millimetres_in_every_dialect() {
     let s = heel_tester();
     for version in [Version::R12, Version::R2000] {
         let options = Options {
+            units: Units::Millimetres,
             points: 1440,
             version,
             bore: Some(Bore::plain(0.02)),
@@ -39,7 +41,13 @@ fn dxf_is_the_closed_profile_in_true_millimetres_in_every_dialect() {
 
 #[test]
 fn r12_drawings_hold_nothing_that_r12_does_not_know() {
-    let bytes = gaitcam_cad::dxf::profile(&heel_tester(), 360, Content::All, Curves::Arcs);
+    let bytes = gaitcam_cad::dxf::profile(
+        &heel_tester(),
+        360,
+        Content::All,
+        Curves::Arcs,
+        Units::Millimetres,
+    );
     let drawing = read(&bytes);
     let arcs = drawing.outline("CUT_PROFILE").0.len();
     let all = groups(&bytes);
@@ -83,7 +91,8 @@ fn walk(vertices: &[[f64; 3]], per_arc: usize) -> Vec<[f64; 2]> {
 #[test]
 fn the_plain_drawing_is_within_a_tenth_of_a_micrometre_with_fewer_vertices_than_chords_need() {
     for s in [footbridge(), heel_tester()] {
-        let bytes = gaitcam_cad::dxf::profile(&s, 1440, Content::All, Curves::Arcs);
+        let bytes =
+            gaitcam_cad::dxf::profile(&s, 1440, Content::All, Curves::Arcs, Units::Millimetres);
         let drawing = read(&bytes);
         let (vertices, closed) = drawing.outline("CUT_PROFILE");
         assert!(closed && vertices.len() < 720, "{}", vertices.len());
@@ -112,6 +121,7 @@ fn arcs_stay_within_the_tolerance_asked_and_join_smoothly() {
         let mut before = usize::MAX;
         for tolerance in [1e-6, 1e-5, 1e-4] {
             let options = Options {
+                units: Units::Millimetres,
                 points: 360,
                 version: Version::R2000,
                 bore: None,
@@ -171,4 +181,31 @@ fn a_round_cam_is_arcs_of_one_radius_and_an_undercut_one_is_refused() {
     assert!(sharp.curvature().undercut);
     assert_eq!(biarc::fit(&sharp, 1e-4), None);
     assert_eq!(biarc::fit(&round, 0.0), None);
+}
+
+#[test]
+fn a_drawing_in_inches_is_the_one_in_millimetres_over_25_4() {
+    for curves in [Curves::Arcs, Curves::Splines] {
+        let drawn = |units| {
+            let bytes = gaitcam_cad::dxf::profile(&footbridge(), 360, Content::All, curves, units);
+            (crate::drawing::groups(&bytes), bytes)
+        };
+        let ((mm, _), (inch, bytes)) = (drawn(Units::Millimetres), drawn(Units::Inches));
+        let header = |name: &str| crate::drawing::read(&bytes).header[name][1].1.clone();
+        assert_eq!(
+            [header("$INSUNITS"), header("$MEASUREMENT")],
+            ["1", "0"].map(String::from)
+        );
+        assert_eq!(mm.len(), inch.len());
+        // Coordinates; knots and bulges have no unit.
+        for ((code, a), (_, b)) in mm.iter().zip(&inch) {
+            if matches!(code, 10 | 11 | 20 | 21) {
+                let [a, b]: [f64; 2] = [a, b].map(|x| x.parse().unwrap());
+                assert!((a - 25.4 * b).abs() < 1e-9, "{code}: {a} {b}");
+            }
+            if *code == 42 {
+                assert_eq!(a, b);
+            }
+        }
+    }
 }

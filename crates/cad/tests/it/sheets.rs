@@ -3,6 +3,7 @@
 use gaitcam::cam::{Bore, Follower, Keyway};
 use gaitcam::law::Law;
 use gaitcam::wording::Language;
+use gaitcam_cad::Units;
 use gaitcam_cad::drawing::{self, Title};
 
 use gaitcam_test_support::designed;
@@ -14,6 +15,7 @@ const TITLE: Title = Title {
     // 2026-01-31.
     date: Some(20_484),
     accuracy: 0.005,
+    units: Units::Millimetres,
 };
 
 /// A piece of text on a sheet: where it starts, points, and its bytes.
@@ -130,10 +132,11 @@ fn the_title_block_names_scene_revision_date_and_what_the_tolerance_does_to_the_
     let has = |text: &str| sheet.iter().any(|s| s.text.contains(text));
     assert!(has("footbridge") && has("0badcafe") && has("2026-01-31"));
     assert!(has("\u{b1} 0.") && has("% of mean (designed "));
-    // A programme without a force leaves the tolerance to be filled in.
+    // A programme without a force and a tolerance has a dash.
     let pdf = drawing::pdf(&designed("camdas_01_roller"), &TITLE, Language::Es);
     let sheet = &sheets(&pdf)[0];
     assert!(sheet.iter().any(|s| s.text == "sin fuerza dada"));
+    assert!(!sheet.iter().any(|s| s.text.trim() == "\u{b1}"));
     // Spanish has a decimal comma.
     assert!(sheet.iter().any(|s| s.text == "5") && table(sheet).is_empty());
 }
@@ -150,6 +153,33 @@ fn bore_and_keyway_are_dimensioned_as_they_are_measured() {
     // DIN 6885-1: a keyway of 4 mm, 1.8 mm deep, in a hub of 12 mm.
     for text in ["\u{d8} 12.000 H7", "4.0 JS9, 13.80"] {
         assert!(sheet.iter().any(|s| s.text == text), "{text}");
+    }
+}
+
+#[test]
+fn a_sheet_in_inches_has_the_numbers_of_the_one_in_millimetres_over_25_4() {
+    let mut design = footbridge();
+    design.bore = Some(Bore {
+        diameter: 0.0127,
+        keyway: None,
+    });
+    let title = |units| Title { units, ..TITLE };
+    let [mm, inches] = [Units::Millimetres, Units::Inches]
+        .map(|units| sheets(&drawing::pdf(&design, &title(units), Language::En)).remove(0));
+    let has = |text: &str| inches.iter().any(|s| s.text == text);
+    assert!(has("\u{d8} 0.5000 H7") && has("in, degrees") && has("r, in"));
+    assert!(!inches.iter().any(|s| s.text.contains("mm")));
+    let rows = table(&mm);
+    assert_eq!(rows.len(), 72);
+    let texts: Vec<&str> = inches.iter().map(|s| s.text.as_str()).collect();
+    for [angle, profile, ball] in rows {
+        let angle = format!("{angle:.0}");
+        let near = |text: &str, mm: f64| {
+            let number: Option<f64> = text.parse().ok();
+            number.is_some_and(|x| (25.4 * x - mm).abs() < 0.5e-3 + 25.4 * 0.5e-4)
+        };
+        let row = |w: &&[&str]| w[0] == angle && near(w[1], profile) && near(w[2], ball);
+        assert!(texts.windows(3).any(|w| row(&w)), "{angle}");
     }
 }
 

@@ -7,6 +7,7 @@ use gaitcam::cam::{Bore, Follower, Hub, Keyway};
 use gaitcam::law::Law;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
+use gaitcam_cad::Units;
 use gaitcam_cad::drawing::Title;
 use gaitcam_cad::{drawing, dxf, solid, step};
 
@@ -170,7 +171,13 @@ fn de_boor(knots: &[f64], control: &[[f64; 2]], t: f64) -> [f64; 2] {
 #[test]
 fn splines_of_a_drawing_follow_the_profile_to_a_tenth_of_a_micrometre() {
     for design in [footbridge(), furnished()] {
-        let bytes = dxf::profile(&design, 720, dxf::Content::All, dxf::Curves::Splines);
+        let bytes = dxf::profile(
+            &design,
+            720,
+            dxf::Content::All,
+            dxf::Curves::Splines,
+            Units::Millimetres,
+        );
         let drawn = crate::drawing::read(&bytes);
         assert_eq!(drawn.header["$ACADVER"][1].1, "AC1015");
         let all = splines(&bytes);
@@ -198,7 +205,13 @@ fn splines_of_a_drawing_follow_the_profile_to_a_tenth_of_a_micrometre() {
         }
     }
     let barrel = designed("thesis_barrel");
-    let bytes = dxf::profile(&barrel, 720, dxf::Content::All, dxf::Curves::Splines);
+    let bytes = dxf::profile(
+        &barrel,
+        720,
+        dxf::Content::All,
+        dxf::Curves::Splines,
+        Units::Millimetres,
+    );
     assert!(splines(&bytes).len() >= 4);
 }
 
@@ -206,6 +219,7 @@ const TITLE: Title = Title {
     revision: None,
     date: None,
     accuracy: 0.005,
+    units: Units::Millimetres,
 };
 
 /// Numbers of a sheet's table: rows of so many cells, the first with `first` decimals, the others with three.

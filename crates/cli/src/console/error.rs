@@ -21,6 +21,8 @@ pub enum CliError {
     FewRows { rows: u32, least: u32 },
     CycleEnding { file: String },
     CycleOverRecording,
+    SceneNotRecording,
+    NoLaw { typed: String, known: String },
     NoKeyContains { pattern: String },
     InputTime { limit: String },
     NoModel { typed: String },

@@ -1,12 +1,41 @@
 //! A command line that cannot be read, as an error like every other.
 
 use std::error::Error as _;
+use std::ffi::{OsStr, OsString};
 use std::num::ParseIntError;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use gaitcam::error::{Error, Placed};
 
 use crate::console::error::CliError;
+
+/// The arguments with a negative number after a flag (`--tool -3mm`) as the flag's value: no option begins with a digit.
+pub fn with_negative_values(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
+    let mut out: Vec<OsString> = Vec::new();
+    for argument in arguments {
+        match out.last_mut() {
+            Some(flag) if is_negative(&argument) && is_flag(flag) => {
+                flag.push("=");
+                flag.push(argument);
+            }
+            _ => out.push(argument),
+        }
+    }
+    out
+}
+
+/// Whether it reads as a number below zero, with a unit or without.
+fn is_negative(argument: &OsStr) -> bool {
+    let text = argument.to_string_lossy();
+    let number = text.strip_prefix('-').map(|n| n.trim_start_matches('.'));
+    number.is_some_and(|n| n.starts_with(|c: char| c.is_ascii_digit()))
+}
+
+/// Whether it is a flag whose value stands in the next argument.
+fn is_flag(argument: &OsStr) -> bool {
+    let text = argument.to_string_lossy();
+    text.len() > 2 && text.starts_with("--") && !text.contains('=')
+}
 
 /// What is wrong with the arguments.
 pub fn fault(error: &clap::Error) -> Error {

@@ -1,6 +1,7 @@
 //! `gaitcam gait`: what recordings hold, their mean cycles, and the joint mean of several.
 
 mod places;
+mod plates;
 mod several;
 
 use std::path::{Path, PathBuf};
@@ -8,13 +9,14 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::{Value, json};
 
+use crate::console::error::CliError;
 use crate::console::exit_code::{BAD_INPUT, BUILT};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::input;
-use crate::input::recordings::{is_folder, recordings};
-use gaitcam::error::{Error, Place, Result};
+use crate::input::recordings::recordings;
+use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::force::{self, Cycle, Feet, ForceCurve, Interpretation, OpenQuestion, ReadOptions};
 use gaitcam::units::Dimension;
 use gaitcam_files::{read::read_bytes, target::metadata};
@@ -55,7 +57,7 @@ pub struct GaitArgs {
     /// Name or number of a vertical force column (may be repeated)
     #[arg(long, value_name = "COLUMN")]
     force: Vec<String>,
-    /// Unit of the force columns: N, kN, lbf, kgf, N/kg, BW, %BW
+    /// Unit of the force columns: N, daN, kN, lbf, kgf, N/kg, BW, %BW
     #[arg(long)]
     unit: Option<String>,
     /// Sampling rate, if the file does not give it: "1000 Hz"
@@ -81,7 +83,8 @@ pub struct GaitArgs {
 /// One recording as it was read.
 #[derive(Default)]
 struct Read {
-    path: PathBuf,
+    /// Its file, or those of its plates.
+    paths: Vec<PathBuf>,
     /// Its interpretation; `None` for a file that is one cycle.
     understood: Option<Interpretation>,
     /// Its mean cycle.
@@ -104,15 +107,16 @@ pub fn run(args: &GaitArgs) -> Result<u8> {
     let named = |file: &str| args.files.iter().any(|f| f == Path::new(file));
     files.retain(|f| named(f) || !args.out.as_deref().is_some_and(|o| wrote(o, Path::new(f))));
     let files: Vec<PathBuf> = files.into_iter().map(PathBuf::from).collect();
-    let is_one = args.files.len() == 1 && !is_folder(&args.files[0])?;
-    let places = Places::of(args.out.as_deref(), &files, !is_one)?;
+    let trials = plates::by_trial(files);
+    let is_one = trials.len() == 1 && trials[0] == args.files;
+    let places = Places::of(args.out.as_deref(), &trials, !is_one)?;
     if is_one {
-        return one(args, &files[0], &places, feet);
+        return one(args, &trials[0], &places, feet);
     }
-    let reads = files
+    let reads = trials
         .iter()
-        .map(|path| read(args, path, feet).unwrap_or_else(|fault| Read::failed(path, fault)));
-    let is_named = |read: &Read| args.files.contains(&read.path);
+        .map(|paths| read(args, paths, feet).unwrap_or_else(|fault| Read::failed(paths, fault)));
+    let is_named = |read: &Read| read.paths.iter().any(|p| args.files.contains(p));
     several::describe(reads.collect(), &places, &accept, args.json, &is_named)
 }
 
@@ -127,8 +131,8 @@ fn wrote(folder: &Path, file: &Path) -> bool {
     (name.contains("_cycle") || name == places::JOINT_MEAN) && inside() && is_cycle()
 }
 
-fn one(args: &GaitArgs, path: &Path, places: &Places, feet: Feet) -> Result<u8> {
-    let read = read(args, path, feet)?;
+fn one(args: &GaitArgs, paths: &[PathBuf], places: &Places, feet: Feet) -> Result<u8> {
+    let read = read(args, paths, feet)?;
     if let Some(place) = places.each.first() {
         read.write(place)?;
     }
@@ -146,25 +150,37 @@ fn one(args: &GaitArgs, path: &Path, places: &Places, feet: Feet) -> Result<u8> 
     })
 }
 
-fn read(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Read> {
+/// Reads one recording: a file, or the files of its plates.
+fn read(args: &GaitArgs, paths: &[PathBuf], feet: Feet) -> Result<Read> {
+    let path = paths[0].as_path();
+    if path.extension().is_some_and(|e| e == "toml") {
+        return Err(CliError::SceneNotRecording.in_file(path));
+    }
     let options = options(args, path)?;
     let bytes = read_bytes(path)?;
     let place = || Place::File(path.to_path_buf());
+    let heading = together(paths, |path| path.display().to_string());
     if let Some(curve) = force::one_cycle(path, &bytes, &options)? {
         let table = tables::cycle_table(&curve, language::current());
         return Ok(Read {
-            path: path.to_path_buf(),
-            text: format!("{}\n{table}", path.display()),
+            paths: paths.to_vec(),
+            text: format!("{heading}\n{table}"),
             object: tables::cycle_json(&curve),
             given: Some(curve),
             ..Read::default()
         });
     }
-    let recording = force::read(path, &bytes, &options)?;
+    let mut recording = force::read(path, &bytes, &options)?;
     drop(bytes);
+    for other in &paths[1..] {
+        recording.add_plates(force::read(other, &read_bytes(other)?, &options)?);
+    }
     let stances = force::stances(&recording);
     let cycle = force::cycle(&recording, &stances, feet).map_err(|e| e.at(place()));
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let name = together(paths, |path: &Path| {
+        let name = path.file_name().unwrap_or_default();
+        name.to_string_lossy().into_owned()
+    });
     let mean = cycle.as_ref().ok();
     let understood = Interpretation::of(&name, &recording, &stances, mean, feet);
     // A refusal is printed once, on standard error.
@@ -182,25 +198,36 @@ fn read(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Read> {
         Err(fault) => (None, Some(fault)),
     };
     Ok(Read {
-        path: path.to_path_buf(),
+        paths: paths.to_vec(),
         understood: Some(understood),
         cycle,
         fault,
-        text: format!("{}\n{table}", path.display()),
+        text: format!("{heading}\n{table}"),
         object,
         ..Read::default()
     })
 }
 
+/// The files of a recording, named one by one.
+fn together(paths: &[PathBuf], name: impl Fn(&Path) -> String) -> String {
+    let names = paths.iter().map(|path| name(path));
+    names.collect::<Vec<_>>().join(" + ")
+}
+
 impl Read {
-    /// A file that could not be read.
-    fn failed(path: &Path, fault: Error) -> Read {
+    /// A recording that could not be read.
+    fn failed(paths: &[PathBuf], fault: Error) -> Read {
         Read {
-            path: path.to_path_buf(),
+            paths: paths.to_vec(),
             fault: Some(fault),
             object: json!({"kind": null, "cycle": null}),
             ..Read::default()
         }
+    }
+
+    /// Its paths.
+    fn shown(&self) -> String {
+        together(&self.paths, |path| path.display().to_string())
     }
 
     /// Its cycle, mean or as given.
@@ -212,11 +239,11 @@ impl Read {
     /// Writes the cycle; for a mean cycle, and for a recording that was refused, also a picture of the recording.
     fn write(&self, place: &Path) -> Result<()> {
         if let Some(curve) = &self.given {
-            let from = of_files("gait-cycle-of", &self.path.display().to_string());
+            let from = of_files("gait-cycle-of", &self.shown());
             write_whole(place, curve.to_csv(&[&from]).as_bytes())?;
         }
         if let Some(cycle) = &self.cycle {
-            let from = of_files("gait-mean-cycle-of", &self.path.display().to_string());
+            let from = of_files("gait-mean-cycle-of", &self.shown());
             let csv = cycle.curve.to_csv(&[&from, &cycle.source.to_string()]);
             write_whole(place, csv.as_bytes())?;
         }

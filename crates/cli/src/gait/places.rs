@@ -19,14 +19,14 @@ pub struct Places {
 }
 
 impl Places {
-    /// The one file named, or `NAME_cycle.csv` and `joint_mean.csv` in a folder.
+    /// `recordings`: the files of each. The one file named, or `NAME_cycle.csv` and `joint_mean.csv` in a folder.
     ///
     /// `several`: a joint mean is computed, and a file named is for it.
     ///
     /// # Errors
     ///
     /// Where a recording would be replaced, or the name is of another kind of file.
-    pub fn of(out: Option<&Path>, recordings: &[PathBuf], several: bool) -> Result<Places> {
+    pub fn of(out: Option<&Path>, recordings: &[Vec<PathBuf>], several: bool) -> Result<Places> {
         let Some(out) = out else {
             return Ok(Places::default());
         };
@@ -63,10 +63,10 @@ impl Places {
     }
 }
 
-/// `NAME_cycle.csv` for each recording; recordings of one name from two folders are numbered.
-fn named(folder: &Path, recordings: &[PathBuf]) -> Vec<PathBuf> {
+/// `NAME_cycle.csv` for each recording; the first of several files gives the name, and recordings of one name from two folders are numbered.
+fn named(folder: &Path, recordings: &[Vec<PathBuf>]) -> Vec<PathBuf> {
     let mut places: Vec<PathBuf> = Vec::new();
-    for recording in recordings {
+    for recording in recordings.iter().filter_map(|files| files.first()) {
         let stem = recording.file_stem().unwrap_or_default().to_string_lossy();
         let numbered = (1..).map(|k| match k {
             1 => format!("{stem}_cycle.csv"),
@@ -79,12 +79,12 @@ fn named(folder: &Path, recordings: &[PathBuf]) -> Vec<PathBuf> {
 }
 
 /// A recording is never replaced by a cycle.
-fn refuse_recording(place: &Path, recordings: &[PathBuf]) -> Result<()> {
+fn refuse_recording(place: &Path, recordings: &[Vec<PathBuf>]) -> Result<()> {
     let Ok(place) = place.canonicalize() else {
         return Ok(());
     };
     let same = |r: &PathBuf| r.canonicalize().is_ok_and(|r| r == place);
-    if recordings.iter().any(same) {
+    if recordings.iter().flatten().any(same) {
         return Err(CliError::CycleOverRecording.at_argument("--out"));
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! Several recordings: a table of all, and their joint mean.
 
 use super::places::Places;
-use super::{Read, of_files, write_picture};
+use super::{Read, of_files, together, write_picture};
 use crate::console::exit_code::{BAD_INPUT, BUILT};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
@@ -77,23 +77,24 @@ pub fn describe(
 /// What was read of one recording, with its file.
 fn object(read: &Read) -> Value {
     let mut object = read.object.clone();
-    object["file"] = json!(read.path.display().to_string());
+    object["file"] = json!(read.shown());
     object
 }
 
 /// Paths without the folder that all of them share.
 fn short_names(reads: &[Read]) -> Vec<String> {
-    let parent = |read: &Read| read.path.parent().map(Path::to_path_buf);
-    let mut parents = reads.iter().map(parent);
+    let paths = reads.iter().flat_map(|read| &read.paths);
+    let mut parents = paths.map(|path| path.parent().map(Path::to_path_buf));
     let mut shared: PathBuf = parents.next().flatten().unwrap_or_default();
     for parent in parents.map(Option::unwrap_or_default) {
         while !parent.starts_with(&shared) && shared.pop() {}
     }
-    let short = |read: &Read| {
-        let name = read.path.strip_prefix(&shared).unwrap_or(&read.path);
+    let short = |path: &Path| {
+        let name = path.strip_prefix(&shared).unwrap_or(path);
         name.display().to_string()
     };
-    reads.iter().map(short).collect()
+    let names = reads.iter().map(|read| together(&read.paths, short));
+    names.collect()
 }
 
 /// What is open about a recording and was not accepted.

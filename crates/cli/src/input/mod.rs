@@ -12,7 +12,7 @@ use toml::Table;
 
 use crate::console::error::{CliError, NameFault};
 use crate::console::internal;
-use gaitcam::error::{Error, Placed, Result};
+use gaitcam::error::{Error, Placed, Result, SceneError};
 use gaitcam::scene;
 use gaitcam::units::{Dimension, parse as parse_quantity};
 use gaitcam_files::read::read_standard_input;
@@ -90,6 +90,18 @@ pub fn not_csv(path: &Path) -> impl Fn(csv::Error) -> Error {
 pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
     text.map(|t| parse_quantity(t, dimension).map_err(at_flag(flag)))
         .transpose()
+}
+
+/// A length above zero of a flag, m, where the flag is given.
+pub fn length(flag: &str, text: Option<&str>) -> Result<Option<f64>> {
+    let length = quantity(flag, text, Dimension::Length)?;
+    match (length, text) {
+        (Some(x), Some(typed)) if x <= 0.0 => {
+            let (typed, example) = (typed.to_string(), Dimension::Length.example().to_string());
+            Err(SceneError::NotPositive { typed, example }.at_argument(flag))
+        }
+        _ => Ok(length),
+    }
 }
 
 /// The value of a flag that is a word, where the flag is given.

@@ -55,7 +55,7 @@ pub fn recordings(paths: &[PathBuf], argument: &str) -> Result<Recordings> {
 }
 
 /// Whether a path that is there leads to a folder.
-pub fn is_folder(path: &Path) -> Result<bool> {
+fn is_folder(path: &Path) -> Result<bool> {
     let about = std::fs::metadata(path).map_err(|e| cannot_be_read(path, &e))?;
     Ok(about.is_dir())
 }

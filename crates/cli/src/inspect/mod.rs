@@ -17,6 +17,7 @@ use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
 use gaitcam::cam::{Inspection, Measures};
+use gaitcam::drive::Drive;
 use gaitcam::error::{FileError, Place, Placed, Result};
 use gaitcam::sweep::{Behaviour, MadeCam};
 use gaitcam::synth::{Design, sentences};
@@ -164,6 +165,7 @@ fn summary_json(design: &Design, inspected: &Inspection, made: Option<&MadeCam>)
     let place = |d: Option<gaitcam::cam::Deviation>| {
         d.map(|d| json!({"deviation_m": d.normal, "at_rad": d.theta}))
     };
+    let drive = &design.drive;
     json!({
         "name": design.name,
         "points": inspected.deviations.len(),
@@ -173,17 +175,18 @@ fn summary_json(design: &Design, inspected: &Inspection, made: Option<&MadeCam>)
         "deviation": {"rms_m": inspected.rms(), "min": place(least), "max": place(most)},
         "waves": made.map(|m| m.waves),
         "left_m": made.map(|m| m.left),
-        "designed": made.map(|m| behaviour(&m.designed)),
-        "made": made.map(|m| behaviour(&m.made)),
+        "designed": made.map(|m| behaviour(&m.designed, drive)),
+        "made": made.map(|m| behaviour(&m.made, drive)),
     })
 }
 
-fn behaviour(b: &Behaviour) -> Value {
+fn behaviour(b: &Behaviour, drive: &Drive) -> Value {
+    let newtons = |force: f64| drive.newtons(force);
     json!({
-        "force_rms_error_n": b.rms_error_n,
-        "force_max_error_n": b.max_error_n,
-        "force_min_n": b.min_n,
-        "force_max_n": b.max_n,
+        "force_rms_error_n": b.rms_error_n.map(newtons),
+        "force_max_error_n": b.max_error_n.map(newtons),
+        "force_min_n": newtons(b.min_n),
+        "force_max_n": newtons(b.max_n),
         "acceleration_max": b.acceleration,
         "liftoff_speed_rad_per_s": b.liftoff_speed,
     })

@@ -5,16 +5,18 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::{Value, json};
 
+use crate::console::error::CliError;
 use crate::console::exit_code::BUILT;
 use crate::console::language;
 use crate::console::terminal::{print, print_json};
 use crate::console::words::{self, fixed};
-use gaitcam::error::Result;
+use gaitcam::error::{Placed, Result};
 use gaitcam::law::{End, Ends, Factors, Rise};
 use gaitcam_output::{folder::Folder, laws_report};
 
 const EXAMPLES: &str = "Examples:
   gaitcam laws
+  gaitcam laws cycloidal
   gaitcam laws --out out
   gaitcam laws --json | python3 -m json.tool";
 
@@ -22,6 +24,8 @@ const EXAMPLES: &str = "Examples:
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct LawsArgs {
+    /// Only this law
+    name: Option<String>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -47,9 +51,16 @@ pub fn run(args: &LawsArgs) -> Result<u8> {
         let page = laws_report::html(language::current())?;
         Folder::open(out)?.write("laws.html", page.as_bytes())?;
     }
+    let all = Rise::catalogue();
+    let asked = |rise: &Rise| args.name.as_deref().is_none_or(|n| n == rise.name());
     let mut rows = Vec::new();
-    for rise in Rise::catalogue() {
+    for rise in all.iter().filter(|rise| asked(rise)) {
         rows.push((rise.clone(), rise.factors()?, rise.ends()?));
+    }
+    if let (Some(typed), true) = (&args.name, rows.is_empty()) {
+        let known: Vec<String> = all.iter().map(|rise| rise.name().to_string()).collect();
+        let (typed, known) = (typed.clone(), known.join(", "));
+        return Err(CliError::NoLaw { typed, known }.at_argument("NAME"));
     }
     if args.json {
         print_json(&rows.iter().map(object).collect());
@@ -73,10 +84,12 @@ fn object((rise, f, ends): &Row) -> Value {
 }
 
 fn table(rows: &[Row]) -> String {
+    let long = rows.iter().map(|row| row.0.name().chars().count());
+    let long = long.max().unwrap_or(0);
     let mut out = vec![
         words::text("laws-head"),
         format!(
-            "{:<22} {:>9} {:>9} {:>10} {:>9}  {}",
+            "{:<long$} {:>9} {:>9} {:>10} {:>9}  {}",
             words::text("laws-law"),
             "Cv",
             "Ca",
@@ -93,7 +106,7 @@ fn table(rows: &[Row]) -> String {
             "∞".to_string()
         };
         out.push(format!(
-            "{name:<22} {:>9} {:>9} {jerk:>10} {:>9}  {}",
+            "{name:<long$} {:>9} {:>9} {jerk:>10} {:>9}  {}",
             fixed(f.cv, 5),
             fixed(f.ca, 5),
             fixed(f.ct, 5),

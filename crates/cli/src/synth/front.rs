@@ -10,7 +10,7 @@ use crate::console::words::{self, fixed};
 use crate::input;
 use gaitcam::Problem;
 use gaitcam::error::Result;
-use gaitcam::synth::{Figure, Figures, Trade, trade, traded};
+use gaitcam::synth::{Figure, Figures, ForceReport, Trade, trade, traded};
 use gaitcam::wording::people;
 use gaitcam_output::folder::Folder;
 use gaitcam_output::sweep_plots::{self, Quantity};
@@ -57,7 +57,7 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         label: format!("{}, {unit}", quantity_name(against)),
         ..column(against.key, &|t| factor * value(against, t))
     };
-    let y = column("force_rms_error_n", &|t| t.design.force.rms_error_n);
+    let y = column("force_rms_error_n", &|t| force(t).rms_error_n);
     let line = x.values.iter().copied().zip(y.values.iter().copied());
     let line: Vec<(f64, f64)> = line.collect();
     let title = title(&input.scene.name, against);
@@ -68,8 +68,8 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
             .iter()
             .map(|t| {
                 json!({against.key: value(against, t), "allowed": t.allowed,
-                    "rms_error_n": t.design.force.rms_error_n,
-                    "max_error_n": t.design.force.max_error_n,
+                    "rms_error_n": force(t).rms_error_n,
+                    "max_error_n": force(t).max_error_n,
                     "tier": t.design.solver.tier.name(), "verdict": t.design.verdict.name()})
             })
             .collect();
@@ -89,6 +89,11 @@ fn quantity_name(against: &Figure) -> String {
 fn title(name: &str, against: &Figure) -> String {
     let arguments = json!({"name": name, "quantity": quantity_name(against)});
     words::fill("trade-title", &arguments)
+}
+
+/// Force against target, N.
+fn force(t: &Trade) -> ForceReport {
+    t.design.force.newtons(&t.design.drive)
 }
 
 /// Value of a figure in a design, SI.
@@ -134,7 +139,7 @@ fn table(name: &str, against: &Figure, front: &[Trade]) -> String {
         ),
     ];
     for t in front {
-        let f = &t.design.force;
+        let f = force(t);
         out.push(format!(
             "  {:>16} {:<5} {:>14} {:>12}",
             fixed(factor * value(against, t), 4),

@@ -24,7 +24,7 @@ use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Place, Placed, Result, is_no_cam};
 use gaitcam::force::ForceCurve;
 use gaitcam::synth::{self, Design, Search};
-use gaitcam::units::Dimension;
+use gaitcam_cad::Units;
 use gaitcam_cad::dxf::{Content, Curves};
 use gaitcam_files::design::{self, check_inputs_stay};
 use gaitcam_files::files::{self, Source};
@@ -36,7 +36,8 @@ const EXAMPLES: &str = "Examples:
   gaitcam synth scenes/heel_tester.toml --out out/heel
   gaitcam synth my.toml --set 'limits.stroke=40 mm' --set drive.mass=auto
   gaitcam synth my.toml --json | python3 -m json.tool
-  gaitcam synth my.toml --solid --tool '3 mm'
+  gaitcam synth my.toml --solid --tool '3 mm' --pass '2 mm'
+  gaitcam synth my.toml --solid --units inch
   gaitcam synth my.toml --front force_error:prime_radius";
 
 /// Which scene, and what to write.
@@ -81,9 +82,15 @@ pub struct SynthArgs {
     /// Also write the path of a cutter of this radius: --tool '6 mm'
     #[arg(long, value_name = "RADIUS")]
     pub tool: Option<String>,
+    /// Depth of a pass of that cutter: cutter.nc with Z, spindle and feeds
+    #[arg(long, value_name = "DEPTH", requires = "tool")]
+    pub pass: Option<String>,
     /// Also write the path of a wire that cuts at this distance from its centre: --wire '0.14 mm'
     #[arg(long, value_name = "RADIUS")]
     pub wire: Option<String>,
+    /// Unit of DXF, drawing and programs
+    #[arg(long, value_name = "UNIT", value_enum, default_value_t = Lengths::Mm)]
+    pub units: Lengths,
 }
 
 /// As what profile.dxf has the edges.
@@ -94,7 +101,24 @@ pub enum Dxf {
     Splines,
 }
 
+/// Units of the files for the workshop.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub enum Lengths {
+    #[default]
+    Mm,
+    #[value(alias = "in")]
+    Inch,
+}
+
 impl SynthArgs {
+    /// The unit of DXF, drawing and programs.
+    fn units(&self) -> Units {
+        match self.units {
+            Lengths::Mm => Units::Millimetres,
+            Lengths::Inch => Units::Inches,
+        }
+    }
+
     /// The curves of profile.dxf.
     fn curves(&self) -> Curves {
         match self.dxf {
@@ -139,8 +163,9 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     }
     let start = Instant::now();
     let points = rows(args)?;
-    let tool = input::quantity("--tool", args.tool.as_deref(), Dimension::Length)?;
-    let wire = input::quantity("--wire", args.wire.as_deref(), Dimension::Length)?;
+    let tool = input::length("--tool", args.tool.as_deref())?;
+    let pass = input::length("--pass", args.pass.as_deref())?;
+    let wire = input::length("--wire", args.wire.as_deref())?;
     let waiting = args.time.of_input(args.json);
     // A limit that was given covers the reading too.
     let limit = waiting.as_ref().map(|_| args.time.of_design());
@@ -151,9 +176,11 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
             png: !args.no_png,
             solid: args.solid,
             tool,
+            pass,
             wire,
             drawn: args.drawn(),
             curves: args.curves(),
+            units: args.units(),
             title: input.title(),
             language: language::current(),
         },
@@ -167,7 +194,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     let problem = Problem::resolve(&input.scene, target.as_ref())?;
     let design = match synth::design(&problem, &search) {
         Err(error) if is_no_cam(&error) => {
-            return no_cam(args, &input, request.folder, &error, start);
+            return no_cam(args.json, &input, request.folder, &error, start);
         }
         design => design?,
     };
@@ -262,8 +289,8 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
 }
 
 /// Writes and prints why there is no cam to show.
-fn no_cam(
-    args: &SynthArgs,
+pub fn no_cam(
+    as_json: bool,
     input: &Input,
     folder: Option<ResultFolder>,
     error: &Error,
@@ -276,7 +303,7 @@ fn no_cam(
         Some(folder) => Some(design::finish(folder, input, &scene, &json)?),
         None => None,
     };
-    if args.json {
+    if as_json {
         print_json(&json);
         return Ok(exit_code::NO_SUCH_CAM);
     }

@@ -116,7 +116,7 @@ fn force(design: &Design) -> Vec<String> {
     if design.target.is_none() {
         return Vec::new();
     }
-    let f = &design.force;
+    let f = design.force.newtons(&design.drive);
     let factors = load_factors(design);
     let mut rows = vec![
         filled(

@@ -20,6 +20,7 @@ value-radius = RADIO
 value-column = COLUMNA
 value-columns = COLUMNAS
 value-curve = CURVA
+value-depth = PROFUNDIDAD
 value-feet = PIES
 value-unit = UNIDAD
 value-rate = FRECUENCIA
@@ -85,6 +86,8 @@ synth-solid = Escribe además los archivos de taller: plano (PDF), sólido (STEP
 synth-cut_only = Quita de los dibujos DXF lo que no se corta: círculos, marcas, curva de paso (capas REF_*)
 synth-dxf = Traza los bordes de profile.dxf como arcos (R12) o como splines (R2000)
 synth-tool = Escribe además la trayectoria de una fresa de este radio: --tool '6 mm'
+synth-pass = Profundidad de pasada de esa fresa: cutter.nc con Z, husillo y avances
+synth-units = Unidad del DXF, del plano y de los programas
 synth-wire = Escribe además la trayectoria de un hilo que corta a esta distancia de su centro: --wire '0.14 mm'
 
 gait-files = Registros, o carpetas de ellos: texto, OpenSim .mot/.sto, C3D, plantillas instrumentadas; de varios, una tabla y su media conjunta
@@ -92,7 +95,7 @@ gait-out = Escribe el ciclo medio (de varios registros, la media conjunta) en cs
 gait-feet = Pies cuya fuerza contiene el ciclo: both, one, left, right; total: la columna es la suma de ambos
 gait-time = Nombre o número de la columna de tiempo
 gait-force = Nombre o número de una columna de fuerza vertical (se puede repetir)
-gait-unit = Unidad de las columnas de fuerza: N, kN, lbf, kgf, N/kg, BW, %BW
+gait-unit = Unidad de las columnas de fuerza: N, daN, kN, lbf, kgf, N/kg, BW, %BW
 gait-rate = Frecuencia de muestreo, si el archivo no la da: "1000 Hz"
 gait-mass = Masa de quien camina: "72.6 kg"
 gait-kind = Qué se registró, si no se reconoce: walking, running
@@ -147,6 +150,7 @@ keys-schema = Escribe un JSON Schema del archivo de escena, para editores
 keys-markdown = Escribe la página de referencia en Markdown
 scenes-name = Muestra esta escena en TOML
 
+laws-name = Solo esta ley
 laws-out = Escribe además laws.html en esta carpeta: fórmulas, curvas, factores y cuándo elegir cada ley
 
 init-machine = La máquina; sin ella, se enumeran

@@ -3,7 +3,7 @@
 use super::average::MeanStance;
 use crate::cycle::plausibility::Ranges;
 use crate::interpretation::Period;
-use crate::recording::{Foot, PeriodSource, Recording};
+use crate::recording::{Foot, Heels, PeriodSource, Recording};
 use crate::stance::{RejectReason, Stances, footfalls, same_foot};
 use crate::statistics::{mean, median, sample_deviation};
 use crate::units::G;
@@ -15,8 +15,11 @@ const OF_ONE: f64 = 0.02;
 impl Period {
     /// Standard uncertainty, s, of a duration that is from one stride or one step; `None` of any other.
     pub fn uncertainty_s(&self) -> Option<f64> {
-        use PeriodSource::{DoubledSteps, HeelStrikes, MarkedStrikes};
-        let measured = matches!(self.from, HeelStrikes | MarkedStrikes | DoubledSteps);
+        use PeriodSource::{DoubledSteps, HeelMarkers, HeelStrikes, MarkedStrikes};
+        let measured = matches!(
+            self.from,
+            HeelStrikes | MarkedStrikes | HeelMarkers | DoubledSteps
+        );
         (measured && self.spread_s.is_none()).then_some(OF_ONE * self.seconds)
     }
 
@@ -39,8 +42,8 @@ impl Period {
 
 /// Duration of a stride and what it was taken from.
 ///
-/// One foot's own consecutive heel strikes give it, else those that the file marks, else doubled steps; else a
-/// known mass, since both feet together carry it (impulse of both = M g T); else the usual part of a stride that
+/// One foot's own consecutive heel strikes give it, else those that the file marks, else the heel markers, else doubled
+/// steps; else a known mass, since both feet together carry it (impulse of both = M g T); else the usual part of a stride that
 /// a foot stands.
 pub(super) fn stride_time(
     recording: &Recording,
@@ -103,10 +106,18 @@ fn strikes(
     if let Some(stride) = Period::of(&own, PeriodSource::HeelStrikes) {
         return Some(stride);
     }
-    let mut marked = marked_strides(recording);
-    marked.retain(|s| is_stride(*s));
-    if let Some(stride) = Period::of(&marked, PeriodSource::MarkedStrikes) {
-        return Some(stride);
+    let heels = recording.heels.as_ref();
+    for (mut strides, from) in [
+        (marked_strides(recording), PeriodSource::MarkedStrikes),
+        (
+            heels.map_or(Vec::new(), Heels::strides_s),
+            PeriodSource::HeelMarkers,
+        ),
+    ] {
+        strides.retain(|s| is_stride(*s));
+        if let Some(stride) = Period::of(&strides, from) {
+            return Some(stride);
+        }
     }
     let doubled = (!steps.is_empty()).then(|| 2.0 * mean(&steps))?;
     Some(Period {

@@ -61,6 +61,8 @@ pub enum ReadError {
     TimeMissing { after: f64 },
     /// Rows are much shorter than the header.
     ShortRows { fields: usize },
+    /// Commas part the fields and the decimals too.
+    CommasTwice { columns: usize, fields: usize },
     /// There are no samples, or only one.
     FewSamples { samples: usize },
     /// Time does not increase.

@@ -26,7 +26,7 @@ use crate::recording::{ReadOptions, Recording};
 
 pub use arrays::of_arrays;
 pub use number_table::{Cell, NumberTable};
-pub use text::metadata_name;
+pub use text::{PlateFile, metadata_name, plate_of};
 
 /// Reads a recording of vertical force.
 ///

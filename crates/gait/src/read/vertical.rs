@@ -90,6 +90,7 @@ pub(super) fn recording(
         mass_from: mass.map(|m| m.1),
         channels,
         strikes: Vec::new(),
+        heels: None,
         gaps_s: base.gaps_s,
         notes,
     })

@@ -7,12 +7,14 @@ use crate::units::Quantity;
 
 mod feet;
 mod format;
+mod heels;
 mod kind;
 mod note;
 mod unit;
 
 pub use feet::{Feet, Foot};
 pub use format::{DecimalMark, Format, Processor, SeparatorName, Storage};
+pub use heels::Heels;
 pub use kind::{Kind, OpenQuestion};
 pub use note::{
     Axis, ClockSource, CycleSource, MassSource, Note, PeriodSource, UnitSource, WeightShare,
@@ -202,6 +204,8 @@ pub struct Recording {
     pub channels: Vec<Channel>,
     /// Foot strikes the file marks, in order of time.
     pub strikes: Vec<Strike>,
+    /// Paths of the heel markers, where the file has both.
+    pub heels: Option<Heels>,
     /// Spans without samples, s.
     pub gaps_s: Vec<(f64, f64)>,
     /// What was guessed or left out, and what is doubtful.
@@ -209,6 +213,28 @@ pub struct Recording {
 }
 
 impl Recording {
+    /// Adds the plates of another file of the same trial, read by the same options; the shorter file sets the end.
+    pub fn add_plates(&mut self, other: Recording) {
+        let low = |n: &Note| matches!(n, Note::LowForce { .. });
+        let is_low = |notes: &[Note]| notes.iter().any(low);
+        // The force of a plate that nobody stepped on says nothing of the unit.
+        let loaded = !(is_low(&self.notes) && is_low(&other.notes));
+        let new = other.notes.into_iter().filter(|n| !self.notes.contains(n));
+        let new: Vec<Note> = new.collect();
+        self.notes.extend(new);
+        self.notes.retain(|n| !(loaded && low(n)));
+        self.mass_kg = self.mass_kg.or(other.mass_kg);
+        self.mass_from = self.mass_from.or(other.mass_from);
+        self.channels.extend(other.channels);
+        let lengths = self.channels.iter().map(|c| c.force_n.len());
+        let count = lengths.min().unwrap_or(0);
+        for channel in &mut self.channels {
+            channel.force_n.truncate(count);
+            channel.missing.retain(|gap| gap.1 <= count);
+        }
+        self.duration_s = count.saturating_sub(1) as f64 / self.rate_hz;
+    }
+
     /// Whether the user states that it is of running.
     pub fn runs(&self) -> bool {
         self.kind == Some(Kind::Running)

@@ -287,6 +287,8 @@ pub enum PeriodSource {
     HeelStrikes,
     /// Consecutive strikes of one foot that the file marks.
     MarkedStrikes,
+    /// The heel markers of a motion-capture recording.
+    HeelMarkers,
     /// Twice the mean step from one foot to the other.
     DoubledSteps,
     /// The impulse that carries the known mass over a stride.

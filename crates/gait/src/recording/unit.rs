@@ -26,8 +26,11 @@ pub enum ForceUnit {
     #[strum(to_string = "N", serialize = "newton", serialize = "newtons")]
     Newton,
     /// Kilonewtons.
-    #[strum(to_string = "kN")]
+    #[strum(to_string = "kN", serialize = "kilonewton", serialize = "kilonewtons")]
     Kilonewton,
+    /// Decanewtons.
+    #[strum(to_string = "daN", serialize = "decanewton")]
+    Decanewton,
     /// Pounds-force.
     #[strum(to_string = "lbf", serialize = "lb", serialize = "lbs")]
     PoundForce,
@@ -71,6 +74,7 @@ impl ForceUnit {
         match self {
             ForceUnit::Newton => Some(1.0),
             ForceUnit::Kilonewton => Some(1e3),
+            ForceUnit::Decanewton => Some(10.0),
             ForceUnit::PoundForce => Some(LBF),
             ForceUnit::KilogramForce => Some(9.806_65),
             ForceUnit::NewtonPerKilogram => mass_kg,

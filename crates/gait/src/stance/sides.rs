@@ -3,7 +3,7 @@
 use super::types::{RejectReason, Stance, Stances};
 use crate::recording::{Foot, Recording};
 
-/// Names the feet of plates: by marked strikes, then by turns from a stance whose foot is known.
+/// Names the feet of plates: by marked strikes, then by the heel markers, then by turns from a stance whose foot is known.
 pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
     for s in stances.iter_mut().filter(|s| s.foot.is_none()) {
         let near = |at: f64| (at - s.start_s).abs();
@@ -11,7 +11,9 @@ pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
             .strikes
             .iter()
             .min_by(|a, b| near(a.at_s).total_cmp(&near(b.at_s)));
-        s.foot = strike.filter(|k| near(k.at_s) < 0.15).map(|k| k.foot);
+        let marked = strike.filter(|k| near(k.at_s) < 0.15).map(|k| k.foot);
+        let heels = recording.heels.as_ref();
+        s.foot = marked.or_else(|| heels?.standing(s.start_s, s.end_s));
     }
     let n = stances.len();
     let onwards = (1..n).map(|i| (i - 1, i));

@@ -49,6 +49,9 @@ impl Processor {
     }
 }
 
+/// A marker: its label, and its position in mm in a frame where it is seen.
+pub type Marker<'a> = (&'a str, &'a dyn Fn(usize) -> Option<[f64; 3]>);
+
 struct Writer {
     p: Processor,
     out: Vec<u8>,
@@ -161,7 +164,7 @@ fn matrix(kind: i16) -> (usize, usize, Vec<f32>) {
 }
 
 /// The parameter section: one plate, mass 70 kg and one strike of the right foot at 0.5 s.
-fn parameters(b: &Build, count: usize) -> Vec<u8> {
+fn parameters(b: &Build, count: usize, markers: &[Marker]) -> Vec<u8> {
     let mut w = Writer {
         p: b.processor,
         out: Vec::new(),
@@ -175,6 +178,8 @@ fn parameters(b: &Build, count: usize) -> Vec<u8> {
     w.group(1, "POINT");
     w.floats(1, "RATE", &[], &[100.0]);
     w.floats(1, "SCALE", &[], &[if b.float { -0.1 } else { 0.1 }]);
+    let labels: Vec<&str> = markers.iter().map(|m| m.0).collect();
+    w.texts(1, "LABELS", 16, &labels);
     w.group(2, "ANALOG");
     w.ints(2, "USED", &[], &[count as i16]);
     w.floats(2, "GEN_SCALE", &[], &[1.0]);
@@ -210,15 +215,19 @@ fn parameters(b: &Build, count: usize) -> Vec<u8> {
 /// A file with one plate under `force` (newtons, downwards negative as plates give it), with mass 70 kg and
 /// one strike of the right foot at 0.5 s.
 pub fn build(b: &Build, force: impl Fn(usize) -> f64) -> Vec<u8> {
+    build_with(b, force, &[("M1", &|_| Some([0.1, 0.2, 0.3]))])
+}
+
+/// The same with markers.
+pub fn build_with(b: &Build, force: impl Fn(usize) -> f64, markers: &[Marker]) -> Vec<u8> {
     let count = channels(b.kind, 0.0).len();
-    let points = 1usize;
-    let parameters = parameters(b, count);
+    let parameters = parameters(b, count, markers);
     let blocks = parameters.len() / 512;
     let p = b.processor;
     let mut file = vec![0u8; 512];
     file[0] = 2;
     file[1] = 0x50;
-    let words = [points, count * b.per_frame, 1, b.frames, 10];
+    let words = [markers.len(), count * b.per_frame, 1, b.frames, 10];
     for (i, x) in words.iter().enumerate() {
         file[2 + 2 * i..4 + 2 * i].copy_from_slice(&p.word(*x as u16));
     }
@@ -235,8 +244,14 @@ pub fn build(b: &Build, force: impl Fn(usize) -> f64) -> Vec<u8> {
                 file.extend(p.word((x.round() as i16).cast_unsigned()));
             }
         };
-        for x in [1.0, 2.0, 3.0, 0.0] {
-            put(x);
+        for (_, at) in markers {
+            // POINT:SCALE is 0.1 mm for integers; a residual of −1 says that the marker is not seen.
+            let unit = if b.float { 1.0 } else { 0.1 };
+            let [x, y, z] = at(frame).unwrap_or_default().map(|x| x / unit);
+            let residual = if at(frame).is_some() { 0.0 } else { -1.0 };
+            for x in [x, y, z, residual] {
+                put(x);
+            }
         }
         for k in 0..b.per_frame {
             for x in channels(b.kind, force(frame * b.per_frame + k)) {

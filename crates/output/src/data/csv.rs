@@ -48,7 +48,7 @@ pub fn law(synthesis: &Design, points: usize) -> String {
     text(&law_columns(synthesis, points))
 }
 
-/// The columns of `law.csv`; NaN where there is no target.
+/// The columns of `law.csv`, the force of an arm at its lever; NaN where there is no target.
 pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     let cam = &synthesis.cam;
     let names = if cam.follower.is_oscillating() {
@@ -56,11 +56,13 @@ pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     } else {
         LAW_METRES
     };
+    let drive = &synthesis.drive;
     let rows = angles(&cam.law, points).map(|theta| {
         let at = cam.law.svaj(theta);
-        let force = synthesis.drive.force(synthesis.pressing().svaj(theta));
+        let force = drive.force(synthesis.pressing().svaj(theta));
         let target = synthesis.target.as_ref();
         let target = target.map_or(f64::NAN, |t| target_at(t, &cam.law, theta));
+        let [force, target] = [force, target].map(|f| drive.newtons(f));
         [theta, at.s, at.v, at.a, at.j, force, target]
     });
     columns(names, rows)

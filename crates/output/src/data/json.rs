@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::Timing;
 use gaitcam::cam::{Cam, Continuity, Verdict};
+use gaitcam::drive::Drive;
 use gaitcam::error::Error;
 use gaitcam::synth::{Design, End, FIGURES, Figures, Reason};
 use gaitcam::wording::Language;
@@ -30,7 +31,7 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     );
     put("continuity", json!(Continuity::of(&design.cam)));
     put("cam_das", json!(design.cam.cam_das_class().name()));
-    put("force", json!(design.force));
+    put("force", json!(design.force.newtons(&design.drive)));
     put("drive", drive(design));
     put("law", law(design));
     put("cam", cam(design));
@@ -133,7 +134,7 @@ fn law(design: &Design) -> Value {
         "j_min_m_per_rad3": real(j_min.value),
     });
     if let Some(end) = &design.end {
-        out["polydyne"] = polydyne(end);
+        out["polydyne"] = polydyne(end, &design.drive);
     }
     out
 }
@@ -141,15 +142,16 @@ fn law(design: &Design) -> Value {
 /// The end of a flexible follower, for which the cam is cut. The force is the end's; stroke, velocity,
 /// acceleration and jerk of the law are the cam's. Misses are deviations in the flexible simulation: of this
 /// cam, and of one cut to the law of the end.
-fn polydyne(end: &End) -> Value {
+fn polydyne(end: &End, drive: &Drive) -> Value {
+    let newtons = |force: f64| drive.newtons(force);
     json!({
         "stiffness_n_per_m": end.stiffness,
         "damping_n_s_per_m": end.damping,
         "end_stroke_m": end.law.stroke(),
         "end_miss_m": end.miss.map(|m| m.lift.value),
-        "force_miss_rms_n": end.miss.map(|m| m.force_rms),
-        "force_miss_max_n": end.miss.map(|m| m.force_max),
-        "plain_force_miss_rms_n": end.plain_miss.map(|m| m.force_rms),
+        "force_miss_rms_n": end.miss.map(|m| newtons(m.force_rms)),
+        "force_miss_max_n": end.miss.map(|m| newtons(m.force_max)),
+        "plain_force_miss_rms_n": end.plain_miss.map(|m| newtons(m.force_rms)),
     })
 }
 

@@ -120,7 +120,11 @@ fn head(
         ("sheet-offset", length(follower.offset())),
         ("sheet-speed", speed),
     ];
+    let flat = |key: &str| follower.is_flat() && key == "sheet-roller-radius";
     for (row, (key, value)) in (3..).zip(lines) {
+        if flat(key) {
+            continue;
+        }
         let value = words.decimal(value);
         sheet.write(row, 0, words.fill(key, &[("value", &value)]))?;
     }

@@ -194,22 +194,29 @@ impl Lines {
         self.spread(&c.curve, c.repeatability_n, c.mass_kg);
     }
 
-    /// Open questions, and the keys that answer them.
+    /// Open questions: what cannot be accepted, and the keys that answer the others. They stay where a recording can be
+    /// used in part.
     fn open_questions(&mut self, understood: &Interpretation) {
         let questions = understood.doubts();
-        if questions.is_empty() {
-            return;
-        }
-        let sentences = questions.iter().map(|q| self.words.sentence("open", q));
-        let list = sentences.collect::<Vec<_>>().join(", ");
-        let acceptable = questions.iter().filter(|q| q.is_acceptable());
-        let names = acceptable.map(|q| q.name()).collect::<Vec<_>>().join(", ");
-        let label = match names.is_empty() {
-            true => json!({"unacceptable": {"list": list, "others": unclipped(understood)}}),
-            false => json!({"doubts": {"list": list, "names": names}}),
+        let (others, refused): (Vec<_>, Vec<_>) =
+            questions.into_iter().partition(|q| q.is_acceptable());
+        let list = |questions: &[OpenQuestion]| {
+            let sentences = questions.iter().map(|q| self.words.sentence("open", q));
+            sentences.collect::<Vec<_>>().join(", ")
         };
-        let text = self.words.sentence("gait", &label);
-        self.row("gait-doubt", text);
+        let (refusal, question) = (list(&refused), list(&others));
+        let unclipped = unclipped(understood);
+        if !refused.is_empty() {
+            let label = json!({"unacceptable": {"list": refusal, "others": unclipped}});
+            let text = self.words.sentence("gait", &label);
+            self.row("gait-doubt", text);
+        }
+        if !others.is_empty() && (refused.is_empty() || unclipped > 0) {
+            let names = others.iter().map(|q| q.name()).collect::<Vec<_>>();
+            let label = json!({"doubts": {"list": question, "names": names.join(", ")}});
+            let text = self.words.sentence("gait", &label);
+            self.row("gait-doubt", text);
+        }
     }
 
     fn point(&self, p: Option<Point>) -> String {

@@ -46,7 +46,11 @@ pub fn advice(rise: &Rise, language: Language) -> String {
 fn section(out: &mut String, rise: &Rise, words: &Words) -> Result<()> {
     let (law, factors, ends) = (rise.law()?, rise.factors()?, rise.ends()?);
     let name = rise.name();
-    let _ = writeln!(out, "<section id=\"{name}\">\n<h2>{name}</h2>");
+    let heading = escaped(&words.name(name));
+    let _ = writeln!(
+        out,
+        "<section id=\"{name}\">\n<h2>{heading}</h2>\n<p><code>motion = \"{name}\"</code></p>"
+    );
     for piece in rise.formula().split("; ") {
         let _ = writeln!(out, "<p><code>{}</code></p>", escaped(piece));
     }
@@ -138,6 +142,8 @@ mod tests {
                 "{:?}",
                 page.find("laws-").map(|i| &page[i..i + 40])
             );
+            let heading = words::words(language).name("modified-sine");
+            assert!(page.contains(&format!("<h2>{heading}</h2>")));
             assert_eq!(page.matches("<section").count(), Rise::catalogue().len());
             assert_eq!(
                 page.matches("<polyline").count(),

@@ -9,6 +9,7 @@ use crate::words;
 use gaitcam::cam::Criterion;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
+use gaitcam_base::text::{in_language, page_in_language};
 
 /// A main figure.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -24,7 +25,12 @@ pub struct Figure {
 /// The figures at the top: force error, force, stroke, base circle, smallest radius, speed.
 pub fn figures(design: &Design, language: Language) -> Vec<Figure> {
     let cards = cards_of(design, &words::words(language)).into_iter();
-    let figure = |(name, value, more)| Figure { name, value, more };
+    let written = |text: String| in_language(&text, language);
+    let figure = |(name, value, more)| Figure {
+        name,
+        value: written(value),
+        more: written(more),
+    };
     cards.map(figure).collect()
 }
 
@@ -47,7 +53,7 @@ pub fn tables(design: &Design, time: Timing, language: Language) -> Tables {
     let of = |write: &dyn Fn(&mut String)| {
         let mut out = String::new();
         write(&mut out);
-        out
+        page_in_language(out, language)
     };
     Tables {
         checks: of(&|out| tables::checks(out, design, &words)),

@@ -154,7 +154,7 @@ fn impacts(out: &mut String, measures: Measures, outcome: &Outcome, words: &Word
 
 fn remarks(out: &mut String, outcome: &Outcome, words: &Words) {
     let next = outcome.next.as_ref().map(|n| {
-        let difference = change(n, words);
+        let difference = change(n, outcome.lever, words);
         words.fill("report-next-model", &[("difference", &difference)])
     });
     if outcome.notes.is_empty() && next.is_none() {

@@ -86,6 +86,7 @@ report-moment-at-rest = momento estático
 report-mass = masa móvil
 report-inertia = momento de inercia
 report-spring = rigidez del muelle
+report-column = rigidez de la columna de fluido
 report-damping = amortiguamiento
 report-family = familia
 report-pieces = tramos polinómicos
@@ -110,7 +111,7 @@ report-concave-radius = radio cóncavo mínimo
 report-face-width = longitud de la cara
 report-pressure-angle = ángulo de presión
 report-loads = Par, potencia y presión
-report-load-factors = Factores de carga dinámica (armónicos de la frecuencia de paso, parte del peso de { $weight } N, fase de sen(kθ − φ))
+report-load-factors = Factores de carga dinámica (armónicos de la fuerza, parte de { $weight } N, fase de sen(kθ − φ))
 report-harmonic = armónico
 report-frequency = frecuencia
 report-factor-target = objetivo
@@ -279,7 +280,7 @@ figure-contacts = contactos: { $used } usados, { $rejected } rechazados
 figure-designs = diseños
 
 # La hoja de la leva en el libro de cálculo.
-sheet-title = Leva de disco, seguidor { $follower }
+sheet-title = Leva de disco, { $follower }
 sheet-base-radius = Radio base { $value }
 sheet-prime-radius = Radio primario { $value }
 sheet-roller-radius = Radio del rodillo { $value }

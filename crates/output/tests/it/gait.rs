@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-use gaitcam::force::{Feet, Interpretation, ReadOptions, cycle, read, stances};
+use gaitcam::force::{Feet, ForceUnit, Interpretation, ReadOptions, cycle, read, stances};
 use gaitcam::units::G;
 use gaitcam::wording::Language;
 use gaitcam_output::gait::{json, table};
@@ -218,4 +218,25 @@ fn a_clipped_column_is_left_out_only_beside_another() {
     }
     // The advice is right: without the clipped column nothing is refused.
     assert!(!clipped([true, false], &of("Right Fz")).contains(refused));
+}
+
+#[test]
+fn a_question_beside_a_clipped_column_is_asked_only_where_a_column_is_left() {
+    // Newtons taken as pounds: a walker of 310 kg.
+    let pounds = ReadOptions {
+        unit: Some(ForceUnit::PoundForce),
+        ..ReadOptions::default()
+    };
+    let refusal =
+        "The recording cannot be used: readings that are clipped below the peaks of the force.";
+    let question = "Check the mass and the unit of force; then give the option named, or accept with gait.accept = \"mass\".";
+    for (columns, refused, asked) in [
+        ([false, false], false, true),
+        ([true, false], true, true),
+        ([true, true], true, false),
+    ] {
+        let text = clipped(columns, &pounds);
+        assert_eq!(text.contains(refusal), refused, "{text}");
+        assert_eq!(text.contains(question), asked, "{text}");
+    }
 }

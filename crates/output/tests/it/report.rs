@@ -100,3 +100,49 @@ fn the_report_of_a_run_moves_the_follower_as_it_ran() {
         }
     }
 }
+
+#[test]
+fn load_factors_have_whole_harmonics_and_no_phase_where_they_are_zero() {
+    let html = gaitcam_output::report::html(&footbridge(), TIME, Language::Es);
+    let table = html.split("Factores de carga dinámica").nth(1).unwrap();
+    let table = table.split("</table>").next().unwrap();
+    assert!(
+        table.contains(">1<") && table.contains("0,3700 ∠ 0,0°"),
+        "{table}"
+    );
+    assert!(
+        table.contains(">0,0000<") && !table.contains("e−"),
+        "{table}"
+    );
+    assert!(!table.contains("−180,0°"));
+    let heel = gaitcam_output::report::html(&heel_tester(), TIME, Language::Es);
+    assert!(
+        heel.contains("rigidez de la columna de fluido") && !heel.contains("rigidez del muelle")
+    );
+    assert!(!heel.contains("frecuencia de paso"));
+}
+
+#[test]
+fn parts_for_other_pages_have_the_decimal_sign_of_the_language() {
+    let design = footbridge();
+    let figures = gaitcam_output::report::parts::figures(&design, Language::Es);
+    assert!(figures.iter().any(|f| f.value.contains(',')));
+    for figure in &figures {
+        let text = format!("{} {}", figure.value, figure.more);
+        assert!(!text.contains('.'), "{text}");
+    }
+    let tables = gaitcam_output::report::parts::tables(&design, TIME, Language::Es);
+    for text in [tables.checks, tables.data] {
+        let shown: String = text
+            .split('<')
+            .filter_map(|p| p.split_once('>'))
+            .map(|p| p.1)
+            .collect();
+        let numbers = shown.as_bytes().windows(3);
+        let pointed = |w: &&[u8]| w[0].is_ascii_digit() && w[1] == b'.' && w[2].is_ascii_digit();
+        assert!(
+            shown.contains(',') && numbers.filter(pointed).count() == 0,
+            "{shown}"
+        );
+    }
+}

@@ -1,7 +1,9 @@
 //! `simulation.json`, `dynamics.csv` and the table of the console.
 
-use gaitcam::cam::Measures;
+use gaitcam::cam::{Cam, Follower, Measures};
+use gaitcam::drive::Drive;
 use gaitcam::dynamics::{Model, Run, simulate};
+use gaitcam::law::Law;
 use gaitcam_output::{Language, simulation};
 use gaitcam_test_support::designed;
 
@@ -44,4 +46,29 @@ fn the_files_of_a_simulation_have_the_documented_keys_and_columns() {
         "whole turns of 1440 rows: {rows}"
     );
     assert!(simulation::table(&out, Measures::Translating, Language::En).contains("lift-off"));
+}
+
+#[test]
+fn tables_of_an_arm_have_angles_in_radians_and_forces_in_newtons_at_the_lever() {
+    // F = 700 N at 0.1 m: 70 N·m about the pivot on a spring of 200 N·m/rad lift it by 0.35 rad.
+    let drive = Drive::fixed_axis(0.0, 20_000.0, 1.0).at_lever(0.1);
+    let follower = Follower::RollerOscillating {
+        pivot_distance: 0.12,
+        arm: 0.1,
+        prime_radius: 0.05,
+        roller_radius: 0.01,
+    };
+    let cam = Cam::new(Law::harmonic(0.35, &[(0.1, 0.0)]), follower).unwrap();
+    let out = simulate(&Run::new(cam, drive, 720), Model::Rigid).unwrap();
+    let csv = simulation::csv(&out);
+    let head = "theta_rad,contact_force_n,torque_nm,power_w,lift_rad,gap_rad,normal_force_n,";
+    assert!(csv.starts_with(head), "{csv:.120}");
+    let columns = simulation::columns(&out);
+    let column = |name| &columns.iter().find(|c| c.0 == name).unwrap().1;
+    for (force, lift) in column("contact_force_n").iter().zip(column("lift_rad")) {
+        assert!((force - 200.0 * lift / 0.1).abs() < 1e-6, "{force} {lift}");
+    }
+    let force = &simulation::json(&out)["force"];
+    let most = 200.0 * 0.45 / 0.1;
+    assert!((force["max"].as_f64().unwrap() - most).abs() < 1e-3);
 }

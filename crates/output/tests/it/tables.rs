@@ -44,6 +44,24 @@ fn law_csv_has_the_promised_columns_and_reads_back_to_the_same_bits() {
 }
 
 #[test]
+fn law_csv_of_an_arm_has_lifts_in_radians_and_forces_in_newtons_at_the_lever() {
+    let toml = "[gait]\nmodel = \"young\"\nstep_frequency = \"1.85 Hz\"\nbody_weight = \"700 N\"\n[drive]\nkind = \"fixed-axis\"\nspring_rate = \"300 N m/rad\"\n\
+                lever = \"80 mm\"\n[cam]\nfollower = \"roller-oscillating\"\npivot_distance = \"120 mm\"\narm = \"100 mm\"\n\
+                roller_radius = \"10 mm\"";
+    let scene = gaitcam::scene::parse(toml).unwrap();
+    let design = gaitcam::synthesise(&scene, scene.model_force().unwrap().as_ref()).unwrap();
+    let (head, rows) = table(&gaitcam_output::csv::law(&design, 360));
+    let promised = "theta_rad,s_rad,v_rad_per_rad,a_rad_per_rad2,j_rad_per_rad3,force_n,target_n";
+    assert_eq!(head.join(","), promised);
+    // F·L = k·s, and Young's mean is the weight.
+    for row in &rows {
+        assert!((row[5].unwrap() * 0.08 - 300.0 * row[1].unwrap()).abs() < 1e-9);
+    }
+    let mean = |column: usize| rows.iter().filter_map(|r| r[column]).sum::<f64>() / 360.0;
+    assert!((mean(5) - 700.0).abs() < 1e-3 && (mean(6) - 700.0).abs() < 1e-3);
+}
+
+#[test]
 fn profile_csv_holds_the_contact_at_each_angle() {
     for s in [footbridge(), heel_tester()] {
         let (head, rows) = table(&gaitcam_output::csv::profile(&s, 1440));
@@ -122,4 +140,23 @@ fn the_profile_of_a_barrel_is_the_wall_of_its_drawing() {
     // At rest in height the rollers of 5.25 mm stand 0.25 mm off their stud.
     assert!((rows[0][2].unwrap() + 5.5e-3).abs() < 1e-12);
     assert!((rows[0][4].unwrap() + 0.25e-3).abs() < 1e-12);
+}
+
+#[test]
+fn the_head_of_the_workbook_names_the_follower_once_and_a_roller_only_where_there_is_one() {
+    let head = |design: &gaitcam::synth::Design| {
+        let bytes = gaitcam_output::xlsx::workbook(design, TIME, Language::Es).unwrap();
+        let mut book = Xlsx::new(Cursor::new(bytes)).unwrap();
+        let sheet = book.worksheet_range("cam").unwrap();
+        let text = |row| {
+            sheet
+                .get_value((row, 0))
+                .map_or(String::new(), Data::to_string)
+        };
+        (0..9).map(text).collect::<Vec<_>>().join("\n")
+    };
+    let flat = head(&footbridge());
+    assert_eq!(flat.matches("seguidor").count(), 1, "{flat}");
+    assert!(!flat.contains("rodillo"), "{flat}");
+    assert!(head(&heel_tester()).contains("Radio del rodillo"));
 }

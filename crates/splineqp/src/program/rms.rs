@@ -1,8 +1,8 @@
 //! A limit on a root mean square of the law, such as its force error.
 
-use super::{EXTRAS, Meaning, Program, Row};
+use super::{EXTRAS, Limit, Meaning, PEAK, Program, Row, SIZES};
 use crate::Names;
-use crate::objective::Quadratic;
+use crate::objective::{MeanSquare, Quadratic};
 use crate::poly::Peak;
 
 /// Rounding of a difference of q's terms, as a part of its constant.
@@ -14,7 +14,7 @@ pub struct RmsLimit<N: Names> {
     /// Name as users know it.
     pub name: N::Limit,
     /// q.
-    pub half: Quadratic,
+    pub half: MeanSquare,
     /// The largest root mean square allowed; above 0.
     pub most: f64,
     /// What `most` means to the user.
@@ -24,7 +24,7 @@ pub struct RmsLimit<N: Names> {
 impl<N: Names> RmsLimit<N> {
     /// Excess over the limit as a part of it, beyond what rounding of q's terms leaves; negative where the limit holds.
     pub fn excess(&self, x: &[f64]) -> f64 {
-        let square = 2.0 * self.half.value(x) - ROUNDING * self.half.constant.abs();
+        let square = 2.0 * self.half.value(x) - ROUNDING * self.half.whole.constant.abs();
         square.max(0.0).sqrt() / self.most - 1.0
     }
 
@@ -36,10 +36,8 @@ impl<N: Names> RmsLimit<N> {
     /// The tangent at x, which every law z within the limit keeps because q is convex: ∇q(x)·(z − x) ≤ ½ most² − q(x),
     /// divided by `most`.
     pub(crate) fn tangent(&self, x: &[f64], multiplier: f64) -> Row<N> {
-        let mut gradient = self.half.hessian.times(x);
-        for (own, g) in gradient.iter_mut().zip(&self.half.gradient) {
-            *own = (*own + g) / self.most;
-        }
+        let mut gradient = self.half.gradient(x);
+        gradient.iter_mut().for_each(|g| *g /= self.most);
         let along: f64 = gradient.iter().zip(x).map(|(g, x)| g * x).sum();
         let entries = gradient.into_iter().enumerate().collect();
         let bound = 0.5 * self.most - self.half.value(x) / self.most + along;
@@ -60,30 +58,54 @@ impl<N: Names> Program<N> {
     pub(crate) fn weighing(&self, limit: &RmsLimit<N>, weight: f64) -> Program<N> {
         let mut out = self.clone();
         out.rms = None;
-        out.hessian.add_scaled(&limit.half.hessian, weight);
-        for (own, g) in out.gradient.iter_mut().zip(&limit.half.gradient) {
+        let whole = &limit.half.whole;
+        out.hessian.add_scaled(&whole.hessian, weight);
+        for (own, g) in out.gradient.iter_mut().zip(&whole.gradient) {
             *own += weight * g;
         }
-        out.constant += weight * limit.half.constant;
+        out.constant += weight * whole.constant;
         out
     }
 
-    /// The program of the least root mean square under the other limits; `None` where none is limited.
-    pub fn of_least_rms(&self) -> Option<Program<N>> {
+    /// The program of the least root mean square under the other limits, and under a peak where one is held; `None` where no
+    /// root mean square is limited.
+    pub fn of_least_rms(&self, peak: Option<f64>) -> Option<Program<N>> {
         let mut out = self.clone();
         let limit = out.rms.take()?;
         let Quadratic {
             hessian,
             gradient,
             constant,
-        } = limit.half;
+        } = limit.half.whole;
         (out.hessian, out.gradient, out.constant) = (hessian, gradient, constant);
         out.cost = [0.0; EXTRAS];
-        // Rows about a peak without a cost say nothing.
-        for limit in out.limits.iter_mut().filter(|l| l.is_peak()) {
-            *limit = limit.idle();
+        if let Some(peak) = peak {
+            for limit in &mut out.limits {
+                hold(&mut limit.bound, &mut limit.extra, peak);
+            }
         }
+        out.without_idle_limits();
         out.seeds.clear();
         Some(out)
     }
+
+    /// Leaves out limits that a variable without a cost takes away: a peak or a size that nothing keeps from growing.
+    fn without_idle_limits(&mut self) {
+        let kept = |k: usize| {
+            self.cone && SIZES.contains(&k)
+                || self.limits.iter().any(|l| l.extra[k] > 0.0)
+                || self.fixed.iter().any(|r| r.extra[k] != 0.0)
+        };
+        let grows: [bool; EXTRAS] = std::array::from_fn(|k| self.cost[k] == 0.0 && !kept(k));
+        let is_idle = |l: &Limit<N>| (0..EXTRAS).any(|k| grows[k] && l.extra[k] < 0.0);
+        for limit in self.limits.iter_mut().filter(|l| is_idle(l)) {
+            *limit = limit.idle();
+        }
+    }
+}
+
+/// A row under a peak that is no variable any more.
+pub fn hold(bound: &mut f64, extra: &mut [f64; EXTRAS], peak: f64) {
+    *bound -= extra[PEAK] * peak;
+    extra[PEAK] = 0.0;
 }

@@ -1,29 +1,43 @@
-//! A limit on a root mean square, by the weight at which it holds with equality.
+//! A limit on a root mean square √(2 q), by a number at which it holds with equality.
 //!
-//! With weight μ on q the optimum x(μ) of J + μ q keeps the other limits, and √(2 q(x(μ))) falls as μ grows. Where it is
-//! `most`, x(μ) is the optimum under √(2 q) ≤ `most` and μ·most the multiplier of its tangent: J's gradient and the active
-//! rows leave −μ∇q (Boyd and Vandenberghe, Convex Optimization, §5.5.3). So every method for quadratic objectives serves,
+//! **Weight.** With weight μ on q the optimum x(μ) of J + μ q keeps the other limits, and q(x(μ)) falls as μ grows. Where
+//! √(2 q) is `most`, x(μ) is the optimum under √(2 q) ≤ `most` and μ·most the multiplier of its tangent: J's gradient and the
+//! active rows leave −μ∇q (Boyd and Vandenberghe, Convex Optimization, §5.5.3). So every method for quadratic objectives serves,
 //! and the proof is theirs with one row more.
 //!
-//! Between two weights the law is taken on the line from one optimum to the other, where q is what is allowed: all
+//! **Peak.** Where J is a peak t alone, q is minimised under t ≤ p instead, and p sought at which its least value is what is
+//! allowed: the same optimum, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput.
+//! 31, 2008, §2). Each step has the force error's own objective, and none is a linear program of many contacts.
+//!
+//! Between two of these numbers the law is taken on the line from one optimum to the other, where q is what is allowed: all
 //! limits hold there. With weight and multipliers mixed in the same proportion t it leaves t(1 − t) Δμ Δ∇q of the gradient, which
 //! is of second order.
 
 use crate::Names;
-use crate::program::{Failure, Program, RmsLimit, Row, Solution, Stop};
+use crate::program::{EXTRAS, Failure, PEAK, Program, RmsLimit, Row, Solution, Stop, hold};
 
-/// The optimum of J + μ q.
+/// An optimum on the way.
 struct Tried<N: Names> {
-    /// ln μ.
+    /// ln of the weight or of the peak.
+    number: f64,
+    /// μ; 0 where the peak that is held holds nothing.
     weight: f64,
     /// ln of the root mean square over what is allowed.
     excess: f64,
     solution: Solution<N>,
 }
 
+/// The number that is sought.
+#[derive(Clone, Copy, PartialEq)]
+enum Way {
+    Weight,
+    Peak,
+}
+
 struct Search<'a, N: Names> {
     program: &'a Program<N>,
     limit: &'a RmsLimit<N>,
+    way: Way,
     /// Contacts of the last optimum.
     seeds: Vec<Row<N>>,
 }
@@ -34,74 +48,180 @@ pub fn solve<N: Names>(
     limit: &RmsLimit<N>,
 ) -> Result<Solution<N>, Failure<N>> {
     let settings = &program.settings.rms;
-    // The rows of a law between two optima are those of both.
-    let mut seeds: Vec<Row<N>> = Vec::new();
-    for row in program.seeds.iter().filter(|r| r.limit.is_some()) {
-        if !seeds.iter().any(|s| s.coincides(row, settings.coincident)) {
-            seeds.push(row.clone());
-        }
+    let mut search = Search::new(program, limit);
+    if search.way == Way::Peak {
+        return search.least_peak();
     }
-    let mut search = Search {
-        program,
-        limit,
-        seeds,
-    };
     let neighbour = program.seeds.iter().find(|r| limit.is_tangent(r));
     if let Some(tangent) = neighbour.filter(|r| r.multiplier > 0.0) {
         let weight = (tangent.multiplier / limit.most).ln();
-        let near = search.bracket(weight, settings.near_step, settings.near_steps);
+        let near = search.at(weight).and_then(|here| {
+            let (step, most) = (settings.near_step, settings.near_steps);
+            search.bracket(here, step, most)
+        });
         if let Ok(Some([inside, outside])) = near {
             return search.between(inside, outside);
         }
     }
-    let mut plain = program.weighing(limit, 0.0);
-    plain.seeds.retain(|r| r.limit.is_some());
-    match plain.solve() {
+    match search.without_limit() {
         Ok(plain) if limit.excess(&plain.x) <= 0.0 => return Ok(plain),
         // Without the limit the objective may have no least value.
         Ok(_) | Err(Failure::Numerical { .. }) => (),
         Err(failure) => return Err(failure),
     }
-    let near = program.of_least_rms().ok_or(Stop::Refused)?.solve()?;
-    if limit.excess(&near.x) > program.settings.tolerance {
-        return Err(Failure::Infeasible);
-    }
-    let square = limit.half.hessian.largest_diagonal() * program.length.powi(2);
-    let first = (program.objective_unit() / square).ln();
+    search.nearest()?;
+    let square = limit.half.whole.hessian.largest_diagonal() * program.length.powi(2);
+    let first = search.at((program.objective_unit() / square).ln())?;
     let bracket = search.bracket(first, settings.step, settings.steps)?;
     let [inside, outside] = bracket.ok_or(Stop::NoProgress)?;
     search.between(inside, outside)
 }
 
-impl<N: Names> Search<'_, N> {
-    fn at(&mut self, weight: f64) -> Result<Tried<N>, Failure<N>> {
+impl<'a, N: Names> Search<'a, N> {
+    fn new(program: &'a Program<N>, limit: &'a RmsLimit<N>) -> Self {
+        // The rows of a law between two optima are those of both.
+        let mut seeds: Vec<Row<N>> = Vec::new();
+        for row in program.seeds.iter().filter(|r| r.limit.is_some()) {
+            let part = program.settings.rms.coincident;
+            if !seeds.iter().any(|s| s.coincides(row, part)) {
+                seeds.push(row.clone());
+            }
+        }
+        let is_flat =
+            program.hessian.largest_diagonal() == 0.0 && program.gradient.iter().all(|g| *g == 0.0);
+        let priced = (0..EXTRAS).filter(|k| program.cost[*k] != 0.0);
+        let way = if is_flat && priced.eq([PEAK]) {
+            Way::Peak
+        } else {
+            Way::Weight
+        };
+        Search {
+            program,
+            limit,
+            way,
+            seeds,
+        }
+    }
+
+    /// The optimum without the limit.
+    fn without_limit(&self) -> Result<Solution<N>, Failure<N>> {
+        let mut plain = self.program.weighing(self.limit, 0.0);
+        plain.seeds.retain(|r| r.limit.is_some());
+        plain.solve()
+    }
+
+    /// The law of the least root mean square.
+    fn nearest(&self) -> Result<Solution<N>, Failure<N>> {
+        let near = self.program.of_least_rms(None).ok_or(Stop::Refused)?;
+        let near = near.solve()?;
+        if self.limit.excess(&near.x) > self.program.settings.tolerance {
+            return Err(Failure::Infeasible);
+        }
+        Ok(near)
+    }
+
+    /// Downwards from the peak of the law of the least root mean square.
+    fn least_peak(&mut self) -> Result<Solution<N>, Failure<N>> {
+        let settings = &self.program.settings.rms;
+        let mut near = self.nearest()?;
+        let peak = self.program.own_peak(&near.x, &near.extra);
+        near.extra[PEAK] = peak;
+        let first = self.tried(peak.max(f64::MIN_POSITIVE).ln(), 0.0, near);
+        match self.bracket(first, settings.peak_step, settings.peak_steps)? {
+            Some([inside, outside]) => self.between(inside, outside),
+            None => {
+                let plain = self.without_limit()?;
+                let keeps = self.limit.excess(&plain.x) <= self.program.settings.tolerance;
+                keeps.then_some(plain).ok_or(Stop::NoProgress.into())
+            }
+        }
+    }
+
+    fn tried(&self, number: f64, weight: f64, solution: Solution<N>) -> Tried<N> {
+        Tried {
+            number,
+            weight,
+            excess: (1.0 + self.limit.excess(&solution.x)).ln(),
+            solution,
+        }
+    }
+
+    fn at(&mut self, number: f64) -> Result<Tried<N>, Failure<N>> {
         if self.program.halt.is_asked() {
             return Err(Stop::OutOfTime.into());
         }
-        let mut program = self.program.weighing(self.limit, weight.exp());
-        program.seeds.clone_from(&self.seeds);
-        let solution = program.solve()?;
-        let of_limit = solution.active.iter().filter(|r| r.limit.is_some());
+        let value = number.exp();
+        let tried = match self.way {
+            Way::Weight => {
+                let mut program = self.program.weighing(self.limit, value);
+                program.seeds.clone_from(&self.seeds);
+                self.tried(number, value, program.solve()?)
+            }
+            Way::Peak => {
+                let least = self.program.of_least_rms(Some(value));
+                let mut program = least.ok_or(Stop::Refused)?;
+                program.seeds.clone_from(&self.seeds);
+                for row in &mut program.seeds {
+                    hold(&mut row.bound, &mut row.extra, value);
+                }
+                let (solution, weight) = self.of_peak(program.solve()?, value);
+                self.tried(number, weight, solution)
+            }
+        };
+        let active = tried.solution.active.iter();
+        let of_limit = active.filter(|r| r.limit.is_some());
         self.seeds = of_limit.cloned().collect();
-        let excess = (1.0 + self.limit.excess(&solution.x)).ln();
-        Ok(Tried {
-            weight,
-            excess,
-            solution,
-        })
+        Ok(tried)
     }
 
-    /// Optima that keep the limit and exceed it; `None` where no weight tried does one of both.
+    /// The law of the least q under a peak as one of the program itself, and μ.
+    fn of_peak(&self, mut solution: Solution<N>, peak: f64) -> (Solution<N>, f64) {
+        let of_peak = |row: &Row<N>| {
+            row.limit
+                .map_or(0.0, |i| self.program.limits[i].extra[PEAK])
+        };
+        let rows = solution.active.iter();
+        let all: f64 = rows.map(|r| r.multiplier * of_peak(r).abs()).sum();
+        let weight = if all > 0.0 {
+            self.program.cost[PEAK] / all
+        } else {
+            0.0
+        };
+        for row in &mut solution.active {
+            row.multiplier *= weight;
+            row.extra[PEAK] = of_peak(row);
+            row.bound += row.extra[PEAK] * peak;
+        }
+        solution.extra[PEAK] = peak;
+        (solution, weight)
+    }
+
+    /// Whether a number beside one that failed may have an answer.
+    fn may_differ_beside(&self, failure: &Failure<N>) -> bool {
+        match failure {
+            Failure::Infeasible => self.way == Way::Peak,
+            Failure::Numerical { stop } => *stop != Stop::OutOfTime,
+            Failure::Inconsistent { .. } => false,
+        }
+    }
+
+    /// Optima that keep the limit and exceed it; `None` where no number tried does one of both.
     fn bracket(
         &mut self,
-        first: f64,
+        mut here: Tried<N>,
         mut step: f64,
         most: usize,
     ) -> Result<Option<[Tried<N>; 2]>, Failure<N>> {
-        let mut here = self.at(first)?;
         let holds = here.excess <= 0.0;
         for _ in 0..most {
-            let next = self.at(here.weight + if holds { -step } else { step })?;
+            let next = match self.at(here.number + if holds { -step } else { step }) {
+                // The other limits leave no law of so small a peak, or rounding ended the solver here.
+                Err(failure) if self.may_differ_beside(&failure) => {
+                    step *= 0.25;
+                    continue;
+                }
+                next => next?,
+            };
             if (next.excess <= 0.0) != holds {
                 let both = if holds { [here, next] } else { [next, here] };
                 return Ok(Some(both));
@@ -119,15 +239,22 @@ impl<N: Names> Search<'_, N> {
         mut outside: Tried<N>,
     ) -> Result<Solution<N>, Failure<N>> {
         let (mut low, mut high) = (outside.excess, inside.excess);
-        let mut was_inside = None;
+        let (mut was_inside, mut was_stopped) = (None, false);
         let settings = &self.program.settings.rms;
         for _ in 0..settings.weights {
-            let apart = inside.weight - outside.weight;
+            let apart = inside.number - outside.number;
             if self.is_one(&inside, &outside) || apart <= settings.same_weight {
                 break;
             }
             let share = (low / (low - high)).clamp(1e-3, 1.0 - 1e-3);
-            let next = self.at(outside.weight + share * apart)?;
+            let next = match self.at(outside.number + share * apart) {
+                Err(failure) if self.may_differ_beside(&failure) && !was_stopped => {
+                    (was_stopped, low, high) = (true, 1.0, -1.0);
+                    continue;
+                }
+                next => next?,
+            };
+            was_stopped = false;
             let is_inside = next.excess <= 0.0;
             let again = was_inside == Some(is_inside);
             was_inside = Some(is_inside);
@@ -144,11 +271,12 @@ impl<N: Names> Search<'_, N> {
 
     /// Whether the law between two optima is one to the accuracy wanted: its gap is below Δμ Δq.
     fn is_one(&self, inside: &Tried<N>, outside: &Tried<N>) -> bool {
-        let weights = inside.weight.exp() - outside.weight.exp();
+        let weights = (inside.weight - outside.weight).abs();
         let squares = self.limit.most.powi(2) * (outside.excess - inside.excess);
         let size = self.program.merit(&inside.solution).abs();
         let settings = &self.program.settings;
-        weights * squares <= settings.rms.gap.max(0.01 * settings.tolerance) * size
+        inside.weight > 0.0
+            && weights * squares <= settings.rms.gap.max(0.01 * settings.tolerance) * size
     }
 
     /// The law between two optima at which q is what is allowed, with the rows of both and the tangent of the limit.
@@ -157,9 +285,7 @@ impl<N: Names> Search<'_, N> {
         let mut out = inside.solution;
         let pairs = other.x.iter().zip(&out.x);
         let way: Vec<f64> = pairs.map(|(a, b)| a - b).collect();
-        let along = |values: &[f64]| values.iter().zip(&way).map(|(v, d)| v * d).sum::<f64>();
-        let bent = along(&limit.half.hessian.times(&way));
-        let slope = along(&limit.half.hessian.times(&out.x)) + along(&limit.half.gradient);
+        let (slope, bent) = limit.half.along(&out.x, &way);
         // ½ bent t² + slope t = room.
         let room = 0.5 * limit.most.powi(2) - limit.half.value(&out.x);
         let root = (slope * slope + 2.0 * bent * room).max(0.0).sqrt();
@@ -175,8 +301,8 @@ impl<N: Names> Search<'_, N> {
             multiplier: part * r.multiplier,
             ..r.clone()
         }));
-        let mut weight = inside.weight.exp();
-        mix(&mut weight, outside.weight.exp());
+        let mut weight = inside.weight;
+        mix(&mut weight, outside.weight);
         out.active.push(limit.tangent(&out.x, weight * limit.most));
         Solution {
             violation: self.program.violation(&out.x, &out.extra),

@@ -5,8 +5,8 @@ use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, SupportedConeT};
 use splineqp::poly::{SplineSpace, gauss_legendre};
 use splineqp::{
-    Basis, Limit, Meaning, Program, Quadratic, RmsLimit, certificate, clarabel_prepared,
-    clarabel_run, only, pointwise,
+    Basis, Limit, MeanSquare, Meaning, Program, Quadratic, RmsLimit, certificate,
+    clarabel_prepared, clarabel_run, only, pointwise,
 };
 use std::f64::consts::TAU;
 
@@ -27,8 +27,7 @@ fn program(order: usize, most: f64, highest: f64) -> Program<()> {
         space: SplineSpace::periodic_uniform(5, 24, TAU),
         closed: true,
     };
-    let mut half = Quadratic::zero(&basis);
-    half.add_distance(&basis, &[1.0], NODES, pointwise(wave), None);
+    let half = MeanSquare::distance(&basis, &[1.0], NODES, pointwise(wave));
     let mut energy = Quadratic::zero(&basis);
     energy.add_energy(&basis, order, 1.0);
     let mut program = Program::new(basis, energy, Vec::new(), 1.0);

@@ -2,7 +2,7 @@
 
 use splineqp::poly::SplineSpace;
 use splineqp::{
-    Basis, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic, RADIUS, RmsLimit,
+    Basis, EXTRAS, Failure, Limit, MeanSquare, Meaning, PEAK, Program, Quadratic, RADIUS, RmsLimit,
     certificate, only, pointwise,
 };
 use std::f64::consts::TAU;
@@ -26,8 +26,7 @@ fn splines() -> Basis {
 }
 
 fn program(basis: Basis, order: usize, most: f64) -> Program<()> {
-    let mut half = Quadratic::zero(&basis);
-    half.add_distance(&basis, &[1.0], 40, pointwise(wave(4)), None);
+    let half = MeanSquare::distance(&basis, &[1.0], 40, pointwise(wave(4)));
     let mut energy = Quadratic::zero(&basis);
     if order > 0 {
         energy.add_energy(&basis, order, 1.0);
@@ -144,7 +143,7 @@ fn the_optimum_is_proved_and_falls_as_the_limit_widens() {
 #[test]
 fn laws_exist_down_to_the_least_distance() {
     for order in 0..=4 {
-        let least = minimising(order, 0.1).of_least_rms().unwrap();
+        let least = minimising(order, 0.1).of_least_rms(None).unwrap();
         let nearest = least.solve().unwrap();
         let edge = (2.0 * least.merit(&nearest)).sqrt();
         let inside = minimising(order, edge * (1.0 + 1e-6));

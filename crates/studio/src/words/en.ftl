@@ -295,6 +295,7 @@ studio-key-cam-conjugate-roller_radius = Conjugate: roller radius
 studio-key-drive-kind = Kind of drive
 studio-key-drive-mass = Moved mass
 studio-key-drive-inertia = Moment of inertia
+studio-key-drive-lever = Lever of the force
 studio-key-drive-speed = Speed
 studio-key-drive-gravity = Gravity
 studio-key-drive-spring_rate = Spring rate

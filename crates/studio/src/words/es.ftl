@@ -295,6 +295,7 @@ studio-key-cam-conjugate-roller_radius = Conjugada: radio del rodillo
 studio-key-drive-kind = Tipo de accionamiento
 studio-key-drive-mass = Masa movida
 studio-key-drive-inertia = Momento de inercia
+studio-key-drive-lever = Palanca de la fuerza
 studio-key-drive-speed = Velocidad
 studio-key-drive-gravity = Gravedad
 studio-key-drive-spring_rate = Rigidez del muelle

@@ -151,6 +151,7 @@ fn a_spring_loaded_eccentric_leaves_at_122_474_and_not_before() {
         damping: 0.0,
         mass: 1.0,
         speed,
+        lever: 1.0,
     };
     let jump = 15000.0_f64.sqrt();
     assert_eq!(

@@ -193,8 +193,8 @@ fn an_arm_has_inertia_not_mass() {
     );
     assert!(fault(&arm, "drive.mass=1 kg").contains("inertia"));
     assert!(fault(&arm, "drive.preload=1 N").contains("wrong dimension"));
-    let got = fault(&arm, "gait.model=young");
-    assert!(got.contains("in metres"), "{got}");
+    let got = fault(&arm, "drive.kind=moving-axis");
+    assert!(got.contains("fixed pivot"), "{got}");
 }
 
 #[test]

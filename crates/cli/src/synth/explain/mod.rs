@@ -48,10 +48,11 @@ pub fn lines(
 }
 
 fn changed(design: &Design, other: &Design) -> String {
-    let change = force_change(design, other);
-    let mean = design.force.mean_n.abs();
-    let mut values = json!({"change": fixed(change, 4), "before": fixed(design.force.rms_error_n, 4),
-        "after": fixed(other.force.rms_error_n, 4)});
+    let newtons = |force: f64| design.drive.newtons(force);
+    let [change, mean] = [force_change(design, other), design.force.mean_n.abs()].map(newtons);
+    let [before, after] = [design, other].map(|d| newtons(d.force.rms_error_n));
+    let mut values = json!({"change": fixed(change, 4), "before": fixed(before, 4),
+        "after": fixed(after, 4)});
     if mean == 0.0 {
         return words::fill("explain-change", &values);
     }

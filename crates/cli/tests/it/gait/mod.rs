@@ -2,5 +2,6 @@
 
 mod doubts;
 mod open;
+mod plates;
 mod trials;
 mod writes;

@@ -194,7 +194,7 @@ fn where_no_cam_fits_the_summary_is_written_and_names_the_key() {
     let swing = arm.replace("10 deg", "170 deg");
     let (pair, barrel) = (scene("camdas_08_conjugate_flat"), scene("thesis_barrel"));
     let members: [(&str, &str, &[&str], &str); 8] = [
-        ("contradicting demands", &contradicting, &[], "law"),
+        ("contradicting demands", &contradicting, &[], "law.dwell"),
         ("jump of the velocity", &jump_of_v, &[], "law.segment"),
         ("jump of the lift", &jump_of_s, &[], "law.segment"),
         (

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::support::{changed, gaitcam, object, stderr};
+use crate::support::{changed, gaitcam, object, stderr, stdout};
 
 /// Exit code and message of a synthesis with changes to the default scene.
 fn with(changes: &[&str]) -> (i32, String) {
@@ -317,5 +317,109 @@ fn values_are_read_as_people_type_them_in_every_place() {
     };
     for typed in ["3/8 in", "3/8\"", "9,525 mm", "0.375 inch"] {
         assert!((roller(typed) - 0.059_525).abs() < 1e-12, "{typed}");
+    }
+}
+
+#[test]
+fn a_negative_number_after_a_flag_is_its_value() {
+    for (arguments, words) in [
+        (
+            &["synth", "--tool", "-3mm"][..],
+            "--tool: -3mm is not positive",
+        ),
+        (
+            &["synth", "--wire", "-.5mm"],
+            "--wire: -.5mm is not positive",
+        ),
+        (
+            &["synth", "--tool", "3mm", "--pass", "-1mm"],
+            "--pass: -1mm is not positive",
+        ),
+        (
+            &["synth", "--time-limit", "-1"],
+            "--time-limit: invalid value \"-1\"",
+        ),
+        (&["synth", "--points", "-3"], "--points: invalid value -3"),
+        (&["synth", "--set", "-3"], "--set: \"-3\" contains no ="),
+        (
+            &["sweep", "footbridge", "--jobs", "-1"],
+            "--jobs: invalid value -1",
+        ),
+        (
+            &["simulate", "footbridge", "--friction", "-0.1"],
+            "--friction: a coefficient of friction is 0 or more",
+        ),
+        (&["studio", "--port", "-1"], "--port: invalid value -1"),
+        // A flag after a flag is none.
+        (
+            &["simulate", "footbridge", "--friction", "--json"],
+            "--friction",
+        ),
+    ] {
+        let output = gaitcam(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let message = stderr(&output);
+        assert!(message.contains(words), "{arguments:?}: {message}");
+    }
+    assert!(stderr(&gaitcam(&["synth", "-5"])).contains("-5: unknown option"));
+}
+
+#[test]
+fn a_message_gives_an_example_that_is_accepted() {
+    let (code, message) = with(&["limits.pressure_angle=0 deg"]);
+    assert_eq!(code, 2);
+    let example = message.split('"').nth(1).unwrap();
+    let (code, message) = with(&[&format!("limits.pressure_angle={example}")]);
+    assert_ne!(code, 2, "{example}: {message}");
+}
+
+#[test]
+fn what_is_no_recording_and_no_law_is_told_so() {
+    let message = stderr(&gaitcam(&["gait", "scenes/heel_tester.toml"]));
+    assert!(message.contains("is a scene, not a recording") && message.contains("gaitcam synth"));
+    let message = stderr(&gaitcam(&[
+        "--lang",
+        "es",
+        "gait",
+        "scenes/heel_tester.toml",
+    ]));
+    assert!(
+        message.contains("es una escena, no un registro"),
+        "{message}"
+    );
+    let message = stderr(&gaitcam(&["gait", "/etc/passwd"]));
+    assert!(message.contains("a recording is a table"), "{message}");
+    assert_eq!(message.trim().lines().count(), 1, "{message}");
+    let message = stderr(&gaitcam(&["laws", "cycloydal"]));
+    assert!(message.contains("not a rise law") && message.contains("cycloidal"));
+    let one = stdout(&gaitcam(&["laws", "cycloidal"]));
+    assert_eq!(
+        one.lines().filter(|l| l.starts_with("cycloidal")).count(),
+        1
+    );
+    assert_eq!(one.lines().count(), 3, "{one}");
+    let all = stdout(&gaitcam(&["laws"]));
+    let ends = |l: &str| l.split_whitespace().next().map_or(0, |n| n.chars().count());
+    let numbers = all.lines().skip(2).map(|l| &l[ends(l)..]);
+    let columns: std::collections::BTreeSet<usize> = all
+        .lines()
+        .skip(2)
+        .zip(numbers)
+        .map(|(l, rest)| {
+            l.len()
+                - rest
+                    .trim_start()
+                    .trim_start_matches(|c: char| c != ' ')
+                    .len()
+        })
+        .collect();
+    assert_eq!(columns.len(), 1, "Cv stands in one column: {all}");
+}
+
+#[test]
+fn the_load_models_are_listed_with_their_key() {
+    let keys = stdout(&gaitcam(&["keys", "gait.model"]));
+    for model in ["young", "iso-22675", "sci-p354", "setra"] {
+        assert!(keys.contains(model), "{model}: {keys}");
     }
 }

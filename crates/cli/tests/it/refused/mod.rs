@@ -2,3 +2,4 @@
 
 mod cams;
 mod input;
+mod no_cam;

@@ -125,7 +125,8 @@ fn bridge(force: &mut [f64]) -> Vec<(usize, usize)> {
     missing
 }
 
-/// A large value that most samples share exactly: an amplifier at its stop. Majority vote of Boyer and Moore (1991).
+/// A large value that most samples share exactly and none exceeds: an amplifier at its stop. A person who stands still
+/// to the last digit is exceeded by the landing or the rise before. Majority vote of Boyer and Moore (1991).
 fn stuck_level(thin: &[f64]) -> Option<f64> {
     let (most, _) = thin.iter().fold((0.0, 0), |(most, votes), &x| match votes {
         0 => (x, 1),
@@ -133,7 +134,8 @@ fn stuck_level(thin: &[f64]) -> Option<f64> {
         _ => (most, votes - 1),
     });
     let same = || thin.iter().filter(|&&x| x == most).count();
-    (most.abs() > 10.0 * TOUCHED_N && 2 * same() > thin.len()).then_some(most)
+    let exceeded = || (thin.iter()).any(|x| x * most.signum() > most.abs() + TOUCHED_N);
+    (most.abs() > 10.0 * TOUCHED_N && 2 * same() > thin.len() && !exceeded()).then_some(most)
 }
 
 /// Whether the loaded readings are the negative ones.

@@ -4,6 +4,7 @@
 //! channels of the plates are read.
 //! Format: the C3D user guide (c3d.org); layout as 512-byte blocks of header, parameters and data.
 
+mod markers;
 mod parameters;
 mod plates;
 mod storage;
@@ -19,7 +20,7 @@ use super::keys;
 use super::timebase::TimeBase;
 use super::vertical::{self, Facts};
 use crate::error::{Placed, ReadError, Result};
-use crate::recording::{ClockSource, Processor, ReadOptions, Recording, Strike};
+use crate::recording::{ClockSource, Heels, Processor, ReadOptions, Recording, Strike};
 
 /// Bytes of one block.
 const BLOCK: usize = 512;
@@ -40,6 +41,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
     let mut notes = Vec::new();
     let analog = Analog::read(path, bytes, words_of, &parameters, &mut notes)?;
     let raw = plates::forces(path, &analog, &parameters, options, &mut notes)?;
+    let heels = markers::heels(&analog, &parameters);
     let base = match options.rate_hz {
         Some(rate) => TimeBase::even(rate, ClockSource::User),
         None => {
@@ -47,6 +49,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
             TimeBase::even(analog.rate_hz, ClockSource::Header).starting_at(start_s)
         }
     };
+    let frame_hz = base.rate_hz / analog.per_frame as f64;
     let facts = Facts {
         format: analog.format(),
         samples: analog.samples,
@@ -57,6 +60,11 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
     let mut recording =
         vertical::recording(raw, base, facts, options).map_err(|e| e.in_file(path))?;
     recording.strikes = strikes(&parameters, &analog);
+    recording.heels = heels.map(|[left, right]| Heels {
+        rate_hz: frame_hz,
+        left,
+        right,
+    });
     Ok(recording)
 }
 

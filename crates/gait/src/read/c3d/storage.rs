@@ -15,8 +15,8 @@ pub(super) struct Analog<'a> {
     data: &'a [u8],
     is_float: bool,
     unsigned: bool,
-    /// Bytes of the markers before the analog samples of a frame.
-    markers: usize,
+    /// Markers of a frame, before its analog samples.
+    pub points: usize,
     frame: usize,
     pub channels: usize,
     /// Samples of one channel in one frame.
@@ -48,8 +48,7 @@ impl<'a> Analog<'a> {
         let scale = words.f32(bytes, 12).map_or(1.0, f64::from);
         let is_float = parameters.number("POINT", "SCALE").unwrap_or(scale) < 0.0;
         let width = if is_float { 4 } else { 2 };
-        let markers = 4 * points * width;
-        let frame = markers + per_all * width;
+        let frame = (4 * points + per_all) * width;
         let rest = bytes.get(start..).unwrap_or(&[]);
         let found = rest.len() / frame;
         let announced = announced_frames(first, last, parameters);
@@ -71,7 +70,7 @@ impl<'a> Analog<'a> {
                 .strings("ANALOG", "FORMAT")
                 .first()
                 .is_some_and(|f| f.eq_ignore_ascii_case("UNSIGNED")),
-            markers,
+            points,
             frame,
             channels: per_all / per_frame,
             per_frame,
@@ -95,21 +94,40 @@ impl<'a> Analog<'a> {
                 *o
             }
         });
-        let width = if self.is_float { 4 } else { 2 };
         for (i, x) in sum.iter_mut().enumerate() {
             let (frame, k) = (i / self.per_frame, i % self.per_frame);
-            let at = frame * self.frame + self.markers + (k * self.channels + channel) * width;
-            let raw = if self.is_float {
-                self.words.f32(self.data, at).map(f64::from)
-            } else if self.unsigned {
-                self.words.u16(self.data, at).map(f64::from)
-            } else {
-                self.words.i16(self.data, at).map(f64::from)
-            };
-            let value = raw
+            let place = 4 * self.points + k * self.channels + channel;
+            let value = self
+                .value(frame, place, self.unsigned)
                 .filter(|r| r.is_finite())
                 .map_or(f64::NAN, |r| (r - offset) * scale);
             *x += value;
+        }
+    }
+
+    /// Position of a marker (from 0) in a frame, in the file's axes; `None` where it was not seen. Integers are not
+    /// scaled.
+    pub fn point(&self, frame: usize, marker: usize) -> Option<[f64; 3]> {
+        let mut four = [0.0; 4];
+        for (k, x) in four.iter_mut().enumerate() {
+            *x = self.value(frame, 4 * marker + k, false)?;
+        }
+        let [x, y, z, residual] = four;
+        let position = [x, y, z];
+        let seen = residual >= 0.0 && position.iter().all(|x| x.is_finite());
+        (seen && position != [0.0; 3]).then_some(position)
+    }
+
+    /// A number of a frame by its place in it.
+    fn value(&self, frame: usize, place: usize, unsigned: bool) -> Option<f64> {
+        let width = if self.is_float { 4 } else { 2 };
+        let at = frame * self.frame + place * width;
+        if self.is_float {
+            self.words.f32(self.data, at).map(f64::from)
+        } else if unsigned {
+            self.words.u16(self.data, at).map(f64::from)
+        } else {
+            self.words.i16(self.data, at).map(f64::from)
         }
     }
 

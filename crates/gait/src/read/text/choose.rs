@@ -155,12 +155,11 @@ pub(crate) fn unit_label(table: &Table, i: usize) -> Option<ForceUnit> {
     match table.unit(i).or_else(|| bracketed(name)) {
         Some(label) => label.parse().ok(),
         None => {
-            let last = words(name).pop()?;
-            // `force_n`, `fz_lbf`; a lone `n` or `lb` before that is part of a name.
-            let known = ["n", "kn", "lbf", "lb", "bw"].contains(&last.as_str());
-            (known && name.contains(['_', ' ']))
-                .then(|| last.parse().ok())
-                .flatten()
+            // `force_n`, `fz_lbf`, `Fz N/kg`; kilograms would rather be those of a mass.
+            let (_, last) = name.trim().rsplit_once(['_', ' '])?;
+            last.parse()
+                .ok()
+                .filter(|_| !last.eq_ignore_ascii_case("kg"))
         }
     }
 }

@@ -8,6 +8,7 @@ mod header;
 mod headerless;
 mod layout;
 mod plain_row;
+mod plate_file;
 mod raw;
 mod stance_table;
 mod table;
@@ -21,7 +22,7 @@ use raw::Raw;
 use table::skip;
 use times::time_base;
 
-use super::columns::{Role, role};
+use super::columns::{Role, foot, role, words};
 use super::keys::{self, Keys};
 use super::number::trim;
 use super::vertical::{self, Facts};
@@ -30,7 +31,9 @@ use crate::recording::{ForceUnit, Format, Note, ReadOptions, Recording};
 
 pub(super) use choose::{column, unit_label};
 pub(super) use header::Table;
+use layout::Separator;
 pub(super) use layout::{Fields, Layout, Lines, Position, TextFile, detect, plain, text};
+pub use plate_file::{PlateFile, plate_of};
 pub use stance_table::metadata_name;
 pub(super) use table::{next_table, numbers};
 pub(super) use times::time_unit;
@@ -48,6 +51,9 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
     while let Some(table) = next_table(bytes, file.layout, from) {
         let room = 600usize.saturating_sub(head.len());
         head.extend(table.head.iter().take(room).cloned());
+        if let Some(fault) = commas_twice(file, &table) {
+            return Err(fault.at_line(path, table.start.line));
+        }
         if stance_table::is_stance_table(&table.names) {
             return stance_table::read(file, &table, &head);
         }
@@ -63,6 +69,15 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
         from = skip(file, &table);
     }
     Err(nothing_found(file, &seen))
+}
+
+/// Twice as many fields as names, and no decimal point: commas that part the decimals as well as the columns.
+fn commas_twice(file: &TextFile, table: &Table) -> Option<ReadError> {
+    let (columns, fields) = (table.names.len(), table.width);
+    let (_, row) = Lines::from(file.bytes, table.start).next()?;
+    let commas = file.layout.separator == Separator::Byte(b',') && !file.layout.comma;
+    let twice = commas && columns > 1 && fields == 2 * columns && !row.contains(&b'.');
+    twice.then_some(ReadError::CommasTwice { columns, fields })
 }
 
 /// Reads the plates of a file of converter counts.
@@ -112,6 +127,7 @@ pub(super) fn no_table(bytes: &[u8]) -> ReadError {
         return ReadError::Empty;
     }
     let start = text(&bytes[..bytes.len().min(60)]);
+    let start = start.lines().next().unwrap_or_default();
     let start = start.chars().take(40).collect();
     ReadError::NoTable { start }
 }
@@ -131,9 +147,21 @@ fn extract(file: &TextFile, table: &Table, plan: Plan) -> Result<Raw> {
     Ok(Raw::of(table, plan, read, place))
 }
 
-fn with_head(file: &TextFile, table: &Table, head: &[String], raw: Raw) -> Result<Recording> {
+fn with_head(file: &TextFile, table: &Table, head: &[String], mut raw: Raw) -> Result<Recording> {
     let keys = keys::read(head, file.layout.comma);
-    finish(file, table, raw, keys, format(file, table, head))
+    let format = format(file, table, head);
+    let plate = plate_file::of_head(head);
+    for force in &mut raw.forces {
+        if format == Format::Qualisys {
+            // Its exports of force are in newtons and do not say so.
+            force.unit = force.unit.or(Some(ForceUnit::Newton));
+        }
+        if let Some(file) = &plate {
+            force.foot = force.foot.or(foot(&words(&file.plate)));
+            force.name = format!("{} {}", file.plate, force.name);
+        }
+    }
+    finish(file, table, raw, keys, format)
 }
 
 /// Puts raw columns on a time base and makes channels of vertical force of them.

@@ -104,6 +104,7 @@ pub(super) fn read(file: &TextFile, table: &Table, head: &[String]) -> Result<Re
             ..Channel::default()
         }],
         strikes: Vec::new(),
+        heels: None,
         gaps_s: Vec::new(),
         notes,
     })

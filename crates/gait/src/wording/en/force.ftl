@@ -20,7 +20,7 @@ force-no-joint-mean = { $trials ->
     } cycle for a joint mean
     .help = the table gives the reason for each; settle what is open with the option that it names, or accept it with --accept
 force-unknown-unit = "{ $word }" is not a unit of force
-    .help = units are N, kN, lbf, kgf, N/kg, BW and %BW
+    .help = units are N, daN, kN, lbf, kgf, N/kg, BW and %BW
 force-unknown-model = "{ $name }" is not a load model
     .help = the load models are { $known }
 force-misspelt-model = "{ $name }" is not a load model
@@ -183,6 +183,7 @@ clock-guessed-rate = guessed
 
 name-heel-strikes = consecutive heel strikes of one foot
 name-marked-strikes = consecutive marked strikes of one foot
+name-heel-markers = heel markers
 name-doubled-steps = twice the mean step time
 name-impulse = the impulse balance with the body mass
 name-usual-duty = an assumed share of the stance in the stride (not in the recording)

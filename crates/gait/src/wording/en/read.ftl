@@ -21,7 +21,7 @@ read-mass-not-positive = invalid mass { $mass }
     .help = the mass must be positive, for example "70 kg"
 
 read-no-table = no table of numbers found
-    .help = the file starts with "{ $start }"
+    .help = the file starts with "{ $start }"; a recording is a table with a column of time or a rate, and columns of force
 read-header-without-rows = the header has a force column ("{ $column }"), but no rows of numbers follow
     .help = export the samples as well; each row should start with a time or a number
 read-no-force-column = no column of vertical force found
@@ -46,6 +46,8 @@ read-time-missing = a time value is missing after { $after }
     .help = every row needs a time
 read-short-rows = the rows have far fewer fields than the header
     .help = each row should have { $fields } fields
+read-commas-twice = { $columns } columns, and { $fields } fields in a row: decimal commas, with commas between the columns
+    .help = export with semicolons or tabs between the columns, or with decimal points
 read-few-samples = { $samples ->
         [0] the recording has no samples
         [one] the recording has one sample

@@ -20,7 +20,7 @@ force-no-joint-mean = { $trials ->
     } un ciclo para una media conjunta
     .help = la tabla da el motivo de cada uno; resuelva lo abierto con la opción que cita, o acéptelo con --accept
 force-unknown-unit = «{ $word }» no es una unidad de fuerza
-    .help = las unidades son N, kN, lbf, kgf, N/kg, BW y %BW
+    .help = las unidades son N, daN, kN, lbf, kgf, N/kg, BW y %BW
 force-unknown-model = «{ $name }» no es un modelo de carga
     .help = los modelos de carga son { $known }
 force-misspelt-model = «{ $name }» no es un modelo de carga
@@ -183,6 +183,7 @@ clock-guessed-rate = supuesta
 
 name-heel-strikes = contactos de talón consecutivos de un pie
 name-marked-strikes = contactos marcados consecutivos de un pie
+name-heel-markers = marcadores de los talones
 name-doubled-steps = el doble de la duración media del paso
 name-impulse = balance de impulso con la masa corporal
 name-usual-duty = parte supuesta del apoyo en la zancada (no consta en el registro)

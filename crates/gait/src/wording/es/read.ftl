@@ -21,7 +21,7 @@ read-mass-not-positive = masa no válida { $mass }
     .help = debe ser positiva, por ejemplo "70 kg"
 
 read-no-table = no se encontró ninguna tabla de números
-    .help = el archivo empieza con «{ $start }»
+    .help = el archivo empieza con «{ $start }»; un registro es una tabla con una columna de tiempo o una frecuencia, y columnas de fuerza
 read-header-without-rows = la cabecera tiene una columna de fuerza («{ $column }»), pero no siguen filas de números
     .help = exporte también las muestras; cada fila debe empezar por un tiempo o un número
 read-no-force-column = no se encontró ninguna columna de fuerza vertical
@@ -46,6 +46,8 @@ read-time-missing = falta un tiempo después de { $after }
     .help = cada fila necesita un tiempo
 read-short-rows = las filas tienen muchos menos campos que la cabecera
     .help = cada fila debe tener { $fields } campos
+read-commas-twice = { $columns } columnas y { $fields } campos en una fila: comas decimales, con comas entre las columnas
+    .help = exporte con punto y coma o tabuladores entre las columnas, o con punto decimal
 read-few-samples = { $samples ->
         [0] el registro no tiene muestras
         [one] el registro tiene una muestra

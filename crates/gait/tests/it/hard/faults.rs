@@ -9,6 +9,7 @@ use super::layout::{Clock, Plate, Table};
 use super::person::{Person, changing, runner, walker};
 use crate::c3d_file::{Build, Processor, build};
 use gaitcam_gait::error::Result;
+use gaitcam_gait::units::G;
 use gaitcam_gait::{
     Feet, ForceCurve, Interpretation, Kind, Note, OpenQuestion, ReadOptions, force_curve, read,
     stances,
@@ -232,6 +233,77 @@ fn zones_of_an_insole_stand_beside_their_total() {
     let recording = read(Path::new("made.csv"), text.as_bytes(), &none()).unwrap();
     let names: Vec<&str> = recording.channels.iter().map(|c| c.name.as_str()).collect();
     assert_eq!(names, ["L [N]", "R [N]"]);
+}
+
+#[test]
+fn every_unit_of_force_in_a_header_gives_the_same_newtons() {
+    const KGF: f64 = 9.806_65;
+    const LBF: f64 = 4.448_221_615_260_5;
+    let units: [(&str, f64); 14] = [
+        ("N", 1.0),
+        ("newtons", 1.0),
+        ("daN", 0.1),
+        ("kN", 1e-3),
+        ("kilonewton", 1e-3),
+        ("lbf", 1.0 / LBF),
+        ("lb", 1.0 / LBF),
+        ("lbs", 1.0 / LBF),
+        ("kgf", 1.0 / KGF),
+        ("kp", 1.0 / KGF),
+        ("N/kg", 1.0 / 80.0),
+        ("BW", 1.0 / (80.0 * G)),
+        ("%BW", 100.0 / (80.0 * G)),
+        ("N/BW", 1.0 / (80.0 * G)),
+    ];
+    for (seed, (unit, per_newton)) in units.into_iter().enumerate() {
+        let dice = &mut Dice::new(seed as u64);
+        let person = walker(dice, 9.0);
+        for style in ["{} [U]", "{} (U)", "{}_U", "{} U", "row"] {
+            let names = ["left fz", "right fz"].map(|n| style.replace("{}", n).replace('U', unit));
+            let rows = style == "row";
+            let names = if rows {
+                ["left fz", "right fz"].map(str::to_string)
+            } else {
+                names
+            };
+            let mut table = belts(dice, &person, &plain(200.0), ["", ""]);
+            table.names = names.to_vec();
+            for x in table.columns.iter_mut().flatten() {
+                *x *= per_newton;
+            }
+            let mut text = table.delimited(CLOCK, false);
+            if rows {
+                text = text.replacen('\n', &format!("\ns,{unit},{unit}\n"), 1);
+            }
+            let relative = unit.contains('W') || unit.contains("kg") && unit.contains('/');
+            let options = ReadOptions {
+                mass_kg: relative.then_some(80.0),
+                ..none()
+            };
+            let recording = read(Path::new("made.csv"), text.as_bytes(), &options).unwrap();
+            let top = |c: &[f64]| c.iter().copied().fold(0.0, f64::max);
+            let truth = top(&belts(&mut Dice::new(1), &person, &plain(200.0), ["", ""]).columns[0]);
+            let read = top(&recording.channels[0].force_n);
+            assert!(
+                (read / truth - 1.0).abs() < 0.02,
+                "{unit} {style}: {read} for {truth} N"
+            );
+        }
+    }
+}
+
+#[test]
+fn decimal_commas_between_commas_are_refused_by_that_reason() {
+    for seed in 0..20 {
+        let dice = &mut Dice::new(seed);
+        let person = walker(dice, 6.0);
+        let table = belts(dice, &person, &plain(200.0), ["left fz", "right fz"]);
+        let points = table.delimited(CLOCK, false);
+        assert!(opened(&points, &none()).is_ok());
+        let commas = points.replace('.', ",");
+        let refused = opened(&commas, &none()).unwrap_err();
+        assert_eq!(refused.code(), "read-commas-twice", "{seed}");
+    }
 }
 
 #[test]

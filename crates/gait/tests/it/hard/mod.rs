@@ -5,6 +5,7 @@ mod cases;
 mod dice;
 mod faults;
 mod layout;
+mod markers;
 mod person;
 
 use std::collections::BTreeMap;

@@ -3,6 +3,7 @@
 //! Stances exactly, peaks within 1 % of body weight, positions within 3 % of the stance. The README gives peaks
 //! as recorded, offset and all; they are compared so, by adding the baseline that was removed.
 
+mod heels;
 mod landmarks;
 mod movements;
 mod plates;
@@ -304,6 +305,8 @@ fn recordings_are_as_their_readme_says() {
         named(unusable_recordings_are_refused_with_their_reason),
         named(float_and_integer_copies_agree_within_a_tenth_of_a_newton),
         named(marked_strikes_and_turns_name_the_feet),
+        named(heels::heel_markers_name_the_feet_that_the_events_name),
+        named(heels::heel_markers_give_the_stride_that_the_events_give),
         named(landmarks::every_landmark_the_readme_gives_as_a_range_lies_in_it),
     ];
     let Some(folder) = folder() else {

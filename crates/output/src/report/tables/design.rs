@@ -6,6 +6,7 @@ use super::{Rows, cells, row, table};
 use crate::report::heading;
 use crate::words::Words;
 use gaitcam::cam::{Follower, Measures, Unit};
+use gaitcam::drive::DriveKind;
 use gaitcam::synth::Design;
 use gaitcam_base::text::escaped;
 use gaitcam_base::text::{degrees, millimetres, number, range};
@@ -25,16 +26,17 @@ pub fn numbers(out: &mut String, synthesis: &Design, words: &Words) {
     out.push_str("</div>\n");
 }
 
+/// A factor that prints as zero has no phase.
+const LEAST_FACTOR: f64 = 5e-5;
+
 /// Harmonics of target and achieved force as parts of the weight, as codes for footbridges quote them.
 fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
     let all = synthesis.load_factors();
     if all.is_empty() {
         return;
     }
-    let weight = number(
-        synthesis.weight_n.unwrap_or(synthesis.force.target_mean_n),
-        4,
-    );
+    let weight = synthesis.weight_n.unwrap_or(synthesis.force.target_mean_n);
+    let weight = number(synthesis.drive.newtons(weight), 4);
     let name = escaped(&words.fill("report-load-factors", &[("weight", &weight)]));
     let _ = write!(out, "<div><h3>{name}</h3><table><tr>");
     let heads = [
@@ -48,10 +50,19 @@ fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
     }
     out.push_str("</tr>\n");
     for f in &all {
-        row(out, &number(f.of_step, 2));
+        row(out, &format!("{}", f.of_step));
         let angled = |factor: f64, phase: f64| {
-            let angle = number(phase.to_degrees(), 3);
-            format!("{factor:.4} ∠ {angle}°")
+            if factor < LEAST_FACTOR {
+                return format!("{factor:.4}");
+            }
+            let tenths = (10.0 * phase.to_degrees()).round();
+            // Half a turn has one name, and zero no sign.
+            let angle = if tenths == -1800.0 {
+                1800.0
+            } else {
+                tenths + 0.0
+            } / 10.0;
+            format!("{factor:.4} ∠ {angle:.1}°").replace('-', "−")
         };
         let frequency = format!("{} Hz", number(f.frequency_hz, 4));
         let target = angled(f.target, f.target_phase_rad);
@@ -85,8 +96,13 @@ fn drive(synthesis: &Design, words: &Words) -> Rows {
         rows.push((name, shown(measures.mass(), d.mass)));
     }
     if d.spring_rate != 0.0 {
+        let oil = d.kind == DriveKind::Hydraulic;
         rows.push((
-            "report-spring",
+            if oil {
+                "report-column"
+            } else {
+                "report-spring"
+            },
             shown(measures.spring_rate(), d.spring_rate),
         ));
     }

@@ -1,0 +1,41 @@
+//! The unit of lengths in files for the workshop.
+
+/// The unit of lengths in drawings and programs.
+///
+/// ```
+/// use gaitcam_cad::Units;
+///
+/// assert_eq!((Units::Inches.per_metre() * 0.0254, Units::Inches.name()), (1.0, "in"));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Units {
+    /// Millimetres.
+    #[default]
+    Millimetres,
+    /// Inches of 25.4 mm.
+    Inches,
+}
+
+impl Units {
+    /// How many make a metre.
+    pub fn per_metre(self) -> f64 {
+        match self {
+            Units::Millimetres => 1e3,
+            Units::Inches => 1.0 / 0.0254,
+        }
+    }
+
+    /// The unit as it stands after a number.
+    pub fn name(self) -> &'static str {
+        match self {
+            Units::Millimetres => "mm",
+            Units::Inches => "in",
+        }
+    }
+
+    /// A length in m as its number, with so many decimals of a millimetre, one more of an inch.
+    pub fn number(self, length: f64, decimals: usize) -> String {
+        let decimals = decimals + usize::from(self == Units::Inches);
+        format!("{:.decimals$}", self.per_metre() * length)
+    }
+}

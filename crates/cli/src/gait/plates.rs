@@ -1,0 +1,44 @@
+//! Files that hold the plates of one trial.
+
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+
+use gaitcam::force::{PlateFile, plate_of};
+use gaitcam_files::read::open;
+
+/// Bytes of a file in which its header stands.
+const HEAD: u64 = 1 << 16;
+
+/// The files by recording, in their order: the plates of one trial together, every other file alone.
+pub fn by_trial(files: Vec<PathBuf>) -> Vec<Vec<PathBuf>> {
+    let mut trials: Vec<(Option<Vec<PlateFile>>, Vec<PathBuf>)> = Vec::new();
+    let is_alone = files.len() < 2;
+    for file in files {
+        let plate = if is_alone { None } else { plate(&file) };
+        let fits = |plates: &[PlateFile], new: &PlateFile| {
+            plates
+                .iter()
+                .all(|p| p.trial == new.trial && p.plate != new.plate)
+        };
+        let same = plate.as_ref().and_then(|new| {
+            let mut trials = trials.iter_mut();
+            trials.find(|(plates, _)| plates.as_ref().is_some_and(|p| fits(p, new)))
+        });
+        match same {
+            Some((plates, paths)) => {
+                plates.iter_mut().for_each(|p| p.extend(plate.clone()));
+                paths.push(file);
+            }
+            None => trials.push((plate.map(|p| vec![p]), vec![file])),
+        }
+    }
+    trials.into_iter().map(|(_, paths)| paths).collect()
+}
+
+/// The plate that a file holds; a file that cannot be read says so where it is read whole.
+fn plate(file: &Path) -> Option<PlateFile> {
+    let mut head = Vec::new();
+    let start = open(file).ok()?.take(HEAD).read_to_end(&mut head);
+    start.ok()?;
+    plate_of(&head)
+}

@@ -1,0 +1,53 @@
+//! Texts that hold one plate of a trial: Qualisys writes one for each plate.
+
+use super::layout::{Lines, plain, text};
+
+/// One plate of a trial whose plates stand in one file each.
+///
+/// ```
+/// use gaitcam_gait::plate_of;
+///
+/// let head = |plate: u8| {
+///     format!("TIME_STAMP\t2015-10-06, 12:24:07\nFIRST_SAMPLE\t1\nFORCE_PLATE_NAME\tForce-plate {plate}\n")
+/// };
+/// let [one, two] = [1, 2].map(|k| plate_of(head(k).as_bytes()).unwrap());
+/// assert!(one.trial == two.trial && one.plate != two.plate);
+/// assert_eq!(plate_of(b"time,Fz\n0,700\n"), None);
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PlateFile {
+    /// What the files of one trial have in common: time stamp, first sample, number of samples, rate.
+    pub trial: Vec<String>,
+    /// Name of the plate.
+    pub plate: String,
+}
+
+/// Keys in which the files of one trial agree, the one that tells trials apart first.
+const TRIAL: [&str; 4] = ["TIME_STAMP", "FIRST_SAMPLE", "NO_OF_SAMPLES", "FREQUENCY"];
+const PLATE: &str = "FORCE_PLATE_NAME";
+/// Lines of such a header, at most.
+const HEAD: usize = 60;
+
+/// The plate that a text holds, from its beginning; `None` for a text of another kind.
+pub fn plate_of(start: &[u8]) -> Option<PlateFile> {
+    let bytes = plain(start);
+    let lines = Lines::new(&bytes).take(HEAD).map(|(_, line)| text(line));
+    of_head(&lines.collect::<Vec<_>>())
+}
+
+/// The plate that a header names.
+pub(super) fn of_head(head: &[String]) -> Option<PlateFile> {
+    let value = |key: &str| {
+        let found = head.iter().find_map(|line| {
+            let rest = line.trim().strip_prefix(key)?;
+            rest.starts_with(['\t', ' ', ',', ';']).then_some(rest)
+        })?;
+        let value = found.trim_matches(['\t', ' ', ',', ';']);
+        (!value.is_empty()).then(|| value.to_string())
+    };
+    value(TRIAL[0])?;
+    Some(PlateFile {
+        trial: TRIAL.map(|key| value(key).unwrap_or_default()).to_vec(),
+        plate: value(PLATE)?,
+    })
+}

@@ -1,0 +1,133 @@
+//! Paths of the two heel markers of a motion-capture recording: which foot stands, and how long a stride lasts.
+
+use super::Foot;
+use crate::statistics::median;
+
+/// The standing heel is slower than the other by this factor.
+const SLOWER: f64 = 1.2;
+/// Part of a stance about its middle, in which the heel is down and the other foot swings.
+const MIDDLE: (f64, f64) = (0.3, 0.6);
+/// A step reaches this part of the usual longest distance between the heels.
+const REACH: f64 = 0.5;
+
+/// A position in any unit of length.
+type Position = [f64; 3];
+
+/// The paths of both heels on one clock.
+///
+/// ```
+/// use gaitcam_gait::{Foot, Heels};
+///
+/// // The left heel stands, the right one moves by 1 m/s.
+/// let right = (0..50).map(|i| [0.01 * f64::from(i), 0.1, 0.0]).collect();
+/// let heels = Heels { rate_hz: 100.0, left: vec![[0.2, 0.0, 0.0]; 50], right };
+/// assert_eq!(heels.standing(0.0, 0.4), Some(Foot::Left));
+/// assert!(heels.strides_s().is_empty());
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Heels {
+    /// Positions per second, the first at the first sample of the force.
+    pub rate_hz: f64,
+    /// Positions of the left heel in the file's axes and unit of length; NaN where the marker was not seen.
+    pub left: Vec<[f64; 3]>,
+    /// Positions of the right heel.
+    pub right: Vec<[f64; 3]>,
+}
+
+impl Heels {
+    /// The foot that stands from one time to another, s: the slower one about the middle. `None` where the markers are
+    /// not seen, or both feet stand or both move.
+    pub fn standing(&self, start_s: f64, end_s: f64) -> Option<Foot> {
+        let at = |x: f64| ((start_s + x * (end_s - start_s)) * self.rate_hz) as usize;
+        let (from, to) = (at(MIDDLE.0), at(MIDDLE.1) + 1);
+        let [left, right] = [&self.left, &self.right].map(|path| step(path.get(from..=to)?));
+        let (left, right) = (left?, right?);
+        if SLOWER * left < right {
+            return Some(Foot::Left);
+        }
+        (SLOWER * right < left).then_some(Foot::Right)
+    }
+
+    /// Durations of strides, s: times between the moments at which the same heel is farthest ahead of the other.
+    ///
+    /// After Zeni, Richards and Higginson (2008), with the other heel for the pelvis: the distance is also right on a
+    /// treadmill, and what is systematic about the moment cancels between two.
+    pub fn strides_s(&self) -> Vec<f64> {
+        let pairs = self.left.iter().zip(&self.right);
+        let apart: Vec<Position> = pairs.map(|(l, r)| [0, 1, 2].map(|k| l[k] - r[k])).collect();
+        let along = principal_axis(&apart);
+        let ahead: Vec<f64> = apart.iter().map(|d| dot(*d, along)).collect();
+        let seen = ahead.split(|x| !x.is_finite());
+        let lobes: Vec<Vec<(f64, f64)>> = seen.map(lobes).collect();
+        let heights = lobes.iter().flatten().map(|lobe| lobe.1.abs()).collect();
+        let least = REACH * median(heights).unwrap_or(0.0);
+        let mut strides = Vec::new();
+        for lobes in lobes {
+            let steps: Vec<(f64, f64)> = lobes.into_iter().filter(|l| l.1.abs() > least).collect();
+            let turns = |w: &&[(f64, f64)]| w[0].1 * w[1].1 < 0.0 && w[1].1 * w[2].1 < 0.0;
+            let whole = steps.windows(3).filter(turns);
+            strides.extend(whole.map(|w| (w[2].0 - w[0].0) / self.rate_hz));
+        }
+        strides
+    }
+}
+
+fn dot(a: Position, b: Position) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Mean way of a marker from one position to the next; `None` where it is seen in less than half of them.
+fn step(path: &[Position]) -> Option<f64> {
+    let steps = path.windows(2).map(|w| {
+        let way = [0, 1, 2].map(|k| w[1][k] - w[0][k]);
+        dot(way, way).sqrt()
+    });
+    let seen: Vec<f64> = steps.filter(|s| s.is_finite()).collect();
+    let enough = !seen.is_empty() && 2 * seen.len() + 1 >= path.len();
+    enough.then(|| seen.iter().sum::<f64>() / seen.len() as f64)
+}
+
+/// Direction in which vectors are longest on the whole: the first eigenvector of their second moments, by power
+/// iteration. The feet are side by side in every step, so it is that of walking.
+fn principal_axis(all: &[Position]) -> Position {
+    let seen = || all.iter().filter(|d| dot(**d, **d).is_finite());
+    let longest = seen().max_by(|a, b| dot(**a, **a).total_cmp(&dot(**b, **b)));
+    let mut axis = longest.copied().unwrap_or([0.0; 3]);
+    for _ in 0..30 {
+        let mut sum = [0.0; 3];
+        for d in seen() {
+            let along = dot(*d, axis);
+            for (s, x) in sum.iter_mut().zip(d) {
+                *s += along * x;
+            }
+        }
+        let length = dot(sum, sum).sqrt();
+        if length > 0.0 {
+            axis = sum.map(|x| x / length);
+        }
+    }
+    axis
+}
+
+/// Places and heights of the extremes between changes of sign, each by the parabola through three samples; those at
+/// an end of the record are left out.
+fn lobes(ahead: &[f64]) -> Vec<(f64, f64)> {
+    let mut found = Vec::new();
+    let mut from = 0;
+    for lobe in ahead.chunk_by(|a, b| (*a < 0.0) == (*b < 0.0)) {
+        let highest = (0..lobe.len()).max_by(|&a, &b| lobe[a].abs().total_cmp(&lobe[b].abs()));
+        let top = from + highest.unwrap_or(0);
+        from += lobe.len();
+        let before = top.checked_sub(1).and_then(|i| ahead.get(i));
+        if let (Some(a), Some(c)) = (before, ahead.get(top + 1)) {
+            let curvature = a - 2.0 * ahead[top] + c;
+            let shift = if curvature == 0.0 {
+                0.0
+            } else {
+                0.5 * (a - c) / curvature
+            };
+            found.push((top as f64 + shift.clamp(-0.5, 0.5), ahead[top]));
+        }
+    }
+    found
+}
