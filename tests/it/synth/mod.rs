@@ -10,6 +10,7 @@ mod proof;
 mod random;
 mod refusal;
 mod scale;
+mod size;
 mod spans;
 mod verdict;
 mod verdict_grid;
