@@ -3,6 +3,7 @@
 
     benches/mutation/run.py [AREA ...]     draws, builds, tests; writes reports/mutation.csv and reports/mutation.md
     benches/mutation/run.py --all AREA     every mutant of an area instead of its sample
+    benches/mutation/run.py --again        only what survived the last run, or was not tried in it
 
 Needs cargo-mutants (cargo install cargo-mutants) and for the places of expressions tree-sitter and tree-sitter-rust (pip).
 What a mutant is and which ones are drawn (--shard 0/n, round robin) is what cargo-mutants says. Instead of one build
@@ -33,6 +34,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 TREE = ROOT / "target" / "mutation"
 TABLE = ROOT / "reports" / "mutation.csv"
 TIMEOUT = 180.0
+HEAD = """# Mutation testing
+
+What the tests notice of faults put into the code, by `benches/mutation/run.py`, which says how. Of the mutants of
+cargo-mutants one in 1 to 35 is drawn, by area; the faults of `benches/mutation/areas.py` are tried as well. Every row is in
+mutation.csv. Not part of CI. "Not tried" are mutants that cannot stand beside the original and were not built alone.
+"""
 SWITCH = """
 /// Whether a mutant is in force.
 pub(crate) fn mutant(k: u32) -> bool {
@@ -65,11 +72,10 @@ def position(text, place):
 
 
 def numbered(areas, whole):
-    """All mutants to be tried, and how many each area has."""
-    out, sizes = [], {}
+    """All mutants to be tried."""
+    out = []
     for area in areas:
-        listed, sizes[area] = drawn(area, whole)
-        for m in listed:
+        for m in drawn(area, whole)[0]:
             text = (ROOT / m["file"]).read_text()
             start, end = (position(text, m["span"][k]) for k in ("start", "end"))
             out.append((area, m["package"], m["file"], m["name"], start, end, m["genre"], m["replacement"]))
@@ -81,7 +87,7 @@ def numbered(areas, whole):
         if fault.area in areas:
             end = start + len(fault.old.encode())
             out.append((fault.area, AREAS[fault.area].package, fault.file, fault.name, start, end, "Fault", fault.new))
-    return [Mutant(k, *m) for k, m in enumerate(out, 1)], sizes
+    return [Mutant(k, *m) for k, m in enumerate(out, 1)]
 
 
 def nodes(node):
@@ -288,16 +294,15 @@ def store(rows):
 
 def page(rows, sizes):
     """reports/mutation.md."""
-    out = [HEAD, "| area | mutants | tried | do not compile | caught | survive | caught of those that compile |",
-           "|---|---:|---:|---:|---:|---:|---:|"]
-    total = collections.Counter()
+    out = [HEAD, "| area | mutants | drawn | not tried | do not compile | caught | survive | caught of those tried that compile |",
+           "|---|---:|---:|---:|---:|---:|---:|---:|"]
     for area in [*AREAS, "all"]:
         own = [r for r in rows if area in (r["area"], "all")]
         count = collections.Counter(r["outcome"] for r in own)
-        caught, viable = count["caught"] + count["timeout"], len(own) - count["unviable"]
-        size = sizes.get(area, sum(sizes.values()))
+        caught, viable = count["caught"] + count["timeout"], len(own) - count["unviable"] - count["not tried"]
+        size = sum(sizes.values()) if area == "all" else sizes[area]
         share = f"{100.0 * caught / viable:.0f} %" if viable else ""
-        out.append(f"| {area} | {size} | {len(own)} | {count['unviable']} | {caught} | {count['missed']} | {share} |")
+        out.append(f"| {area} | {size} | {len(own)} | {count['not tried']} | {count['unviable']} | {caught} | {count['missed']} | {share} |")
     out += ["", "## Survivors", "", "| mutant | why no test fails |", "|---|---|"]
     escaped = lambda text: text.replace("|", "\\|")
     out += [f"| {escaped(r['mutant'])} | {escaped(r['reason'])} |" for r in rows if r["outcome"] == "missed"]
@@ -306,20 +311,26 @@ def page(rows, sizes):
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("areas", nargs="*", choices=[[], *AREAS], metavar="AREA")
+    arguments.add_argument("areas", nargs="*", metavar="AREA")
     arguments.add_argument("--all", action="store_true", help="every mutant instead of the sample")
+    arguments.add_argument("--again", action="store_true", help="only what the table has as survivor or not tried")
     given = arguments.parse_args()
     areas = given.areas or list(AREAS)
-    mutants, sizes = numbered(areas, given.all)
+    mutants = numbered(areas, given.all)
     before = stored()
+    if given.again:
+        open_ = {plain_name(r["mutant"]) for r in before if r["outcome"] in ("missed", "not tried")}
+        mutants = [m for m in mutants if plain_name(m.name) in open_]
     reasons = {plain_name(r["mutant"]): r["reason"] for r in before}
-    rows = [r for r in before if r["area"] not in areas]
+    again = {plain_name(m.name) for m in mutants}
+    kept = lambda r: r["area"] not in areas or given.again and plain_name(r["mutant"]) not in again
+    rows = [r for r in before if kept(r)]
     for m, result, by in tried(mutants, areas):
         reason = reasons.get(plain_name(m.name), "") if result == "missed" else ""
         rows.append(dict(zip(COLUMNS, [m.area, m.name, result, by, reason])))
         print(f"{result:8} {m.name}  {by}", flush=True)
         store(sorted(rows, key=lambda r: list(AREAS).index(r["area"])))
-    page(rows, sizes)
+    page(rows, {area: drawn(area, False)[1] for area in AREAS})
 
 
 if __name__ == "__main__":

@@ -197,6 +197,15 @@ fn thesis_eccentric_slides_at_0_465_metres_per_second() {
 }
 
 #[test]
+fn a_flat_face_is_tipped_by_its_force_on_the_arm_of_the_contact() {
+    // The contact of an eccentric disc lies e cos θ beside the guide.
+    let (cam, drive) = (thesis::eccentric(), thesis::real(20.0));
+    let at = touch_at(&cam, &drive, 0.0, 0.7);
+    let force = drive.force(cam.law.svaj(0.7));
+    assert!((at.tipping.abs() - force * 0.01 * 0.7_f64.cos()).abs() < 1e-12);
+}
+
+#[test]
 fn entraining_speed_of_a_concentric_roller_is_the_cam_surface_speed() {
     let cam = Cam {
         law: Law::harmonic(0.0, &[]),

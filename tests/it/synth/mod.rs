@@ -11,6 +11,7 @@ mod proof;
 mod random;
 mod refusal;
 mod scale;
+mod size;
 mod spans;
 mod verdict;
 mod verdict_grid;

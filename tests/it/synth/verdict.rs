@@ -258,6 +258,27 @@ fn undercut_is_unacceptable_and_a_cusp_is_for_slow_machines() {
         Verdict::Unacceptable,
         "reason-undercut",
     );
+    // A limit of 0 allows the cusp and is told it; a radius above 0 and below its limit is no undercut.
+    let pointed = programme(
+        "3-4-5",
+        "follower = \"flat-translating\"",
+        &["limits.curvature=0"],
+    );
+    judged(&pointed, Verdict::NotForHighSpeed, "reason-cusp");
+    let radius = format!("cam.base_radius={} mm", 1.01 * least);
+    let sharp = programme("3-4-5", FLAT, &[&radius, "limits.curvature=10 mm"]);
+    judged(&sharp, Verdict::Unacceptable, "reason-too-sharp");
+    assert!(!has(&sharp, "reason-undercut") && !has(&sharp, "reason-cusp"));
+}
+
+#[test]
+fn a_cam_sized_by_the_usual_pressure_angle_is_good_for_any_machine() {
+    let open = "follower = \"roller-translating\"\nroller_radius = \"5 mm\"\noffset = \"0\"";
+    let sized = programme("3-4-5", open, &[]);
+    let angles = sized.checks.iter().filter(|c| c.name.is_pressure_angle());
+    let worst = angles.map(|c| c.worst).fold(0.0, f64::max);
+    assert!((worst - 30_f64.to_radians()).abs() < 1e-9, "{worst}");
+    judged(&sized, Verdict::Acceptable, "reason-all-hold");
 }
 
 #[test]

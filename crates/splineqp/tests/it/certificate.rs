@@ -327,3 +327,68 @@ fn a_missed_demand_counts_in_the_gap_with_its_price() {
         }
     }
 }
+
+/// Without limits the gap of a law is by how much its objective is above the least, to the second order in what is off.
+#[test]
+fn the_gap_of_any_law_without_limits_is_its_distance_from_the_optimum() {
+    for number in 0..20 {
+        let mut case = Case::new(number);
+        case.program.limits.clear();
+        let best = case.program.solve().unwrap();
+        for size in [1e-6, 1e-4, 1e-2] {
+            let mut other = best.clone();
+            for (i, x) in other.x.iter_mut().enumerate() {
+                *x += size * (1.7 * i as f64 + case.seed).sin();
+            }
+            let above = case.program.objective(&other.x) - case.program.objective(&best.x);
+            let proof = certificate(&case.program, &other);
+            let words = format!("{number} {size:e}: {above:e} {proof:?}");
+            // Both objectives are differences of terms of the size of 1.
+            let off = (proof.duality_gap - above).abs();
+            assert!(off < 1e-6 * above + 1e-15, "{words}");
+            assert!(proof.stationarity > 1e-3 * size, "{words}");
+        }
+    }
+}
+
+/// A force of springs and masses leaves the level of the lift open, and limits on the lift move it: their multipliers balance.
+#[test]
+fn limits_on_an_open_level_are_certified_by_balanced_multipliers() {
+    let spline = Basis::Spline {
+        space: SplineSpace::periodic_uniform(5, 16, TAU),
+        closed: true,
+    };
+    for basis in [spline, Basis::Harmonic { count: 6 }] {
+        let mut distance = Quadratic::zero(&basis);
+        let wave = pointwise(|x: f64| (2.0 * x).sin() + 0.4 * (3.0 * x).cos());
+        distance.add_distance(&basis, &[0.0, 0.0, 1.0], 16, wave, None);
+        let mut program = Program::new(basis, distance, Vec::new(), 1.0);
+        let free = program.solve().unwrap();
+        let lift = |s: &Solution| {
+            let law = program.basis.combination(&s.x, &[1.0, 0.0, 0.0, 0.0, 0.0]);
+            let all: Vec<f64> = (0..500)
+                .map(|i| law.eval(TAU * f64::from(i) / 500.0))
+                .collect();
+            let low = all.iter().fold(f64::INFINITY, |m, v| m.min(*v));
+            all.iter().fold(0.0_f64, |m, v| m.max(v - low))
+        };
+        let half = 0.4 * lift(&free);
+        for sign in [1.0, -1.0] {
+            let weights = [sign, 0.0, 0.0, 0.0, 0.0];
+            program
+                .limits
+                .push(Limit::new("level", weights, half, half));
+        }
+        let solution = program.solve().unwrap();
+        assert!(solution.active.len() >= 2);
+        let proof = certificate(&program, &solution);
+        assert!(is_certified(&proof), "{proof:?}");
+        // The same law with its multipliers on one side only proves nothing.
+        let mut one_sided = solution;
+        let above = one_sided.active[0].entries[0].1.signum();
+        one_sided
+            .active
+            .retain(|r| r.entries[0].1.signum() == above);
+        assert!(!is_certified(&certificate(&program, &one_sided)));
+    }
+}
