@@ -226,6 +226,7 @@ mod tests {
         for (name, text) in [
             ("law.csv", "old"),
             ("cutter.csv", "old"),
+            ("profile.csv", "of another command"),
             ("summary.json", "old"),
         ] {
             fs::write(path.join(name), text).unwrap();
@@ -240,7 +241,7 @@ mod tests {
             fs::write(ready.join(name), text).unwrap();
         }
         drop(ResultFolder::open(path, Duration::ZERO).unwrap());
-        assert_eq!(names(path), ["law.csv", "summary.json"]);
+        assert_eq!(names(path), ["law.csv", "profile.csv", "summary.json"]);
         assert_eq!(fs::read_to_string(path.join("law.csv")).unwrap(), "new");
     }
 
@@ -252,5 +253,15 @@ mod tests {
         result.write("law.csv", b"half").unwrap();
         drop(result);
         assert_eq!(names(folder.path()), Vec::<String>::new());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_in_the_place_of_new_files_is_not_followed() {
+        let (folder, foreign) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+        fs::write(folder.path().join("law.csv"), "own").unwrap();
+        fs::write(foreign.path().join("law.csv"), "foreign").unwrap();
+        std::os::unix::fs::symlink(foreign.path(), folder.path().join(READY)).unwrap();
+        assert_eq!(read(folder.path(), "law.csv").unwrap(), b"own");
     }
 }

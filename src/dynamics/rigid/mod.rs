@@ -32,10 +32,11 @@ pub fn reach(follower: &Follower) -> f64 {
 /// all the way round (with a force that changes sign it is not a polynomial: `None`).
 pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Option<PiecewisePoly> {
     let force = drive.force_curve(law);
-    if friction != 0.0 && drive.force_extremes(law).0.value < 0.0 {
+    let rub = friction * drive.speed.signum();
+    if rub != 0.0 && drive.force_extremes(law).0.value < 0.0 {
         return None;
     }
-    let arm = law.combination([friction, 1.0, 0.0, 0.0], friction * reach);
+    let arm = law.combination([rub, 1.0, 0.0, 0.0], rub * reach);
     Some(force.times(&arm))
 }
 
@@ -67,8 +68,12 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
         }
         2.0 * highest.max(0.0) / (drive.damping * -least_v.value)
     };
+    let sign = if drive.speed < 0.0 { -1.0 } else { 1.0 };
     for _ in 0..ROUNDS {
-        let here = Drive { speed, ..*drive };
+        let here = Drive {
+            speed: sign * speed,
+            ..*drive
+        };
         let [k, c, m, _] = here.weights();
         let (worst, largest) = extremes([k, c, m], drive.rest_force);
         // A force that only touches zero, as in a dwell without preload, is not a lift-off.
@@ -78,7 +83,7 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
         let at = one_sided(law, worst, &|at| here.force(at));
         let (p, q, r) = (
             drive.mass * at.a,
-            drive.damping * at.v,
+            sign * drive.damping * at.v,
             drive.rest_force + drive.spring_rate * at.s,
         );
         let next = smallest_positive_root(p, q, r);

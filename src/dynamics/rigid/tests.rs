@@ -42,8 +42,10 @@ fn thesis_cams_lift_off_at_31_320920_and_23_490690() {
 fn spring_loaded_eccentric_jumps_at_122_474() {
     // ω = √(k(2e + δ)/(m e)), theory §10: at the top the spring is compressed 2e + δ.
     let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
-    let jump = liftoff_speed(&law, &spring_loaded(50.0)).unwrap();
-    assert!((jump - 15000.0_f64.sqrt()).abs() < 1e-9, "{jump}");
+    for speed in [50.0, -50.0] {
+        let jump = liftoff_speed(&law, &spring_loaded(speed)).unwrap();
+        assert!((jump - 15000.0_f64.sqrt()).abs() < 1e-9, "{jump}");
+    }
 }
 
 #[test]
@@ -77,17 +79,19 @@ fn a_machine_without_mass_never_jumps_and_one_pulled_off_jumps_at_rest() {
 }
 
 #[test]
-fn damping_alone_lifts_off_where_the_fall_is_steepest() {
-    // F₀ + c ω v = 0 at v = −e.
+fn damping_alone_lifts_off_where_the_follower_moves_fastest_against_it() {
+    // F₀ + c ω v = 0 at ω v = −|ω| e.
     let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
-    let drive = Drive {
-        mass: 0.0,
-        spring_rate: 0.0,
-        damping: 30.0,
-        ..spring_loaded(10.0)
-    };
-    let jump = liftoff_speed(&law, &drive).unwrap();
-    assert!((jump - 50.0 / (30.0 * 0.01)).abs() < 1e-9, "{jump}");
+    for speed in [10.0, -10.0] {
+        let drive = Drive {
+            mass: 0.0,
+            spring_rate: 0.0,
+            damping: 30.0,
+            ..spring_loaded(speed)
+        };
+        let jump = liftoff_speed(&law, &drive).unwrap();
+        assert!((jump - 50.0 / (30.0 * 0.01)).abs() < 1e-9, "{jump}");
+    }
 }
 
 #[test]
@@ -107,6 +111,31 @@ fn a_steep_rise_under_much_damping_jumps_where_its_force_first_vanishes() {
     let jump = liftoff_speed(&law, &drive).unwrap();
     let lowest = |speed: f64| Drive { speed, ..drive }.force_extremes(&law).0.value;
     assert!(lowest(jump * (1.0 - 1e-7)) > 0.0 && lowest(jump * (1.0 + 1e-7)) < 0.0);
+}
+
+#[test]
+fn a_jump_of_the_acceleration_pulls_from_its_own_side() {
+    // A gentle rise ends where the harmonic fall begins with −h π²/(2 β²), and the other way round.
+    let segment = |motion: Rise, lift: f64, degrees: f64| Segment {
+        motion,
+        lift,
+        angle: degrees.to_radians(),
+    };
+    let (gentle, sudden) = (Rise::Cycloidal, Rise::SimpleHarmonic);
+    for (rise, fall) in [
+        ((&gentle, 270.0), (&sudden, 90.0)),
+        ((&sudden, 90.0), (&gentle, 270.0)),
+    ] {
+        let segments = [
+            segment(rise.0.clone(), 0.01, rise.1),
+            segment(fall.0.clone(), -0.01, fall.1),
+        ];
+        let law = program(&segments, Extent::TURN).unwrap();
+        let jump = liftoff_speed(&law, &spring_loaded(10.0)).unwrap();
+        // At the top the spring presses with 50 N + 5000 N/m · 10 mm.
+        let pull = 0.5 * 0.01 * 4.0;
+        assert!((jump - (100.0_f64 / pull).sqrt()).abs() < 1e-9, "{jump}");
+    }
 }
 
 #[test]
@@ -153,18 +182,26 @@ fn thesis_friction_torque_is_equation_27() {
 }
 
 #[test]
-fn torque_with_friction_is_the_contacts_own_at_every_angle() {
+fn torque_with_friction_is_the_contacts_own_at_every_angle_and_in_both_turns() {
     let cam = thesis::eccentric();
-    let drive = Drive {
-        spring_rate: 800.0,
-        damping: 5.0,
-        ..thesis::real(20.0)
-    };
-    let curve = torque_curve(&cam.law, &drive, 0.1, reach(&cam.follower)).unwrap();
-    for k in 0..12 {
-        let theta = 0.5 * f64::from(k);
-        let own = touch_at(&cam, &drive, 0.1, theta).torque;
-        assert!((curve.eval(theta) - own).abs() < 1e-12, "{theta}: {own}");
+    for speed in [20.0, -20.0] {
+        let drive = Drive {
+            spring_rate: 800.0,
+            damping: 5.0,
+            ..thesis::real(speed)
+        };
+        let curve = torque_curve(&cam.law, &drive, 0.1, reach(&cam.follower)).unwrap();
+        for k in 0..12 {
+            let theta = 0.5 * f64::from(k);
+            // T = F (v ± μ (Rb + s)), theory §10.
+            let at = cam.law.svaj(theta);
+            let rub = 0.1 * speed.signum() * (reach(&cam.follower) + at.s);
+            let known = drive.force(at) * (at.v + rub);
+            assert!((curve.eval(theta) - known).abs() < 1e-12, "{theta}");
+            // The contact is of a cam that turns forwards.
+            let own = touch_at(&cam, &drive, 0.1, theta).torque;
+            assert!(speed < 0.0 || (own - known).abs() < 1e-12, "{theta}: {own}");
+        }
     }
 }
 

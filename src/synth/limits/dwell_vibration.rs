@@ -243,3 +243,32 @@ fn steady(rests: &[(f64, f64)], own: Vec<[Vec<f64>; 2]>, free: &Free) -> Vec<[Ve
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_free_vibration_solves_its_equation_at_every_damping() {
+        // X′ = A X with A = r (0 1; −1 −2ζ) and X(0) = 1, by central differences.
+        for damping in [0.0, 0.3, 0.999, 1.0, 1.001, 2.5] {
+            let free = Free { rate: 3.0, damping };
+            let [r, h] = [free.rate, 1e-5];
+            assert_eq!(free.carried(0.0), [[1.0, 0.0], [0.0, 1.0]]);
+            for angle in [0.2, 0.9, 2.0] {
+                let [before, now, after] = [-h, 0.0, h].map(|d| free.carried(angle + d));
+                for k in 0..2 {
+                    let (q, p) = (now[0][k], now[1][k]);
+                    let slopes = [r * p, -r * (q + 2.0 * damping * p)];
+                    for (i, slope) in slopes.into_iter().enumerate() {
+                        let found = (after[i][k] - before[i][k]) / (2.0 * h);
+                        assert!(
+                            (found - slope).abs() < 1e-7,
+                            "{damping} {angle}: {found} {slope}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

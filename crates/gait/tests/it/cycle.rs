@@ -313,3 +313,36 @@ fn slow_steps_are_a_walk_only_where_the_total_hardly_moves() {
     assert!((of(0.2).unwrap().period_s - 1.9).abs() < 5e-3);
     assert!(of(0.6).is_err());
 }
+
+#[test]
+fn a_stated_total_counts_from_the_first_contact_to_the_last() {
+    let total = |t: f64| {
+        let on_the_plate = (3.0..15.0).contains(&t);
+        let steps = (-2..2).map(|k| stance((t.rem_euclid(0.55) + 0.55 * f64::from(k)) / 0.68));
+        if on_the_plate {
+            steps.sum::<f64>()
+        } else {
+            0.0
+        }
+    };
+    let rows: String = (0..9000)
+        .map(|i| f64::from(i) / RATE)
+        .map(|t| format!("{t:.3},{:.3}\n", total(t)))
+        .collect();
+    let text = format!("time,fz\n{rows}");
+    let options = ReadOptions::default();
+    let c = force_curve(
+        Path::new("total.csv"),
+        text.as_bytes(),
+        &options,
+        Feet::Total,
+    )
+    .unwrap();
+    let mean = 2.0 * 700.0 * std::f64::consts::FRAC_2_PI * (1.0 + 0.35 / 3.0) * 0.68 / 1.1;
+    assert!((c.period_s - 1.1).abs() < 1e-3, "{}", c.period_s);
+    assert!(
+        (c.mean_n() / mean - 1.0).abs() < 2e-3,
+        "{} {mean}",
+        c.mean_n()
+    );
+}
