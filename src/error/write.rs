@@ -34,7 +34,7 @@ pub enum WriteError {
     HubTooLarge { hub: Quantity, free: Quantity },
     BoreTooLarge { bore: Quantity, free: Quantity },
     CutterRadius { radius: Quantity },
-    DepthOfPass { pass: Quantity },
+    DepthOfPass { pass: Quantity, least: Quantity },
     TooSharp,
     NoCutterPath,
     GrooveCutter { radius: Quantity, roller: Quantity },

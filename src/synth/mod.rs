@@ -49,7 +49,8 @@
 //! s = y + x with x + (c₁ω/k₁) x′ = F(y)/k₁. Limits of the end move until the cam's own are reached.
 //!
 //! **Accuracy.** Where something else than the force error is minimised, √(mean (F − F*)²) ≤ e is one more convex limit: its
-//! half square is added to the objective with the weight at which it holds with equality.
+//! half square is added to the objective with the weight at which it holds with equality. Where a peak is minimised, the force
+//! error is, under the peak at which it is e.
 //!
 //! **Certificate.** The multipliers λ of the active rows prove a lower bound; objective less bound is
 //! Σ λ(b − aᵀx) + xᵀr with r the Lagrangian's gradient. λ times 1 % of a limit is what easing it would buy.
@@ -58,21 +59,21 @@
 //! them the program with its bound minimised is a first relaxation. `relaxed` designs the whole cam with
 //! each value and moves it until every check passes.
 
+mod corrected;
 mod design;
 mod families;
 mod infeasible;
 mod limits;
-mod on_shaft;
 mod optimum;
 mod pareto;
 mod phase;
-mod polydyne;
 mod qp;
 mod search;
 mod sizing;
 pub(crate) mod spectral;
 mod verdict;
 
+pub use corrected::on_shaft::{OnShaft, Sensitivity};
 pub use design::{
     Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, LoadFactor, Minimised,
     Relaxation, SolverReport, Step, Tier,
@@ -85,7 +86,6 @@ pub use design::{
     reason::{Change, Reason, sentences},
 };
 pub use infeasible::in_units;
-pub use on_shaft::{OnShaft, Sensitivity};
 pub use pareto::{Trade, trade, traded};
 pub use qp::{Certificate, Demand, Given, Stop};
 pub use search::Search;
@@ -136,7 +136,7 @@ impl Scene {
 /// # Errors
 /// Faults of the input.
 pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
-    on_shaft::designed(at_constant_speed(problem, search)?, search)
+    corrected::on_shaft::designed(at_constant_speed(problem, search)?, search)
 }
 
 /// The design for constant speed.
@@ -200,7 +200,7 @@ fn sized(
     if problem.law.polydyne
         && let Some(train) = problem.train()?
     {
-        return polydyne::design(problem, limited, search, &train);
+        return corrected::polydyne::design(problem, limited, search, &train);
     }
     let mut law = families::law(limited, search)?;
     let checked = checked_cam(problem, search, &law.law, None)?;

@@ -119,7 +119,8 @@ impl Motion {
         let h = TAU / n as f64;
         let x = angle / h;
         let (turns, place) = (x.div_euclid(n as f64), x.rem_euclid(n as f64));
-        let (i, u) = ((place as usize).min(n - 1), place - place.floor());
+        let i = (place as usize).min(n - 1);
+        let u = place - i as f64;
         let at = |k: usize| {
             let (w, rate) = (self.speed[k % n], self.acceleration[k % n]);
             let from = if k == n {

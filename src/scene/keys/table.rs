@@ -153,7 +153,7 @@ pub static KEYS: &[Key] = &[
     row("machine.motor.stall_torque",  number(Torque, Positive),                "",     field!(machine.motor.stall_torque)).only(turns),
     row("machine.motor.no_load_speed", number(AngularSpeed, Positive),          "auto", field!(machine.motor.no_load_speed)).only(turns),
     row("machine.motor.curve",         TEXT,                                    "",     field!(machine.motor.curve)).only(turns),
-    row("machine.motor.gear",          number(Ratio, Positive),                 "1",    field!(machine.motor.gear)).only(turns).idle_when(no_motor),
+    row("machine.motor.gear",          number(Ratio, Between(1e-3, 1e3)),       "1",    field!(machine.motor.gear)).only(turns).idle_when(no_motor),
     row("machine.motor.efficiency",    number(Ratio, Between(0.01, 1.0)),       "1",    field!(machine.motor.efficiency)).only(turns).idle_when(no_motor),
     row("machine.inertia",             number(Inertia, Positive),               "",     field!(machine.inertia)).only(turns).idle_when(no_motor),
     row("machine.friction_torque",     number(Torque, NotNegative),             "0",    field!(machine.friction_torque)).only(turns).idle_when(no_motor),

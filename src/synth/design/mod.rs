@@ -28,7 +28,7 @@ use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Note, Problem};
-use crate::synth::on_shaft::OnShaft;
+use crate::synth::corrected::on_shaft::OnShaft;
 use crate::units::Quantity;
 use crate::wording::Language;
 use parameters::Functions;

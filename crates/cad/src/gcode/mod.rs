@@ -26,6 +26,8 @@ const PLUNGE: f64 = 0.25;
 const CLEAR: f64 = 0.005;
 /// A rest of the plate below this part of a pass is no pass of its own.
 const REST: f64 = 1e-6;
+/// More passes through a plate than this are a mistyped depth.
+const MOST_PASSES: f64 = 1000.0;
 /// Acceleration that the machine's table keeps to on an arc, mm/s².
 const ACCELERATION: f64 = 500.0;
 /// Relative change from which a feed is written again.
@@ -105,13 +107,18 @@ struct Path {
 /// cutter has the roller's radius.
 ///
 /// # Errors
-/// A radius or a pass that is not positive; a profile that no chain of arcs follows (undercut, jumps of the velocity), a
+/// A radius that is not positive, a pass below a thousandth of the thickness; a profile that no chain of arcs follows (undercut, jumps of the velocity), a
 /// cutter that does not fit a hollow or is not the groove's.
 pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     let tool = cutter::positive(cut.tool)?;
-    if let Some(pass) = cut.pass.filter(|p| !(p.is_finite() && *p > 0.0)) {
+    let least = design.thickness / MOST_PASSES;
+    if let Some(pass) = cut
+        .pass
+        .filter(|p| !(p.is_finite() && *p > 0.0 && *p >= least))
+    {
         let pass = Quantity::length(pass);
-        return Err(WriteError::DepthOfPass { pass }.into());
+        let least = Quantity::length(least);
+        return Err(WriteError::DepthOfPass { pass, least }.into());
     }
     if let Some(groove) = &design.groove {
         return Ok(vec![groove::program(groove, &design.name, cut)?]);

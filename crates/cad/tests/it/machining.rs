@@ -438,5 +438,8 @@ fn passes_reach_the_bottom_of_the_plate_and_each_runs_the_whole_path() {
     assert_eq!(moves(&program), 4 * moves(&one));
     // A depth that the plate is a multiple of takes no empty pass.
     assert_eq!(depths(&in_passes(0.005).unwrap()[0]).len(), 4);
-    assert!(in_passes(0.0).is_err() && in_passes(f64::NAN).is_err());
+    // A plate of 10 mm in a thousand passes, and no more.
+    assert!(in_passes(1.001e-5).is_ok());
+    let faulty = [0.0, -1e-3, 0.999e-5, 1e-12, f64::NAN];
+    assert!(faulty.into_iter().all(|pass| in_passes(pass).is_err()));
 }

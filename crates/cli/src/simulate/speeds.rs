@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
+use std::time::Instant;
 
 use serde_json::{Value, json};
 
@@ -13,10 +14,10 @@ use crate::console::words;
 use crate::console::{exit_code, exit_code::NO_SUCH_CAM};
 use crate::input::made::Made;
 use crate::input::{self, at_flag};
-use crate::synth::files_in;
+use crate::synth::{files_in, no_cam};
 use gaitcam::Problem;
 use gaitcam::dynamics::{Model, Outcome, simulate};
-use gaitcam::error::{Placed, Result};
+use gaitcam::error::{Placed, Result, is_no_cam};
 use gaitcam::scene::Source;
 use gaitcam::synth::Design;
 use gaitcam::units::{Dimension, parse};
@@ -39,11 +40,16 @@ struct AtSpeed {
 
 /// Runs the cam of the arguments at each of `speeds`, FIRST:LAST:COUNT.
 pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
-    let speeds = read(speeds)?;
+    let (speeds, start) = (read(speeds)?, Instant::now());
     let made = Made::read(&args.scene, None)?;
     let place = input::result_folder(&made.input, args.out.as_deref(), "_speeds")?;
     let folder = ResultFolder::open(&place, PATIENCE)?;
-    let design = made.design()?;
+    let design = match made.design() {
+        Err(error) if is_no_cam(&error) => {
+            return no_cam(args.json, &made.input, Some(folder), &error, start);
+        }
+        design => design?,
+    };
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("simulate-no-cam", &json!({"why": why})));
         return Ok(NO_SUCH_CAM);
@@ -198,7 +204,7 @@ fn table(rows: &[AtSpeed]) -> String {
             words::fixed(row.torque(), 3),
             words::fixed(100.0 * row.ripple(), 2),
         );
-        let line = format!("\n{rpm:>9} {rms:>10} {torque:>9} {ripple:>9}  {factors}  {lost}");
+        let line = format!("\n{rpm:>9} {rms:>11} {torque:>10} {ripple:>8}  {factors}  {lost}");
         out.push_str(line.trim_end());
         out
     })

@@ -212,7 +212,7 @@ gait-mean-cycle-of = mean cycle of { $file }
 
 # simulate.
 simulate-no-cam = there is no cam to run: { $why }
-simulate-speeds-head =       rpm error N RMS torque N·m ripple %  load factors 1 to 4
+simulate-speeds-head = { "      " }rpm error N RMS torque N·m ripple %  load factors 1 to 4
 simulate-speeds-lost = contact lost
 simulate-as-made = the cam as it was made, at { $rpm } rpm
 simulate-designed-again = the cam was designed for this drive.speed; --speed runs one cam at another speed

@@ -1,12 +1,6 @@
 //! Polydyne cam of a compliant follower: the law is optimised for the follower's end, the cam is cut so that the end
 //! follows it, and every limit of the cam holds for the cam's own law.
 
-use super::SizedLaw;
-use super::design::End;
-use super::families;
-use super::optimum::NoLaw;
-use super::search::Search;
-use super::sizing::checked_cam::checked_cam;
 use crate::cam::{Criterion, LimitKind};
 use crate::dynamics::Train;
 use crate::dynamics::flexible::polydyne::{end_error, polydyne};
@@ -14,6 +8,12 @@ use crate::error::{Error, Placed};
 use crate::law::Law;
 use crate::problem::{Note, Problem};
 use crate::scene::Limits;
+use crate::synth::SizedLaw;
+use crate::synth::design::End;
+use crate::synth::families;
+use crate::synth::optimum::NoLaw;
+use crate::synth::search::Search;
+use crate::synth::sizing::checked_cam::checked_cam;
 use crate::units::{Dimension, Quantity};
 
 /// Times that the end's limits are moved so that the cam keeps its own.

@@ -9,8 +9,6 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use super::design::Design;
-use super::{Search, at_constant_speed};
 use crate::cam::Follower;
 use crate::drive::{Drive, Motor};
 use crate::dynamics::rigid::touch::{rubs, touch};
@@ -21,6 +19,8 @@ use crate::force::ForceCurve;
 use crate::law::{Law, Svaj};
 use crate::problem::Problem;
 use crate::scene::{Family, ShaftSpeed};
+use crate::synth::design::Design;
+use crate::synth::{Search, at_constant_speed};
 use crate::units::Quantity;
 
 /// Equal angles of the clock.
@@ -67,7 +67,7 @@ pub struct OnShaft {
     pub at_constant_speed: Option<InTime>,
     /// Programs solved beside the one at constant speed.
     pub rounds: usize,
-    /// Factor between the last two changes of the target from round to round; `None` of a single round.
+    /// Factor between the last two changes of the target from round to round; `None` of fewer than two changes.
     pub contraction: Option<f64>,
     /// Force error over time, percent of the mean, where the machine differs by ±10 %, its supply set again.
     pub sensitivity: Vec<Sensitivity>,
@@ -182,7 +182,7 @@ fn rounds(first: Last, run: &Runner, problem: &Problem, search: &Search) -> Resu
     let mut last = first;
     let law = last.design.cam.law.clone();
     let mut clocks: Clocks = (None, run.settled(&law, last.clock.clone())?);
-    let mut before: Option<(Vec<f64>, f64)> = None;
+    let mut before: Option<(Vec<f64>, Option<f64>)> = None;
     let mean = problem.target_mean();
     for round in 1..=ROUNDS {
         let at = run.corrected(problem, &last.design.cam.law, &clocks);
@@ -197,17 +197,19 @@ fn rounds(first: Last, run: &Runner, problem: &Problem, search: &Search) -> Resu
                 .map(|(a, b)| (a - b).powi(2))
                 .sum::<f64>();
             let now = (square / target.len() as f64).sqrt();
-            last.contraction = Some(now / change).filter(|x| x.is_finite());
+            let part = change.map(|change| now / change);
+            last.contraction = part.filter(|x| x.is_finite());
             if now <= SETTLED * mean {
                 return Ok(last);
             }
-            if round > 3 && now >= *change {
+            if round > 3 && change.is_some_and(|change| now >= change) {
                 break;
             }
-            before = Some((target, now));
+            before = Some((target, Some(now)));
         } else {
-            before = Some((target, mean));
+            before = Some((target, None));
         }
+        // What is kept belongs to the target of the round before.
         let fresh = Search {
             cache: Default::default(),
             ..search.clone()

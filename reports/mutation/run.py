@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Tests of the tests: how many faults put into the code do they notice?
 
-    benches/mutation/run.py [AREA ...]     draws, builds, tests; writes reports/mutation.csv and reports/mutation.md
-    benches/mutation/run.py --all AREA     every mutant of an area instead of its sample
-    benches/mutation/run.py --again        only what survived the last run, or was not tried in it
+    reports/mutation/run.py [AREA ...]     draws, builds, tests; writes reports/mutation.csv and reports/mutation.md
+    reports/mutation/run.py --all AREA     every mutant of an area instead of its sample
+    reports/mutation/run.py --again        only what survived the last run, or was not tried in it
 
 Needs cargo-mutants (cargo install cargo-mutants) and for the places of expressions tree-sitter and tree-sitter-rust (pip).
 What a mutant is and which ones are drawn (--shard 0/n, round robin) is what cargo-mutants says. Instead of one build
@@ -36,8 +36,8 @@ TABLE = ROOT / "reports" / "mutation.csv"
 TIMEOUT = 180.0
 HEAD = """# Mutation testing
 
-What the tests notice of faults put into the code, by `benches/mutation/run.py`, which says how. Of the mutants of
-cargo-mutants one in 1 to 35 is drawn, by area; the faults of `benches/mutation/areas.py` are tried as well. Every row is in
+What the tests notice of faults put into the code, by `reports/mutation/run.py`, which says how. Of the mutants of
+cargo-mutants one in 1 to 35 is drawn, by area; the faults of `reports/mutation/areas.py` are tried as well. Every row is in
 mutation.csv. Not part of CI. "Not tried" are mutants that cannot stand beside the original and were not built alone.
 """
 SWITCH = """
@@ -153,7 +153,10 @@ def lay_out(mutants, alone=None):
     for m in mutants:
         by_file[m.file].append(m)
     libraries = {name.split("src/")[0] + "src/lib.rs" for name in by_file} if alone is None else set()
-    for name in tracked.decode().strip("\0").split("\0"):
+    names = tracked.decode().strip("\0").split("\0")
+    for stale in set(TREE.glob("*/**/*.rs")) - {TREE / name for name in names} - set(TREE.glob("target/**/*.rs")):
+        stale.unlink()
+    for name in names:
         source = (ROOT / name).read_bytes()
         if alone and alone.file == name:
             source = source[: alone.start] + alone.new.encode() + source[alone.end :]

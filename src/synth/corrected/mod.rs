@@ -1,0 +1,5 @@
+//! Laws corrected for the machine: for a follower that gives, for a shaft whose speed varies. Each designs for a rigid
+//! machine at constant speed, runs it, and designs again for what that says.
+
+pub mod on_shaft;
+pub mod polydyne;
