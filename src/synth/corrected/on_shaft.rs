@@ -182,33 +182,26 @@ fn rounds(first: Last, run: &Runner, problem: &Problem, search: &Search) -> Resu
     let mut last = first;
     let law = last.design.cam.law.clone();
     let mut clocks: Clocks = (None, run.settled(&law, last.clock.clone())?);
-    let mut before: Option<(Vec<f64>, Option<f64>)> = None;
     let mean = problem.target_mean();
+    let sampled = |at: &Problem| -> Vec<f64> {
+        let curve = at.target.as_ref().map(|t| &t.curve);
+        let angles = (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
+        curve.map_or(Vec::new(), |curve| angles.map(|x| curve.at(x)).collect())
+    };
+    let (mut target, mut change): (_, Option<f64>) = (sampled(problem), None);
     for round in 1..=ROUNDS {
         let at = run.corrected(problem, &last.design.cam.law, &clocks);
-        let target = at
-            .target
-            .as_ref()
-            .map_or(Vec::new(), |t| t.curve.force_n.clone());
-        if let Some((old, change)) = &before {
-            let square = target
-                .iter()
-                .zip(old)
-                .map(|(a, b)| (a - b).powi(2))
-                .sum::<f64>();
-            let now = (square / target.len() as f64).sqrt();
-            let part = change.map(|change| now / change);
-            last.contraction = part.filter(|x| x.is_finite());
-            if now <= SETTLED * mean {
-                return Ok(last);
-            }
-            if round > 3 && change.is_some_and(|change| now >= change) {
-                break;
-            }
-            before = Some((target, Some(now)));
-        } else {
-            before = Some((target, None));
+        let next = sampled(&at);
+        let square = next.iter().zip(&target).map(|(a, b)| (a - b).powi(2));
+        let now = (square.sum::<f64>() / SAMPLES as f64).sqrt();
+        last.contraction = change.map(|before| now / before).filter(|x| x.is_finite());
+        if now <= SETTLED * mean {
+            return Ok(last);
         }
+        if round > 3 && change.is_some_and(|before| now >= before) {
+            break;
+        }
+        (target, change) = (next, Some(now));
         // What is kept belongs to the target of the round before.
         let fresh = Search {
             cache: Default::default(),
