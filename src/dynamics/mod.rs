@@ -13,6 +13,7 @@
 
 pub mod contact;
 pub mod flexible;
+pub(crate) mod floor;
 mod outcome;
 mod reason;
 pub mod recover;
@@ -26,6 +27,7 @@ pub use contact::impact::Pulse;
 pub use contact::{Impact, Limits as ContactLimits};
 pub use flexible::Train;
 pub use flexible::polydyne::Miss;
+pub use floor::{Floor, FloorMode, FloorMotion};
 pub use outcome::{Difference, Force, Model, Outcome, Pressure, Row, Torque};
 pub use reason::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
 pub use recover::{Emitted, recover};

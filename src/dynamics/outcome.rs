@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::contact::Impact;
+use super::floor::FloorMotion;
 use super::reason::{ModelReason, RunNote};
 use super::rigid::hertz::LineContact;
 use super::shaft::{InTime, Shaft};
@@ -237,6 +238,8 @@ pub struct Outcome {
     pub period_turns: usize,
     /// Motion of the shaft under its motor; `None` at constant speed.
     pub shaft: Option<Shaft>,
+    /// Motion of the floor; `None` of a stiff one.
+    pub floor: Option<FloorMotion>,
     /// Distance of the force to the target over time, where there is one.
     pub force_time: Option<InTime>,
     /// Landings of the whole run, settling included.

@@ -2,6 +2,7 @@
 
 use super::contact::Limits;
 use super::flexible::Train;
+use super::floor::Floor;
 use super::rigid::hertz::Material;
 use crate::cam::{Cam, ProfilePoint};
 use crate::drive::{Drive, Motor};
@@ -37,6 +38,8 @@ pub struct Machine {
     pub groove_floor: Option<f64>,
     /// The motor with its shaft; `None`: the shaft turns at constant speed.
     pub motor: Option<Motor>,
+    /// The floor under the mass; `None`: a stiff one.
+    pub floor: Option<Floor>,
     /// How long a contact run may take to settle.
     pub limits: Limits,
 }

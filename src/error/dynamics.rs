@@ -81,6 +81,11 @@ pub enum DynamicsError {
         needed: Quantity,
         speed: Quantity,
     },
+    /// An undamped mode of the floor at a harmonic of the force.
+    FloorResonance {
+        harmonic: usize,
+        frequency: Quantity,
+    },
     /// A polydyne cam needs a closed law.
     OpenPolydyne,
     /// The target of a polydyne cam is not smooth enough.

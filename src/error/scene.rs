@@ -184,6 +184,16 @@ pub enum SceneError {
     MotorCurve,
     /// A motor without the inertia of its shaft.
     MotorWithoutInertia,
+    /// A mode of the floor lacks a number.
+    FloorLacks { example: String },
+    /// One mode of the floor and a list of modes.
+    FloorTwice,
+    /// Not as many phases as walkers.
+    WalkerPhases { count: usize },
+    /// A moving floor with a motor or a flexible follower.
+    FloorAlone,
+    /// A moving floor without a shaker that follows a force.
+    FloorNeedsShaker,
     /// A limit on vibration of a follower that is not known to vibrate.
     ResidualWithoutFrequency,
     /// A least force that is not below the largest.

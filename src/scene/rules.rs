@@ -198,6 +198,13 @@ fn machine(scene: &Scene, _: Typed) -> Verdict {
             SceneError::ResidualWithoutFrequency,
         ));
     }
+    if machine.has_floor() {
+        let moves = scene.drive.kind == DriveKind::MovingAxis;
+        if !moves || scene.gait.is_none() || scene.law.polydyne {
+            return Err(("machine.floor", SceneError::FloorNeedsShaker));
+        }
+    }
+    machine.check_floor()?;
     machine.check_motor()
 }
 

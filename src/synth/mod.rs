@@ -73,6 +73,7 @@ mod sizing;
 pub(crate) mod spectral;
 mod verdict;
 
+pub use corrected::on_floor::{AtFrequency, OnFloor};
 pub use corrected::on_shaft::{OnShaft, Sensitivity};
 pub use design::{
     Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, LoadFactor, Minimised,
@@ -136,30 +137,42 @@ impl Scene {
 /// # Errors
 /// Faults of the input.
 pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
-    corrected::on_shaft::designed(at_constant_speed(problem, search)?, search)
+    match problem.machine.floor() {
+        Some(floor) => corrected::on_floor::designed(problem, search, floor),
+        None => corrected::on_shaft::designed(at_constant_speed(problem, search)?, search),
+    }
 }
 
 /// The design for constant speed.
 fn at_constant_speed(problem: &Problem, search: &Search) -> Result<Design> {
+    let problem = at_best_phase(problem, search)?;
+    let (sized, infeasible) = solved(&problem, search)?;
+    finished(&problem, search, sized, infeasible)
+}
+
+/// The problem at its phase, the best one where that is free.
+fn at_best_phase(problem: &Problem, search: &Search) -> Result<Problem> {
     sizing::check_arm(problem)?;
-    let problem = phase::resolve(problem, |at| least_error(at, search))?;
-    let (sized, infeasible) = match sized(&problem, &problem, search) {
-        Ok(sized) => (sized, None),
-        Err(NoLaw::Fault(fault)) => return Err(fault),
+    let at = phase::resolve(problem, |at| least_error(at, search))?;
+    Ok(at.into_owned())
+}
+
+/// The law on its cam, or the best one without limits and why those leave none.
+fn solved(problem: &Problem, search: &Search) -> Result<(SizedLaw, Option<Infeasible>)> {
+    match sized(problem, problem, search) {
+        Ok(sized) => Ok((sized, None)),
+        Err(NoLaw::Fault(fault)) => Err(fault),
         Err(NoLaw::Refused(refusal)) => {
             // The law first: what is shown matters more than why, and the time may end before both are found.
-            let best = without_limits(&problem, search, &refusal);
-            let why = infeasible::explain(&problem, &refusal);
+            let best = without_limits(problem, search, &refusal);
+            let why = infeasible::explain(problem, &refusal);
             match best {
-                Ok(sized) => (sized, Some(why)),
-                Err(NoLaw::Fault(fault)) => return Err(fault),
-                Err(NoLaw::Refused(_)) => {
-                    return Err(why.no_law().at_key(why.key_of_demands()));
-                }
+                Ok(sized) => Ok((sized, Some(why))),
+                Err(NoLaw::Fault(fault)) => Err(fault),
+                Err(NoLaw::Refused(_)) => Err(why.no_law().at_key(why.key_of_demands())),
             }
         }
-    };
-    finished(&problem, search, sized, infeasible)
+    }
 }
 
 /// The design of a problem that has one; why there is none is not looked for.
@@ -282,6 +295,7 @@ fn finished(
     Ok(Design {
         name: problem.name.clone(),
         shaft: None,
+        floor: None,
         phase: problem.phase,
         weight_n: problem.weight_n,
         band: problem.band.clone(),

@@ -69,6 +69,8 @@ enum Of {
     Pairs,
     /// Barrels.
     Barrels,
+    /// Those on a floor that moves.
+    Floors,
 }
 
 /// What [`Contents`] must ask for to have a file.
@@ -95,7 +97,7 @@ pub struct Source<'a> {
     design: &'a Design,
     time: Timing,
     contents: &'a Contents,
-    pictures: [OnceCell<Picture>; 3],
+    pictures: [OnceCell<Picture>; 4],
 }
 
 /// The bytes of a file, if it can be made, with remarks about it.
@@ -130,9 +132,9 @@ const fn file(
 }
 
 /// Every file that a design may have except its scene, in the order of writing.
-pub const ALL: [File; 25] = {
+pub const ALL: [File; 28] = {
     use Group::{Drawings, Pictures, Report, Tables, Workshop};
-    use Of::{All, Barrels, Cams, Pairs, Plates, Profiles};
+    use Of::{All, Barrels, Cams, Floors, Pairs, Plates, Profiles};
     use With::{Always, Finish, Png, Program, Solid, Tool, Wire};
     [
         file(Report, "report.html", All, Always, |s| {
@@ -145,6 +147,9 @@ pub const ALL: [File; 25] = {
             made(csv::profile(s.design, s.contents.points))
         }),
         file(Tables, "second_profile.csv", Pairs, Always, second_profile),
+        file(Tables, "floor.csv", Floors, Always, |s| {
+            Ok((csv::floor(s.design).map(String::into_bytes), Vec::new()))
+        }),
         // Made by [`design::summary`](crate::design::summary), which knows the scene.
         file(Tables, "summary.json", All, Finish, |_| none()),
         file(Drawings, "profile.dxf", Cams, Always, |s| {
@@ -162,6 +167,12 @@ pub const ALL: [File; 25] = {
         file(Pictures, "force.png", Cams, Png, |s| made(s.force().png())),
         file(Pictures, "cam.svg", Cams, Always, |s| made(s.cam().svg())),
         file(Pictures, "cam.png", Cams, Png, |s| made(s.cam().png())),
+        file(Pictures, "floor.svg", Floors, Always, |s| {
+            made(s.floor().svg())
+        }),
+        file(Pictures, "floor.png", Floors, Png, |s| {
+            made(s.floor().png())
+        }),
         file(Workshop, "drawing.pdf", Cams, Solid, sheet),
         file(Workshop, "profile.stl", Plates, Solid, |s| {
             or_remark(solid::stl(s.design, s.plate()), Remark::NoSolid)
@@ -305,6 +316,10 @@ impl<'a> Source<'a> {
         self.pictures[2].get_or_init(|| plots::cam(self.design, self.contents.language))
     }
 
+    fn floor(&self) -> &Picture {
+        self.pictures[3].get_or_init(|| plots::floor(self.design, self.contents.language))
+    }
+
     fn plate(&self) -> solid::Plate {
         solid::Plate {
             thickness: self.design.thickness,
@@ -337,6 +352,7 @@ impl File {
             Of::Profiles | Of::Plates => cam && !barrel,
             Of::Pairs => cam && design.conjugate.is_some(),
             Of::Barrels => cam && barrel,
+            Of::Floors => cam && design.floor.is_some(),
         }
     }
 

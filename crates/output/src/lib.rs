@@ -38,6 +38,7 @@ pub mod curve {
 pub mod plots {
     pub use super::Picture;
     pub use super::figures::cam::cam;
+    pub use super::figures::floor::floor;
     pub use super::figures::force::force;
     pub use super::figures::law::svaj;
 }

@@ -2,7 +2,7 @@
 
 use crate::words::{self, Words};
 use gaitcam::cam::Measures;
-use gaitcam::dynamics::{Difference, Impact, Outcome, Pressure, Row, Shaft};
+use gaitcam::dynamics::{Difference, FloorMotion, Impact, Outcome, Pressure, Row, Shaft};
 use gaitcam::wording::Language;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -88,6 +88,9 @@ pub fn json(outcome: &Outcome) -> Value {
         out["shaft"] = json!(shaft);
         out["force_time"] = json!(outcome.force_time);
     }
+    if let Some(floor) = outcome.floor {
+        out["floor"] = json!(floor);
+    }
     out
 }
 
@@ -124,6 +127,11 @@ pub fn table(outcome: &Outcome, measures: Measures, language: Language) -> Strin
     ];
     lines.extend(loads(outcome, measures, words));
     lines.extend(outcome.shaft.iter().flat_map(|s| shaft(s, words)));
+    lines.extend(
+        outcome
+            .floor
+            .map(|f| ("simulation-floor", floor(&f, words))),
+    );
     lines.extend(motion(outcome, measures, words));
     if let Some(next) = &outcome.next {
         lines.push(("simulation-next-model", change(next, outcome.lever, words)));
@@ -149,6 +157,25 @@ fn contact(outcome: &Outcome, words: &Words) -> String {
     }
     let percent = words.decimal(format!("{:.3}", 100.0 * outcome.lost_fraction));
     words.fill("simulation-contact-lost", &[("percent", &percent)])
+}
+
+/// Acceleration of the floor and its comfort.
+pub fn floor(floor: &FloorMotion, words: &Words) -> String {
+    let number = |x: f64| words.decimal(format!("{x:.4}"));
+    let [peak, rms] = [
+        floor.acceleration_peak_m_per_s2,
+        floor.acceleration_rms_m_per_s2,
+    ]
+    .map(number);
+    words.fill(
+        "simulation-floor-values",
+        &[
+            ("peak", &peak),
+            ("rms", &rms),
+            ("class", floor.comfort),
+            ("setra", floor.comfort_setra),
+        ],
+    )
 }
 
 /// Speed, motor, start and least inertia of the shaft.

@@ -54,6 +54,7 @@ fn solved_by(tier: Tier, iterations: usize) -> SolverReport {
 fn plain(name: &str, drive: Drive, cam: Cam, force: ForceReport) -> Design {
     Design {
         shaft: None,
+        floor: None,
         name: name.into(),
         weight_n: None,
         target: None,

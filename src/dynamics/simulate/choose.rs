@@ -28,8 +28,9 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     let rigid = rigid_run(input, p)?;
     let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
     let mean = forces.iter().sum::<f64>() / forces.len() as f64;
-    // The contact model has no motor: on a shaft whose speed varies the rigid force shows where contact is lost.
-    let can_lift_off = !p.held && p.cycle == Cycle::TURN && p.shaft.is_none();
+    // The contact model has no motor and no floor: on a shaft whose speed varies the rigid force shows where contact is lost.
+    let can_lift_off =
+        !p.held && p.cycle == Cycle::TURN && p.shaft.is_none() && input.machine.floor.is_none();
     if can_lift_off && let Some(why) = asks_for_contact(p, &rigid, mean) {
         let next = input.machine.train.map(|_| Model::Flexible);
         return Ok(compared(input, p, contact_run(input, p)?, why, next));

@@ -176,6 +176,7 @@ impl Prepared {
             settle_cycles: Some(0),
             period_turns: 1,
             shaft: self.shaft_report,
+            floor: None,
             force_time: None,
             impacts: Vec::new(),
             hertz: None,

@@ -180,6 +180,8 @@ pub enum Idle {
     NoMotor,
     /// The law has no dwell.
     NoDwell,
+    /// The floor does not move.
+    StiffFloor,
 }
 
 impl Idle {

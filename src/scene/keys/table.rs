@@ -26,6 +26,8 @@ const HIGHEST_DEGREE: usize = 30;
 const MOST_HARMONICS: usize = 400;
 /// Largest weight of a phase: beyond it the mean square loses the other phases' digits.
 const LARGEST_WEIGHT: f64 = 1e6;
+/// Most walkers on a structure.
+const MOST_WALKERS: usize = 1000;
 /// Most turns of a barrel's groove.
 const MOST_TURNS: usize = 100;
 
@@ -157,6 +159,17 @@ pub static KEYS: &[Key] = &[
     row("machine.motor.efficiency",    number(Ratio, Between(0.01, 1.0)),       "1",    field!(machine.motor.efficiency)).only(turns).idle_when(no_motor),
     row("machine.inertia",             number(Inertia, Positive),               "",     field!(machine.inertia)).only(turns).idle_when(no_motor),
     row("machine.friction_torque",     number(Torque, NotNegative),             "0",    field!(machine.friction_torque)).only(turns).idle_when(no_motor),
+
+    row("machine.floor.mass",          number(Mass, Positive),                  "",     field!(machine.floor.mass)),
+    row("machine.floor.frequency",     number(Frequency, Positive),             "",     field!(machine.floor.frequency)),
+    row("machine.floor.damping",       number(Ratio, NotNegative),              "",     field!(machine.floor.damping)),
+    row("machine.floor.ordinate",      number(Ratio, Any),                      "1",    field!(machine.floor.ordinate)).idle_when(no_floor),
+    row("machine.floor.mode.N.mass",      number(Mass, Positive),               "",     field!(machine.modes[N].mass)).required(),
+    row("machine.floor.mode.N.frequency", number(Frequency, Positive),          "",     field!(machine.modes[N].frequency)).required(),
+    row("machine.floor.mode.N.damping",   number(Ratio, NotNegative),           "",     field!(machine.modes[N].damping)).required(),
+    row("machine.floor.mode.N.ordinate",  number(Ratio, Any),                   "1",    field!(machine.modes[N].ordinate)),
+    row("machine.walkers.count",       count(MOST_WALKERS),                     "1",    field!(machine.walkers.count)).idle_when(no_floor),
+    row("machine.walkers.phases",      TEXTS,                                   "",     field!(machine.walkers.phases)).idle_when(no_floor),
 
     row("accuracy.rms", number(Percent, Positive).or(NONE), "auto", ACCURACY).relax(Up).idle_when(no_force),
 ];
@@ -308,6 +321,11 @@ fn rigid(scene: &Scene) -> Option<Idle> {
 /// Without a motor the shaft turns at constant speed.
 fn no_motor(scene: &Scene) -> Option<Idle> {
     (!scene.machine.motor.is_given()).then_some(Idle::NoMotor)
+}
+
+/// A stiff floor does not move.
+fn no_floor(scene: &Scene) -> Option<Idle> {
+    (!scene.machine.has_floor()).then_some(Idle::StiffFloor)
 }
 
 /// Vibration is limited in dwells.

@@ -1,5 +1,6 @@
 //! `[machine]`: what is known of the machine beyond its drive.
 
+use super::floor::{FloorSpec, WalkersSpec};
 use crate::drive::{Drive, Motor, TorqueLine};
 use crate::dynamics::Train;
 use crate::error::{Placed, SceneError};
@@ -40,6 +41,12 @@ pub struct MachineSpec {
     pub inertia: Option<f64>,
     /// Torque of friction in the bearings of the shaft, N·m.
     pub friction_torque: f64,
+    /// The one mode of the structure under the feet.
+    pub floor: FloorSpec,
+    /// Its modes, where it has several.
+    pub modes: Vec<FloorSpec>,
+    /// Who walks on it.
+    pub walkers: WalkersSpec,
 }
 
 /// `[machine.motor]`: how its torque falls with the speed.
@@ -189,6 +196,9 @@ impl Default for MachineSpec {
             motor: MotorSpec::default(),
             inertia: None,
             friction_torque: 0.0,
+            floor: FloorSpec::default(),
+            modes: Vec::new(),
+            walkers: WalkersSpec::default(),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod cam;
 mod drive;
+mod floor;
 mod gait;
 mod law;
 mod limits;
@@ -9,6 +10,7 @@ mod machine;
 
 pub use cam::{CamSpec, ConjugateSpec, KeywaySpec};
 pub use drive::DriveSpec;
+pub use floor::{FloorSpec, WalkersSpec};
 pub use gait::{Band, ForceScale, Gait, Phase, PhaseWeight, Source};
 pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, ShaftSpeed, Weigh};
 pub use limits::Limits;

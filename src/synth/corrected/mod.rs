@@ -1,5 +1,7 @@
-//! Laws corrected for the machine: for a follower that gives, for a shaft whose speed varies. Each designs for a rigid
+//! Laws corrected for the machine: for a follower that gives, for a shaft whose speed varies, for a
+//! floor that moves. Each designs for a rigid
 //! machine at constant speed, runs it, and designs again for what that says.
 
+pub mod on_floor;
 pub mod on_shaft;
 pub mod polydyne;

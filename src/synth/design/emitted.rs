@@ -43,6 +43,7 @@ impl Design {
             }),
             groove_floor: self.groove.as_ref().map(|groove| groove.depth().0),
             motor: spec.motor(),
+            floor: spec.floor(),
             ..Machine::default()
         };
         let angles = (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);

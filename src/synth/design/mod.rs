@@ -28,6 +28,7 @@ use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Note, Problem};
+use crate::synth::corrected::on_floor::OnFloor;
 use crate::synth::corrected::on_shaft::OnShaft;
 use crate::units::Quantity;
 use crate::wording::Language;
@@ -113,6 +114,8 @@ pub struct Design {
     pub notes: Vec<Note>,
     /// The shaft under its motor; `None` at constant speed.
     pub shaft: Option<OnShaft>,
+    /// How the floor moves; `None` where it is stiff.
+    pub floor: Option<OnFloor>,
     /// What it is the design of.
     #[serde(skip)]
     pub problem: Arc<Problem>,

@@ -44,6 +44,8 @@ dynamics-stalls-anyway = the shaft does not keep turning with any inertia: the t
     .help = give a steeper torque line (machine.motor.slope, machine.motor.stall_torque)
 dynamics-no-load-speed = the no-load speed of the motor, { $nominal }, is too low for a mean speed of { $speed } of the camshaft
     .help = set machine.motor.no_load_speed = "{ $needed }" or more, or a lower machine.motor.gear
+dynamics-floor-resonance = the floor has no steady motion: harmonic { $harmonic } of the force is at its undamped frequency of { $frequency }
+    .help = give this mode a damping ratio above 0, for example "0.005"
 dynamics-open-polydyne = a polydyne cam needs a law that repeats: otherwise there is no steady state
 dynamics-polydyne-jump = the { $derivative } of the law is discontinuous at { $at }; the lift of a polydyne cam contains the force, so the cam's own acceleration would be discontinuous there
     .help = use a law with four continuous derivatives: a spline of degree 5 or more, harmonics, or 5-6-7-8-9 segments

@@ -116,6 +116,16 @@ key-machine-motor-gear = Turns of the motor per turn of the cam.
 key-machine-motor-efficiency = Share of the torque that the gear passes on.
 key-machine-inertia = Moment of inertia of all that turns with the shaft, at the camshaft.
 key-machine-friction_torque = Torque of friction in the bearings of the shaft.
+key-machine-floor-mass = Modal mass of the structure under the shaker; the law is corrected so that the force on the moving floor is the wanted one.
+key-machine-floor-frequency = Natural frequency of the structure.
+key-machine-floor-damping = Its damping ratio.
+key-machine-floor-ordinate = Ordinate of the mode at the shaker.
+key-machine-floor-mode-N-mass = Modal mass of a mode, where the structure has several.
+key-machine-floor-mode-N-frequency = Its natural frequency.
+key-machine-floor-mode-N-damping = Its damping ratio.
+key-machine-floor-mode-N-ordinate = Ordinate of the mode at the shaker.
+key-machine-walkers-count = Walkers on the structure, all at the shaker's place and weight, with the shaker itself.
+key-machine-walkers-phases = Phase of the force of each walker, the shaker first; without it the phases of the others are drawn, the same in every run.
 key-accuracy-rms = Accepted RMS force error as a share of the mean force; auto is 0.5 %, or the step-to-step spread of the recording where that is larger; none: not judged.
 
 built-in-footbridge = Load model of walking on a footbridge, 700 N at 1.85 Hz: the default

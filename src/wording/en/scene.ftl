@@ -136,6 +136,16 @@ scene-motor-curve = the torque of the motor must fall with its speed, from row t
     .help = name a file with the columns speed_rad_per_s and torque_n_m, speeds increasing and torques decreasing
 scene-motor-without-inertia = missing; the motor needs the moment of inertia of its shaft
     .help = write for example inertia = "0.5 kg m^2" under [machine], flywheel and rotor at the camshaft
+scene-floor-lacks = missing; a floor that moves needs modal mass, frequency and damping ratio
+    .help = write for example "{ $example }" under [machine.floor]
+scene-floor-twice = the floor is given twice: as one mode and as a list
+    .help = move the numbers of [machine.floor] into a [[machine.floor.mode]]
+scene-walker-phases = not one angle for each of the { $count } walkers of machine.walkers.count
+    .help = write { $count } angles, the shaker first, for example ["0 deg", "90 deg"] for 2; or omit the key: they are drawn
+scene-floor-alone = not available on a floor that moves
+    .help = omit it, or [machine.floor]
+scene-floor-needs-shaker = a floor moves under a mass that follows a force: drive.kind = "moving-axis", with [gait], without law.polydyne
+    .help = omit [machine.floor], or use such a drive
 scene-residual-without-frequency = missing; the limit on residual vibration requires it
     .help = write for example "60 Hz" under [machine]
 scene-force-range = { $low } is not below force_max = { $high }
@@ -164,6 +174,7 @@ scene-no-effect = { $key } has no effect: { $why ->
         [recording] the force is a recording
         [model] the force is a load model
         [no-motor] the shaft turns at constant speed without machine.motor
+        [stiff-floor] the floor does not move without machine.floor
         [no-dwell] the law has no dwell
        *[rigid-follower] the follower is rigid without machine.natural_frequency or machine.stiffness
     }

@@ -57,6 +57,8 @@ design-polydyne-miss = With its flexible follower this cam has a force error of 
 # Faults in what a design is asked for.
 synth-shaft-diverges = the law and the speed of the shaft do not settle: at a ripple of { $ripple } each round changes the target { $contraction } times as much as the one before
     .help = a larger inertia or a steeper torque line, or law.shaft = "constant"
+synth-limit-on-floor = this limit is not available for a law that is designed for a floor that moves
+    .help = omit the limit or [machine.floor]
 synth-limit-on-shaft = this limit is not available for a law that is designed for the speed of its motor
     .help = set law.shaft = "constant", or omit the limit
 synth-force-not-read = the force curve was not read

@@ -44,6 +44,8 @@ dynamics-stalls-anyway = el eje no sigue girando con ninguna inercia: la recta d
     .help = dé una recta de par más inclinada (machine.motor.slope, machine.motor.stall_torque)
 dynamics-no-load-speed = la velocidad en vacío del motor, { $nominal }, es demasiado baja para una velocidad media de { $speed } del eje de la leva
     .help = ponga machine.motor.no_load_speed = "{ $needed }" o más, o un machine.motor.gear menor
+dynamics-floor-resonance = el suelo no tiene movimiento estacionario: el armónico { $harmonic } de la fuerza está en su frecuencia sin amortiguar de { $frequency }
+    .help = dé a este modo una razón de amortiguamiento mayor que 0, por ejemplo "0.005"
 dynamics-open-polydyne = una leva polidina necesita una ley que se repita: si no, no hay régimen permanente
 dynamics-polydyne-jump = la { $derivative ->
         [lift] elevación

@@ -116,6 +116,16 @@ key-machine-motor-gear = Vueltas del motor por vuelta de la leva.
 key-machine-motor-efficiency = Parte del par que transmite el reductor.
 key-machine-inertia = Momento de inercia de todo lo que gira con el eje, reducido al eje de la leva.
 key-machine-friction_torque = Par de rozamiento en los cojinetes del eje.
+key-machine-floor-mass = Masa modal de la estructura bajo el excitador; la ley se corrige para que la fuerza sobre el suelo que se mueve sea la pedida.
+key-machine-floor-frequency = Frecuencia propia de la estructura.
+key-machine-floor-damping = Su razón de amortiguamiento.
+key-machine-floor-ordinate = Ordenada del modo en el excitador.
+key-machine-floor-mode-N-mass = Masa modal de un modo, si la estructura tiene varios.
+key-machine-floor-mode-N-frequency = Su frecuencia propia.
+key-machine-floor-mode-N-damping = Su razón de amortiguamiento.
+key-machine-floor-mode-N-ordinate = Ordenada del modo en el excitador.
+key-machine-walkers-count = Peatones sobre la estructura, todos en el lugar y con el peso del excitador, incluido este.
+key-machine-walkers-phases = Fase de la fuerza de cada peatón, primero el excitador; sin ella las de los demás se sortean, las mismas en cada ejecución.
 key-accuracy-rms = Error RMS de fuerza admitido como parte de la fuerza media; auto es 0,5 %, o la dispersión entre pasos del registro si es mayor; none: no se juzga.
 
 built-in-footbridge = Modelo de carga de caminar sobre una pasarela, 700 N a 1,85 Hz: la escena por defecto

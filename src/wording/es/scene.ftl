@@ -136,6 +136,16 @@ scene-motor-curve = el par del motor debe bajar con su velocidad, de fila en fil
     .help = nombre un archivo con las columnas speed_rad_per_s y torque_n_m, velocidades crecientes y pares decrecientes
 scene-motor-without-inertia = falta; el motor necesita el momento de inercia de su eje
     .help = escriba por ejemplo inertia = "0.5 kg m^2" en [machine], volante y rotor reducidos al eje de la leva
+scene-floor-lacks = falta; un suelo que se mueve necesita masa modal, frecuencia y razón de amortiguamiento
+    .help = escriba por ejemplo "{ $example }" en [machine.floor]
+scene-floor-twice = el suelo está dos veces: como un modo y como una lista
+    .help = pase los números de [machine.floor] a un [[machine.floor.mode]]
+scene-walker-phases = no es un ángulo para cada uno de los { $count } peatones de machine.walkers.count
+    .help = escriba { $count } ángulos, primero el excitador, por ejemplo ["0 deg", "90 deg"] para 2; u omita la clave: se sortean
+scene-floor-alone = no está disponible sobre un suelo que se mueve
+    .help = omítalo u omita [machine.floor]
+scene-floor-needs-shaker = un suelo se mueve bajo una masa que sigue una fuerza: drive.kind = "moving-axis", con [gait], sin law.polydyne
+    .help = omita [machine.floor] o use tal accionamiento
 scene-residual-without-frequency = falta; el límite de vibración residual la requiere
     .help = escriba por ejemplo "60 Hz" en [machine]
 scene-force-range = { $low } no es menor que force_max = { $high }
@@ -164,6 +174,7 @@ scene-no-effect = { $key } no tiene efecto: { $why ->
         [recording] la fuerza es un registro
         [model] la fuerza es un modelo de carga
         [no-motor] sin machine.motor el eje gira a velocidad constante
+        [stiff-floor] sin machine.floor el suelo no se mueve
         [no-dwell] la ley no tiene detenimientos
        *[rigid-follower] el seguidor es rígido sin machine.natural_frequency o machine.stiffness
     }

@@ -57,6 +57,8 @@ design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fue
 # Errores en lo que se pide de un diseño.
 synth-shaft-diverges = la ley y la velocidad del eje no convergen: con una oscilación de { $ripple } cada vuelta cambia el objetivo { $contraction } veces lo que la anterior
     .help = más inercia o una recta de par más inclinada, o law.shaft = "constant"
+synth-limit-on-floor = este límite no está disponible para una ley diseñada para un suelo que se mueve
+    .help = omita el límite o [machine.floor]
 synth-limit-on-shaft = este límite no está disponible para una ley diseñada para la velocidad de su motor
     .help = ponga law.shaft = "constant" u omita el límite
 synth-force-not-read = no se leyó la curva de fuerza

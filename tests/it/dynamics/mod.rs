@@ -1,5 +1,6 @@
 //! The emitted cam on its machine.
 
+mod floor;
 mod on_shaft;
 mod polydyne;
 mod shaft;

@@ -31,6 +31,7 @@ pub fn text(design: &Design, time: Timing) -> String {
     out.push(cam(design));
     out.extend(machine(design));
     out.extend(shaft(design));
+    out.extend(floor(design));
     out.extend(passed_checks(design));
     out.extend(active_limits(design));
     out.extend(sensitivities(design));
@@ -44,8 +45,8 @@ pub fn text(design: &Design, time: Timing) -> String {
 
 /// Labels of the rows, without `label-`.
 const LABELS: [&str; 14] = [
-    "failed", "ok", "force", "law", "drive", "cam", "machine", "shaft", "active", "relaxing",
-    "note", "solved", "optimum", "sequence",
+    "failed", "ok", "force", "law", "drive", "cam", "machine", "shaft", "floor", "active",
+    "relaxing", "note", "solved", "optimum", "sequence",
 ];
 
 /// A row under its label; a label that is empty continues the row before.
@@ -265,6 +266,17 @@ fn shaft(design: &Design) -> Vec<String> {
         ));
     }
     out
+}
+
+/// Acceleration of the floor under shaker and walkers, and its comfort.
+fn floor(design: &Design) -> Option<String> {
+    let f = design.floor.as_ref()?.motion;
+    Some(filled(
+        "floor",
+        "synth-floor",
+        json!({"peak": fixed(f.acceleration_peak_m_per_s2, 4), "rms": fixed(f.acceleration_rms_m_per_s2, 4),
+                "class": f.comfort, "setra": f.comfort_setra}),
+    ))
 }
 
 /// The Hertz pressure, and the permissible one where the hardness of the surface is given.

@@ -123,6 +123,7 @@ label-law = law
 label-drive = drive
 label-cam = cam
 label-machine = machine
+label-floor = floor
 label-shaft = shaft
 label-active = active
 label-relaxing = relaxing
@@ -152,6 +153,12 @@ synth-law = { $family }{ $degree ->
 synth-offset = {" "}offset { $offset } mm,
 synth-cam = { $follower }, base radius { $base } mm, prime radius { $prime } mm,{ $offset } smallest convex radius { $convex } mm
 synth-load-factors = dynamic load factors 1 to 4: { $list }
+synth-floor = { $peak } m/s² peak, { $rms } m/s² RMS; comfort class { $class } (HiVoSS), comfort { $setra ->
+    [maximum] maximum
+    [mean] mean
+    [minimum] minimum
+   *[unacceptable] unacceptable
+} (SETRA)
 synth-shaft = { $low } … { $high } rad/s, ripple { $ripple } %; motor: no-load speed { $noload } rad/s, torque { $rms } N·m RMS, { $most } N·m peak
 synth-shaft-error = force error over time { $own } % of the mean; of the law for constant speed { $before } %{ $rounds ->
         [0] {""}

@@ -123,6 +123,7 @@ label-law = ley
 label-drive = accionamiento
 label-cam = leva
 label-machine = máquina
+label-floor = suelo
 label-shaft = eje
 label-active = activo
 label-relaxing = relajar
@@ -152,6 +153,12 @@ synth-law = { $family }{ $degree ->
 synth-offset = {" "}excentricidad { $offset } mm,
 synth-cam = { $follower }, radio base { $base } mm, radio primario { $prime } mm,{ $offset } menor radio convexo { $convex } mm
 synth-load-factors = factores de carga dinámica 1 a 4: { $list }
+synth-floor = máximo { $peak } m/s², { $rms } m/s² RMS; clase de confort { $class } (HiVoSS), confort { $setra ->
+    [maximum] máximo
+    [mean] medio
+    [minimum] mínimo
+   *[unacceptable] inaceptable
+} (SETRA)
 synth-shaft = { $low } … { $high } rad/s, oscilación { $ripple } %; motor: velocidad en vacío { $noload } rad/s, par { $rms } N·m RMS, máximo { $most } N·m
 synth-shaft-error = error de fuerza en el tiempo { $own } % de la media; de la ley para velocidad constante { $before } %{ $rounds ->
         [0] {""}

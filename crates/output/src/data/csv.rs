@@ -43,6 +43,18 @@ pub type Columns = Vec<(&'static str, Vec<f64>)>;
 /// Room for one number and its comma.
 const WIDTH: usize = 24;
 
+/// `floor.csv`: the motion of the floor under the wanted force over the step frequency.
+pub fn floor(design: &Design) -> Option<String> {
+    let floor = design.floor.as_ref()?;
+    let rows = floor.resonance.iter().map(|p| {
+        let m = p.motion;
+        let [peak, rms] = [m.acceleration_peak_m_per_s2, m.acceleration_rms_m_per_s2];
+        format!("{:.2},{peak},{rms},{}\n", p.step_frequency, m.comfort)
+    });
+    let names = "step_frequency_hz,acceleration_peak_m_per_s2,acceleration_rms_m_per_s2,comfort\n";
+    Some([names.to_string()].into_iter().chain(rows).collect())
+}
+
 /// `law.csv`: lift, its derivatives by the cam angle, force and target at `points` equal steps.
 ///
 /// The force is the one at the output: for a polydyne cam, that of the follower's end.

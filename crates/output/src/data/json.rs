@@ -66,6 +66,9 @@ pub fn summary(design: &Design, time: Timing) -> Value {
         put("force_time", json!(on_shaft.force_time));
         put("shaft_design", shaft_design(on_shaft));
     }
+    if let Some(floor) = &design.floor {
+        put("floor", json!(floor.motion));
+    }
     put("out_of_time", json!(design.out_of_time));
     put("remarks", json!(design.remarks(Language::En)));
     put("solver", solver(design, time));

@@ -2,6 +2,7 @@
 
 pub mod cam;
 pub mod curvature;
+pub mod floor;
 pub mod force;
 pub mod inspection;
 pub mod law;

@@ -223,6 +223,9 @@ figure-tolerance-band = tolerance band
 figure-step-band = ± SD, step to step
 figure-rigid = rigid
 figure-constant-speed = at constant speed
+figure-floor = Peak acceleration of the floor, upper bounds of the comfort classes CL1 to CL3
+figure-floor-acceleration = a, m/s²
+figure-step-frequency = step frequency, Hz
 figure-shaft-speed = ω, rad/s
 figure-simulated = simulated
 figure-torque = torque, N·m
@@ -375,6 +378,13 @@ simulation-push = push
 simulation-torque-values = { $least } … { $most }, mean { $mean }, RMS { $rms }
 simulation-pressure = pressure
 simulation-pressure-values = { $pressure } at { $at }, half-width { $width }, largest shear { $depth } deep
+simulation-floor = floor
+simulation-floor-values = { $peak } m/s² peak, { $rms } m/s² RMS; comfort class { $class } (HiVoSS), comfort { $setra ->
+    [maximum] maximum
+    [mean] mean
+    [minimum] minimum
+   *[unacceptable] unacceptable
+} (SETRA)
 simulation-speed = shaft speed
 simulation-speed-values = { $least } … { $most } rad/s, ripple { $ripple } %
 simulation-motor = motor

@@ -228,6 +228,9 @@ figure-tolerance-band = banda de tolerancia
 figure-step-band = ± DT, entre pasos
 figure-rigid = rígido
 figure-constant-speed = a velocidad constante
+figure-floor = Aceleración máxima del suelo, límites superiores de las clases de confort CL1 a CL3
+figure-floor-acceleration = a, m/s²
+figure-step-frequency = frecuencia de paso, Hz
 figure-shaft-speed = ω, rad/s
 figure-simulated = simulado
 figure-torque = par, N·m
@@ -380,6 +383,13 @@ simulation-push = empuje
 simulation-torque-values = { $least } … { $most }, media { $mean }, RMS { $rms }
 simulation-pressure = presión
 simulation-pressure-values = { $pressure } en { $at }, semianchura { $width }, cortante máximo a { $depth } de profundidad
+simulation-floor = suelo
+simulation-floor-values = máximo { $peak } m/s², { $rms } m/s² RMS; clase de confort { $class } (HiVoSS), confort { $setra ->
+    [maximum] máximo
+    [mean] medio
+    [minimum] mínimo
+   *[unacceptable] inaceptable
+} (SETRA)
 simulation-speed = velocidad del eje
 simulation-speed-values = { $least } … { $most } rad/s, oscilación { $ripple } %
 simulation-motor = motor

@@ -17,7 +17,7 @@ mod wave;
 pub use bspline::{Span, SplineSpace};
 pub use cells::Cells;
 pub use extreme::Extreme;
-pub use fourier::amplitudes;
+pub use fourier::{amplitudes, samples};
 pub use gauss::gauss_legendre;
 pub use piecewise::{Peak, PiecewisePoly};
 pub use proxy::{stand_in, stand_in_for_difference};

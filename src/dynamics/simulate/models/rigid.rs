@@ -1,14 +1,15 @@
 //! The rigid model on a prepared cam.
 
 use super::note_pull;
+use crate::dynamics::floor::{Floor, FloorMotion, harmonics};
 use crate::dynamics::outcome::{Force, Model, Outcome};
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::rigid;
 use crate::dynamics::run::Run;
-use crate::dynamics::shaft::Motion;
 use crate::dynamics::simulate::prepared::Prepared;
 use crate::dynamics::surface::Surface;
 use crate::error::Result;
+use crate::poly::samples;
 
 /// A mean torque below this part of the root mean square is rounding.
 const NO_TORQUE: f64 = 1e-9;
@@ -17,7 +18,11 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     let friction = input.machine.friction;
     let mut out = p.outcome(Model::Rigid);
     if let Some(shaft) = &p.shaft {
-        return Ok(on_shaft(input, p, shaft));
+        let forces = shaft.forces(&p.drive, &p.nodes);
+        return Ok(sampled(input, p, &forces));
+    }
+    if let Some(floor) = &input.machine.floor {
+        return on_floor(input, p, floor);
     }
     let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
     let surface = Surface::new(p.lift.clone(), &p.drive);
@@ -55,18 +60,40 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(out)
 }
 
-/// The rigid follower on a shaft whose speed varies; extremes are those of the rows.
-fn on_shaft(input: &Run, p: &Prepared, shaft: &Motion) -> Outcome {
+/// The rigid follower over a floor that moves: F = M (g + d″ + z″), the other walkers pressing as the target asks.
+fn on_floor(input: &Run, p: &Prepared, floor: &Floor) -> Result<Outcome> {
+    let (mass, speed) = (p.drive.mass, p.drive.speed);
+    let still: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
+    let own = harmonics(&still);
+    let wanted = harmonics(p.target.as_deref().unwrap_or(&still));
+    let others = floor.of_walkers(1, &wanted);
+    let pressed = floor.pressed(mass, speed, &own, &others)?;
+    let all = pressed
+        .iter()
+        .zip(&others)
+        .map(|(a, b)| (a.0 + b.0, a.1 + b.1));
+    let acceleration = floor.acceleration(speed, &all.collect::<Vec<_>>())?;
+    let moved = samples(&acceleration, 0, still.len()).into_iter();
+    let forces: Vec<f64> = still.iter().zip(moved).map(|(f, a)| f + mass * a).collect();
+    let mut out = sampled(input, p, &forces);
+    out.floor = Some(FloorMotion::of(&acceleration));
+    Ok(out)
+}
+
+/// The rigid follower under forces that are no function of its lift alone; extremes are those of the rows.
+fn sampled(input: &Run, p: &Prepared, forces: &[f64]) -> Outcome {
     let mut out = p.outcome(Model::Rigid);
-    let forces = shaft.forces(&p.drive, &p.nodes);
-    let (low, high) = extremes(&forces);
-    out.force_time = p.force_time(&forces);
+    let (low, high) = extremes(forces);
+    out.force_time = p.force_time(forces);
     out.force = Force {
         min: low,
         max: high,
-        rms_error: out.force_time.map(|e| e.rms_error_n),
+        rms_error: match &p.shaft {
+            Some(_) => out.force_time.map(|e| e.rms_error_n),
+            None => p.rms_error(forces),
+        },
     };
-    out.torque = p.signed(p.sampled_torque(input, &forces));
+    out.torque = p.signed(p.sampled_torque(input, forces));
     if out.torque.mean.abs() < NO_TORQUE * out.torque.rms {
         out.torque.mean = 0.0;
     }
@@ -76,7 +103,7 @@ fn on_shaft(input: &Run, p: &Prepared, shaft: &Motion) -> Outcome {
     if out.contact_lost {
         out.notes.push(RunNote::RigidPulls);
     }
-    out.rows = p.rows(input, &forces, &vec![0.0; forces.len()]);
+    out.rows = p.rows(input, forces, &vec![0.0; forces.len()]);
     out.hertz = p.hertz(input, &out.rows);
     out
 }

@@ -1,0 +1,197 @@
+//! The floor that moves under the feet: modes of a structure in steady vibration under a force that repeats.
+//!
+//! A mode of mass m, frequency ω, damping ratio ζ and ordinate φ at the feet moves by z = φ q, upwards, under the force F
+//! that presses down: m (q″ + 2ζω q′ + ω² q) = −φ F. With F = Re Fₙ e^{inΩt} its acceleration is z″ₙ = Hₙ Fₙ,
+//! Hₙ = Σ φ² (nΩ)² / (m (ω² − (nΩ)² + 2iζω nΩ)) (theory §10).
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use crate::error::{DynamicsError, Placed, Result};
+use crate::poly::{amplitudes, samples};
+use crate::units::{Dimension, Quantity};
+
+/// Part of ω² below which the stiffness that is left at a frequency is none.
+const RESONANT: f64 = 1e-9;
+/// Part of the largest harmonic below which a harmonic is rounding.
+const ROUNDING: f64 = 1e-9;
+/// Upper bounds of the peak acceleration, m/s², of the comfort classes of SETRA (2006) and HiVoSS (2008).
+const CLASSES: [f64; 3] = [0.5, 1.0, 2.5];
+
+/// Least number of points of a turn among which the peak is looked for.
+const POINTS: usize = 4096;
+
+/// Cosine and sine amplitude of a harmonic.
+type Term = (f64, f64);
+
+/// A mode of the structure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FloorMode {
+    /// Modal mass, kg.
+    pub mass: f64,
+    /// Natural frequency, Hz.
+    pub frequency: f64,
+    /// Damping ratio.
+    pub damping: f64,
+    /// Ordinate of the mode at the feet.
+    pub ordinate: f64,
+    /// Key of its damping.
+    pub key: &'static str,
+}
+
+/// A structure and who walks on it.
+///
+/// ```
+/// use gaitcam::dynamics::{Floor, FloorMode};
+///
+/// // At resonance one mode moves by F/(2ζk): its acceleration is F/(2ζm).
+/// let mode = FloorMode { mass: 1e4, frequency: 2.0, damping: 0.01, ordinate: 1.0, key: "machine.floor.damping" };
+/// let floor = Floor { modes: vec![mode], walkers: vec![(0.0, 1.0)] };
+/// let answer = floor.acceleration(std::f64::consts::TAU * 2.0, &[(280.0, 0.0)])?;
+/// assert!((answer[0].0.hypot(answer[0].1) - 280.0 / (2.0 * 0.01 * 1e4)).abs() < 1e-12);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Floor {
+    /// Its modes.
+    pub modes: Vec<FloorMode>,
+    /// Phase, rad, and weight, part of the shaker's, of every walker; the first is the shaker.
+    pub walkers: Vec<(f64, f64)>,
+}
+
+/// Steady vibration of the structure where the feet are.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct FloorMotion {
+    /// Largest acceleration, m/s².
+    pub acceleration_peak_m_per_s2: f64,
+    /// Its root mean square, m/s².
+    pub acceleration_rms_m_per_s2: f64,
+    /// Comfort class of HiVoSS: CL1 … CL4.
+    pub comfort: &'static str,
+    /// Comfort of SETRA: maximum, mean, minimum, unacceptable.
+    pub comfort_setra: &'static str,
+}
+
+impl FloorMotion {
+    /// Upper bounds of the peak acceleration, m/s², of all comfort classes but the last.
+    pub const CLASSES: [f64; 3] = CLASSES;
+
+    /// From the harmonics of the acceleration, m/s².
+    pub fn of(terms: &[Term]) -> FloorMotion {
+        let square: f64 = terms.iter().map(|(a, b)| a * a + b * b).sum();
+        let curve = samples(terms, 0, (8 * (terms.len() + 1)).max(POINTS));
+        let peak = curve.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let class = CLASSES.iter().filter(|bound| peak > **bound).count();
+        FloorMotion {
+            acceleration_peak_m_per_s2: peak,
+            acceleration_rms_m_per_s2: (0.5 * square).sqrt(),
+            comfort: ["CL1", "CL2", "CL3", "CL4"][class],
+            comfort_setra: ["maximum", "mean", "minimum", "unacceptable"][class],
+        }
+    }
+}
+
+/// Harmonics 1 … of samples at equal steps of a turn.
+pub(crate) fn harmonics(samples: &[f64]) -> Vec<Term> {
+    let all = amplitudes(samples);
+    all[1..all.len() - 1].to_vec()
+}
+
+/// The product of a harmonic with a complex gain.
+fn times((a, b): Term, [re, im]: [f64; 2]) -> Term {
+    (a * re + b * im, b * re - a * im)
+}
+
+fn inverse([re, im]: [f64; 2]) -> [f64; 2] {
+    let square = re * re + im * im;
+    [re / square, -im / square]
+}
+
+impl Floor {
+    /// Hₙ at a frequency, rad/s, in 1/kg.
+    ///
+    /// # Errors
+    /// An undamped mode in resonance.
+    fn accelerance(&self, harmonic: usize, frequency: f64) -> Result<[f64; 2]> {
+        let mut sum = [0.0; 2];
+        for mode in &self.modes {
+            let own = TAU * mode.frequency;
+            let left = [
+                own * own - frequency * frequency,
+                2.0 * mode.damping * own * frequency,
+            ];
+            if left[0].hypot(left[1]) <= RESONANT * own * own {
+                let frequency = Quantity::new(mode.frequency, Dimension::Frequency);
+                let fault = DynamicsError::FloorResonance {
+                    harmonic,
+                    frequency,
+                };
+                return Err(fault.at_key(mode.key));
+            }
+            let gain = (mode.ordinate * frequency).powi(2) / mode.mass;
+            for (sum, part) in sum.iter_mut().zip(inverse(left)) {
+                *sum += gain * part;
+            }
+        }
+        Ok(sum)
+    }
+
+    /// Gain of each harmonic of a force; none where the force has none.
+    fn gains(&self, speed: f64, force: &[Term]) -> Result<Vec<[f64; 2]>> {
+        let size = |(a, b): &Term| a.hypot(*b);
+        let largest = force.iter().map(size).fold(0.0, f64::max);
+        (1..)
+            .zip(force)
+            .map(|(n, term)| match size(term) > ROUNDING * largest {
+                true => self.accelerance(n, n as f64 * speed),
+                false => Ok([0.0; 2]),
+            })
+            .collect()
+    }
+
+    /// Harmonics of the acceleration, m/s² upwards, under those of the force of all feet, N.
+    ///
+    /// # Errors
+    /// An undamped mode in resonance.
+    pub fn acceleration(&self, speed: f64, force: &[Term]) -> Result<Vec<Term>> {
+        let gains = self.gains(speed, force)?;
+        Ok(force.iter().zip(gains).map(|(f, h)| times(*f, h)).collect())
+    }
+
+    /// The force of all walkers, each of whom presses as `force` at its phase and weight; `from` leaves out the first ones.
+    pub fn of_walkers(&self, from: usize, force: &[Term]) -> Vec<Term> {
+        let first = self.walkers.first().map_or(0.0, |w| w.0);
+        let sum = |n: usize| {
+            let each = self.walkers.iter().skip(from);
+            each.fold([0.0; 2], |[re, im], (phase, weight)| {
+                let (sine, cosine) = (n as f64 * (phase - first)).sin_cos();
+                [re + weight * cosine, im + weight * sine]
+            })
+        };
+        (1..).zip(force).map(|(n, f)| times(*f, sum(n))).collect()
+    }
+
+    /// Harmonics of the force on the moving floor, N, of a shaker of a mass, kg, that presses with `still` on a still one
+    /// while the others press with `others`: Fₙ = (Pₙ + M Hₙ Oₙ)/(1 − M Hₙ).
+    ///
+    /// # Errors
+    /// An undamped mode in resonance.
+    pub fn pressed(
+        &self,
+        mass: f64,
+        speed: f64,
+        still: &[Term],
+        others: &[Term],
+    ) -> Result<Vec<Term>> {
+        let gains = self.gains(speed, still)?;
+        let each = still.iter().zip(others).zip(gains);
+        Ok(each
+            .map(|((p, o), [re, im])| {
+                let moved = times(*o, [mass * re, mass * im]);
+                let gain = inverse([1.0 - mass * re, -mass * im]);
+                times((p.0 + moved.0, p.1 + moved.1), gain)
+            })
+            .collect())
+    }
+}

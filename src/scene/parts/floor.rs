@@ -1,0 +1,150 @@
+//! `[machine.floor]` and `[machine.walkers]`: the structure under the feet and who walks on it.
+
+use std::f64::consts::TAU;
+
+use super::machine::MachineSpec;
+use crate::dynamics::{Floor, FloorMode};
+use crate::error::SceneError;
+use crate::units::{Dimension, parse};
+
+/// A mode of the structure under the feet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FloorSpec {
+    /// Modal mass, kg.
+    pub mass: Option<f64>,
+    /// Natural frequency, Hz.
+    pub frequency: Option<f64>,
+    /// Damping ratio.
+    pub damping: Option<f64>,
+    /// Ordinate of the mode at the feet.
+    pub ordinate: f64,
+}
+
+impl Default for FloorSpec {
+    fn default() -> FloorSpec {
+        FloorSpec {
+            mass: None,
+            frequency: None,
+            damping: None,
+            ordinate: 1.0,
+        }
+    }
+}
+
+impl FloorSpec {
+    fn mode(&self, key: &'static str) -> Option<FloorMode> {
+        Some(FloorMode {
+            mass: self.mass?,
+            frequency: self.frequency?,
+            damping: self.damping?,
+            ordinate: self.ordinate,
+            key,
+        })
+    }
+
+    fn is_given(&self) -> bool {
+        self.mass.is_some() || self.frequency.is_some() || self.damping.is_some()
+    }
+}
+
+/// Walkers on the structure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WalkersSpec {
+    /// How many, with the shaker.
+    pub count: usize,
+    /// Phase of each, the shaker first; drawn where none is given.
+    pub phases: Vec<String>,
+}
+
+impl Default for WalkersSpec {
+    fn default() -> WalkersSpec {
+        WalkersSpec {
+            count: 1,
+            phases: Vec::new(),
+        }
+    }
+}
+
+impl WalkersSpec {
+    /// The phases, rad; drawn ones are the same in every run.
+    fn angles(&self) -> Option<Vec<f64>> {
+        if self.phases.is_empty() {
+            let mut state = 0_u64;
+            let drawn = (1..self.count).map(|_| {
+                // SplitMix64 (Steele, Lea, Flood 2014).
+                state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+                let mut z = state;
+                z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+                z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+                TAU * ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+            });
+            return Some([0.0].into_iter().chain(drawn).collect());
+        }
+        let angles = self.phases.iter().flat_map(|text| text.split(','));
+        let angles = angles.map(|text| parse(text.trim(), Dimension::Angle).ok());
+        let angles: Option<Vec<f64>> = angles.collect();
+        angles.filter(|list| list.len() == self.count)
+    }
+}
+
+impl MachineSpec {
+    /// The structure with its walkers; `None` on a stiff floor.
+    pub fn floor(&self) -> Option<Floor> {
+        let single = self.floor.mode("machine.floor.damping");
+        let listed = self.modes.iter();
+        let listed = listed.filter_map(|m| m.mode("machine.floor.mode"));
+        let modes: Vec<FloorMode> = single.into_iter().chain(listed).collect();
+        if modes.is_empty() {
+            return None;
+        }
+        let walkers = self.walkers.angles()?;
+        Some(Floor {
+            modes,
+            walkers: walkers.into_iter().map(|phase| (phase, 1.0)).collect(),
+        })
+    }
+
+    /// Whether the floor moves.
+    pub fn has_floor(&self) -> bool {
+        self.floor.is_given() || !self.modes.is_empty()
+    }
+
+    /// A floor has all that a mode needs, and no motor and no flexible follower beside it.
+    pub(in crate::scene) fn check_floor(&self) -> Result<(), (&'static str, SceneError)> {
+        let floor = &self.floor;
+        if !self.has_floor() {
+            return Ok(());
+        }
+        let lacks = [
+            ("machine.floor.mass", floor.mass, "5000 kg"),
+            ("machine.floor.frequency", floor.frequency, "2 Hz"),
+            ("machine.floor.damping", floor.damping, "0.005"),
+        ];
+        if floor.is_given() {
+            if let Some((key, _, example)) = lacks.into_iter().find(|(_, given, _)| given.is_none())
+            {
+                let example = example.to_string();
+                return Err((key, SceneError::FloorLacks { example }));
+            }
+            if !self.modes.is_empty() {
+                return Err(("machine.floor.mode", SceneError::FloorTwice));
+            }
+        }
+        if self.walkers.angles().is_none() {
+            let count = self.walkers.count;
+            return Err(("machine.walkers.phases", SceneError::WalkerPhases { count }));
+        }
+        let rivals = [
+            ("machine.motor", self.motor.is_given()),
+            (
+                "machine.natural_frequency",
+                self.natural_frequency.is_some(),
+            ),
+            ("machine.stiffness", self.stiffness.is_some()),
+        ];
+        match rivals.into_iter().find(|(_, given)| *given) {
+            Some((key, _)) => Err((key, SceneError::FloorAlone)),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! A law whose force on a floor that moves is the wanted one.
+//!
+//! F = M (g + d″ + z″), and z″ follows from the wanted force by one linear answer per harmonic ([`Floor`]): with it the target of
+//! d″ is another target, as on a shaft whose speed varies ([`crate::problem`]). What the law leaves of the target moves the floor
+//! too: the force that is judged is that under the law as found, and the next round designs for its z″ (theory §10).
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use crate::cam::LimitKind::{HertzPressure, Power, Torque, TorqueRate};
+use crate::dynamics::floor::harmonics;
+use crate::dynamics::{Floor, FloorMotion};
+use crate::error::{Placed, Result, SynthError};
+use crate::law::Law;
+use crate::poly::samples;
+use crate::problem::Problem;
+use crate::synth::design::Design;
+use crate::synth::sizing::checked_cam::checked_cam;
+use crate::synth::{Search, SizedLaw, at_best_phase, finished, solved};
+
+/// Equal angles of force and acceleration.
+const SAMPLES: usize = 720;
+/// Rounds of designs at most.
+const ROUNDS: usize = 6;
+/// Change of M z″, part of the mean force, at which the design is final.
+const SETTLED: f64 = 1e-6;
+/// Step frequencies of the resonance curve, Hz: first, step, and how many.
+const CURVE: (f64, f64, usize) = (1.0, 0.01, 201);
+
+/// The design on its floor.
+///
+/// ```
+/// use gaitcam::scene;
+///
+/// // Ten tonnes in resonance with the steps: the walker of 700 N shakes them into the third class of comfort.
+/// let mut scene = scene::built_in("footbridge")?.scene()?;
+/// for (key, value) in [("mass", "10000 kg"), ("frequency", "1.85 Hz"), ("damping", "0.01")] {
+///     scene = scene.with(&format!("machine.floor.{key}"), value)?;
+/// }
+/// let design = scene.design()?;
+/// let floor = design.floor.as_ref().unwrap();
+/// // F₁/(2ζm) = 700 · 0.333/(2 · 0.01 · 10⁴) m/s²
+/// assert!((floor.motion.acceleration_peak_m_per_s2 - 1.1655).abs() < 0.05);
+/// assert_eq!(floor.motion.comfort, "CL3");
+/// assert!(design.force.rms_error_percent_of_mean < 0.5);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Serialize)]
+pub struct OnFloor {
+    /// The steady motion under the shaker and all walkers.
+    pub motion: FloorMotion,
+    /// The same under the wanted force at other step frequencies.
+    #[serde(skip)]
+    pub resonance: Vec<AtFrequency>,
+}
+
+/// A point of the resonance curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AtFrequency {
+    /// Step frequency, Hz.
+    pub step_frequency: f64,
+    /// The steady motion there.
+    pub motion: FloorMotion,
+}
+
+/// The design for a floor that moves.
+///
+/// # Errors
+/// An undamped mode in resonance; a limit that has no form on a moving floor; as on a stiff floor.
+pub fn designed(problem: &Problem, search: &Search, floor: Floor) -> Result<Design> {
+    let kinds = [Torque, Power, TorqueRate, HertzPressure];
+    if let Some(kind) = kinds.into_iter().find(|k| problem.limits[*k].is_some()) {
+        return Err(SynthError::LimitOnFloor.at_key(&format!("limits.{}", kind.name())));
+    }
+    let problem = at_best_phase(problem, search)?;
+    let wanted = problem.target.as_ref().map(|t| sampled(|x| t.curve.at(x)));
+    let on = Ground {
+        wanted: harmonics(&wanted.unwrap_or_else(|| vec![0.0; SAMPLES])),
+        floor,
+        problem,
+    };
+    let mut moved = on.inertia(&on.floor.of_walkers(0, &on.wanted))?;
+    let mut found = on.round(search, &moved)?;
+    for _ in 1..ROUNDS {
+        let change = moved.iter().zip(&found.moved);
+        let change = change.fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+        if found.design.infeasible.is_some() || change <= SETTLED * on.problem.target_mean() {
+            break;
+        }
+        let next = on.round(search, &found.moved)?;
+        if next.design.force.rms_error_n > found.design.force.rms_error_n {
+            break;
+        }
+        moved = std::mem::replace(&mut found, next).moved;
+    }
+    let mut design = found.design;
+    let (motion, resonance) = (FloorMotion::of(&found.acceleration), on.resonance(&design)?);
+    design.floor = Some(OnFloor { motion, resonance });
+    Ok(design)
+}
+
+fn sampled(f: impl Fn(f64) -> f64) -> Vec<f64> {
+    let angles = (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
+    angles.map(f).collect()
+}
+
+/// A problem on its floor, with the harmonics of the wanted force, N.
+struct Ground {
+    problem: Problem,
+    floor: Floor,
+    wanted: Vec<(f64, f64)>,
+}
+
+/// A design, with the acceleration of the floor under it, m/s², and M z″ over the turn, N.
+struct Round {
+    design: Design,
+    acceleration: Vec<(f64, f64)>,
+    moved: Vec<f64>,
+}
+
+impl Ground {
+    /// M z″ under a force, N.
+    fn inertia(&self, force: &[(f64, f64)]) -> Result<Vec<f64>> {
+        let drive = &self.problem.drive;
+        let acceleration = self.floor.acceleration(drive.speed, force)?;
+        Ok(self.weighed(&acceleration))
+    }
+
+    fn weighed(&self, acceleration: &[(f64, f64)]) -> Vec<f64> {
+        let each = samples(acceleration, 0, SAMPLES).into_iter();
+        each.map(|a| self.problem.drive.mass * a).collect()
+    }
+
+    /// The problem with a motion of the floor given.
+    fn moving(&self, moved: &[f64]) -> Problem {
+        let still = vec![0.0; SAMPLES];
+        self.problem
+            .on_shaft(&sampled(|x| x), &[moved.to_vec(), still.clone(), still])
+    }
+
+    /// The acceleration of the floor under a law.
+    fn under(&self, law: &Law) -> Result<Vec<(f64, f64)>> {
+        let drive = &self.problem.drive;
+        let still = harmonics(&sampled(|x| drive.force(law.svaj(x))));
+        let others = self.floor.of_walkers(1, &self.wanted);
+        let own = self
+            .floor
+            .pressed(drive.mass, drive.speed, &still, &others)?;
+        let all = own.iter().zip(&others).map(|(a, b)| (a.0 + b.0, a.1 + b.1));
+        self.floor
+            .acceleration(drive.speed, &all.collect::<Vec<_>>())
+    }
+
+    /// The design for a motion of the floor, judged under the one that it makes.
+    fn round(&self, search: &Search, moved: &[f64]) -> Result<Round> {
+        // What is kept belongs to the target of the round before.
+        let fresh = Search {
+            cache: Default::default(),
+            ..search.clone()
+        };
+        let (sized, infeasible) = solved(&self.moving(moved), &fresh)?;
+        let acceleration = self.under(&sized.law.law)?;
+        let moved = self.weighed(&acceleration);
+        let judged = self.moving(&moved);
+        let checked = checked_cam(&judged, search, &sized.law.law, None)?;
+        let sized = SizedLaw { checked, ..sized };
+        let mut design = finished(&judged, search, sized, infeasible)?;
+        design.target = self.problem.target.as_ref().map(|t| (*t.curve).clone());
+        design.band = self.problem.band.clone();
+        Ok(Round {
+            design,
+            acceleration,
+            moved,
+        })
+    }
+
+    /// The motion under the wanted force over the step frequency; without the points at which an undamped mode has none.
+    fn resonance(&self, design: &Design) -> Result<Vec<AtFrequency>> {
+        let steps = design
+            .load_factors()
+            .first()
+            .map_or(1.0, |f| 1.0 / f.of_step);
+        let all = self.floor.of_walkers(0, &self.wanted);
+        let (first, step, count) = CURVE;
+        let points = (0..count).filter_map(|i| {
+            let step_frequency = first + step * i as f64;
+            let answer = self
+                .floor
+                .acceleration(TAU * step_frequency / steps, &all)
+                .ok()?;
+            let motion = FloorMotion::of(&answer);
+            Some(AtFrequency {
+                step_frequency,
+                motion,
+            })
+        });
+        Ok(points.collect())
+    }
+}

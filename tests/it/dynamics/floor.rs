@@ -1,0 +1,251 @@
+//! Laws for a floor that moves, and the steady motion of that floor.
+
+use std::f64::consts::TAU;
+
+use gaitcam::dynamics::{Floor, FloorMode, FloorMotion, Model, simulate};
+use gaitcam::{Design, Scene, Verdict, scene};
+
+const KEY: &str = "machine.floor.damping";
+
+fn with(changes: &[(&str, &str)]) -> gaitcam::Result<Scene> {
+    let mut table = scene::built_in("footbridge")?.scene()?.to_table();
+    for (key, value) in changes {
+        scene::set(&mut table, &format!("{key}={value}"))?;
+    }
+    scene::read(&table)
+}
+
+fn bridge<'a>(mass: &'a str, frequency: &'a str, damping: &'a str) -> Vec<(&'a str, &'a str)> {
+    vec![
+        ("machine.floor.mass", mass),
+        ("machine.floor.frequency", frequency),
+        ("machine.floor.damping", damping),
+    ]
+}
+
+fn design(changes: &[(&str, &str)]) -> Design {
+    with(changes).unwrap().design().unwrap()
+}
+
+fn mode(mass: f64, frequency: f64, damping: f64) -> FloorMode {
+    FloorMode {
+        mass,
+        frequency,
+        damping,
+        ordinate: 1.0,
+        key: KEY,
+    }
+}
+
+/// Steady peak and RMS acceleration by Runge and Kutta's method of the fourth order on the modes under the shaker's inertia and
+/// the others' force; F = M (g + d″ + z″) makes M φ² part of the modal mass.
+fn integrated(modes: &[FloorMode], mass: f64, omega: f64, still: impl Fn(f64) -> f64) -> Vec<f64> {
+    const STEPS: usize = 4000;
+    let [m] = modes else { panic!("one mode") };
+    let own = TAU * m.frequency;
+    let slope = |t: f64, y: [f64; 2]| {
+        let force = still(omega * t);
+        let a = (-force / (m.mass + mass))
+            - m.mass / (m.mass + mass) * (2.0 * m.damping * own * y[1] + own * own * y[0]);
+        [y[1], a]
+    };
+    let h = TAU / omega / STEPS as f64;
+    let (mut y, mut last) = ([0.0; 2], Vec::new());
+    for turn in 0..400 {
+        last.clear();
+        for i in 0..STEPS {
+            let t = h * (turn * STEPS + i) as f64;
+            last.push(slope(t, y)[1]);
+            let add = |y: [f64; 2], k: [f64; 2], h: f64| [y[0] + h * k[0], y[1] + h * k[1]];
+            let k1 = slope(t, y);
+            let k2 = slope(t + 0.5 * h, add(y, k1, 0.5 * h));
+            let k3 = slope(t + 0.5 * h, add(y, k2, 0.5 * h));
+            let k4 = slope(t + h, add(y, k3, h));
+            for j in 0..2 {
+                y[j] += h / 6.0 * (k1[j] + 2.0 * k2[j] + 2.0 * k3[j] + k4[j]);
+            }
+        }
+    }
+    last
+}
+
+#[test]
+fn the_steady_motion_is_that_of_an_integration_over_time() {
+    let floor = Floor {
+        modes: vec![mode(3000.0, 1.9, 0.02)],
+        walkers: vec![(0.0, 1.0)],
+    };
+    let (mass, omega) = (71.0, TAU * 1.85);
+    let still = |x: f64| 230.0 * x.cos() + 40.0 * (2.0 * x).sin() + 15.0 * (3.0 * x).cos();
+    let own = [(230.0, 0.0), (0.0, 40.0), (15.0, 0.0)];
+    let none = [(0.0, 0.0); 3];
+    let pressed = floor.pressed(mass, omega, &own, &none).unwrap();
+    let motion = FloorMotion::of(&floor.acceleration(omega, &pressed).unwrap());
+    let rows = integrated(&floor.modes, mass, omega, still);
+    let peak = rows.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let rms = (rows.iter().map(|x| x * x).sum::<f64>() / rows.len() as f64).sqrt();
+    assert!((motion.acceleration_peak_m_per_s2 / peak - 1.0).abs() < 1e-3);
+    assert!((motion.acceleration_rms_m_per_s2 / rms - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn one_mode_in_resonance_moves_by_the_force_over_twice_damping_and_stiffness() {
+    let (m, hz, zeta, force) = (8000.0, 2.1, 0.006, 250.0);
+    let floor = Floor {
+        modes: vec![mode(m, hz, zeta)],
+        walkers: vec![(0.0, 1.0)],
+    };
+    let omega = TAU * hz;
+    let (a, b) = floor.acceleration(omega, &[(force, 0.0)]).unwrap()[0];
+    let moved = a.hypot(b) / (omega * omega);
+    let stiffness = m * omega * omega;
+    assert!((moved / (force / (2.0 * zeta * stiffness)) - 1.0).abs() < 1e-12);
+    // Downwards and a quarter of a turn late: z = −F/(2ζk) sin Ωt, z″ = F/(2ζm) sin Ωt.
+    assert!(a.abs() < 1e-12 && b > 0.0);
+}
+
+#[test]
+fn the_power_put_into_the_floor_is_what_its_damping_uses() {
+    let modes = vec![mode(3000.0, 1.9, 0.02), mode(5000.0, 4.3, 0.01)];
+    let floor = Floor {
+        modes: modes.clone(),
+        walkers: vec![(0.0, 1.0)],
+    };
+    let omega = TAU * 1.85;
+    let force = [(230.0, 20.0), (-7.0, 40.0), (15.0, 3.0)];
+    let answer = floor.acceleration(omega, &force).unwrap();
+    let single = |m: &FloorMode| Floor {
+        modes: vec![*m],
+        walkers: Vec::new(),
+    };
+    let (mut power, mut lost) = (0.0, 0.0);
+    for n in 1..=3 {
+        let w = n as f64 * omega;
+        // Velocity: of a cos + b sin as acceleration (a sin − b cos)/w.
+        let ((a, b), (c, s)) = (answer[n - 1], force[n - 1]);
+        power -= 0.5 * (-b * c + a * s) / w;
+        for m in &modes {
+            let (a, b) = single(m).acceleration(omega, &force).unwrap()[n - 1];
+            let velocity = a.hypot(b) / w;
+            lost += m.mass * m.damping * TAU * m.frequency * velocity * velocity;
+        }
+    }
+    assert!(
+        lost > 1.0 && (power / lost - 1.0).abs() < 1e-9,
+        "{power} {lost}"
+    );
+}
+
+#[test]
+fn a_floor_of_endless_mass_is_no_floor() {
+    let still = design(&[]);
+    let heavy = design(&bridge("1e12 kg", "1.9 Hz", "0.01"));
+    assert_eq!(heavy.verdict, still.verdict);
+    assert!((heavy.force.rms_error_n - still.force.rms_error_n).abs() < 1e-6);
+    for i in 0..50 {
+        let x = TAU * f64::from(i) / 50.0;
+        assert!((heavy.cam.law.svaj(x).s - still.cam.law.svaj(x).s).abs() < 1e-9);
+    }
+    let motion = heavy.floor.unwrap().motion;
+    assert!(motion.acceleration_peak_m_per_s2 < 1e-7 && motion.comfort == "CL1");
+}
+
+#[test]
+fn the_force_on_the_moving_floor_is_the_wanted_one() {
+    for (mass, frequency, damping) in [
+        ("10000 kg", "1.85 Hz", "0.01"),
+        ("2000 kg", "1.7 Hz", "0.02"),
+        ("3000 kg", "3.8 Hz", "0.005"),
+    ] {
+        let changes = bridge(mass, frequency, damping);
+        let found = design(&changes);
+        let percent = found.force.rms_error_percent_of_mean;
+        assert_eq!(found.verdict, Verdict::Acceptable, "{mass} {frequency}");
+        let run = found.emitted(&found.problem.machine, found.drive).unwrap();
+        let out = simulate(&run, Model::Auto).unwrap();
+        let simulated = 100.0 * out.force.rms_error.unwrap() / found.force.mean_n;
+        assert!((simulated - percent).abs() < 0.01, "{simulated} {percent}");
+        let (own, run) = (found.floor.unwrap().motion, out.floor.unwrap());
+        let ratio = run.acceleration_peak_m_per_s2 / own.acceleration_peak_m_per_s2;
+        assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
+        // The law for a stiff floor misses there.
+        let still = design(&[]);
+        let run = still.emitted(&found.problem.machine, still.drive).unwrap();
+        let missed = simulate(&run, Model::Auto)
+            .unwrap()
+            .force
+            .rms_error
+            .unwrap();
+        println!(
+            "{mass} {frequency}: {percent} % corrected, {} % not, {own:?}",
+            100.0 * missed / still.force.mean_n
+        );
+        assert!(100.0 * missed / still.force.mean_n > 2.0 * percent);
+    }
+}
+
+#[test]
+fn walkers_in_step_add_and_walkers_half_a_turn_apart_cancel_the_first_harmonic() {
+    let peak = |count: &str, phases: &str| {
+        let mut changes = bridge("50000 kg", "1.85 Hz", "0.01");
+        changes.extend([
+            ("machine.walkers.count", count),
+            ("machine.walkers.phases", phases),
+        ]);
+        let motion = design(&changes).floor.unwrap().motion;
+        motion.acceleration_peak_m_per_s2
+    };
+    let one = design(&bridge("50000 kg", "1.85 Hz", "0.01"))
+        .floor
+        .unwrap();
+    let one = one.motion.acceleration_peak_m_per_s2;
+    assert!((peak("3", "0 deg, 0 deg, 0 deg") / one - 3.0).abs() < 0.02);
+    assert!(peak("2", "0 deg, 180 deg") < 0.2 * one);
+}
+
+#[test]
+fn the_classes_change_at_the_accelerations_of_the_guides() {
+    for (peak, class, setra) in [
+        (0.49, "CL1", "maximum"),
+        (0.51, "CL2", "mean"),
+        (1.01, "CL3", "minimum"),
+        (2.51, "CL4", "unacceptable"),
+    ] {
+        let motion = FloorMotion::of(&[(0.0, peak)]);
+        assert!((motion.acceleration_rms_m_per_s2 - peak / 2_f64.sqrt()).abs() < 1e-12);
+        assert_eq!((motion.comfort, motion.comfort_setra), (class, setra));
+    }
+    assert!(
+        (FloorMotion::of(&[(1.0, 0.0), (0.5, 0.0)]).acceleration_peak_m_per_s2 - 1.5).abs() < 1e-9
+    );
+}
+
+#[test]
+fn a_floor_that_cannot_be_is_refused_with_its_key() {
+    let refused = |changes: &[(&str, &str)]| {
+        let error = with(changes).and_then(|s| s.design()).unwrap_err();
+        (error.place.to_string(), error.to_string())
+    };
+    let (place, said) = refused(&bridge("10000 kg", "1.85 Hz", "0"));
+    assert!(
+        place.contains("machine.floor.damping") && said.contains("1.85 Hz"),
+        "{place} {said}"
+    );
+    let (place, _) = refused(&[("machine.floor.mass", "10000 kg")]);
+    assert!(place.contains("machine.floor.frequency"), "{place}");
+    let mut both = bridge("10000 kg", "1.85 Hz", "0.01");
+    both.extend([
+        ("machine.motor.slope", "10 N m s/rad"),
+        ("machine.inertia", "2 kg m^2"),
+    ]);
+    assert!(refused(&both).0.contains("machine.motor"));
+    let mut phases = bridge("10000 kg", "1.85 Hz", "0.01");
+    phases.extend([
+        ("machine.walkers.count", "3"),
+        ("machine.walkers.phases", "0 deg, 10 deg"),
+    ]);
+    assert!(refused(&phases).0.contains("machine.walkers.phases"));
+    let mut torque = bridge("10000 kg", "1.85 Hz", "0.01");
+    torque.push(("limits.torque", "10 N m"));
+    assert!(refused(&torque).0.contains("limits.torque"));
+}
