@@ -24,6 +24,7 @@ OTHERS = [
     ["footbridge", "--set", "limits.torque=14 N m", "--set", "law.spans=16"],
     ["scenes/heel_tester_fitted.toml", "--time-limit", "0.1"],
     ["footbridge", "--set", "machine.natural_frequency=60 Hz", "--set", "law.polydyne=true"],
+    ["footbridge", "--set", "machine.floor.mass=10000 kg", "--set", "machine.floor.frequency=1.85 Hz", "--set", "machine.floor.damping=0.01"],
     ["thesis_barrel", "--set", "cam.depth=200 mm"],
 ]
 TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "null": type(None), "integer": int}

@@ -44,7 +44,7 @@ pub fn text(design: &Design, time: Timing) -> String {
 }
 
 /// Labels of the rows, without `label-`.
-const LABELS: [&str; 14] = [
+const LABELS: [&str; 15] = [
     "failed", "ok", "force", "law", "drive", "cam", "machine", "shaft", "floor", "active",
     "relaxing", "note", "solved", "optimum", "sequence",
 ];
