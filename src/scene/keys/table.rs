@@ -163,11 +163,11 @@ pub static KEYS: &[Key] = &[
     row("machine.floor.mass",          number(Mass, Positive),                  "",     field!(machine.floor.mass)),
     row("machine.floor.frequency",     number(Frequency, Positive),             "",     field!(machine.floor.frequency)),
     row("machine.floor.damping",       number(Ratio, NotNegative),              "",     field!(machine.floor.damping)),
-    row("machine.floor.ordinate",      number(Ratio, Any),                      "1",    field!(machine.floor.ordinate)).idle_when(no_floor),
+    row("machine.floor.ordinate",      number(Ratio, NotNegative),              "1",    field!(machine.floor.ordinate)).idle_when(no_floor),
     row("machine.floor.mode.N.mass",      number(Mass, Positive),               "",     field!(machine.modes[N].mass)).required(),
     row("machine.floor.mode.N.frequency", number(Frequency, Positive),          "",     field!(machine.modes[N].frequency)).required(),
     row("machine.floor.mode.N.damping",   number(Ratio, NotNegative),           "",     field!(machine.modes[N].damping)).required(),
-    row("machine.floor.mode.N.ordinate",  number(Ratio, Any),                   "1",    field!(machine.modes[N].ordinate)),
+    row("machine.floor.mode.N.ordinate",  number(Ratio, NotNegative),           "1",    field!(machine.modes[N].ordinate)),
     row("machine.walkers.count",       count(MOST_WALKERS),                     "1",    field!(machine.walkers.count)).idle_when(no_floor),
     row("machine.walkers.phases",      TEXTS,                                   "",     field!(machine.walkers.phases)).idle_when(no_floor),
 

@@ -34,11 +34,11 @@ const CURVE: (f64, f64, usize) = (1.0, 0.01, 201);
 /// use gaitcam::scene;
 ///
 /// // Ten tonnes in resonance with the steps: the walker of 700 N shakes them into the third class of comfort.
-/// let mut scene = scene::built_in("footbridge")?.scene()?;
-/// for (key, value) in [("mass", "10000 kg"), ("frequency", "1.85 Hz"), ("damping", "0.01")] {
-///     scene = scene.with(&format!("machine.floor.{key}"), value)?;
+/// let mut table = scene::built_in("footbridge")?.scene()?.to_table();
+/// for change in ["mass=10000 kg", "frequency=1.85 Hz", "damping=0.01"] {
+///     scene::set(&mut table, &format!("machine.floor.{change}"))?;
 /// }
-/// let design = scene.design()?;
+/// let design = scene::read(&table)?.design()?;
 /// let floor = design.floor.as_ref().unwrap();
 /// // F₁/(2ζm) = 700 · 0.333/(2 · 0.01 · 10⁴) m/s²
 /// assert!((floor.motion.acceleration_peak_m_per_s2 - 1.1655).abs() < 0.05);
