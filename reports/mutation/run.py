@@ -278,6 +278,26 @@ def plain_name(name):
 
 
 COLUMNS = ["area", "mutant", "outcome", "by", "reason"]
+OPEN = ("missed", "not tried")
+
+
+def place(name):
+    """Column and line of a mutant; of a fault, which has a name alone, 0."""
+    found = re.search(r":(\d+):(\d+):", name)
+    return (int(found[2]), int(found[1])) if found else (0, 0)
+
+
+def still_open(mutants, rows):
+    """The mutants of the table that survived or were not tried; of several of one name in a function the nearest."""
+    out = {}
+    for row in (r for r in rows if r["outcome"] in OPEN):
+        column, line = place(row["mutant"])
+        same = [m for m in mutants if plain_name(m.name) == plain_name(row["mutant"]) and m.number not in out]
+        away = lambda m: (abs(place(m.name)[0] - column), abs(place(m.name)[1] - line))
+        if same:
+            nearest = min(same, key=away)
+            out[nearest.number] = nearest
+    return [out[k] for k in sorted(out)]
 
 
 def stored():
@@ -319,14 +339,12 @@ def main():
     arguments.add_argument("--again", action="store_true", help="only what the table has as survivor or not tried")
     given = arguments.parse_args()
     areas = given.areas or list(AREAS)
-    mutants = numbered(areas, given.all)
+    mutants = numbered(areas, given.all or given.again)
     before = stored()
     if given.again:
-        open_ = {plain_name(r["mutant"]) for r in before if r["outcome"] in ("missed", "not tried")}
-        mutants = [m for m in mutants if plain_name(m.name) in open_]
+        mutants = still_open(mutants, before)
     reasons = {plain_name(r["mutant"]): r["reason"] for r in before}
-    again = {plain_name(m.name) for m in mutants}
-    kept = lambda r: r["area"] not in areas or given.again and plain_name(r["mutant"]) not in again
+    kept = lambda r: r["area"] not in areas or given.again and r["outcome"] not in OPEN
     rows = [r for r in before if kept(r)]
     for m, result, by in tried(mutants, areas):
         reason = reasons.get(plain_name(m.name), "") if result == "missed" else ""

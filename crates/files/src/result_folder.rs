@@ -246,6 +246,20 @@ mod tests {
     }
 
     #[test]
+    fn a_move_that_fails_leaves_no_summary_beside_old_files() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path();
+        let ready = path.join(READY);
+        fs::create_dir(&ready).unwrap();
+        for name in ["law.csv", "summary.json"] {
+            fs::write(path.join(name), "old").unwrap();
+        }
+        fs::write(ready.join("summary.json"), "new").unwrap();
+        assert!(put(path, &ready, &["summary.json", "law.csv"]).is_err());
+        assert_eq!(names(path), [READY, "law.csv"]);
+    }
+
+    #[test]
     fn a_result_that_was_not_committed_leaves_nothing() {
         let folder = tempfile::tempdir().unwrap();
         fs::create_dir(folder.path().join(".gaitcam.1.new")).unwrap();

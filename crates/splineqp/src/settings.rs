@@ -111,6 +111,8 @@ pub struct RmsSettings {
     pub peak_step: f64,
     /// … so many times.
     pub peak_steps: usize,
+    /// The least peak that is tried is larger than the least one there is by this part.
+    pub pinch: f64,
     /// Contacts nearer to each other than this part of a piece begin as one.
     pub coincident: f64,
     /// Weights tried between two.
@@ -296,6 +298,7 @@ const RMS: RmsSettings = RmsSettings {
     near_steps: 3,
     peak_step: 0.2,
     peak_steps: 24,
+    pinch: 2e-7,
     coincident: 0.02,
     weights: 40,
     same_weight: 1e-11,

@@ -72,4 +72,21 @@ mod tests {
         assert_eq!(of(0.0, 1.1e-6, 0.0), Some(Doubt::Gap));
         assert_eq!(of(0.0, 0.0, 1.1e-6), Some(Doubt::Gap));
     }
+
+    #[test]
+    fn every_doubt_has_its_own_clause() {
+        let every = Doubt::VARIANTS.len();
+        for language in [Language::En, Language::Es] {
+            let of = |d: Doubt| d.sentence(language);
+            let clauses = [
+                of(Doubt::Limits),
+                of(Doubt::Gap),
+                of(Doubt::TouchingAngle),
+                of(Doubt::Local),
+                of(Doubt::LeftOut),
+            ];
+            let distinct: std::collections::HashSet<_> = clauses.iter().collect();
+            assert!(distinct.len() == every && clauses.iter().all(|c| c.len() > 10));
+        }
+    }
 }

@@ -7,7 +7,9 @@
 //!
 //! **Peak.** Where J is a peak t alone, q is minimised under t ≤ p instead, and p sought at which its least value is what is
 //! allowed: the same optimum, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput.
-//! 31, 2008, §2). Each step has the force error's own objective, and none is a linear program of many contacts.
+//! 31, 2008, §2). Each step has the force error's own objective, and none is a linear program of many contacts. Where the other
+//! limits alone hold the peak up, the laws just above that peak are as thin as rounding: the search ends there, and the proof is
+//! that of the least peak without the limit on q.
 //!
 //! Between two of these numbers the law is taken on the line from one optimum to the other, where q is what is allowed: all
 //! limits hold there. With weight and multipliers mixed in the same proportion t it leaves t(1 − t) Δμ Δ∇q of the gradient, which
@@ -15,6 +17,9 @@
 
 use crate::Names;
 use crate::program::{EXTRAS, Failure, PEAK, Program, RmsLimit, Row, Solution, Stop, hold};
+
+/// Root mean square, as a part of what is allowed, below which none is smaller.
+const SMALL: f64 = 1e-2;
 
 /// An optimum on the way.
 struct Tried<N: Names> {
@@ -40,6 +45,8 @@ struct Search<'a, N: Names> {
     way: Way,
     /// Contacts of the last optimum.
     seeds: Vec<Row<N>>,
+    /// The law of the least peak under the other limits, once a smaller peak had none.
+    least: Option<Solution<N>>,
 }
 
 /// The optimum under a limit on a root mean square and all others.
@@ -100,6 +107,7 @@ impl<'a, N: Names> Search<'a, N> {
             limit,
             way,
             seeds,
+            least: None,
         }
     }
 
@@ -127,21 +135,39 @@ impl<'a, N: Names> Search<'a, N> {
         let peak = self.program.own_peak(&near.x, &near.extra);
         near.extra[PEAK] = peak;
         let first = self.tried(peak.max(f64::MIN_POSITIVE).ln(), 0.0, near);
-        match self.bracket(first, settings.peak_step, settings.peak_steps)? {
-            Some([inside, outside]) => self.between(inside, outside),
-            None => {
-                let plain = self.without_limit()?;
-                let keeps = self.limit.excess(&plain.x) <= self.program.settings.tolerance;
-                keeps.then_some(plain).ok_or(Stop::NoProgress.into())
-            }
+        let found = self.bracket(first, settings.peak_step, settings.peak_steps);
+        match (found?, self.least.take()) {
+            (Some([inside, outside]), _) => self.between(inside, outside),
+            (None, least) => self.held_up(least.map_or_else(|| self.without_limit(), Ok)?),
         }
+    }
+
+    /// The law of the least peak that the other limits leave, with the proof of `least`.
+    fn held_up(&mut self, least: Solution<N>) -> Result<Solution<N>, Failure<N>> {
+        if self.limit.excess(&least.x) <= self.program.settings.tolerance {
+            return Ok(least);
+        }
+        let near = self.at(self.lowest(&least))?;
+        let keeps = near.excess <= 0.0;
+        keeps
+            .then_some(Solution {
+                active: least.active,
+                ..near.solution
+            })
+            .ok_or(Stop::NoProgress.into())
+    }
+
+    /// ln of the least peak that is tried: a little above the least that the other limits leave.
+    fn lowest(&self, least: &Solution<N>) -> f64 {
+        least.extra[PEAK].max(f64::MIN_POSITIVE).ln() + self.program.settings.rms.pinch
     }
 
     fn tried(&self, number: f64, weight: f64, solution: Solution<N>) -> Tried<N> {
         Tried {
             number,
             weight,
-            excess: (1.0 + self.limit.excess(&solution.x)).ln(),
+            // A law without an error is as good as a very small one.
+            excess: (1.0 + self.limit.excess(&solution.x)).max(SMALL).ln(),
             solution,
         }
     }
@@ -214,7 +240,18 @@ impl<'a, N: Names> Search<'a, N> {
     ) -> Result<Option<[Tried<N>; 2]>, Failure<N>> {
         let holds = here.excess <= 0.0;
         for _ in 0..most {
-            let next = match self.at(here.number + if holds { -step } else { step }) {
+            let mut number = here.number + if holds { -step } else { step };
+            if let Some(lowest) = self.least.as_ref().map(|least| self.lowest(least)) {
+                number = number.max(lowest);
+                if here.number <= lowest {
+                    return Ok(None);
+                }
+            }
+            let next = match self.at(number) {
+                Err(Failure::Infeasible) if self.way == Way::Peak && self.least.is_none() => {
+                    self.least = self.without_limit().ok();
+                    continue;
+                }
                 // The other limits leave no law of so small a peak, or rounding ended the solver here.
                 Err(failure) if self.may_differ_beside(&failure) => {
                     step *= 0.25;

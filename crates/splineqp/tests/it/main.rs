@@ -1,6 +1,7 @@
 //! Optima and certificates against closed forms and independent computation.
 
 mod certificate;
+mod certificate_prices;
 mod optima;
 mod rms;
 mod rms_limit;

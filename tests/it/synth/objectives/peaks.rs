@@ -139,3 +139,43 @@ fn least_peak_errors_of_the_force_are_certified_under_limits() {
         assert!(apart < 1e-6 * certificate.size, "{limits}: {certificate:?}");
     }
 }
+
+/// A floor under the force above the target's least value holds the largest error up: no accuracy brings it below
+/// floor − least, and one a little narrower than that of the least peak alone still reaches it.
+#[test]
+fn a_least_peak_that_another_limit_holds_up_is_found_at_every_accuracy() {
+    let scene = |spans: usize, floor: f64, minimise: &str, rms: &str| {
+        design(&format!(
+            "name = \"held\"\n[gait]\nmodel = \"young\"\nstep_frequency = \"2.185 Hz\"\nbody_weight = \"700 N\"\nfeet = \"both\"\nscale = \"to-mass\"\n[drive]\nkind = \"moving-axis\"\nmass = \"2 kg\"\nspeed = \"auto\"\n[cam]\nfollower = \"flat-translating\"\nbase_radius = \"60 mm\"\n[limits]\nforce_min = \"{floor} N\"\n[accuracy]\nrms = \"{rms}\"\n[law]\nfamily = \"spline\"\ndegree = 7\nspans = {spans}\nminimise = \"{minimise}\"\n"
+        ))
+    };
+    for (spans, floor) in [(8, 15.501), (12, 15.0), (16, 14.0), (32, 15.501)] {
+        let error = |d: &Design| d.force.rms_error_n / d.force.target_mean_n;
+        let free = scene(spans, floor, "peak-force-error", "none");
+        let nearest = scene(spans, floor, "force-error", "none");
+        let [least, _] = free.problem.target.as_ref().unwrap().range_n();
+        let mut before = f64::INFINITY;
+        for part in [0.02, 0.3, 0.7, 0.98] {
+            let rms = error(&nearest) + part * (error(&free) - error(&nearest));
+            let design = scene(
+                spans,
+                floor,
+                "peak-force-error",
+                &format!("{} %", 100.0 * rms),
+            );
+            assert!(
+                design.solver.certified,
+                "{spans} {part}: {:?}",
+                design.solver
+            );
+            assert!(error(&design) <= rms * (1.0 + 1e-8), "{spans} {part}");
+            let off = design.force.max_error_n - (floor - least);
+            assert!(
+                off > -1e-6 * floor && off < before + 1e-6 * floor,
+                "{spans} {part}: {off}"
+            );
+            before = off;
+        }
+        assert!(before < 1e-6 * floor, "{spans}: {before}");
+    }
+}
