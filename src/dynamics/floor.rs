@@ -26,6 +26,15 @@ const POINTS: usize = 4096;
 type Term = (f64, f64);
 
 /// A mode of the structure.
+///
+/// ```
+/// use gaitcam::dynamics::FloorMode;
+///
+/// // A footbridge of 40 t of modal mass, its walker at a quarter of the span: φ = sin(π/4).
+/// let ordinate = std::f64::consts::FRAC_1_SQRT_2;
+/// let mode = FloorMode { mass: 4e4, frequency: 1.9, damping: 0.005, ordinate, key: "machine.floor.damping" };
+/// assert!((mode.mass / mode.ordinate.powi(2) - 8e4).abs() < 1e-6); // felt there, kg
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloorMode {
     /// Modal mass, kg.
@@ -61,6 +70,14 @@ pub struct Floor {
 }
 
 /// Steady vibration of the structure where the feet are.
+///
+/// ```
+/// use gaitcam::dynamics::FloorMotion;
+///
+/// let motion = FloorMotion::of(&[(0.6, 0.0)]); // cosine and sine of harmonic 1, m/s²
+/// assert_eq!((motion.comfort, motion.comfort_setra), ("CL2", "mean"));
+/// assert!((motion.acceleration_rms_m_per_s2 - 0.6 / 2_f64.sqrt()).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FloorMotion {
     /// Largest acceleration, m/s².

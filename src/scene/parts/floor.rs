@@ -8,6 +8,15 @@ use crate::error::SceneError;
 use crate::units::{Dimension, parse};
 
 /// A mode of the structure under the feet.
+///
+/// ```
+/// use gaitcam::scene;
+///
+/// let text = "machine.floor = { mass = \"40000 kg\", frequency = \"1.9 Hz\", damping = 0.005 }";
+/// let scene = scene::read_keys(&text.parse()?)?;
+/// assert_eq!((scene.machine.floor.mass, scene.machine.floor.ordinate), (Some(4e4), 1.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloorSpec {
     /// Modal mass, kg.
@@ -48,6 +57,14 @@ impl FloorSpec {
 }
 
 /// Walkers on the structure.
+///
+/// ```
+/// use gaitcam::scene;
+///
+/// let scene = scene::read_keys(&"machine.walkers.count = 3".parse()?)?;
+/// assert!(scene.machine.walkers.phases.is_empty()); // drawn
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct WalkersSpec {
     /// How many, with the shaker.

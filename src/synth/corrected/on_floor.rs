@@ -56,6 +56,14 @@ pub struct OnFloor {
 }
 
 /// A point of the resonance curve.
+///
+/// ```
+/// use gaitcam::dynamics::FloorMotion;
+/// use gaitcam::synth::AtFrequency;
+///
+/// let at = AtFrequency { step_frequency: 1.85, motion: FloorMotion::of(&[(2.6, 0.0)]) };
+/// assert_eq!(at.motion.comfort_setra, "unacceptable");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AtFrequency {
     /// Step frequency, Hz.

@@ -63,9 +63,14 @@ pub fn table(numbers: &mut Numbers) -> Table {
     let mut scene = Scene::default();
     let with_force = numbers.below(2) == 0;
     let chance = [0.05, 0.2, 0.6][numbers.below(3)];
-    let lists: Vec<(&str, usize)> = ["gait.weight", "law.point", "law.dwell", "law.segment"]
-        .map(|l| (l, numbers.below(6).saturating_sub(2)))
-        .to_vec();
+    let lists = [
+        "gait.weight",
+        "law.point",
+        "law.dwell",
+        "law.segment",
+        "machine.floor.mode",
+    ];
+    let lists = lists.map(|l| (l, numbers.below(6).saturating_sub(2)));
     for key in KEYS.iter() {
         if key.section() == "gait" && !with_force {
             continue;
@@ -99,6 +104,7 @@ pub fn table(numbers: &mut Numbers) -> Table {
         }
     }
     complete_motor(&mut table);
+    complete_floor(&mut table);
     table
 }
 
@@ -121,19 +127,48 @@ fn complete_motor(table: &mut Table) {
     machine.entry("inertia").or_insert_with(inertia);
 }
 
+/// Leaves a floor its listed modes or one whole mode, and no motor or flexible follower beside it; phases are drawn.
+fn complete_floor(table: &mut Table) {
+    let Some(machine) = table.get_mut("machine").and_then(|m| m.as_table_mut()) else {
+        return;
+    };
+    let walkers = machine.get_mut("walkers").and_then(|w| w.as_table_mut());
+    walkers.and_then(|w| w.remove("phases"));
+    let rivals = ["motor", "natural_frequency", "stiffness"];
+    if rivals.iter().any(|rival| machine.contains_key(*rival)) {
+        machine.remove("floor");
+    }
+    let Some(floor) = machine.get_mut("floor").and_then(|f| f.as_table_mut()) else {
+        return;
+    };
+    if floor.contains_key("mode") {
+        floor.retain(|key, _| key == "mode");
+        return;
+    }
+    for (key, usual) in [
+        ("mass", "5000 kg"),
+        ("frequency", "2 Hz"),
+        ("damping", "0.01"),
+    ] {
+        let usual = || toml::Value::String(usual.to_string());
+        floor.entry(key).or_insert_with(usual);
+    }
+}
+
 fn lookup(table: &Table, path: &str) -> Option<String> {
     let (section, name) = path.split_once('.')?;
     Some(table.get(section)?.get(name)?.as_str()?.to_string())
 }
 
 fn grow(table: &mut Table, list: &str, index: usize) {
-    let (section, name) = list.split_once('.').unwrap();
     let empty = || toml::Value::Table(Table::new());
-    let section = table.entry(section.to_string()).or_insert_with(empty);
+    let (sections, name) = list.rsplit_once('.').unwrap();
+    let section = sections.split('.').fold(table, |at, section| {
+        let inner = at.entry(section).or_insert_with(empty);
+        inner.as_table_mut().unwrap()
+    });
     let entries = section
-        .as_table_mut()
-        .unwrap()
-        .entry(name.to_string())
+        .entry(name)
         .or_insert_with(|| toml::Value::Array(Vec::new()));
     let entries = entries.as_array_mut().unwrap();
     while entries.len() <= index {
