@@ -70,7 +70,11 @@ pub fn compare(asked: &Asked, answer: Result<Design, String>) -> Result<Seen, St
         return refused(asked, &reference);
     }
     let x = coefficients(&reference, &design)?;
-    let judged = judge(&reference, &x);
+    let mut judged = judge(&reference, &x);
+    let certified = design.solver.certified;
+    if let Some(proof) = design.solver.certificate.filter(|_| !certified) {
+        judged.stated = proof.relative_gap.max(AGREED);
+    }
     if judged.excess > 1.01 * HELD {
         return Err(format!("{} exceeded by {:e}", judged.worst, judged.excess));
     }
@@ -82,7 +86,6 @@ pub fn compare(asked: &Asked, answer: Result<Design, String>) -> Result<Seen, St
         };
         within(&reference, &space, &x, &judged)?
     };
-    let certified = design.solver.certified;
     Ok(Seen::Built(Built { certified, ..built }))
 }
 
@@ -125,7 +128,7 @@ fn within(
     // A lower bound that close is all that is asked; rows where the law touches its limits reach it at once.
     let aim = Aim {
         near: Some(x),
-        enough: judged.value - AGREED * size(reference, judged.value).0,
+        enough: judged.value - judged.stated * size(reference, judged.value).0,
     };
     let bound = match solve(reference, space, 0.0, aim) {
         Outcome::Above(bound) => bound,
@@ -176,7 +179,7 @@ fn against(
         is_rounding,
         by: Judgement::Sampled,
     };
-    if above.abs() <= AGREED {
+    if (-AGREED..=judged.stated).contains(&above) {
         return Ok(built);
     }
     built.by = Judgement::Interval;

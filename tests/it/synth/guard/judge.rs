@@ -11,6 +11,8 @@ pub struct Judged {
     /// The same, negative where every limit leaves room.
     pub room: f64,
     pub worst: &'static str,
+    /// Part of the objective by which it may be above the optimum: what an uncertified law states of itself.
+    pub stated: f64,
 }
 
 /// Left side less bound at the places of the scan.
@@ -127,5 +129,6 @@ pub fn judge(reference: &Reference, x: &[f64]) -> Judged {
         excess: excess.max(0.0),
         room: excess,
         worst,
+        stated: super::compare::AGREED,
     }
 }

@@ -7,7 +7,8 @@
 //! none is exceeded by 1e-9. What is asked of each scene:
 //!
 //! - the law keeps every limit to 1e-9 on a fine grid, and its objective is within 1e-6 of the reference's. The floor of
-//!   a force error is an RMS of 1e-6 of the mean force;
+//!   a force error is an RMS of 1e-6 of the mean force; one law in 200 may be without a certificate, and is no further
+//!   above the reference's than the gap that it states;
 //! - where the objective is that sensitive to its limits, it lies in the interval between the optima under
 //!   limits eased and tightened by 1e-9;
 //! - a law of open level is the optimum at its own touching angle, and at none of 72 others is there a better one;
@@ -57,6 +58,8 @@ fn share(kind: Kind) -> (usize, usize) {
 const THINNED: usize = if cfg!(debug_assertions) { 10 } else { 1 };
 /// Seconds of a processor that an answer may take.
 const LONGEST: f64 = if cfg!(debug_assertions) { 100.0 } else { 5.0 };
+/// One law in this many may be without a certificate.
+const UNCERTIFIED: usize = 200;
 /// Scenes that have to be built in all.
 const BUILT: usize = 2000;
 
@@ -68,7 +71,7 @@ fn two_thousand_random_scenes_are_solved_as_a_second_route_solves_them() {
         .and_then(|n| n.parse().ok());
     let times: usize = times.unwrap_or(1);
     let mut disagreements = Vec::new();
-    let mut all = 0;
+    let (mut all, mut uncertified) = (0, 0);
     println!("one scene in {THINNED} is drawn");
     for kind in KINDS {
         let (drawn, least) = share(kind);
@@ -86,6 +89,7 @@ fn two_thousand_random_scenes_are_solved_as_a_second_route_solves_them() {
             .collect();
         println!("{}", line(kind, &seen, &built));
         all += built.len();
+        uncertified += built.iter().filter(|b| !b.certified).count();
         if built.len() < least / THINNED {
             disagreements.push(format!(
                 "{kind:?}: {} built, fewer than {}",
@@ -99,9 +103,13 @@ fn two_thousand_random_scenes_are_solved_as_a_second_route_solves_them() {
             .filter(|(_, words)| !is_undecided(kind, words));
         disagreements.extend(differ.map(|(seed, words)| format!("{kind:?} {seed}: {words}")));
     }
-    println!("{all} built in all");
+    println!("{all} built in all, {uncertified} of them without a certificate");
     assert!(disagreements.is_empty(), "{}", disagreements.join("\n"));
     assert!(all >= BUILT / THINNED, "{all} built");
+    assert!(
+        uncertified * UNCERTIFIED <= all,
+        "{uncertified} of {all} without a certificate"
+    );
 }
 
 /// The counts of a kind.
@@ -118,7 +126,7 @@ fn line(kind: Kind, seen: &[(usize, Result<Seen, String>)], built: &[Built]) -> 
         of(&|b| b.is_rounding),
         count(Seen::Refused),
         count(Seen::Edge),
-        most(&|b| if b.by == Judgement::Sampled {
+        most(&|b| if b.by == Judgement::Sampled && b.certified {
             b.above
         } else {
             0.0
