@@ -32,6 +32,9 @@ const MEMORY: usize = 5;
 const DEPENDENT: f64 = 1e-6;
 /// Step frequencies of the resonance curve, Hz: first, step, and how many.
 const CURVE: (f64, f64, usize) = (1.0, 0.01, 201);
+/// Harmonics of the force whose resonances it shows, and its points about each, half widths of the peak from its top.
+const MOST_RESONANT: u32 = 10;
+const FLANKS: [f64; 9] = [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0];
 
 /// The design on its floor.
 ///
@@ -111,7 +114,7 @@ pub fn designed(problem: &Problem, search: &Search, floor: Floor) -> Result<Desi
     };
     let mut design = on.judged(search, &moved, round.sized, round.infeasible)?;
     let motion = FloorMotion::of(&round.acceleration);
-    let resonance = on.resonance(&design)?;
+    let resonance = on.resonance(&design);
     design.floor = Some(OnFloor { motion, resonance });
     Ok(design)
 }
@@ -244,26 +247,35 @@ impl Ground {
         Ok(design)
     }
 
-    /// The motion under the wanted force over the step frequency; without the points at which an undamped mode has none.
-    fn resonance(&self, design: &Design) -> Result<Vec<AtFrequency>> {
+    /// The motion under the wanted force over the step frequency, at equal steps and at the resonances; without the points at
+    /// which an undamped mode has none.
+    fn resonance(&self, design: &Design) -> Vec<AtFrequency> {
         let steps = design
             .load_factors()
             .first()
             .map_or(1.0, |f| 1.0 / f.of_step);
-        let all = self.floor.of_walkers(0, &self.wanted);
         let (first, step, count) = CURVE;
-        let points = (0..count).filter_map(|i| {
-            let step_frequency = first + step * i as f64;
-            let answer = self
-                .floor
-                .acceleration(TAU * step_frequency / steps, &all)
-                .ok()?;
+        let last = first + step * (count - 1) as f64;
+        let mut at: Vec<f64> = (0..count).map(|i| first + step * i as f64).collect();
+        for mode in &self.floor.modes {
+            for harmonic in 1..=MOST_RESONANT {
+                let peak = steps * mode.frequency / f64::from(harmonic);
+                let flanks = FLANKS.map(|widths| peak * (1.0 + widths * mode.damping));
+                at.extend(flanks.into_iter().filter(|f| (first..=last).contains(f)));
+            }
+        }
+        at.sort_by(f64::total_cmp);
+        at.dedup();
+        let all = self.floor.of_walkers(0, &self.wanted);
+        let point = |step_frequency: f64| {
+            let speed = TAU * step_frequency / steps;
+            let answer = self.floor.acceleration(speed, &all).ok()?;
             let motion = FloorMotion::of(&answer);
             Some(AtFrequency {
                 step_frequency,
                 motion,
             })
-        });
-        Ok(points.collect())
+        };
+        at.into_iter().filter_map(point).collect()
     }
 }

@@ -133,7 +133,7 @@ fn complete_floor(table: &mut Table) {
         return;
     };
     let walkers = machine.get_mut("walkers").and_then(|w| w.as_table_mut());
-    walkers.and_then(|w| w.remove("phases"));
+    walkers.map(|w| w.retain(|key, _| key == "count"));
     let rivals = ["motor", "natural_frequency", "stiffness"];
     if rivals.iter().any(|rival| machine.contains_key(*rival)) {
         machine.remove("floor");
