@@ -99,17 +99,23 @@ pub fn designed(problem: &Problem, search: &Search, floor: Floor) -> Result<Desi
     let settled = SETTLED * on.problem.target_mean();
     let mut given = on.inertia(&on.floor.of_walkers(0, &on.wanted))?;
     let mut path: Vec<[Vec<f64>; 2]> = Vec::new();
+    let mut best: Option<(f64, Round)> = None;
     let (round, moved) = loop {
         let round = on.round(search, &given)?;
         let apart = difference(&round.moved, &given);
-        if apart.iter().all(|x| x.abs() <= settled) {
+        let size = apart.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        if size <= settled {
             break (round, given);
         }
-        if round.infeasible.is_some() || path.len() + 1 == ROUNDS {
+        path.push([round.moved.clone(), apart]);
+        let has_law = round.infeasible.is_none();
+        if best.as_ref().is_none_or(|b| has_law && size < b.0) {
+            best = Some((size, round));
+        }
+        if let Some((_, round)) = best.take_if(|_| !has_law || path.len() == ROUNDS) {
             let moved = round.moved.clone();
             break (round, moved);
         }
-        path.push([round.moved, apart]);
         given = accelerated(&path[path.len().saturating_sub(MEMORY + 1)..]);
     };
     let mut design = on.judged(search, &moved, round.sized, round.infeasible)?;

@@ -136,6 +136,24 @@ fn limits_of_the_force_hold_for_the_true_force_on_the_moving_floor() {
 }
 
 #[test]
+fn limits_by_time_are_those_of_the_law_on_a_moving_floor() {
+    for (order, key, unit, limit) in [
+        (1, "limits.velocity", "m/s", 0.2),
+        (2, "limits.acceleration", "m/s^2", 3.0),
+        (3, "limits.jerk", "m/s^3", 40.0),
+    ] {
+        let text = format!("{limit} {unit}");
+        let mut changes = bridge("10000 kg", "1.85 Hz", "0.01");
+        changes.extend([(key, text.as_str()), ("accuracy.rms", "none")]);
+        let found = design(&changes);
+        assert_eq!(found.verdict, Verdict::Acceptable, "{key}");
+        let (low, high) = found.cam.law.extremes(order);
+        let largest = high.value.max(-low.value) * found.drive.speed.powi(order as i32);
+        assert!((largest / limit - 1.0).abs() < 1e-6, "{key}: {largest}");
+    }
+}
+
+#[test]
 fn the_shaft_works_as_much_as_the_damping_of_the_floor_uses() {
     let found = design(&bridge("10000 kg", "1.85 Hz", "0.01"));
     let run = found.emitted(&found.problem.machine, found.drive).unwrap();
