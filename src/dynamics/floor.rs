@@ -45,7 +45,7 @@ pub struct FloorMode {
     pub damping: f64,
     /// Ordinate of the mode at the feet.
     pub ordinate: f64,
-    /// Key of its damping.
+    /// Key of its damping, with `N` for its number.
     pub key: &'static str,
 }
 
@@ -132,7 +132,7 @@ impl Floor {
     /// An undamped mode in resonance.
     fn accelerance(&self, harmonic: usize, frequency: f64) -> Result<[f64; 2]> {
         let mut sum = [0.0; 2];
-        for mode in &self.modes {
+        for (number, mode) in (1..).zip(&self.modes) {
             let own = TAU * mode.frequency;
             let left = [
                 own * own - frequency * frequency,
@@ -144,7 +144,7 @@ impl Floor {
                     harmonic,
                     frequency,
                 };
-                return Err(fault.at_key(mode.key));
+                return Err(fault.at_key(&mode.key.replace('N', &number.to_string())));
             }
             let gain = (mode.ordinate * frequency).powi(2) / mode.mass;
             for (sum, part) in sum.iter_mut().zip(inverse(left)) {

@@ -93,6 +93,7 @@ impl ModelReason {
 pub enum LiftoffMargin {
     HeldFromBothSides,
     NoLiftoff { speed: Quantity },
+    MovingFloor { speed: Quantity },
     LiftoffAt { speed: Quantity, liftoff: Quantity },
 }
 

@@ -86,6 +86,8 @@ pub enum DynamicsError {
         harmonic: usize,
         frequency: Quantity,
     },
+    /// A moving floor under another model than the rigid one at constant speed.
+    FloorNotRigid,
     /// A polydyne cam needs a closed law.
     OpenPolydyne,
     /// The target of a polydyne cam is not smooth enough.

@@ -190,6 +190,8 @@ pub enum SceneError {
     FloorTwice,
     /// Not as many phases as walkers.
     WalkerPhases { count: usize },
+    /// Not as many weights as walkers.
+    WalkerWeights { count: usize },
     /// A moving floor with a motor or a flexible follower.
     FloorAlone,
     /// A moving floor without a shaker that follows a force.

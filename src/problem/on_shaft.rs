@@ -69,6 +69,17 @@ impl Problem {
         out
     }
 
+    /// What speed and floor add to the force at a cam angle, N.
+    pub fn extra_force(&self, theta: f64) -> f64 {
+        let shaft = self.on_shaft.as_ref();
+        shaft.map_or(0.0, |shaft| shaft.extra.eval(theta.rem_euclid(TAU)))
+    }
+
+    /// A target over time at the cam angles.
+    pub fn target_at_cam<'a>(&'a self, target: &'a ForceCurve) -> &'a ForceCurve {
+        self.on_shaft.as_ref().map_or(target, |shaft| &shaft.target)
+    }
+
     /// The force of a law over the turn, N, as a piecewise polynomial with exact extremes.
     pub fn force_curve(&self, law: &Law) -> PiecewisePoly {
         let own = self.drive.force_curve(law);

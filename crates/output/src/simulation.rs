@@ -268,8 +268,9 @@ fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static 
 /// Lift-off, settling and impacts.
 fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
     let liftoff = match outcome.liftoff_speed {
-        Some(w) => words.decimal(measures.speed_words(w, 6)),
-        None => words.text("simulation-never"),
+        Some(w) => Some(words.decimal(measures.speed_words(w, 6))),
+        None if outcome.floor.is_some() => None,
+        None => Some(words.text("simulation-never")),
     };
     let settles = match outcome.settle_cycles {
         Some(turns) => {
@@ -281,10 +282,11 @@ fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static
         }
         None => words.text("simulation-unsettled"),
     };
-    let mut lines = vec![
-        ("simulation-lift-off", liftoff),
-        ("simulation-settles", settles),
-    ];
+    let mut lines: Vec<_> = (liftoff
+        .map(|text| ("simulation-lift-off", text))
+        .into_iter())
+    .collect();
+    lines.push(("simulation-settles", settles));
     let bounce = outcome.impacts.iter().fold(0.0_f64, |m, i| m.max(i.height));
     let fastest = outcome
         .impacts

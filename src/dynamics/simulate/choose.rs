@@ -136,6 +136,7 @@ fn liftoff_margin(p: &Prepared, rigid: &Outcome) -> LiftoffMargin {
             liftoff: Quantity::new(w, dimension),
         },
         None if p.held => LiftoffMargin::HeldFromBothSides,
+        None if rigid.floor.is_some() => LiftoffMargin::MovingFloor { speed },
         None => LiftoffMargin::NoLiftoff { speed },
     }
 }

@@ -8,7 +8,7 @@ mod shaft;
 
 use crate::dynamics::outcome::{Model, Outcome};
 use crate::dynamics::run::Run;
-use crate::error::Result;
+use crate::error::{DynamicsError, Placed, Result};
 use models::{contact_run, flexible_run, rigid_run};
 use prepared::{Prepared, prepare};
 
@@ -31,11 +31,24 @@ use prepared::{Prepared, prepare};
 ///
 /// # Errors
 /// On profiles that are no curve for their follower (see [`recover`](crate::dynamics::recover())), on machine data out of
-/// range, on an undamped resonance, and on `flexible` without a [`Train`](super::Train).
+/// range, on an undamped resonance, on `flexible` without a [`Train`](super::Train), and on a moving floor under any other
+/// model than the rigid one.
 pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
+    refuse_beside_floor(input, model)?;
     let mut prepared = prepare(input)?;
     shaft::turn(input, &mut prepared, model)?;
     run_under(input, &prepared, model)
+}
+
+/// Only the rigid model at constant speed has a floor.
+fn refuse_beside_floor(input: &Run, model: Model) -> Result<()> {
+    let machine = &input.machine;
+    let is_rigid = matches!(model, Model::Auto | Model::Rigid);
+    let is_alone = is_rigid && machine.train.is_none() && machine.motor.is_none();
+    if machine.floor.is_some() && !is_alone {
+        return Err(DynamicsError::FloorNotRigid.at_key("machine.floor"));
+    }
+    Ok(())
 }
 
 fn run_under(input: &Run, prepared: &Prepared, model: Model) -> Result<Outcome> {

@@ -170,6 +170,7 @@ pub static KEYS: &[Key] = &[
     row("machine.floor.mode.N.ordinate",  number(Ratio, NotNegative),           "1",    field!(machine.modes[N].ordinate)),
     row("machine.walkers.count",       count(MOST_WALKERS),                     "1",    field!(machine.walkers.count)).idle_when(no_floor),
     row("machine.walkers.phases",      TEXTS,                                   "",     field!(machine.walkers.phases)).idle_when(no_floor),
+    row("machine.walkers.weights",     TEXTS,                                   "",     field!(machine.walkers.weights)).idle_when(no_floor),
 
     row("accuracy.rms", number(Percent, Positive).or(NONE), "auto", ACCURACY).relax(Up).idle_when(no_force),
 ];

@@ -71,6 +71,8 @@ pub struct WalkersSpec {
     pub count: usize,
     /// Phase of each, the shaker first; drawn where none is given.
     pub phases: Vec<String>,
+    /// Weight of each, the shaker first; only their ratios count. All the same where none is given.
+    pub weights: Vec<String>,
 }
 
 impl Default for WalkersSpec {
@@ -78,6 +80,7 @@ impl Default for WalkersSpec {
         WalkersSpec {
             count: 1,
             phases: Vec::new(),
+            weights: Vec::new(),
         }
     }
 }
@@ -97,10 +100,25 @@ impl WalkersSpec {
             });
             return Some([0.0].into_iter().chain(drawn).collect());
         }
-        let angles = self.phases.iter().flat_map(|text| text.split(','));
-        let angles = angles.map(|text| parse(text.trim(), Dimension::Angle).ok());
-        let angles: Option<Vec<f64>> = angles.collect();
-        angles.filter(|list| list.len() == self.count)
+        self.listed(&self.phases, Dimension::Angle)
+    }
+
+    /// Weight of each as a part of the shaker's.
+    fn parts(&self) -> Option<Vec<f64>> {
+        if self.weights.is_empty() {
+            return Some(vec![1.0; self.count]);
+        }
+        let weights = self.listed(&self.weights, Dimension::Force)?;
+        let sound = weights.iter().all(|w| w.is_finite() && *w > 0.0);
+        sound.then(|| weights.iter().map(|w| w / weights[0]).collect())
+    }
+
+    /// One number for each walker.
+    fn listed(&self, texts: &[String], dimension: Dimension) -> Option<Vec<f64>> {
+        let numbers = texts.iter().flat_map(|text| text.split(','));
+        let numbers = numbers.map(|text| parse(text.trim(), dimension).ok());
+        let numbers: Option<Vec<f64>> = numbers.collect();
+        numbers.filter(|list| list.len() == self.count)
     }
 }
 
@@ -109,15 +127,15 @@ impl MachineSpec {
     pub fn floor(&self) -> Option<Floor> {
         let single = self.floor.mode("machine.floor.damping");
         let listed = self.modes.iter();
-        let listed = listed.filter_map(|m| m.mode("machine.floor.mode"));
+        let listed = listed.filter_map(|m| m.mode("machine.floor.mode.N.damping"));
         let modes: Vec<FloorMode> = single.into_iter().chain(listed).collect();
         if modes.is_empty() {
             return None;
         }
-        let walkers = self.walkers.angles()?;
+        let (angles, parts) = (self.walkers.angles()?, self.walkers.parts()?);
         Some(Floor {
             modes,
-            walkers: walkers.into_iter().map(|phase| (phase, 1.0)).collect(),
+            walkers: angles.into_iter().zip(parts).collect(),
         })
     }
 
@@ -147,9 +165,15 @@ impl MachineSpec {
                 return Err(("machine.floor.mode", SceneError::FloorTwice));
             }
         }
+        let count = self.walkers.count;
         if self.walkers.angles().is_none() {
-            let count = self.walkers.count;
             return Err(("machine.walkers.phases", SceneError::WalkerPhases { count }));
+        }
+        if self.walkers.parts().is_none() {
+            return Err((
+                "machine.walkers.weights",
+                SceneError::WalkerWeights { count },
+            ));
         }
         let rivals = [
             ("machine.motor", self.motor.is_given()),

@@ -239,7 +239,7 @@ impl<'a> Kernel<'a> {
     /// The row of a harmonic law that keeps its limits, from the harmonics of the force.
     fn closed_row(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Option<Row> {
         let gait = scene.gait.as_ref()?;
-        if scene.machine.motor.is_given() {
+        if scene.machine.motor.is_given() || scene.machine.has_floor() {
             return None;
         }
         let scale = match &gait.source {

@@ -109,6 +109,22 @@ fn closed_rows_equal_single_syntheses_of_a_moving_axis() {
 }
 
 #[test]
+fn rows_on_a_moving_floor_equal_single_syntheses() {
+    let pairs = compared(
+        &[
+            "law.family=harmonic",
+            "limits.stroke=200 mm",
+            "machine.floor.frequency=1.85 Hz",
+            "machine.floor.damping=0.01",
+        ],
+        &["machine.floor.mass=3000 kg:20000 kg"],
+        6,
+    );
+    equal(&pairs);
+    assert!(pairs.iter().all(|p| p.0.outcome == Outcome::Built));
+}
+
+#[test]
 fn closed_rows_equal_single_syntheses_under_limits_sizes_and_counts() {
     // A cam larger than its limit fails its check in a sweep, too.
     equal(&compared(

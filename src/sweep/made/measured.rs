@@ -107,14 +107,16 @@ impl MadeCam {
 }
 
 fn behaviour(design: &Design, pressing: &Law, cut: &Law) -> Behaviour {
-    let drive = &design.drive;
-    let (low, high) = drive.force_extremes(pressing);
+    let (drive, problem) = (&design.drive, &design.problem);
+    let (low, high) = problem.force_extremes(pressing);
     let (least, most) = pressing.extremes(2);
     let error = |target: &crate::force::ForceCurve| {
+        let target = problem.target_at_cam(target);
         let (mut square, mut largest) = (0.0, 0.0_f64);
         for i in 0..POINTS {
             let theta = TAU * i as f64 / POINTS as f64;
-            let off = drive.force(pressing.svaj(theta)) - target.at(theta);
+            let force = drive.force(pressing.svaj(theta)) + problem.extra_force(theta);
+            let off = force - target.at(theta);
             square += off * off / POINTS as f64;
             largest = largest.max(off.abs());
         }
@@ -126,7 +128,7 @@ fn behaviour(design: &Design, pressing: &Law, cut: &Law) -> Behaviour {
         follower: design.cam.follower,
     };
     let second = design.conjugate.as_ref().map(|pair| &pair.second);
-    let free = !design.is_idle() && !held(&made, second);
+    let free = !design.is_idle() && design.floor.is_none() && !held(&made, second);
     Behaviour {
         rms_error_n: error.map(|e| e.0),
         max_error_n: error.map(|e| e.1),

@@ -194,6 +194,7 @@ impl Scatter {
         let Some(target) = &design.target else {
             return Err(SweepError::NoForceError.into());
         };
+        let target = design.problem.target_at_cam(target);
         let count = FIXED + 2 * LOBES.count();
         if design.cam.follower.is_oscillating() {
             return Err(SweepError::ScatterOfArm.into());
@@ -204,7 +205,7 @@ impl Scatter {
             let theta = TAU * i as f64 / POINTS as f64;
             let at = design.cam.law.svaj(theta);
             row[..FIXED].copy_from_slice(&[
-                design.drive.force(at) - target.at(theta),
+                design.drive.force(at) + design.problem.extra_force(theta) - target.at(theta),
                 1.0,
                 at.v,
                 at.a,
@@ -324,8 +325,10 @@ impl Spread {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cam::{Deviation, Inspection};
     use crate::force::Feet;
     use crate::scene;
+    use crate::sweep::MadeCam;
     use crate::synth::synthesise;
 
     fn design() -> Design {
@@ -336,9 +339,41 @@ mod tests {
 
     #[test]
     fn without_tolerances_the_error_is_the_design_s_own() {
-        let design = design();
-        let made = Scatter::new(&design).unwrap().sample(&[], 0, 1, 1);
-        assert!((made.force_rms_error_n / design.force.rms_error_n - 1.0).abs() < 1e-5);
+        let floor = [
+            "machine.floor.mass=10000 kg",
+            "machine.floor.frequency=1.85 Hz",
+            "machine.floor.damping=0.01",
+        ];
+        let motor = [
+            "machine.motor.slope=10 N m s/rad",
+            "machine.inertia=1 kg m^2",
+        ];
+        for changes in [&[][..], &floor, &motor] {
+            let mut table = scene::table(scene::DEFAULT).unwrap();
+            for change in changes {
+                scene::set(&mut table, change).unwrap();
+            }
+            let design = scene::read(&table).unwrap().design().unwrap();
+            let made = Scatter::new(&design).unwrap().sample(&[], 0, 1, 1);
+            let own = design.force.rms_error_n;
+            assert!((made.force_rms_error_n / own - 1.0).abs() < 1e-5, "{own}");
+            let none = Inspection {
+                turn: 0.0,
+                centre: [0.0; 2],
+                deviations: (0..90).map(exact).collect(),
+                alike: Vec::new(),
+            };
+            let cam = MadeCam::of(&design, &none).unwrap().made;
+            assert!((cam.rms_error_n.unwrap() / own - 1.0).abs() < 1e-4);
+            assert!((cam.min_n - design.force.min_n).abs() < 1e-6);
+        }
+    }
+
+    /// A measured point on the contour.
+    fn exact(row: usize) -> Deviation {
+        let theta = TAU * row as f64 / 90.0;
+        let normal = 0.0;
+        Deviation { row, theta, normal }
     }
 
     #[test]

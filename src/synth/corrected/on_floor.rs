@@ -2,7 +2,8 @@
 //!
 //! F = M (g + d″ + z″), and z″ follows from the wanted force by one linear answer per harmonic ([`Floor`]): with it the target of
 //! d″ is another target, as on a shaft whose speed varies ([`crate::problem`]). What the law leaves of the target moves the floor
-//! too: the force that is judged is that under the law as found, and the next round designs for its z″ (theory §10).
+//! too: rounds of designs look for the z″ that the law designed for it makes, so that the limits hold for the true force
+//! (theory §10).
 
 use std::f64::consts::TAU;
 
@@ -15,18 +16,25 @@ use crate::error::{Placed, Result, SynthError};
 use crate::law::Law;
 use crate::poly::samples;
 use crate::problem::Problem;
-use crate::synth::design::Design;
+use crate::synth::design::{Design, Infeasible};
 use crate::synth::sizing::checked_cam::checked_cam;
 use crate::synth::{Search, SizedLaw, at_best_phase, finished, solved};
 
 /// Equal angles of force and acceleration.
 const SAMPLES: usize = 720;
 /// Rounds of designs at most.
-const ROUNDS: usize = 6;
-/// Change of M z″, part of the mean force, at which the design is final.
+const ROUNDS: usize = 30;
+/// Difference of M z″ between what a law is designed for and what it makes, part of the mean force, that is none.
 const SETTLED: f64 = 1e-6;
+/// Rounds before the last that the next one is made from.
+const MEMORY: usize = 5;
+/// Part of a difference between rounds below which it says nothing new.
+const DEPENDENT: f64 = 1e-6;
 /// Step frequencies of the resonance curve, Hz: first, step, and how many.
 const CURVE: (f64, f64, usize) = (1.0, 0.01, 201);
+/// Harmonics of the force whose resonances it shows, and its points about each, half widths of the peak from its top.
+const MOST_RESONANT: u32 = 10;
+const FLANKS: [f64; 9] = [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0];
 
 /// The design on its floor.
 ///
@@ -88,24 +96,74 @@ pub fn designed(problem: &Problem, search: &Search, floor: Floor) -> Result<Desi
         floor,
         problem,
     };
-    let mut moved = on.inertia(&on.floor.of_walkers(0, &on.wanted))?;
-    let mut found = on.round(search, &moved)?;
-    for _ in 1..ROUNDS {
-        let change = moved.iter().zip(&found.moved);
-        let change = change.fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
-        if found.design.infeasible.is_some() || change <= SETTLED * on.problem.target_mean() {
-            break;
+    let settled = SETTLED * on.problem.target_mean();
+    let mut given = on.inertia(&on.floor.of_walkers(0, &on.wanted))?;
+    let mut path: Vec<[Vec<f64>; 2]> = Vec::new();
+    let mut best: Option<(f64, Round)> = None;
+    let (round, moved) = loop {
+        let round = on.round(search, &given)?;
+        let apart = difference(&round.moved, &given);
+        let size = apart.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        if size <= settled {
+            break (round, given);
         }
-        let next = on.round(search, &found.moved)?;
-        if next.design.force.rms_error_n > found.design.force.rms_error_n {
-            break;
+        path.push([round.moved.clone(), apart]);
+        let has_law = round.infeasible.is_none();
+        if best.as_ref().is_none_or(|b| has_law && size < b.0) {
+            best = Some((size, round));
         }
-        moved = std::mem::replace(&mut found, next).moved;
-    }
-    let mut design = found.design;
-    let (motion, resonance) = (FloorMotion::of(&found.acceleration), on.resonance(&design)?);
+        if let Some((_, round)) = best.take_if(|_| !has_law || path.len() == ROUNDS) {
+            let moved = round.moved.clone();
+            break (round, moved);
+        }
+        given = accelerated(&path[path.len().saturating_sub(MEMORY + 1)..]);
+    };
+    let mut design = on.judged(search, &moved, round.sized, round.infeasible)?;
+    let motion = FloorMotion::of(&round.acceleration);
+    let resonance = on.resonance(&design);
     design.floor = Some(OnFloor { motion, resonance });
     Ok(design)
+}
+
+fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn less(from: &mut [f64], part: f64, of: &[f64]) {
+    from.iter_mut().zip(of).for_each(|(x, y)| *x -= part * y);
+}
+
+/// What to design for next, from what rounds made and how far that is from what they were designed for: the combination of
+/// the rounds whose distance is least (Anderson's acceleration; Walker and Ni 2011).
+fn accelerated(path: &[[Vec<f64>; 2]]) -> Vec<f64> {
+    let Some([moved, apart]) = path.last() else {
+        return Vec::new();
+    };
+    let (mut next, mut rest) = (moved.clone(), apart.clone());
+    let mut known: Vec<[Vec<f64>; 2]> = Vec::new();
+    for pair in path.windows(2).rev() {
+        let [mut moved, mut apart] = [0, 1].map(|k| difference(&pair[1][k], &pair[0][k]));
+        let size = dot(&apart, &apart).sqrt();
+        for [other, direction] in &known {
+            let part = dot(direction, &apart);
+            less(&mut apart, part, direction);
+            less(&mut moved, part, other);
+        }
+        let left = dot(&apart, &apart).sqrt();
+        if left > DEPENDENT * size {
+            let unit = |of: Vec<f64>| of.iter().map(|x| x / left).collect::<Vec<_>>();
+            let (moved, apart) = (unit(moved), unit(apart));
+            let part = dot(&apart, &rest);
+            less(&mut rest, part, &apart);
+            less(&mut next, part, &moved);
+            known.push([moved, apart]);
+        }
+    }
+    next
 }
 
 fn sampled(f: impl Fn(f64) -> f64) -> Vec<f64> {
@@ -120,9 +178,10 @@ struct Ground {
     wanted: Vec<(f64, f64)>,
 }
 
-/// A design, with the acceleration of the floor under it, m/s², and M z″ over the turn, N.
+/// A law, with the acceleration of the floor under it, m/s², and M z″ over the turn, N.
 struct Round {
-    design: Design,
+    sized: SizedLaw,
+    infeasible: Option<Infeasible>,
     acceleration: Vec<(f64, f64)>,
     moved: Vec<f64>,
 }
@@ -160,49 +219,69 @@ impl Ground {
             .acceleration(drive.speed, &all.collect::<Vec<_>>())
     }
 
-    /// The design for a motion of the floor, judged under the one that it makes.
-    fn round(&self, search: &Search, moved: &[f64]) -> Result<Round> {
+    /// The law for a motion of the floor, and the motion that it makes.
+    fn round(&self, search: &Search, given: &[f64]) -> Result<Round> {
         // What is kept belongs to the target of the round before.
         let fresh = Search {
             cache: Default::default(),
             ..search.clone()
         };
-        let (sized, infeasible) = solved(&self.moving(moved), &fresh)?;
+        let (sized, infeasible) = solved(&self.moving(given), &fresh)?;
         let acceleration = self.under(&sized.law.law)?;
         let moved = self.weighed(&acceleration);
-        let judged = self.moving(&moved);
-        let checked = checked_cam(&judged, search, &sized.law.law, None)?;
-        let sized = SizedLaw { checked, ..sized };
-        let mut design = finished(&judged, search, sized, infeasible)?;
-        design.target = self.problem.target.as_ref().map(|t| (*t.curve).clone());
-        design.band = self.problem.band.clone();
         Ok(Round {
-            design,
+            sized,
+            infeasible,
             acceleration,
             moved,
         })
     }
 
-    /// The motion under the wanted force over the step frequency; without the points at which an undamped mode has none.
-    fn resonance(&self, design: &Design) -> Result<Vec<AtFrequency>> {
+    /// The design of a law over a motion of the floor.
+    fn judged(
+        &self,
+        search: &Search,
+        moved: &[f64],
+        sized: SizedLaw,
+        infeasible: Option<Infeasible>,
+    ) -> Result<Design> {
+        let judged = self.moving(moved);
+        let checked = checked_cam(&judged, search, &sized.law.law, None)?;
+        let mut design = finished(&judged, search, SizedLaw { checked, ..sized }, infeasible)?;
+        design.target = self.problem.target.as_ref().map(|t| (*t.curve).clone());
+        design.band = self.problem.band.clone();
+        Ok(design)
+    }
+
+    /// The motion under the wanted force over the step frequency, at equal steps and at the resonances; without the points at
+    /// which an undamped mode has none.
+    fn resonance(&self, design: &Design) -> Vec<AtFrequency> {
         let steps = design
             .load_factors()
             .first()
             .map_or(1.0, |f| 1.0 / f.of_step);
-        let all = self.floor.of_walkers(0, &self.wanted);
         let (first, step, count) = CURVE;
-        let points = (0..count).filter_map(|i| {
-            let step_frequency = first + step * i as f64;
-            let answer = self
-                .floor
-                .acceleration(TAU * step_frequency / steps, &all)
-                .ok()?;
+        let last = first + step * (count - 1) as f64;
+        let mut at: Vec<f64> = (0..count).map(|i| first + step * i as f64).collect();
+        for mode in &self.floor.modes {
+            for harmonic in 1..=MOST_RESONANT {
+                let peak = steps * mode.frequency / f64::from(harmonic);
+                let flanks = FLANKS.map(|widths| peak * (1.0 + widths * mode.damping));
+                at.extend(flanks.into_iter().filter(|f| (first..=last).contains(f)));
+            }
+        }
+        at.sort_by(f64::total_cmp);
+        at.dedup();
+        let all = self.floor.of_walkers(0, &self.wanted);
+        let point = |step_frequency: f64| {
+            let speed = TAU * step_frequency / steps;
+            let answer = self.floor.acceleration(speed, &all).ok()?;
             let motion = FloorMotion::of(&answer);
             Some(AtFrequency {
                 step_frequency,
                 motion,
             })
-        });
-        Ok(points.collect())
+        };
+        at.into_iter().filter_map(point).collect()
     }
 }

@@ -13,7 +13,7 @@ const GIVEN_BACK: f64 = 1e-12;
 /// Torque, power, lift-off and pressure of a rigid machine without friction, exact on the continuous law.
 ///
 /// `None` where a number is not defined: without any load, on a cam that slides (it has a push, no torque),
-/// for a follower that no speed lifts off, on an undercut cam.
+/// for a follower that no speed lifts off, on an undercut cam; lift-off and pressure also on a floor that moves.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -122,7 +122,7 @@ impl Design {
     /// Speed at which a follower that is not held from both sides leaves the cam.
     fn liftoff(&self) -> Option<f64> {
         let second = self.conjugate.as_ref().map(|pair| &pair.second);
-        if held(&self.cam, second) {
+        if self.floor.is_some() || held(&self.cam, second) {
             return None;
         }
         liftoff_speed(self.pressing(), &self.drive)
@@ -130,6 +130,9 @@ impl Design {
 
     /// Highest pressure on any of its contacts.
     fn pressure(&self) -> Option<f64> {
+        if self.floor.is_some() {
+            return None;
+        }
         let press = Press {
             drive: &self.drive,
             thickness: self.thickness,

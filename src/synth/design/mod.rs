@@ -202,9 +202,7 @@ impl Design {
 
     /// Contact force at a cam angle, N, at the speed that the shaft has there.
     pub fn force_at(&self, theta: f64) -> f64 {
-        let extra = self.problem.on_shaft.as_ref();
-        let extra = extra.map_or(0.0, |shaft| shaft.extra.eval(theta.rem_euclid(TAU)));
-        self.drive.force(self.pressing().svaj(theta)) + extra
+        self.drive.force(self.pressing().svaj(theta)) + self.problem.extra_force(theta)
     }
 
     /// Speed of the shaft, rad/s, and time since cam angle 0, s, at a cam angle of the first turn.

@@ -93,12 +93,13 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     }
     for (name, order, limit) in limited(problem) {
         let per_time = problem.drive.speed.powi(order as i32);
-        let timed = match &problem.on_shaft {
+        let extra = problem.on_shaft.as_ref();
+        let timed = match extra.and_then(|shaft| shaft.timed.get(order - 1)) {
             None => Extreme::largest(cam.derivative_extremes(order)).map(|value| value * per_time),
-            Some(shaft) => {
+            Some(extra) => {
                 let [weights @ .., _] = only(order, per_time);
                 let own = cam.law.combination(weights, 0.0);
-                Extreme::largest(sum(&own, &shaft.timed[order - 1]).extremes())
+                Extreme::largest(sum(&own, extra).extremes())
             }
         };
         out.push(Check::at_most(name, timed, limit, SLACK));

@@ -46,6 +46,8 @@ dynamics-no-load-speed = the no-load speed of the motor, { $nominal }, is too lo
     .help = set machine.motor.no_load_speed = "{ $needed }" or more, or a lower machine.motor.gear
 dynamics-floor-resonance = the floor has no steady motion: harmonic { $harmonic } of the force is at its undamped frequency of { $frequency }
     .help = give this mode a damping ratio above 0, for example "0.005"
+dynamics-floor-not-rigid = only the rigid model at constant speed has a floor that moves
+    .help = use --model rigid or auto without motor and flexible follower, or omit [machine.floor]
 dynamics-open-polydyne = a polydyne cam needs a law that repeats: otherwise there is no steady state
 dynamics-polydyne-jump = the { $derivative } of the law is discontinuous at { $at }; the lift of a polydyne cam contains the force, so the cam's own acceleration would be discontinuous there
     .help = use a law with four continuous derivatives: a spline of degree 5 or more, harmonics, or 5-6-7-8-9 segments
@@ -61,6 +63,7 @@ model-vibrates = { $vibration }, more than { $allowed }; { $margin }
 model-hardly-vibrates = { $vibration }, no more than { $allowed }; { $margin }
 model-held-from-both-sides = held from both sides, the follower cannot lift off
 model-no-liftoff = speed { $speed }, no speed lifts the follower off
+model-moving-floor = speed { $speed }; the lift-off speed of a moving floor is not computed
 model-liftoff-at = speed { $speed }, lift-off at { $liftoff }
 model-no-force = nothing presses the follower on the cam: the drive has neither mass nor spring nor preload
 model-inertia-only = no mean load presses the follower on the cam, inertia gives { $low } … { $high }; { $liftoff }

@@ -124,8 +124,9 @@ key-machine-floor-mode-N-mass = Modal mass of a mode, where the structure has se
 key-machine-floor-mode-N-frequency = Its natural frequency.
 key-machine-floor-mode-N-damping = Its damping ratio.
 key-machine-floor-mode-N-ordinate = Ordinate of the mode at the shaker.
-key-machine-walkers-count = Walkers on the structure, all at the shaker's place and weight, with the shaker itself.
+key-machine-walkers-count = Walkers on the structure, all at the shaker's place, with the shaker itself.
 key-machine-walkers-phases = Phase of the force of each walker, the shaker first; without it the phases of the others are drawn, the same in every run.
+key-machine-walkers-weights = Weight of each walker, the shaker first; only their ratios count. Without it all are as heavy as the shaker's.
 key-accuracy-rms = Accepted RMS force error as a share of the mean force; auto is 0.5 %, or the step-to-step spread of the recording where that is larger; none: not judged.
 
 built-in-footbridge = Load model of walking on a footbridge, 700 N at 1.85 Hz: the default

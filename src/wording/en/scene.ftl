@@ -142,6 +142,8 @@ scene-floor-twice = the floor is given twice: as one mode and as a list
     .help = move the numbers of [machine.floor] into a [[machine.floor.mode]]
 scene-walker-phases = not one angle for each of the { $count } walkers of machine.walkers.count
     .help = write { $count } angles, the shaker first, for example ["0 deg", "90 deg"] for 2; or omit the key: they are drawn
+scene-walker-weights = not one positive weight for each of the { $count } walkers of machine.walkers.count
+    .help = write { $count } weights, the shaker first, for example ["700 N", "850 N"] for 2; or omit the key: all are equal
 scene-floor-alone = not available on a floor that moves
     .help = omit it, or [machine.floor]
 scene-floor-needs-shaker = a floor moves under a mass that follows a force: drive.kind = "moving-axis", with [gait], without law.polydyne

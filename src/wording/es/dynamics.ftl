@@ -46,6 +46,8 @@ dynamics-no-load-speed = la velocidad en vacío del motor, { $nominal }, es dema
     .help = ponga machine.motor.no_load_speed = "{ $needed }" o más, o un machine.motor.gear menor
 dynamics-floor-resonance = el suelo no tiene movimiento estacionario: el armónico { $harmonic } de la fuerza está en su frecuencia sin amortiguar de { $frequency }
     .help = dé a este modo una razón de amortiguamiento mayor que 0, por ejemplo "0.005"
+dynamics-floor-not-rigid = solo el modelo rígido a velocidad constante tiene un suelo que se mueve
+    .help = use --model rigid o auto sin motor ni seguidor flexible, u omita [machine.floor]
 dynamics-open-polydyne = una leva polidina necesita una ley que se repita: si no, no hay régimen permanente
 dynamics-polydyne-jump = la { $derivative ->
         [lift] elevación
@@ -67,6 +69,7 @@ model-vibrates = { $vibration }, más del { $allowed }; { $margin }
 model-hardly-vibrates = { $vibration }, no más del { $allowed }; { $margin }
 model-held-from-both-sides = sujeto por ambos lados, el seguidor no puede despegarse
 model-no-liftoff = velocidad { $speed }, ninguna velocidad despega el seguidor
+model-moving-floor = velocidad { $speed }; la velocidad de despegue sobre un suelo que se mueve no se calcula
 model-liftoff-at = velocidad { $speed }, despegue a { $liftoff }
 model-no-force = nada aprieta el seguidor contra la leva: el accionamiento no tiene masa, muelle ni precarga
 model-inertia-only = ninguna carga media aprieta el seguidor contra la leva, la inercia da { $low } … { $high }; { $liftoff }

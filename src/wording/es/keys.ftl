@@ -124,8 +124,9 @@ key-machine-floor-mode-N-mass = Masa modal de un modo, si la estructura tiene va
 key-machine-floor-mode-N-frequency = Su frecuencia propia.
 key-machine-floor-mode-N-damping = Su razón de amortiguamiento.
 key-machine-floor-mode-N-ordinate = Ordenada del modo en el excitador.
-key-machine-walkers-count = Peatones sobre la estructura, todos en el lugar y con el peso del excitador, incluido este.
+key-machine-walkers-count = Peatones sobre la estructura, todos en el lugar del excitador, incluido este.
 key-machine-walkers-phases = Fase de la fuerza de cada peatón, primero el excitador; sin ella las de los demás se sortean, las mismas en cada ejecución.
+key-machine-walkers-weights = Peso de cada peatón, primero el excitador; solo cuentan sus proporciones. Sin ella todos pesan como el del excitador.
 key-accuracy-rms = Error RMS de fuerza admitido como parte de la fuerza media; auto es 0,5 %, o la dispersión entre pasos del registro si es mayor; none: no se juzga.
 
 built-in-footbridge = Modelo de carga de caminar sobre una pasarela, 700 N a 1,85 Hz: la escena por defecto

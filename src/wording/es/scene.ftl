@@ -142,6 +142,8 @@ scene-floor-twice = el suelo está dos veces: como un modo y como una lista
     .help = pase los números de [machine.floor] a un [[machine.floor.mode]]
 scene-walker-phases = no es un ángulo para cada uno de los { $count } peatones de machine.walkers.count
     .help = escriba { $count } ángulos, primero el excitador, por ejemplo ["0 deg", "90 deg"] para 2; u omita la clave: se sortean
+scene-walker-weights = no es un peso positivo para cada uno de los { $count } peatones de machine.walkers.count
+    .help = escriba { $count } pesos, primero el excitador, por ejemplo ["700 N", "850 N"] para 2; u omita la clave: todos pesan lo mismo
 scene-floor-alone = no está disponible sobre un suelo que se mueve
     .help = omítalo u omita [machine.floor]
 scene-floor-needs-shaker = un suelo se mueve bajo una masa que sigue una fuerza: drive.kind = "moving-axis", con [gait], sin law.polydyne

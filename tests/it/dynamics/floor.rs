@@ -37,9 +37,14 @@ fn mode(mass: f64, frequency: f64, damping: f64) -> FloorMode {
     }
 }
 
-/// Steady peak and RMS acceleration by Runge and Kutta's method of the fourth order on the modes under the shaker's inertia and
+/// Velocity and acceleration over the last of many turns, from angle 0, by Runge and Kutta's method of the fourth order on the modes under the shaker's inertia and
 /// the others' force; F = M (g + d″ + z″) makes M φ² part of the modal mass.
-fn integrated(modes: &[FloorMode], mass: f64, omega: f64, still: impl Fn(f64) -> f64) -> Vec<f64> {
+fn integrated(
+    modes: &[FloorMode],
+    mass: f64,
+    omega: f64,
+    still: impl Fn(f64) -> f64,
+) -> Vec<[f64; 2]> {
     const STEPS: usize = 4000;
     let [m] = modes else { panic!("one mode") };
     let own = TAU * m.frequency;
@@ -51,11 +56,12 @@ fn integrated(modes: &[FloorMode], mass: f64, omega: f64, still: impl Fn(f64) ->
     };
     let h = TAU / omega / STEPS as f64;
     let (mut y, mut last) = ([0.0; 2], Vec::new());
-    for turn in 0..400 {
+    // Until e^(−2πζ n) is 1e-11.
+    for turn in 0..(4.0 / m.damping) as usize {
         last.clear();
         for i in 0..STEPS {
             let t = h * (turn * STEPS + i) as f64;
-            last.push(slope(t, y)[1]);
+            last.push(slope(t, y));
             let add = |y: [f64; 2], k: [f64; 2], h: f64| [y[0] + h * k[0], y[1] + h * k[1]];
             let k1 = slope(t, y);
             let k2 = slope(t + 0.5 * h, add(y, k1, 0.5 * h));
@@ -81,11 +87,119 @@ fn the_steady_motion_is_that_of_an_integration_over_time() {
     let none = [(0.0, 0.0); 3];
     let pressed = floor.pressed(mass, omega, &own, &none).unwrap();
     let motion = FloorMotion::of(&floor.acceleration(omega, &pressed).unwrap());
-    let rows = integrated(&floor.modes, mass, omega, still);
-    let peak = rows.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let rms = (rows.iter().map(|x| x * x).sum::<f64>() / rows.len() as f64).sqrt();
-    assert!((motion.acceleration_peak_m_per_s2 / peak - 1.0).abs() < 1e-3);
-    assert!((motion.acceleration_rms_m_per_s2 / rms - 1.0).abs() < 1e-6);
+    moves_as(motion, &integrated(&floor.modes, mass, omega, still));
+}
+
+/// The peaks of two samplings of a turn by 4000 points differ by 1e-6.
+fn moves_as(motion: FloorMotion, rows: &[[f64; 2]]) {
+    let peak = rows.iter().fold(0.0_f64, |m, x| m.max(x[1].abs()));
+    let rms = mean(rows, |x| x[1] * x[1]).sqrt();
+    let [own_peak, own_rms] = [
+        motion.acceleration_peak_m_per_s2,
+        motion.acceleration_rms_m_per_s2,
+    ];
+    assert!((own_peak / peak - 1.0).abs() < 1e-5, "{own_peak} {peak}");
+    assert!((own_rms / rms - 1.0).abs() < 1e-6, "{own_rms} {rms}");
+}
+
+fn mean(rows: &[[f64; 2]], of: impl Fn(&[f64; 2]) -> f64) -> f64 {
+    rows.iter().map(of).sum::<f64>() / rows.len() as f64
+}
+
+#[test]
+fn limits_of_the_force_hold_for_the_true_force_on_the_moving_floor() {
+    for (mass, frequency, damping) in [
+        ("10000 kg", "1.85 Hz", "0.01"),
+        ("1500 kg", "2 Hz", "0.01"),
+        ("10000 kg", "1.85 Hz", "0.004"),
+    ] {
+        let mut changes = bridge(mass, frequency, damping);
+        changes.extend([
+            ("limits.force_min", "600 N"),
+            ("limits.stroke", "200 mm"),
+            ("accuracy.rms", "none"),
+        ]);
+        let found = design(&changes);
+        assert_eq!(found.verdict, Verdict::Acceptable, "{mass} {damping}");
+        let floor = found.problem.machine.floor().unwrap();
+        let (drive, law) = (found.drive, &found.cam.law);
+        let still = |x: f64| drive.force(law.svaj(x));
+        let rows = integrated(&floor.modes, drive.mass, drive.speed, still);
+        let forces = rows.iter().enumerate().map(|(i, x)| {
+            let angle = TAU * i as f64 / rows.len() as f64;
+            still(angle) + drive.mass * x[1]
+        });
+        let low = forces.fold(f64::INFINITY, f64::min);
+        assert!((low - 600.0).abs() < 1e-3, "{low}");
+        moves_as(found.floor.as_ref().unwrap().motion, &rows);
+    }
+}
+
+#[test]
+fn limits_by_time_are_those_of_the_law_on_a_moving_floor() {
+    for (order, key, unit, limit) in [
+        (1, "limits.velocity", "m/s", 0.2),
+        (2, "limits.acceleration", "m/s^2", 3.0),
+        (3, "limits.jerk", "m/s^3", 40.0),
+    ] {
+        let text = format!("{limit} {unit}");
+        let mut changes = bridge("10000 kg", "1.85 Hz", "0.01");
+        changes.extend([(key, text.as_str()), ("accuracy.rms", "none")]);
+        let found = design(&changes);
+        assert_eq!(found.verdict, Verdict::Acceptable, "{key}");
+        let (low, high) = found.cam.law.extremes(order);
+        let largest = high.value.max(-low.value) * found.drive.speed.powi(order as i32);
+        assert!((largest / limit - 1.0).abs() < 1e-6, "{key}: {largest}");
+    }
+}
+
+#[test]
+fn the_shaft_works_as_much_as_the_damping_of_the_floor_uses() {
+    let found = design(&bridge("10000 kg", "1.85 Hz", "0.01"));
+    let run = found.emitted(&found.problem.machine, found.drive).unwrap();
+    let worked = simulate(&run, Model::Auto).unwrap().torque.mean * found.drive.speed;
+    let drive = found.drive;
+    let floor = found.problem.machine.floor().unwrap();
+    let [m] = floor.modes[..] else { panic!() };
+    let still = |x: f64| drive.force(found.cam.law.svaj(x));
+    let rows = integrated(&floor.modes, drive.mass, drive.speed, still);
+    let lost = 2.0 * m.damping * TAU * m.frequency * m.mass * mean(&rows, |x| x[0] * x[0]);
+    assert!((worked / lost - 1.0).abs() < 1e-9, "{worked} {lost}");
+}
+
+#[test]
+fn the_resonance_curve_shows_a_peak_that_is_narrower_than_its_steps() {
+    let mut changes = bridge("10000 kg", "1.8537 Hz", "0.0003");
+    changes.push(("limits.stroke", "2 m"));
+    let found = design(&changes);
+    let curve = found.floor.unwrap().resonance;
+    let top = curve.iter().max_by(|a, b| {
+        a.motion
+            .acceleration_rms_m_per_s2
+            .total_cmp(&b.motion.acceleration_rms_m_per_s2)
+    });
+    let top = top.unwrap();
+    let first = 700.0 * 0.37 * (1.85 - 0.95) / (2.0 * 0.0003 * 1e4);
+    let rms = top.motion.acceleration_rms_m_per_s2 * 2_f64.sqrt();
+    assert!((top.step_frequency - 1.8537).abs() < 1e-9 && (rms / first - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn only_the_rigid_model_has_a_floor() {
+    let found = design(&bridge("10000 kg", "1.85 Hz", "0.01"));
+    let run = found.emitted(&found.problem.machine, found.drive).unwrap();
+    for model in [Model::Contact, Model::Flexible] {
+        let error = simulate(&run, model).unwrap_err();
+        assert!(error.place.to_string().contains("machine.floor"));
+    }
+    let out = simulate(&run, Model::Rigid).unwrap();
+    assert!(out.floor.is_some() && out.liftoff_speed.is_none());
+    let report = found.machine();
+    assert!(report.torque_max_n_m.is_some());
+    assert_eq!(
+        (report.liftoff_speed_rad_per_s, report.hertz_pressure_max_pa),
+        (None, None)
+    );
 }
 
 #[test]
@@ -200,6 +314,16 @@ fn walkers_in_step_add_and_walkers_half_a_turn_apart_cancel_the_first_harmonic()
         .unwrap();
     let one = one.motion.acceleration_peak_m_per_s2;
     assert!((peak("3", "0 deg, 0 deg, 0 deg") / one - 3.0).abs() < 0.02);
+    let mut heavier = bridge("50000 kg", "1.85 Hz", "0.01");
+    heavier.extend([
+        ("machine.walkers.count", "2"),
+        ("machine.walkers.phases", "0 deg, 0 deg"),
+        ("machine.walkers.weights", "700 N, 1400 N"),
+    ]);
+    let both = design(&heavier).floor.unwrap().motion;
+    assert!(
+        (both.acceleration_peak_m_per_s2 / peak("3", "0 deg, 0 deg, 0 deg") - 1.0).abs() < 1e-9
+    );
     assert!(peak("2", "0 deg, 180 deg") < 0.2 * one);
 }
 
@@ -245,6 +369,16 @@ fn a_floor_that_cannot_be_is_refused_with_its_key() {
         ("machine.walkers.phases", "0 deg, 10 deg"),
     ]);
     assert!(refused(&phases).0.contains("machine.walkers.phases"));
+    let mut weights = bridge("10000 kg", "1.85 Hz", "0.01");
+    weights.extend([
+        ("machine.walkers.count", "2"),
+        ("machine.walkers.weights", "700 N, -1 N"),
+    ]);
+    assert!(refused(&weights).0.contains("machine.walkers.weights"));
+    let modes = "[{ mass = \"1e4 kg\", frequency = \"5 Hz\", damping = 0.01 }, \
+                 { mass = \"1e4 kg\", frequency = \"3.7 Hz\", damping = 0 }]";
+    let (place, said) = refused(&[("machine.floor.mode", modes)]);
+    assert!(place.contains("machine.floor.mode.2.damping") && said.contains("3.7 Hz"));
     let mut torque = bridge("10000 kg", "1.85 Hz", "0.01");
     torque.push(("limits.torque", "10 N m"));
     assert!(refused(&torque).0.contains("limits.torque"));

@@ -127,13 +127,14 @@ fn complete_motor(table: &mut Table) {
     machine.entry("inertia").or_insert_with(inertia);
 }
 
-/// Leaves a floor its listed modes or one whole mode, and no motor or flexible follower beside it; phases are drawn.
+/// Leaves a floor its listed modes or one whole mode, and no motor or flexible follower beside it; phases are drawn, weights equal.
 fn complete_floor(table: &mut Table) {
     let Some(machine) = table.get_mut("machine").and_then(|m| m.as_table_mut()) else {
         return;
     };
-    let walkers = machine.get_mut("walkers").and_then(|w| w.as_table_mut());
-    walkers.and_then(|w| w.remove("phases"));
+    if let Some(walkers) = machine.get_mut("walkers").and_then(|w| w.as_table_mut()) {
+        walkers.retain(|key, _| key == "count");
+    }
     let rivals = ["motor", "natural_frequency", "stiffness"];
     if rivals.iter().any(|rival| machine.contains_key(*rival)) {
         machine.remove("floor");

@@ -49,7 +49,7 @@ pub fn floor(design: &Design) -> Option<String> {
     let rows = floor.resonance.iter().map(|p| {
         let m = p.motion;
         let [peak, rms] = [m.acceleration_peak_m_per_s2, m.acceleration_rms_m_per_s2];
-        format!("{:.2},{peak},{rms},{}\n", p.step_frequency, m.comfort)
+        format!("{:.6},{peak},{rms},{}\n", p.step_frequency, m.comfort)
     });
     let names = "step_frequency_hz,acceleration_peak_m_per_s2,acceleration_rms_m_per_s2,comfort\n";
     Some([names.to_string()].into_iter().chain(rows).collect())

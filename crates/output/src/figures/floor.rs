@@ -33,7 +33,7 @@ fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Picture {
         for (class, bound) in (1..).zip(FloorMotion::CLASSES) {
             if bound < y[1] {
                 let name = format!("CL{class}");
-                panel.level(bound, Some((&name, VPos::Bottom)), QUIET, &curve)?;
+                panel.level(bound, Some((&name, VPos::Top)), QUIET, &curve)?;
             }
         }
         panel.quantity(&words.text("figure-floor-acceleration"))?;

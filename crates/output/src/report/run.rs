@@ -99,6 +99,7 @@ fn liftoff(synthesis: &Design, outcome: &Outcome, words: &Words) -> (String, Str
             let own = speed(synthesis.drive.speed);
             (speed(w), words.fill("report-runs-at", &[("speed", &own)]))
         }
+        None if outcome.floor.is_some() => ("–".to_string(), String::new()),
         None => (words.text("report-liftoff-none"), String::new()),
     }
 }

@@ -77,6 +77,8 @@ fn on_floor(input: &Run, p: &Prepared, floor: &Floor) -> Result<Outcome> {
     let forces: Vec<f64> = still.iter().zip(moved).map(|(f, a)| f + mass * a).collect();
     let mut out = sampled(input, p, &forces);
     out.floor = Some(FloorMotion::of(&acceleration));
+    // It is that of a stiff floor.
+    out.liftoff_speed = None;
     Ok(out)
 }
 
