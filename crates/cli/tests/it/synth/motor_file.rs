@@ -43,6 +43,11 @@ fn faults_of_a_motor_curve_speak_of_a_torque_curve() {
         );
         assert!(!said.contains("recording"), "{said}");
     }
+    let said = refusal("a,b\n1,2\n2,1\n", "es");
+    assert!(
+        said.contains("motor.csv línea 1: la curva de par"),
+        "{said}"
+    );
     let said = refusal("hola\n", "es");
     assert!(said.contains("la curva de par de un motor"), "{said}");
 }
