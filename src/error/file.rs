@@ -46,6 +46,10 @@ pub enum FileError {
     AnotherSweep { differences: String },
     /// The folder holds files that are no block of a sweep.
     NotSweepFolder { file: String },
+    /// No table of numbers where the curve of a motor, or the rows of a motion, are to be; `start` is the start of the file.
+    NoTable { start: String, purpose: String },
+    /// The curve of a motor lacks a column.
+    MotorColumn { column: String, columns: String },
     /// A motion lacks a column.
     MotionColumn {
         column: String,

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use toml::{Table, Value};
 
-use crate::error::{Error, FileError, Placed, Result, SceneError};
+use crate::error::{Error, FileError, Placed, ReadError, Result, SceneError};
 use crate::force::{Cell, NumberTable};
 use crate::law::Rise;
 use crate::scene::keys::short;
@@ -52,6 +52,17 @@ fn curve_file(scene: &Table) -> Option<&str> {
     first.parse::<f64>().is_err().then_some(curve)
 }
 
+/// The table of a file; where there is none, the error says what such a file holds.
+fn find_table<'a>(path: &Path, bytes: &'a [u8], purpose: &str) -> Result<NumberTable<'a>> {
+    NumberTable::find(path, bytes).map_err(|error| match error.fault() {
+        Some(ReadError::NoTable { start }) => {
+            let (start, purpose) = (start.clone(), purpose.to_string());
+            FileError::NoTable { start, purpose }.in_file(path)
+        }
+        _ => error,
+    })
+}
+
 /// Puts the rows of the motor's curve in place of its file.
 fn put_curve(scene: &mut Table, read: &mut dyn FnMut(&Path) -> Result<Content>) -> Result<()> {
     let Some(file) = curve_file(scene).map(str::to_string) else {
@@ -59,16 +70,13 @@ fn put_curve(scene: &mut Table, read: &mut dyn FnMut(&Path) -> Result<Content>) 
     };
     let key = "machine.motor.curve";
     let (path, bytes) = read(Path::new(&file)).map_err(|e| e.at_key(key))?;
-    let table = NumberTable::find(&path, &bytes)?;
+    let table = find_table(&path, &bytes, "motor")?;
     let column = |name: &str| {
         let place = table.names().iter().position(|n| n.trim() == name);
         place.ok_or_else(|| {
-            let fault = FileError::MotionColumn {
-                column: name.to_string(),
-                example: name.to_string(),
-                columns: table.names().join(", "),
-            };
-            fault.at_line(&path, table.header_line())
+            let columns = table.names().join(", ");
+            let column = name.to_string();
+            FileError::MotorColumn { column, columns }.at_line(&path, table.header_line())
         })
     };
     let columns = [column("speed_rad_per_s")?, column("torque_n_m")?];
@@ -225,7 +233,7 @@ struct Rows {
 
 impl Rows {
     fn read(path: &Path, bytes: &[u8], word: &str) -> Result<Rows> {
-        let table = NumberTable::find(path, bytes)?;
+        let table = find_table(path, bytes, word)?;
         let missing = |column: &str, example: &str| {
             let fault = FileError::MotionColumn {
                 column: column.to_string(),

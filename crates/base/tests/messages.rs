@@ -1,7 +1,9 @@
 //! Every fault of a quantity has its sentence in both languages.
 
 use gaitcam_base::error::{Fault, UnitsError};
-use gaitcam_base::wording::{FILES, Language, WORDS};
+use gaitcam_base::units::Quantity;
+use gaitcam_base::wording::{Catalogue, FILES, Language, WORDS};
+use serde::Serialize;
 use strum::VariantNames;
 
 #[path = "../../test-support/src/fluent.rs"]
@@ -26,4 +28,29 @@ fn spanish_has_the_messages_help_texts_and_arguments_of_english() {
     for [english, spanish] in FILES {
         fluent::assert_same_messages(english, spanish);
     }
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "kebab-case")]
+enum Message {
+    Forces { mean: Quantity, weight: Quantity },
+}
+
+#[test]
+fn quantities_of_notes_have_four_digits_and_those_of_reasons_six() {
+    const ENGLISH: &str =
+        "design-forces = { $mean }, { $weight }\nreason-forces = { $mean }, { $weight }\n";
+    static WORDS: Catalogue = Catalogue::new(&[&[[ENGLISH, ENGLISH]]]);
+    let say = |language, area, mean, weight| {
+        let (mean, weight) = (Quantity::force(mean), Quantity::force(weight));
+        let message = Message::Forces { mean, weight };
+        WORDS.of(language).sentence(area, &message)
+    };
+    let (en, es) = (Language::En, Language::Es);
+    let (a, b) = (4.951_794_3, 25.438_216);
+    assert_eq!(say(en, "design", a, b), "4.952 N, 25.44 N");
+    assert_eq!(say(es, "design", a, b), "4,952 N, 25,44 N");
+    assert_eq!(say(en, "reason", a, b), "4.95179 N, 25.4382 N");
+    // Two that four digits would show as one number.
+    assert_eq!(say(en, "design", 700.0, 700.042), "700 N, 700.042 N");
 }

@@ -31,6 +31,14 @@ file-another-sweep = is another sweep: { $differences }
     .help = repeat the sweep as it was, or choose another place
 file-not-sweep-folder = holds { $file }, which is no block of a sweep
     .help = give an empty folder, or the one of this sweep
+file-no-table = no table of numbers found
+    .help = the file starts with "{ $start }"; { $purpose ->
+        [motor] the torque curve of a motor has the header speed_rad_per_s,torque_n_m
+        [spline] control points have a header such as lift_mm
+       *[table] a motion has a header such as angle_deg,lift_mm
+    } and under it rows of numbers
+file-motor-column = the torque curve has no column { $column } (columns: { $columns })
+    .help = its header is speed_rad_per_s,torque_n_m
 file-motion-column = there is no column { $column } (columns: { $columns })
     .help = name it with its unit in the header, for example { $example }
 file-motion-unit = column { $column }: its unit is missing or of another kind

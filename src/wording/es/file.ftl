@@ -31,6 +31,14 @@ file-another-sweep = es otro barrido: { $differences }
     .help = repita el barrido tal como era, o elija otro lugar
 file-not-sweep-folder = contiene { $file }, que no es un bloque de un barrido
     .help = indique una carpeta vacía o la de este barrido
+file-no-table = no se encontró ninguna tabla de números
+    .help = el archivo empieza con «{ $start }»; { $purpose ->
+        [motor] la curva de par de un motor tiene el encabezado speed_rad_per_s,torque_n_m
+        [spline] los puntos de control tienen un encabezado como lift_mm
+       *[table] un movimiento tiene un encabezado como angle_deg,lift_mm
+    } y debajo filas de números
+file-motor-column = la curva de par no tiene la columna { $column } (columnas: { $columns })
+    .help = su encabezado es speed_rad_per_s,torque_n_m
 file-motion-column = no hay columna { $column } (columnas: { $columns })
     .help = nómbrela con su unidad en el encabezado, por ejemplo { $example }
 file-motion-unit = columna { $column }: falta su unidad o es de otra clase

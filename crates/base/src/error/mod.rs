@@ -113,10 +113,10 @@ impl Error {
 
     /// Place, fault and help as one line.
     pub fn sentence(&self, language: Language) -> String {
-        let what = self.what(language);
+        let (place, what) = (self.place.before(language), self.what(language));
         match self.help(language) {
-            None => format!("{}{what}", self.place),
-            Some(help) => format!("{}{what}; {help}", self.place),
+            None => format!("{place}{what}"),
+            Some(help) => format!("{place}{what}; {help}"),
         }
     }
 }

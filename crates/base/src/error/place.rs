@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use super::Error;
+use crate::wording::Language;
 
 /// Where in the input a fault is.
 ///
@@ -32,16 +33,27 @@ pub enum Place {
     Argument(String),
 }
 
+impl Place {
+    /// The place before a sentence of this language, with its colon.
+    pub fn before(&self, language: Language) -> String {
+        let line_word = match language {
+            Language::En => "line",
+            Language::Es => "línea",
+        };
+        match self {
+            Place::Unplaced => String::new(),
+            Place::File(path) => format!("{}: ", path.display()),
+            Place::Line(path, line) => format!("{} {line_word} {line}: ", path.display()),
+            Place::Byte(path, offset) => format!("{} byte {offset}: ", path.display()),
+            Place::Key(key) => format!("{key}: "),
+            Place::Argument(flag) => format!("{flag}: "),
+        }
+    }
+}
+
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Place::Unplaced => Ok(()),
-            Place::File(path) => write!(f, "{}: ", path.display()),
-            Place::Line(path, line) => write!(f, "{} line {line}: ", path.display()),
-            Place::Byte(path, offset) => write!(f, "{} byte {offset}: ", path.display()),
-            Place::Key(key) => write!(f, "{key}: "),
-            Place::Argument(flag) => write!(f, "{flag}: "),
-        }
+        f.write_str(&self.before(Language::En))
     }
 }
 

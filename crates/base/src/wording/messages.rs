@@ -11,10 +11,16 @@ use serde_json::Value;
 use unic_langid::LanguageIdentifier;
 
 use super::Language;
-use super::number::{fixed, number, quantity};
+use super::number::{DIGITS, fixed, number, quantity_to_digits};
 
 /// Areas whose messages appear as arguments of other messages.
 const SHARED: &[&str] = &["demand", "note", "reason", "scene"];
+
+/// Areas of notes on a result. Their quantities have four digits, which is what a reader needs of them; those of errors
+/// and reasons have more, because they are typed back.
+const NOTES: &[&str] = &["design", "model", "run"];
+/// Significant digits of a quantity in a note.
+const NOTE_DIGITS: usize = 4;
 
 /// Arguments that quote the user or select a variant of a sentence; they are not translated.
 const AS_TYPED: &[&str] = &[
@@ -221,10 +227,11 @@ impl Messages {
     fn arguments(&self, area: &str, fields: &Value) -> FluentArgs<'static> {
         let mut arguments = FluentArgs::new();
         if let Value::Object(fields) = fields {
+            let digits = digits(area, fields.values());
             for (name, value) in fields {
                 let argument = match value {
                     Value::String(text) if AS_TYPED.contains(&name.as_str()) => text.clone().into(),
-                    _ => self.argument(area, value),
+                    _ => self.argument(area, value, digits),
                 };
                 arguments.set(name.replace('_', "-"), argument);
             }
@@ -232,18 +239,18 @@ impl Messages {
         arguments
     }
 
-    fn argument(&self, area: &str, value: &Value) -> FluentValue<'static> {
+    fn argument(&self, area: &str, value: &Value, digits: usize) -> FluentValue<'static> {
         match value {
             // Whole numbers choose plural forms.
             Value::Number(n) => match n.as_i64() {
                 Some(whole) if whole.abs() < 10_000 => FluentValue::from(whole),
                 _ => number(self.language, n.as_f64().unwrap_or(f64::NAN)).into(),
             },
-            other => self.shown(area, other).into(),
+            other => self.shown(area, other, digits).into(),
         }
     }
 
-    fn shown(&self, area: &str, value: &Value) -> String {
+    fn shown(&self, area: &str, value: &Value, digits: usize) -> String {
         match value {
             Value::Null => "none".to_string(),
             Value::Bool(b) => b.to_string(),
@@ -254,16 +261,35 @@ impl Messages {
             }
             Value::String(text) => self.name(text),
             Value::Array(items) => {
-                let items: Vec<String> = items.iter().map(|i| self.shown(area, i)).collect();
+                let items: Vec<String> =
+                    items.iter().map(|i| self.shown(area, i, digits)).collect();
                 items.join(", ")
             }
             Value::Object(fields) => match (fields.get("value"), fields.get("unit")) {
                 (Some(value), Some(Value::String(unit))) => {
-                    quantity(self.language, finite(value), unit)
+                    quantity_to_digits(self.language, finite(value), unit, digits)
                 }
                 _ => self.of_value(area, value),
             },
         }
+    }
+}
+
+/// Significant digits of the quantities of a message; two that differ are not shown as one number.
+fn digits<'a>(area: &str, fields: impl Iterator<Item = &'a Value>) -> usize {
+    if !NOTES.contains(&area) {
+        return DIGITS;
+    }
+    let mut values: Vec<f64> = fields
+        .filter_map(|f| f.get("value")?.as_f64())
+        .filter(|x| *x != 0.0)
+        .collect();
+    values.sort_by(f64::total_cmp);
+    let near = 10f64.powi(1 - NOTE_DIGITS as i32);
+    let alike = |w: &[f64]| w[0] != w[1] && (w[1] - w[0]).abs() < near * w[1].abs();
+    match values.windows(2).any(alike) {
+        true => DIGITS,
+        false => NOTE_DIGITS,
     }
 }
 

@@ -8,8 +8,8 @@
 //!     .help = lengthen or add segments until they cover the turn
 //! ```
 //!
-//! Arguments: a [`Quantity`](crate::units::Quantity) is shown in the unit that people use, a plain number with
-//! six significant digits, a list joined by commas; a unit variant (a follower, a limit, a law) by the
+//! Arguments: a [`Quantity`](crate::units::Quantity) is shown in the unit that people use with
+//! six significant digits (four in a note), a plain number with six, a list joined by commas; a unit variant (a follower, a limit, a law) by the
 //! message `name-…` of that variant, where there is one, otherwise as it is typed in scenes. `None` is the
 //! word `none`, which selectors can match.
 

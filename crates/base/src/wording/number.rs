@@ -25,7 +25,7 @@ const SHOWN: &[(&str, &str, f64)] = &[
 ];
 
 /// Significant digits of a number in a sentence.
-const DIGITS: usize = 6;
+pub(super) const DIGITS: usize = 6;
 
 /// A number with six significant digits, without trailing zeros; `−0` is 0, Spanish has a decimal comma.
 ///
@@ -37,6 +37,11 @@ const DIGITS: usize = 6;
 /// assert_eq!(number(Language::En, f64::INFINITY), "∞");
 /// ```
 pub fn number(language: Language, value: f64) -> String {
+    to_digits(language, value, DIGITS)
+}
+
+/// A number as [`number`] has it, with another count of significant digits.
+fn to_digits(language: Language, value: f64, digits: usize) -> String {
     if value.is_nan() {
         return "–".to_string();
     }
@@ -45,9 +50,9 @@ pub fn number(language: Language, value: f64) -> String {
     }
     let size = value.abs();
     let text = if size != 0.0 && !(1e-4..1e9).contains(&size) {
-        let text = format!("{value:.*e}", DIGITS - 1);
+        let text = format!("{value:.*e}", digits - 1);
         match text.split_once('e') {
-            Some((digits, power)) => format!("{}e{power}", short(digits)),
+            Some((mantissa, power)) => format!("{}e{power}", short(mantissa)),
             None => text,
         }
     } else {
@@ -56,7 +61,7 @@ pub fn number(language: Language, value: f64) -> String {
         } else {
             size.log10().floor()
         };
-        let decimals = (DIGITS as f64 - 1.0 - lead).max(0.0) as usize;
+        let decimals = (digits as f64 - 1.0 - lead).max(0.0) as usize;
         short(&format!("{value:.decimals$}")).to_string()
     };
     localised(language, if text == "-0" { "0" } else { &text })
@@ -106,8 +111,18 @@ pub fn people(si: &str) -> (&str, f64) {
 /// assert_eq!(quantity(Language::En, std::f64::consts::PI, "rad"), "180°");
 /// ```
 pub fn quantity(language: Language, value: f64, unit: &str) -> String {
+    quantity_to_digits(language, value, unit, DIGITS)
+}
+
+/// A quantity as [`quantity`] has it, with another count of significant digits.
+pub(super) fn quantity_to_digits(
+    language: Language,
+    value: f64,
+    unit: &str,
+    digits: usize,
+) -> String {
     let (shown, factor) = people(unit);
-    let number = number(language, factor * value);
+    let number = to_digits(language, factor * value, digits);
     match shown {
         "" => number,
         "°" => format!("{number}°"),

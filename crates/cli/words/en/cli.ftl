@@ -426,9 +426,12 @@ doctor-one-cycle = { $file }: one cycle of { $period } s
 doctor-recording = { $file }: { $columns ->
         [one] one force column
        *[other] { $columns } force columns
-    }, { $used } contacts used, { $rejected } left out
-doctor-unacceptable = { $sentence } Give another recording or column.
-doctor-doubt = { $sentence } Settle it, or accept it with gait.accept = "{ $name }".
+    }, { $used ->
+        [one] one contact
+       *[other] { $used } contacts
+    } used, { $rejected } left out
+doctor-unacceptable = Found: { $sentence }. Give another recording or column.
+doctor-doubt = Not known: { $sentence }. Settle it, or accept it with gait.accept = "{ $name }".
 doctor-recording-options = What the file does not say can be given: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (see gaitcam keys gait).
 
 # inspect.

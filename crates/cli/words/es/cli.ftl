@@ -1,4 +1,4 @@
-# Errores que sólo la orden encuentra: archivos, opciones, carpetas.
+# Errores que solo la orden encuentra: archivos, opciones, carpetas.
 cli-measured-columns = ninguna columna de puntos medidos entre: { $found }
     .help = llámelas x_mm,y_mm o angle_deg,radius_mm (o m, in, rad)
 cli-measured-field = "{ $text }" no es un número finito
@@ -15,7 +15,7 @@ cli-scene-name = "{ $shown }" { $fault ->
     }
     .help = los resultados van a out/NOMBRE: use letras, cifras, - y _, o indique la carpeta
 cli-few-rows = valor no válido { $rows }
-    .help = se necesitan al menos { $least } puntos, menos sólo con --front
+    .help = se necesitan al menos { $least } puntos, menos solo con --front
 cli-cycle-ending = { $file } no es ni un archivo .csv ni una carpeta
     .help = el ciclo se escribe como .csv, con figuras .svg y .png a su lado
 cli-cycle-over-recording = el ciclo medio sustituiría al propio registro
@@ -426,9 +426,12 @@ doctor-one-cycle = { $file }: un ciclo de { $period } s
 doctor-recording = { $file }: { $columns ->
         [one] una columna de fuerza
        *[other] { $columns } columnas de fuerza
-    }, { $used } apoyos usados, { $rejected } descartados
-doctor-unacceptable = { $sentence } Indique otro registro u otra columna.
-doctor-doubt = { $sentence } Resuélvalo, o acéptelo con gait.accept = "{ $name }".
+    }, { $used ->
+        [one] un apoyo usado
+       *[other] { $used } apoyos usados
+    }, { $rejected } descartados
+doctor-unacceptable = Se encontró: { $sentence }. Indique otro registro u otra columna.
+doctor-doubt = No se sabe: { $sentence }. Resuélvalo, o acéptelo con gait.accept = "{ $name }".
 doctor-recording-options = Lo que el archivo no dice se puede indicar: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (véase gaitcam keys gait).
 
 # inspect.

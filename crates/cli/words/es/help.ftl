@@ -122,7 +122,7 @@ sweep-sample = Toma una muestra de N puntos de los intervalos ('CLAVE=INICIO:FIN
 sweep-design = Método de muestreo
 sweep-seed = Semilla de los números aleatorios de la muestra
 sweep-out = La tabla: ARCHIVO.csv o ARCHIVO.parquet
-sweep-shard = Calcula una de N partes iguales, en bloques de filas: --out es una carpeta que todas comparten, y sólo se calculan los bloques que faltan
+sweep-shard = Calcula una de N partes iguales, en bloques de filas: --out es una carpeta que todas comparten, y solo se calculan los bloques que faltan
 sweep-block_rows = Filas de un bloque (por defecto 131072)
 sweep-resume = Continúa un barrido interrumpido
 sweep-jobs = Hilos; sin ella, uno por núcleo
@@ -144,9 +144,9 @@ compare-json = Escribe los resúmenes en JSON
 
 studio-open = Archivo de escena, carpeta con escenas y registros, o nombre de una escena incluida
 studio-port = Puerto de la página (por defecto, uno libre)
-studio-no_open = Sólo escribe la dirección; no abre el navegador
+studio-no_open = Solo escribe la dirección; no abre el navegador
 
-keys-pattern = Sólo las claves que contienen este texto
+keys-pattern = Solo las claves que contienen este texto
 keys-schema = Escribe un JSON Schema del archivo de escena, para editores
 keys-markdown = Escribe la página de referencia en Markdown
 scenes-name = Muestra esta escena en TOML

@@ -52,12 +52,9 @@ pub fn model(
     // A cycle of one foot is a stride of two steps.
     let steps = 1.0 / feet.share();
     let force = shape.iter().map(|w| w * body_weight_n).collect();
-    let of = if feet.share() < 1.0 {
-        "one foot"
-    } else {
-        "both feet"
-    };
-    let title = format!("{} {f} Hz, {body_weight_n} N, {of}", info.name);
+    // The key instead of a phrase: a title has no language.
+    let feet = feet.name();
+    let title = format!("{} {f} Hz, {body_weight_n} N, feet = \"{feet}\"", info.name);
     ForceCurve::from_samples(&title, steps / f, force)
 }
 

@@ -317,9 +317,9 @@ laws-joins-both = Ambos extremos enlazan con: { $start }.
 laws-joins-each = El inicio enlaza con: { $start }. El final enlaza con: { $end }.
 laws-torque = Mayor aceleración × velocidad, que da la escala del par de inercia: Ct = { $ct }.
 laws-footer = En una escena: family = "program", motion = el nombre de la ley. Los factores son los de la ley continua.
-laws-use-constant-velocity = Entre dos leyes que marchan a la misma velocidad, por ejemplo la carrera de trabajo de un avance. Sola entre detenimientos la velocidad salta: úsela sólo con extremos semiarmónicos o semicicloidales.
-laws-use-parabolic = La menor aceleración de pico de todas las leyes para una subida y un tiempo dados. La aceleración salta en los extremos y en el centro, así que vibra: sólo a baja velocidad.
-laws-use-cubic = Aceleración lineal: el polinomio más simple en reposo en ambos extremos. La aceleración salta en los extremos: sólo a baja velocidad.
+laws-use-constant-velocity = Entre dos leyes que marchan a la misma velocidad, por ejemplo la carrera de trabajo de un avance. Sola entre detenimientos la velocidad salta: úsela solo con extremos semiarmónicos o semicicloidales.
+laws-use-parabolic = La menor aceleración de pico de todas las leyes para una subida y un tiempo dados. La aceleración salta en los extremos y en el centro, así que vibra: solo a baja velocidad.
+laws-use-cubic = Aceleración lineal: el polinomio más simple en reposo en ambos extremos. La aceleración salta en los extremos: solo a baja velocidad.
 laws-use-simple-harmonic = Picos pequeños y centro suave; adecuada cuando a la subida sigue en seguida un retorno igual. Junto a un detenimiento la aceleración salta.
 laws-use-double-harmonic = Subida desde un detenimiento a la que sigue en seguida su retorno: en reposo abajo, con su retorno de igual aceleración arriba.
 laws-use-cycloidal = Subida entre detenimientos a velocidad media y alta: la aceleración es continua y la sobreaceleración finita. Su aceleración de pico es alta.

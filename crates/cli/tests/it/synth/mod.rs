@@ -4,5 +4,6 @@ mod all_scenes;
 mod explain;
 mod main_job;
 mod motion_file;
+mod motor_file;
 mod time_limit;
 mod verdicts;

@@ -375,7 +375,7 @@ fn files_that_are_no_table_are_refused() {
         "",
     );
     refuses("read-empty", "", TABLE, None, "");
-    refuses("read-no-table", "nothing but words", TABLE, None, "");
+    refuses("file-no-table", "nothing but words", TABLE, None, "lift_mm");
     refuses("read-foreign", "PK\u{3}\u{4} a workbook", TABLE, None, "");
     refuses("file-too-large", &large, TABLE, None, "64 MiB");
 }

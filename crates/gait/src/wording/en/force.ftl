@@ -133,7 +133,10 @@ cycle-whole-strides = { $strides ->
        *[none] {""}
     }
 cycle-right-and-left = { $right } right and { $left } left single stances, half a stride apart; stride time from { $period }
-cycle-two-feet = { $one } single stances of one foot and { $other } of the other, half a stride apart; stride time from { $period }
+cycle-two-feet = { $one ->
+        [one] one single stance
+       *[other] { $one } single stances
+    } of one foot and { $other } of the other, half a stride apart; stride time from { $period }
 cycle-any-foot = { $stances ->
         [one] one single stance
        *[other] { $stances } single stances

@@ -132,12 +132,21 @@ cycle-whole-strides = { $strides ->
         [right] , desde el contacto del talón derecho
        *[none] {""}
     }
-cycle-right-and-left = { $right } apoyos derechos y { $left } izquierdos, separados media zancada; duración de la zancada: { $period }
-cycle-two-feet = { $one } apoyos de un pie y { $other } del otro, separados media zancada; duración de la zancada: { $period }
-cycle-any-foot = { $stances ->
+cycle-right-and-left = { $right ->
+        [one] un apoyo derecho
+       *[other] { $right } apoyos derechos
+    } y { $left ->
+        [one] uno izquierdo
+       *[other] { $left } izquierdos
+    }, separados media zancada; duración de la zancada: { $period }
+cycle-two-feet = { $one ->
         [one] un apoyo
-       *[other] { $stances } apoyos
-    }, repetidos a media zancada; duración de la zancada: { $period }
+       *[other] { $one } apoyos
+    } de un pie y { $other } del otro, separados media zancada; duración de la zancada: { $period }
+cycle-any-foot = { $stances ->
+        [one] un apoyo, repetido
+       *[other] { $stances } apoyos, repetidos
+    } a media zancada; duración de la zancada: { $period }
 cycle-one-foot = { $stances ->
         [one] un apoyo
        *[other] { $stances } apoyos
