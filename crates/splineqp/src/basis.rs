@@ -192,14 +192,15 @@ fn row_on_span(
 ) -> Entries {
     let n = degree + 1;
     let rate = 1.0 / space.spans()[span].width;
-    let (mut short, mut long) = ([0.0; WIDEST * (WIDEST + 2)], Vec::new());
+    let (mut short, mut long) = ([0.0; WIDEST * (WIDEST + 3)], Vec::new());
     let room = if n <= WIDEST {
-        &mut short[..n * (n + 2)]
+        &mut short[..n * (n + 3)]
     } else {
-        long.resize(n * (n + 2), 0.0);
+        long.resize(n * (n + 3), 0.0);
         &mut long[..]
     };
     let (sums, room) = room.split_at_mut(n);
+    let (steps, room) = room.split_at_mut(n);
     let (basis, rows) = room.split_at_mut(n);
     rows.copy_from_slice(space.extraction(span));
     let highest = weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
@@ -210,14 +211,25 @@ fn row_on_span(
             scale *= left as f64 * rate;
             differentiate(rows, n, left);
         }
+        if order == 1 {
+            rows.chunks_exact_mut(n).take(left).for_each(by_steps);
+        }
         if weight != 0.0 {
             bernstein_basis(u, &mut basis[..left]);
+            let into = if order == 0 { &mut *sums } else { &mut *steps };
             for (row, b) in rows.chunks_exact(n).zip(&basis[..left]) {
                 let b = weight * scale * b;
-                for (sum, value) in sums.iter_mut().zip(row) {
+                for (sum, value) in into.iter_mut().zip(row) {
                     *sum += b * value;
                 }
             }
+        }
+    }
+    if highest > 0 {
+        let mut before = 0.0;
+        for (sum, step) in sums.iter_mut().zip(&*steps) {
+            *sum += before - step;
+            before = *step;
         }
     }
     on_unknowns(space, span, sums)
@@ -232,6 +244,21 @@ fn differentiate(rows: &mut [f64], n: usize, left: usize) {
         for (own, next) in own.iter_mut().zip(next) {
             *own = *next - *own;
         }
+    }
+}
+
+/// Weights dᵢ of coefficients cᵢ, which sum to 0, as those of the steps cᵢ₊₁ − cᵢ: Σ dᵢ cᵢ = −Σ (d₀ + … + dᵢ)(cᵢ₊₁ − cᵢ). Of a
+/// jerk that is small beside the stroke the rounding of the cᵢ's own weights would leave few digits.
+#[inline(always)]
+pub fn by_steps(weights: &mut [f64]) {
+    let mut sum = 0.0;
+    for weight in weights.iter_mut() {
+        sum -= *weight;
+        *weight = sum;
+    }
+    // Rounding alone: no step follows the last coefficient.
+    if let Some(last) = weights.last_mut() {
+        *last = 0.0;
     }
 }
 

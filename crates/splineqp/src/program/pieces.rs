@@ -2,7 +2,7 @@
 
 use super::Limit;
 use crate::Names;
-use crate::basis::WIDEST;
+use crate::basis::{WIDEST, by_steps};
 use crate::poly::{Peak, Span, SplineSpace, bernstein};
 
 /// Bernstein coefficients of s, v, a, j and the fourth derivative on every span, up to the highest that a limit contains.
@@ -30,9 +30,18 @@ impl Pieces {
         let before = |order: usize| spans * (0..order).map(|k| degree + 1 - k).sum::<usize>();
         let mut rows = Vec::with_capacity(before(highest + 1));
         rows.resize(before(1), 0.0);
-        fill_with_lift(space, x, &mut rows);
+        fill(space, &around(space, x), &mut rows, degree + 1, |span| {
+            space.extraction(span).to_vec()
+        });
+        if highest > 0 {
+            rows.resize(before(2), 0.0);
+            let steps: Vec<f64> = (around(space, x).windows(2)).map(|c| c[1] - c[0]).collect();
+            fill(space, &steps, &mut rows[before(1)..], degree, |span| {
+                of_steps(space, span)
+            });
+        }
         let rates: Vec<f64> = space.spans().iter().map(|s| 1.0 / s.width).collect();
-        for order in 1..=highest {
+        for order in 2..=highest {
             let factor = (degree + 1 - order) as f64;
             for k in 0..=degree - order {
                 let (from, to) = (before(order - 1) + k * spans, rows.len());
@@ -190,13 +199,43 @@ impl Curve {
     }
 }
 
-/// Bernstein coefficients of a spline, a row of all spans for each.
-fn fill_with_lift(space: &SplineSpace, x: &[f64], rows: &mut [f64]) {
-    let (spans, n, turn) = (space.spans(), space.degree() + 1, space.dimension());
-    // Coefficients go on around the turn: a span's own stand side by side.
-    let mut around = Vec::with_capacity(turn + n);
-    around.extend_from_slice(&x[..turn]);
-    (1..n).for_each(|i| around.push(around[i - 1]));
+/// Coefficients that go on around the turn: a span's own stand side by side.
+fn around(space: &SplineSpace, x: &[f64]) -> Vec<f64> {
+    let mut around = Vec::with_capacity(space.dimension() + space.degree());
+    around.extend_from_slice(&x[..space.dimension()]);
+    (0..space.degree()).for_each(|i| around.push(around[i]));
+    around
+}
+
+/// Bernstein coefficients of the velocity on a span by the steps from one spline coefficient to the next.
+fn of_steps(space: &SplineSpace, span: usize) -> Vec<f64> {
+    let n = space.degree() + 1;
+    let factor = space.degree() as f64 / space.spans()[span].width;
+    let lift = space.extraction(span);
+    let mut weights = Vec::with_capacity(n * (n - 1));
+    for (own, next) in lift.chunks_exact(n).zip(lift[n..].chunks_exact(n)) {
+        let from = weights.len();
+        weights.extend(
+            own.iter()
+                .zip(next)
+                .map(|(own, next)| factor * (next - own)),
+        );
+        by_steps(&mut weights[from..]);
+        weights.pop();
+    }
+    weights
+}
+
+/// Bernstein coefficients of a function on all spans, a row for each: `n` of them by `n` of the numbers `own`, with the
+/// weights of the span.
+fn fill(
+    space: &SplineSpace,
+    own: &[f64],
+    rows: &mut [f64],
+    n: usize,
+    weights: impl Fn(usize) -> Vec<f64>,
+) {
+    let (spans, turn) = (space.spans(), space.dimension());
     let mut begin = 0;
     while begin < spans.len() {
         let first = space.index(begin, 0);
@@ -207,10 +246,11 @@ fn fill_with_lift(space: &SplineSpace, x: &[f64], rows: &mut [f64]) {
                 && first + i < turn
         });
         let run = alike.count();
-        let weights = space.extraction(begin).chunks_exact(n);
-        for (row, weights) in rows.chunks_exact_mut(spans.len()).zip(weights) {
-            let (row, own) = (&mut row[begin..begin + run], &around[first..]);
+        let weights = weights(begin);
+        for (row, weights) in (rows.chunks_exact_mut(spans.len())).zip(weights.chunks_exact(n)) {
+            let (row, own) = (&mut row[begin..begin + run], &own[first..]);
             match n {
+                5 => products(row, own, &weights[..5]),
                 6 => products(row, own, &weights[..6]),
                 _ => products(row, own, weights),
             }

@@ -29,6 +29,8 @@ mod splines;
 
 use asked::Asked;
 use compare::{Built, Judgement, Seen, compare, design};
+use gaitcam::cam::Criterion;
+use gaitcam::force::{Feet, model};
 use gaitcam::synth::Design;
 use rayon::prelude::*;
 use scenes::{KINDS, Kind};
@@ -162,6 +164,43 @@ fn timely(asked: &Asked) -> Result<Seen, String> {
         return Err(format!("{taken:.1} s for {seen:?}"));
     }
     Ok(seen)
+}
+
+#[test]
+fn a_refused_law_at_its_jerk_limit_nearly_everywhere_is_proved_and_in_time() {
+    for (spans, objective) in [100, 150, 200]
+        .into_iter()
+        .flat_map(|n| ["peak-jerk", "peak-acceleration", "force-error"].map(|o| (n, o)))
+    {
+        let scene = gaitcam_test_support::scene(
+            gaitcam::scene::DEFAULT,
+            &[
+                &format!("law.spans={spans}"),
+                &format!("law.minimise={objective}"),
+                "limits.jerk=10 m/s^3",
+            ],
+        );
+        let scene = scene.unwrap();
+        let force = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
+        let before = processor_seconds();
+        let design = scene.design_for(&force).unwrap().relaxed();
+        let taken = processor_seconds() - before;
+        assert!(taken <= LONGEST, "{spans} {objective}: {taken:.1} s");
+        // The law shown is the one nearest to the force under the limit on the jerk.
+        assert!(
+            design.solver.certified,
+            "{spans} {objective}: {:?}",
+            design.solver
+        );
+        let keys: Vec<&str> = design.relaxations.iter().map(|r| r.key).collect();
+        assert_eq!(keys, ["limits.jerk", "accuracy.rms"], "{spans} {objective}");
+        assert!(
+            design
+                .checks
+                .iter()
+                .all(|c| c.pass || c.name == Criterion::RmsError)
+        );
+    }
 }
 
 /// Seconds that this thread has had of a processor; on the wall where the system does not say.

@@ -261,7 +261,7 @@ impl<'a> Dual<'a> {
 }
 
 /// Value of a row, and a bound on its rounding error.
-fn with_rounding(entries: &Entries, x: &[f64]) -> (f64, f64) {
+pub fn with_rounding(entries: &Entries, x: &[f64]) -> (f64, f64) {
     let size: f64 = entries.iter().map(|&(i, a)| (a * x[i]).abs()).sum();
     (apply(entries, x), 4.0 * f64::EPSILON * size)
 }

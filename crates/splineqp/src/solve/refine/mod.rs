@@ -31,6 +31,7 @@ use crate::basis::{Basis, apply, row_unit};
 use crate::certificate::certificate;
 use crate::poly::{Peak, PiecewisePoly};
 use crate::program::{Limit, PEAK, Program, Row, Solution};
+use crate::solve::active_set::dual::with_rounding;
 
 struct Contacts<'a, N: Names> {
     program: &'a Program<N>,
@@ -73,7 +74,17 @@ fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let proof = certificate(program, solution);
     (proof.relative_gap / settings.gap)
         .max(proof.stationarity / settings.stationarity)
-        .max(proof.violation / program.settings.tolerance)
+        .max(proof.violation / program.settings.tolerance.max(rounding(program, solution)))
+}
+
+/// Rounding of the active rows' values, as a part of their limits' size: no step brings a violation below it.
+fn rounding<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
+    let of_row = |row: &Row<N>| {
+        let limit = row.limit.map(|i| &program.limits[i])?;
+        let size = limit.size(limit.room(&solution.extra));
+        Some(with_rounding(&row.entries, &solution.x).1 / size)
+    };
+    (solution.active.iter().filter_map(of_row)).fold(0.0, f64::max)
 }
 
 /// The optimum near a solution that nearly satisfies its limits, with a closed certificate; `None` where no search reaches it.
