@@ -1,91 +1,80 @@
-// The page: boot, wiring, keys.
+// The page: boot and wiring.
 
-import { $, notice, make, clear } from "./core/dom.js";
+import { $, notice } from "./core/dom.js";
 import * as words from "./core/words.js";
-import { get, send } from "./core/net.js";
-import * as store from "./core/store.js";
-import * as solver from "./core/solver.js";
+import { engine, Fault } from "./core/net.js";
+import * as versions from "./core/versions.js";
+import * as designs from "./core/designs.js";
+import * as autosave from "./core/autosave.js";
+import * as status from "./core/status.js";
+import { unpack } from "./core/packing.js";
 import * as form from "./panels/form.js";
 import * as clock from "./core/clock.js";
 import * as stage from "./panels/stage.js";
 import * as charts from "./panels/charts.js";
 import * as verdict from "./panels/verdict.js";
 import * as view from "./core/view.js";
-import * as gallery from "./panels/gallery.js";
-import * as exports from "./panels/exports.js";
+import * as tools from "./panels/tools.js";
+import * as player from "./panels/player.js";
 import * as files from "./panels/files.js";
 import * as force from "./panels/force.js";
 import * as programme from "./panels/programme.js";
 import * as compare from "./panels/compare.js";
 import * as text from "./panels/text.js";
 
-const { t } = words;
-const PACES = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
-let answer = null;
-let lastGesture = null;
 let anew = true;
-// The longest search, s.
-let longest = 60;
 
-// Changes values of the scene and asks for its design. Changes of one gesture are one step of the history.
-function edit(changes, gesture = Symbol("step")) {
-  if (gesture !== lastGesture) store.step(store.state.scene);
-  lastGesture = gesture;
-  store.change(changes);
-  solver.ask(performance.now());
-  buttons();
+// Changes values of the scene and asks for its design. Changes of one gesture are one version.
+function edit(changes, gesture = null, more = {}) {
+  versions.edit(changes, gesture, more);
+  designs.ask(performance.now());
 }
 
-function openScene(toml) {
-  store.replace(toml);
-  lastGesture = null;
-  fresh();
-}
-
-function fresh() {
+// Another scene, `more`: the files that it names, its recording, its drawn force.
+function openScene(toml, more = {}) {
+  const [, name = ""] = /^name\s*=\s*"([^"]*)"/m.exec(toml) ?? [];
+  versions.open(toml, { name, ...more });
+  elsewhere();
   anew = true;
-  form.reset();
   stage.anew();
-  solver.cancel();
-  solver.ask(performance.now());
-  buttons();
 }
 
-function undo(move) {
-  const before = move();
-  lastGesture = null;
-  if (before === null) return;
+// Undo, redo, a version of the list.
+function move(there) {
+  if (there()) elsewhere();
+}
+
+function elsewhere() {
   form.reset();
-  solver.cancel();
-  solver.ask(performance.now());
-  buttons();
+  designs.askAnew();
 }
 
-function buttons() {
-  $("undo").disabled = !store.state.canUndo;
-  $("redo").disabled = !store.state.canRedo;
-}
-
-async function show(next, since, more) {
-  answer = next;
-  document.title = `${next.name} – gaitcam studio`;
-  $("scene-name").textContent = next.name;
-  $("fault").hidden = true;
-  form.clearFault();
-  form.update(next.fields);
-  clock.load(next.motion);
-  if (anew) begin(next.motion);
-  verdict.show(next);
-  charts.show(next.curves);
-  stage.show(next);
-  for (const part of [force, programme, compare, text]) part.show(next, more);
+async function show(answer, since, more) {
+  $("notice").hidden = $("notice").hidden || $("notice").dataset.lasting === "true";
+  clock.load(answer.motion);
+  if (anew) {
+    anew = false;
+    player.begin(answer.motion);
+  }
+  verdict.show(answer);
+  charts.show(answer.curves);
+  stage.show(answer);
+  for (const part of [programme, compare, text]) part.show(answer, more);
   clock.set(clock.angle());
-  buttons();
+  state(answer.fields);
   await painted();
   const design = $("design");
+  design.dataset.forceHash = answer.force_hash ?? "";
   design.dataset.ms = (performance.now() - since).toFixed(1);
-  design.dataset.serverMs = next.server_ms.toFixed(2);
+  design.dataset.serverMs = answer.server_ms.toFixed(2);
   design.dataset.revision = Number(design.dataset.revision) + 1;
+}
+
+// What follows every change of the state, designed or not.
+function state(fields = null) {
+  status.show();
+  form.update(fields, versions.now());
+  force.show(designs.present()?.answer);
 }
 
 // Resolves when the next picture is on the screen; a hidden page has none.
@@ -100,84 +89,17 @@ function painted() {
   });
 }
 
-// A new cam starts to turn, one turn in about five seconds.
-function begin(motion) {
-  anew = false;
-  clock.set(motion.start);
-  const wanted = motion.period / 5;
-  const pace = PACES.reduce((best, p) => (Math.abs(Math.log(p / wanted)) < Math.abs(Math.log(best / wanted)) ? p : best));
-  $("pace").value = String(pace);
-  clock.setPace(pace);
-  const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
-  clock.play(!calm);
-}
-
-function fault(error) {
-  if (error.code === "lost" || error.code === "http") {
-    notice(t(error.code === "lost" ? "studio-lost" : "studio-refused"), true);
-    return;
-  }
-  form.fault(error);
-  const place = error.place ? `${error.place}: ` : "";
-  const box = clear($("fault"));
-  box.hidden = false;
-  box.append(make("p", {}, make("strong", {}, place), error.message, error.help ? make("span", { class: "help" }, ` – ${error.help}`) : null));
-  if (error.key === "gait.file" || error.code.endsWith("cannot-read")) {
-    box.append(make("button", { type: "button", onclick: () => view.tab("force") }, t("studio-to-force")));
-  }
-}
-
-let waiting = 0;
-function working(on, since) {
-  clearInterval(waiting);
-  clock.hold(on);
-  $("design").setAttribute("aria-busy", String(on));
-  if (!on) {
-    $("design").classList.remove("busy");
-    $("working").hidden = true;
-    return;
-  }
-  waiting = setInterval(() => {
-    const passed = performance.now() - since;
-    if (passed < 180) return;
-    clock.hold(false);
-    $("design").classList.add("busy");
-    $("working").hidden = false;
-    Object.assign($("working-share"), { max: longest, value: passed / 1000 });
-    $("working-time").textContent = t("studio-working", { seconds: words.number(passed / 1000, 2), longest });
-  }, 60);
-}
-
-function player() {
-  const paint = () => {
-    $("play").textContent = clock.isPlaying() ? "❚❚" : "▶";
-    $("play").setAttribute("aria-label", t(clock.isPlaying() ? "studio-pause" : "studio-play"));
-    $("reverse").setAttribute("aria-pressed", String(clock.isBackwards()));
-  };
-  const paces = () => {
-    const before = $("pace").value;
-    clear($("pace")).append(...PACES.map((p) => make("option", { value: p }, p === 1 ? t("studio-true-speed") : t("studio-of-speed", { share: Math.round(1 / p) }))));
-    if (before) $("pace").value = before;
-  };
-  clock.onPlay(paint);
-  words.onLanguage(() => { paint(); paces(); });
-  paint();
-  paces();
-  $("play").addEventListener("click", () => clock.play(!clock.isPlaying()));
-  $("reverse").addEventListener("click", clock.reverse);
-  $("pace").addEventListener("change", () => clock.setPace(Number($("pace").value)));
-  $("angle").addEventListener("input", () => { clock.play(false); clock.set(Number($("angle").value)); });
-}
-
 function keyboard() {
   document.addEventListener("keydown", (event) => {
     const typing = event.target.closest("input[type=text], input[type=search], textarea, select, dialog");
-    if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && !event.target.closest("textarea")) {
+    const held = event.ctrlKey || event.metaKey;
+    const key = event.key.toLowerCase();
+    if (held && key === "z" && !event.target.closest("textarea")) {
       event.preventDefault();
-      undo(event.shiftKey ? store.redo : store.undo);
-    } else if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "y") {
+      move(event.shiftKey ? versions.redo : versions.undo);
+    } else if (held && key === "y") {
       event.preventDefault();
-      undo(store.redo);
+      move(versions.redo);
     } else if (event.key === " " && !typing && !event.target.closest("button, summary, [role=slider], input, label")) {
       event.preventDefault();
       clock.play(!clock.isPlaying());
@@ -185,79 +107,56 @@ function keyboard() {
   });
 }
 
-function tools(start) {
-  $("undo").addEventListener("click", () => undo(store.undo));
-  $("redo").addEventListener("click", () => undo(store.redo));
-  $("cancel").addEventListener("click", solver.cancel);
-  $("pin").addEventListener("click", () => { compare.pin(answer); notice(t("studio-pinned")); });
-  $("open-scenes").addEventListener("click", () => gallery.open(start.scenes, openScene));
-  $("open-files").addEventListener("click", () => files.open(openScene));
-  $("open-save").addEventListener("click", () => files.save(answer));
-  $("open-export").addEventListener("click", () => exports.open(answer));
-  $("link").addEventListener("click", async () => {
-    const place = new URL(location.href);
-    place.hash = "scene=" + await store.packed();
-    history.replaceState(null, "", place);
-    try {
-      await navigator.clipboard.writeText(place.href);
-      const recording = store.shortened();
-      notice(recording ? t("studio-linked-cycle", { file: recording }) : t("studio-linked"));
-    } catch {
-      notice(t("studio-linked-address"));
-    }
-  });
-  $("language").addEventListener("click", () => words.choose(words.language() === "en" ? "es" : "en"));
-  const skip = document.querySelector(".skip");
-  skip.addEventListener("click", (event) => { event.preventDefault(); $("verdict").focus(); });
+function working(on, since) {
+  clock.hold(on);
+  if (on) verdict.stop();
+  status.working(on, since);
 }
 
-function welcome() {
-  let seen = false;
-  try { seen = localStorage.getItem("gaitcam-seen") === "1"; } catch { /* private windows keep nothing */ }
-  $("welcome").hidden = seen;
-  $("welcome-close").addEventListener("click", () => {
-    $("welcome").hidden = true;
-    try { localStorage.setItem("gaitcam-seen", "1"); } catch { /* as above */ }
-  });
+async function first(start) {
+  if (versions.restore()) {
+    designs.ask();
+    return;
+  }
+  const held = await unpack(location.hash);
+  if (held) openScene(held.scene, held);
+  else openScene(start.scene);
 }
 
 async function boot() {
   view.theme();
-  const start = await get("start.json");
+  const start = await engine.ask("start", {});
   words.load(start.words);
-  longest = start.longest_s;
   let tag = document.documentElement.lang;
   try { tag = localStorage.getItem("gaitcam-language") ?? tag; } catch { /* private windows keep nothing */ }
   words.choose(tag);
-  words.onLanguage((next) => {
-    $("language").textContent = next === "en" ? "ES" : "EN";
-    if (answer) solver.ask(performance.now());
-  });
-  $("language").textContent = tag === "en" ? "ES" : "EN";
+  status.load(start.longest_s, (fault) => force.remedies(fault));
   form.load(start.keys, edit);
   verdict.load((changes) => edit(changes));
   charts.load();
-  stage.load(() => solver.ask(performance.now()));
-  player();
+  stage.load(() => designs.ask());
+  player.load();
   view.tabs();
   view.dialogs();
   keyboard();
-  tools(start);
   force.load(edit, openScene);
   programme.load(edit);
   compare.load({ start, edit, openScene });
   text.load(openScene);
   files.load(start);
-  welcome();
-  solver.on({ show, fault, working, colour: stage.chosen });
-  store.replace(await store.fromAddress() ?? start.scene, false);
-  for (const [name, content] of Object.entries(store.state.files)) await send(`recording?name=${encodeURIComponent(name)}`, content);
+  tools.load({ start, move, openScene });
+  designs.on({ show, state, working, lost: status.lost, colour: stage.chosen });
+  autosave.load();
+  words.onLanguage(() => designs.ask());
   window.addEventListener("hashchange", async () => {
-    const other = await store.fromAddress();
-    if (other && other !== store.state.scene) openScene(other);
+    const other = await unpack(location.hash);
+    if (other && other.scene !== versions.now().scene) openScene(other.scene, other);
   });
-  solver.ask(performance.now());
-  buttons();
+  await first(start);
+  compare.restore();
 }
 
-boot().catch(() => notice(t("studio-lost"), true));
+boot().catch((error) => {
+  if (!(error instanceof Fault)) throw error;
+  notice(words.t("studio-lost"), true);
+});

@@ -23,11 +23,16 @@ const FILES: &[(&str, &str, &str)] = files![
     "style.css": STYLE,
     "panels.css": STYLE,
     "app.js": SCRIPT,
+    "core/autosave.js": SCRIPT,
+    "core/blobs.js": SCRIPT,
     "core/clock.js": SCRIPT,
+    "core/designs.js": SCRIPT,
     "core/dom.js": SCRIPT,
     "core/net.js": SCRIPT,
-    "core/solver.js": SCRIPT,
-    "core/store.js": SCRIPT,
+    "core/packing.js": SCRIPT,
+    "core/status.js": SCRIPT,
+    "core/typed.js": SCRIPT,
+    "core/versions.js": SCRIPT,
     "core/view.js": SCRIPT,
     "core/words.js": SCRIPT,
     "panels/chart.js": SCRIPT,
@@ -39,9 +44,11 @@ const FILES: &[(&str, &str, &str)] = files![
     "panels/form.js": SCRIPT,
     "panels/gallery.js": SCRIPT,
     "panels/hand.js": SCRIPT,
+    "panels/player.js": SCRIPT,
     "panels/programme.js": SCRIPT,
     "panels/stage.js": SCRIPT,
     "panels/text.js": SCRIPT,
+    "panels/tools.js": SCRIPT,
     "panels/verdict.js": SCRIPT,
 ];
 
@@ -50,7 +57,8 @@ pub fn page(base: &str, language: Language) -> Response {
     let page = fresh("index.html").unwrap_or_else(|| PAGE.to_string());
     let page = page
         .replace("{base}", base)
-        .replace("{language}", language.tag());
+        .replace("{language}", language.tag())
+        .replace("{engine}", "native");
     Response::new(HTML, page)
 }
 

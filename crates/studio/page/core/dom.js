@@ -37,8 +37,9 @@ export function say(element, text) {
 let timer = 0;
 export function notice(text, lasting = false) {
   const box = $("notice");
-  box.textContent = text;
+  $("notice-text").textContent = text;
   box.hidden = !text;
+  box.dataset.lasting = String(lasting);
   clearTimeout(timer);
   if (text && !lasting) timer = setTimeout(() => { box.hidden = true; }, 6000);
 }

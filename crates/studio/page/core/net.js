@@ -31,7 +31,11 @@ async function ask(path, options) {
     return await fetch(address(path), options);
   } catch (error) {
     if (error.name === "AbortError") throw error;
-    return fetch(address(path), options);
+    try {
+      return await fetch(address(path), options);
+    } catch (again) {
+      throw again.name === "AbortError" ? again : new Fault({ code: "lost", message: "" });
+    }
   }
 }
 
@@ -83,10 +87,23 @@ async function used(answer) {
   return hash;
 }
 
+// The server knows a file by its name: here that name carries the hash of its contents.
+async function aliased(path, body, files = [], signal) {
+  const own = files.filter(({ hash }) => kept.has(hash)).map(({ name, hash }) => ({ name, hash, alias: `${hash.slice(0, 16)}_${name}` }));
+  let text = JSON.stringify(body);
+  for (const { name, hash, alias } of own) {
+    sent.delete(alias);
+    await drop(alias, hash);
+    const quoted = (x) => JSON.stringify(x);
+    text = text.replaceAll(quoted(quoted(name)).slice(1, -1), quoted(quoted(alias)).slice(1, -1)).replaceAll(quoted(name), quoted(alias));
+  }
+  const answer = await post(path, JSON.parse(text), signal);
+  return own.length === 0 ? answer : JSON.parse(own.reduce((all, { name, alias }) => all.replaceAll(alias, name), JSON.stringify(answer)));
+}
+
 async function design(question, signal) {
-  for (const { name, hash } of question.files ?? []) await drop(name, hash);
   const { scene, changes, colour } = question;
-  const answer = await post("design", { scene, changes, colour }, signal);
+  const answer = await aliased("design", { scene, changes, colour }, question.files, signal);
   answer.design_hash = await sha256(new TextEncoder().encode(answer.scene + JSON.stringify(question.files ?? [])));
   answer.force_hash = question.files?.find((f) => answer.scene.includes(JSON.stringify(f.name)))?.hash ?? null;
   ids.set(answer.scene, answer.id);
@@ -98,8 +115,8 @@ const routes = {
   laws: async () => ({ laws: await get("laws.json") }),
   design,
   relax: async (question, signal) => post("relax", { id: ids.get(question.scene) ?? (await design(question, signal)).id }, signal),
-  sensitivity: ({ scene, quantity, share }, signal) => post("sensitivity", { scene, quantity, share }, signal),
-  front: ({ scene, against }, signal) => post("front", { scene, against }, signal),
+  sensitivity: ({ scene, files, quantity, share }, signal) => aliased("sensitivity", { scene, quantity, share }, files, signal),
+  front: ({ scene, files, against }, signal) => aliased("front", { scene, against }, files, signal),
   force: async (question, signal) => {
     const answer = await post("force", question, signal);
     return { ...answer, hash: await used(answer) };
@@ -122,7 +139,10 @@ export const engine = {
   keep,
   bytes: (hash) => kept.get(hash),
   forget: (hash) => kept.delete(hash),
-  ask: (route, question = {}, { signal } = {}) => routes[route](question, signal),
+  async ask(route, question = {}, { signal } = {}) {
+    if (!routes[route]) throw new Fault({ code: "http", status: 404, message: "" });
+    return routes[route](question, signal);
+  },
   page: async () => null,
   async download({ scene, files, name, tool }) {
     const id = ids.get(scene) ?? (await design({ scene, files })).id;
@@ -134,6 +154,9 @@ export const engine = {
     list: () => get("folder.json"),
     open: async (path) => ({ ...await get(`folder/${path.split("/").map(encodeURIComponent).join("/")}`), files: [] }),
     read: async (path) => ({ name: path, hash: await sha256(new TextEncoder().encode(path)) }),
-    save: ({ scene, name }) => post("save", { scene, name }),
+    async save({ scene, files = [], name }) {
+      for (const { name: file, hash } of files) await drop(file, hash);
+      return post("save", { scene, name });
+    },
   },
 };

@@ -2,9 +2,11 @@
 
 import { $, make, clear, svg, notice } from "../core/dom.js";
 import { t, number, onLanguage } from "../core/words.js";
-import { post } from "../core/net.js";
+import { engine } from "../core/net.js";
 import { onTab, openTab } from "../core/view.js";
-import { state } from "../core/store.js";
+import * as blobs from "../core/blobs.js";
+import * as designs from "../core/designs.js";
+import * as versions from "../core/versions.js";
 import { label } from "./form.js";
 import * as stage from "./stage.js";
 import * as charts from "./charts.js";
@@ -12,7 +14,7 @@ import * as charts from "./charts.js";
 const COLOURS = ["#e69f00", "#cc79a7", "#009e73", "#d55e00", "#56b4e9", "#8a7a00"];
 const ROWS = ["force_rms_error_n", "force_max_n", "stroke_m", "velocity_max_m_per_s", "acceleration_max_m_per_s2", "jerk_max_m_per_s3", "base_radius_m",
   "prime_radius_m", "rho_min_m", "pressure_angle_max_rad", "torque_max_n_m", "power_max_w", "hertz_pressure_max_pa"];
-let slate = [];
+const slate = () => versions.history().pins.filter((p) => p.curves);
 let answer = null;
 let start = {};
 let edit = () => {};
@@ -31,23 +33,40 @@ export function show(next, more) {
   if (!more && openTab() === "compare") table();
 }
 
-export function pin(design) {
-  if (!design) return;
-  const colour = COLOURS.find((c) => !slate.some((p) => p.colour === c)) ?? COLOURS[slate.length % COLOURS.length];
-  slate.push({ name: design.name, scene: design.scene, curves: design.curves, numbers: design.numbers, verdict: design.verdict, colour, id: design.id });
+export function pin() {
+  if (!designs.isCurrent()) return;
+  const { pins } = versions.history();
+  const { files, hand, recording } = versions.now();
+  const colour = COLOURS.find((c) => !pins.some((p) => p.colour === c)) ?? COLOURS[pins.length % COLOURS.length];
+  versions.pin({ ...pictured(designs.present().answer), files, hand, recording, colour });
+  overlay();
+}
+
+const pictured = ({ name, scene, curves, numbers, verdict }) => ({ name, scene, curves, numbers, verdict });
+
+// After a reload the pinned scenes are designed again.
+export async function restore() {
+  for (const pin of versions.history().pins) {
+    if (pin.curves) continue;
+    try {
+      await blobs.ensure(pin.files);
+      const design = await engine.ask("design", { scene: pin.scene, changes: [], files: blobs.listed(pin.files), colour: "none" });
+      versions.setPins(versions.history().pins.map((p) => (p === pin ? { ...pin, ...pictured(design) } : p)));
+    } catch { /* its file is gone: the pin stays without a picture */ }
+  }
   overlay();
 }
 
 function overlay() {
-  charts.compare(slate);
-  stage.compare(slate);
+  charts.compare(slate());
+  stage.compare(slate());
   if (openTab() === "compare") table();
 }
 
 function build() {
   const root = clear($("compare"));
   root.append(make("h2", {}, t("studio-slate")), make("p", { class: "lead" }, t("studio-slate-lead")),
-    make("button", { type: "button", class: "main", onclick: () => pin(answer) }, t("studio-pin")), make("div", { id: "slate" }),
+    make("button", { type: "button", class: "main", onclick: pin }, t("studio-pin")), make("div", { id: "slate" }),
     make("h2", {}, t("studio-sensitivity")), make("p", { class: "lead" }, t("studio-sensitivity-lead")));
   const quantity = make("select", { id: "watched", "aria-label": t("studio-sensitivity-of") }, ...start.quantities.map((q) => make("option", { value: q }, t(`studio-quantity-${q}`))));
   if (answer && !answer.curves.panels[0].lines.some((l) => l.role === "target")) quantity.value = "acceleration";
@@ -65,21 +84,24 @@ function table() {
   const box = $("slate");
   if (!box) return;
   clear(box);
-  if (slate.length === 0) return;
-  const all = [...slate, { ...answer, colour: "var(--blue)", name: t("studio-slate-present"), present: true }];
+  if (slate().length === 0) return;
+  const all = [...slate(), { ...answer, colour: "var(--blue)", name: t("studio-slate-present"), present: true }];
   const head = all.map((p, i) => make("th", { scope: "col" }, make("span", { class: "swatch", style: `background:${p.colour}` }), p.name,
     p.present ? null : make("span", { class: "acts" },
-      make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-take")} ${i + 1}`, title: t("studio-slate-take"), onclick: () => openScene(p.scene) }, "↩"),
-      make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-drop")} ${i + 1}`, title: t("studio-slate-drop"), onclick: () => { slate = slate.filter((q) => q !== p); overlay(); } }, "×"))));
+      make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-take")} ${i + 1}`, title: t("studio-slate-take"), onclick: () => openScene(p.scene, { files: p.files, hand: p.hand, recording: p.recording }) }, "↩"),
+      make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-drop")} ${i + 1}`, title: t("studio-slate-drop"), onclick: () => { versions.setPins(versions.history().pins.filter((q) => q !== p)); overlay(); } }, "×"))));
   const body = start.figures.filter(([name]) => ROWS.includes(name)).map(([name, [unit, factor]]) => make("tr", {}, make("th", { scope: "row" }, t(`studio-number-${name}`), make("small", {}, ` ${unit}`)),
     ...all.map((p) => make("td", { class: "n" }, number(p.numbers[name] === null || p.numbers[name] === undefined ? null : factor * p.numbers[name])))));
   const verdicts = make("tr", {}, make("th", { scope: "row" }, t("studio-verdict")), ...all.map((p) => make("td", { class: `n ${p.verdict}` }, t(`studio-verdict-${p.verdict}`))));
   box.append(make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "slate" }, make("thead", {}, make("tr", {}, make("td", {}), ...head)), make("tbody", {}, verdicts, ...body))));
 }
 
+// The scene on the screen with its files.
+const present = () => ({ scene: designs.present().answer.scene, files: blobs.listed(designs.present().files) });
+
 async function vary(quantity) {
   try {
-    bars = await post("sensitivity", { scene: state.scene, quantity, share: 0.05 });
+    bars = await engine.ask("sensitivity", { ...present(), quantity, share: 0.05 });
     tornado();
   } catch (error) {
     notice(error.message);
@@ -110,7 +132,7 @@ function tornado() {
 
 async function trade(against) {
   try {
-    front = await post("front", { scene: state.scene, against });
+    front = await engine.ask("front", { ...present(), against });
     points();
   } catch (error) {
     notice([error.place, error.message, error.help].filter(Boolean).join(" – "));

@@ -1,34 +1,57 @@
-// Every file that the command writes, as a download.
+// Every file that the command writes, as a download; of the design that is shown, never of another.
 
-import { make } from "../core/dom.js";
+import { make, notice } from "../core/dom.js";
 import { t } from "../core/words.js";
-import { link } from "../core/net.js";
+import { engine } from "../core/net.js";
 import { dialog } from "../core/view.js";
+import * as blobs from "../core/blobs.js";
+import * as designs from "../core/designs.js";
 
 // Files that are made for a cutter.
 const CUTTER = ["cutter.csv", "cutter.nc", "cutter_second.nc"];
 
-export function open(answer) {
-  if (!answer) return;
+export function open() {
+  if (!designs.isCurrent()) {
+    notice(t("studio-not-designed"));
+    return;
+  }
+  const { answer, files } = designs.present();
+  const make_ = (name, tool) => engine.download({ scene: answer.scene, files: blobs.listed(files), name, tool });
   dialog("studio-export", (body) => {
     body.className = "exports";
-    if (!answer.infeasible) {
-      body.append(make("figure", {}, make("img", { src: link(`export/${answer.id}/cam.svg`), alt: t("studio-export-preview") })));
-    }
     const tool = make("input", { type: "text", value: answer.cutter, id: "tool", size: 8 });
+    if (!answer.infeasible) body.append(preview(() => make_("cam.svg")));
     for (const [group, names] of answer.exports) {
-      const list = make("ul", {}, ...names.map((name) => {
-        const a = make("a", { href: link(`export/${answer.id}/${name}`), download: name }, name);
-        if (CUTTER.includes(name)) {
-          const own = () => { a.href = link(`export/${answer.id}/${name}?tool=${encodeURIComponent(tool.value)}`); };
-          tool.addEventListener("input", own);
-          own();
-        }
-        return make("li", {}, a, make("small", {}, t(`studio-file-${name.replaceAll(".", "-")}`)));
-      }));
-      body.append(make("section", {}, make("h3", {}, t(`studio-export-${group}`)), list));
+      const links = names.map((name) => make("li", {}, link(name, () => make_(name, CUTTER.includes(name) ? tool.value : undefined)),
+        make("small", {}, t(`studio-file-${name.replaceAll(".", "-")}`))));
+      body.append(make("section", {}, make("h3", {}, t(`studio-export-${group}`)), make("ul", {}, ...links)));
     }
     if (!answer.infeasible) body.append(make("p", {}, make("label", { for: "tool" }, t("studio-tool")), " ", tool));
     body.append(make("p", { class: "lead" }, t("studio-export-tolerance")));
   });
+}
+
+// A link whose file is made when it is asked for.
+function link(name, made) {
+  const a = make("a", { href: "#", download: name, onclick: async (event) => {
+    if (a.dataset.ready) return;
+    event.preventDefault();
+    try {
+      a.href = URL.createObjectURL(await made());
+      a.dataset.ready = "true";
+      a.click();
+    } catch (error) {
+      notice([error.message, error.help].filter(Boolean).join(" – "));
+    } finally {
+      setTimeout(() => { URL.revokeObjectURL(a.href); a.href = "#"; delete a.dataset.ready; }, 2000);
+    }
+  } }, name);
+  return a;
+}
+
+function preview(made) {
+  const image = make("img", { alt: t("studio-export-preview") });
+  made().then((blob) => { image.src = URL.createObjectURL(blob); }, () => {});
+  image.addEventListener("load", () => URL.revokeObjectURL(image.src));
+  return make("figure", {}, image);
 }

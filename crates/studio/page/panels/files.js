@@ -1,10 +1,13 @@
-// Scenes of the opened folder: opened, and saved under a name that is free.
+// Scenes of the opened folder, scenes of this machine, links; saved under a name that is free, or as a download.
 
 import { make, notice } from "../core/dom.js";
 import { t } from "../core/words.js";
-import { get, post } from "../core/net.js";
+import { engine } from "../core/net.js";
 import { dialog, closeDialog } from "../core/view.js";
-import { state } from "../core/store.js";
+import { unpack } from "../core/packing.js";
+import * as autosave from "../core/autosave.js";
+import * as blobs from "../core/blobs.js";
+import * as versions from "../core/versions.js";
 
 let folder = "";
 
@@ -12,42 +15,93 @@ export function load(start) {
   folder = start.folder;
 }
 
+const said = (error) => [error.place, error.message, error.help].filter(Boolean).join(" – ") || t("studio-lost");
+
 export async function open(openScene) {
-  const list = await get("folder.json");
+  let list = [];
+  try {
+    list = engine.folder ? await engine.folder.list() : [];
+  } catch (error) {
+    notice(said(error), true);
+  }
+  const take = (scene, more) => { closeDialog(); openScene(scene, more); };
   dialog("studio-open", (body) => {
     body.className = "files";
-    body.append(make("p", { class: "lead" }, t("studio-open-lead", { folder })));
-    const scenes = list.filter((f) => f.scene);
-    if (scenes.length === 0) body.append(make("p", {}, t("studio-open-none")));
-    body.append(make("ul", {}, ...scenes.map(({ path }) => make("li", {}, make("button", { type: "button", class: "plain", onclick: async () => {
-      try {
-        const file = await get(`folder/${path.split("/").map(encodeURIComponent).join("/")}`);
-        closeDialog();
-        openScene(file.scene);
-      } catch (error) {
-        notice(error.message);
-      }
-    } }, path)))));
+    if (engine.folder) body.append(...ofFolder(list.filter((f) => f.scene), take));
+    body.append(ofMachine(take), ofLink(take));
+    const last = autosave.last();
+    if (last) {
+      body.append(make("p", {}, make("button", { type: "button", id: "open-last", class: "plain", onclick: async () => {
+        const held = await unpack(`s=${last.packed}`);
+        if (held) take(held.scene, held);
+      } }, t("studio-open-last", { name: last.name }))));
+    }
   });
 }
 
-export function save(answer) {
-  if (!answer) return;
+function ofFolder(scenes, take) {
+  const lead = make("p", { class: "lead" }, t("studio-open-lead", { folder }));
+  if (scenes.length === 0) return [lead, make("p", {}, t("studio-open-none"))];
+  const entry = ({ path }) => make("li", {}, make("button", { type: "button", class: "plain", onclick: async () => {
+    try {
+      const file = await engine.folder.open(path);
+      take(file.scene);
+    } catch (error) {
+      notice(said(error));
+    }
+  } }, path));
+  return [lead, make("ul", {}, ...scenes.map(entry))];
+}
+
+function ofMachine(take) {
+  const pick = make("input", { type: "file", id: "open-pick", accept: ".toml", onchange: async () => { if (pick.files[0]) take(await pick.files[0].text()); } });
+  return make("p", {}, make("label", { for: "open-pick" }, t("studio-open-pick")), " ", pick);
+}
+
+function ofLink(take) {
+  const field = make("input", { type: "text", id: "open-link", autocomplete: "off", placeholder: "#s=…" });
+  return make("form", { onsubmit: async (event) => {
+    event.preventDefault();
+    const held = await unpack(field.value.trim());
+    if (held) take(held.scene, held);
+    else notice(t("studio-open-no-link"));
+  } }, make("label", { for: "open-link" }, t("studio-open-link")), field, make("button", { type: "submit" }, t("studio-open")));
+}
+
+// Saves the version that is shown; one with a refused value is not saved as if it had none.
+export function save() {
+  const v = versions.now();
+  if (!v) return;
   dialog("studio-save", (body) => {
     body.className = "files";
-    const name = make("input", { type: "text", id: "save-name", value: `${answer.name}.toml` });
+    const refused = v.pending.filter((p) => p.fault).flatMap((p) => p.keys);
+    if (v.pending.length > 0) {
+      body.append(make("p", { class: "bad", id: "save-refused" }, t(refused.length > 0 ? "studio-save-refused" : "studio-not-designed", { name: refused.join(", ") })));
+      return;
+    }
+    if (v.fault) body.append(make("p", { class: "fair" }, t("studio-save-faulty", { name: v.name })));
+    if (!engine.folder) {
+      body.append(make("p", {}, download(v)));
+      return;
+    }
+    const name = make("input", { type: "text", id: "save-name", value: `${v.name || "scene"}.toml` });
     const out = make("p", { role: "status" });
     const form = make("form", { onsubmit: async (event) => {
       event.preventDefault();
       try {
-        const saved = await post("save", { scene: state.scene, name: name.value });
+        const saved = await engine.folder.save({ scene: v.scene, files: blobs.listed(v.files), name: name.value });
         out.textContent = t("studio-saved", { files: saved.written.join(", ") });
       } catch (error) {
-        out.textContent = error.help ? `${error.message}; ${error.help}` : error.message;
+        out.textContent = said(error);
       }
     } }, make("label", { for: "save-name" }, t("studio-save-name")), name, make("button", { type: "submit", class: "main" }, t("studio-save-do")));
-    body.append(make("p", { class: "lead" }, t("studio-save-lead", { folder })), form, out);
+    body.append(make("p", { class: "lead" }, t("studio-save-lead", { folder })), form, out, make("p", {}, download(v)));
     name.focus();
-    name.setSelectionRange(0, answer.name.length);
+    name.setSelectionRange(0, v.name.length);
   });
+}
+
+function download(v) {
+  const href = URL.createObjectURL(new Blob([v.scene], { type: "application/toml" }));
+  return make("a", { href, download: `${v.name || "scene"}.toml` }, t("studio-save-download", { name: `${v.name || "scene"}.toml` }));
 }

@@ -2,15 +2,18 @@
 
 import { $, make, clear, notice } from "../core/dom.js";
 import { t, number, onLanguage } from "../core/words.js";
-import { post, send, get } from "../core/net.js";
-import { addCycle, addFile } from "../core/store.js";
+import { engine } from "../core/net.js";
+import * as blobs from "../core/blobs.js";
+import * as versions from "../core/versions.js";
 import { onTab, openTab, tab } from "../core/view.js";
 import * as hand from "./hand.js";
 
+const LARGEST = 64 * 2 ** 20;
 let edit = () => {};
 let openScene = () => {};
-let recording = null;
-let without = new Set();
+// What the recording of the version holds, and the key of that version's recording.
+let found = null;
+let seen = null;
 let folderFiles = [];
 
 export function load(onEdit, onScene) {
@@ -20,7 +23,7 @@ export function load(onEdit, onScene) {
   drops();
   onTab("force", async () => {
     try {
-      folderFiles = (await get("folder.json")).filter((f) => !f.scene);
+      folderFiles = engine.folder ? (await engine.folder.list()).filter((f) => !f.scene) : [];
     } catch {
       folderFiles = [];
     }
@@ -29,8 +32,30 @@ export function load(onEdit, onScene) {
   onLanguage(() => { if (openTab() === "force") build(); });
 }
 
+// Follows the version: undo brings the recording and its ticks back.
 export function show(answer) {
-  hand.show(answer);
+  const changed = hand.show(answer);
+  const recording = versions.now()?.recording ?? null;
+  const key = recording && JSON.stringify([recording.file, recording.without, versions.now().files[recording.file]]);
+  if (key !== seen) follow(recording, key);
+  if (changed && openTab() === "force") build();
+}
+
+async function follow(recording, key) {
+  seen = key;
+  if (recording && found?.key !== key) {
+    try {
+      found = { ...await described(recording, versions.now().files[recording.file]), key };
+    } catch {
+      found = null;
+    }
+  }
+  if (!recording) found = null;
+  if (seen === key && openTab() === "force") build();
+}
+
+function described({ file, without }, hash) {
+  return without.length > 0 ? engine.ask("contacts", { file, hash, without }) : engine.ask("recording", { file, hash });
 }
 
 // --- dropping ------------------------------------------------------------------------------------
@@ -47,48 +72,67 @@ function drops() {
     event.preventDefault();
     depth = 0;
     $("drop").hidden = true;
-    const [file] = event.dataTransfer.files;
+    const [file, ...others] = event.dataTransfer.files;
+    if (others.length > 0) notice(t("studio-one-file", { file: file.name }));
     if (file) take(file);
   });
 }
 
+const said = (error) => [error.place, error.message, error.help].filter(Boolean).join(" – ") || t("studio-lost");
+
 async function take(file) {
-  tab("force");
-  if (file.size > 64 * 2 ** 20) {
-    notice(t("studio-too-large"));
-    return;
-  }
   if (/\.toml$/i.test(file.name)) {
     openScene(await file.text());
     return;
   }
-  try {
-    recording = await send(`recording?name=${encodeURIComponent(file.name)}`, file);
-    without = new Set();
-    // A link holds the recording; of a large or binary one the mean cycle, unless something about it is open.
-    if (file.size < 60000 && !/\.c3d$/i.test(file.name)) addFile(recording.file, await file.text());
-    else if (recording.csv && !recording.doubts?.length) addCycle(recording.file, recording.csv);
-    use(recording.use);
-  } catch (error) {
-    recording = null;
-    notice([error.place, error.message, error.help].filter(Boolean).join(" – ") || t("studio-lost"), true);
+  tab("force");
+  if (file.size > LARGEST) {
+    notice(t("studio-too-large"));
+    return;
   }
-  build();
+  if (file.size > 2 ** 20) notice(t("studio-reading", { file: file.name }), true);
+  const hash = await blobs.put(file);
+  await use(file.name, hash);
 }
 
 async function fromFolder(path) {
   try {
-    recording = await post("contacts", { file: path });
-    without = new Set();
-    use(path);
+    const { name, hash } = await engine.folder.read(path);
+    await use(name, hash);
   } catch (error) {
-    notice([error.place, error.message, error.help].filter(Boolean).join(" – "), true);
+    notice(said(error));
   }
+}
+
+// The recording becomes the scene's force; of one that the reader refuses the scene says why and what can be chosen.
+async function use(file, hash) {
+  const recording = { file, without: [] };
+  const key = JSON.stringify([file, [], hash]);
+  try {
+    found = { ...await engine.ask("recording", { file, hash }), key };
+    // A link holds the recording; of a large or binary one the mean cycle, unless something about it is open.
+    if (found.csv && !found.doubts?.length) blobs.addCycle(hash, found.csv);
+    notice("");
+  } catch (error) {
+    found = null;
+    if (error.code === "lost" || error.code === "http") {
+      notice(t("studio-lost"), true);
+      return;
+    }
+    notice(said(error));
+  }
+  seen = key;
+  edit([{ set: { key: "gait.file", value: file } }], null, { files: { [file]: hash }, recording, hand: null, title: file });
   build();
 }
 
-function use(name) {
-  edit([{ set: { key: "gait.file", value: name } }]);
+// What can be done about a fault of a recording: buttons with the value that the reader asks for.
+export function remedies(fault) {
+  const out = [];
+  for (const [, key, value] of (fault.help ?? "").matchAll(/\b(gait\.)?(kind|feet|period|accept|unit|force|time) = "([^"]+)"/g).map((m) => [0, `gait.${m[2]}`, m[3]])) {
+    out.push([`${key} = ${value}`, () => edit([{ set: { key, value } }])]);
+  }
+  return out;
 }
 
 // --- the panel -----------------------------------------------------------------------------------
@@ -103,30 +147,31 @@ function build() {
       make("option", { value: "" }, t("studio-force-folder")), ...folderFiles.map(({ path }) => make("option", { value: path }, path)));
     root.append(make("label", { class: "stack", for: "folder-recording" }, t("studio-force-folder-label")), select);
   }
-  if (recording) root.append(found());
+  if (found) root.append(panel());
   root.append(make("h2", {}, t("studio-force-hand")), make("p", { class: "lead" }, t("studio-force-hand-lead")));
   root.append(hand.section(build));
 }
 
-function found() {
+function panel() {
   const box = make("div", { class: "found" });
-  box.append(make("h3", {}, recording.file));
-  if (recording.picture) {
+  box.append(make("h3", {}, found.file));
+  if (found.picture) {
     const figure = make("figure", {});
-    figure.innerHTML = recording.picture;
+    figure.innerHTML = found.picture;
     box.append(figure);
   }
-  if (recording.stances?.length > 0) box.append(contacts());
-  box.append(make("details", {}, make("summary", {}, t("studio-force-details")), make("pre", { tabindex: "0" }, recording.table)));
+  if (found.stances?.length > 0) box.append(contacts());
+  box.append(make("details", {}, make("summary", {}, t("studio-force-details")), make("pre", { tabindex: "0" }, found.table)));
   return box;
 }
 
 function contacts() {
-  const rows = recording.stances.map((s, i) => {
+  const without = new Set(versions.now().recording?.without ?? []);
+  const rows = found.stances.map((s, i) => {
     const tick = make("input", { type: "checkbox", id: `contact-${i}`, checked: !without.has(i), onchange: () => {
       if (tick.checked) without.delete(i);
       else without.add(i);
-      again();
+      leaveOut([...without].sort((a, b) => a - b));
     } });
     return make("tr", {}, make("td", {}, tick), make("th", { scope: "row" }, make("label", { for: `contact-${i}` }, `${i + 1} ${s.foot ? t(`studio-foot-${s.foot}`) : ""}`)),
       make("td", {}, `${number(s.start_s, 4)}–${number(s.end_s, 4)} s`), make("td", {}, `${number(s.p1_n, 4)} N`));
@@ -134,13 +179,19 @@ function contacts() {
   return make("div", { class: "scroll short", tabindex: "0" }, make("table", {}, make("caption", {}, t("studio-contacts")), make("tbody", {}, ...rows)));
 }
 
-async function again() {
+// The mean cycle of the contacts that stay is a file of its own, which the scene names.
+async function leaveOut(without) {
+  const { file } = versions.now().recording;
+  const hash = versions.now().files[file];
+  const key = JSON.stringify([file, without, hash]);
   try {
-    recording = { ...recording, ...await post("contacts", { file: recording.file, without: [...without] }) };
-    if (recording.csv && recording.use !== recording.file) addFile(recording.use, recording.csv);
-    use(recording.use);
+    found = { ...await described({ file, without }, hash), key };
+    seen = key;
+    const files = { [found.use]: found.use_hash ?? hash };
+    if (found.csv && found.use !== file) files[found.use] = await blobs.put(new TextEncoder().encode(found.csv));
+    edit([{ set: { key: "gait.file", value: found.use } }], null, { files, recording: { file, without }, title: t("studio-contacts") });
   } catch (error) {
-    notice(error.message);
+    notice(said(error));
   }
   build();
 }

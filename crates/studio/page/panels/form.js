@@ -2,13 +2,18 @@
 
 import { $, make, clear } from "../core/dom.js";
 import { t, has, language, onLanguage } from "../core/words.js";
+import * as typed from "../core/typed.js";
 
 const SECTIONS = ["", "gait", "drive", "law", "cam", "limits", "accuracy", "machine"];
+// Values that most scenes turn on first.
+const BASIC = ["name", "gait.step_frequency", "gait.body_weight", "drive.speed", "cam.follower", "limits.stroke", "limits.pressure_angle", "limits.curvature", "accuracy.rms"];
 let keys = [];
 let edit = () => {};
 const rows = new Map();
 let dragged = null;
 let gesture = 0;
+let known = {};
+let everything = false;
 
 export function load(table, onEdit) {
   keys = table.filter((k) => !k.key.includes(".N."));
@@ -29,7 +34,12 @@ export function label(key) {
 function build() {
   const root = clear($("values"));
   const search = make("input", { type: "search", id: "find-value", "aria-label": t("studio-find"), placeholder: t("studio-find"), oninput: find });
-  root.append(make("div", { class: "find" }, search));
+  const all = make("button", { type: "button", id: "all-values", "aria-pressed": String(everything), onclick: () => {
+    everything = !everything;
+    all.setAttribute("aria-pressed", String(everything));
+    spread();
+  } }, t("studio-all-values"));
+  root.append(make("div", { class: "find" }, search, all));
   const old = new Map(rows);
   rows.clear();
   for (const section of SECTIONS) {
@@ -42,6 +52,7 @@ function build() {
     root.append(fold);
   }
   for (const [key, before] of old) if (before.field) show(rows.get(key), before.field);
+  spread();
 }
 
 function row(key) {
@@ -50,7 +61,7 @@ function row(key) {
   const help = make("p", { class: "help", id: id(name) + "-help", hidden: true }, key.doc[language()]);
   entry.fault = make("p", { class: "row-fault", id: id(name) + "-fault", hidden: true });
   entry.input = input(key);
-  const more = make("button", { type: "button", class: "ask", "aria-expanded": "false", "aria-controls": help.id,
+  const more = make("button", { type: "button", class: "ask", tabindex: "-1", "aria-expanded": "false", "aria-controls": help.id,
     "aria-label": t("studio-help", { name: label(name) }), onclick: () => {
       help.hidden = !help.hidden;
       more.setAttribute("aria-expanded", String(!help.hidden));
@@ -59,7 +70,7 @@ function row(key) {
     "aria-label": t("studio-slider", { name: label(name) }) });
   slide(entry);
   entry.text = `${name} ${label(name)} ${key.doc[language()]}`.toLowerCase();
-  entry.root = make("div", { class: "row", "data-row": name },
+  entry.root = make("div", { class: BASIC.includes(name) ? "row basic" : "row", "data-row": name },
     make("label", { for: id(name), title: `${name}: ${key.doc[language()]}` }, label(name)), more, entry.input, entry.slider, help, entry.fault);
   rows.set(name, entry);
   return entry.root;
@@ -91,11 +102,14 @@ function input(key) {
   return field;
 }
 
-function send(key, value, how) {
+function send(key, text, how) {
   if (how === "choice") gesture += 1;
+  const entry = rows.get(key);
   // What stands in the page is no longer what the last design said.
-  rows.get(key).seen = null;
-  edit([{ set: { key, value } }], `${key} ${gesture}`);
+  entry.seen = null;
+  const unit = entry.field?.slider?.unit.trim() || typed.unitOf(entry.field?.text) || typed.unitOf(entry.field?.placeholder);
+  const value = how === "typed" ? typed.value(text, unit) : text;
+  edit([{ set: { key, value } }], `${key} ${gesture}`, { title: label(key) });
 }
 
 // Up and down change the number by one step of its slider.
@@ -129,8 +143,43 @@ function slide(entry) {
   });
 }
 
-// The fields of a design.
-export function update(fields) {
+// The fields of a design, or the ones before; over them the values of the version that no design has.
+export function update(fields, version) {
+  if (fields) known = fields;
+  shown(known);
+  overlay(version);
+}
+
+function overlay(version) {
+  clearFault();
+  for (const { edits, fault: refusal } of version?.pending ?? []) {
+    for (const { set } of edits) {
+      const entry = set && rows.get(set.key);
+      if (!entry) continue;
+      const typing = document.activeElement === entry.input && entry.input.tagName === "INPUT" && !entry.forced;
+      if (!typing && dragged !== set.key) entry.input.value = set.value;
+      entry.seen = null;
+      entry.root.classList.add("set");
+      if (refusal) mark(entry, refusal);
+    }
+    const named = refusal?.key && rows.get(refusal.key);
+    if (named && named.fault.hidden) mark(named, refusal);
+  }
+  if (version?.fault?.key && rows.has(version.fault.key)) mark(rows.get(version.fault.key), version.fault);
+  for (const entry of rows.values()) entry.forced = false;
+  spread();
+}
+
+// Few values first: what the scene uses; the others on demand.
+function spread() {
+  for (const { root, input, slider } of rows.values()) {
+    const away = !everything && !root.matches(".set, .basic, .faulty") && !root.hidden;
+    root.classList.toggle("unused", away);
+    for (const stop of [input, slider]) stop.tabIndex = away ? -1 : 0;
+  }
+}
+
+function shown(fields) {
   let moved = false;
   for (const [key, entry] of rows) {
     const field = fields[key];
@@ -150,7 +199,7 @@ export function update(fields) {
 
 function show(entry, field) {
   const { input, slider, key } = entry;
-  const typing = document.activeElement === input && input.tagName === "INPUT";
+  const typing = document.activeElement === input && input.tagName === "INPUT" && !entry.forced;
   if (!typing && dragged !== key.key) input.value = field.text;
   if (input.tagName === "INPUT") input.placeholder = field.placeholder;
   else if (input.options[0]?.value === "" && key.kind === "choice") input.options[0].textContent = field.placeholder ? `(${field.placeholder})` : "–";
@@ -172,20 +221,19 @@ function show(entry, field) {
   slider.setAttribute("aria-valuetext", input.value || field.placeholder);
 }
 
-// Marks the field that an error names; returns whether there is one.
-export function fault(error) {
-  clearFault();
-  const entry = error?.key && rows.get(error.key);
-  if (!entry) return false;
+function mark(entry, error) {
   entry.root.hidden = false;
+  entry.root.classList.add("faulty");
   entry.input.setAttribute("aria-invalid", "true");
   entry.fault.hidden = false;
-  entry.fault.textContent = error.help ? `${error.message}; ${error.help}` : error.message;
-  return true;
+  const text = error.help ? `${error.message}; ${error.help}` : error.message;
+  if (entry.fault.textContent !== text) entry.fault.textContent = text;
 }
 
-export function clearFault() {
-  for (const { input, fault } of rows.values()) {
+function clearFault() {
+  for (const { root, input, fault } of rows.values()) {
+    if (fault.hidden) continue;
+    root.classList.remove("faulty");
     input.removeAttribute("aria-invalid");
     fault.hidden = true;
   }
@@ -193,10 +241,11 @@ export function clearFault() {
 
 function find() {
   const wanted = ($("find-value")?.value ?? "").trim().toLowerCase();
+  $("values").classList.toggle("searching", wanted !== "");
   for (const { root, text } of rows.values()) root.classList.toggle("unfound", wanted !== "" && !text.includes(wanted));
 }
 
 export function reset() {
   dragged = null;
-  for (const entry of rows.values()) Object.assign(entry, { field: null, seen: null });
+  for (const entry of rows.values()) Object.assign(entry, { field: null, seen: null, forced: true });
 }

@@ -2,8 +2,9 @@
 
 import { make, clear, notice, svg } from "../core/dom.js";
 import { t, number } from "../core/words.js";
-import { post } from "../core/net.js";
-import { addFile } from "../core/store.js";
+import { engine } from "../core/net.js";
+import * as blobs from "../core/blobs.js";
+import * as versions from "../core/versions.js";
 
 const [WIDTH, HEIGHT, PAD] = [320, 190, 28];
 let edit = () => {};
@@ -11,15 +12,45 @@ let answer = null;
 let drawn = null;
 let chosen = 0;
 let scale = [0, 1];
+let asking = 0;
 let picture = null;
 let version = 0;
+let gesture = 0;
+// The version's force that the editor shows.
+let seen = null;
+const FILE = "force-by-hand.csv";
 
 export function load(onEdit) {
   edit = onEdit;
 }
 
+// Follows the version: undo brings the points back. Returns whether the editor came or went.
 export function show(next) {
   answer = next;
+  const { hand } = versions.now() ?? {};
+  if (hand === seen || asking > 0) return false;
+  seen = hand;
+  const changed = Boolean(drawn) !== Boolean(hand);
+  if (!changed && JSON.stringify(hand) === JSON.stringify(plain())) return false;
+  drawn = hand ? { period_s: hand.period_s, points: hand.points.map((p) => [...p]) } : null;
+  chosen = Math.min(chosen, (drawn?.points.length ?? 1) - 1);
+  if (!drawn) return changed;
+  fit();
+  trace();
+  return changed;
+}
+
+const plain = () => ({ period_s: drawn.period_s, points: drawn.points.map((p) => [...p]) });
+
+// The curve through the points, from what the engine keeps of it.
+async function trace() {
+  const hash = versions.now().files[FILE];
+  const mine = version;
+  try {
+    const { force_n } = await engine.ask("force", { file: FILE, ...plain() });
+    if (mine === version && drawn && versions.now().files[FILE] === hash) drawn.curve = force_n;
+  } catch { /* the points alone */ }
+  paint();
 }
 
 // The button that begins, or the editor; `again` builds the panel anew.
@@ -39,7 +70,8 @@ function begin() {
     const i = curves.theta.findIndex((x) => x >= wanted - 1e-9);
     return [period * k / count, Math.round(10 * (target.y[Math.max(i, 0)] ?? 0)) / 10];
   });
-  drawn = { period_s: period, points, gesture: 0 };
+  drawn = { period_s: period, points };
+  gesture += 1;
   keep();
 }
 
@@ -47,17 +79,20 @@ function begin() {
 async function keep() {
   version += 1;
   const mine = version;
-  // Two names in turn: the scene is seen to change.
-  const body = { file: `force-by-hand-${mine % 2}.csv`, period_s: drawn.period_s, points: drawn.points };
+  const hand = plain();
+  asking += 1;
   try {
-    const kept = await post("force", body);
+    const kept = await engine.ask("force", { file: FILE, ...hand });
+    const hash = await blobs.put(new TextEncoder().encode(kept.csv));
     if (mine !== version) return;
-    addFile(kept.use, kept.csv);
     drawn.curve = kept.force_n;
-    edit([{ set: { key: "gait.file", value: kept.use } }], `drawn ${drawn.gesture}`);
+    seen = hand;
+    edit([{ set: { key: "gait.file", value: FILE } }], `drawn ${gesture}`, { files: { [FILE]: hash }, hand, title: t("studio-force-hand") });
     paint();
   } catch (error) {
     notice(error.message);
+  } finally {
+    asking -= 1;
   }
 }
 
@@ -87,6 +122,7 @@ function move(i, [time, force]) {
 }
 
 function add(point) {
+  gesture += 1;
   drawn.points.push(point);
   drawn.points.sort((a, b) => a[0] - b[0]);
   chosen = drawn.points.indexOf(point);
@@ -96,6 +132,7 @@ function add(point) {
 
 function remove(i) {
   if (drawn.points.length <= 3) return;
+  gesture += 1;
   drawn.points.splice(i, 1);
   chosen = Math.max(0, Math.min(i, drawn.points.length - 1));
   paint();
@@ -103,7 +140,7 @@ function remove(i) {
 }
 
 function paint() {
-  if (!picture) return;
+  if (!picture || !drawn) return;
   clear(picture);
   picture.append(svg("path", { class: "axis", d: `M${PAD} ${y(0)}H${WIDTH - 8}M${PAD} 8V${HEIGHT - 18}` }));
   if (drawn.curve) {
@@ -119,7 +156,7 @@ function knot(point, i) {
     "aria-label": t("studio-point", { number: i + 1, time: number(point[0], 3), force: number(point[1], 4) }) });
   dot.addEventListener("pointerdown", (event) => {
     chosen = i;
-    drawn.gesture += 1;
+    gesture += 1;
     fit();
     picture.setPointerCapture(event.pointerId);
     event.stopPropagation();
@@ -136,6 +173,7 @@ function key(event, i) {
   if (!step && event.key !== "Delete") return;
   event.preventDefault();
   if (step) {
+    gesture += event.repeat ? 0 : 1;
     chosen = i;
     move(i, [drawn.points[i][0] + step[0], drawn.points[i][1] + step[1]]);
     paint();
@@ -165,6 +203,7 @@ function editor() {
     const factor = next / drawn.period_s;
     for (const p of drawn.points) p[0] *= factor;
     drawn.period_s = next;
+    gesture += 1;
     keep();
   } });
   return make("div", { class: "hand" }, picture, make("div", { class: "buttons" },

@@ -2,7 +2,7 @@
 
 import { $, make, clear, svg } from "../core/dom.js";
 import { t, number, language, onLanguage } from "../core/words.js";
-import { get } from "../core/net.js";
+import { engine } from "../core/net.js";
 import { onTab, openTab, dialog } from "../core/view.js";
 
 const LISTS = ["law.segment", "law.point", "law.dwell", "gait.weight"];
@@ -16,7 +16,7 @@ export function load(onEdit) {
   edit = onEdit;
   onTab("programme", async () => {
     build();
-    if (laws.length === 0) laws = await get("laws.json");
+    if (laws.length === 0) ({ laws } = await engine.ask("laws", {}));
     build();
   });
   onLanguage(() => { if (openTab() === "programme") build(); });

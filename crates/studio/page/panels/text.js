@@ -3,7 +3,7 @@
 import { $, make, clear } from "../core/dom.js";
 import { t, onLanguage } from "../core/words.js";
 import { onTab, openTab } from "../core/view.js";
-import { state } from "../core/store.js";
+import * as versions from "../core/versions.js";
 
 let openScene = () => {};
 
@@ -22,7 +22,7 @@ function build() {
 
 function fill() {
   const area = $("scene-text");
-  if (area && document.activeElement !== area) area.value = state.scene;
+  if (area && document.activeElement !== area) area.value = versions.now()?.scene ?? "";
 }
 
 export function show(answer, more) {

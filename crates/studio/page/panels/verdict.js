@@ -2,8 +2,9 @@
 
 import { $, make, say, clear } from "../core/dom.js";
 import { t, language } from "../core/words.js";
-import { post } from "../core/net.js";
-import { page } from "../core/solver.js";
+import { engine } from "../core/net.js";
+import * as blobs from "../core/blobs.js";
+import * as designs from "../core/designs.js";
 
 let apply = () => {};
 let shown = null;
@@ -15,7 +16,6 @@ export function load(onApply) {
 export function show(answer) {
   shown = answer;
   const state = answer.infeasible ? "infeasible" : answer.verdict;
-  $("verdict").dataset.verdict = answer.verdict;
   $("verdict").className = `verdict ${answer.infeasible ? "unacceptable" : answer.verdict}`;
   say($("verdict-name"), t(`studio-verdict-${state}`));
   say($("verdict-reasons"), answer.reasons);
@@ -48,16 +48,26 @@ function figures({ figures: list }) {
 
 // The whole design is tried with every relaxation, which takes longer than the design itself.
 let asking = 0;
+let relaxing = null;
 function relax(answer) {
   clearTimeout(asking);
   asking = setTimeout(async () => {
     try {
-      const tried = await post("relax", { id: answer.id, page, number: answer.number });
-      if (shown !== answer || tried.superseded) return;
-      $("verdict-reasons").textContent = tried.reasons;
+      relaxing?.abort();
+      relaxing = new AbortController();
+      const question = { scene: answer.scene, files: blobs.listed(designs.present().files) };
+      const tried = await engine.ask("relax", question, { signal: relaxing.signal });
+      if (shown !== answer) return;
+      if (designs.isCurrent()) $("verdict-reasons").textContent = tried.reasons;
       conflict(answer, tried.relaxations, tried.together);
     } catch { /* the conflict alone stays */ }
   }, 120);
+}
+
+// A new design is asked: what is tried for the last one is of no use.
+export function stop() {
+  clearTimeout(asking);
+  relaxing?.abort();
 }
 
 function conflict(answer, relaxations, together) {

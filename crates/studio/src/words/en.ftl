@@ -39,6 +39,21 @@ studio-lost = The server does not answer. Start gaitcam studio again and open th
 studio-refused = The server has been restarted and no longer knows this page. Open the address that gaitcam studio prints.
 studio-drop = Drop a recording (C3D, MOT, CSV …) or a scene
 
+# Versions.
+studio-pending = A value is refused: the picture is that of the last design.
+studio-not-designed = The version shown has no design yet.
+studio-linked-part = Copied: the part of a link that holds the scene. Any copy of this page takes it under Open, or behind its address.
+studio-open-last = Continue with { $name }, as it was left
+studio-open-pick = A scene of this machine
+studio-open-link = A link, or the part from #s= on
+studio-open-no-link = There is no scene in this text.
+studio-save-refused = Not saved: { $name } is refused. Correct the value or undo it first.
+studio-save-faulty = The scene { $name } cannot be designed yet; it is saved as it is.
+studio-save-download = Download { $name }
+studio-one-file = One file at a time: { $file } is taken.
+studio-reading = Reading { $file } …
+studio-all-values = All values
+
 # Panel and form.
 studio-panel = Scene
 studio-tab-values = Values

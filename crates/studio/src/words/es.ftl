@@ -39,6 +39,21 @@ studio-lost = El servidor no responde. Inicie de nuevo gaitcam studio y abra la 
 studio-refused = El servidor se ha reiniciado y ya no conoce esta página. Abra la dirección que imprime gaitcam studio.
 studio-drop = Suelte un registro (C3D, MOT, CSV …) o una escena
 
+# Versiones.
+studio-pending = Un valor no se acepta: la imagen es la del último diseño.
+studio-not-designed = La versión mostrada aún no tiene diseño.
+studio-linked-part = Copiada la parte del enlace que contiene la escena. Cualquier copia de esta página la acepta en Abrir o detrás de su dirección.
+studio-open-last = Continuar con { $name }, tal como se dejó
+studio-open-pick = Una escena de este equipo
+studio-open-link = Un enlace, o su parte desde #s=
+studio-open-no-link = En este texto no hay ninguna escena.
+studio-save-refused = No se ha guardado: { $name } no se acepta. Corrija antes el valor o deshágalo.
+studio-save-faulty = La escena { $name } aún no se puede diseñar; se guarda tal como está.
+studio-save-download = Descargar { $name }
+studio-one-file = Un archivo cada vez: se toma { $file }.
+studio-reading = Leyendo { $file } …
+studio-all-values = Todos los valores
+
 # Panel y formulario.
 studio-panel = Escena
 studio-tab-values = Valores

@@ -10,9 +10,9 @@ pub static WORDS: Catalogue =
     Catalogue::new(&[&[[include_str!("en.ftl"), include_str!("es.ftl")]]]);
 
 /// Arguments of the page's texts.
-const ARGUMENTS: [&str; 11] = [
+const ARGUMENTS: [&str; 13] = [
     "name", "low", "high", "seconds", "share", "folder", "files", "count", "number", "time",
-    "force",
+    "force", "longest", "file",
 ];
 
 thread_local! {

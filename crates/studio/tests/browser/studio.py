@@ -14,6 +14,8 @@ BINARY = os.environ["GAITCAM"]
 CHROMIUM = os.environ["CHROMIUM"]
 ROOT = Path(os.environ["GAITCAM_ROOT"])
 PATIENCE = 30.0
+# A folder with the page's files: they are shown in place of those in the binary, so that a change needs no compiler.
+FRESH = os.environ.get("GAITCAM_PAGE")
 
 
 class Server:
@@ -54,11 +56,37 @@ class Browser:
         context = context or self.chromium.new_context(
             viewport={"width": width, "height": height}, color_scheme=theme, accept_downloads=True
         )
+        if FRESH:
+            context.route("**/*", fresh)
         return Page(context.new_page(), url)
 
     def close(self):
         self.chromium.close()
         self.driver.stop()
+
+
+def fresh(route):
+    """Answers with the files of FRESH, and with the words of the source tree."""
+    path = route.request.url.split("?")[0]
+    name = re.sub(r"^http://[^/]+/([0-9a-f]{16,}/)?", "", path)
+    file = Path(FRESH) / (name or "index.html")
+    if name == "start.json":
+        answer = route.fetch()
+        start = answer.json()
+        for tag, words in start["words"].items():
+            text = (Path(FRESH).parent / "src" / "words" / f"{tag}.ftl").read_text()
+            words.update({k: re.sub(r"{ \$(\w+) }", r"{\1}", v) for k, v in re.findall(r"^(studio-[\w-]+) = (.*)$", text, re.M)})
+        route.fulfill(response=answer, json=start)
+    elif not name:
+        answer = route.fetch()
+        base = re.search(r'<base href="([^"]*)"', answer.text()).group(1)
+        body = file.read_text().replace("{base}", base).replace("{language}", "en").replace("{engine}", "native")
+        route.fulfill(response=answer, body=body)
+    elif file.is_file():
+        kind = {"js": "text/javascript", "css": "text/css"}[file.suffix[1:]]
+        route.fulfill(body=file.read_text(), content_type=f"{kind}; charset=utf-8")
+    else:
+        route.continue_()
 
 
 class Page:

@@ -1,0 +1,153 @@
+// Which question is asked: the design of the present version, one at a time. Intermediate states of a gesture may be
+// skipped, the last never. A change that is refused stays with its version; the others go on.
+
+import { engine, Fault } from "./net.js";
+import * as blobs from "./blobs.js";
+import * as versions from "./versions.js";
+
+const AGAIN = 2000;
+let running = null;
+let waiting = null;
+let shown = null;
+let retry = 0;
+const handlers = { show: () => {}, state: () => {}, working: () => {}, lost: () => {}, colour: () => "none" };
+
+export function on(more) {
+  Object.assign(handlers, more);
+}
+
+// The answer on the screen, with the version that it belongs to.
+export const present = () => shown;
+
+// The design of the present version is shown, whole.
+export function isCurrent() {
+  const v = versions.now();
+  return Boolean(v) && v.pending.length === 0 && !v.fault && shown?.version === v.id;
+}
+
+// Asks for the design of the present version. `since` is when the input came.
+export function ask(since = performance.now()) {
+  clearTimeout(retry);
+  if (running) waiting = since;
+  else run(since);
+  handlers.state();
+}
+
+// Asks at once: what runs belongs to another version.
+export function askAnew(since = performance.now()) {
+  stop();
+  ask(since);
+}
+
+function stop() {
+  running?.abort();
+  running = null;
+  waiting = null;
+}
+
+// Leaves the present question unanswered: the version stays pending.
+export function cancel() {
+  stop();
+  handlers.working(false, 0);
+  handlers.state();
+}
+
+async function run(since) {
+  const control = new AbortController();
+  running = control;
+  const v = versions.now();
+  handlers.working(true, since);
+  try {
+    await blobs.ensure(v.files);
+    const outcome = await settle(v, control.signal);
+    if (running !== control) return;
+    versions.settle(v.id, outcome);
+    const more = waiting !== null;
+    // The next answer is on its way while this one is drawn.
+    if (more) next();
+    if (outcome.answer) {
+      shown = { version: v.id, answer: outcome.answer, files: v.files };
+      await handlers.show(outcome.answer, since, more);
+    } else if (outcome.same) shown = { ...shown, version: v.id };
+    handlers.state(outcome.fields);
+  } catch (error) {
+    if (error.name === "AbortError" || running !== control) return;
+    if (!(error instanceof Fault)) throw error;
+    handlers.lost(error);
+    retry = setTimeout(() => ask(since), AGAIN);
+  } finally {
+    if (running === control) {
+      running = null;
+      if (waiting !== null) next();
+      else handlers.working(false, since);
+    }
+  }
+}
+
+function next() {
+  const since = waiting;
+  waiting = null;
+  run(since);
+}
+
+// A question about a version with some of its changes; faults of the scene are answers, a lost engine is not.
+async function tried(route, v, groups, signal) {
+  const changes = groups.flatMap((p) => p.edits);
+  try {
+    const question = { scene: v.scene, changes, files: blobs.listed(v.files) };
+    if (route === "design") question.colour = handlers.colour();
+    return { answer: await engine.ask(route, question, { signal }) };
+  } catch (error) {
+    if (route === "read" && error.code === "http") return {};
+    if (!(error instanceof Fault) || error.code === "lost" || error.code === "http") throw error;
+    return { fault: plain(error) };
+  }
+}
+
+const plain = ({ code, key, place, message, help }) => ({ code, key, place, message, help });
+
+// The version with all its changes; where that is refused, with those that can be taken.
+async function settle(v, signal) {
+  const all = await tried("design", v, v.pending, signal);
+  if (all.answer) return { scene: all.answer.scene, name: all.answer.name, pending: [], answer: all.answer };
+  if (v.fault || v.pending.length === 0) return unfinished(v, all.fault, signal);
+  const taken = [];
+  const left = [];
+  let best = null;
+  for (const change of v.pending) {
+    const alone = v.pending.length === 1;
+    const known = change.fault && taken.length === 0;
+    const result = alone ? all : known ? { fault: change.fault } : await tried("design", v, [...taken, change], signal);
+    if (result.answer) {
+      taken.push(change);
+      best = result.answer;
+    } else left.push(Object.freeze({ ...change, fault: result.fault }));
+  }
+  if (best) return { scene: best.scene, name: best.name, pending: left, answer: best };
+  return base(v, left, signal);
+}
+
+// Nothing can be taken: the picture is that of the scene before the changes.
+async function base(v, left, signal) {
+  const same = shown?.answer.scene === v.scene && JSON.stringify(shown.files) === JSON.stringify(v.files);
+  if (same) return { scene: v.scene, name: v.name, pending: left, same };
+  const { answer, fault } = await tried("design", v, [], signal);
+  return { scene: v.scene, name: answer?.name ?? v.name, pending: left, answer, fault };
+}
+
+// The scene itself cannot be designed yet: what can be read of it is taken.
+async function unfinished(v, fault, signal) {
+  const left = [];
+  const taken = [];
+  let read = null;
+  for (const change of v.pending) {
+    const result = await tried("read", v, [...taken, change], signal);
+    if (result.answer) {
+      taken.push(change);
+      read = result.answer;
+    } else if (!result.fault) left.push(change);
+    else left.push(Object.freeze({ ...change, fault: result.fault }));
+  }
+  read ??= (await tried("read", v, [], signal)).answer;
+  return { scene: read?.scene ?? v.scene, name: read?.name ?? v.name, fields: read?.fields, pending: left, fault };
+}

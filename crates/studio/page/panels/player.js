@@ -1,0 +1,38 @@
+// Play, pace and direction of the animation.
+
+import { $, make, clear } from "../core/dom.js";
+import { t, onLanguage } from "../core/words.js";
+import * as clock from "../core/clock.js";
+
+const PACES = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
+
+export function load() {
+  const paint = () => {
+    $("play").textContent = clock.isPlaying() ? "❚❚" : "▶";
+    $("play").setAttribute("aria-label", t(clock.isPlaying() ? "studio-pause" : "studio-play"));
+    $("reverse").setAttribute("aria-pressed", String(clock.isBackwards()));
+  };
+  const paces = () => {
+    const before = $("pace").value;
+    clear($("pace")).append(...PACES.map((p) => make("option", { value: p }, p === 1 ? t("studio-true-speed") : t("studio-of-speed", { share: Math.round(1 / p) }))));
+    if (before) $("pace").value = before;
+  };
+  clock.onPlay(paint);
+  onLanguage(() => { paint(); paces(); });
+  paint();
+  paces();
+  $("play").addEventListener("click", () => clock.play(!clock.isPlaying()));
+  $("reverse").addEventListener("click", clock.reverse);
+  $("pace").addEventListener("change", () => clock.setPace(Number($("pace").value)));
+  $("angle").addEventListener("input", () => { clock.play(false); clock.set(Number($("angle").value)); });
+}
+
+// A new cam starts to turn, one turn in about five seconds.
+export function begin(motion) {
+  clock.set(motion.start);
+  const wanted = motion.period / 5;
+  const pace = PACES.reduce((best, p) => (Math.abs(Math.log(p / wanted)) < Math.abs(Math.log(best / wanted)) ? p : best));
+  $("pace").value = String(pace);
+  clock.setPace(pace);
+  clock.play(!window.matchMedia("(prefers-reduced-motion: reduce)").matches);
+}
