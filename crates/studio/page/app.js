@@ -24,8 +24,14 @@ import * as text from "./panels/text.js";
 
 let anew = true;
 
+let lastGesture = null;
+
 // Changes values of the scene and asks for its design. Changes of one gesture are one version.
 function edit(changes, gesture = null, more = {}) {
+  const before = designs.present()?.answer.curves;
+  if (before && gesture !== lastGesture) charts.leave(before);
+  else charts.linger();
+  lastGesture = gesture;
   versions.edit(changes, gesture, more);
   designs.ask(performance.now());
 }
@@ -57,7 +63,7 @@ async function show(answer, since, more) {
     player.begin(answer.motion);
   }
   verdict.show(answer);
-  charts.show(answer.curves);
+  charts.show(answer.curves, answer.fields);
   stage.show(answer);
   for (const part of [programme, compare, text]) part.show(answer, more);
   clock.set(clock.angle());
@@ -133,7 +139,7 @@ async function boot() {
   status.load(start.longest_s, (fault) => force.remedies(fault));
   form.load(start.keys, edit);
   verdict.load((changes) => edit(changes));
-  charts.load();
+  charts.load(edit);
   stage.load(() => designs.ask());
   player.load();
   view.tabs();

@@ -6,6 +6,12 @@ import * as blobs from "./blobs.js";
 import * as versions from "./versions.js";
 
 const AGAIN = 2000;
+// A design that takes longer is first asked for as a cheaper one while a value is moved, and whole when the hand has
+// rested, ms.
+const LONG = 100;
+const REST = 250;
+let slow = false;
+let whole = true;
 let running = null;
 let waiting = null;
 let shown = null;
@@ -22,12 +28,14 @@ export const present = () => shown;
 // The design of the present version is shown, whole.
 export function isCurrent() {
   const v = versions.now();
+  if (shown?.answer.quick) return false;
   return Boolean(v) && v.pending.length === 0 && !v.fault && shown?.version === v.id;
 }
 
 // Asks for the design of the present version. `since` is when the input came.
 export function ask(since = performance.now()) {
   clearTimeout(retry);
+  whole = false;
   if (running) waiting = since;
   else run(since);
   handlers.state();
@@ -53,19 +61,22 @@ export function cancel() {
 }
 
 async function run(since) {
+  const quick = slow && !whole && versions.now().gesture !== null;
   const control = new AbortController();
   running = control;
   const v = versions.now();
   handlers.working(true, since);
   try {
     await blobs.ensure(v.files);
-    const outcome = await settle(v, control.signal);
+    const outcome = await settle(v, control.signal, quick);
     if (running !== control) return;
     versions.settle(v.id, outcome);
     const more = waiting !== null;
     // The next answer is on its way while this one is drawn.
     if (more) next();
     if (outcome.answer) {
+      slow = outcome.answer.quick || outcome.answer.server_ms > LONG;
+      if (outcome.answer.quick && !more) retry = setTimeout(refine, REST);
       shown = { version: v.id, answer: outcome.answer, files: v.files };
       await handlers.show(outcome.answer, since, more);
     } else if (outcome.same) shown = { ...shown, version: v.id };
@@ -84,6 +95,11 @@ async function run(since) {
   }
 }
 
+function refine() {
+  whole = true;
+  run(performance.now());
+}
+
 function next() {
   const since = waiting;
   waiting = null;
@@ -91,11 +107,12 @@ function next() {
 }
 
 // A question about a version with some of its changes; faults of the scene are answers, a lost engine is not.
-async function tried(route, v, groups, signal) {
+async function tried(route, v, groups, signal, quick = false) {
   const changes = groups.flatMap((p) => p.edits);
   try {
     const question = { scene: v.scene, changes, files: blobs.listed(v.files) };
     if (route === "design") question.colour = handlers.colour();
+    if (quick) question.quick = true;
     return { answer: await engine.ask(route, question, { signal }) };
   } catch (error) {
     if (route === "read" && error.code === "http") return {};
@@ -107,8 +124,8 @@ async function tried(route, v, groups, signal) {
 const plain = ({ code, key, place, message, help }) => ({ code, key, place, message, help });
 
 // The version with all its changes; where that is refused, with those that can be taken.
-async function settle(v, signal) {
-  const all = await tried("design", v, v.pending, signal);
+async function settle(v, signal, quick) {
+  const all = await tried("design", v, v.pending, signal, quick);
   if (all.answer) return { scene: all.answer.scene, name: all.answer.name, pending: [], answer: all.answer };
   if (v.fault || v.pending.length === 0) return unfinished(v, all.fault, signal);
   const taken = [];

@@ -89,7 +89,7 @@ async function used(answer) {
 
 // The server knows a file by its name: here that name carries the hash of its contents.
 async function aliased(path, body, files = [], signal) {
-  const own = files.filter(({ hash }) => kept.has(hash)).map(({ name, hash }) => ({ name, hash, alias: `${hash.slice(0, 16)}_${name}` }));
+  const own = files.filter(({ name, hash }) => kept.has(hash) && [body.scene, JSON.stringify(body.changes)].join().includes(JSON.stringify(name))).map(({ name, hash }) => ({ name, hash, alias: `${hash.slice(0, 16)}_${name}` }));
   let text = JSON.stringify(body);
   for (const { name, hash, alias } of own) {
     sent.delete(alias);

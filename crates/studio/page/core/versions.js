@@ -10,7 +10,7 @@
 //   recording  {file, without}: the recording and the contacts that do not count
 //   hand       {period_s, points}: the force drawn by hand
 //   gesture    what made it: a later change of the same gesture takes its place
-//   title      what changed, for the list of versions
+//   title      what changed, and `made` the values, for the list of versions
 
 const LONGEST = 300;
 let number = 0;
@@ -33,7 +33,7 @@ function become(next) {
 
 function version(content) {
   number += 1;
-  return Object.freeze({ name: "", pending: [], fault: null, files: {}, recording: null, hand: null, gesture: null, title: "", ...content, id: number });
+  return Object.freeze({ name: "", pending: [], fault: null, files: {}, recording: null, hand: null, gesture: null, title: "", made: [], ...content, id: number });
 }
 
 // Adds a version after the present one; of the same gesture it takes the present one's place.
@@ -54,7 +54,7 @@ export function edit(edits, gesture, { title = "", ...more } = {}) {
   const next = Object.freeze({ edits, keys, gesture, fault: null });
   // A force chosen by its name is neither a recording with ticks nor a drawn one.
   if (keys.includes("gait.file") && !more.files) more = { recording: null, hand: null, ...more };
-  push(version({ ...before, ...more, pending: [...others, next], gesture, title, files: { ...before.files, ...more.files } }));
+  push(version({ ...before, ...more, pending: [...others, next], gesture, title, made: edits.filter((e) => e.set).map((e) => e.set), files: { ...before.files, ...more.files } }));
 }
 
 // Another scene; the present one can be returned to.
@@ -76,7 +76,7 @@ export function settle(id, { scene, name, pending, fault = null }) {
 // Takes one refused change back; a step of its own.
 export function withdraw(change) {
   const before = now();
-  push(version({ ...before, pending: before.pending.filter((p) => p !== change), gesture: null }));
+  push(version({ ...before, pending: before.pending.filter((p) => p !== change), gesture: null, made: [] }));
 }
 
 export function goTo(at) {

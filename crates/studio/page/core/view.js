@@ -65,6 +65,7 @@ export function dialog(title, fill) {
   };
   filling();
   if (!$("dialog").open) $("dialog").showModal();
+  $("dialog").scrollTop = 0;
 }
 
 export function closeDialog() {

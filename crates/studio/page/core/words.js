@@ -59,6 +59,9 @@ export function number(x, digits = 4) {
   return /^-0([.,]0*)?$/.test(text) ? text.slice(1) : text.replaceAll("-", "−");
 }
 
+// A text with numbers as scenes write them, in the language's manner.
+export const local = (text) => (tag === "es" ? text.replace(/(\d)\.(?=\d)/g, "$1,") : text);
+
 // A number with its unit; degrees stand close to it.
 export function quantity(x, unit, digits) {
   const gap = unit === "°" || unit === "" ? "" : "\u00a0";

@@ -3,6 +3,7 @@
 import { make, say, svg, clear } from "../core/dom.js";
 import { t, number, quantity, language } from "../core/words.js";
 import * as clock from "../core/clock.js";
+import * as handles from "./handles.js";
 
 const LEFT = 46;
 const RIGHT = 8;
@@ -34,8 +35,12 @@ export class Chart {
   constructor(id) {
     this.id = id;
     this.value = make("output", { class: "value" });
-    this.heading = make("h3", {});
-    this.picture = svg("svg", { role: "img" });
+    this.title = make("button", { type: "button", class: "enlarge", onclick: () => this.onEnlarge?.(this.id) });
+    this.heading = make("h2", {}, this.title);
+    this.picture = svg("svg", { role: "group" });
+    // The cursor by keyboard.
+    this.picture.setAttribute("tabindex", "0");
+    this.fields = {};
     this.root = make("figure", { class: `chart ${id}`, "data-chart": id },
       make("figcaption", {}, this.heading, this.value), make("div", { class: "plot" }, this.picture));
     // The cursor lies over the picture: it moves with every frame, and the picture is not drawn again for it.
@@ -60,7 +65,8 @@ export class Chart {
   // `pinned` are designs to compare with: each has curves and a colour. The cursor follows with the clock.
   show(curves, panel, pinned) {
     Object.assign(this, { curves, panel, pinned });
-    say(this.heading, `${this.name()}, ${panel.unit}`);
+    say(this.title, `${this.name()}, ${panel.unit}`);
+    this.title.title = t("studio-enlarge");
     this.draw();
   }
 
@@ -70,6 +76,8 @@ export class Chart {
   }
 
   range() {
+    // Under the hand the axis stays where it is.
+    if (this.held?.range) return this.held.range;
     let low = Infinity;
     let high = -Infinity;
     const take = (y) => {
@@ -82,7 +90,7 @@ export class Chart {
     if (low > high) [low, high] = [0, 1];
     const span = high - low;
     // Limits far away would flatten the curve.
-    for (const level of this.panel.levels) if (level > low - 0.8 * span && level < high + 0.8 * span) take(level);
+    for (const level of handles.levels(this.panel, this.fields)) if (level > low - 0.8 * span && level < high + 0.8 * span) take(level);
     if (["force", "s"].includes(this.id) && low > 0 && low < 0.6 * high) low = 0;
     if (high - low < 1e-9 * Math.max(Math.abs(high), 1e-9)) { low -= 1; high += 1; }
     const room = 0.07 * (high - low);
@@ -97,7 +105,9 @@ export class Chart {
     const bottom = height - (labels ? 18 : 6);
     const { start, length } = this.curves;
     const [low, high] = this.range();
+    this.ends = [low, high];
     this.x = (theta) => LEFT + (theta - start) / length * (width - LEFT - RIGHT);
+    this.back = (py) => low + (bottom - py) / (bottom - TOP) * (high - low);
     this.y = (y) => bottom - (y - low) / (high - low) * (bottom - TOP);
     this.bottom = bottom;
     this.cursor.style.height = `${bottom - TOP}px`;
@@ -110,7 +120,10 @@ export class Chart {
       const line = this.panel.lines.find((l) => l.role === role);
       if (line) plot.append(svg("path", { class: `line ${role}`, d: this.path(this.curves.theta, line.y, this.x) }));
     }
-    this.marks(plot, width, bottom);
+    const place = { left: LEFT, right: RIGHT, top: TOP, bottom, width };
+    handles.draw(this, plot, place);
+    handles.drawBorders(this, plot, place);
+    if (this.overlay) plot.append(...this.overlay(this));
     this.describe();
   }
 
@@ -130,7 +143,7 @@ export class Chart {
       const at = this.x(x);
       lines.grid += `M${at} ${TOP}V${bottom}`;
       if (!labels) continue;
-      const text = svg("text", { class: "tick", x: Math.min(at, width - 14), y: bottom + 13, "text-anchor": "middle" });
+      const text = svg("text", { class: "tick", x: at, y: bottom + 13, "text-anchor": at > width - 24 ? "end" : "middle" });
       text.textContent = `${number(x, 3).replace(/[.,]0+$/, "")}${unit === "°" ? "°" : ""}`;
       plot.append(text);
     }
@@ -141,7 +154,7 @@ export class Chart {
     const line = panel.lines.find((l) => l.role === "main");
     const [a, b] = [LEFT, this.size[0] - LEFT - RIGHT];
     const x = (theta) => a + (theta - curves.start) / curves.length * b;
-    return svg("path", { class: "line pinned", style: `stroke:${colour}`, d: this.path(curves.theta, line.y, x) });
+    return svg("path", { class: colour ? "line pinned" : "line ghost", style: colour ? `stroke:${colour}` : null, d: this.path(curves.theta, line.y, x) });
   }
 
   path(thetas, values, x) {
@@ -162,14 +175,6 @@ export class Chart {
     const { theta } = this.curves;
     const back = theta.map((_, i) => theta.length - 1 - i);
     return `${this.path(theta, upper, this.x)}L${this.path(back.map((i) => theta[i]), back.map((i) => lower[i]), this.x).slice(1)}Z`;
-  }
-
-  marks(plot, width, bottom) {
-    for (const level of this.panel.levels) {
-      const at = this.y(level);
-      if (at < TOP - 1 || at > bottom + 1) continue;
-      plot.append(svg("path", { class: "level", d: `M${LEFT} ${at}H${width - RIGHT}` }));
-    }
   }
 
   describe() {
@@ -205,20 +210,52 @@ export class Chart {
     say(this.value, target === undefined ? number(main) : `${number(main)} / ${number(target)}`);
   }
 
+  // Angle and value under the pointer.
+  under(event) {
+    const box = this.picture.getBoundingClientRect();
+    const part = (event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT);
+    return [this.curves.start + Math.max(0, Math.min(1, part)) * this.curves.length, this.back(event.clientY - box.top)];
+  }
+
   drag() {
-    const move = (event) => {
-      if (!this.curves) return;
-      const box = this.picture.getBoundingClientRect();
-      const part = (event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT);
-      clock.set(this.curves.start + Math.max(0, Math.min(1, part)) * this.curves.length);
-    };
     this.picture.addEventListener("pointerdown", (event) => {
+      if (!this.curves) return;
       clock.play(false);
       this.picture.setPointerCapture(event.pointerId);
-      move(event);
+      const { limit, segment } = event.target.dataset ?? {};
+      const gesture = `${limit ?? segment ?? "cursor"} ${event.timeStamp}`;
+      this.held = { limit, segment: Number(segment) || 0, gesture, range: limit || segment ? this.ends : null };
+      this.move(event);
     });
-    this.picture.addEventListener("pointermove", (event) => {
-      if (this.picture.hasPointerCapture(event.pointerId)) move(event);
-    });
+    this.picture.addEventListener("pointermove", (event) => { if (this.held) this.move(event); });
+    const release = () => {
+      const held = this.held;
+      this.held = null;
+      if (held?.range) this.draw();
+    };
+    this.picture.addEventListener("pointerup", release);
+    this.picture.addEventListener("pointercancel", release);
+    this.picture.addEventListener("keydown", (event) => this.key(event));
+  }
+
+  move(event) {
+    const [theta, y] = this.under(event);
+    const { limit, segment, gesture } = this.held;
+    if (limit) this.onLimit(limit, handles.valueOf(this, y), gesture);
+    else if (segment) this.onSegment(handles.moveSegment(this, segment, theta, y), gesture);
+    else clock.set(theta);
+  }
+
+  key(event) {
+    if (event.target !== this.picture || !this.curves) return;
+    const step = this.curves.length / (event.shiftKey ? 36 : 360);
+    const by = { ArrowRight: step, ArrowUp: step, ArrowLeft: -step, ArrowDown: -step }[event.key];
+    if (!by && event.key !== "Home") return;
+    event.preventDefault();
+    clock.play(false);
+    clock.set(by ? clock.angle() + by : this.curves.start);
+    const i = this.index(clock.angle());
+    const main = this.panel.lines.find((l) => l.role === "main").y[i];
+    this.onSay?.(`${quantity(clock.angle(), this.curves.unit)}: ${quantity(main, this.panel.unit)}`);
   }
 }

@@ -42,7 +42,7 @@ export function pin() {
   overlay();
 }
 
-const pictured = ({ name, scene, curves, numbers, verdict }) => ({ name, scene, curves, numbers, verdict });
+const pictured = ({ name, scene, curves, numbers, verdict, fields }) => ({ name, scene, curves, numbers, verdict, inputs: inputsOf(fields) });
 
 // After a reload the pinned scenes are designed again.
 export async function restore() {
@@ -85,16 +85,27 @@ function table() {
   if (!box) return;
   clear(box);
   if (slate().length === 0) return;
-  const all = [...slate(), { ...answer, colour: "var(--blue)", name: t("studio-slate-present"), present: true }];
+  const all = [{ ...answer, inputs: inputsOf(answer.fields), colour: "var(--blue)", name: t("studio-slate-present"), present: true }, ...slate()];
   const head = all.map((p, i) => make("th", { scope: "col" }, make("span", { class: "swatch", style: `background:${p.colour}` }), p.name,
     p.present ? null : make("span", { class: "acts" },
-      make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-take")} ${i + 1}`, title: t("studio-slate-take"), onclick: () => openScene(p.scene, { files: p.files, hand: p.hand, recording: p.recording }) }, "↩"),
-      make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-drop")} ${i + 1}`, title: t("studio-slate-drop"), onclick: () => { versions.setPins(versions.history().pins.filter((q) => q !== p)); overlay(); } }, "×"))));
+      make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-take")} ${i}`, title: t("studio-slate-take"), onclick: () => openScene(p.scene, { files: p.files, hand: p.hand, recording: p.recording }) }, "↩"),
+      make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-drop")} ${i}`, title: t("studio-slate-drop"), onclick: () => { versions.setPins(versions.history().pins.filter((q) => q !== p)); overlay(); } }, "×"))));
   const body = start.figures.filter(([name]) => ROWS.includes(name)).map(([name, [unit, factor]]) => make("tr", {}, make("th", { scope: "row" }, t(`studio-number-${name}`), make("small", {}, ` ${unit}`)),
     ...all.map((p) => make("td", { class: "n" }, number(p.numbers[name] === null || p.numbers[name] === undefined ? null : factor * p.numbers[name])))));
   const verdicts = make("tr", {}, make("th", { scope: "row" }, t("studio-verdict")), ...all.map((p) => make("td", { class: `n ${p.verdict}` }, t(`studio-verdict-${p.verdict}`))));
-  box.append(make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "slate" }, make("thead", {}, make("tr", {}, make("td", {}), ...head)), make("tbody", {}, verdicts, ...body))));
+  const inputs = differing(all).map(([key, values]) => make("tr", { class: "input" }, make("th", { scope: "row" }, label(key)), ...values.map((v) => make("td", { class: "n" }, v))));
+  box.append(make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "slate" }, make("thead", {}, make("tr", {}, make("td", {}), ...head)), make("tbody", {}, ...inputs, verdicts, ...body))));
 }
+
+// The values of the scenes that are not the same in all of them.
+function differing(all) {
+  const keys = new Set(all.flatMap((p) => Object.keys(p.inputs ?? {})));
+  const rows = [...keys].map((key) => [key, all.map((p) => p.inputs?.[key] ?? "")]);
+  return rows.filter(([key, values]) => key !== "name" && new Set(values).size > 1);
+}
+
+// The values that a scene has, by their keys.
+const inputsOf = (fields) => Object.fromEntries(Object.entries(fields).filter(([, f]) => f.text !== "").map(([key, f]) => [key, f.text]));
 
 // The scene on the screen with its files.
 const present = () => ({ scene: designs.present().answer.scene, files: blobs.listed(designs.present().files) });

@@ -5,6 +5,7 @@ import { t } from "../core/words.js";
 import { engine } from "../core/net.js";
 import { dialog } from "../core/view.js";
 import * as blobs from "../core/blobs.js";
+import { zip } from "../core/zip.js";
 import * as designs from "../core/designs.js";
 
 // Files that are made for a cutter.
@@ -26,6 +27,7 @@ export function open() {
         make("small", {}, t(`studio-file-${name.replaceAll(".", "-")}`))));
       body.append(make("section", {}, make("h3", {}, t(`studio-export-${group}`)), make("ul", {}, ...links)));
     }
+    body.append(make("p", {}, whole(answer, make_)));
     if (!answer.infeasible) body.append(make("p", {}, make("label", { for: "tool" }, t("studio-tool")), " ", tool));
     body.append(make("p", { class: "lead" }, t("studio-export-tolerance")));
   });
@@ -47,6 +49,27 @@ function link(name, made) {
     }
   } }, name);
   return a;
+}
+
+// All files in one archive; one that cannot be made is left out and named.
+function whole(answer, made) {
+  const names = answer.exports.flatMap(([, list]) => list);
+  const button = make("button", { type: "button", class: "main", id: "export-all", onclick: async () => {
+    button.disabled = true;
+    const [files, without] = [[], []];
+    for (const name of names) {
+      try {
+        files.push([name, new Uint8Array(await (await made(name)).arrayBuffer())]);
+      } catch {
+        without.push(name);
+      }
+    }
+    const a = make("a", { href: URL.createObjectURL(zip(files)), download: `${answer.name}.zip` });
+    a.click();
+    button.disabled = false;
+    if (without.length > 0) notice(t("studio-export-without", { files: without.join(", ") }));
+  } }, t("studio-export-all", { count: names.length }));
+  return button;
 }
 
 function preview(made) {

@@ -6,6 +6,7 @@ import { engine } from "../core/net.js";
 import * as blobs from "../core/blobs.js";
 import * as versions from "../core/versions.js";
 import { onTab, openTab, tab } from "../core/view.js";
+import { label, focus } from "./form.js";
 import * as hand from "./hand.js";
 
 const LARGEST = 64 * 2 ** 20;
@@ -119,19 +120,20 @@ async function use(file, hash) {
       notice(t("studio-lost"), true);
       return;
     }
-    notice(said(error));
   }
   seen = key;
   edit([{ set: { key: "gait.file", value: file } }], null, { files: { [file]: hash }, recording, hand: null, title: file });
   build();
 }
 
-// What can be done about a fault of a recording: buttons with the value that the reader asks for.
+// What can be done about a fault of a recording: buttons with the value that the reader asks for, and ways to the
+// fields that it names without one.
 export function remedies(fault) {
-  const out = [];
-  for (const [, key, value] of (fault.help ?? "").matchAll(/\b(gait\.)?(kind|feet|period|accept|unit|force|time) = "([^"]+)"/g).map((m) => [0, `gait.${m[2]}`, m[3]])) {
-    out.push([`${key} = ${value}`, () => edit([{ set: { key, value } }])]);
-  }
+  const text = `${fault.message} ${fault.help ?? ""}`;
+  const given = [...text.matchAll(/\b(?:gait\.)?(kind|feet|period|accept|unit|force|time|span) = "([^"]+)"/g)];
+  const out = given.map(([, name, value]) => [`${label(`gait.${name}`)}: ${value}`, () => edit([{ set: { key: `gait.${name}`, value } }], null, { title: label(`gait.${name}`) })]);
+  const named = [...text.matchAll(/\b(?:gait\.|option |opción )(kind|feet|period|accept|unit|force|time|span|rate)\b(?! = ")/g)].map(([, name]) => name);
+  for (const name of new Set(named)) out.push([`${label(`gait.${name}`)} …`, () => focus(`gait.${name}`)]);
   return out;
 }
 

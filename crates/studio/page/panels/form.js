@@ -1,7 +1,8 @@
 // The form, built from the key table: a text input for every value, a slider where a range makes sense.
 
 import { $, make, clear } from "../core/dom.js";
-import { t, has, language, onLanguage } from "../core/words.js";
+import { t, has, language, local, onLanguage } from "../core/words.js";
+import { tab } from "../core/view.js";
 import * as typed from "../core/typed.js";
 
 const SECTIONS = ["", "gait", "drive", "law", "cam", "limits", "accuracy", "machine"];
@@ -28,7 +29,12 @@ function id(key) {
 
 export function label(key) {
   const known = `studio-key-${key.replaceAll(".", "-")}`;
-  return has(known) ? t(known) : key.split(".").at(-1).replaceAll("_", " ");
+  if (has(known)) return t(known);
+  // An entry of a list: its number tells it from the others.
+  const [, number] = /\.(\d+)\./.exec(key) ?? [];
+  const column = key.split(".").at(-1);
+  const name = has(`studio-column-${column}`) ? t(`studio-column-${column}`) : column.replaceAll("_", " ");
+  return number ? `${name} ${number}` : name;
 }
 
 function build() {
@@ -124,6 +130,23 @@ function nudge(key, event) {
   send(key, input.value, "typed");
 }
 
+// A key on a slider goes to the next round number; keys in quick succession are one step of the history.
+let pressed = 0;
+function turn(entry, way, event) {
+  event.preventDefault();
+  const { slider, key } = entry;
+  const range = entry.field.slider.to - entry.field.slider.from;
+  const step = 10 ** Math.floor(Math.log10(range / 20)) * (event.shiftKey ? 10 : 1);
+  const at = Number(slider.value) / step;
+  const next = (way > 0 ? Math.floor(at + 1 + 1e-6) : Math.ceil(at - 1 - 1e-6)) * step;
+  const inside = Math.max(entry.field.slider.from, Math.min(entry.field.slider.to, next));
+  if (event.timeStamp - pressed > 1000) gesture += 1;
+  pressed = event.timeStamp;
+  entry.input.value = written(inside, entry.field.slider);
+  slider.value = inside;
+  send(key.key, entry.input.value, "slid");
+}
+
 function written(x, slider) {
   const decimals = Math.max(0, Math.min(8, -Math.floor(Math.log10(slider.step) + 1e-9)));
   return Number(x.toFixed(decimals)) + slider.unit;
@@ -140,6 +163,10 @@ function slide(entry) {
   slider.addEventListener("change", () => {
     dragged = null;
     gesture += 1;
+  });
+  slider.addEventListener("keydown", (event) => {
+    const way = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
+    if (way && entry.field?.slider) turn(entry, way, event);
   });
 }
 
@@ -173,7 +200,7 @@ function overlay(version) {
 // Few values first: what the scene uses; the others on demand.
 function spread() {
   for (const { root, input, slider } of rows.values()) {
-    const away = !everything && !root.matches(".set, .basic, .faulty") && !root.hidden;
+    const away = !everything && !root.matches(".set, .basic:not(.idle), .faulty") && !root.hidden;
     root.classList.toggle("unused", away);
     for (const stop of [input, slider]) stop.tabIndex = away ? -1 : 0;
   }
@@ -201,7 +228,7 @@ function show(entry, field) {
   const { input, slider, key } = entry;
   const typing = document.activeElement === input && input.tagName === "INPUT" && !entry.forced;
   if (!typing && dragged !== key.key) input.value = field.text;
-  if (input.tagName === "INPUT") input.placeholder = field.placeholder;
+  if (input.tagName === "INPUT") input.placeholder = local(field.placeholder);
   else if (input.options[0]?.value === "" && key.kind === "choice") input.options[0].textContent = field.placeholder ? `(${field.placeholder})` : "–";
   entry.root.classList.toggle("idle", !field.acts);
   entry.root.classList.toggle("set", field.text !== "");
@@ -237,6 +264,16 @@ function clearFault() {
     input.removeAttribute("aria-invalid");
     fault.hidden = true;
   }
+}
+
+// Goes to the field of a key.
+export function focus(key) {
+  tab("values");
+  const entry = rows.get(key);
+  if (!entry) return;
+  entry.root.hidden = false;
+  entry.input.focus();
+  entry.root.scrollIntoView({ block: "center" });
 }
 
 function find() {

@@ -129,7 +129,7 @@ function decorate() {
   for (const id of ["normal", "osculating", "places"]) parts[id].style.display = shows(id) ? "" : "none";
   parts["cam-push"].style.display = shows("normal") ? "" : "none";
   clear(parts.places);
-  const size = 0.014 * Math.max(frame[2], frame[3]);
+  const size = 0.008 * Math.max(frame[2], frame[3]);
   for (const place of answer.curves.places) {
     const mark = svg("circle", { class: place.broken ? "place broken" : "place", cx: place.x, cy: place.y, r: size });
     const title = svg("title");

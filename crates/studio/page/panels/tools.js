@@ -8,11 +8,14 @@ import * as autosave from "../core/autosave.js";
 import * as gallery from "./gallery.js";
 import * as exports from "./exports.js";
 import * as files from "./files.js";
+import * as history from "./history.js";
 import * as compare from "./compare.js";
+import * as charts from "./charts.js";
 
 export function load({ start, move, openScene }) {
   $("undo").addEventListener("click", () => move(versions.undo));
   $("redo").addEventListener("click", () => move(versions.redo));
+  $("versions").addEventListener("click", () => history.open(move));
   $("cancel").addEventListener("click", designs.cancel);
   $("pin").addEventListener("click", pin);
   $("open-scenes").addEventListener("click", () => gallery.open(start.scenes, openScene));
@@ -21,15 +24,42 @@ export function load({ start, move, openScene }) {
   $("open-export").addEventListener("click", exports.open);
   $("link").addEventListener("click", copy);
   $("language").addEventListener("click", () => choose(language() === "en" ? "es" : "en"));
-  const name = () => { $("language").textContent = language() === "en" ? "ES" : "EN"; };
+  const name = () => { 
+    const other = language() === "en" ? "ES" : "EN";
+    $("language").textContent = other;
+    // The label begins with what is seen.
+    $("language").setAttribute("aria-label", `${other} – ${t("studio-language")}`);
+  };
   onLanguage(name);
   name();
   document.querySelector(".skip").addEventListener("click", (event) => {
     event.preventDefault();
     $("verdict").focus();
   });
+  $("choose-diagrams").addEventListener("click", charts.choose);
+  $("show-table").addEventListener("click", charts.table);
+  presenting();
   $("notice-close").addEventListener("click", () => notice(""));
   welcome();
+}
+
+// Large type, one diagram and the cam; the arrow keys step through the diagrams, Escape ends it.
+function presenting() {
+  const set = (on) => {
+    document.documentElement.toggleAttribute("data-presenting", on);
+    $("present").setAttribute("aria-pressed", String(on));
+    if (on) document.documentElement.requestFullscreen?.().catch(() => {});
+    else if (document.fullscreenElement) document.exitFullscreen();
+  };
+  const isOn = () => document.documentElement.hasAttribute("data-presenting");
+  $("present").addEventListener("click", () => set(!isOn()));
+  document.addEventListener("fullscreenchange", () => { if (!document.fullscreenElement && isOn()) set(false); });
+  document.addEventListener("keydown", (event) => {
+    if (!isOn() || event.target.closest("input, select, textarea, dialog, .stage, .chart svg")) return;
+    const by = { PageDown: 1, ArrowRight: 1, PageUp: -1, ArrowLeft: -1 }[event.key];
+    if (by) charts.step(by);
+    else if (event.key === "Escape") set(false);
+  });
 }
 
 function pin() {

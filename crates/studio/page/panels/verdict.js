@@ -1,7 +1,7 @@
 // Verdict with reasons, conflict with its relaxations, figures, active limits, tables.
 
 import { $, make, say, clear } from "../core/dom.js";
-import { t, language } from "../core/words.js";
+import { t, language, local } from "../core/words.js";
 import { engine } from "../core/net.js";
 import * as blobs from "../core/blobs.js";
 import * as designs from "../core/designs.js";
@@ -82,7 +82,7 @@ function conflict(answer, relaxations, together) {
     box.append(make("p", {}, t("studio-relax")), make("div", { class: "buttons" }, ...useful.map(button)));
   } else if (together.length > 0 && together.every((r) => r.value)) {
     const all = together.map((r) => ({ set: { key: r.key, value: r.value } }));
-    const text = together.map((r) => `${r.name} ${r.from} → ${r.to}`).join(", ");
+    const text = together.map((r) => local(`${r.name} ${r.from} → ${r.to}`)).join(", ");
     box.append(make("p", {}, t("studio-relax-together")),
       make("div", { class: "buttons" }, make("button", { type: "button", class: "relax", onclick: () => apply(all) }, text)));
   }
@@ -90,17 +90,17 @@ function conflict(answer, relaxations, together) {
 
 function button({ key, name, from, to, value }) {
   return make("button", { type: "button", class: "relax", "data-relax": key, "data-value": value,
-    onclick: () => apply([{ set: { key, value } }]) }, `${name}: ${from} → `, make("b", {}, to));
+    onclick: () => apply([{ set: { key, value } }]) }, local(`${name}: ${from} → `), make("b", {}, local(to)));
 }
 
 function limits(answer) {
   const box = clear($("limits"));
-  box.append(make("h3", {}, t("studio-active")));
+  box.append(make("h2", {}, t("studio-active")));
   if (answer.easing.length > 0) {
     box.append(make("table", {}, make("thead", {}, make("tr", {},
       ...["limit", "eased", "objective"].map((k) => make("th", { scope: "col" }, t(`studio-active-${k}`))))),
     make("tbody", {}, ...answer.easing.slice(0, 6).map((e) => make("tr", {}, make("th", { scope: "row" }, e.name),
-      make("td", {}, `${e.from} → ${e.to}`), make("td", {}, `${e.objective}: ${e.before} → ${e.after}`))))));
+      make("td", {}, local(`${e.from} → ${e.to}`)), make("td", {}, `${e.objective}: ${e.before} → ${e.after}`))))));
   } else {
     box.append(make("p", {}, answer.active.length > 0 ? answer.active.join(" · ") : t("studio-active-none")));
   }

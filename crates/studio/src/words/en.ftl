@@ -40,6 +40,9 @@ studio-refused = The server has been restarted and no longer knows this page. Op
 studio-drop = Drop a recording (C3D, MOT, CSV …) or a scene
 
 # Versions.
+studio-versions = Versions
+studio-versions-lead = What was changed, the latest first. A click goes back to a version; the later ones stay until something else is changed.
+studio-versions-opened = Scene opened
 studio-pending = A value is refused: the picture is that of the last design.
 studio-not-designed = The version shown has no design yet.
 studio-linked-part = Copied: the part of a link that holds the scene. Any copy of this page takes it under Open, or behind its address.
@@ -119,6 +122,16 @@ studio-colour-hertz = Hertz pressure
 studio-colour-undefined = Not defined for this design.
 
 # Diagrams.
+studio-show = Show
+studio-present = Presenting: large type, one diagram and the cam
+studio-enlarge = Show this diagram large
+studio-diagrams-choose = Choose diagrams
+studio-table = Table by degree
+studio-go-to = Go to
+studio-line-main = achieved
+studio-line-target = target
+studio-limit-line = Limit { $name }: { $low }
+studio-segment-end = End of segment { $number }
 studio-diagrams = Diagrams over the cam angle
 studio-chart-force = Force, achieved / target
 studio-chart-force-alone = Force
@@ -147,6 +160,8 @@ studio-export-drawings = Drawings
 studio-export-pictures = Pictures
 studio-export-report = Report
 studio-export-workshop = Workshop
+studio-export-all = All { $count } files as ZIP
+studio-export-without = Could not be made: { $files }
 studio-export-tolerance = Tables have 1440 rows in SI units. Drawings are at true scale in millimetres; the arcs of profile_arcs.dxf stay within 1 µm of the profile; the B-splines of cam.step are within the tolerance stated in its header.
 studio-tool = Cutter radius for cutter.csv and cutter.nc
 studio-file-law-csv = law of motion and force

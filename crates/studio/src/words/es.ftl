@@ -40,6 +40,9 @@ studio-refused = El servidor se ha reiniciado y ya no conoce esta página. Abra 
 studio-drop = Suelte un registro (C3D, MOT, CSV …) o una escena
 
 # Versiones.
+studio-versions = Versiones
+studio-versions-lead = Lo que se ha cambiado, lo último primero. Un clic vuelve a una versión; las posteriores se conservan hasta el siguiente cambio.
+studio-versions-opened = Escena abierta
 studio-pending = Un valor no se acepta: la imagen es la del último diseño.
 studio-not-designed = La versión mostrada aún no tiene diseño.
 studio-linked-part = Copiada la parte del enlace que contiene la escena. Cualquier copia de esta página la acepta en Abrir o detrás de su dirección.
@@ -119,6 +122,16 @@ studio-colour-hertz = presión de Hertz
 studio-colour-undefined = No definido para este diseño.
 
 # Diagramas.
+studio-show = Mostrar
+studio-present = Presentación: letra grande, un diagrama y la leva
+studio-enlarge = Mostrar este diagrama en grande
+studio-diagrams-choose = Elegir diagramas
+studio-table = Tabla por grados
+studio-go-to = Ir a
+studio-line-main = obtenida
+studio-line-target = deseada
+studio-limit-line = Límite { $name }: { $low }
+studio-segment-end = Fin del segmento { $number }
 studio-diagrams = Diagramas según el ángulo de leva
 studio-chart-force = Fuerza, obtenida / objetivo
 studio-chart-force-alone = Fuerza
@@ -147,6 +160,8 @@ studio-export-drawings = Dibujos
 studio-export-pictures = Imágenes
 studio-export-report = Informe
 studio-export-workshop = Taller
+studio-export-all = Los { $count } archivos en ZIP
+studio-export-without = No se han podido hacer: { $files }
 studio-export-tolerance = Las tablas tienen 1440 filas en unidades del SI. Los dibujos están a escala real en milímetros; los arcos de profile_arcs.dxf se apartan del perfil menos de 1 µm; las B-splines de cam.step cumplen la tolerancia indicada en su cabecera.
 studio-tool = Radio de la fresa para cutter.csv y cutter.nc
 studio-file-law-csv = ley de movimiento y fuerza

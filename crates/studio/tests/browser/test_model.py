@@ -175,7 +175,7 @@ class Model(unittest.TestCase):
         server, browser = Server(), Browser()
         self.addCleanup(server.kill)
         self.addCleanup(browser.close)
-        first = browser.page(server.url)
+        first = browser.page(server.url, width=420, height=320)
         second = browser.page(server.url, context=first.page.context)
         tabs = [Tab(first), Tab(second)]
         for tab in tabs:

@@ -1,0 +1,139 @@
+// What can be dragged on a diagram: limit lines, and borders and lifts of the segments of a programme.
+
+import { svg, clear } from "../core/dom.js";
+import { t, quantity } from "../core/words.js";
+
+// The limits of each diagram, the ones for its upper and its lower half; of several the first that the scene has.
+const LIMITS = {
+  s: [["limits.stroke"], []],
+  v: [["limits.velocity"], ["limits.velocity"]],
+  a: [["limits.acceleration"], ["limits.acceleration"]],
+  j: [["limits.jerk"], ["limits.jerk"]],
+  torque: [["limits.torque"], ["limits.torque"]],
+  power: [["limits.power"], ["limits.power"]],
+  radius: [["limits.curvature"], ["limits.curvature"]],
+  "pressure-angle": [["limits.pressure_angle_rise", "limits.pressure_angle"], ["limits.pressure_angle_fall", "limits.pressure_angle"]],
+};
+
+// The key of a limit line; null where no limit of the scene is drawn there.
+export function keyOf(id, level, fields, middle) {
+  if (id === "force") return level <= middle ? "limits.force_min" : "limits.force_max";
+  const keys = LIMITS[id]?.[level < 0 ? 1 : 0] ?? [];
+  return keys.find((k) => fields[k]?.text) ?? keys.at(-1) ?? null;
+}
+
+// A unit as a scene file takes it.
+export const written = (unit) => unit.replace("°", "deg").replaceAll("·", " ").replace("²", "^2").replace("³", "^3");
+
+// Three digits: what a hand can place on a screen.
+export const rounded = (x) => Number(x.toPrecision(3));
+
+// The stroke's limit is no level of the curve: it lies that far above its lowest point.
+export function levels({ id, levels: drawn, lines, unit }, fields) {
+  if (id !== "s") return drawn;
+  const [, number, of] = /^([\d.eE+-]+) ?(.*)$/.exec(fields["limits.stroke"]?.text ?? "") ?? [];
+  if (number === undefined || of !== written(unit)) return drawn;
+  const low = Math.min(...lines[0].y.filter((y) => y !== null));
+  return [...drawn, low + Number(number)];
+}
+
+// Draws the limit lines of a chart; each is a slider that is also moved by the arrow keys.
+export function draw(chart, plot, { left, right, top, bottom, width }) {
+  const main = chart.panel.lines[0].y.filter((y) => y !== null);
+  const middle = main.reduce((sum, y) => sum + y, 0) / main.length;
+  for (const level of levels(chart.panel, chart.fields)) {
+    const at = chart.y(level);
+    if (at < top - 1 || at > bottom + 1) continue;
+    const key = keyOf(chart.id, level, chart.fields, middle);
+    plot.append(svg("path", { class: "level", d: `M${left} ${at}H${width - right}` }));
+    if (!key || !chart.onLimit) continue;
+    const name = t("studio-limit-line", { name: chart.labelOf(key), low: quantity(level, chart.panel.unit) });
+    const grip = svg("path", { class: "grip", d: `M${left} ${at}H${width - right}`, "data-limit": key, tabindex: "0", role: "slider", "aria-label": name,
+      "aria-valuenow": level, "aria-orientation": "vertical", "aria-valuetext": quantity(level, chart.panel.unit) });
+    const title = svg("title");
+    title.textContent = name;
+    grip.append(title);
+    grip.addEventListener("keydown", (event) => {
+      const step = { ArrowUp: 0.01, ArrowDown: -0.01, PageUp: 0.1, PageDown: -0.1 }[event.key];
+      if (!step) return;
+      event.preventDefault();
+      event.stopPropagation();
+      chart.onLimit(key, valueOf(chart, level + step * Math.abs(level || 1)), `line ${key}`);
+      chart.refocus = key;
+    });
+    plot.append(grip);
+    if (chart.refocus === key) grip.focus();
+  }
+}
+
+// What a limit's key is set to by a line at this height.
+export function valueOf(chart, y) {
+  const base = chart.id === "s" ? Math.min(...chart.panel.lines[0].y.filter((v) => v !== null)) : 0;
+  const size = chart.id === "force" ? y : Math.abs(y - base);
+  return `${rounded(size)} ${written(chart.panel.unit)}`;
+}
+
+// Borders of the segments of a programme over the angle: [{number, theta, lift}].
+export function borders(fields, start) {
+  const out = [];
+  let theta = start;
+  let lift = 0;
+  for (let n = 1; fields[`law.segment.${n}.angle`]; n += 1) {
+    theta += parseFloat(fields[`law.segment.${n}.angle`].text) || 0;
+    lift += parseFloat(fields[`law.segment.${n}.lift`]?.text) || 0;
+    out.push({ number: n, theta, lift });
+  }
+  return out;
+}
+
+// Angles in degrees and lifts in the unit of the diagram: others are changed in the table.
+function plain(fields, unit) {
+  const wrong = Object.entries(fields).some(([key, { text }]) => /^law\.segment\.\d+\.(angle|lift)$/.test(key) && text && !new RegExp(`^[-+\\d.]+ (deg|${unit})$`).test(text));
+  return !wrong;
+}
+
+export function drawBorders(chart, plot, { top, bottom }) {
+  if (chart.id !== "s" || !chart.onSegment || chart.curves.unit !== "°" || !plain(chart.fields, written(chart.panel.unit))) return;
+  const list = borders(chart.fields, chart.curves.start);
+  const low = Math.min(0, ...list.map((b) => b.lift));
+  for (const border of list.slice(0, -1)) {
+    const [x, y] = [chart.x(border.theta), chart.y(border.lift - low)];
+    plot.append(svg("path", { class: "border", d: `M${x} ${top}V${bottom}` }));
+    plot.append(svg("circle", { class: "knot segment", cx: x, cy: y, r: 5, "data-segment": border.number, role: "img", "aria-label": t("studio-segment-end", { number: border.number }) }));
+  }
+}
+
+// A border moves between its neighbours; a lift takes the next moving segment along, so that the lifts still add to 0.
+export function moveSegment(chart, number, theta, lift) {
+  const { fields } = chart;
+  const list = borders(fields, chart.curves.start);
+  const at = list[number - 1];
+  const [before, after] = [list[number - 2]?.theta ?? chart.curves.start, list[number].theta];
+  const angle = Math.round(Math.max(before + 1, Math.min(after - 1, theta)));
+  const unit = written(chart.panel.unit);
+  const edits = [[number, angle - before], [number + 1, after - angle]]
+    .map(([n, x]) => ({ set: { key: `law.segment.${n}.angle`, value: `${Number(x.toFixed(6))} deg` } }));
+  const change = rounded(lift) - at.lift;
+  const liftOf = (n) => parseFloat(fields[`law.segment.${n}.lift`]?.text) || 0;
+  const moving = list.map((b) => b.number).filter((n) => liftOf(n) !== 0);
+  const own = moving.findLast((n) => n <= number);
+  const next = moving.find((n) => n > number);
+  if (own && next && change !== 0) {
+    for (const [n, x] of [[own, liftOf(own) + change], [next, liftOf(next) - change]]) edits.push({ set: { key: `law.segment.${n}.lift`, value: `${Number(x.toFixed(6))} ${unit}` } });
+  }
+  return edits;
+}
+
+// The curves of a diagram as a table, at whole degrees or at every hundredth of the travel.
+export function table(chart, box) {
+  const { curves, panel } = chart;
+  const step = curves.unit === "°" ? 1 : curves.length / 100;
+  clear(box);
+  const lines = panel.lines.filter((l) => ["main", "target"].includes(l.role));
+  const rows = [];
+  for (let theta = curves.start; theta <= curves.start + curves.length + 1e-9; theta += step) {
+    const i = chart.index(theta);
+    rows.push([theta, ...lines.map((l) => l.y[i])]);
+  }
+  return { lines, rows };
+}
