@@ -7,6 +7,7 @@ const LAST = "gaitcam-last";
 let writing = 0;
 
 export function load() {
+  versions.written(location.hash);
   versions.watch(() => {
     clearTimeout(writing);
     writing = setTimeout(write, 250);
@@ -22,6 +23,7 @@ async function write() {
   const place = new URL(location.href);
   place.hash = "s=" + text;
   history.replaceState(null, "", place);
+  versions.written(place.hash);
   versions.keep();
   try { localStorage.setItem(LAST, JSON.stringify({ name: v.name, packed: text })); } catch { /* private windows keep nothing */ }
 }

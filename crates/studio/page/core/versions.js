@@ -102,12 +102,18 @@ export const refused = (v) => Boolean(v?.fault) || Boolean(v?.pending.some((p) =
 // --- kept over a reload ---------------------------------------------------------------------------
 
 const KEPT = "gaitcam-versions";
+// Addresses that this page has written: a reload may have begun before the latest one.
+let addresses = [];
+
+export function written(address) {
+  addresses = [...addresses.filter((a) => a !== address), address].slice(-8);
+}
 
 export function keep() {
   try {
     // Of the pins only what a design is made from: their pictures are asked again.
     const pins = present.pins.map(({ scene, files, name, colour, hand, recording }) => ({ scene, files, name, colour, hand, recording }));
-    sessionStorage.setItem(KEPT, JSON.stringify({ ...present, pins, address: location.hash }));
+    sessionStorage.setItem(KEPT, JSON.stringify({ ...present, pins, addresses }));
   } catch { /* no room, or a private window: the address still holds the scene */ }
 }
 
@@ -116,9 +122,10 @@ export function restore() {
   try {
     const kept = JSON.parse(sessionStorage.getItem(KEPT));
     const [entry] = performance.getEntriesByType("navigation");
-    if (!kept?.list?.length || entry.type === "navigate" || kept.address !== location.hash) return false;
+    if (!kept?.list?.length || entry.type === "navigate" || !kept.addresses.includes(location.hash)) return false;
     number = Math.max(...kept.list.map((v) => v.id));
     const { list, at, pins } = kept;
+    addresses = kept.addresses;
     become({ list: list.map(Object.freeze), at, pins });
     return true;
   } catch {

@@ -222,9 +222,9 @@ export class Chart {
       if (!this.curves) return;
       clock.play(false);
       this.picture.setPointerCapture(event.pointerId);
-      const { limit, segment } = event.target.dataset ?? {};
-      const gesture = `${limit ?? segment ?? "cursor"} ${event.timeStamp}`;
-      this.held = { limit, segment: Number(segment) || 0, gesture, range: limit || segment ? this.ends : null };
+      const { limit, segment, knot } = event.target.dataset ?? {};
+      const gesture = `${limit ?? segment ?? knot ?? "cursor"} ${event.timeStamp}`;
+      this.held = { limit, segment: Number(segment) || 0, knot, begins: true, gesture, range: limit || segment || knot ? this.ends : null };
       this.move(event);
     });
     this.picture.addEventListener("pointermove", (event) => { if (this.held) this.move(event); });
@@ -240,9 +240,11 @@ export class Chart {
 
   move(event) {
     const [theta, y] = this.under(event);
-    const { limit, segment, gesture } = this.held;
+    const { limit, segment, knot, begins, gesture } = this.held;
+    this.held.begins = false;
     if (limit) this.onLimit(limit, handles.valueOf(this, y), gesture);
     else if (segment) this.onSegment(handles.moveSegment(this, segment, theta, y), gesture);
+    else if (knot) this.onKnot(Number(knot), (theta - this.curves.start) / this.curves.length, y, begins);
     else clock.set(theta);
   }
 

@@ -6,6 +6,7 @@ import * as clock from "../core/clock.js";
 import { dialog } from "../core/view.js";
 import { t, number, onLanguage } from "../core/words.js";
 import { label } from "./form.js";
+import * as hand from "./hand.js";
 import * as handles from "./handles.js";
 
 const GHOST = 1500;
@@ -65,6 +66,7 @@ function made(id) {
   chart.onEnlarge = enlarge;
   chart.onLimit = (key, value, gesture) => edit([{ set: { key, value } }], gesture, { title: label(key) });
   chart.onSegment = (edits, gesture) => edit(edits, gesture, { title: t("studio-programme") });
+  if (id === "force") Object.assign(chart, { overlay: hand.overlay, onKnot: hand.place });
   chart.onSay = (text) => say($("spoken"), text);
   return chart;
 }

@@ -182,6 +182,23 @@ function key(event, i) {
   picture.querySelectorAll(".knot")[chosen]?.focus();
 }
 
+// The points on the force diagram itself.
+export function overlay(chart) {
+  if (!drawn) return [];
+  const { start, length } = chart.curves;
+  return drawn.points.map(([time, force], i) => svg("circle", { class: "knot", cx: chart.x(start + length * time / drawn.period_s), cy: chart.y(force), r: 5, "data-knot": i,
+    role: "img", "aria-label": t("studio-point", { number: i + 1, time: number(time, 3), force: number(force, 4) }) }));
+}
+
+// A point of the force diagram goes where the pointer is.
+export function place(i, part, force, begins) {
+  if (begins) gesture += 1;
+  chosen = i;
+  move(i, [part * drawn.period_s, Math.round(force * 10) / 10]);
+  paint();
+  keep();
+}
+
 function editor() {
   picture = svg("svg", { class: "editor", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "group", "aria-label": t("studio-force-hand") });
   picture.addEventListener("pointermove", (event) => {

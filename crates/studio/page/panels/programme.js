@@ -83,12 +83,29 @@ function cell(key, list, i, column) {
   const field = fields[key];
   const input = make("input", { type: "text", name: key, "aria-label": `${t(`studio-column-${column}`)} ${i}`, size: 8, autocomplete: "off", spellcheck: "false", placeholder: field?.placeholder ?? "" });
   input.value = field?.text ?? "";
-  input.addEventListener("focus", () => { gesture += 1; });
+  let before = fields;
+  input.addEventListener("focus", () => { gesture += 1; before = fields; });
   // The other angles follow at once, so that the turn stays whole.
   const follows = list === "law.segment" && column === "angle";
-  input.addEventListener("input", () => { if (!follows) edit([{ set: { key, value: input.value } }], `${key} ${gesture}`); });
+  const returns = list === "law.segment" && column === "lift";
+  input.addEventListener("input", () => {
+    if (!follows) edit([{ set: { key, value: input.value } }, ...(returns ? back(before, i, input.value) : [])], `${key} ${gesture}`);
+  });
   input.addEventListener("change", () => { if (follows) edit([{ set: { key, value: input.value } }, { rebalance: { keep: i } }], `${key} ${gesture}`); });
   return input;
+}
+
+// The next segment that moves returns by what this lift has grown, so that the lifts still add to 0.
+function back(before, i, value) {
+  const parse = (text) => /^\s*([-+]?[\d.]+)\s*([^\d\s].*)$/.exec((text ?? "").replace(",", "."));
+  const lift = (n) => parse(before[`law.segment.${n}.lift`]?.text);
+  const [own, next] = [lift(i), parse(value)];
+  if (!own || !next || own[2].trim() !== next[2].trim()) return [];
+  const n = count("law.segment");
+  const other = Array.from({ length: n - 1 }, (_, k) => (i + k) % n + 1).find((k) => lift(k) && Number(lift(k)[1]) !== 0 && lift(k)[2].trim() === own[2].trim());
+  if (!other) return [];
+  const x = Number(lift(other)[1]) - (Number(next[1]) - Number(own[1]));
+  return [{ set: { key: `law.segment.${other}.lift`, value: `${Number(x.toFixed(6))} ${own[2].trim()}` } }];
 }
 
 function motion(key, i) {

@@ -193,6 +193,28 @@ class Direct(unittest.TestCase):
             self.assertIsNone(archive.testzip())
             self.assertEqual(archive.namelist(), names)
 
+    def test_points_of_a_drawn_force_are_dragged_on_the_force_diagram(self):
+        page = self.page()
+        page.sets("limits.stroke", "")
+        page.page.click("#tab-force")
+        page.does(lambda: page.page.click("#draw-force"))
+        self.assertEqual(page.page.locator(".chart.force .knot").count(), 12)
+        force = page.page.get_attribute("#design", "data-force-hash")
+        before = page.revision()
+        self.drags(page, '.chart.force .knot[data-knot="3"]', 0, 14).up()
+        page.shown(before)
+        page.until("the force is another one", lambda: page.page.get_attribute("#design", "data-force-hash") != force)
+        page.does(lambda: page.page.click("#undo"))
+        self.assertEqual(page.page.get_attribute("#design", "data-force-hash"), force)
+
+    def test_a_lift_of_the_programme_takes_its_return_along(self):
+        page = self.page()
+        page.opens("camdas_09_eight_motions")
+        page.page.click("#tab-programme")
+        page.does(lambda: page.page.fill('[name="law.segment.1.lift"]', "12 mm"))
+        self.assertEqual(page.page.input_value('[name="law.segment.3.lift"]'), "-12 mm")
+        self.assertNotEqual(page.verdict(), "pending")
+
     def test_a_dialog_opens_at_its_top(self):
         page = self.page()
         page.page.click("#open-scenes")

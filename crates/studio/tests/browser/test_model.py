@@ -189,6 +189,8 @@ class Model(unittest.TestCase):
                 continue
             done[kind] = done.get(kind, 0) + 1
             log.append((number, kind))
+            if len(log) % 1000 == 0:
+                print(f"\n  {len(log)} steps in {time.monotonic() - start:.0f} s", flush=True)
             # The other tab must not have moved either.
             for tab in tabs if sum(done.values()) % 10 == 0 else [tabs[number]]:
                 self.assertEqual(tab.differs(), {}, f"after {sum(done.values())} steps, seed {SEED}: {log[-8:]}")

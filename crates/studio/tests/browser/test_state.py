@@ -189,6 +189,18 @@ class State(unittest.TestCase):
         page.does(lambda: page.page.click("#redo"))
         self.assertEqual(page.value("limits.stroke"), "61 mm")
 
+    def test_a_reload_that_began_before_the_address_was_written_keeps_the_versions(self):
+        page = self.page()
+        page.page.wait_for_timeout(400)
+        page.page.evaluate("window.before = location.hash")
+        page.sets("limits.stroke", "61 mm")
+        page.page.wait_for_timeout(400)
+        with page.page.expect_navigation():
+            page.page.evaluate("() => { history.replaceState(null, '', window.before); setTimeout(() => location.reload(), 50); }")
+        page.shown(0)
+        self.assertEqual(page.value("limits.stroke"), "61 mm")
+        self.assertTrue(page.page.is_enabled("#undo"))
+
     def test_numbers_are_taken_in_the_unit_shown_and_with_a_decimal_comma(self):
         page = self.page()
         for text, shown in (("61,5", "61.5 mm"), ("62", "62 mm"), ("5,5 cm", "5.5 cm"), ("2*31 mm", "62 mm"), ("60 mm", "60 mm")):

@@ -107,6 +107,7 @@ class Studio(unittest.TestCase):
     def test_the_contour_is_coloured_by_each_quantity(self):
         page = self.page()
         page.page.click("#play")
+        page.page.click(".menu summary")
         ends = {}
         for colour in ["curvature", "force", "hertz", "pressure_angle"]:
             page.does(lambda: page.page.select_option("#colour", colour))
