@@ -89,6 +89,7 @@ impl Force {
             let path = match &gait.source {
                 scene::Source::File(path) => path.clone(),
                 scene::Source::Model(name) => PathBuf::from(name),
+                scene::Source::Harmonics(_) => PathBuf::new(),
             };
             let options = gait.read_options(metadata.clone())?;
             force::force_curve(&path, &bytes, &options, gait.feet)

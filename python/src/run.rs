@@ -3,7 +3,7 @@
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{self, Model, Outcome};
 use gaitcam::wording::Language;
-use gaitcam_files::design::{drive_on, is_of_machine};
+use gaitcam_files::design::{is_of_machine, put_on};
 use gaitcam_output::simulation;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -58,13 +58,13 @@ pub fn simulate(
     if let Some(why) = cam.no_cam(Language::En) {
         return Err(NoSuchCam::new_err(why));
     }
-    let (spec, drive) = match machine {
-        None => (design.input.scene.machine.clone(), cam.drive),
+    let (spec, mut judged) = match machine {
+        None => (design.input.scene.machine.clone(), cam.clone()),
         Some(changes) => machine_of(py, design, changes)?,
     };
-    let outcome = py.detach(|| dynamics::simulate(&cam.emitted(&spec, drive)?, model));
+    let drive = judged.drive;
+    let outcome = py.detach(|| dynamics::simulate(&judged.emitted(&spec, drive)?, model));
     let outcome = outcome.raise(py)?;
-    let mut judged = cam.clone();
     if outcome.contact_lost {
         judged.loses_contact(outcome.lost_fraction);
     }
@@ -83,7 +83,7 @@ fn machine_of(
     py: Python<'_>,
     design: &Design,
     changes: &Bound<'_, PyDict>,
-) -> PyResult<(gaitcam::scene::MachineSpec, gaitcam::Drive)> {
+) -> PyResult<(gaitcam::scene::MachineSpec, gaitcam::synth::Design)> {
     for key in changes.keys() {
         let key: String = key.extract()?;
         if !is_of_machine(&key) {
@@ -93,8 +93,9 @@ fn machine_of(
     }
     let scene = Scene::of_input(design.input.clone()).changed(py, changes)?;
     let scene = scene.input.scene;
-    let drive = drive_on(design.shown()?, &scene).raise(py)?;
-    Ok((scene.machine, drive))
+    let mut cam = design.shown()?.clone();
+    put_on(&mut cam, &scene).raise(py)?;
+    Ok((scene.machine, cam))
 }
 
 #[pymethods]

@@ -112,6 +112,10 @@ pub enum SceneError {
     ValueNotTable { part: String },
     /// Both a recording and a model.
     FileAndModel,
+    /// A text that is no load factor with its phase.
+    NotHarmonic { typed: String },
+    /// Load factors that are all zero, or too many of them.
+    Harmonics { given: usize, most: usize },
     /// Neither a recording nor a model.
     NoForceNamed,
     /// An empty range of weighted phases.

@@ -110,7 +110,7 @@ impl DerefMut for Problem {
 fn weight(gait: &Gait, force: &ForceCurve) -> f64 {
     let mean = force.mean_n();
     match (&gait.source, gait.period) {
-        (Source::Model(_), _) => gait.model_weight(),
+        (Source::Model(_) | Source::Harmonics(_), _) => gait.model_weight(),
         (Source::File(_), Some(_)) => mean,
         (Source::File(_), None) => {
             let known = force.mass_kg.map(|m| m * G);

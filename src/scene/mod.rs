@@ -19,7 +19,7 @@ pub use keys::schema;
 pub use motion_file::{LARGEST_MOTION, motion_files, with_motions};
 pub use notes::SceneNote;
 pub use parts::{
-    Band, CamSpec, ConjugateSpec, DriveSpec, Dwell, Family, FloorSpec, ForceScale, Gait,
+    Band, CamSpec, ConjugateSpec, DriveSpec, Dwell, Family, FloorSpec, ForceScale, Gait, Harmonic,
     KeywaySpec, LawPoint, LawSpec, Limits, MachineSpec, Minimise, MotorSpec, Phase, PhaseWeight,
     SegmentSpec, ShaftSpeed, Source, WalkersSpec, Weigh,
 };

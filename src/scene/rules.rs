@@ -114,7 +114,8 @@ fn force(scene: &Scene, typed: Typed) -> Verdict {
     let Some(gait) = &scene.gait else {
         return Ok(());
     };
-    if typed.gives("gait.file") && typed.gives("gait.model") {
+    let sources = ["gait.file", "gait.model", "gait.harmonics"];
+    if sources.iter().filter(|key| typed.gives(key)).count() > 1 {
         return Err(("gait", SceneError::FileAndModel));
     }
     if matches!(&gait.source, Source::File(path) if path.as_os_str().is_empty()) {

@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use gaitcam::Problem;
 use gaitcam::error::{Error, FileError, Placed, Result};
+use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
 use gaitcam::synth::Design;
-use gaitcam::{Drive, Problem};
 use gaitcam_output::{Timing, json};
 use serde_json::Value;
 
@@ -33,13 +34,37 @@ pub fn is_of_machine(key: &str) -> bool {
     key.starts_with("drive.") || key.starts_with("machine.")
 }
 
-/// The drive of another scene under a cam that is cut for the force of its own.
+/// Puts a cam that is cut onto the machine of another scene: its drive and, at another speed, the force that a load model
+/// gives at the step frequency of that speed as the target. Returns why there is none, where the model is not defined there.
 ///
 /// # Errors
 /// A drive without speed or mass.
-pub fn drive_on(design: &Design, scene: &Scene) -> Result<Drive> {
-    let problem = Problem::resolve(scene, design.target_in_time())?;
-    Ok(problem.drive)
+pub fn put_on(design: &mut Design, scene: &Scene) -> Result<Option<Error>> {
+    let drive = Problem::resolve(scene, design.target_in_time())?.drive;
+    let faster = (drive.speed / design.drive.speed).abs();
+    design.drive = drive;
+    let Some(gait) = scene.gait.as_ref().filter(|_| faster != 1.0) else {
+        return Ok(None);
+    };
+    let mut gait = gait.clone();
+    gait.step_frequency = gait.step_frequency.map(|f| faster * f);
+    let (target, missing) = match gait.model_force() {
+        Ok(None) => return Ok(None),
+        Ok(Some(force)) => {
+            let mut scene = scene.clone();
+            // The mass is that of the machine, whatever the mean force at this speed.
+            let mass = (drive.mass > 0.0).then_some(drive.mass);
+            scene.drive.mass = scene.drive.mass.or(mass);
+            let problem = Problem::resolve(&scene, Some(&force))?.at_phase(design.phase);
+            (problem.target.map(|t| ForceCurve::clone(&t.curve)), None)
+        }
+        Err(error) => (None, Some(error)),
+    };
+    if let Some(shaft) = &mut design.shaft {
+        shaft.target = target.clone();
+    }
+    design.target = target;
+    Ok(missing)
 }
 
 /// Writes scene and summary and puts the whole result into place.

@@ -11,7 +11,13 @@ pub(crate) const SCENE: &str = "scene.toml";
 /// The same where the input itself has that name.
 pub(crate) const SCENE_BESIDE_INPUT: &str = "scene.used.toml";
 /// What `simulate` adds to the design that it runs.
-const OF_RUN: [&str; 3] = ["dynamics.csv", "simulation.json", "speeds.csv"];
+const OF_RUN: [&str; 5] = [
+    "dynamics.csv",
+    "simulation.json",
+    "speeds.csv",
+    "speeds.svg",
+    "speeds.png",
+];
 
 /// What `inspect` adds.
 pub const OF_INSPECTION: [&str; 6] = [

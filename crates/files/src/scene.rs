@@ -74,7 +74,7 @@ impl Input {
             Source::File(path) if !path.as_os_str().is_empty() => {
                 Some(target::find(&self.folder, path))
             }
-            Source::File(_) | Source::Model(_) => None,
+            Source::File(_) | Source::Model(_) | Source::Harmonics(_) => None,
         }
     }
 

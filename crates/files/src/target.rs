@@ -16,7 +16,7 @@ pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
         return Ok(None);
     };
     match &gait.source {
-        Source::Model(_) => gait.model_force(),
+        Source::Model(_) | Source::Harmonics(_) => gait.model_force(),
         Source::File(path) => {
             let bytes = content(folder, path)?;
             let path = find(folder, path);

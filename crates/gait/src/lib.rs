@@ -37,7 +37,7 @@ pub use gaitcam_base::units;
 pub use interpretation::{
     Clock, Column, Contact, Interpretation, MeanStanceCurve, Overlay, Period, coded,
 };
-pub use models::{ModelInfo, Status, catalogue, fourier, model};
+pub use models::{ModelInfo, Status, catalogue, fourier, model, of_harmonics, waves};
 pub use read::{Cell, NumberTable, PlateFile, metadata_name, of_arrays, one_cycle, plate_of, read};
 pub use recording::{
     Axis, Channel, ClockSource, CycleSource, DecimalMark, Feet, Foot, ForceUnit, Format, Heels,

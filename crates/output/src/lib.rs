@@ -41,6 +41,7 @@ pub mod plots {
     pub use super::figures::floor::floor;
     pub use super::figures::force::force;
     pub use super::figures::law::svaj;
+    pub use super::figures::speeds::{AtSpeed, speeds};
 }
 
 /// How long the work took, s; measured by the caller, since emitters read no clock.

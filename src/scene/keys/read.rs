@@ -66,7 +66,12 @@ fn count(typed: &Toml, low: usize, high: usize) -> Option<Value> {
 }
 
 fn texts(typed: &Toml) -> Option<Value> {
-    let one = |v: &Toml| v.as_str().map(str::to_string);
+    // A bare number is the text of that number: a load factor, or the number of a column.
+    let one = |v: &Toml| match v {
+        Toml::String(text) => Some(text.clone()),
+        Toml::Integer(_) | Toml::Float(_) => Some(v.to_string()),
+        _ => None,
+    };
     let all: Option<Vec<String>> = match typed {
         Toml::Array(list) => list.iter().map(one).collect(),
         typed => one(typed).map(|text| vec![text]),

@@ -59,8 +59,8 @@ fn of_key(key: &Key) -> Value {
         Kind::Flag => json!({"type": "boolean"}),
         Kind::Text => json!({"type": "string"}),
         Kind::Texts => json!({"anyOf": [
-            {"type": "string"},
-            {"type": "array", "items": {"type": "string"}},
+            {"type": ["string", "number"]},
+            {"type": "array", "items": {"type": ["string", "number"]}},
         ]}),
     }
 }

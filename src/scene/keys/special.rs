@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use super::field::Access;
-use super::value::Value;
-use crate::scene::{LimitKind, Limits, Minimise, Scene, Source, Weigh};
+use super::value::{Value, written};
+use crate::scene::{Harmonic, LimitKind, Limits, Minimise, Scene, Source, Weigh};
+use crate::units::Dimension;
 
 /// The word that switches a default bound off.
 pub(super) const NONE: &str = "none";
@@ -13,7 +14,7 @@ pub(super) const NONE: &str = "none";
 pub(super) const FILE: Access = Access {
     get: |s, _| match &s.gait.as_ref()?.source {
         Source::File(path) => Some(Value::Text(path.to_string_lossy().into_owned())),
-        Source::Model(_) => None,
+        Source::Model(_) | Source::Harmonics(_) => None,
     },
     set: |s, _, v| {
         s.gait.get_or_insert_default().source = Source::File(PathBuf::from(v.text()));
@@ -25,13 +26,37 @@ pub(super) const FILE: Access = Access {
 pub(super) const MODEL: Access = Access {
     get: |s, _| match &s.gait.as_ref()?.source {
         Source::Model(name) => Some(Value::Text(name.clone())),
-        Source::File(_) => None,
+        Source::File(_) | Source::Harmonics(_) => None,
     },
     set: |s, _, v| {
         s.gait.get_or_insert_default().source = Source::Model(v.text());
         Ok(())
     },
 };
+
+/// `gait.harmonics`: own load factors, in place of a recording or a model.
+pub(super) const HARMONICS: Access = Access {
+    get: |s, _| match &s.gait.as_ref()?.source {
+        Source::Harmonics(list) => Some(Value::Texts(list.iter().map(written_harmonic).collect())),
+        Source::File(_) | Source::Model(_) => None,
+    },
+    set: |s, _, v| {
+        let list = Harmonic::list(&v.texts())?;
+        s.gait.get_or_insert_default().source = Source::Harmonics(list);
+        Ok(())
+    },
+};
+
+fn written_harmonic(harmonic: &Harmonic) -> String {
+    match harmonic.phase {
+        0.0 => harmonic.factor.to_string(),
+        phase => format!(
+            "{} at {}",
+            harmonic.factor,
+            written(phase, Dimension::Angle)
+        ),
+    }
+}
 
 /// `cam.offset`: "auto" makes it free; the default is 0.
 pub(super) const OFFSET: Access = Access {

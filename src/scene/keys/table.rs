@@ -8,8 +8,8 @@ use super::kind::Relax::{Down, Up};
 use super::kind::{Idle, Kind, Measure, Range};
 use super::row::Key;
 use super::special::{
-    ACCURACY, FILE, FORCE_MIN, MATERIAL, MODEL, NONE, OFFSET, PRESSURE_ANGLE, both_sides, limit,
-    one_side, weigh, weights,
+    ACCURACY, FILE, FORCE_MIN, HARMONICS, MATERIAL, MODEL, NONE, OFFSET, PRESSURE_ANGLE,
+    both_sides, limit, one_side, weigh, weights,
 };
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
@@ -40,6 +40,7 @@ pub static KEYS: &[Key] = &[
 
     row("gait.file",            TEXT,                                 "",      FILE),
     row("gait.model",           MODELS,                               "",      MODEL),
+    row("gait.harmonics",       TEXTS,                                "",      HARMONICS),
     row("gait.step_frequency",  number(Frequency, Positive),          "auto",  field!(gait?.step_frequency)).idle_when(over_recordings),
     row("gait.body_weight",     number(Force, Positive),              "auto",  field!(gait?.body_weight)).idle_when(over_recordings),
     row("gait.time",            TEXT,                                 "",      field!(gait?.time)).idle_when(over_models),

@@ -79,7 +79,7 @@ impl Value {
 
 /// A number as a scene file has it: a text that reads back as exactly this number, in a common unit where that
 /// is exact.
-fn written(value: f64, dimension: Dimension) -> String {
+pub(super) fn written(value: f64, dimension: Dimension) -> String {
     let si = format!("{value} {}", dimension.si());
     let common: &[(&str, f64)] = match dimension {
         Dimension::Length => &[("mm", 1e-3)],

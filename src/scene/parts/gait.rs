@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::harmonic::Harmonic;
 use crate::error::{Error, Placed, Result};
 use crate::force::{self, Feet, ForceCurve, Kind, OpenQuestion, ReadOptions};
 
@@ -22,6 +23,8 @@ pub enum Source {
     File(PathBuf),
     /// A published load model, by its name in the catalogue.
     Model(String),
+    /// Own load factors of the harmonics 1, 2, … of the step frequency.
+    Harmonics(Vec<Harmonic>),
 }
 
 impl Default for Source {
@@ -129,16 +132,38 @@ impl Gait {
         })
     }
 
-    /// The force of its load model; `None` for a recording, which the caller reads.
+    /// The force of its load model or of its own load factors; `None` for a recording, which the caller reads.
     ///
     /// # Errors
     /// An unknown model, or a frequency or weight outside its range.
     pub fn model_force(&self) -> Result<Option<ForceCurve>> {
+        self.force_of_weight(self.model_weight())
+    }
+
+    /// The same for a walker of another weight, N.
+    pub(crate) fn force_of_weight(&self, weight: f64) -> Result<Option<ForceCurve>> {
+        let (frequency, feet) = (self.step_frequency, self.feet);
+        let (force, key) = match &self.source {
+            Source::Model(name) => (force::model(name, frequency, weight, feet), "gait.model"),
+            Source::Harmonics(list) => {
+                let force = force::of_harmonics(&pairs(list), frequency, weight, feet);
+                (force, "gait.harmonics")
+            }
+            Source::File(_) => return Ok(None),
+        };
+        force.map(Some).map_err(|e| e.at_key(key))
+    }
+
+    /// Period, s, and (cosine, sine) amplitudes of the harmonics of a force that is a finite sum, for one newton of weight.
+    #[allow(clippy::type_complexity)] // one pair, named above
+    pub(crate) fn series(&self) -> Result<Option<(f64, Vec<(f64, f64)>)>> {
         match &self.source {
-            Source::Model(name) => {
-                force::model(name, self.step_frequency, self.model_weight(), self.feet)
-                    .map(Some)
-                    .map_err(|e| e.at_key("gait.model"))
+            Source::Model(name) => force::fourier(name, self.step_frequency, self.feet),
+            Source::Harmonics(list) => {
+                let period = self.step_frequency.map(f64::recip);
+                let both = self.feet.share() == 1.0;
+                let waves = || force::waves(&pairs(list));
+                Ok(period.filter(|_| both).map(|p| (p, waves())))
             }
             Source::File(_) => Ok(None),
         }
@@ -148,6 +173,11 @@ impl Gait {
     pub fn is_recording(&self) -> bool {
         matches!(self.source, Source::File(_))
     }
+}
+
+/// Factor and added phase, rad, of each harmonic.
+fn pairs(list: &[Harmonic]) -> Vec<(f64, f64)> {
+    list.iter().map(|h| (h.factor, h.phase)).collect()
 }
 
 /// Scaling of the target force to the moved mass of a moving axis.

@@ -14,7 +14,7 @@ use toml::Table;
 
 use crate::cam::Verdict;
 use crate::error::{Error, Result, SweepError, is_no_cam};
-use crate::force::{self, ForceCurve};
+use crate::force::ForceCurve;
 use crate::halt::Halt;
 use crate::problem::{MeanForce, Problem, Requirements, open_questions};
 use crate::scene::{self, Gait, LawSpec, Scene, Source};
@@ -244,7 +244,7 @@ impl<'a> Kernel<'a> {
         }
         let scale = match &gait.source {
             Source::File(_) => 1.0,
-            Source::Model(_) => gait.model_weight(),
+            Source::Model(_) | Source::Harmonics(_) => gait.model_weight(),
         };
         let force = self.force(index, scene, source)?;
         let series = force.series.get_or_init(|| series(gait, &force));
@@ -346,18 +346,19 @@ fn source(index: usize, scene: &Scene) -> Arc<str> {
     };
     Arc::from(match &gait.source {
         Source::Model(name) => format!("{name} {}", gait.feet.name()),
+        Source::Harmonics(list) => format!("{list:?} {}", gait.feet.name()),
         Source::File(_) => format!("{index} {gait:?}"),
     })
 }
 
 /// The Fourier series of a force, of a load model for a body weight of 1 N.
 fn series(gait: &Gait, force: &Force) -> Option<Series> {
-    let Source::Model(name) = &gait.source else {
+    if gait.is_recording() {
         let curve = force.curve.as_ref()?.as_ref().ok()?;
         let is_certain = open_questions(Some(gait), Some(curve)).is_empty();
         return is_certain.then(|| Series::of_curve(curve.clone()));
-    };
-    if let Some((period_s, waves)) = force::fourier(name, gait.step_frequency, gait.feet).ok()? {
+    }
+    if let Some((period_s, waves)) = gait.series().ok()? {
         let (mean_n, spread_n) = (1.0, 0.0);
         let mean_force = MeanForce {
             mean_n,
@@ -366,8 +367,7 @@ fn series(gait: &Gait, force: &Force) -> Option<Series> {
         };
         return Some(Series::new(mean_force, waves, None));
     }
-    let curve = force::model(name, gait.step_frequency, 1.0, gait.feet).ok()?;
-    Some(Series::of_curve(curve))
+    gait.force_of_weight(1.0).ok()?.map(Series::of_curve)
 }
 
 /// A panic is an internal error; it must not stop the other rows.

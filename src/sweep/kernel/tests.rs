@@ -109,6 +109,23 @@ fn closed_rows_equal_single_syntheses_of_a_moving_axis() {
 }
 
 #[test]
+fn closed_rows_of_own_load_factors_equal_single_syntheses() {
+    let pairs = compared(
+        &[
+            "law.family=harmonic",
+            "gait.harmonics=0.4 at 20 deg, 0.1 at -90 deg, 0.1",
+        ],
+        &[
+            "gait.step_frequency=1.6 Hz:2.4 Hz",
+            "gait.body_weight=400 N:1200 N",
+        ],
+        20,
+    );
+    equal(&pairs);
+    assert!(pairs.iter().all(|p| p.0.outcome == Outcome::Built));
+}
+
+#[test]
 fn rows_on_a_moving_floor_equal_single_syntheses() {
     let pairs = compared(
         &[

@@ -2,8 +2,9 @@
 key-name = Name of the scene and of its output folder.
 key-gait-file = Recording or written cycle of the wanted force; relative to the scene file first, then to the working directory.
 key-gait-model = Published load model of the wanted force: young, li-2010, setra, iso-22675 …
-key-gait-step_frequency = Steps per second of the load model.
-key-gait-body_weight = Weight of the walker of the load model; auto is 700 N.
+key-gait-harmonics = Own dynamic load factors of the force of both feet, in place of a model: of each harmonic of the step frequency the amplitude as a part of the weight and the phase added to its sine, ["0.4", "0.1 at -90 deg"].
+key-gait-step_frequency = Steps per second of the load model or the load factors.
+key-gait-body_weight = Weight of the walker of the load model or the load factors; auto is 700 N.
 key-gait-time = Name or number of the time column of the recording.
 key-gait-force = Names or numbers of the vertical force columns of the recording.
 key-gait-unit = Unit of the force columns: N, daN, kN, lbf, kgf, N/kg, BW, %BW.

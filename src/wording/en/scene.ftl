@@ -66,10 +66,17 @@ scene-list-without-number = { $list } is a list of { $given }
     .help = write { $list }.1 for the first
 scene-value-not-table = { $part } is a value, not a table
     .help = remove what follows { $part }
-scene-file-and-model = both file and model are given
-    .help = keep one: file = "walk.mot" or model = "young"
+scene-file-and-model = more than one of file, model and harmonics is given
+    .help = keep one: file = "walk.mot", model = "young" or harmonics = ["0.4", "0.1 at -90 deg"]
+scene-not-harmonic = "{ $typed }" is not a load factor with its phase
+    .help = write one text for each harmonic, the factor as a part of the weight (zero or above) and the phase added to its sine: ["0.4", "0.1 at -90 deg"]
+scene-harmonics = { $given ->
+        [one] the one load factor is zero
+       *[other] { $given } load factors: all zero or too many
+    }
+    .help = give 1 to { $most } factors, at least one of them above zero, for example ["0.4", "0.1 at -90 deg"]
 scene-no-force-named = neither a recording nor a load model is given
-    .help = give file = "walk.mot" or model = "young"; remove [gait] for a law given by segments or points
+    .help = give file = "walk.mot", model = "young" or harmonics = ["0.4", "0.1 at -90 deg"]; remove [gait] for a law given by segments or points
 scene-no-phases = { $from } to { $to } is not a valid range of phases
     .help = phases run from 0 to 360 deg; in a range across the end of the cycle, to is smaller than from
 scene-nothing-weighed = all phases of the cycle have weight 0

@@ -2,8 +2,9 @@
 key-name = Nombre de la escena y de su carpeta de salida.
 key-gait-file = Registro o ciclo escrito de la fuerza deseada; relativo primero al archivo de la escena y después al directorio de trabajo.
 key-gait-model = Modelo de carga publicado de la fuerza deseada: young, li-2010, setra, iso-22675 …
-key-gait-step_frequency = Pasos por segundo del modelo de carga.
-key-gait-body_weight = Peso de la persona del modelo de carga; auto es 700 N.
+key-gait-harmonics = Factores de carga dinámica propios de la fuerza de ambos pies, en lugar de un modelo: de cada armónico de la frecuencia de paso la amplitud como parte del peso y la fase que se suma a su seno, ["0.4", "0.1 at -90 deg"].
+key-gait-step_frequency = Pasos por segundo del modelo de carga o de los factores de carga.
+key-gait-body_weight = Peso de la persona del modelo de carga o de los factores de carga; auto es 700 N.
 key-gait-time = Nombre o número de la columna de tiempo del registro.
 key-gait-force = Nombres o números de las columnas de fuerza vertical del registro.
 key-gait-unit = Unidad de las columnas de fuerza: N, daN, kN, lbf, kgf, N/kg, BW, %BW.

@@ -66,10 +66,17 @@ scene-list-without-number = { $list } es una lista de { $given }
     .help = escriba { $list }.1 para la primera
 scene-value-not-table = { $part } es un valor, no una tabla
     .help = quite lo que sigue a { $part }
-scene-file-and-model = se dan a la vez file y model
-    .help = conserve uno: file = "walk.mot" o model = "young"
+scene-file-and-model = se da más de uno de file, model y harmonics
+    .help = conserve uno: file = "walk.mot", model = "young" o harmonics = ["0.4", "0.1 at -90 deg"]
+scene-not-harmonic = "{ $typed }" no es un factor de carga con su fase
+    .help = escriba un texto por armónico, el factor como parte del peso (cero o mayor) y la fase que se suma a su seno: ["0.4", "0.1 at -90 deg"]
+scene-harmonics = { $given ->
+        [one] el único factor de carga es cero
+       *[other] { $given } factores de carga: todos cero o demasiados
+    }
+    .help = dé de 1 a { $most } factores, al menos uno mayor que cero, por ejemplo ["0.4", "0.1 at -90 deg"]
 scene-no-force-named = no se da ni un registro ni un modelo de carga
-    .help = dé file = "walk.mot" o model = "young"; quite [gait] para una ley dada por segmentos o puntos
+    .help = dé file = "walk.mot", model = "young" o harmonics = ["0.4", "0.1 at -90 deg"]; quite [gait] para una ley dada por segmentos o puntos
 scene-no-phases = de { $from } a { $to } no es un intervalo de fases válido
     .help = las fases van de 0 a 360 deg; en un intervalo que pasa por el final del ciclo, to es menor que from
 scene-nothing-weighed = todas las fases del ciclo tienen peso 0

@@ -1,4 +1,5 @@
 //! Scenes: the key table against the reader, the writer, changes, sweeps and the editors' schema.
 
+mod harmonics;
 mod random;
 mod table;

@@ -52,6 +52,10 @@ pub fn typed(key: &Key, scene: &Scene, numbers: &mut Numbers) -> Option<String> 
         Kind::Text if key.name() == "curve" => Some("0 20 10 5".to_string()),
         Kind::Text if key.name() == "accept" => Some("clock, mass".to_string()),
         Kind::Text if key.name() == "hardness" => Some(format!("{} HRC", 20 + numbers.below(45))),
+        Kind::Texts if key.name() == "harmonics" => {
+            let factor = numbers.unit() + 0.01;
+            Some(format!("{factor}, 0.1 at {} deg", numbers.below(360)))
+        }
         Kind::Text | Kind::Texts => Some(format!("word{}", numbers.below(9))),
         _ => None,
     }

@@ -8,7 +8,7 @@ use crate::input::searching;
 use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::scene::{Scene, set};
 use gaitcam::synth::Design;
-use gaitcam_files::design::{drive_on, is_of_machine};
+use gaitcam_files::design::{is_of_machine, put_on};
 
 /// The scene of a cam, and the scene of the machine around it.
 pub struct Made {
@@ -61,16 +61,17 @@ impl Made {
         })
     }
 
-    /// The cam as designed, with the drive that runs it.
+    /// The cam as designed, on the machine that runs it; and why there is no target at the speed of that machine.
     ///
     /// # Errors
     /// Faults of the scene, its force or the other drive.
-    pub fn design(&self) -> Result<Design> {
+    pub fn design(&self) -> Result<(Design, Option<Error>)> {
         let mut design = searching::design(&self.input)?;
-        if self.other_machine {
-            design.drive = drive_on(&design, &self.running)?;
-        }
-        Ok(design)
+        let missing = match self.other_machine {
+            true => put_on(&mut design, &self.running)?,
+            false => None,
+        };
+        Ok((design, missing))
     }
 }
 

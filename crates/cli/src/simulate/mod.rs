@@ -18,7 +18,7 @@ use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use crate::synth::{files_in, no_cam};
 use gaitcam::dynamics::{Model, Outcome, Run, simulate};
-use gaitcam::error::{Place, Placed, Result, is_no_cam};
+use gaitcam::error::{Error, Place, Placed, Result, is_no_cam};
 use gaitcam::scene::{MachineSpec, Scene};
 use gaitcam::synth::Design;
 use gaitcam::units::Dimension;
@@ -93,7 +93,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
             .map_err(|e| e.placed(Place::Argument("--out".to_string())))?;
     }
     let solving = Instant::now();
-    let mut design = match made.design() {
+    let (mut design, untargeted) = match made.design() {
         Err(error) if is_no_cam(&error) => {
             return no_cam(args.json, input, Some(folder), &error, start);
         }
@@ -144,19 +144,26 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     if args.json {
         print_json(&json);
     } else {
-        let remark = remark(args, &made, &design);
-        describe(&design, remark, &outcome);
+        let untargeted = untargeted.map(|e| no_target(&e));
+        let remarks = remark(args, &made, &design).into_iter().chain(untargeted);
+        describe(&design, remarks, &outcome);
         print(&files_in(&place, "report.html"));
     }
     Ok(exit_code::of(design.verdict))
 }
 
-/// Prints verdict, reason, remark and the table of the run.
-fn describe(design: &Design, remark: Option<String>, outcome: &Outcome) {
+/// Why a run is held against no target.
+fn no_target(why: &Error) -> String {
+    let why = why.sentence(language::current());
+    words::fill("simulate-no-target", &json!({"why": why}))
+}
+
+/// Prints verdict, reason, remarks and the table of the run.
+fn describe(design: &Design, remarks: impl Iterator<Item = String>, outcome: &Outcome) {
     let verdict = words::name(design.verdict.name());
     print(&format!("{}: {verdict}", design.name));
     print(&format!("  {}", design.reason(language::current())));
-    if let Some(remark) = remark {
+    for remark in remarks {
         print(&format!("  {remark}"));
     }
     let measures = design.cam.follower.measures();

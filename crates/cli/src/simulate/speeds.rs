@@ -1,12 +1,12 @@
-//! One cam as it is made at several speeds: `speeds.csv` and its table.
+//! One cam as it is made at several speeds: `speeds.csv`, its table and its picture.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::time::Instant;
 
 use serde_json::{Value, json};
 
-use super::{SimulateArgs, machine};
+use super::{SimulateArgs, machine, no_target};
 use crate::console::error::CliError;
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
@@ -15,63 +15,70 @@ use crate::console::{exit_code, exit_code::NO_SUCH_CAM};
 use crate::input::made::Made;
 use crate::input::{self, at_flag};
 use crate::synth::{files_in, no_cam};
-use gaitcam::Problem;
+use gaitcam::cam::Measures;
 use gaitcam::dynamics::{Model, Outcome, simulate};
-use gaitcam::error::{Placed, Result, is_no_cam};
-use gaitcam::scene::Source;
+use gaitcam::error::{DynamicsError, Error, Placed, Result, is_no_cam};
 use gaitcam::synth::Design;
 use gaitcam::units::{Dimension, parse};
-use gaitcam_files::design::write_scene;
+use gaitcam_files::design::{put_on, write_scene};
 use gaitcam_files::{PATIENCE, ResultFolder};
+use gaitcam_output::plots::{self, AtSpeed};
 
 /// Most speeds of a table.
 const MOST: usize = 1000;
-/// Samples of the target.
-const SAMPLES: usize = 1440;
 const COLUMNS: &str =
     "speed_rad_per_s,rms_error_n,dlf_1,dlf_2,dlf_3,dlf_4,torque_max_n_m,contact_lost,ripple";
 
-/// The cam at one speed.
-struct AtSpeed {
-    speed: f64,
-    outcome: Outcome,
-    load_factors: Option<[f64; 4]>,
+/// A row of the table: the cam at one speed, or why the shaft does not turn there.
+struct Row {
+    at: AtSpeed,
+    stands: Option<String>,
 }
 
 /// Runs the cam of the arguments at each of `speeds`, FIRST:LAST:COUNT.
 pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
-    let (speeds, start) = (read(speeds)?, Instant::now());
+    let start = Instant::now();
     let made = Made::read(&args.scene, None)?;
+    let speeds = read(speeds, made.running.cam.is_straight())?;
     let place = input::result_folder(&made.input, args.out.as_deref(), "_speeds")?;
     let folder = ResultFolder::open(&place, PATIENCE)?;
     let design = match made.design() {
         Err(error) if is_no_cam(&error) => {
             return no_cam(args.json, &made.input, Some(folder), &error, start);
         }
-        design => design?,
+        design => design?.0,
     };
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("simulate-no-cam", &json!({"why": why})));
         return Ok(NO_SUCH_CAM);
     }
-    let rows = speeds.iter().map(|w| at(args, &made, &design, *w, model));
-    let rows = rows.collect::<Result<Vec<_>>>()?;
+    let mut untargeted = None;
+    let mut row = |w: &f64| at(args, &made, &design, *w, model, &mut untargeted);
+    let rows = speeds.iter().map(&mut row).collect::<Result<Vec<Row>>>()?;
+    let measures = design.cam.follower.measures();
+    let ran: Vec<AtSpeed> = rows.iter().map(|r| r.at).collect();
+    let picture = plots::speeds(&design.name, &ran, measures, language::current());
     folder.write("speeds.csv", csv(&rows).as_bytes())?;
+    folder.write("speeds.svg", picture.svg().as_bytes())?;
+    folder.write("speeds.png", &picture.png())?;
     let scene = toml::to_string(&made.input.resolved()).unwrap_or_default();
     write_scene(&folder, &made.input, &scene)?;
     let place = folder.path().to_path_buf();
     folder.commit(&[])?;
     if args.json {
-        print_json(&Value::Array(rows.iter().map(AtSpeed::json).collect()));
+        print_json(&Value::Array(rows.iter().map(Row::json).collect()));
     } else {
-        print(&table(&rows));
-        print(&files_in(&place, "speeds.csv"));
+        print(&table(&rows, measures));
+        if let Some(why) = untargeted {
+            print(&no_target(&why));
+        }
+        print(&files_in(&place, "speeds.png"));
     }
     Ok(exit_code::of(design.verdict))
 }
 
-/// Speeds at equal steps, rad/s; a frequency is that of the turns.
-fn read(text: &str) -> Result<Vec<f64>> {
+/// Speeds at equal steps, rad/s or m/s; a frequency is that of the turns.
+fn read(text: &str, straight: bool) -> Result<Vec<f64>> {
     let fault = || {
         let typed = text.to_string();
         CliError::Speeds { typed, most: MOST }.at_argument("--speeds")
@@ -85,6 +92,9 @@ fn read(text: &str) -> Result<Vec<f64>> {
     let count: usize = count.parse().map_err(|_| fault())?;
     let speed = |text: &str| {
         let text = format!("{text} {unit}");
+        if straight {
+            return parse(&text, Dimension::Speed).map_err(at_flag("--speeds"));
+        }
         let turns = parse(&text, Dimension::Frequency).map(|hz| TAU * hz);
         turns.or_else(|_| parse(&text, Dimension::AngularSpeed).map_err(at_flag("--speeds")))
     };
@@ -103,43 +113,67 @@ fn at(
     design: &Design,
     speed: f64,
     model: Model,
-) -> Result<AtSpeed> {
+    untargeted: &mut Option<Error>,
+) -> Result<Row> {
     let mut scene = made.running.clone();
     scene.drive.speed = Some(speed);
+    let mut moved = design.clone();
+    if let Some(why) = put_on(&mut moved, &scene)? {
+        untargeted.get_or_insert(why);
+    }
+    let run = moved.emitted(&machine(args, &scene.machine)?, moved.drive)?;
+    let outcome = match simulate(&run, model) {
+        Ok(outcome) => outcome,
+        Err(error) if stands(&error) => {
+            return Ok(Row {
+                at: AtSpeed {
+                    speed,
+                    torque: f64::NAN,
+                    ..AtSpeed::default()
+                },
+                stands: Some(error.sentence(language::current())),
+            });
+        }
+        Err(error) => return Err(error),
+    };
     let factors = design.load_factors();
     let steps = factors.first().map_or(1.0, |f| (1.0 / f.of_step).round());
-    let mut of_model = None;
-    if let Some(gait) = &mut scene.gait
-        && matches!(gait.source, Source::Model(_))
-    {
-        gait.step_frequency = Some(steps * speed / TAU);
-        of_model = gait.model_force()?;
-    }
-    let force = of_model.as_ref().or(design.target_in_time());
-    let problem = Problem::resolve(&scene, force)?;
-    let mut run = design.emitted(&machine(args, &scene.machine)?, problem.drive)?;
-    if of_model.is_some() {
-        let target = problem.at_phase(design.phase).target;
-        let angle = |i: usize| TAU * i as f64 / SAMPLES as f64;
-        run.target = target.map(|t| (0..SAMPLES).map(|i| t.curve.at(angle(i))).collect());
-    }
-    let outcome = simulate(&run, model)?;
     let weight = design.weight_n.filter(|w| *w > 0.0 && !factors.is_empty());
-    let load_factors = weight.map(|weight| {
-        [1, 2, 3, 4].map(|k| amplitude(&outcome, steps * f64::from(k), speed) / weight)
-    });
-    Ok(AtSpeed {
+    let period = design.cam.law.extent().1 / speed;
+    let own = |k: f64| amplitude(&outcome, steps * k * TAU / period) / outcome.lever;
+    let torque = outcome.torque;
+    let at = AtSpeed {
         speed,
-        outcome,
-        load_factors,
-    })
+        rms_error: outcome.force.rms_error.map(|e| e / outcome.lever),
+        load_factors: weight.map(|weight| [1.0, 2.0, 3.0, 4.0].map(|k| own(k) / weight)),
+        target_factors: target_factors(&moved),
+        torque: torque.max.max(-torque.min),
+        ripple: outcome.shaft.map_or(0.0, |s| s.ripple),
+        contact_lost: outcome.contact_lost,
+    };
+    Ok(Row { at, stands: None })
 }
 
-/// Amplitude of a harmonic of the turn in the force over time, N.
-fn amplitude(outcome: &Outcome, harmonic: f64, speed: f64) -> f64 {
+/// Whether a motor does not turn the shaft at the speed asked for.
+fn stands(error: &Error) -> bool {
+    use DynamicsError::{NoLoadSpeed, Stalls, StallsAnyway};
+    let fault = error.fault::<DynamicsError>();
+    fault.is_some_and(|f| matches!(f, Stalls { .. } | StallsAnyway | NoLoadSpeed { .. }))
+}
+
+/// Load factors 1 to 4 of the target.
+fn target_factors(design: &Design) -> Option<[f64; 4]> {
+    let factors = design.load_factors();
+    let of_step = |k: f64| factors.iter().find(|f| f.of_step == k).map(|f| f.target);
+    let four: Option<Vec<f64>> = [1.0, 2.0, 3.0, 4.0].into_iter().map(of_step).collect();
+    four?.try_into().ok()
+}
+
+/// Amplitude of an angular frequency, rad/s, in the force over time.
+fn amplitude(outcome: &Outcome, frequency: f64) -> f64 {
     let (mut cosine, mut sine, mut sum) = (0.0, 0.0, 0.0);
     for row in &outcome.rows {
-        let (s, c) = (harmonic * speed * row.time).sin_cos();
+        let (s, c) = (frequency * row.time).sin_cos();
         // Rows lie at equal angles.
         let time = 1.0 / row.speed.abs();
         cosine += time * row.contact_force * c;
@@ -149,31 +183,47 @@ fn amplitude(outcome: &Outcome, harmonic: f64, speed: f64) -> f64 {
     2.0 * cosine.hypot(sine) / sum
 }
 
-impl AtSpeed {
-    /// Largest absolute torque of the cam on the shaft, N·m.
-    fn torque(&self) -> f64 {
-        let torque = self.outcome.torque;
-        torque.max.max(-torque.min)
-    }
-
-    fn ripple(&self) -> f64 {
-        self.outcome.shaft.map_or(0.0, |s| s.ripple)
-    }
-
+impl Row {
     fn json(&self) -> Value {
-        let factor = |k: usize| self.load_factors.map(|f| f[k]);
+        let at = &self.at;
+        let factor = |k: usize| at.load_factors.map(|f| f[k]);
+        let turns = self.stands.is_none();
         json!({
-            "speed_rad_per_s": self.speed,
-            "rms_error_n": self.outcome.force.rms_error,
+            "speed_rad_per_s": at.speed,
+            "rms_error_n": at.rms_error,
             "dlf_1": factor(0), "dlf_2": factor(1), "dlf_3": factor(2), "dlf_4": factor(3),
-            "torque_max_n_m": self.torque(),
-            "contact_lost": self.outcome.contact_lost,
-            "ripple": self.ripple(),
+            "torque_max_n_m": turns.then_some(at.torque),
+            "contact_lost": turns.then_some(at.contact_lost),
+            "ripple": turns.then_some(at.ripple),
         })
+    }
+
+    /// Its line of the table, the speed in the unit of people.
+    fn line(&self, speed: &str) -> String {
+        if let Some(why) = &self.stands {
+            let why = words::fill("simulate-speeds-none", &json!({"why": why}));
+            return format!("\n{speed:>9} {why}");
+        }
+        let at = &self.at;
+        let dash = || "—".to_string();
+        let rms = at.rms_error.map_or_else(dash, |e| words::fixed(e, 2));
+        let factors = at
+            .load_factors
+            .map_or_else(dash, |f| f.map(|x| words::fixed(x, 3)).join(" "));
+        let lost = match at.contact_lost {
+            true => words::text("simulate-speeds-lost"),
+            false => String::new(),
+        };
+        let (torque, ripple) = (
+            words::fixed(at.torque, 3),
+            words::fixed(100.0 * at.ripple, 2),
+        );
+        let line = format!("\n{speed:>9} {rms:>11} {torque:>10} {ripple:>8}  {factors}  {lost}");
+        line.trim_end().to_string()
     }
 }
 
-fn csv(rows: &[AtSpeed]) -> String {
+fn csv(rows: &[Row]) -> String {
     let mut out = format!("{COLUMNS}\n");
     for row in rows {
         let row = row.json();
@@ -187,25 +237,14 @@ fn csv(rows: &[AtSpeed]) -> String {
     out
 }
 
-fn table(rows: &[AtSpeed]) -> String {
-    let head = words::text("simulate-speeds-head");
-    rows.iter().fold(head, |mut out, row| {
-        let rms = row.outcome.force.rms_error;
-        let rms = rms.map_or("—".to_string(), |e| words::fixed(e, 2));
-        let factors = row.load_factors.map_or("—".to_string(), |f| {
-            f.map(|x| words::fixed(x, 3)).join(" ")
-        });
-        let lost = match row.outcome.contact_lost {
-            true => words::text("simulate-speeds-lost"),
-            false => String::new(),
-        };
-        let rpm = words::fixed(row.speed * 30.0 / std::f64::consts::PI, 2);
-        let (torque, ripple) = (
-            words::fixed(row.torque(), 3),
-            words::fixed(100.0 * row.ripple(), 2),
-        );
-        let line = format!("\n{rpm:>9} {rms:>11} {torque:>10} {ripple:>8}  {factors}  {lost}");
-        out.push_str(line.trim_end());
-        out
-    })
+fn table(rows: &[Row], measures: Measures) -> String {
+    let (unit, factor) = match measures {
+        Measures::Straight => ("    m/s", 1.0),
+        Measures::Translating | Measures::Oscillating => ("    rpm", 30.0 / PI),
+    };
+    let mut out = words::fill("simulate-speeds-head", &json!({"unit": unit}));
+    for row in rows {
+        out += &row.line(&words::fixed(factor * row.at.speed, 2));
+    }
+    out
 }

@@ -219,8 +219,10 @@ gait-mean-cycle-of = mean cycle of { $file }
 
 # simulate.
 simulate-no-cam = there is no cam to run: { $why }
-simulate-speeds-head = { "      " }rpm error N RMS torque N·m ripple %  load factors 1 to 4
+simulate-speeds-head = { "  " }{ $unit } error N RMS torque N·m ripple %  load factors 1 to 4
 simulate-speeds-lost = contact lost
+simulate-speeds-none = the shaft does not turn: { $why }
+simulate-no-target = no target at this speed: { $why }
 simulate-as-made = the cam as it was made, at { $rpm } rpm
 simulate-designed-again = the cam was designed for this drive.speed; --speed runs one cam at another speed
 

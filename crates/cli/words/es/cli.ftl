@@ -219,8 +219,10 @@ gait-mean-cycle-of = ciclo medio de { $file }
 
 # simulate.
 simulate-no-cam = no hay ninguna leva que simular: { $why }
-simulate-speeds-head = { "      " }rpm error N RMS    par N·m oscil. %  factores de carga 1 a 4
+simulate-speeds-head = { "  " }{ $unit } error N RMS    par N·m oscil. %  factores de carga 1 a 4
 simulate-speeds-lost = contacto perdido
+simulate-speeds-none = el eje no gira: { $why }
+simulate-no-target = sin objetivo a esta velocidad: { $why }
 simulate-as-made = la leva tal como se hizo, a { $rpm } rpm
 simulate-designed-again = la leva se diseñó para este drive.speed; --speed hace girar una misma leva a otra velocidad
 

@@ -49,12 +49,46 @@ pub fn model(
         let model = info.name.to_string();
         return Err(ForceError::BothFeetOnly { model }.into());
     };
+    cycle(info.name, &shape, f, body_weight_n, feet)
+}
+
+/// One cycle of a force of both feet that is given by its load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), with a pair
+/// (aᵢ, pᵢ) of factor and added phase, rad, for each of the harmonics 1, 2, …
+///
+/// # Errors
+/// No step frequency, one foot, and a frequency or a weight that is not positive.
+pub fn of_harmonics(
+    harmonics: &[(f64, f64)],
+    step_frequency_hz: Option<f64>,
+    body_weight_n: f64,
+    feet: Feet,
+) -> Result<ForceCurve> {
+    if !(body_weight_n.is_finite() && body_weight_n > 0.0) {
+        let weight = newtons(body_weight_n);
+        return Err(ForceError::WeightNotPositive { weight }.into());
+    }
+    let model = || OWN.to_string();
+    let f = step_frequency_hz.ok_or_else(|| ForceError::FrequencyMissing { model: model() })?;
+    if feet.share() < 1.0 {
+        return Err(ForceError::BothFeetOnly { model: model() }.into());
+    }
+    cycle(OWN, &continuous(harmonics), f, body_weight_n, feet)
+}
+
+/// Part by which a frequency that was computed may miss the end of a model's range.
+const ROUNDING: f64 = 1e-9;
+
+/// Name of a force that is given by its own load factors.
+const OWN: &str = "gait.harmonics";
+
+/// A cycle from its samples for one newton of body weight.
+fn cycle(name: &str, shape: &[f64], f: f64, body_weight_n: f64, feet: Feet) -> Result<ForceCurve> {
     // A cycle of one foot is a stride of two steps.
     let steps = 1.0 / feet.share();
     let force = shape.iter().map(|w| w * body_weight_n).collect();
     // The key instead of a phrase: a title has no language.
     let feet = feet.name();
-    let title = format!("{} {f} Hz, {body_weight_n} N, feet = \"{feet}\"", info.name);
+    let title = format!("{name} {f} Hz, {body_weight_n} N, feet = \"{feet}\"");
     ForceCurve::from_samples(&title, steps / f, force)
 }
 
@@ -74,9 +108,13 @@ pub fn fourier(
     if info.single_foot || feet.share() < 1.0 {
         return Ok(None);
     }
-    let waves = harmonics(info.name, f);
-    let pair = |(a, p): (f64, f64)| (a * p.sin(), a * p.cos());
-    Ok(Some((1.0 / f, waves.into_iter().map(pair).collect())))
+    Ok(Some((1.0 / f, waves(&harmonics(info.name, f)))))
+}
+
+/// (Cosine, sine) amplitudes of harmonics that are given by pairs of factor and added phase, rad.
+pub fn waves(harmonics: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let pair = |&(a, p): &(f64, f64)| (a * p.sin(), a * p.cos());
+    harmonics.iter().map(pair).collect()
 }
 
 fn find(name: &str) -> Result<&'static ModelInfo> {
@@ -101,7 +139,7 @@ fn find(name: &str) -> Result<&'static ModelInfo> {
 fn frequency(info: &ModelInfo, given: Option<f64>) -> Result<f64> {
     let (low, high) = info.frequency_hz;
     match given {
-        Some(f) if f >= low && f <= high => Ok(f),
+        Some(f) if f >= low * (1.0 - ROUNDING) && f <= high * (1.0 + ROUNDING) => Ok(f),
         Some(f) => Err(ForceError::FrequencyOutOfRange {
             model: info.name.to_string(),
             frequency: hertz(f),

@@ -9,4 +9,5 @@ pub mod law;
 pub mod overlay;
 pub mod recording;
 pub mod run;
+pub mod speeds;
 pub mod sweep;

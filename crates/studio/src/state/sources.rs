@@ -68,7 +68,7 @@ impl Sources {
         }
         let curve = match (gait.model_force()?, &gait.source) {
             (Some(curve), _) => curve,
-            (None, Source::Model(_)) => return Ok(None),
+            (None, Source::Model(_) | Source::Harmonics(_)) => return Ok(None),
             (None, Source::File(path)) => {
                 let bytes = self.bytes(folder, path)?;
                 force::force_curve(path, &bytes, &self.options(folder, gait, path)?, gait.feet)?
@@ -90,7 +90,7 @@ impl Sources {
     /// Key of a cached curve: the keys of the scene that it depends on, and size and date of the file.
     fn key(&self, folder: &Folder, gait: &Gait) -> String {
         let stamp = match &gait.source {
-            Source::Model(_) => String::new(),
+            Source::Model(_) | Source::Harmonics(_) => String::new(),
             Source::File(path) => self.stamp(folder, path),
         };
         let (source, feet) = (&gait.source, gait.feet);

@@ -286,6 +286,7 @@ studio-quantity-smallest_radius = minimum radius
 studio-key-name = Name
 studio-key-gait-file = Recording
 studio-key-gait-model = Load model
+studio-key-gait-harmonics = Load factors
 studio-key-gait-step_frequency = Step frequency
 studio-key-gait-body_weight = Body weight
 studio-key-gait-time = Time column

@@ -286,6 +286,7 @@ studio-quantity-smallest_radius = radio mínimo
 studio-key-name = Nombre
 studio-key-gait-file = Registro
 studio-key-gait-model = Modelo de carga
+studio-key-gait-harmonics = Factores de carga
 studio-key-gait-step_frequency = Frecuencia de paso
 studio-key-gait-body_weight = Peso corporal
 studio-key-gait-time = Columna de tiempo

@@ -52,7 +52,7 @@ const HEEL: [f64; 9] = [11.0, 12.0, 15.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0];
 fn built_in(name: &str) -> Option<(Scene, Option<ForceCurve>)> {
     let scene = scene::built_in(name).unwrap().scene().ok()?;
     let force = scene.gait.as_ref().and_then(|gait| match &gait.source {
-        Source::Model(_) => gait.model_force().ok().flatten(),
+        Source::Model(_) | Source::Harmonics(_) => gait.model_force().ok().flatten(),
         Source::File(path) => {
             let bytes = scene::built_in_file(path)?;
             let options = gait.read_options(None).ok()?;

@@ -3,6 +3,8 @@
 use std::f64::consts::PI;
 use std::fs;
 
+use serde_json::Value;
+
 use crate::support::{gaitcam, object, stderr, stdout};
 
 /// A force of two sines, so that the force of its cam at any speed is known: F = M g + (ω/ω₀)² f(θ).
@@ -205,4 +207,132 @@ fn a_table_of_speeds_has_the_load_factors_that_grow_with_the_square_of_the_speed
         assert_eq!(run.status.code(), Some(2), "{faulty}");
         assert!(stderr(&run).contains("--speeds"), "{faulty}");
     }
+}
+
+/// The cells of `speeds.csv` without its header.
+fn table_of_speeds(folder: &str) -> Vec<Vec<String>> {
+    let table = fs::read_to_string(format!("{folder}/speeds.csv")).unwrap();
+    let cells = |line: &str| line.split(',').map(str::to_string).collect();
+    table.lines().skip(1).map(cells).collect()
+}
+
+#[test]
+fn own_load_factors_at_other_speeds_grow_by_its_square_and_stay_wanted() {
+    let shaker = Shaker::new();
+    let (made, out) = (shaker.path("own"), shaker.path("own_speeds"));
+    let factors = "gait.harmonics=[0.4, \"0.1 at -90 deg\", \"0.1 at -90 deg\"]";
+    let family = "law.family=harmonic";
+    let set = [
+        "synth",
+        "footbridge",
+        "--set",
+        factors,
+        "--set",
+        family,
+        "--out",
+        &made,
+    ];
+    assert_eq!(gaitcam(&set).status.code(), Some(0));
+    let run = gaitcam(&["simulate", &made, "--speeds", "1.4:2.3:4 Hz", "--out", &out]);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    // F = G + r² (f − G), r the part of the speed designed for; f keeps its factors at every step frequency.
+    let swing = 700.0 * ((0.4_f64.powi(2) + 2.0 * 0.1_f64.powi(2)) / 2.0).sqrt();
+    for (row, turns) in table_of_speeds(&out).iter().zip([1.4, 1.7, 2.0, 2.3]) {
+        let share: f64 = (turns / 1.85_f64).powi(2);
+        let number = |i: usize| row[i].parse::<f64>().unwrap();
+        assert!(
+            (number(1) - (share - 1.0).abs() * swing).abs() < 1e-3,
+            "{row:?}"
+        );
+        for (i, factor) in [(2, 0.4), (3, 0.1), (4, 0.1), (5, 0.0)] {
+            assert!((number(i) - share * factor).abs() < 1e-6, "{row:?}");
+        }
+    }
+    for picture in ["speeds.svg", "speeds.png"] {
+        assert!(fs::metadata(format!("{out}/{picture}")).unwrap().len() > 1000);
+    }
+}
+
+#[test]
+fn a_row_of_a_table_of_speeds_is_the_run_at_that_speed_with_and_without_a_motor() {
+    let shaker = Shaker::new();
+    let (made, out) = (shaker.path("made"), shaker.path("out"));
+    assert_eq!(
+        gaitcam(&["synth", "footbridge", "--out", &made])
+            .status
+            .code(),
+        Some(0)
+    );
+    let motor = [
+        "--set",
+        "machine.motor.slope=10 N m s/rad",
+        "--set",
+        "machine.inertia=0.5 kg m^2",
+    ];
+    for machine in [&[][..], &motor[..]] {
+        let run = |what: &[&str]| {
+            let run = gaitcam(&[&["simulate", &made, "--out", &out], what, machine].concat());
+            assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+            run
+        };
+        run(&["--speeds", "84 rpm:108 rpm:3"]);
+        let row = table_of_speeds(&out).remove(1);
+        let one = stdout(&run(&["--speed", "96 rpm", "--json"]));
+        let one: Value = serde_json::from_str(&one).unwrap();
+        let number = |i: usize| row[i].parse::<f64>().unwrap();
+        let same = |a: f64, b: &Value| assert!((a - b.as_f64().unwrap()).abs() < 1e-9, "{a} {b}");
+        same(number(1), &one["force"]["rms_error_n"]);
+        let [low, high] = ["min", "max"].map(|end| one["torque"][end].as_f64().unwrap());
+        assert!((number(6) - high.max(-low)).abs() < 1e-9);
+        match machine.is_empty() {
+            true => assert_eq!(number(8), 0.0),
+            false => same(number(8), &one["shaft"]["ripple"]),
+        }
+    }
+}
+
+#[test]
+fn a_speed_without_a_target_or_without_a_turning_shaft_is_a_row_that_says_so() {
+    let shaker = Shaker::new();
+    let (made, out) = (shaker.path("made"), shaker.path("out"));
+    assert_eq!(
+        gaitcam(&["synth", "footbridge", "--out", &made])
+            .status
+            .code(),
+        Some(0)
+    );
+    let beyond = gaitcam(&["simulate", &made, "--speeds", "2:3:2 Hz", "--out", &out]);
+    assert_eq!(beyond.status.code(), Some(0), "{}", stderr(&beyond));
+    assert!(
+        stdout(&beyond).contains("no target at this speed"),
+        "{}",
+        stdout(&beyond)
+    );
+    let rows = table_of_speeds(&out);
+    assert!(
+        !rows[0][1].is_empty() && rows[1][1].is_empty() && !rows[1][6].is_empty(),
+        "{rows:?}"
+    );
+    let weak = [
+        "machine.motor.stall_torque=14 N m",
+        "machine.inertia=0.1 kg m^2",
+    ];
+    let set = [
+        "--set",
+        weak[0],
+        "--set",
+        weak[1],
+        "--speeds",
+        "0.2:1.8:2 Hz",
+        "--out",
+        &out,
+    ];
+    let weak = gaitcam(&[&["simulate", &made], &set[..]].concat());
+    assert!(
+        stdout(&weak).contains("the shaft does not turn"),
+        "{}",
+        stdout(&weak)
+    );
+    let rows = table_of_speeds(&out);
+    assert!(rows[0][1..].iter().all(String::is_empty), "{rows:?}");
 }

@@ -26,9 +26,7 @@ fn designed(path: &Path) -> (Scene, Design) {
     name_recording(&mut table);
     let scene = scene::read(&table).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
     let target = scene.gait.as_ref().map(|g| match &g.source {
-        Source::Model(name) => {
-            force::model(name, g.step_frequency, g.model_weight(), g.feet).unwrap()
-        }
+        Source::Model(_) | Source::Harmonics(_) => g.model_force().unwrap().unwrap(),
         Source::File(file) => {
             let file = path.parent().unwrap().join(file);
             let bytes = fs::read(&file).unwrap();

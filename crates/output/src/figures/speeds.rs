@@ -1,0 +1,199 @@
+//! The picture of one cam at several speeds: force error, load factors, torque, and the ripple of a shaft with a motor.
+
+use std::f64::consts::PI;
+
+use plotters::style::{Color, RGBAColor};
+
+use crate::plot::axes::{Panel, padded, ticks};
+use crate::plot::layout::{Figure, Layout, strips};
+use crate::plot::palette::{BLUE, GREEN, ORANGE, PURPLE, RED};
+use crate::plot::picture::Picture;
+use crate::plot::sheet::{Drawn, Frame};
+use crate::words::{self, Words};
+use gaitcam::cam::Measures;
+use gaitcam::wording::Language;
+
+/// A cam at one speed.
+///
+/// ```
+/// use gaitcam_output::plots::{AtSpeed, speeds};
+/// use gaitcam_output::Language;
+/// use gaitcam::cam::Measures;
+///
+/// let at = |speed: f64| AtSpeed { speed, rms_error: Some(speed), torque: 2.0, ..AtSpeed::default() };
+/// let picture = speeds("cam", &[at(8.0), at(9.0)], Measures::Translating, Language::En);
+/// assert!(picture.svg().contains("rpm"));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AtSpeed {
+    /// Speed of the cam, rad/s or m/s.
+    pub speed: f64,
+    /// RMS distance of the force from the target of this speed, N; `None` without one.
+    pub rms_error: Option<f64>,
+    /// Amplitudes of harmonics 1 to 4 of the step frequency, parts of the walker's weight.
+    pub load_factors: Option<[f64; 4]>,
+    /// Those of the target of this speed.
+    pub target_factors: Option<[f64; 4]>,
+    /// Largest absolute torque of the cam on the shaft, N·m; not finite where the shaft does not turn.
+    pub torque: f64,
+    /// Highest less lowest speed of the shaft, part of the mean.
+    pub ripple: f64,
+    /// Whether the follower leaves the cam.
+    pub contact_lost: bool,
+}
+
+const COLOURS: [RGBAColor; 4] = [BLUE, GREEN, PURPLE, RED];
+
+/// What a strip shows.
+#[derive(Clone, Copy, PartialEq)]
+enum Strip {
+    Error,
+    Factors,
+    Torque,
+    Ripple,
+}
+
+/// The picture of a cam at these speeds, ascending.
+pub fn speeds(name: &str, rows: &[AtSpeed], measures: Measures, language: Language) -> Picture {
+    let (layout, words) = (Layout::ALONE, &words::words(language));
+    let factor = match measures {
+        Measures::Straight => 1.0,
+        Measures::Translating | Measures::Oscillating => 30.0 / PI,
+    };
+    let shown = Shown {
+        rows,
+        factor,
+        words,
+    };
+    layout.picture(language, |f| {
+        f.title(name, &words.text("figure-speeds"))?;
+        let used = [
+            (Strip::Error, rows.iter().any(|r| r.rms_error.is_some())),
+            (
+                Strip::Factors,
+                rows.iter().any(|r| r.load_factors.is_some()),
+            ),
+            (Strip::Torque, true),
+            (Strip::Ripple, rows.iter().any(|r| r.ripple > 0.0)),
+        ];
+        let used: Vec<Strip> = used.iter().filter(|s| s.1).map(|s| s.0).collect();
+        let shares: Vec<f64> = used.iter().map(|s| s.share()).collect();
+        let frames = strips(layout.frame(), &shares, 0.9 * f.e);
+        let mut last = None;
+        for (strip, frame) in used.iter().zip(frames) {
+            last = Some(shown.strip(*strip, &f, frame)?);
+        }
+        if let Some(panel) = last {
+            let straight = measures == Measures::Straight;
+            let across = ["figure-cam-rpm", "figure-cam-travel"][usize::from(straight)];
+            panel.across(&words.text(across))?;
+        }
+        shown.key(&f, &used)
+    })
+}
+
+impl Strip {
+    fn share(self) -> f64 {
+        match self {
+            Strip::Factors => 1.8,
+            Strip::Error | Strip::Torque | Strip::Ripple => 1.0,
+        }
+    }
+
+    fn quantity(self) -> &'static str {
+        match self {
+            Strip::Error => "figure-error-rms",
+            Strip::Factors => "figure-load-factors",
+            Strip::Torque => "figure-torque-largest",
+            Strip::Ripple => "figure-ripple",
+        }
+    }
+}
+
+struct Shown<'a> {
+    rows: &'a [AtSpeed],
+    factor: f64,
+    words: &'a Words,
+}
+
+impl Shown<'_> {
+    fn curve(&self, of: impl Fn(&AtSpeed) -> Option<f64>) -> Vec<(f64, f64)> {
+        let point = |r: &AtSpeed| (self.factor * r.speed, of(r).unwrap_or(f64::NAN));
+        self.rows.iter().map(point).collect()
+    }
+
+    /// The curves of a strip, target first.
+    fn curves(&self, strip: Strip) -> Vec<(Vec<(f64, f64)>, RGBAColor, f64)> {
+        let one = |of: &dyn Fn(&AtSpeed) -> Option<f64>| vec![(self.curve(of), BLUE, 2.2)];
+        match strip {
+            Strip::Error => one(&|r| r.rms_error),
+            Strip::Torque => one(&|r| Some(r.torque)),
+            Strip::Ripple => one(&|r| Some(100.0 * r.ripple)),
+            Strip::Factors => {
+                let target = |k: usize| self.curve(|r| r.target_factors.map(|f| f[k]));
+                let own = |k: usize| self.curve(|r| r.load_factors.map(|f| f[k]));
+                let targets = (0..4).map(|k| (target(k), ORANGE.mix(0.45), 7.0));
+                targets
+                    .chain((0..4).map(|k| (own(k), COLOURS[k], 2.2)))
+                    .collect()
+            }
+        }
+    }
+
+    fn strip<'a, 'c>(
+        &self,
+        strip: Strip,
+        f: &Figure<'a, 'c>,
+        frame: Frame,
+    ) -> Drawn<Panel<'a, 'c>> {
+        let curves = self.curves(strip);
+        let ends = self.rows.first().zip(self.rows.last());
+        let x = ends.map_or([0.0, 1.0], |(a, b)| {
+            [a.speed, b.speed].map(|w| self.factor * w)
+        });
+        let values = curves.iter().flat_map(|c| &c.0).map(|p| p.1);
+        let y = [0.0, padded(values.chain([0.0]), 0.12)[1]];
+        let panel = f.panel(frame, x, ticks(x[0], x[1], 10.0), y)?;
+        for [from, to] in self.lost() {
+            let level = |v: f64| [(from, v), (to, v)];
+            panel.band(&level(y[1]), &level(y[0]), RED.mix(0.14))?;
+        }
+        for (curve, colour, width) in &curves {
+            panel.curve(curve, *colour, *width)?;
+        }
+        panel.quantity(&self.words.text(strip.quantity()))?;
+        Ok(panel)
+    }
+
+    /// Ranges of the speed at which contact is lost, to the middle between the speeds that were run.
+    fn lost(&self) -> Vec<[f64; 2]> {
+        let at = |i: usize| self.factor * self.rows[i].speed;
+        let last = self.rows.len().saturating_sub(1);
+        let lost = (0..=last).filter(|&i| self.rows.get(i).is_some_and(|r| r.contact_lost));
+        lost.map(|i| {
+            let [before, after] = [i.saturating_sub(1), (i + 1).min(last)];
+            [0.5 * (at(before) + at(i)), 0.5 * (at(i) + at(after))]
+        })
+        .collect()
+    }
+
+    fn key(&self, f: &Figure, used: &[Strip]) -> Drawn {
+        let mut entries = Vec::new();
+        if used.contains(&Strip::Factors) {
+            if self.rows.iter().any(|r| r.target_factors.is_some()) {
+                entries.push((ORANGE.mix(0.45), 7.0, self.words.text("figure-target")));
+            }
+            for (k, colour) in COLOURS.into_iter().enumerate() {
+                let number = (k + 1).to_string();
+                let name = self.words.fill("figure-harmonic", &[("number", &number)]);
+                entries.push((colour, 2.2, name));
+            }
+        }
+        if self.rows.iter().any(|r| r.contact_lost) {
+            entries.push((RED.mix(0.3), 8.0, self.words.text("figure-contact-lost")));
+        }
+        let entries: Vec<_> = entries.iter().map(|(c, w, n)| (*c, *w, &**n)).collect();
+        let frame = f.layout.frame();
+        f.key([frame.left, frame.top - 1.1 * f.e], f.e, &entries)
+    }
+}

@@ -1,0 +1,55 @@
+//! `gait.harmonics`: a load factor of the walking force with its phase.
+
+use crate::error::SceneError;
+use crate::units::{Dimension, parse};
+
+/// One harmonic of a force: a sin(2π i f t + p), in parts of the weight.
+///
+/// ```
+/// use gaitcam::scene::Harmonic;
+///
+/// let list = Harmonic::list(&["0.4".to_string(), "10 % at -90 deg".to_string()])?;
+/// assert_eq!(list[0], Harmonic { factor: 0.4, phase: 0.0 });
+/// assert_eq!(list[1], Harmonic { factor: 0.1, phase: -std::f64::consts::FRAC_PI_2 });
+/// # Ok::<(), gaitcam::error::SceneError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Harmonic {
+    /// Dynamic load factor, part of the weight.
+    pub factor: f64,
+    /// Phase added to the sine, rad.
+    pub phase: f64,
+}
+
+impl Harmonic {
+    /// Most harmonics: a cycle is sampled far more finely than the highest of them.
+    pub const MOST: usize = 50;
+
+    /// The harmonics 1, 2, … from texts such as "0.1 at -90 deg"; one text may hold several, separated by commas.
+    ///
+    /// # Errors
+    /// A text that is no factor with its phase, too many of them, and factors that are all zero.
+    pub fn list(texts: &[String]) -> Result<Vec<Harmonic>, SceneError> {
+        let entries = texts.iter().flat_map(|text| text.split(','));
+        let list = entries.map(|text| {
+            let typed = text.trim().to_string();
+            Harmonic::read(&typed).ok_or(SceneError::NotHarmonic { typed })
+        });
+        let list = list.collect::<Result<Vec<Harmonic>, _>>()?;
+        if list.iter().all(|h| h.factor == 0.0) || list.len() > Harmonic::MOST {
+            let (given, most) = (list.len(), Harmonic::MOST);
+            return Err(SceneError::Harmonics { given, most });
+        }
+        Ok(list)
+    }
+
+    fn read(text: &str) -> Option<Harmonic> {
+        let (factor, phase) = match text.split_once(" at ") {
+            Some((factor, phase)) => (factor, parse(phase.trim(), Dimension::Angle).ok()?),
+            None => (text, 0.0),
+        };
+        let factor = parse(factor.trim(), Dimension::Ratio).ok()?;
+        let sound = factor.is_finite() && factor >= 0.0 && phase.is_finite();
+        sound.then_some(Harmonic { factor, phase })
+    }
+}
