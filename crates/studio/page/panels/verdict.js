@@ -19,6 +19,8 @@ export function show(answer) {
   $("verdict").className = `verdict ${answer.infeasible ? "unacceptable" : answer.verdict}`;
   say($("verdict-name"), t(`studio-verdict-${state}`));
   say($("verdict-reasons"), answer.reasons);
+  $("cam-das").hidden = !answer.cam_das || !Object.keys(answer.fields).some((key) => key.startsWith("law.segment."));
+  if (answer.cam_das) say($("cam-das"), `CAM-DAS: ${t(`studio-verdict-${answer.cam_das}`)}`);
   figures(answer);
   conflict(answer, answer.relaxations, []);
   renewed($("limits"), [answer.easing, answer.active, answer.notes], () => limits(answer));

@@ -2,9 +2,8 @@
 
 import json
 import re
-import tempfile
+import time
 import unittest
-from pathlib import Path
 
 from studio import ROOT, Browser, Server
 
@@ -18,6 +17,11 @@ DROP = """([name, text]) => {
 
 def cycle(peak):
     return CYCLE + f"0,650\n0.135,{peak}\n0.27,700\n0.405,560\n"
+
+
+def after(seconds):
+    """A handler that lets a request pass after a while."""
+    return lambda route: (time.sleep(seconds), route.fallback())
 
 
 class State(unittest.TestCase):
@@ -209,6 +213,45 @@ class State(unittest.TestCase):
             self.assertNotEqual(page.verdict(), "pending", text)
             page.does(lambda: page.page.click("#language"))
             self.assertEqual(page.value("limits.stroke"), shown, text)
+
+    def test_a_fault_is_announced_once_when_the_hand_rests(self):
+        page = self.page()
+        page.page.evaluate(
+            """() => {
+                window.said = 0;
+                new MutationObserver(() => { if (!document.querySelector("#fault").hidden) window.said += 1; })
+                    .observe(document.querySelector("#fault"), {childList: true, attributes: true});
+            }"""
+        )
+        page.page.focus('[name="limits.curvature"]')
+        page.page.keyboard.press("Control+A")
+        page.page.keyboard.type("4 kg per m", delay=60)
+        self.assertEqual(page.page.evaluate("window.said"), 0)
+        page.until("it is said", lambda: page.page.is_visible("#fault"))
+        page.page.wait_for_timeout(600)
+        # Its contents and its appearance are one announcement.
+        self.assertLessEqual(page.page.evaluate("window.said"), 2)
+
+    def test_nothing_is_greyed_below_a_second_and_nothing_moves_while_a_design_is_made(self):
+        page = self.page()
+        page.page.evaluate(
+            """() => {
+                window.seen = {busy: 0, tops: []};
+                const tick = () => {
+                    window.seen.busy += document.querySelector("#design").classList.contains("busy");
+                    window.seen.tops.push(Math.round(document.querySelector("#stage").getBoundingClientRect().top));
+                    requestAnimationFrame(tick);
+                };
+                tick();
+            }"""
+        )
+        for wait, greyed in ((600, False), (1800, True)):
+            page.page.route("**/design*", after(wait / 1000))
+            page.sets("limits.stroke", f"{61 + wait // 600} mm")
+            page.page.unroute("**/design*")
+            seen = page.page.evaluate("window.seen")
+            self.assertEqual(seen["busy"] > 0, greyed, wait)
+            self.assertEqual(len(set(seen["tops"])), 1, set(seen["tops"]))
 
     def test_no_placeholder_of_a_text_reaches_the_page(self):
         start = json.loads(self.page().page.evaluate("fetch('start.json').then((r) => r.text())"))
