@@ -63,7 +63,7 @@ function build() {
 
 function row(key) {
   const name = key.key;
-  const entry = { key, field: null };
+  const entry = { key, field: null, slid: null, border: null };
   const help = make("p", { class: "help", id: id(name) + "-help", hidden: true }, key.doc[language()]);
   entry.fault = make("p", { class: "row-fault", id: id(name) + "-fault", hidden: true });
   entry.input = input(key);
@@ -157,6 +157,7 @@ function slide(entry) {
   slider.addEventListener("pointerdown", () => { gesture += 1; });
   slider.addEventListener("input", () => {
     dragged = key.key;
+    Object.assign(entry, { slid: Number(slider.value), border: null, of: `${key.key} ${gesture}` });
     entry.input.value = written(Number(slider.value), entry.field.slider);
     send(key.key, entry.input.value, "slid");
   });
@@ -187,14 +188,52 @@ function overlay(version) {
       if (!typing && dragged !== set.key) entry.input.value = set.value;
       entry.seen = null;
       entry.root.classList.add("set");
-      if (refusal) mark(entry, refusal);
+      if (refusal && entry.slid !== null) shorten(entry);
+      else if (refusal) mark(entry, refusal);
     }
     const named = refusal?.key && rows.get(refusal.key);
     if (named && named.fault.hidden) mark(named, refusal);
   }
+  if (version?.pending.length === 0) for (const entry of rows.values()) if (entry.slid !== null) taken(entry);
   if (version?.fault?.key && rows.has(version.fault.key)) mark(rows.get(version.fault.key), version.fault);
   for (const entry of rows.values()) entry.forced = false;
   spread();
+}
+
+// A slider ends where the scene ends: between the last value that was taken and one that was refused the border is
+// sought, and the slider gets it as its end.
+const HALVINGS = 7;
+function shorten(entry) {
+  const { slider, key, field } = entry;
+  entry.border ??= { good: field.slider.at, bad: entry.slid, left: HALVINGS };
+  const { border } = entry;
+  border.bad = entry.slid;
+  border.left -= 1;
+  const done = border.left <= 0 || Math.abs(border.bad - border.good) <= 1.5 * field.slider.step;
+  const value = done ? border.good : (border.good + border.bad) / 2;
+  if (done) {
+    const end = border.bad > border.good ? "to" : "from";
+    entry.field = { ...field, slider: { ...field.slider, [end]: value } };
+    slider[end === "to" ? "max" : "min"] = value;
+    entry.border = null;
+  }
+  entry.slid = done ? null : value;
+  entry.input.value = written(value, field.slider);
+  slider.value = value;
+  // Still the same step of the history, though the hand may have left the slider.
+  const change = [{ set: { key: key.key, value: entry.input.value } }];
+  setTimeout(() => edit(change, entry.of, { title: label(key.key) }));
+}
+
+// The value under the slider was taken; the border lies further out.
+function taken(entry) {
+  if (!entry.border) {
+    entry.slid = null;
+    return;
+  }
+  entry.border.good = entry.slid;
+  entry.slid = entry.border.bad;
+  shorten(entry);
 }
 
 // Few values first: what the scene uses; the others on demand.
@@ -232,8 +271,10 @@ function show(entry, field) {
   else if (input.options[0]?.value === "" && key.kind === "choice") input.options[0].textContent = field.placeholder ? `(${field.placeholder})` : "–";
   entry.root.classList.toggle("idle", !field.acts);
   entry.root.classList.toggle("set", field.text !== "");
-  slider.hidden = !field.slider;
-  if (!field.slider) {
+  // A range of rounding is none.
+  const range = field.slider && field.slider.to - field.slider.from > 1e-9;
+  slider.hidden = !range;
+  if (!range) {
     entry.field = field;
     return;
   }
@@ -284,5 +325,5 @@ function find() {
 
 export function reset() {
   dragged = null;
-  for (const entry of rows.values()) Object.assign(entry, { field: null, seen: null, forced: true });
+  for (const entry of rows.values()) Object.assign(entry, { field: null, seen: null, forced: true, slid: null, border: null });
 }

@@ -214,6 +214,20 @@ class State(unittest.TestCase):
             page.does(lambda: page.page.click("#language"))
             self.assertEqual(page.value("limits.stroke"), shown, text)
 
+    def test_a_slider_ends_where_the_scene_ends(self):
+        page = self.page()
+        for key, end, low, high in (("gait.step_frequency", "max", 2.6, 2.8), ("gait.step_frequency", "min", 1, 1.1), ("law.degree", "max", 8, 9), ("law.degree", "min", 3, 4)):
+            slider = page.page.locator(f'input[data-key="{key}"]')
+            page.does(lambda: slider.evaluate("(e, end) => { e.value = e[end]; e.dispatchEvent(new Event('input', {bubbles: true})); e.dispatchEvent(new Event('change')); }", end))
+            page.until("the border is found", lambda: page.verdict() != "pending")
+            page.page.wait_for_timeout(300)
+            value = float(page.value(key).split()[0])
+            self.assertTrue(low <= value <= high, (key, end, value))
+            self.assertNotEqual(page.verdict(), "pending")
+        for _ in range(4):
+            page.does(lambda: page.page.click("#undo"))
+        self.assertEqual([page.value("gait.step_frequency"), page.value("law.degree")], ["1.85 Hz", "5"])
+
     def test_a_fault_is_announced_once_when_the_hand_rests(self):
         page = self.page()
         page.page.evaluate(
