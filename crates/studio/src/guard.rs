@@ -1,9 +1,16 @@
 //! Access control: only pages of this server that have its token.
 
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
 use crate::http::{Head, Response, Status};
 
 /// Bytes of the token.
 const LENGTH: usize = 16;
+
+/// What tokens are made from.
+type Secret = [u8; 32];
 
 /// Token and port of a running server.
 pub struct Guard {
@@ -11,16 +18,74 @@ pub struct Guard {
     port: u16,
 }
 
-impl Guard {
-    /// A guard with a new token.
+/// Token and preferred port of a folder: the same at every start, so that a page finds its studio again. Both are
+/// made from the folder's path and a secret of the user, so that neither another user nor a page of another origin can
+/// guess them.
+pub struct Place {
+    /// The token.
+    pub token: String,
+    /// A port of the range that no service has of its own.
+    pub port: u16,
+}
+
+impl Place {
+    /// Of a folder.
     ///
     /// # Errors
     /// Where the system has no random numbers.
-    pub fn new(port: u16) -> std::io::Result<Guard> {
-        let mut bytes = [0; LENGTH];
-        getrandom::fill(&mut bytes).map_err(|e| std::io::Error::other(e.to_string()))?;
-        let token = bytes.iter().map(|b| format!("{b:02x}")).collect();
-        Ok(Guard { token, port })
+    pub fn of(folder: &Path) -> io::Result<Place> {
+        let secret = match secret_file() {
+            Some(file) => kept_secret(&file).or_else(|_| fresh())?,
+            None => fresh()?,
+        };
+        let sum = hmac_sha256::HMAC::mac(folder.as_os_str().as_encoded_bytes(), secret);
+        let token = sum[..LENGTH].iter().map(|b| format!("{b:02x}")).collect();
+        let port = 49_152 + u16::from_be_bytes([sum[30], sum[31]]) % 16_384;
+        Ok(Place { token, port })
+    }
+}
+
+/// The user's secret, in the folder that the system has for what programs keep; none where there is no such folder.
+fn secret_file() -> Option<PathBuf> {
+    let folder = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty());
+    let below = |name: &str, more: &str| folder(name).map(|home| PathBuf::from(home).join(more));
+    let state = if cfg!(windows) {
+        below("LOCALAPPDATA", "")
+    } else if cfg!(target_os = "macos") {
+        below("HOME", "Library/Application Support")
+    } else {
+        below("XDG_STATE_HOME", "").or_else(|| below("HOME", ".local/state"))
+    };
+    Some(state?.join("gaitcam").join("studio.key"))
+}
+
+/// The secret of the file, which is written with the first one and can be read by its user alone.
+fn kept_secret(file: &Path) -> io::Result<Secret> {
+    if let Ok(bytes) = fs::read(file)
+        && let Ok(secret) = bytes.try_into()
+    {
+        return Ok(secret);
+    }
+    let secret = fresh()?;
+    fs::create_dir_all(file.parent().unwrap_or(Path::new(".")))?;
+    let mut options = fs::OpenOptions::new();
+    options.write(true).create(true).truncate(true);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    options.open(file)?.write_all(&secret)?;
+    Ok(secret)
+}
+
+fn fresh() -> io::Result<Secret> {
+    let mut secret = Secret::default();
+    getrandom::fill(&mut secret).map_err(|e| io::Error::other(e.to_string()))?;
+    Ok(secret)
+}
+
+impl Guard {
+    /// A guard with the token of its folder.
+    pub fn new(port: u16, token: String) -> Guard {
+        Guard { token, port }
     }
 
     /// The address to open.

@@ -1,41 +1,37 @@
 //! `gaitcam studio`: a local web application on which the cam changes under the slider.
 //!
-//! The page holds no mathematics: each change of a field is one request, answered by one design with all its
-//! curves, checks and sentences. The server keeps nothing that the page needs: the whole scene travels with every
-//! request, so tabs are independent and a reload loses nothing.
+//! The page holds no mathematics: each change of a field is one request with the whole scene, answered by one design
+//! with all its curves, checks and sentences. The server has no pages: it serves the files of one, passes questions to
+//! the engine, which the page can also carry itself, and opens and saves files of one folder.
 //!
 //! ```text
-//! http/    connections, heads, answers          guard.rs   token, host, origin
-//! api/     one module per question              state/     opened folder, recordings, scheduler, latest designs
-//! edit.rs  changes of a scene's table           form.rs    fields and sliders of a scene
-//! curves.rs  what the diagrams show
+//! http/      connections, heads, answers         guard.rs    token, host, origin
+//! routes.rs  which address asks what             folder.rs   the opened folder
+//! files.rs   scenes opened and saved             assets.rs   the page
 //! ```
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
-mod api;
 mod assets;
-mod curves;
-mod edit;
-mod fault;
-mod form;
+mod files;
+mod folder;
 mod guard;
 mod http;
 mod routes;
-mod state;
-mod words;
 
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
 
-use fault::StudioError;
+use folder::Folder;
 use gaitcam::error::{Error, Result};
 use gaitcam::scene;
 use gaitcam::wording::Language;
-use guard::Guard;
+use gaitcam_engine::fault::StudioError;
+use gaitcam_engine::{Engine, Start, set_language, table};
+use guard::{Guard, Place};
 use http::Server;
-use state::{Folder, Start, Studio};
 
 /// What is opened, and where.
 #[derive(Debug, Clone, Default)]
@@ -47,6 +43,17 @@ pub struct Options {
     pub port: u16,
     /// Language of the page at first.
     pub language: Language,
+}
+
+/// A running studio.
+struct Studio {
+    guard: Guard,
+    folder: Folder,
+    start: Start,
+    /// Language of the page at first.
+    language: Language,
+    engine: Engine,
+    began: Instant,
 }
 
 /// A studio that listens but does not answer yet.
@@ -72,43 +79,59 @@ impl Ready {
 /// # Errors
 /// Folders and scenes that are not there, a port that is taken.
 pub fn open(options: &Options) -> Result<Ready> {
-    words::settle(options.language);
+    set_language(options.language);
     let (folder, start) = opened(options.open.as_deref())?;
-    let port = |e: std::io::Error| {
+    let fault = |e: std::io::Error| {
         let (port, fault) = (options.port, e.to_string());
         Error::from(StudioError::Port { port, fault })
     };
-    let server = Server::listen(options.port).map_err(port)?;
-    let guard = Guard::new(server.port()).map_err(port)?;
-    let studio = Studio::new(guard, folder, start, options.language);
+    let place = Place::of(folder.root()).map_err(fault)?;
+    let server = match options.port {
+        0 => Server::listen(place.port).or_else(|_| Server::listen(0)),
+        port => Server::listen(port),
+    };
+    let server = server.map_err(fault)?;
+    let studio = Studio {
+        guard: Guard::new(server.port(), place.token),
+        folder,
+        start,
+        language: options.language,
+        engine: Engine::default(),
+        began: Instant::now(),
+    };
     Ok(Ready { server, studio })
 }
 
 fn opened(path: Option<&Path>) -> Result<(Folder, Start)> {
-    let default = |toml: &str| Start {
+    let start = |folder: &Folder, toml: &str, file: Option<String>| Start {
         scene: toml.to_string(),
-        file: None,
+        file,
+        folder: Some(folder.root().display().to_string()),
+    };
+    let with = |folder: Folder, toml: &str| {
+        let start = start(&folder, toml, None);
+        Ok((folder, start))
     };
     let here = || Folder::open(Path::new("."));
     let Some(path) = path else {
-        return Ok((here()?, default(scene::DEFAULT)));
+        return with(here()?, scene::DEFAULT);
     };
     if path.is_dir() {
-        return Ok((Folder::open(path)?, default(scene::DEFAULT)));
+        return with(Folder::open(path)?, scene::DEFAULT);
     }
     if !path.exists()
         && let Some(built_in) = path.to_str().and_then(|p| scene::built_in(p).ok())
     {
-        return Ok((here()?, default(built_in.toml)));
+        return with(here()?, built_in.toml);
     }
     let parent = path.parent().filter(|p| !p.as_os_str().is_empty());
     let folder = Folder::open(parent.unwrap_or(Path::new(".")))?;
     let name = path.file_name().map(PathBuf::from).unwrap_or_default();
     let bytes = folder.read(&name)?;
     let scene = String::from_utf8_lossy(&bytes).into_owned();
-    api::table(&scene)?;
-    let file = Some(name.to_string_lossy().into_owned());
-    Ok((folder, Start { scene, file }))
+    table(&scene)?;
+    let start = start(&folder, &scene, Some(name.to_string_lossy().into_owned()));
+    Ok((folder, start))
 }
 
 /// Locks; a thread that panicked has left nothing half done here.

@@ -1,37 +1,40 @@
 //! Which address asks what.
 
-use crate::api::{self, answer, body, catalogue, design, export, files, recording, variation};
-use crate::assets;
-use crate::http::{Head, Method, Request, Response, Service, Status};
-use crate::state::Studio;
-use crate::words;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
 
-/// Largest body of a question, and of a dropped file, bytes.
+use serde_json::json;
+
+use crate::http::{Gone, Head, Method, Request, Response, Service, Status};
+use crate::{Studio, assets, files};
+use gaitcam::error::{Error, Result};
+use gaitcam::halt::Halt;
+use gaitcam::wording::Language;
+use gaitcam_engine::fault::StudioError;
+use gaitcam_engine::{Answer, Body, Hash, Host, LONGEST, Start, set_language};
+
+/// Largest body of a question, and of a kept file, bytes.
 const QUESTION: usize = 4 << 20;
-const DROPPED: usize = 64 << 20;
+const KEPT: usize = 64 << 20;
 
 impl Service for Studio {
-    fn admit(&self, head: &Head) -> Result<(), Response> {
+    fn admit(&self, head: &Head) -> std::result::Result<(), Response> {
         self.guard.admit(head)
     }
 
     fn most(&self, head: &Head) -> usize {
         match (head.method, self.guard.inside(&head.path)) {
-            (Method::Post, "recording") => DROPPED,
+            (Method::Post, "keep") => KEPT,
             (Method::Post, _) => QUESTION,
             _ => 0,
         }
     }
 
-    fn answer(&self, request: &Request) -> Response {
+    fn answer(&self, request: &Request, gone: Gone) -> Response {
         let path = self.guard.inside(&request.head.path);
-        let tag = request
-            .head
-            .asked("language")
-            .unwrap_or(self.language.tag());
-        words::settle(api::language(tag));
         match request.head.method {
-            Method::Post => self.post(path, request),
+            Method::Post => self.post(path, request, gone),
             Method::Get | Method::Head => self.get(path, &request.head),
         }
     }
@@ -39,45 +42,80 @@ impl Service for Studio {
 
 impl Studio {
     fn get(&self, path: &str, head: &Head) -> Response {
+        set_language(of_tag(head.asked("language").unwrap_or_default()));
         match path.split_once('/').unwrap_or((path, "")) {
             ("", _) => assets::page(&self.guard.base(), self.language),
-            ("start.json", "") => Response::json(&catalogue::start(self)),
-            ("laws.json", "") => answer(catalogue::laws()),
             ("folder.json", "") => Response::json(&self.folder.list()),
-            ("folder", path) => answer(files::open(self, path)),
-            ("scene", name) => catalogue::picture(self, name),
-            ("export", path) => export::file(self, path, head.asked("tool")),
+            ("folder", path) => answered(Answer::of(files::open(self, path))),
+            ("bytes", path) => match self.folder.read(Path::new(path)) {
+                Ok(bytes) => Response::new("application/octet-stream", bytes),
+                Err(error) => answered(Answer::of::<()>(Err(error))),
+            },
             _ => assets::file(path).unwrap_or_else(|| Response::refusal(Status::NotFound)),
         }
     }
 
-    fn post(&self, path: &str, request: &Request) -> Response {
+    fn post(&self, path: &str, request: &Request, gone: Gone) -> Response {
+        let body = &request.body;
         match path {
-            "design" => asked(request, |ask: &design::Ask| design::design(self, ask)),
-            "relax" => asked(request, |w: &design::Which| design::relax(self, w)),
-            "cancel" => asked(request, |w: &design::Cancel| design::cancel(self, w)),
-            "save" => asked(request, |s: &files::Save| files::save(self, s)),
-            "force" => asked(request, |p: &recording::Points| recording::points(self, p)),
-            "contacts" => asked(request, |c: &recording::Contacts| {
-                recording::contacts(self, c)
+            "keep" => Response::json(&json!({"hash": self.engine.keep(body.clone())})),
+            "save" => answered(match serde_json::from_slice::<files::Save>(body) {
+                Ok(save) => {
+                    set_language(of_tag(&save.language));
+                    Answer::of(files::save(self, &save))
+                }
+                Err(e) => {
+                    let fault = e.to_string();
+                    Answer::of::<()>(Err(Error::from(StudioError::BadRequest { fault })))
+                }
             }),
-            "sensitivity" => asked(request, |v: &variation::Vary| {
-                variation::sensitivity(self, v)
-            }),
-            "front" => asked(request, |v: &variation::Trade| variation::front(self, v)),
-            "recording" => answer(recording::dropped(self, &request.head, &request.body)),
-            _ => Response::refusal(Status::NotFound),
+            route => {
+                let end = Instant::now() + Duration::from_secs_f64(LONGEST);
+                let halt = Halt::when(move || gone() || Instant::now() >= end);
+                let asking = Asking { studio: self, halt };
+                answered(self.engine.answer(&asking, route, body))
+            }
         }
     }
 }
 
-/// Reads a question and answers it.
-fn asked<Q: serde::de::DeserializeOwned, A: serde::Serialize>(
-    request: &Request,
-    reply: impl Fn(&Q) -> gaitcam::error::Result<A>,
-) -> Response {
-    match body::<Q>(request) {
-        Ok(question) => answer(reply(&question)),
-        Err(refusal) => refusal,
+fn of_tag(tag: &str) -> Language {
+    Language::of_tag(tag).unwrap_or_default()
+}
+
+/// An answer of the engine on its way to the page.
+fn answered(answer: Answer) -> Response {
+    let status = match answer.understood {
+        true => Status::Ok,
+        false => Status::BadRequest,
+    };
+    let response = match answer.body {
+        Body::Json(json) => Response::new("application/json", json),
+        Body::File { name, kind, bytes } => Response::new(kind, bytes).saved_as(&name),
+    };
+    Response { status, ..response }
+}
+
+/// One question: its search ends when the page leaves.
+struct Asking<'s> {
+    studio: &'s Studio,
+    halt: Halt,
+}
+
+impl Host for Asking<'_> {
+    fn read(&self, path: &Path) -> Result<(Hash, Arc<Vec<u8>>)> {
+        self.studio.folder.hashed(path)
+    }
+
+    fn seconds(&self) -> f64 {
+        self.studio.began.elapsed().as_secs_f64()
+    }
+
+    fn halt(&self) -> Halt {
+        self.halt.clone()
+    }
+
+    fn start(&self) -> Start {
+        self.studio.start.clone()
     }
 }

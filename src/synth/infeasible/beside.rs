@@ -19,8 +19,8 @@ pub fn beside<T: Sync, R: Send>(
     halt: &Halt,
     search: impl Fn(&T, &Halt) -> R + Sync,
 ) -> Vec<R> {
-    // On a thread of a pool the cores have work already.
-    if items.len() < 2 || rayon::current_thread_index().is_some() {
+    // On a thread of a pool the cores have work already; a browser's module has one thread.
+    if items.len() < 2 || rayon::current_thread_index().is_some() || cfg!(target_family = "wasm") {
         return items.iter().map(|item| search(item, halt)).collect();
     }
     let asked = Arc::new(AtomicBool::new(false));

@@ -3,11 +3,12 @@
 use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpStream};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use super::places::Places;
-use super::{Head, Method, Request, Response, Service, Status};
+use super::{Gone, Head, Method, Request, Response, Service, Status};
+use crate::lock;
 
 /// Largest head, bytes.
 const HEAD: usize = 16 << 10;
@@ -15,6 +16,8 @@ const HEAD: usize = 16 << 10;
 const PATIENCE: Duration = Duration::from_secs(20);
 /// A head has this long from its first byte on.
 const OF_HEAD: Duration = Duration::from_secs(5);
+/// Time between two looks whether the side that asked is still there.
+const LOOK: Duration = Duration::from_millis(20);
 /// What is still being sent after a refusal is read away this long, so that the refusal arrives.
 const FAREWELL: Duration = Duration::from_secs(5);
 
@@ -57,7 +60,8 @@ impl Connection {
         };
         let request = Request { head, body };
         // A panic costs this answer and nothing else.
-        let answer = catch_unwind(AssertUnwindSafe(|| service.answer(&request)));
+        let gone = left(Arc::clone(&self.stream));
+        let answer = catch_unwind(AssertUnwindSafe(|| service.answer(&request, gone)));
         let answer = answer.unwrap_or_else(|_| Response::refusal(Status::Internal));
         let head = &request.head;
         answer.write(&mut &*self.stream, head.closes, head.method != Method::Head)?;
@@ -127,4 +131,24 @@ impl Connection {
         }
         Ok(false)
     }
+}
+
+/// Whether the other side of a connection has left; it is looked at only now and then, since that is a call of the
+/// system.
+fn left(stream: Arc<TcpStream>) -> Gone {
+    let last = Mutex::new((Instant::now(), false));
+    Arc::new(move || {
+        let mut last = lock(&last);
+        if !last.1 && last.0.elapsed() > LOOK {
+            let is_end = |read: io::Result<usize>| match read {
+                Ok(bytes) => bytes == 0,
+                Err(e) => e.kind() != io::ErrorKind::WouldBlock,
+            };
+            let looked = stream.set_nonblocking(true).is_ok();
+            let end = looked && is_end(stream.peek(&mut [0]));
+            let _ = stream.set_nonblocking(false);
+            *last = (Instant::now(), end);
+        }
+        last.1
+    })
 }

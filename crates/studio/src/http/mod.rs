@@ -9,6 +9,8 @@ mod places;
 mod response;
 mod server;
 
+use std::sync::Arc;
+
 pub use head::{Head, Method};
 pub use response::{Response, Status};
 pub use server::Server;
@@ -22,6 +24,9 @@ pub struct Request {
     pub body: Vec<u8>,
 }
 
+/// Whether the side that asked has left.
+pub type Gone = Arc<dyn Fn() -> bool + Send + Sync>;
+
 /// What a server asks: first about the head alone, then with the body.
 pub trait Service: Send + Sync + 'static {
     /// Whether the request may go on; otherwise the refusal.
@@ -29,5 +34,7 @@ pub trait Service: Send + Sync + 'static {
     /// The largest body for this address, bytes.
     fn most(&self, head: &Head) -> usize;
     /// The answer.
-    fn answer(&self, request: &Request) -> Response;
+    ///
+    /// `gone` says whether the other side has left meanwhile: the answer is of no use then.
+    fn answer(&self, request: &Request, gone: Gone) -> Response;
 }

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use super::client::Running;
 use gaitcam::scene::{DEFAULT, SCENES};
+use gaitcam_studio::{Options, open};
 
 fn design(studio: &Running, ask: &Value) -> Value {
     studio.post("design", ask.to_string().as_bytes()).json()
@@ -37,8 +38,9 @@ fn every_scene_but_the_one_without_a_recording_is_designed_and_drawn() {
             }
         }
         assert!(answer["drawing"].as_str().unwrap().contains("cam-follower"));
-        let picture = studio.get(&format!("/{}/scene/{}.svg", studio.token, scene.name));
-        assert_eq!(picture.status, 200, "{}", scene.name);
+        let picture = json!({"name": scene.name}).to_string();
+        let picture = studio.post("scene-picture", picture.as_bytes()).json();
+        assert!(picture["svg"].is_string(), "{}: {picture}", scene.name);
     }
 }
 
@@ -46,11 +48,7 @@ fn every_scene_but_the_one_without_a_recording_is_designed_and_drawn() {
 fn a_change_is_in_the_scene_that_comes_back() {
     let studio = Running::new();
     let changes = json!([{"set": {"key": "limits.stroke", "value": "55 mm"}}]);
-    let answer = design(
-        &studio,
-        &json!({"scene": DEFAULT, "changes": changes, "number": 3}),
-    );
-    assert_eq!(answer["number"], 3, "{answer}");
+    let answer = design(&studio, &json!({"scene": DEFAULT, "changes": changes}));
     assert_eq!(answer["fields"]["limits.stroke"]["text"], "55 mm");
     let again = design(&studio, &json!({"scene": answer["scene"]}));
     assert_eq!(again["fields"], answer["fields"]);
@@ -61,11 +59,9 @@ fn a_change_is_in_the_scene_that_comes_back() {
 fn a_fault_names_its_key_in_the_language_of_the_page() {
     let studio = Running::new();
     let changes = json!([{"set": {"key": "limits.stroke", "value": "55"}}]);
-    let ask = json!({"scene": DEFAULT, "changes": changes}).to_string();
     let say = |language: &str| {
-        let answer = studio
-            .post(&format!("design?language={language}"), ask.as_bytes())
-            .json();
+        let ask = json!({"scene": DEFAULT, "changes": changes, "language": language});
+        let answer = design(&studio, &ask);
         assert_eq!(answer["error"]["key"], "limits.stroke");
         answer["error"]["message"].as_str().unwrap().to_string()
     };
@@ -78,7 +74,7 @@ fn an_infeasible_scene_names_its_conflict_and_a_relaxation_mends_it() {
     let changes = json!([{"set": {"key": "limits.stroke", "value": "20 mm"}}]);
     let answer = design(&studio, &json!({"scene": DEFAULT, "changes": changes}));
     assert_eq!(answer["verdict"], "unacceptable");
-    let which = json!({"id": answer["id"]}).to_string();
+    let which = json!({"scene": answer["scene"]}).to_string();
     let relaxed = studio.post("relax", which.as_bytes()).json();
     let all = relaxed["relaxations"].as_array().unwrap();
     let one = all.iter().find(|r| r["value"].is_string()).unwrap();
@@ -94,8 +90,10 @@ fn an_infeasible_scene_names_its_conflict_and_a_relaxation_mends_it() {
 fn exported_tables_are_those_of_the_library_and_the_scene_reads_back() {
     let studio = Running::new();
     let answer = design(&studio, &json!({"scene": DEFAULT}));
-    let id = answer["id"].as_str().unwrap();
-    let export = |name: &str| studio.get(&format!("/{}/export/{id}/{name}", studio.token));
+    let export = |name: &str| {
+        let question = json!({"scene": answer["scene"], "name": name});
+        studio.post("export", question.to_string().as_bytes())
+    };
     let scene = gaitcam::scene::parse(DEFAULT).unwrap();
     let target =
         gaitcam::force::model("young", Some(1.85), 700.0, gaitcam::force::Feet::Both).unwrap();
@@ -116,8 +114,10 @@ fn exported_tables_are_those_of_the_library_and_the_scene_reads_back() {
 fn every_file_that_the_page_lists_is_exported() {
     let studio = Running::new();
     let answer = design(&studio, &json!({"scene": DEFAULT}));
-    let id = answer["id"].as_str().unwrap();
-    let export = |name: &str| studio.get(&format!("/{}/export/{id}/{name}", studio.token));
+    let export = |name: &str| {
+        let question = json!({"scene": answer["scene"], "name": name});
+        studio.post("export", question.to_string().as_bytes())
+    };
     for name in [
         "profile.dxf",
         "profile.svg",
@@ -147,7 +147,8 @@ fn every_file_that_the_page_lists_is_exported() {
         );
         assert!(answer.body.len() > 100, "{name}");
     }
-    assert_eq!(export("nothing.csv").status, 404);
+    let nothing = export("nothing.csv").json();
+    assert_eq!(nothing["error"]["code"], "studio-no-file");
     // The page lists what the command writes, and each is there.
     let listed: Vec<String> = (answer["exports"].as_array().unwrap().iter())
         .flat_map(|group| group[1].as_array().unwrap())
@@ -185,8 +186,11 @@ fn a_force_drawn_by_hand_becomes_a_cam() {
     let drawn = studio.post("force", body.as_bytes()).json();
     assert_eq!(drawn["use"], "hand.csv");
     let changes = json!([{"set": {"key": "gait.file", "value": "hand.csv"}}, {"set": {"key": "limits.stroke", "value": ""}}]);
-    let answer = design(&studio, &json!({"scene": DEFAULT, "changes": changes}));
+    let files = json!([{"name": "hand.csv", "hash": drawn["hash"]}]);
+    let ask = json!({"scene": DEFAULT, "changes": changes, "files": files});
+    let answer = design(&studio, &ask);
     assert!(answer["error"].is_null(), "{}", answer["error"]);
+    assert_eq!(answer["force_hash"], drawn["hash"]);
     let target = &answer["curves"]["panels"][0]["lines"][1];
     assert_eq!(target["role"], "target");
     let highest = target["y"]
@@ -256,4 +260,79 @@ fn a_motion_is_read_from_a_file_of_the_folder_and_from_nowhere_else() {
         );
         assert_eq!(answer["error"]["code"], "studio-outside", "{answer}");
     }
+}
+
+/// Points of a force whose largest value is `peak`, kept by the studio: its hash.
+fn drawn(studio: &Running, peak: f64) -> Value {
+    let points = json!([[0.0, 100.0], [0.1, peak], [0.25, 180.0], [0.4, 250.0]]);
+    let body = json!({"file": "same.csv", "period_s": 0.5, "points": points}).to_string();
+    studio.post("force", body.as_bytes()).json()["hash"].clone()
+}
+
+#[test]
+fn two_files_of_one_name_never_take_each_others_place() {
+    let studio = Running::new();
+    let peaks = [300.0, 320.0, 340.0, 360.0, 380.0];
+    let hashes = peaks.map(|peak| drawn(&studio, peak));
+    let changes = json!([{"set": {"key": "gait.file", "value": "same.csv"}}, {"set": {"key": "limits.stroke", "value": ""}}]);
+    for k in (0..peaks.len()).chain((0..peaks.len()).rev()) {
+        let files = json!([{"name": "same.csv", "hash": hashes[k]}]);
+        let ask = json!({"scene": DEFAULT, "changes": changes, "files": files});
+        let answer = design(&studio, &ask);
+        assert_eq!(answer["force_hash"], hashes[k]);
+        let target = answer["curves"]["panels"][0]["lines"][1]["y"].as_array();
+        let values = target.unwrap().iter().filter_map(Value::as_f64);
+        let highest = values.fold(0.0, f64::max);
+        assert!(
+            (highest - peaks[k]).abs() < 0.5,
+            "{highest} for {}",
+            peaks[k]
+        );
+    }
+}
+
+#[test]
+fn an_answer_names_its_question_and_the_files_that_are_not_kept() {
+    let studio = Running::new();
+    let of = |text: &str| gaitcam_engine::Hash::of(text.as_bytes()).to_string();
+    let question = json!({"scene": DEFAULT}).to_string();
+    let answer = studio.post("design", question.as_bytes()).json();
+    assert_eq!(answer["of"], of(&question));
+    let unknown = of("a file that nobody has sent");
+    let files = json!([{"name": "walk.csv", "hash": unknown}]);
+    let question = json!({"scene": DEFAULT, "files": files}).to_string();
+    let answer = studio.post("design", question.as_bytes()).json();
+    assert_eq!(answer["missing"], json!([unknown]));
+    let kept = studio.post("keep", b"a file that nobody has sent").json();
+    assert_eq!(kept["hash"], unknown);
+    let answer = studio.post("design", question.as_bytes()).json();
+    assert_eq!(answer["verdict"], "acceptable", "{answer}");
+}
+
+#[test]
+fn a_scene_without_its_recording_is_read_with_its_form() {
+    let studio = Running::new();
+    let scene = gaitcam::scene::built_in("measured_walk").unwrap().toml;
+    let changes = json!([{"set": {"key": "limits.stroke", "value": "55 mm"}}, {"set": {"key": "gait.file", "value": "walk.csv"}}]);
+    let question = json!({"scene": scene, "changes": changes}).to_string();
+    let read = studio.post("read", question.as_bytes()).json();
+    assert_eq!(read["name"], "measured_walk", "{read}");
+    assert_eq!(read["fields"]["limits.stroke"]["text"], "55 mm");
+}
+
+#[test]
+fn a_restart_on_the_same_folder_keeps_the_address() {
+    let folder = tempfile::tempdir().unwrap();
+    let options = || Options {
+        open: Some(folder.path().to_path_buf()),
+        ..Options::default()
+    };
+    let first = open(&options()).unwrap().url();
+    assert_eq!(open(&options()).unwrap().url(), first);
+    let other = tempfile::tempdir().unwrap();
+    let other = Options {
+        open: Some(other.path().to_path_buf()),
+        ..Options::default()
+    };
+    assert_ne!(open(&other).unwrap().url(), first);
 }

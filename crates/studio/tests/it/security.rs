@@ -150,9 +150,9 @@ fn large_bodies_are_refused_before_they_are_read() {
     let before = studio.files();
     let piece = vec![b'x'; 1 << 20];
     for (target, status) in [
-        (format!("/{}/recording?name=big.csv", studio.token), "413"),
+        (format!("/{}/keep", studio.token), "413"),
         (format!("/{}/design", studio.token), "413"),
-        ("/recording".to_string(), "403"),
+        ("/keep".to_string(), "403"),
     ] {
         let start = Instant::now();
         let mut stream = TcpStream::connect(("127.0.0.1", studio.port)).unwrap();
@@ -253,7 +253,7 @@ fn a_thousand_connections_leave_it_alive() {
 fn connections_that_ask_nothing_keep_no_page_waiting() {
     let studio = Running::new();
     let (host, token) = (studio.host(), &studio.token);
-    let answered = format!("GET /{token}/laws.json HTTP/1.1\r\nHost: {host}\r\n\r\n");
+    let answered = format!("GET /{token}/folder.json HTTP/1.1\r\nHost: {host}\r\n\r\n");
     for begun in ["", "GET / HTTP/1.1\r\nHo", &answered] {
         let connect = |_| {
             let mut stream = TcpStream::connect(("127.0.0.1", studio.port)).unwrap();

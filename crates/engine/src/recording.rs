@@ -1,29 +1,47 @@
 //! Recordings dropped on the page: what they hold, which contacts count, and forces drawn by hand.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::fault::StudioError;
-use crate::http::Head;
-use crate::state::Studio;
+use crate::hash::Hash;
+use crate::sources::Files;
 use crate::words;
 use gaitcam::error::Result;
 use gaitcam::force::{self, Feet, Interpretation, ReadOptions, Stances};
+use gaitcam::scene;
 use gaitcam_output::gait as tables;
 use gaitcam_output::recording;
 
-/// Keeps a dropped file and says what it holds.
+/// A recording that is kept.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Dropped {
+    /// Its name.
+    pub file: String,
+    /// Hash of its bytes.
+    pub hash: Hash,
+    /// How it is read: keys of `gait` with their values.
+    #[serde(default)]
+    pub options: BTreeMap<String, String>,
+}
+
+/// What a recording holds.
 ///
 /// # Errors
 /// Files that are no recording.
-pub fn dropped(studio: &Studio, head: &Head, bytes: &[u8]) -> Result<Value> {
-    let given = head.asked("name").unwrap_or("recording.csv");
-    let name = plain(given);
-    let found = described(&name, bytes, &[], Feet::Both)?;
-    studio.sources.drop_file(&name, bytes.to_vec());
-    Ok(found)
+pub fn dropped(files: &Files, asked: &Dropped) -> Result<Value> {
+    let contacts = Contacts {
+        file: plain(&asked.file),
+        hash: asked.hash.clone(),
+        without: Vec::new(),
+        feet: String::new(),
+        options: asked.options.clone(),
+    };
+    self::contacts(files, &contacts)
 }
 
 /// The last part of a path, without what no file name has.
@@ -45,12 +63,17 @@ fn plain(given: &str) -> String {
 pub struct Contacts {
     /// Name of the recording.
     pub file: String,
+    /// Hash of its bytes.
+    pub hash: Hash,
     /// Numbers of the stances that do not count, from 0 on.
     #[serde(default)]
     pub without: Vec<usize>,
     /// Whose feet count.
     #[serde(default)]
     pub feet: String,
+    /// How it is read: keys of `gait` with their values.
+    #[serde(default)]
+    pub options: BTreeMap<String, String>,
 }
 
 /// The recording with some contacts left out: its mean cycle becomes a file of its own, which the scene may
@@ -58,12 +81,11 @@ pub struct Contacts {
 ///
 /// # Errors
 /// Recordings that are not there; nothing left to average.
-pub fn contacts(studio: &Studio, asked: &Contacts) -> Result<Value> {
-    let bytes = studio
-        .sources
-        .bytes(&studio.folder, Path::new(&asked.file))?;
-    let feet = asked.feet.parse().unwrap_or(Feet::Both);
-    let mut found = described(&asked.file, &bytes, &asked.without, feet)?;
+pub fn contacts(files: &Files, asked: &Contacts) -> Result<Value> {
+    let bytes = files.engine.kept(&asked.hash).unwrap_or_default();
+    let mut found = described(&bytes, asked)?;
+    found["hash"] = asked.hash.as_str().into();
+    found["use_hash"] = asked.hash.as_str().into();
     if !asked.without.is_empty()
         && let Some(csv) = found.get("csv").and_then(Value::as_str)
     {
@@ -72,16 +94,34 @@ pub fn contacts(studio: &Studio, asked: &Contacts) -> Result<Value> {
             .unwrap_or_default()
             .to_string_lossy();
         let name = format!("{}_cycle.csv", plain(&stem));
-        studio.sources.drop_file(&name, csv.as_bytes().to_vec());
+        let hash = files.engine.keep(csv.as_bytes().to_vec());
         found["use"] = name.into();
+        found["use_hash"] = hash.as_str().into();
     }
     Ok(found)
 }
 
+/// How a recording is read: as `gait` of a scene that names it.
+fn options(asked: &Contacts) -> Result<(ReadOptions, Feet)> {
+    let mut table = toml::Table::new();
+    scene::set(
+        &mut table,
+        &format!("gait.file={}", toml::Value::from(asked.file.as_str())),
+    )?;
+    for (key, value) in &asked.options {
+        scene::set(&mut table, &format!("gait.{key}={value}"))?;
+    }
+    let read = scene::read(&table)?;
+    let gait = read.gait.unwrap_or_default();
+    let feet = asked.feet.parse().unwrap_or(gait.feet);
+    Ok((gait.read_options(None)?, feet))
+}
+
 /// What a recording holds, with its picture and the csv of its mean cycle.
-fn described(name: &str, bytes: &[u8], without: &[usize], feet: Feet) -> Result<Value> {
-    let (path, options) = (Path::new(name), ReadOptions::default());
-    let language = words::current();
+fn described(bytes: &[u8], asked: &Contacts) -> Result<Value> {
+    let (name, without) = (asked.file.as_str(), &asked.without);
+    let (path, language) = (Path::new(name), words::current());
+    let (options, feet) = options(asked)?;
     if let Some(curve) = force::one_cycle(path, bytes, &options)? {
         let mut found = tables::cycle_json(&curve);
         found["file"] = name.into();
@@ -130,7 +170,7 @@ pub struct Points {
 ///
 /// # Errors
 /// Too few points, or times that do not grow.
-pub fn points(studio: &Studio, drawn: &Points) -> Result<Value> {
+pub fn points(files: &Files, drawn: &Points) -> Result<Value> {
     let name = plain(&drawn.file);
     let mut points = drawn.points.clone();
     points.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -146,6 +186,6 @@ pub fn points(studio: &Studio, drawn: &Points) -> Result<Value> {
         csv.push_str(&format!("{time},{force}\n"));
     }
     let curve = force::one_cycle(Path::new(&name), csv.as_bytes(), &ReadOptions::default())?;
-    studio.sources.drop_file(&name, csv.clone().into_bytes());
-    Ok(json!({"use": name, "csv": csv, "force_n": curve.map(|c| c.force_n)}))
+    let hash = files.engine.keep(csv.clone().into_bytes());
+    Ok(json!({"use": name, "csv": csv, "hash": hash, "force_n": curve.map(|c| c.force_n)}))
 }

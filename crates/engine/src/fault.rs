@@ -1,4 +1,4 @@
-//! Faults that only the studio can meet. Their sentences stand in `words/`.
+//! Faults that only the page and its server can meet. Their sentences stand in `words/`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -8,6 +8,7 @@ use gaitcam::error::Fault;
 use gaitcam::wording::Catalogue;
 
 /// What is wrong.
+#[allow(missing_docs)] // The fields are the arguments of the sentences.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -24,8 +25,10 @@ pub enum StudioError {
     NotToml { line: usize, fault: String },
     /// A request that says nothing this server knows.
     BadRequest { fault: String },
-    /// A design that was shown so long ago that it is forgotten.
-    Forgotten,
+    /// A file that was not given to a page without a folder.
+    NotDropped,
+    /// A design has no file of this name.
+    NoFile { name: String },
     /// A list entry that is not there.
     NoEntry { list: String, number: usize },
     /// The port is taken.

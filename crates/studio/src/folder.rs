@@ -2,11 +2,15 @@
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
+use std::sync::{Arc, Mutex};
+use std::time::SystemTime;
 
 use serde::Serialize;
 
-use crate::fault::StudioError;
+use crate::lock;
 use gaitcam::error::{Error, Place, Placed, Result};
+use gaitcam_engine::fault::StudioError;
+use gaitcam_engine::{Hash, Recent};
 use gaitcam_files::read::read_at_most;
 use gaitcam_output::folder::write_new;
 
@@ -16,9 +20,16 @@ const LARGEST: u64 = 256 << 20;
 const LISTED: usize = 500;
 const DEPTH: usize = 3;
 
+/// Files that need not be read again while they do not change.
+const READ: usize = 8;
+
+/// A file as it was: path, size, time of its last change.
+type Stamp = (PathBuf, u64, Option<SystemTime>);
+
 /// The opened folder.
 pub struct Folder {
     root: PathBuf,
+    read: Mutex<Recent<Stamp, (Hash, Arc<Vec<u8>>)>>,
 }
 
 /// A file of the folder that the page may open.
@@ -37,7 +48,8 @@ impl Folder {
     /// Where it is not there.
     pub fn open(path: &Path) -> Result<Folder> {
         let root = fs::canonicalize(path).map_err(|e| unread(path, &e))?;
-        Ok(Folder { root })
+        let read = Mutex::new(Recent::new(READ));
+        Ok(Folder { root, read })
     }
 
     /// Its path.
@@ -70,6 +82,24 @@ impl Folder {
     pub fn read(&self, path: &Path) -> Result<Vec<u8>> {
         let found = self.find(path)?;
         read_at_most(&found, LARGEST).map_err(|e| e.placed(Place::File(path.to_path_buf())))
+    }
+
+    /// The same with its hash, for files that are asked for again and again.
+    ///
+    /// # Errors
+    /// As [`Folder::read`].
+    pub fn hashed(&self, path: &Path) -> Result<(Hash, Arc<Vec<u8>>)> {
+        let found = self.find(path)?;
+        let about = fs::metadata(&found).map_err(|e| unread(path, &e))?;
+        let stamp = (found, about.len(), about.modified().ok());
+        let known = lock(&self.read).get(&stamp);
+        if let Some(known) = known {
+            return Ok(known);
+        }
+        let bytes = self.read(path)?;
+        let read = (Hash::of(&bytes), Arc::new(bytes));
+        lock(&self.read).put(stamp, read.clone());
+        Ok(read)
     }
 
     /// Writes a new file under a plain name and returns the name: that of the first free number where it is

@@ -5,10 +5,10 @@ use std::path::Path;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::table;
-use crate::fault::StudioError;
-use crate::state::Studio;
+use crate::Studio;
 use gaitcam::error::{Placed, Result};
+use gaitcam_engine::fault::StudioError;
+use gaitcam_engine::{Named, table};
 
 /// The text of a scene of the folder.
 ///
@@ -29,6 +29,12 @@ pub struct Save {
     pub scene: String,
     /// Its name.
     pub name: String,
+    /// The kept files that it names.
+    #[serde(default)]
+    pub files: Vec<Named>,
+    /// Language of the faults.
+    #[serde(default)]
+    pub language: String,
 }
 
 /// Saves a scene, and next to it the dropped file that it names. No file is ever replaced.
@@ -44,8 +50,9 @@ pub fn save(studio: &Studio, save: &Save) -> Result<Value> {
         .map(str::to_string);
     let mut written = Vec::new();
     let mut text = save.scene.clone();
+    let named = |file: &str| save.files.iter().find(|n| n.name == file);
     if let Some(file) = file
-        && let Some(bytes) = studio.sources.dropped(Path::new(&file))
+        && let Some(bytes) = named(&file).and_then(|n| studio.engine.kept(&n.hash))
     {
         let name = studio.folder.write_new(&file, &bytes)?;
         if name != file

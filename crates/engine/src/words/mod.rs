@@ -9,12 +9,6 @@ use serde_json::{Map, Value};
 pub static WORDS: Catalogue =
     Catalogue::new(&[&[[include_str!("en.ftl"), include_str!("es.ftl")]]]);
 
-/// Arguments of the page's texts.
-const ARGUMENTS: [&str; 13] = [
-    "name", "low", "high", "seconds", "share", "folder", "files", "count", "number", "time",
-    "force", "longest", "file",
-];
-
 thread_local! {
     static LANGUAGE: Cell<Language> = const { Cell::new(Language::En) };
 }
@@ -32,9 +26,10 @@ pub fn current() -> Language {
 /// Every text of the page by its key; `{name}` stands where the page puts a value.
 pub fn page(language: Language) -> Map<String, Value> {
     let words = WORDS.of(language);
-    let holes: Map<String, Value> = ARGUMENTS
+    let arguments = include_str!("en.ftl").split("{ $").skip(1);
+    let arguments = arguments.filter_map(|rest| rest.split(' ').next());
+    let holes: Map<String, Value> = arguments
         .map(|a| (a.to_string(), format!("{{{a}}}").into()))
-        .into_iter()
         .collect();
     let holes = Value::from(holes);
     let keys = words.keys();

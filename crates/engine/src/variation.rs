@@ -3,10 +3,9 @@
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::table;
 use crate::form::typed;
-use crate::state::Studio;
-use crate::words;
+use crate::sources::Files;
+use crate::{table, words};
 use gaitcam::Problem;
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
@@ -49,10 +48,10 @@ pub struct Vary {
 ///
 /// # Errors
 /// Faults of the scene as it stands.
-pub fn sensitivity(studio: &Studio, vary: &Vary) -> Result<Value> {
+pub fn sensitivity(files: &Files, vary: &Vary) -> Result<Value> {
     let table = table(&vary.scene)?;
-    let (scene, _) = studio.scene(&table)?;
-    let target = studio.sources.target(&studio.folder, &scene)?;
+    let (scene, _) = files.scene(&table)?;
+    let target = files.target(&scene)?.map(|t| t.0);
     let of = |design: &Design| value(design, &vary.quantity);
     let middle = of(&synthesise(&scene, target.as_ref())?);
     let share = vary.share.clamp(1e-4, 0.5);
@@ -74,7 +73,7 @@ pub fn sensitivity(studio: &Studio, vary: &Vary) -> Result<Value> {
             let varied = |factor: f64| {
                 let mut scene = scene.clone();
                 let took = x != 0.0 && key.set_number(&mut scene, index, factor * x);
-                let design = took.then(|| varied(studio, &scene, target.as_ref(), key));
+                let design = took.then(|| varied(files, &scene, target.as_ref(), key));
                 design.flatten().and_then(|d| of(&d))
             };
             let ends = [varied(1.0 - share), varied(1.0 + share)];
@@ -103,14 +102,9 @@ pub fn sensitivity(studio: &Studio, vary: &Vary) -> Result<Value> {
 }
 
 /// The design of a varied scene; a load model is read again where its own numbers change.
-fn varied(
-    studio: &Studio,
-    scene: &Scene,
-    target: Option<&ForceCurve>,
-    key: &Key,
-) -> Option<Design> {
+fn varied(files: &Files, scene: &Scene, target: Option<&ForceCurve>, key: &Key) -> Option<Design> {
     let own = match key.section() {
-        "gait" => studio.sources.target(&studio.folder, scene).ok()?,
+        "gait" => files.target(scene).ok()?.map(|t| t.0),
         _ => target.cloned(),
     };
     synthesise(scene, own.as_ref()).ok()
@@ -158,10 +152,10 @@ pub struct Trade {
 ///
 /// # Errors
 /// Scenes without a force; quantities that cannot be traded.
-pub fn front(studio: &Studio, asked: &Trade) -> Result<Value> {
+pub fn front(files: &Files, asked: &Trade) -> Result<Value> {
     let against = traded(&format!("force_error:{}", asked.against))?;
-    let (scene, _) = studio.scene(&table(&asked.scene)?)?;
-    let target = studio.sources.target(&studio.folder, &scene)?;
+    let (scene, _) = files.scene(&table(&asked.scene)?)?;
+    let target = files.target(&scene)?.map(|t| t.0);
     let problem = Problem::resolve(&scene, target.as_ref())?;
     let front = trade(&problem, against, POINTS)?;
     let (unit, factor) = people(against.unit);

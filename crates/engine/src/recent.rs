@@ -32,4 +32,12 @@ impl<K: PartialEq, V: Clone> Recent<K, V> {
             self.list.pop_front();
         }
     }
+
+    /// Drops the least recently used values, but not the last one, until all are no larger than `most` together.
+    pub fn shrink(&mut self, most: usize, size: impl Fn(&V) -> usize) {
+        let mut all: usize = self.list.iter().map(|(_, value)| size(value)).sum();
+        while all > most && self.list.len() > 1 {
+            all -= self.list.pop_front().map_or(0, |(_, value)| size(&value));
+        }
+    }
 }

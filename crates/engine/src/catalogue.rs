@@ -1,14 +1,11 @@
 //! What the program brings along: words, keys, built-in scenes, laws.
 
-use std::collections::HashMap;
-use std::sync::{Mutex, OnceLock};
-
+use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::http::{Response, Status};
-use crate::lock;
-use crate::state::Studio;
-use crate::words;
+use crate::ask::Start;
+use crate::sources::Files;
+use crate::{table, words};
 use gaitcam::error::Result;
 use gaitcam::law::Rise;
 use gaitcam::scene::{self, SCENES, built_in, keys};
@@ -21,7 +18,7 @@ use gaitcam_output::{laws_report, palette};
 const POINTS: usize = 60;
 
 /// Everything that the page needs once.
-pub fn start(studio: &Studio) -> Value {
+pub fn start(start: &Start) -> Value {
     let scenes = SCENES.iter().map(|s| {
         json!({
             "name": s.name,
@@ -30,49 +27,42 @@ pub fn start(studio: &Studio) -> Value {
         })
     });
     json!({
-        "scene": studio.start.scene,
-        "file": studio.start.file,
-        "folder": studio.folder.root().display().to_string(),
+        "scene": start.scene,
+        "file": start.file,
+        "folder": start.folder,
         "words": {"en": words::page(Language::En), "es": words::page(Language::Es)},
         "keys": keys::json(),
         "scenes": scenes.collect::<Vec<_>>(),
-        "quantities": super::variation::QUANTITIES.map(|q| q.0),
-        "trades": super::variation::TRADES,
+        "quantities": crate::variation::QUANTITIES.map(|q| q.0),
+        "trades": crate::variation::TRADES,
         "figures": FIGURES.each_ref().map(|f| (f.column, people(f.unit))),
-        "longest_s": crate::state::LONGEST.as_secs(),
+        "longest_s": crate::LONGEST,
     })
 }
 
-/// The picture of a built-in scene's cam, drawn once.
-pub fn picture(studio: &Studio, name: &str) -> Response {
-    static DRAWN: OnceLock<Mutex<HashMap<String, String>>> = OnceLock::new();
-    let drawn = DRAWN.get_or_init(Mutex::default);
-    let name = name.trim_end_matches(".svg");
-    let known = lock(drawn).get(name).cloned();
-    let svg = match known {
-        Some(svg) => svg,
-        None => {
-            let Some(svg) = outline(studio, name) else {
-                return Response::refusal(Status::NotFound);
-            };
-            lock(drawn).insert(name.to_string(), svg.clone());
-            svg
-        }
-    };
-    Response::new("image/svg+xml", svg)
+/// Which built-in scene is meant.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Picture {
+    /// Its name.
+    pub name: String,
 }
 
-fn outline(studio: &Studio, name: &str) -> Option<String> {
-    let mut table = built_in(name).ok()?.toml.parse().ok()?;
+/// The picture of a built-in scene's cam.
+///
+/// # Errors
+/// Names of no scene.
+pub fn picture(files: &Files, asked: &Picture) -> Result<Value> {
+    let mut table = table(built_in(&asked.name)?.toml)?;
     if scene::read(&table).is_err() {
         // The picture of a scene that still waits for its recording is that of a load model.
-        scene::set(&mut table, "gait.model=young").ok()?;
-        scene::set(&mut table, "gait.step_frequency=1.85 Hz").ok()?;
+        scene::set(&mut table, "gait.model=young")?;
+        scene::set(&mut table, "gait.step_frequency=1.85 Hz")?;
     }
-    let scene = scene::read(&table).ok()?;
-    let target = studio.sources.target(&studio.folder, &scene).ok()?;
-    let design = synthesise(&scene, target.as_ref()).ok()?;
-    Some(at_rest(&design))
+    let scene = scene::read(&table)?;
+    let target = files.target(&scene)?.map(|t| t.0);
+    let design = synthesise(&scene, target.as_ref())?;
+    Ok(json!({"svg": at_rest(&design)}))
 }
 
 /// The drawing of the animation as a picture of its own: every part in its place at the start, in plain colours.
@@ -120,7 +110,7 @@ fn at_rest(design: &Design) -> String {
 /// None that a law of the catalogue has.
 pub fn laws() -> Result<Value> {
     let all: Result<Vec<Value>> = Rise::catalogue().iter().map(law).collect();
-    all.map(Value::from)
+    Ok(json!({"laws": all?}))
 }
 
 fn law(rise: &Rise) -> Result<Value> {

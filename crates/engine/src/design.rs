@@ -2,23 +2,20 @@
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use std::time::Instant;
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use toml::Table;
 
-use super::table;
 use crate::curves::{Colour, Curves, curves};
 use crate::edit::{Edit, apply};
-use crate::fault::StudioError;
 use crate::form::{Field, fields};
-use crate::state::{Kept, Studio};
-use crate::words;
+use crate::hash::Hash;
+use crate::sources::Files;
+use crate::{lock, table, words};
 use gaitcam::Problem;
 use gaitcam::cam::Continuity;
 use gaitcam::error::Result;
-use gaitcam::halt::Halt;
 use gaitcam::scene::{Scene, keys};
 use gaitcam::synth::{self, Design, FIGURES, Relaxation, Search};
 use gaitcam::wording::Language;
@@ -35,12 +32,6 @@ pub struct Ask {
     /// What is to be changed in it.
     #[serde(default)]
     pub changes: Vec<Edit>,
-    /// Which page asks.
-    #[serde(default)]
-    pub page: String,
-    /// Its questions counted: one that is overtaken need not be answered.
-    #[serde(default)]
-    pub number: u64,
     /// By what the contour is coloured.
     #[serde(default)]
     pub colour: Colour,
@@ -49,8 +40,9 @@ pub struct Ask {
 /// Everything that the page shows of a design.
 #[derive(Serialize)]
 pub struct Answer {
-    id: String,
-    number: u64,
+    /// Hash of the scene and its files, and of the force alone.
+    design_hash: Hash,
+    force_hash: Option<Hash>,
     name: String,
     scene: String,
     fields: BTreeMap<String, Field>,
@@ -104,80 +96,96 @@ struct Eased {
     gain: f64,
 }
 
-/// What a page hears: its design, or that it has asked again meanwhile.
-#[derive(Serialize)]
-#[serde(untagged)]
-pub enum Reply {
+/// A design with its inputs.
+pub struct Made {
+    /// The scene's table.
+    pub table: Table,
+    /// The same with the rows of every motion in place of the file that it names.
+    pub whole: Table,
+    /// The scene.
+    pub scene: Scene,
     /// The design.
-    Answer(Box<Answer>),
-    /// Nothing: a newer question is on its way.
-    Overtaken {
-        /// Always true.
-        superseded: bool,
-        /// The number of the question.
-        number: u64,
-    },
+    pub design: Design,
+    /// How long it took.
+    pub time: Timing,
+    hash: Hash,
+    force: Option<Hash>,
 }
 
 /// Designs the scene.
 ///
 /// # Errors
 /// Faults of the changes, of the scene and of its force.
-pub fn design(studio: &Studio, ask: &Ask) -> Result<Reply> {
-    let start = Instant::now();
-    let number = ask.number;
-    let overtaken = || {
-        Ok(Reply::Overtaken {
-            superseded: true,
-            number,
-        })
-    };
-    let ticket = studio.scheduler.register(&ask.page, ask.number);
-    let Some(slot) = studio.scheduler.acquire(&ticket) else {
-        return overtaken();
-    };
-    let mut table = table(&ask.scene)?;
-    for edit in &ask.changes {
-        apply(&mut table, edit, &|table| Ok(studio.scene(table)?.0))?;
-    }
-    let kept = made(studio, &table, slot.ticket().halt())?;
-    if ticket.is_outdated() {
-        return overtaken();
-    }
-    let language = words::current();
-    let id = studio.keep(Arc::clone(&kept));
-    let mut answer = answer(&kept, id, ask.colour, language);
-    answer.number = ask.number;
-    answer.server_ms = 1e3 * start.elapsed().as_secs_f64();
-    Ok(Reply::Answer(Box::new(answer)))
+pub fn design(files: &Files, ask: &Ask) -> Result<Answer> {
+    let start = files.host.seconds();
+    let made = made(files, changed(files, ask)?)?;
+    let mut answer = answer(&made, ask.colour, words::current());
+    answer.server_ms = 1e3 * (files.host.seconds() - start);
+    Ok(answer)
 }
 
-/// The design of a table.
+/// The scene with its changes.
+fn changed(files: &Files, ask: &Ask) -> Result<Table> {
+    let mut table = table(&ask.scene)?;
+    for edit in &ask.changes {
+        apply(&mut table, edit, &|table| Ok(files.scene(table)?.0))?;
+    }
+    Ok(table)
+}
+
+/// The scene and its form without a design: for one whose force is still missing.
+///
+/// # Errors
+/// Faults of the changes and of the scene.
+pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
+    let table = changed(files, ask)?;
+    let (scene, _) = files.scene(&table)?;
+    Ok(json!({
+        "scene": toml::to_string(&table).unwrap_or_default(),
+        "name": scene.name,
+        "fields": fields(&table, &scene, None),
+    }))
+}
+
+/// The design of a table: the one that is kept, if all that it depends on is the same.
 ///
 /// # Errors
 /// Faults of the scene and of its force.
-fn made(studio: &Studio, table: &Table, halt: Halt) -> Result<Arc<Kept>> {
-    let start = Instant::now();
-    let (scene, whole) = studio.scene(table)?;
-    let target = studio.sources.target(&studio.folder, &scene)?;
-    let solving = Instant::now();
+pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
+    let start = files.host.seconds();
+    let (scene, whole) = files.scene(&table)?;
+    let (target, force) = files.target(&scene)?.unzip();
+    let hash = files.of_scene(&toml::to_string(&table).unwrap_or_default());
+    let known = lock(&files.engine.designs).get(&hash);
+    if let Some(known) = known {
+        return Ok(known);
+    }
+    let solving = files.host.seconds();
     let problem = Problem::resolve(&scene, target.as_ref())?;
-    let design = synth::design(&problem, &Search::until(halt))?;
+    let halt = files.host.halt();
+    let design = synth::design(&problem, &Search::until(halt.clone()))?;
+    let end = files.host.seconds();
     let time = Timing {
-        solve_s: solving.elapsed().as_secs_f64(),
-        total_s: start.elapsed().as_secs_f64(),
+        solve_s: end - solving,
+        total_s: end - start,
     };
-    let table = table.clone();
-    Ok(Arc::new(Kept {
+    let made = Arc::new(Made {
         table,
         whole,
         scene,
         design,
         time,
-    }))
+        hash,
+        force,
+    });
+    // What the halt cut short is not the design of its scene.
+    if !halt.is_asked() {
+        lock(&files.engine.designs).put(made.hash.clone(), Arc::clone(&made));
+    }
+    Ok(made)
 }
 
-fn answer(kept: &Kept, id: String, colour: Colour, language: Language) -> Answer {
+fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
     let (design, scene) = (&kept.design, &kept.scene);
     let name = |typed: &str| parts::name(typed, language);
     let conflict = design.infeasible.as_ref().map_or(&[][..], |i| &i.conflict);
@@ -192,8 +200,8 @@ fn answer(kept: &Kept, id: String, colour: Colour, language: Language) -> Answer
     let limits = curves.places.iter().map(|p| p.limit.clone());
     let names = limits.map(|l| (l.clone(), name(&l))).collect();
     Answer {
-        id,
-        number: 0,
+        design_hash: kept.hash.clone(),
+        force_hash: kept.force.clone(),
         name: design.name.clone(),
         scene: toml::to_string(&kept.table).unwrap_or_default(),
         fields: fields(&kept.table, scene, Some(design)),
@@ -238,9 +246,8 @@ fn exports(design: &Design) -> Vec<(&'static str, Vec<&'static str>)> {
         .collect()
 }
 
-/// The figures that the slate compares.
 /// The figures of a design by their columns; null where it has none.
-fn numbers(kept: &Kept) -> Value {
+fn numbers(kept: &Made) -> Value {
     let row = gaitcam::sweep::Row::of(&kept.design);
     let pairs = FIGURES.iter().zip(row.numbers);
     pairs
@@ -319,51 +326,23 @@ fn value(key: &str, scene: &Scene, x: f64) -> Option<String> {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Which {
-    /// Its number.
-    pub id: String,
-    /// Which page asks.
-    #[serde(default)]
-    pub page: String,
-    /// The number of the question that the design answered.
-    #[serde(default)]
-    pub number: u64,
+    /// Its scene.
+    pub scene: String,
 }
 
 /// The changes that would make a design pass, each tried on the whole design.
-pub fn relax(studio: &Studio, which: &Which) -> Result<Value> {
-    let kept = studio.kept(&which.id).ok_or(StudioError::Forgotten)?;
+///
+/// # Errors
+/// Faults of the scene and of its force.
+pub fn relax(files: &Files, which: &Which) -> Result<Value> {
+    let made = made(files, table(&which.scene)?)?;
     let language = words::current();
-    let ticket = studio.scheduler.register(&which.page, which.number);
-    let overtaken = || Ok(json!({"superseded": true, "id": which.id}));
-    let Some(slot) = studio.scheduler.acquire(&ticket) else {
-        return overtaken();
-    };
-    let search = Search::until(slot.ticket().halt());
-    let tried = kept.design.clone().relaxed_with(&search);
-    if ticket.is_outdated() {
-        return overtaken();
-    }
-    let list = |list: &[Relaxation]| remedies(&tried, &kept.scene, list, language);
+    let search = Search::until(files.host.halt());
+    let tried = made.design.clone().relaxed_with(&search);
+    let list = |list: &[Relaxation]| remedies(&tried, &made.scene, list, language);
     Ok(json!({
-        "id": which.id,
         "reasons": tried.reason(language),
         "relaxations": list(&tried.relaxations),
         "together": list(&tried.together),
     }))
-}
-
-/// Ends what a page has asked before this question.
-pub fn cancel(studio: &Studio, which: &Cancel) -> Result<Value> {
-    studio.scheduler.register(&which.page, which.number);
-    Ok(json!({"cancelled": true}))
-}
-
-/// Which questions are to end.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Cancel {
-    /// The page.
-    pub page: String,
-    /// All before this number.
-    pub number: u64,
 }

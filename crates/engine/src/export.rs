@@ -1,0 +1,97 @@
+//! Files of a design, each made when it is asked for: those that `synth` writes, and those for the workshop.
+
+use serde::Deserialize;
+
+use crate::ask::{Answer, Body};
+use crate::design::{Made, made};
+use crate::fault::StudioError;
+use crate::sources::Files;
+use crate::{table, words};
+use gaitcam::error::{Error, Result};
+use gaitcam::units::{Dimension, parse};
+use gaitcam_files::files::{self, Source};
+use gaitcam_files::{Contents, Remark, design, scene};
+
+/// One file of a design.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Export {
+    /// The scene.
+    pub scene: String,
+    /// Name of the file.
+    pub name: String,
+    /// The radius of a cutter as typed.
+    #[serde(default)]
+    pub tool: Option<String>,
+}
+
+/// The file, or why there is none.
+pub fn file(files: &Files, asked: &Export) -> Answer {
+    let made = table(&asked.scene).and_then(|table| made(files, table));
+    let tool = asked.tool.as_deref();
+    match made.and_then(|made| bytes(&made, &asked.name, tool)) {
+        Ok(bytes) => Answer {
+            understood: true,
+            body: Body::File {
+                name: asked.name.clone(),
+                kind: kind(&asked.name),
+                bytes,
+            },
+        },
+        Err(error) => Answer::of::<()>(Err(error)),
+    }
+}
+
+/// Media type by the ending.
+fn kind(name: &str) -> &'static str {
+    match name.rsplit('.').next() {
+        Some("csv") => "text/csv; charset=utf-8",
+        Some("svg") => "image/svg+xml",
+        Some("png") => "image/png",
+        Some("html") => "text/html; charset=utf-8",
+        Some("json") => "application/json",
+        Some("toml") => "application/toml",
+        _ => "application/octet-stream",
+    }
+}
+
+/// The bytes of a file.
+fn bytes(kept: &Made, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
+    match name {
+        "scene.toml" => {
+            return Ok(toml::to_string(&kept.whole)
+                .unwrap_or_default()
+                .into_bytes());
+        }
+        "summary.json" => {
+            let summary = design::summary(&kept.design, &kept.whole, kept.time);
+            return Ok(serde_json::to_vec_pretty(&summary).unwrap_or_default());
+        }
+        _ => {}
+    }
+    let none = || {
+        let name = name.to_string();
+        Error::from(StudioError::NoFile { name })
+    };
+    let file = files::of(&kept.design).find(|file| file.name == name);
+    let file = file.ok_or_else(none)?;
+    let contents = Contents {
+        tool: tool.map(radius).transpose()?,
+        title: scene::title(&kept.scene, &kept.whole),
+        language: words::current(),
+        ..Contents::default()
+    };
+    let (bytes, remarks) = file.make(&Source::new(&kept.design, kept.time, &contents))?;
+    let fault = remarks.into_iter().find_map(Remark::into_fault);
+    bytes.ok_or_else(|| fault.unwrap_or_else(none))
+}
+
+/// The radius of a cutter as typed, m.
+fn radius(tool: &str) -> Result<f64> {
+    let radius = parse(tool, Dimension::Length)?;
+    if radius <= 0.0 {
+        let fault = tool.to_string();
+        return Err(Error::from(StudioError::BadRequest { fault }));
+    }
+    Ok(radius)
+}

@@ -1,0 +1,66 @@
+//! What the page of gaitcam asks, and the answers: the same in the server of `gaitcam studio` and, compiled to
+//! WebAssembly, inside the page.
+//!
+//! A question is a JSON object with the whole scene and the hashes of the files that it names; an answer depends on
+//! nothing else. What is kept is found by its contents alone: bytes by their hash, force curves and designs by the
+//! hash of all that they are made from.
+//!
+//! ```text
+//! ask.rs      questions by their routes, answers     sources.rs  files and force curves of a question
+//! design.rs, variation.rs, recording.rs, catalogue.rs, export.rs   one per kind of question
+//! edit.rs     changes of a scene's table             form.rs     fields and sliders of a scene
+//! curves.rs   what the diagrams show                 abi.rs      the functions that a browser calls
+//! ```
+#![deny(unsafe_code, missing_docs)]
+#![cfg_attr(not(test), warn(unused_crate_dependencies))]
+
+#[cfg(target_family = "wasm")]
+mod abi;
+mod ask;
+mod catalogue;
+mod curves;
+mod design;
+mod edit;
+mod export;
+pub mod fault;
+mod form;
+mod hash;
+mod recent;
+mod recording;
+mod sources;
+mod variation;
+mod words;
+
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use toml::Table;
+
+use fault::StudioError;
+use gaitcam::error::Result;
+
+pub use ask::{Answer, Body, Engine, Host, Start, fault_json};
+pub use hash::Hash;
+pub use recent::Recent;
+pub use sources::Named;
+pub use words::{current as language, settle as set_language};
+
+/// The longest search, s.
+pub const LONGEST: f64 = 60.0;
+
+/// A scene's text as a table.
+///
+/// # Errors
+/// Text that is no TOML, with its line.
+pub fn table(text: &str) -> Result<Table> {
+    text.parse().map_err(|e: toml::de::Error| {
+        let start = e.span().map_or(0, |s| s.start.min(text.len()));
+        let line = text[..start].matches('\n').count() + 1;
+        let fault = e.message().replace('\n', ", ");
+        StudioError::NotToml { line, fault }.into()
+    })
+}
+
+/// Locks; a thread that panicked has left nothing half done here.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

@@ -1,0 +1,49 @@
+// The engine of `gaitcam studio`: questions to its server, under the token that is the page's folder.
+
+export const kind = "native";
+
+function address(path, language) {
+  const url = new URL(path, document.baseURI);
+  if (language) url.searchParams.set("language", language);
+  return url;
+}
+
+// An idle connection may be closed at the moment of asking: every question may be asked again.
+async function reach(path, options) {
+  try {
+    return await fetch(path, options);
+  } catch (error) {
+    if (error.name === "AbortError") throw error;
+    return fetch(path, options);
+  }
+}
+
+// The data of an answer, the file that it holds, or the status of a refusal.
+async function read(response) {
+  if (!response.ok && response.status !== 400) return { refused: response.status };
+  if (response.headers.has("content-disposition")) return response.blob();
+  return response.json();
+}
+
+export async function ask(route, text, signal) {
+  return read(await reach(address(route), { method: "POST", body: text, signal }));
+}
+
+export async function keep(bytes) {
+  return read(await reach(address("keep"), { method: "POST", body: bytes }));
+}
+
+const inside = (path) => path.split("/").map(encodeURIComponent).join("/");
+
+export const folder = {
+  list: async (language) => read(await reach(address("folder.json", language))),
+  open: async (path, language) => read(await reach(address(`folder/${inside(path)}`, language))),
+  async bytes(path, language) {
+    const response = await reach(address(`bytes/${inside(path)}`, language));
+    const found = response.ok && response.headers.get("content-type") === "application/octet-stream";
+    return found ? new Uint8Array(await response.arrayBuffer()) : read(response);
+  },
+};
+
+// The page in one file is made where the engine is part of it.
+export const page = async () => null;

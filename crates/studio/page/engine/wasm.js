@@ -1,0 +1,107 @@
+// The engine inside the page: a module in workers, one for what follows the hand and one for what takes longer.
+
+export const kind = "wasm";
+
+const inline = (id) => document.getElementById(id)?.textContent;
+const unpack = (stream) => stream.pipeThrough(new DecompressionStream("gzip"));
+
+// The page in one file carries the module as text; a page in a folder has it beside it.
+async function packed() {
+  const text = inline("engine-module");
+  if (text) return new Blob([Uint8Array.from(atob(text.trim()), (c) => c.charCodeAt(0))]).stream();
+  return (await fetch(new URL("engine/engine.wasm.gz", document.baseURI))).body;
+}
+
+let compiled = null;
+const module = () => compiled ??= packed().then((stream) =>
+  WebAssembly.compileStreaming(new Response(unpack(stream), { headers: { "Content-Type": "application/wasm" } })));
+
+function worker() {
+  const text = inline("engine-worker");
+  const url = text ? URL.createObjectURL(new Blob([text], { type: "text/javascript" })) : new URL("engine/worker.js", document.baseURI);
+  return new Worker(url);
+}
+
+// Questions wait here, not in the worker: one that is given up while it waits ends no work.
+class Lane {
+  waiting = [];
+  busy = null;
+  worker = null;
+
+  ask(message, signal) {
+    return new Promise((resolve, reject) => {
+      const job = { message, resolve, reject };
+      signal?.addEventListener("abort", () => this.abort(job, signal.reason));
+      if (signal?.aborted) return reject(signal.reason);
+      this.waiting.push(job);
+      this.next();
+    });
+  }
+
+  async next() {
+    if (this.busy || this.waiting.length === 0) return;
+    const job = this.busy = this.waiting.shift();
+    try {
+      if (!this.worker) await this.begin();
+      if (this.busy === job) this.worker.postMessage(job.message);
+    } catch (error) {
+      this.end(job, "reject", error);
+    }
+  }
+
+  async begin() {
+    const ready = await module();
+    if (this.worker) return;
+    this.worker = worker();
+    this.worker.onmessage = ({ data }) => {
+      // A module that has failed in the middle of something is begun anew.
+      if (data.broken) this.stop();
+      if (this.busy) this.end(this.busy, data.broken ? "reject" : "resolve", data.broken ? new Error(data.broken) : data);
+    };
+    this.worker.postMessage({ module: ready });
+  }
+
+  end(job, how, value) {
+    if (this.busy === job) this.busy = null;
+    job[how](value);
+    this.next();
+  }
+
+  stop() {
+    this.worker?.terminate();
+    this.worker = null;
+  }
+
+  abort(job, reason) {
+    this.waiting = this.waiting.filter((other) => other !== job);
+    if (this.busy === job) this.stop();
+    this.end(job, "reject", reason);
+  }
+}
+
+const lanes = { hand: new Lane(), long: new Lane() };
+const LONG = new Set(["relax", "sensitivity", "front", "export", "scene-picture", "simulate"]);
+const lane = (route) => (LONG.has(route) ? lanes.long : lanes.hand);
+
+export async function ask(route, text, signal) {
+  const { answer } = await lane(route).ask({ route, text }, signal);
+  const end = route === "export" ? answer.indexOf(10) : -1;
+  if (end < 0) return JSON.parse(new TextDecoder().decode(answer));
+  const { kind: type } = JSON.parse(new TextDecoder().decode(answer.subarray(0, end)));
+  return new Blob([answer.subarray(end + 1)], { type });
+}
+
+export function keep(bytes, route) {
+  return lane(route).ask({ bytes });
+}
+
+export const folder = null;
+
+const PACKED = "<!--packed-->";
+
+// This page in one file, with a packed scene inside.
+export async function page(scene) {
+  const own = inline("engine-module") && window.gaitcamPage;
+  const text = own || await (await fetch(new URL("gaitcam.html", document.baseURI))).text();
+  return new Blob([text.replace(PACKED, () => `<script type="text/plain" id="packed">${scene}</script>`)], { type: "text/html" });
+}

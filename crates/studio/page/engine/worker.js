@@ -1,0 +1,40 @@
+// The engine in a worker: it is given the compiled module, then one question or file at a time.
+
+let engine = null;
+
+// What the module's libraries import for the page's own objects is never called while a cam is designed.
+function imports(module) {
+  const all = { env: { seconds: () => performance.now() / 1000 } };
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+    all[from] ??= {};
+    all[from][name] ??= () => 0;
+  }
+  return all;
+}
+
+function given(text) {
+  const bytes = typeof text === "string" ? new TextEncoder().encode(text) : text;
+  const at = engine.room(bytes.length);
+  new Uint8Array(engine.memory.buffer, at, bytes.length).set(bytes);
+  return [at, bytes.length];
+}
+
+function taken(at) {
+  const length = new DataView(engine.memory.buffer).getUint32(at, true);
+  const bytes = new Uint8Array(engine.memory.buffer, at + 4, length).slice();
+  engine.free(at, length + 4);
+  return bytes;
+}
+
+onmessage = async ({ data: { module, route, text, bytes } }) => {
+  try {
+    if (module) engine = (await WebAssembly.instantiate(module, imports(module))).exports;
+    else if (bytes) postMessage({ hash: new TextDecoder().decode(taken(engine.keep(...given(bytes)))) });
+    else {
+      const answer = taken(engine.ask(...given(`${route}\n${text}`)));
+      postMessage({ answer }, [answer.buffer]);
+    }
+  } catch (error) {
+    postMessage({ broken: String(error) });
+  }
+};
