@@ -124,7 +124,9 @@ async function first(start) {
     designs.ask();
     return;
   }
-  const held = await unpack(location.hash);
+  // A page in one file may carry a scene.
+  const inside = document.getElementById("packed")?.textContent;
+  const held = await unpack(location.hash) ?? (inside ? await unpack(`s=${inside}`) : null);
   if (held) openScene(held.scene, held);
   else openScene(start.scene);
 }

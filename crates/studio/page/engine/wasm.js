@@ -5,10 +5,12 @@ export const kind = "wasm";
 const inline = (id) => document.getElementById(id)?.textContent;
 const unpack = (stream) => stream.pipeThrough(new DecompressionStream("gzip"));
 
-// The page in one file carries the module as text; a page in a folder has it beside it.
+// The page in one file carries the module as text; a page in a folder has it beside it, and keeps it for visits without a
+// network where the browser can.
 async function packed() {
   const text = inline("engine-module");
   if (text) return new Blob([Uint8Array.from(atob(text.trim()), (c) => c.charCodeAt(0))]).stream();
+  if (location.protocol.startsWith("http")) navigator.serviceWorker?.register(new URL("service_worker.js", document.baseURI)).catch(() => {});
   return (await fetch(new URL("engine/engine.wasm.gz", document.baseURI))).body;
 }
 

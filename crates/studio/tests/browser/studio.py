@@ -70,11 +70,11 @@ def fresh(route):
     path = route.request.url.split("?")[0]
     name = re.sub(r"^http://[^/]+/([0-9a-f]{16,}/)?", "", path)
     file = Path(FRESH) / (name or "index.html")
-    if name == "start.json":
+    if name == "start":
         answer = route.fetch()
         start = answer.json()
         for tag, words in start["words"].items():
-            text = (Path(FRESH).parent / "src" / "words" / f"{tag}.ftl").read_text()
+            text = (Path(FRESH).parents[1] / "engine" / "src" / "words" / f"{tag}.ftl").read_text()
             words.update({k: re.sub(r"{ \$(\w+) }", r"{\1}", v) for k, v in re.findall(r"^(studio-[\w-]+) = (.*)$", text, re.M)})
         route.fulfill(response=answer, json=start)
     elif not name:

@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+"""The page as static files and as one file.
+
+    python3 web/page.py ENGINE.wasm ESBUILD OUT
+"""
+
+import base64
+import gzip
+import hashlib
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGE = ROOT / "crates" / "studio" / "page"
+# The report's script of a moving cam, which the page has too.
+MOTION = ROOT / "crates" / "output" / "src" / "report" / "motion.js"
+# A page in one file reaches nothing but itself.
+POLICY = (
+    "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:; style-src 'unsafe-inline'; "
+    "img-src data: blob:; connect-src data: blob:"
+)
+
+
+def bundle(esbuild, out):
+    """All modules of the page as one."""
+    with tempfile.TemporaryDirectory() as folder:
+        page = Path(folder) / "page"
+        shutil.copytree(PAGE, page)
+        shutil.copy(MOTION, page / "core" / "motion.js")
+        command = [esbuild, str(page / "app.js"), "--bundle", "--format=esm", "--minify", f"--outfile={out}", "--log-level=warning"]
+        subprocess.run(command, check=True)
+
+
+def index():
+    text = (PAGE / "index.html").read_text()
+    return text.replace("{language}", "en").replace("{engine}", "wasm")
+
+
+def inline(tag, text, **attributes):
+    given = "".join(f' {k}="{v}"' for k, v in attributes.items())
+    return f"<{tag}{given}>{text.replace(f'</{tag}', f'<\\/{tag}')}</{tag}>"
+
+
+def one_file(out, engine):
+    page = index().replace('<base href="{base}">', f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">')
+    for style in ["style.css", "panels.css"]:
+        link = f'<link rel="stylesheet" href="{style}">'
+        assert link in page, style
+        page = page.replace(link, inline("style", (out / style).read_text()))
+    script = '<script type="module" src="app.js"></script>'
+    assert script in page
+    page = page.replace(script, "")
+    own = 'window.gaitcamPage = "<!doctype html>" + document.documentElement.outerHTML;'
+    parts = [
+        "<!--packed-->",
+        inline("script", (out / "engine" / "worker.js").read_text(), type="text/plain", id="engine-worker"),
+        inline("script", base64.b64encode(engine).decode(), type="text/plain", id="engine-module"),
+        inline("script", (out / "app.js").read_text(), type="module"),
+        inline("script", own),
+    ]
+    assert "</body>" in page
+    return page.replace("</body>", "\n".join(parts) + "\n</body>")
+
+
+def service_worker(out, files):
+    """Keeps the files of this build, so that the page opens without a network after the first visit."""
+    version = hashlib.sha256(b"".join((out / file).read_bytes() for file in files)).hexdigest()[:16]
+    text = (ROOT / "web" / "service_worker.js").read_text()
+    list_ = ", ".join(f'"{file}"' for file in ["./", *files])
+    return text.replace("{version}", version).replace("{files}", list_)
+
+
+def main():
+    engine, esbuild, out = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+    shutil.rmtree(out, ignore_errors=True)
+    (out / "engine").mkdir(parents=True)
+    packed = gzip.compress(Path(engine).read_bytes(), 9, mtime=0)
+    (out / "engine" / "engine.wasm.gz").write_bytes(packed)
+    shutil.copy(PAGE / "engine" / "worker.js", out / "engine" / "worker.js")
+    bundle(esbuild, out / "app.js")
+    for style in ["style.css", "panels.css"]:
+        shutil.copy(PAGE / style, out / style)
+    (out / "index.html").write_text(index().replace("{base}", "./"))
+    files = ["app.js", "style.css", "panels.css", "engine/worker.js", "engine/engine.wasm.gz"]
+    (out / "service_worker.js").write_text(service_worker(out, files))
+    (out / "gaitcam.html").write_text(one_file(out, packed))
+    for file in ["index.html", *files, "gaitcam.html"]:
+        size = (out / file).stat().st_size
+        print(f"{size / 1e3:9.1f} kB  {len(gzip.compress((out / file).read_bytes())) / 1e3:8.1f} kB packed  {file}")
+
+
+if __name__ == "__main__":
+    main()

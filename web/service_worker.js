@@ -1,0 +1,18 @@
+// Keeps this build of the page: it opens without a network after the first visit, and a new build takes its place whole.
+
+const CACHE = "gaitcam-{version}";
+const FILES = [{files}];
+
+addEventListener("install", (event) => {
+  event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES)).then(() => skipWaiting()));
+});
+
+addEventListener("activate", (event) => {
+  const old = (names) => Promise.all(names.filter((name) => name.startsWith("gaitcam-") && name !== CACHE).map((name) => caches.delete(name)));
+  event.waitUntil(caches.keys().then(old).then(() => clients.claim()));
+});
+
+addEventListener("fetch", (event) => {
+  const own = () => caches.match(event.request, { ignoreSearch: true });
+  event.respondWith(own().then((found) => found ?? fetch(event.request)));
+});
