@@ -8,6 +8,7 @@ cd "$(dirname "$0")/.."
 web=$PWD/target/web
 tools=$web/toolchain
 mkdir -p "$web"
+rm -rf web/dist
 
 missing() { echo "the page with its engine: SKIPPED, $1"; exit 0; }
 command -v node > /dev/null && command -v npm > /dev/null || missing "no Node.js (install nodejs and npm)"

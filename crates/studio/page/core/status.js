@@ -63,7 +63,7 @@ function line(change) {
     fault.help ? make("span", { class: "help" }, ` – ${fault.help}`) : null));
   const button = (text, action) => make("button", { type: "button", onclick: action }, text);
   for (const [text, action] of remedies(fault)) box.append(button(text, action));
-  if (fault.key === "gait.file" || fault.code?.endsWith("cannot-read")) box.append(button(t("studio-to-force"), () => view.tab("force")));
+  if (fault.key === "gait.file" || /(cannot-read|not-dropped)$/.test(fault.code)) box.append(button(t("studio-to-force"), () => view.tab("force")));
   return box;
 }
 

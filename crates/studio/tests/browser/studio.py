@@ -5,7 +5,11 @@ import re
 import signal
 import subprocess
 import tempfile
+import threading
 import time
+import unittest
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 from playwright.sync_api import TimeoutError, sync_playwright
@@ -18,7 +22,32 @@ PATIENCE = 30.0
 FRESH = os.environ.get("GAITCAM_PAGE")
 
 
-class Server:
+# The static files of the page with its engine inside: the tests run on these where they are named.
+DIST = os.environ.get("GAITCAM_DIST")
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+class Static:
+    """Any web server with the static files. What needs a folder or a server of its own is skipped."""
+
+    def __init__(self, port=0):
+        self.server = ThreadingHTTPServer(("127.0.0.1", port), partial(Quiet, directory=DIST))
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+        self.url = f"http://127.0.0.1:{self.server.server_address[1]}/"
+
+    def kill(self):
+        self.server.shutdown()
+        self.server.server_close()
+
+    def __getattr__(self, name):
+        raise unittest.SkipTest(f"static files have no {name}")
+
+
+class Native:
     """`gaitcam studio` on a folder of its own."""
 
     def __init__(self, port=0):
@@ -43,6 +72,9 @@ class Server:
         code = self.process.wait(timeout=10)
         self.process.stdout.close()
         return code
+
+
+Server = Static if DIST else Native
 
 
 class Browser:
