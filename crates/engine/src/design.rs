@@ -35,6 +35,10 @@ pub struct Ask {
     /// By what the contour is coloured.
     #[serde(default)]
     pub colour: Colour,
+    /// The hand is moving: a cheaper answer would do. Every answer is the whole one so far.
+    #[serde(default)]
+    #[allow(dead_code)]
+    quick: bool,
 }
 
 /// Everything that the page shows of a design.
