@@ -137,7 +137,10 @@ fn opened(path: Option<&Path>) -> Result<(Folder, Start)> {
 /// Length of the head of a request at the start of `bytes`, where there is a whole one that this server takes: what
 /// fuzzing feeds with the bytes of strangers.
 pub fn head_length(bytes: &[u8]) -> Option<usize> {
-    http::Head::read(bytes).ok().flatten().map(|(_, length)| length)
+    http::Head::read(bytes)
+        .ok()
+        .flatten()
+        .map(|(_, length)| length)
 }
 
 /// Locks; a thread that panicked has left nothing half done here.

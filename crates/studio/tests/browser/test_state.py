@@ -268,7 +268,7 @@ class State(unittest.TestCase):
             self.assertEqual(len(set(seen["tops"])), 1, set(seen["tops"]))
 
     def test_no_placeholder_of_a_text_reaches_the_page(self):
-        start = json.loads(self.page().page.evaluate("fetch('start.json').then((r) => r.text())"))
+        start = json.loads(self.page().page.evaluate("fetch('start', {method: 'POST', body: '{}'}).then((r) => r.text())"))
         for tag, words in start["words"].items():
             for key, text in words.items():
                 self.assertNotIn("{$", text.replace(" ", ""), f"{tag} {key}")
