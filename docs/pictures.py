@@ -29,7 +29,10 @@ PICTURES = {
     },
     ("limits", "limites"): {"stroke": "out/footbridge-front/front.svg"},
     ("no-cam", "sin-leva"): {"force": "out/short/force.svg"},
-    ("run", "marcha"): {"run": "out/fast/report.html#run"},
+    ("run", "marcha"): {
+        "run": "out/fast/report.html#run",
+        "speeds": "out/footbridge_speeds/speeds.svg",
+    },
     ("sweeps", None): {"heat": "out/grid/heat.svg", "front": "out/grid/front.svg"},
     ("workshop", None): {"profile": "out/shop/profile.svg"},
     ("teachers", None): {"svaj": "out/camdas_09_eight_motions/svaj.svg"},
