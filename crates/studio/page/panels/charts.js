@@ -131,7 +131,7 @@ export function table() {
     const chart = charts.get($("charts").firstElementChild.dataset.chart);
     const { lines, rows } = handles.table(chart, body);
     const head = make("tr", {}, make("th", { scope: "col" }, `θ, ${chart.curves.unit}`), ...lines.map((l) => make("th", { scope: "col" }, `${t(`studio-line-${l.role}`)}, ${chart.panel.unit}`)));
-    const row = ([theta, ...values]) => make("tr", { "data-theta": theta }, make("th", { scope: "row" }, number(theta, 4)), ...values.map((y) => make("td", { class: "n" }, number(y))));
+    const row = ([theta, ...values]) => make("tr", { "data-theta": theta }, make("th", { scope: "row" }, String(Number(theta.toFixed(2)))), ...values.map((y) => make("td", { class: "n" }, number(y))));
     const there = make("input", { type: "text", id: "go-to", size: 6, inputmode: "decimal", oninput: () => {
       const theta = parseFloat(there.value.replace(",", "."));
       const found = [...body.querySelectorAll("[data-theta]")].find((e) => Number(e.dataset.theta) >= theta - 1e-9);

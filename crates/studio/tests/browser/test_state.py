@@ -132,10 +132,12 @@ class State(unittest.TestCase):
         self.assertTrue(before)
 
     def test_a_refused_value_dims_the_picture_and_is_neither_saved_nor_exported(self):
-        page = self.page()
-        self.refuses(page, "limits.curvature", "5 kg")
-        self.assertEqual(page.page.inner_text("#verdict-name"), "–")
-        page.until("it is dimmed", lambda: float(page.page.eval_on_selector(".view", "e => getComputedStyle(e).opacity")) < 0.5)
+        for width in (390, 1400):
+            page = self.page(width=width)
+            self.refuses(page, "limits.curvature", "5 kg")
+            self.assertEqual(page.page.inner_text("#verdict-name"), "–")
+            for selector in ("#stage", "#charts", "#figures"):
+                page.until("it is dimmed", lambda: float(page.page.eval_on_selector(selector, "e => getComputedStyle(e).opacity")) < 0.5)
         page.sets("limits.stroke", "61 mm")
         page.page.click("#open-save")
         self.assertIn("limits.curvature", page.page.inner_text("#save-refused"))
