@@ -6,6 +6,7 @@ import { engine, Fault } from "./core/net.js";
 import * as versions from "./core/versions.js";
 import * as designs from "./core/designs.js";
 import * as autosave from "./core/autosave.js";
+import * as units from "./core/units.js";
 import * as status from "./core/status.js";
 import { unpack } from "./core/packing.js";
 import * as form from "./panels/form.js";
@@ -133,6 +134,7 @@ async function first(start) {
 
 async function boot() {
   view.theme();
+  units.load();
   const start = await engine.ask("start", {});
   words.load(start.words);
   let tag = document.documentElement.lang;
@@ -156,6 +158,7 @@ async function boot() {
   designs.on({ show, state, working, lost: status.lost, colour: stage.chosen });
   autosave.load();
   words.onLanguage(() => designs.ask());
+  units.watch(() => designs.ask());
   window.addEventListener("hashchange", async () => {
     const other = await unpack(location.hash);
     if (other && other.scene !== versions.now().scene) openScene(other.scene, other);

@@ -123,6 +123,7 @@ studio-colour-hertz = Hertz pressure
 studio-colour-undefined = Not defined for this design.
 
 # Diagrams.
+studio-units = lengths in
 studio-show = Show
 studio-present = Presenting: large type, one diagram and the cam
 studio-enlarge = Show this diagram large

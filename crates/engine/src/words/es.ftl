@@ -123,6 +123,7 @@ studio-colour-hertz = presión de Hertz
 studio-colour-undefined = No definido para este diseño.
 
 # Diagramas.
+studio-units = longitudes en
 studio-show = Mostrar
 studio-present = Presentación: letra grande, un diagrama y la leva
 studio-enlarge = Mostrar este diagrama en grande

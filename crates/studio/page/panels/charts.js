@@ -7,6 +7,7 @@ import { dialog } from "../core/view.js";
 import { t, number, onLanguage } from "../core/words.js";
 import { label } from "./form.js";
 import * as hand from "./hand.js";
+import * as units from "../core/units.js";
 import * as handles from "./handles.js";
 
 const GHOST = 1500;
@@ -25,11 +26,13 @@ export function load(onEdit) {
   try { hidden = new Set(JSON.parse(localStorage.getItem("gaitcam-hidden") ?? "[]")); } catch { /* private windows keep nothing */ }
   clock.onAngle(() => { for (const chart of charts.values()) chart.follow(); });
   onLanguage(again);
+  units.watch(again);
 }
 
-export function show(curves, next = fields) {
-  shown = curves;
+export function show(raw, next = fields) {
+  shown = raw;
   fields = next;
+  const curves = { ...raw, panels: raw.panels.map(units.panel) };
   const ids = curves.panels.map((p) => p.id);
   for (const [id, chart] of charts) {
     if (ids.includes(id)) continue;
@@ -55,7 +58,7 @@ export function show(curves, next = fields) {
 const usual = ({ panels }) => (panels[0].lines.some((l) => l.role === "target") ? "force" : "s");
 
 const under = (panel, list) => list.flatMap(({ curves, colour }) => {
-  const same = curves.panels.find((p) => p.id === panel.id && p.unit === panel.unit);
+  const same = curves.panels.map((p) => (p.id === panel.id ? units.panel(p) : null)).find((p) => p?.unit === panel.unit);
   return same ? [{ curves, panel: same, colour }] : [];
 });
 

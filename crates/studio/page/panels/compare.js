@@ -8,6 +8,7 @@ import * as blobs from "../core/blobs.js";
 import * as designs from "../core/designs.js";
 import * as versions from "../core/versions.js";
 import { label } from "./form.js";
+import * as units from "../core/units.js";
 import * as stage from "./stage.js";
 import * as charts from "./charts.js";
 
@@ -90,7 +91,7 @@ function table() {
     p.present ? null : make("span", { class: "acts" },
       make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-take")} ${i}`, title: t("studio-slate-take"), onclick: () => openScene(p.scene, { files: p.files, hand: p.hand, recording: p.recording }) }, "↩"),
       make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-drop")} ${i}`, title: t("studio-slate-drop"), onclick: () => { versions.setPins(versions.history().pins.filter((q) => q !== p)); overlay(); } }, "×"))));
-  const body = start.figures.filter(([name]) => ROWS.includes(name)).map(([name, [unit, factor]]) => make("tr", {}, make("th", { scope: "row" }, t(`studio-number-${name}`), make("small", {}, ` ${unit}`)),
+  const body = start.figures.filter(([name]) => ROWS.includes(name)).map(([name, [of, plain]]) => [name, units.unit(of)[0], plain * units.unit(of)[1]]).map(([name, unit, factor]) => make("tr", {}, make("th", { scope: "row" }, t(`studio-number-${name}`), make("small", {}, ` ${unit}`)),
     ...all.map((p) => make("td", { class: "n" }, number(p.numbers[name] === null || p.numbers[name] === undefined ? null : factor * p.numbers[name])))));
   const verdicts = make("tr", {}, make("th", { scope: "row" }, t("studio-verdict")), ...all.map((p) => make("td", { class: `n ${p.verdict}` }, t(`studio-verdict-${p.verdict}`))));
   const inputs = differing(all).map(([key, values]) => make("tr", { class: "input" }, make("th", { scope: "row" }, label(key)), ...values.map((v) => make("td", { class: "n" }, v))));

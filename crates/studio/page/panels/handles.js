@@ -32,9 +32,12 @@ export const rounded = (x) => Number(x.toPrecision(3));
 export function levels({ id, levels: drawn, lines, unit }, fields) {
   if (id !== "s") return drawn;
   const [, number, of] = /^([\d.eE+-]+) ?(.*)$/.exec(fields["limits.stroke"]?.text ?? "") ?? [];
-  if (number === undefined || of !== written(unit)) return drawn;
+  // Of lengths both are known in millimetres.
+  const size = { mm: 1, in: 25.4 };
+  const factor = of === written(unit) ? 1 : size[of] / size[unit];
+  if (number === undefined || !Number.isFinite(factor)) return drawn;
   const low = Math.min(...lines[0].y.filter((y) => y !== null));
-  return [...drawn, low + Number(number)];
+  return [...drawn, low + factor * Number(number)];
 }
 
 // Draws the limit lines of a chart; each is a slider that is also moved by the arrow keys.

@@ -5,6 +5,7 @@ import { t, language, choose, onLanguage } from "../core/words.js";
 import * as versions from "../core/versions.js";
 import * as designs from "../core/designs.js";
 import * as autosave from "../core/autosave.js";
+import * as units from "../core/units.js";
 import * as gallery from "./gallery.js";
 import * as exports from "./exports.js";
 import * as files from "./files.js";
@@ -39,6 +40,8 @@ export function load({ start, move, openScene }) {
   $("choose-diagrams").addEventListener("click", charts.choose);
   $("show-table").addEventListener("click", charts.table);
   presenting();
+  $("units").value = units.name();
+  $("units").addEventListener("change", () => units.choose($("units").value));
   $("notice-close").addEventListener("click", () => notice(""));
   welcome();
 }

@@ -3,6 +3,7 @@
 import { $, make, say, clear } from "../core/dom.js";
 import { t, language, local } from "../core/words.js";
 import { engine } from "../core/net.js";
+import * as units from "../core/units.js";
 import * as blobs from "../core/blobs.js";
 import * as designs from "../core/designs.js";
 
@@ -31,7 +32,7 @@ export function show(answer) {
 // Fills a box anew where what it shows has changed.
 const filled = new Map();
 function renewed(box, content, fill) {
-  const seen = JSON.stringify([language(), content]);
+  const seen = JSON.stringify([language(), units.name(), content]);
   if (filled.get(box.id) === seen) return;
   filled.set(box.id, seen);
   fill();
@@ -43,8 +44,8 @@ function figures({ figures: list }) {
     make("div", {}, make("dt", {}, name), make("dd", {}, make("span", {}), more ? make("small", {}) : null)))));
   list.forEach(({ value, more }, i) => {
     const [text, small] = $("figures").children[i].lastChild.children;
-    say(text, value);
-    if (small) say(small, more);
+    say(text, units.text(value));
+    if (small) say(small, units.text(more));
   });
 }
 
@@ -102,7 +103,7 @@ function limits(answer) {
     box.append(make("table", {}, make("thead", {}, make("tr", {},
       ...["limit", "eased", "objective"].map((k) => make("th", { scope: "col" }, t(`studio-active-${k}`))))),
     make("tbody", {}, ...answer.easing.slice(0, 6).map((e) => make("tr", {}, make("th", { scope: "row" }, e.name),
-      make("td", {}, local(`${e.from} → ${e.to}`)), make("td", {}, `${e.objective}: ${e.before} → ${e.after}`))))));
+      make("td", {}, units.text(local(`${e.from} → ${e.to}`))), make("td", {}, units.text(`${e.objective}: ${e.before} → ${e.after}`)))))));
   } else {
     box.append(make("p", {}, answer.active.length > 0 ? answer.active.join(" · ") : t("studio-active-none")));
   }
@@ -117,6 +118,6 @@ function tables(answer) {
   clearTimeout(resting);
   resting = setTimeout(() => {
     const { checks, active, data, solution } = answer.tables;
-    $("tables").innerHTML = `<div>${checks}${active}</div><div>${data}${solution}</div>`;
+    $("tables").innerHTML = units.text(`<div>${checks}${active}</div><div>${data}${solution}</div>`);
   }, 150);
 }

@@ -215,6 +215,23 @@ class Direct(unittest.TestCase):
         self.assertEqual(page.page.input_value('[name="law.segment.3.lift"]'), "-12 mm")
         self.assertNotEqual(page.verdict(), "pending")
 
+    def test_lengths_are_shown_in_inches_everywhere_and_the_scene_keeps_its_own(self):
+        page = self.page()
+        stroke = float(page.page.locator("#figures dd").nth(2).inner_text().split()[0])
+        page.page.click(".menu summary")
+        page.does(lambda: page.page.select_option("#units", "in"))
+        number, unit = page.page.locator("#figures dd").nth(2).inner_text().split()
+        self.assertEqual(unit, "in")
+        self.assertAlmostEqual(float(number), stroke / 25.4, delta=6e-4)
+        self.assertRegex(page.page.inner_text(".chart.s h2"), "in$")
+        self.assertRegex(page.page.inner_text(".chart.a h2"), "in/s²$")
+        page.page.wait_for_timeout(300)
+        for selector in ("#figures", "#tables", "#charts"):
+            self.assertNotRegex(page.page.inner_text(selector), r"\d\s*(mm|m/s)")
+        self.assertEqual(page.value("limits.stroke"), "60 mm")
+        page.does(lambda: page.page.select_option("#units", "mm"))
+        self.assertIn("mm", page.page.locator("#figures dd").nth(2).inner_text())
+
     def test_a_dialog_opens_at_its_top(self):
         page = self.page()
         page.page.click("#open-scenes")
