@@ -62,6 +62,8 @@ pub struct Answer {
     tables: Tables,
     numbers: Value,
     continuity: Continuity,
+    /// The class that CAM-DAS gives the law.
+    cam_das: &'static str,
     drawing: String,
     motion: Motion,
     /// Names of the files that it has, by group.
@@ -224,6 +226,7 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
         tables: parts::tables(design, kept.time, language),
         numbers: numbers(kept),
         continuity: Continuity::of(&design.cam),
+        cam_das: design.cam.cam_das_class().name(),
         drawing: parts::drawing(design, language),
         motion: parts::motion(design),
         exports: exports(design),

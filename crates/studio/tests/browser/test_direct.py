@@ -5,7 +5,10 @@ import unittest
 import zipfile
 from pathlib import Path
 
-from studio import Browser, Server
+from studio import ROOT, Browser, Server
+
+SHARED = [folder / "shared" / "data" / "gait" for folder in (ROOT.parent, ROOT.parent.parent)]
+RUNNING = next((f for f in SHARED if f.is_dir()), SHARED[0]) / "opensim" / "grf_run.mot"
 
 
 class Direct(unittest.TestCase):
@@ -231,6 +234,21 @@ class Direct(unittest.TestCase):
         self.assertEqual(page.value("limits.stroke"), "60 mm")
         page.does(lambda: page.page.select_option("#units", "mm"))
         self.assertIn("mm", page.page.locator("#figures dd").nth(2).inner_text())
+
+    def test_a_running_recording_is_taken_by_the_button_that_its_fault_offers(self):
+        if not RUNNING.is_file():
+            self.skipTest(f"{RUNNING} is not there")
+        page = self.page()
+        page.sets("limits.stroke", "")
+        page.page.click("#tab-force")
+        page.page.set_input_files("#pick-file", RUNNING)
+        page.until("the fault offers it", lambda: page.page.locator("#fault button", has_text="running").count() == 1)
+        self.assertEqual(page.verdict(), "pending")
+        page.does(lambda: page.page.locator("#fault button", has_text="running").click())
+        self.assertEqual(page.value("gait.kind"), "running")
+        self.assertEqual(page.value("gait.file"), RUNNING.name)
+        self.assertFalse(page.page.is_visible("#fault"))
+        self.assertFalse(page.page.is_visible("#notice"))
 
     def test_a_dialog_opens_at_its_top(self):
         page = self.page()
