@@ -9,6 +9,7 @@ pub(crate) mod motor;
 mod outline;
 pub(crate) mod peers;
 pub(crate) mod pictures;
+pub(crate) mod ripple;
 mod running;
 mod smoothing;
 

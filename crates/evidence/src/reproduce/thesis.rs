@@ -1,7 +1,7 @@
 //! Campillo de Blas (2017): eccentric and double-harmonic cams, motor table (theory §3).
 
 use super::Value;
-use crate::experiment::motor;
+use crate::experiment::{motor, ripple};
 use crate::thesis;
 use gaitcam::cam::Cam;
 use gaitcam::error::Result;
@@ -33,7 +33,29 @@ pub(super) fn values() -> Result<Vec<Value>> {
     values.extend([high.value, low.value, 100.0 * width, sliding(&double)]);
     let mut values: Vec<Value> = values.into_iter().map(Value::from).collect();
     values.extend(motor_values()?);
+    values.extend(ripple_values(&double)?);
     Ok(values)
+}
+
+/// Friction torque of a cam that slips under its block with μ = 0.1: μ M g (Rb + mean lift), N·m.
+const SLIPPING: f64 = 0.034;
+
+/// Whether a motor that does not hold its speed explains the unequal stretches that were measured.
+fn ripple_values(cam: &Cam) -> Result<[Value; 7]> {
+    let constant = ripple::turn(cam, 1e4)?;
+    let soft = ripple::as_measured(cam)?;
+    let drag = ripple::largest_drag();
+    let allowed = ripple::turn(cam, SLIPPING / drag)?;
+    let [begin, end] = soft.second.map(|angle| format!("{angle:.0}"));
+    Ok([
+        constant.first_end.into(),
+        Value::with(constant.second[0], begin),
+        Value::with(constant.second[1], end),
+        Value::with(100.0 * soft.ripple, format!("{:.4}", soft.slope)),
+        (soft.largest[1] / soft.largest[0]).into(),
+        Value::with(soft.slope * drag, format!("{drag:.3}")),
+        Value::with(100.0 * allowed.ripple, format!("{:.1}", allowed.first_end)),
+    ])
 }
 
 /// The table of motor power against the time for 11.1 turns: the better fit, and that of Campillo de Blas (2017),
