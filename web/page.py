@@ -41,7 +41,8 @@ def index():
 
 def inline(tag, text, **attributes):
     given = "".join(f' {k}="{v}"' for k, v in attributes.items())
-    return f"<{tag}{given}>{text.replace(f'</{tag}', f'<\\/{tag}')}</{tag}>"
+    text = text.replace(f"</{tag}", f"<\\/{tag}")
+    return f"<{tag}{given}>{text}</{tag}>"
 
 
 def one_file(out, engine):
