@@ -12,6 +12,7 @@ const LONG = 100;
 const REST = 250;
 let slow = false;
 let whole = true;
+let refining = false;
 let running = null;
 let waiting = null;
 let shown = null;
@@ -35,6 +36,8 @@ export function isCurrent() {
 // Asks for the design of the present version. `since` is when the input came.
 export function ask(since = performance.now()) {
   clearTimeout(retry);
+  // A whole design of a value that is moved on is of no use.
+  if (running && refining) stop();
   whole = false;
   if (running) waiting = since;
   else run(since);
@@ -62,6 +65,7 @@ export function cancel() {
 
 async function run(since) {
   const quick = slow && !whole && versions.now().gesture !== null;
+  refining = whole && slow;
   const control = new AbortController();
   running = control;
   const v = versions.now();
