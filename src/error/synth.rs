@@ -50,10 +50,6 @@ pub enum SynthError {
     SizeFixed,
     /// The rounds between law and speed of the shaft do not contract.
     ShaftDiverges { ripple: Quantity, contraction: f64 },
-    /// The limit has no form at varying speed.
-    LimitOnShaft,
-    /// The limit has no form on a moving floor.
-    LimitOnFloor,
     /// No law even without the limits; a [`Reason`](crate::synth::Reason) as it serialises.
     /// No law exists, with the reason as data.
     NoLaw { reason: Value },

@@ -90,6 +90,12 @@ pub enum Note {
         shaft: Quantity,
         torque: Quantity,
     },
+    /// Under its motor the cam misses the accuracy, which a larger inertia would meet.
+    InertiaForAccuracy {
+        error: Quantity,
+        allowed: Quantity,
+        inertia: Quantity,
+    },
     /// The size keeps the usual pressure angle.
     UsualPressureAngle { angle: Quantity },
     /// The cam is cut for a follower that gives.

@@ -7,45 +7,89 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use super::{Problem, Target, piecewise};
+use super::{Problem, Target};
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 
-/// What a varying speed makes of a problem, by the cam angle.
+/// What a varying speed, or a floor that moves, adds by the cam angle.
 ///
 /// ```
+/// use gaitcam::problem::Extra;
 /// use gaitcam::{Problem, scene};
 ///
 /// // At 10 N more than at the mean speed the limits and the target of the force are 10 N less.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
 /// let phases: Vec<f64> = (0..360).map(|i| f64::from(i).to_radians()).collect();
-/// let on_shaft = problem.on_shaft(&phases, &[vec![10.0; 360], vec![0.0; 360], vec![0.0; 360]]);
+/// let ten = gaitcam::poly::PiecewisePoly::new(vec![0.0, std::f64::consts::TAU], 0, vec![10.0]);
+/// let on_shaft = problem.on_shaft(&phases, Extra::of_force(ten));
 /// let targets = [&problem, &on_shaft].map(|p| p.target.as_ref().unwrap().curve.at(1.0));
 /// assert!((targets[0] - targets[1] - 10.0).abs() < 1e-3);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug)]
-pub struct OnShaft {
+pub struct Extra {
     /// Δ, N.
-    pub extra: PiecewisePoly,
-    /// What is added to velocity and acceleration by time, m/s and m/s² (rad/s and rad/s²).
-    pub timed: [PiecewisePoly; 2],
+    pub force: PiecewisePoly,
+    /// What is added to velocity, acceleration and jerk by time, m/s, m/s², m/s³ (rad/s …); `None`: nothing, or it is not
+    /// asked for.
+    pub timed: [Option<PiecewisePoly>; 3],
+    /// Speed of the shaft, rad/s; `None`: constant.
+    pub speed: Option<PiecewisePoly>,
+}
+
+impl Extra {
+    /// A force alone, N.
+    pub fn of_force(force: PiecewisePoly) -> Extra {
+        Extra {
+            force,
+            timed: [None, None, None],
+            speed: None,
+        }
+    }
+}
+
+/// A problem's part of a varying speed.
+///
+/// ```
+/// use gaitcam::problem::Extra;
+/// use gaitcam::poly::PiecewisePoly;
+/// use gaitcam::{Problem, scene};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
+/// let two = PiecewisePoly::new(vec![0.0, std::f64::consts::TAU], 0, vec![2.0]);
+/// let later: Vec<f64> = (0..360).map(|i| f64::from(i + 90).to_radians()).collect();
+/// let shaft = problem.on_shaft(&later, Extra::of_force(two)).on_shaft.unwrap();
+/// let target = &problem.target.as_ref().unwrap().curve;
+/// assert!((shaft.target.at(0.0) - target.at(std::f64::consts::FRAC_PI_2)).abs() < 1e-3);
+/// assert_eq!(shaft.force_rate.eval(1.0), 0.0);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct OnShaft {
+    /// What is added.
+    pub extra: Extra,
+    /// dΔ/dθ, N/rad.
+    pub force_rate: PiecewisePoly,
     /// The target, N.
     pub target: ForceCurve,
 }
 
 impl Problem {
-    /// The same on a shaft that is at the parts `phases` of its period, rad, at equal cam angles, where the speed adds
-    /// the forces, N, velocities and accelerations `extra`.
+    /// The same on a shaft that is at the parts `phases` of its period, rad, at equal cam angles.
     #[must_use]
-    pub fn on_shaft(&self, phases: &[f64], extra: &[Vec<f64>; 3]) -> Problem {
-        let moved = |curve: &ForceCurve| -> Vec<f64> {
+    pub fn on_shaft(&self, phases: &[f64], extra: Extra) -> Problem {
+        let at_cam = |curve: &ForceCurve| -> Vec<f64> {
             phases.iter().map(|phase| curve.at(*phase)).collect()
         };
+        let step = TAU / phases.len() as f64;
+        let added: Vec<f64> = (0..phases.len())
+            .map(|i| extra.force.eval(step * i as f64))
+            .collect();
         let less = |curve: &ForceCurve| {
-            let forces = moved(curve).into_iter().zip(&extra[0]);
+            let forces = at_cam(curve).into_iter().zip(&added);
             curve.with_forces(forces.map(|(f, x)| f - x).collect())
         };
         let mut out = self.clone();
@@ -59,11 +103,10 @@ impl Problem {
             }
         }
         out.on_shaft = target.map(|curve| {
-            let shape = |i: usize| piecewise(&curve.with_forces(extra[i].clone()));
             Arc::new(OnShaft {
-                extra: shape(0),
-                timed: [shape(1), shape(2)],
-                target: curve.with_forces(moved(curve)),
+                force_rate: extra.force.derivative(),
+                extra,
+                target: curve.with_forces(at_cam(curve)),
             })
         });
         out
@@ -72,7 +115,7 @@ impl Problem {
     /// What speed and floor add to the force at a cam angle, N.
     pub fn extra_force(&self, theta: f64) -> f64 {
         let shaft = self.on_shaft.as_ref();
-        shaft.map_or(0.0, |shaft| shaft.extra.eval(theta.rem_euclid(TAU)))
+        shaft.map_or(0.0, |shaft| shaft.extra.force.eval(theta.rem_euclid(TAU)))
     }
 
     /// A target over time at the cam angles.
@@ -85,7 +128,7 @@ impl Problem {
         let own = self.drive.force_curve(law);
         match &self.on_shaft {
             None => own,
-            Some(shaft) => sum(&own, &shaft.extra),
+            Some(shaft) => sum(&own, &shaft.extra.force),
         }
     }
 
@@ -96,6 +139,12 @@ impl Problem {
             Some(_) => self.force_curve(law).extremes(),
         }
     }
+}
+
+/// Product of two curves with breaks of their own.
+pub fn product(own: &PiecewisePoly, other: &PiecewisePoly) -> PiecewisePoly {
+    let other = other.cut_at(own.breaks());
+    own.cut_at(other.breaks()).times(&other)
 }
 
 /// Sum of two curves with breaks of their own.

@@ -1,10 +1,10 @@
 //! The shaft as its motor turns it: speed over the turn, the supply that gives the mean speed, and what is left of it.
 //!
-//! In E = ω²/2 the motion is a first-order equation over the cam angle ([`turn`]); a falling motor line makes its map from
-//! turn to turn a contraction, whose fixed point Newton's method finds together with the no-load speed that gives the mean
-//! speed (theory §10).
+//! In E = ω²/2 the motion is a first-order equation over the cam angle ([`turn`]); its turn that repeats is found together
+//! with the no-load speed that gives the mean speed ([`steady`], theory §10).
 
 mod in_time;
+mod steady;
 mod turn;
 
 pub use in_time::{InTime, error_in_time};
@@ -18,19 +18,10 @@ use crate::drive::{Drive, Motor, TorqueLine};
 use crate::error::{DynamicsError, Result};
 use crate::law::Svaj;
 use crate::units::{Dimension, Quantity};
-use turn::Turn;
+use steady::{Stall, Steady};
 
-/// Newton iterations of the periodic turn at most; five are usual.
-const ROUNDS: usize = 60;
-/// Relative change of energy and no-load speed at which they are found.
-const SAME: f64 = 1e-10;
 /// A no-load speed or inertia that is proposed has this much more than is needed.
-const MARGIN: f64 = 1.01;
-/// Steps of a turn where only its existence is asked.
-const COARSE: usize = 96;
-/// Inertias are searched over this range, to this part.
-const LEAST_INERTIA: f64 = 1e-4;
-const INERTIA_PART: f64 = 0.01;
+const MARGIN: f64 = 1.02;
 
 /// The steady motion of the shaft.
 ///
@@ -81,61 +72,68 @@ pub struct Shaft {
     pub energy_balance: f64,
 }
 
-/// Speed and time over the turn at equal angles.
+/// The motion of the shaft over the turn.
 #[derive(Debug, Clone)]
 pub struct Motion {
-    /// ω, rad/s.
+    /// ω at equal angles, rad/s; empty until [`Motion::at_rows`].
     pub speed: Vec<f64>,
-    /// d(ω²/2)/dθ, the angular acceleration, rad/s².
+    /// d(ω²/2)/dθ there, the angular acceleration, rad/s².
     pub acceleration: Vec<f64>,
-    /// Time since the first angle, s.
+    /// Time there since the first angle, s.
     pub time: Vec<f64>,
     mean: f64,
     steady: Steady,
+    marks: Vec<Mark>,
+}
+
+/// The part of the period, rad, at an angle since the first, rad, with its derivatives by the angle; the second may jump.
+#[derive(Debug, Clone, Copy)]
+struct Mark {
+    angle: f64,
+    phase: f64,
+    rate: f64,
+    /// Before and after the angle.
+    bend: [f64; 2],
 }
 
 impl Motion {
     /// Contact force at the rows, N: F₀ + k s + c ω v + m (ω² a + ω ω′ v).
     pub fn forces(&self, drive: &Drive, nodes: &[Svaj]) -> Vec<f64> {
         let motion = self.speed.iter().zip(&self.acceleration);
-        let force = |(at, (w, rate)): (&Svaj, (&f64, &f64))| {
-            let still = drive.rest_force + drive.spring_rate * at.s + drive.damping * w * at.v;
-            still + drive.mass * (w * w * at.a + rate * at.v)
-        };
+        let force = |(at, (w, rate)): (&Svaj, (&f64, &f64))| force(drive, *at, *w, *rate);
         nodes.iter().zip(motion).map(force).collect()
     }
-}
 
-impl Motion {
+    /// The same with its values at equal angles.
+    #[must_use]
+    pub fn at_rows(mut self, count: usize) -> Motion {
+        for i in 0..count {
+            let angle = TAU * i as f64 / count as f64;
+            let [speed, acceleration, _] = self.speed_at(angle);
+            self.speed.push(speed);
+            self.acceleration.push(acceleration);
+            self.time.push(self.phase(angle)[0] / self.mean);
+        }
+        self
+    }
+
     /// Highest less lowest speed, part of the mean.
     pub fn ripple(&self) -> f64 {
-        let [min, max] = self.steady.turn.range.map(|e| (2.0 * e).sqrt());
+        let [min, max] = self.steady.range.map(|e| (2.0 * e).sqrt());
         (max - min) / self.mean
     }
 
-    /// Part of the period, rad, at an angle since the first, rad, with its derivatives by the angle.
-    pub fn phase(&self, angle: f64) -> [f64; 3] {
-        let n = self.speed.len();
-        let h = TAU / n as f64;
-        let x = angle / h;
-        let (turns, place) = (x.div_euclid(n as f64), x.rem_euclid(n as f64));
-        let i = (place as usize).min(n - 1);
-        let u = place - i as f64;
-        let at = |k: usize| {
-            let (w, rate) = (self.speed[k % n], self.acceleration[k % n]);
-            let from = if k == n {
-                TAU
-            } else {
-                self.mean * self.time[k]
-            };
-            [
-                from,
-                h * self.mean / w,
-                -h * h * self.mean * rate / (w * w * w),
-            ]
-        };
+    /// Part of the period, rad, at an angle since the first, rad, with its first three derivatives by the angle.
+    pub fn phase(&self, angle: f64) -> [f64; 4] {
+        let (turns, angle) = (angle.div_euclid(TAU), angle.rem_euclid(TAU));
+        let i = self.marks.partition_point(|m| m.angle <= angle);
+        let i = i.clamp(1, self.marks.len() - 1);
+        let (from, to) = (&self.marks[i - 1], &self.marks[i]);
+        let h = to.angle - from.angle;
+        let u = (angle - from.angle) / h;
         // Hermite's quintic.
-        let ([y, d, e], [z, f, g]) = (at(i), at(i + 1));
+        let scaled = |m: &Mark, side: usize| [m.phase, h * m.rate, h * h * m.bend[side]];
+        let ([y, d, e], [z, f, g]) = (scaled(from, 1), scaled(to, 0));
         let rise = z - y;
         let c = [
             10.0 * rise - 6.0 * d - 4.0 * f - 0.5 * (3.0 * e - g),
@@ -145,7 +143,43 @@ impl Motion {
         let value = y + u * (d + u * (0.5 * e + u * (c[0] + u * (c[1] + u * c[2]))));
         let slope = d + u * (e + u * (3.0 * c[0] + u * (4.0 * c[1] + u * 5.0 * c[2])));
         let bend = e + u * (6.0 * c[0] + u * (12.0 * c[1] + u * 20.0 * c[2]));
-        [TAU * turns + value, slope / h, bend / (h * h)]
+        let third = 6.0 * c[0] + u * (24.0 * c[1] + u * 60.0 * c[2]);
+        [
+            TAU * turns + value,
+            slope / h,
+            bend / (h * h),
+            third / (h * h * h),
+        ]
+    }
+
+    /// The cam angle since the first, rad, at a part of the period, rad.
+    pub fn angle(&self, phase: f64) -> f64 {
+        let (turns, phase) = (phase.div_euclid(TAU), phase.rem_euclid(TAU));
+        let i = self.marks.partition_point(|m| m.phase <= phase);
+        let i = i.clamp(1, self.marks.len() - 1);
+        let (from, to) = (&self.marks[i - 1], &self.marks[i]);
+        let part = (phase - from.phase) / (to.phase - from.phase);
+        let mut angle = from.angle + part * (to.angle - from.angle);
+        for _ in 0..3 {
+            let at = self.phase(angle);
+            angle -= (at[0] - phase) / at[1];
+        }
+        TAU * turns + angle
+    }
+
+    /// Speed, rad/s, its derivative by time, rad/s², and the derivative of that by the angle, rad/s², at an angle since the
+    /// first.
+    pub fn speed_at(&self, angle: f64) -> [f64; 3] {
+        let [_, rate, bend, third] = self.phase(angle);
+        let w = self.mean / rate;
+        let cube = w * w * w / self.mean;
+        let acceleration = -bend * cube;
+        let slope = acceleration / w;
+        [
+            w,
+            acceleration,
+            -third * cube - 3.0 * bend * w * w / self.mean * slope,
+        ]
     }
 
     /// Refuses a motor whose supply does not reach the no-load speed of this motion; `load` is what it carries.
@@ -165,7 +199,7 @@ impl Motion {
             },
             TorqueLine::Stall(_) | TorqueLine::Curve(_) => motor.clone(),
         };
-        let needed = Steady::find(load, &needed, self.mean).map(|s| s.no_load);
+        let needed = Steady::find(load, &needed, self.mean, None).map(|s| s.no_load);
         let needed = MARGIN * needed.unwrap_or(self.steady.no_load);
         let [nominal, needed, speed] = [motor.gear * nominal, motor.gear * needed, self.mean]
             .map(|w| Quantity::new(w, Dimension::AngularSpeed));
@@ -179,172 +213,82 @@ impl Motion {
 
     /// What is reported of it; `lowest` is the angle of the lowest lift.
     pub fn report(&self, load: &Load, motor: &Motor, lowest: f64) -> Shaft {
-        self.steady.report(load, motor, self.mean, lowest)
-    }
-}
-
-/// The periodic motion of a load under a motor at a mean speed, rad/s; `nodes` are the loads at its equal angles, and `near`
-/// is a motion not far from it, where one is known.
-///
-/// # Errors
-/// The shaft stops.
-pub fn periodic(
-    load: &Load,
-    nodes: &[Node],
-    motor: &Motor,
-    mean: f64,
-    near: Option<&Motion>,
-) -> Result<Motion> {
-    let start = near.map(|m| [m.steady.turn.energy[0], m.steady.no_load]);
-    let near = start.and_then(|start| Steady::near(load, motor, mean, start));
-    let Some(steady) = near.or_else(|| Steady::find(load, motor, mean)) else {
-        return Err(stalls(&load.every(COARSE), motor, mean).into());
-    };
-    let (energy, time) = load.at_rows(&steady.turn);
-    let rate = |(node, e): (&Node, &f64)| node.rate(motor, steady.no_load, *e)[0];
-    Ok(Motion {
-        acceleration: nodes.iter().zip(&energy).map(rate).collect(),
-        speed: energy.iter().map(|e| (2.0 * e).sqrt()).collect(),
-        time,
-        mean,
-        steady,
-    })
-}
-
-/// The message for a shaft that stops, with an inertia that would do.
-fn stalls(load: &Load, motor: &Motor, speed: f64) -> DynamicsError {
-    let doing = (1..=40)
-        .map(|k| motor.inertia.max(1e-6) * f64::from(k).exp2())
-        .find(|j| Steady::find(load, &with_inertia(motor, *j), speed).is_some());
-    let inertia = |j: f64| Quantity::new(j, Dimension::Inertia);
-    match doing {
-        None => DynamicsError::StallsAnyway,
-        Some(high) => {
-            let least = between(load, motor, speed, [0.5 * high, high]);
-            DynamicsError::Stalls {
-                inertia: inertia(motor.inertia),
-                needed: inertia(least * MARGIN),
-            }
-        }
-    }
-}
-
-fn with_inertia(motor: &Motor, inertia: f64) -> Motor {
-    Motor {
-        inertia,
-        ..motor.clone()
-    }
-}
-
-/// Smallest inertia that keeps turning between one that does not and one that does.
-fn between(load: &Load, motor: &Motor, speed: f64, [mut low, mut high]: [f64; 2]) -> f64 {
-    while high > low * (1.0 + INERTIA_PART) {
-        let middle = (low * high).sqrt();
-        match Steady::find(load, &with_inertia(motor, middle), speed) {
-            Some(_) => high = middle,
-            None => low = middle,
-        }
-    }
-    high
-}
-
-/// A turn that repeats.
-#[derive(Debug, Clone)]
-struct Steady {
-    turn: Turn,
-    no_load: f64,
-}
-
-impl Steady {
-    /// The turn that ends as it begins and takes the time of the mean speed.
-    fn find(load: &Load, motor: &Motor, speed: f64) -> Option<Steady> {
-        if load.steps() > 2 * COARSE
-            && let Some(coarse) = Steady::find(&load.every(COARSE), motor, speed)
-        {
-            let start = [coarse.turn.energy[0], coarse.no_load];
-            return Steady::near(load, motor, speed, start);
-        }
-        let (mean, swing) = load.at_constant_speed(speed);
-        let mut no_load = motor.no_load_for(speed, mean + motor.friction);
-        let mut first = 0.5 * speed * speed;
-        let mut turn = load.turn(motor, no_load, first);
-        // A small wheel needs more energy at the hardest place than the mean speed gives.
-        for _ in 0..8 {
-            if turn.is_ok() {
-                break;
-            }
-            first += 0.25 * swing / motor.inertia;
-            no_load *= 1.05;
-            turn = load.turn(motor, no_load, first);
-        }
-        turn.ok()?;
-        Steady::near(load, motor, speed, [first, no_load])
-    }
-
-    /// The same by Newton's method from an energy at the first angle and a no-load speed.
-    fn near(load: &Load, motor: &Motor, speed: f64, start: [f64; 2]) -> Option<Steady> {
-        let [mut first, mut no_load] = start;
-        let mut turn = load.turn(motor, no_load, first).ok()?;
-        for _ in 0..ROUNDS {
-            let [end, time] = [&turn.energy, &turn.time].map(|v| v.last().copied().unwrap_or(0.0));
-            let off = [end - first, time - TAU / speed];
-            let [[a, c], [b, d]] = [[turn.by_first[0] - 1.0, turn.by_first[1]], turn.by_supply];
-            let determinant = a * d - b * c;
-            let step = [
-                (off[1] * b - off[0] * d) / determinant,
-                (off[0] * c - off[1] * a) / determinant,
-            ];
-            if step[0].abs() <= SAME * first && step[1].abs() <= SAME * no_load {
-                return Some(Steady { turn, no_load });
-            }
-            if !step.iter().all(|x| x.is_finite()) {
-                return None;
-            }
-            let mut part = (0.5 * first / step[0].abs())
-                .min(0.5 * no_load / step[1].abs())
-                .min(1.0);
-            loop {
-                let (e, p) = (first + part * step[0], no_load + part * step[1]);
-                if let Ok(next) = load.turn(motor, p, e) {
-                    (turn, first, no_load) = (next, e, p);
-                    break;
-                }
-                part *= 0.5;
-                if part < 1e-3 {
-                    return None;
-                }
-            }
-        }
-        None
-    }
-
-    fn report(&self, load: &Load, motor: &Motor, speed: f64, lowest: f64) -> Shaft {
-        let coarse = &load.every(COARSE);
-        let turn = &self.turn;
+        let turn = &self.steady;
         let [min, max] = turn.range.map(|e| (2.0 * e).sqrt());
-        let period = TAU / speed;
-        let wasted = motor.friction * TAU;
-        let swing = load.at_constant_speed(speed).1;
-        let balance = turn.motor_work - wasted - turn.load_work;
-        let least = LEAST_INERTIA * motor.inertia;
-        let runs = Steady::find(coarse, &with_inertia(motor, least), speed).is_some();
-        let stops = load.begun_at(lowest).turn(motor, self.no_load, 0.0).err();
+        let period = TAU / self.mean;
+        let balance = turn.motor_work - motor.friction * TAU - turn.load_work;
+        let swing = load.swing(self.mean);
+        let stops = load.stop_from_rest(motor, turn.no_load, lowest);
         Shaft {
-            mean: speed,
+            mean: self.mean,
             min,
             max,
-            ripple: (max - min) / speed,
-            no_load_speed: self.no_load,
+            ripple: self.ripple(),
+            no_load_speed: turn.no_load,
             inertia: motor.inertia,
             motor_torque_rms_n_m: motor.own_torque((turn.motor_square / period).sqrt()),
             motor_torque_max_n_m: motor.own_torque(turn.motor_peak),
             motor_power_mean_w: turn.motor_work / motor.efficiency / period,
             stops_at_rad: stops.map(|at| (at - lowest).rem_euclid(TAU)),
-            least_inertia_kg_m2: match runs {
-                true => 0.0,
-                false => between(coarse, motor, speed, [least, motor.inertia]),
-            },
+            least_inertia_kg_m2: turn.least_inertia(load, motor, self.mean),
             energy_balance: balance / swing.max(turn.motor_work.abs()).max(f64::MIN_POSITIVE),
         }
+    }
+}
+
+/// Contact force at a speed, rad/s, and its derivative by time, rad/s².
+pub fn force(drive: &Drive, at: Svaj, speed: f64, acceleration: f64) -> f64 {
+    let still = drive.rest_force + drive.spring_rate * at.s + drive.damping * speed * at.v;
+    still + drive.mass * (speed * speed * at.a + acceleration * at.v)
+}
+
+/// The periodic motion of a load under a motor at a mean speed, rad/s; `near` is a motion not far from it, where one is known.
+///
+/// # Errors
+/// The shaft stops.
+pub fn periodic(load: &Load, motor: &Motor, mean: f64, near: Option<&Motion>) -> Result<Motion> {
+    let steady = match Steady::find(load, motor, mean, near.map(|m| &m.steady)) {
+        Ok(steady) => steady,
+        Err(stall) => return Err(stalls(motor, stall).into()),
+    };
+    let start = load.steps[0].from;
+    let mark = |i: usize, before: usize, after: usize, angle: f64| {
+        let energy = steady.energy[i];
+        let rate = mean / (2.0 * energy).sqrt();
+        let bend = |step: usize, end: usize| {
+            let node = load.steps[step].ends[end];
+            let acceleration = node.rate(motor, steady.no_load, energy)[0];
+            -acceleration * rate.powi(3) / (mean * mean)
+        };
+        Mark {
+            angle,
+            phase: mean * steady.time[i],
+            rate,
+            bend: [bend(before, 1), bend(after, 0)],
+        }
+    };
+    let count = load.steps.len();
+    let first = |i: usize| mark(i, (i + count - 1) % count, i, load.steps[i].from - start);
+    let mut marks: Vec<Mark> = (0..count).map(first).collect();
+    marks.push(mark(count, count - 1, 0, TAU));
+    Ok(Motion {
+        speed: Vec::new(),
+        acceleration: Vec::new(),
+        time: Vec::new(),
+        mean,
+        steady,
+        marks,
+    })
+}
+
+/// The message for a shaft that stops, with an inertia that would do.
+fn stalls(motor: &Motor, stall: Stall) -> DynamicsError {
+    let inertia = |j: f64| Quantity::new(j, Dimension::Inertia);
+    match stall {
+        Stall::Anyway => DynamicsError::StallsAnyway,
+        Stall::Below(least) => DynamicsError::Stalls {
+            inertia: inertia(motor.inertia),
+            needed: inertia(least * MARGIN),
+        },
     }
 }

@@ -1,25 +1,30 @@
-//! One turn of a shaft whose speed varies: collocation of sixth order in E = ω²/2 over the cam angle.
+//! The load of a shaft whose speed varies, over one turn: what Newton's method ([`super::steady`]) and a start from rest need.
 //!
 //! (J + τ m v) E′ = T_motor(ω) − T_friction − τ (F₀ + k s + c ω v + 2 m a E), with ω = √(2E) and τ the torque of the shaft
-//! per unit of contact force (v without friction). Time is ∫ dθ/ω. The stages of a step are found by Newton's method, and
-//! their derivatives by the first energy and by the no-load speed go with them (theory §10).
-
-use nalgebra::{Matrix3, Vector3};
+//! per unit of contact force (v without friction), by collocation of sixth order in E = ω²/2 over the cam angle (theory §10).
 
 use crate::drive::{Drive, Motor};
 use crate::law::{Law, Svaj};
-use crate::poly::gauss_legendre;
 
 /// Newton iterations of a step at most; three are usual.
 const ROUNDS: usize = 30;
 /// Change of a stage, as part of the energy, at which its iteration ends.
-const SAME: f64 = 1e-11;
-/// Stages of a step.
-const STAGES: usize = 3;
+const SAME: f64 = 1e-9;
+/// Part of a step before its end: a law may jump there.
+const INSIDE: f64 = 1e-12;
+/// Stages of a step, their places and weights.
+pub const STAGES: usize = 3;
+pub const PLACES: [f64; STAGES] = {
+    let r = ROOT / 10.0;
+    [0.5 - r, 0.5, 0.5 + r]
+};
+pub const WEIGHTS: [f64; STAGES] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
+/// √15
+const ROOT: f64 = 3.872_983_346_207_417;
 
 /// Weights of the stages in the stages: the integrals of Lagrange's polynomials (Hairer, Nørsett and Wanner 1993, II.7).
-const INNER: [[f64; STAGES]; STAGES] = {
-    let r = 3.872_983_346_207_417; // √15
+pub const INNER: [[f64; STAGES]; STAGES] = {
+    let r = ROOT;
     [
         [5.0 / 36.0, 2.0 / 9.0 - r / 15.0, 5.0 / 36.0 - r / 30.0],
         [5.0 / 36.0 + r / 24.0, 2.0 / 9.0, 5.0 / 36.0 - r / 24.0],
@@ -54,10 +59,27 @@ impl Node {
         }
     }
 
+    /// A torque alone, N·m.
+    pub fn of_torque(torque: f64) -> Node {
+        Node {
+            arms: [1.0; 2],
+            rest: torque,
+            damping: 0.0,
+            bend: 0.0,
+            mass: 0.0,
+        }
+    }
+
     /// Contact force, N, for ω²/2 and its derivative by the angle.
     pub fn force(&self, energy: f64, rate: f64) -> f64 {
         let speed = (2.0 * energy).max(0.0).sqrt();
         self.rest + self.damping * speed + self.bend * energy + self.mass * rate
+    }
+
+    /// Torque of the load, N·m.
+    pub fn torque(&self, energy: f64, rate: f64) -> f64 {
+        let force = self.force(energy, rate);
+        self.arms[usize::from(force < 0.0)] * force
     }
 
     /// E′, and its derivatives by E and by the no-load speed.
@@ -79,20 +101,19 @@ impl Node {
     }
 }
 
-/// A step of the angle with the loads at its stages.
+/// A step of the angle with the loads at its ends, seen from inside, and at its stages.
 #[derive(Debug, Clone)]
-struct Step {
-    from: f64,
-    width: f64,
-    nodes: [Node; STAGES],
+pub struct Step {
+    pub from: f64,
+    pub width: f64,
+    pub ends: [Node; 2],
+    pub nodes: [Node; STAGES],
 }
 
 /// The load of a law over one turn.
 #[derive(Debug, Clone)]
 pub struct Load {
-    steps: Vec<Step>,
-    /// Steps that begin at the equal angles.
-    rows: Vec<usize>,
+    pub steps: Vec<Step>,
 }
 
 impl Load {
@@ -118,213 +139,163 @@ impl Load {
         marks.sort_by(f64::total_cmp);
         let least = 1e-9 * length;
         marks.dedup_by(|b, a| *b - *a < least);
-        let places = gauss_legendre(STAGES);
         let step = |ends: &[f64]| {
             let (from, width) = (ends[0], ends[1] - ends[0]);
-            let nodes = [0, 1, 2].map(|k| at(from + places[k].0 * width));
-            Step { from, width, nodes }
+            Step {
+                from,
+                width,
+                ends: [from, from + (1.0 - INSIDE) * width].map(at),
+                nodes: PLACES.map(|u| at(from + u * width)),
+            }
         };
         let steps: Vec<Step> = marks.windows(2).map(step).collect();
-        let row = |i: usize| {
-            let angle = start + length * i as f64 / equal as f64;
-            steps.partition_point(|s| s.from < angle - least)
-        };
-        let rows = (0..equal).map(row).collect();
-        Load { steps, rows }
+        Load { steps }
     }
 
-    /// Mean over the turn of the torque at a constant speed, N·m, and the range of its integral about it, J.
-    pub fn at_constant_speed(&self, speed: f64) -> (f64, f64) {
+    /// Mean over the turn of the torque at a constant speed, N·m, and the integral of the rest of it up to the end of every
+    /// step, J.
+    pub fn at_constant_speed(&self, speed: f64) -> (f64, Vec<f64>) {
         let energy = 0.5 * speed * speed;
-        let rule = gauss_legendre(STAGES);
         let (mut work, mut angle) = (0.0, 0.0);
         let mut marks = Vec::with_capacity(self.steps.len());
         for step in &self.steps {
-            for (node, (_, weight)) in step.nodes.iter().zip(&rule) {
-                let force = node.force(energy, 0.0);
-                let arm = node.arms[usize::from(force < 0.0)];
-                work += weight * step.width * arm * force;
+            for (node, weight) in step.nodes.iter().zip(WEIGHTS) {
+                work += weight * step.width * node.torque(energy, 0.0);
             }
             angle += step.width;
             marks.push((work, angle));
         }
         let mean = work / angle;
         let swings = marks.iter().map(|(work, angle)| work - mean * angle);
-        let (low, high) = swings.fold((0.0_f64, 0.0_f64), |(l, h), x| (l.min(x), h.max(x)));
-        (mean, high - low)
+        (mean, swings.collect())
     }
 
-    /// One turn from an energy; the angle at which the shaft stops where it does.
-    pub fn turn(&self, motor: &Motor, no_load: f64, first: f64) -> Result<Turn, f64> {
-        let mut turn = Turn {
-            energy: Vec::with_capacity(self.steps.len() + 1),
-            time: Vec::with_capacity(self.steps.len() + 1),
-            by_first: [1.0, 0.0],
-            by_supply: [0.0, 0.0],
-            motor_work: 0.0,
-            motor_square: 0.0,
-            load_work: 0.0,
-            range: [first, first],
-            motor_peak: 0.0,
-        };
-        turn.energy.push(first);
-        turn.time.push(0.0);
-        let mut rate = 0.0;
-        for step in &self.steps {
-            rate = turn.advance(step, motor, no_load, rate).ok_or(step.from)?;
+    /// The range of a shaft's energy at a constant speed, J.
+    pub fn swing(&self, speed: f64) -> f64 {
+        let works = self.at_constant_speed(speed).1.into_iter();
+        let (low, high) = works.fold((0.0_f64, 0.0_f64), |(l, h), x| (l.min(x), h.max(x)));
+        high - low
+    }
+
+    /// Range of the speed, part of its mean, and RMS change of the force, part of its mean, that a small swing of the speed
+    /// makes under a moment of inertia, kg·m²: J ω δω balances the load's work about its mean (theory §10).
+    pub fn forecast(&self, inertia: f64, speed: f64) -> (f64, f64) {
+        let (mean, works) = self.at_constant_speed(speed);
+        let scale = inertia * speed * speed;
+        let middle = works.iter().sum::<f64>() / works.len() as f64;
+        let (energy, mut turn, mut sum, mut square) = (0.5 * speed * speed, 0.0, 0.0, 0.0);
+        let mut before = 0.0;
+        for (step, work) in self.steps.iter().zip(&works) {
+            let node = &step.nodes[1];
+            let part = (0.5 * (before + work) - middle) / -scale;
+            let slope = (mean - node.torque(energy, 0.0)) / scale;
+            let by_speed = node.bend * speed * speed + node.damping * speed;
+            let change = by_speed * part + node.mass * speed * speed * slope;
+            square += step.width * change * change;
+            sum += step.width * node.force(energy, 0.0);
+            turn += step.width;
+            before = *work;
         }
-        Ok(turn)
-    }
-
-    /// Energy, rad²/s², and time, s, of a turn at the equal angles.
-    pub fn at_rows(&self, turn: &Turn) -> (Vec<f64>, Vec<f64>) {
-        let of = |values: &[f64]| self.rows.iter().map(|&i| values[i]).collect();
-        (of(&turn.energy), of(&turn.time))
-    }
-
-    /// Number of its steps.
-    pub fn steps(&self) -> usize {
-        self.steps.len()
+        let change = (square / turn).sqrt() / (sum / turn).abs();
+        (self.swing(speed) / scale, change)
     }
 
     /// The same load with its steps joined to about this many.
     pub fn every(&self, count: usize) -> Load {
         let at_once = (self.steps.len() / count).max(1);
+        if at_once == 1 {
+            return self.clone();
+        }
         let join = |steps: &[Step]| Step {
             from: steps[0].from,
             width: steps.iter().map(|s| s.width).sum(),
-            nodes: [0.1127, 0.5, 0.8873].map(|u| steps[(u * steps.len() as f64) as usize].nodes[1]),
+            ends: [steps[0].ends[0], steps[steps.len() - 1].ends[1]],
+            nodes: PLACES.map(|u| steps[(u * steps.len() as f64) as usize].nodes[1]),
         };
         Load {
             steps: self.steps.chunks(at_once).map(join).collect(),
-            rows: Vec::new(),
         }
     }
 
-    /// The same turn begun at the step nearest to an angle.
-    pub fn begun_at(&self, angle: f64) -> Load {
-        let first = self
-            .steps
-            .partition_point(|s| s.from + 0.5 * s.width < angle);
-        let mut steps = self.steps.clone();
-        let count = steps.len().max(1);
-        steps.rotate_left(first % count);
-        Load {
-            steps,
-            rows: Vec::new(),
-        }
-    }
-}
-
-/// A turn of the shaft.
-#[derive(Debug, Clone)]
-pub struct Turn {
-    /// ω²/2 at the ends of the steps, rad²/s².
-    pub energy: Vec<f64>,
-    /// Time there, s.
-    pub time: Vec<f64>,
-    /// Derivatives of the last energy and the last time by the first energy.
-    pub by_first: [f64; 2],
-    /// The same by the no-load speed.
-    pub by_supply: [f64; 2],
-    /// ∮ of the motor's torque at the camshaft, J.
-    pub motor_work: f64,
-    /// ∫ of its square over time, (N·m)²·s.
-    pub motor_square: f64,
-    /// ∮ of the load's torque, J.
-    pub load_work: f64,
-    /// Smallest and largest energy at ends and stages.
-    pub range: [f64; 2],
-    /// Largest absolute torque of the motor at the camshaft, N·m.
-    pub motor_peak: f64,
-}
-
-impl Turn {
-    /// One step; the rate at its last stage, or nothing where the shaft stops.
-    fn advance(&mut self, step: &Step, motor: &Motor, no_load: f64, before: f64) -> Option<f64> {
-        let first = *self.energy.last()?;
-        let h = step.width;
-        let mut stages = [0.1127, 0.5, 0.8873].map(|part| first + part * h * before);
-        if first == 0.0 {
-            // From rest the shaft moves if the motor starts it.
-            let start = step.nodes[0].rate(motor, no_load, 0.0)[0];
-            stages = [0.1, 0.5, 0.9].map(|part| part * h * start);
-        }
-        let mut rates = [[0.0; 3]; STAGES];
-        for round in 0..=ROUNDS {
-            if stages.iter().any(|e| e.is_nan() || *e <= 0.0) || round == ROUNDS {
-                return None;
-            }
-            for (k, rate) in rates.iter_mut().enumerate() {
-                *rate = step.nodes[k].rate(motor, no_load, stages[k]);
-            }
-            let residual = |i: usize| {
-                let sum: f64 = (0..STAGES).map(|k| INNER[i][k] * rates[k][0]).sum();
-                first + h * sum - stages[i]
+    /// The angle at which the shaft stops, rad, where it does not pass its first turn, from rest at the step nearest to
+    /// `angle`.
+    pub fn stop_from_rest(&self, motor: &Motor, no_load: f64, angle: f64) -> Option<f64> {
+        let middle = |s: &Step| s.from + 0.5 * s.width;
+        let begin = self.steps.partition_point(|s| middle(s) < angle) % self.steps.len().max(1);
+        let turn = self.steps[begin..].iter().chain(&self.steps[..begin]);
+        let (mut energy, mut rate) = (0.0, 0.0);
+        for step in turn {
+            let Some(next) = end_of(step, motor, no_load, energy, rate) else {
+                return Some(step.from);
             };
-            let change = inverse(h, &rates) * Vector3::new(residual(0), residual(1), residual(2));
-            let mut largest = 0.0_f64;
-            for (stage, d) in stages.iter_mut().zip(change.iter()) {
-                largest = largest.max(d.abs() / *stage);
-                *stage += d.max(-0.9 * *stage);
-            }
-            if largest < SAME {
-                break;
-            }
+            (energy, rate) = next;
         }
-        self.close(step, motor, no_load, &stages, &rates);
-        (*self.energy.last()? > 0.0).then_some(rates[STAGES - 1][0])
-    }
-
-    /// The end of a step from its stages.
-    fn close(
-        &mut self,
-        step: &Step,
-        motor: &Motor,
-        no_load: f64,
-        stages: &[f64; 3],
-        rates: &[[f64; 3]; 3],
-    ) {
-        let (h, rule) = (step.width, gauss_weights());
-        let inverse = inverse(h, rates);
-        let by_first = inverse * Vector3::repeat(self.by_first[0]);
-        let inner = |i: usize| (0..STAGES).map(|k| INNER[i][k] * rates[k][2]).sum::<f64>();
-        let by_supply = inverse * Vector3::from_fn(|i, _| self.by_supply[0] + h * inner(i));
-        let (mut energy, mut time) = (
-            self.energy[self.energy.len() - 1],
-            self.time[self.time.len() - 1],
-        );
-        for k in 0..STAGES {
-            let (w, speed) = (h * rule[k], (2.0 * stages[k]).sqrt());
-            energy += w * rates[k][0];
-            time += w / speed;
-            let slowing = -w / (speed * speed * speed);
-            self.by_first[0] += w * rates[k][1] * by_first[k];
-            self.by_first[1] += slowing * by_first[k];
-            self.by_supply[0] += w * (rates[k][1] * by_supply[k] + rates[k][2]);
-            self.by_supply[1] += slowing * by_supply[k];
-            let torque = motor.torque(speed, no_load)[0];
-            self.motor_work += w * torque;
-            self.motor_square += w * torque * torque / speed;
-            self.motor_peak = self.motor_peak.max(torque.abs());
-            let force = step.nodes[k].force(stages[k], rates[k][0]);
-            self.load_work += w * step.nodes[k].arms[usize::from(force < 0.0)] * force;
-            self.range = [self.range[0].min(stages[k]), self.range[1].max(stages[k])];
-        }
-        self.range = [self.range[0].min(energy), self.range[1].max(energy)];
-        self.energy.push(energy);
-        self.time.push(time);
+        None
     }
 }
 
-/// Weights of the stages.
-const fn gauss_weights() -> [f64; STAGES] {
-    [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0]
+/// Energy at the end of a step and the rate at its last stage; nothing where the shaft stops in it.
+fn end_of(
+    step: &Step,
+    motor: &Motor,
+    no_load: f64,
+    energy: f64,
+    before: f64,
+) -> Option<(f64, f64)> {
+    let h = step.width;
+    let mut stages = PLACES.map(|part| energy + part * h * before);
+    if energy == 0.0 {
+        // From rest the shaft moves if the motor starts it.
+        let start = step.nodes[0].rate(motor, no_load, 0.0)[0];
+        stages = PLACES.map(|part| part * h * start);
+    }
+    for _ in 0..ROUNDS {
+        if stages.iter().any(|e| e.is_nan() || *e <= 0.0) {
+            return None;
+        }
+        let rates: [[f64; 3]; STAGES] =
+            std::array::from_fn(|k| step.nodes[k].rate(motor, no_load, stages[k]));
+        let residual = std::array::from_fn(|i| {
+            let sum: f64 = (0..STAGES).map(|k| INNER[i][k] * rates[k][0]).sum();
+            energy + h * sum - stages[i]
+        });
+        let change = Inverse::of(h, &rates).times(residual);
+        let mut largest = 0.0_f64;
+        for (stage, d) in stages.iter_mut().zip(change) {
+            largest = largest.max(d.abs() / *stage);
+            *stage += d.max(-0.9 * *stage);
+        }
+        if largest < SAME {
+            let gain: f64 = (0..STAGES).map(|k| WEIGHTS[k] * rates[k][0]).sum();
+            let end = energy + h * gain;
+            return (end > 0.0).then_some((end, rates[STAGES - 1][0]));
+        }
+    }
+    None
 }
 
-/// (I − h A D)⁻¹, D the derivatives of the rates by the energy, by cofactors; the unit matrix where there is none.
-fn inverse(h: f64, rates: &[[f64; 3]; STAGES]) -> Matrix3<f64> {
-    let unit = |i: usize, k: usize| f64::from(u8::from(i == k));
-    let matrix = Matrix3::from_fn(|i, k| unit(i, k) - h * INNER[i][k] * rates[k][1]);
-    matrix.try_inverse().unwrap_or_else(Matrix3::identity)
+/// (I − h A D)⁻¹, D the derivatives of the rates by the energy.
+pub struct Inverse([[f64; STAGES]; STAGES]);
+
+impl Inverse {
+    pub fn of(h: f64, rates: &[[f64; 3]; STAGES]) -> Inverse {
+        let unit = |i: usize, k: usize| f64::from(u8::from(i == k));
+        let m: [[f64; 3]; 3] = std::array::from_fn(|i| {
+            std::array::from_fn(|k| unit(i, k) - h * INNER[i][k] * rates[k][1])
+        });
+        // Cofactors, in cyclic order.
+        let minor = |i: usize, k: usize| {
+            let ([a, b], [c, d]) = ([(i + 1) % 3, (i + 2) % 3], [(k + 1) % 3, (k + 2) % 3]);
+            m[a][c] * m[b][d] - m[a][d] * m[b][c]
+        };
+        let determinant = (0..3).map(|k| m[0][k] * minor(0, k)).sum::<f64>();
+        Inverse(std::array::from_fn(|i| {
+            std::array::from_fn(|k| minor(k, i) / determinant)
+        }))
+    }
+
+    pub fn times(&self, x: [f64; STAGES]) -> [f64; STAGES] {
+        self.0
+            .map(|row| row[0] * x[0] + row[1] * x[1] + row[2] * x[2])
+    }
 }

@@ -28,14 +28,14 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     let rigid = rigid_run(input, p)?;
     let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
     let mean = forces.iter().sum::<f64>() / forces.len() as f64;
-    // The contact model has no motor and no floor: on a shaft whose speed varies the rigid force shows where contact is lost.
-    let can_lift_off =
-        !p.held && p.cycle == Cycle::TURN && p.shaft.is_none() && input.machine.floor.is_none();
+    // The contact model has no floor.
+    let can_lift_off = !p.held && p.cycle == Cycle::TURN && input.machine.floor.is_none();
     if can_lift_off && let Some(why) = asks_for_contact(p, &rigid, mean) {
         let next = input.machine.train.map(|_| Model::Flexible);
         return Ok(compared(input, p, contact_run(input, p)?, why, next));
     }
-    let contact = can_lift_off.then_some(Model::Contact);
+    // On a shaft whose speed varies it costs many runs.
+    let contact = (can_lift_off && p.shaft.is_none()).then_some(Model::Contact);
     let margin = force_margin(p, &rigid, &forces, mean);
     let Some(train) = &input.machine.train else {
         let why = ModelReason::NothingVibrates { margin };

@@ -14,6 +14,7 @@ use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Svaj};
 
 /// Input of the models: one or two profiles of a cam that turns in the sense of growing angle.
+#[derive(Clone)]
 pub(super) struct Prepared {
     pub drive: Drive,
     pub reversed: bool,

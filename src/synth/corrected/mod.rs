@@ -2,6 +2,8 @@
 //! floor that moves. Each designs for a rigid
 //! machine at constant speed, runs it, and designs again for what that says.
 
+mod added;
+mod fixed_point;
 pub mod on_floor;
 pub mod on_shaft;
 pub mod polydyne;

@@ -9,27 +9,21 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use crate::cam::LimitKind::{HertzPressure, Power, Torque, TorqueRate};
+use super::fixed_point::{Round, settled};
 use crate::dynamics::floor::harmonics;
 use crate::dynamics::{Floor, FloorMotion};
-use crate::error::{Placed, Result, SynthError};
+use crate::error::Result;
 use crate::law::Law;
 use crate::poly::samples;
-use crate::problem::Problem;
+use crate::problem::{Extra, Problem, piecewise};
 use crate::synth::design::{Design, Infeasible};
 use crate::synth::sizing::checked_cam::checked_cam;
 use crate::synth::{Search, SizedLaw, at_best_phase, finished, solved};
 
 /// Equal angles of force and acceleration.
 const SAMPLES: usize = 720;
-/// Rounds of designs at most.
-const ROUNDS: usize = 30;
 /// Difference of M z″ between what a law is designed for and what it makes, part of the mean force, that is none.
 const SETTLED: f64 = 1e-6;
-/// Rounds before the last that the next one is made from.
-const MEMORY: usize = 5;
-/// Part of a difference between rounds below which it says nothing new.
-const DEPENDENT: f64 = 1e-6;
 /// Step frequencies of the resonance curve, Hz: first, step, and how many.
 const CURVE: (f64, f64, usize) = (1.0, 0.01, 201);
 /// Harmonics of the force whose resonances it shows, and its points about each, half widths of the peak from its top.
@@ -83,12 +77,8 @@ pub struct AtFrequency {
 /// The design for a floor that moves.
 ///
 /// # Errors
-/// An undamped mode in resonance; a limit that has no form on a moving floor; as on a stiff floor.
+/// An undamped mode in resonance; as on a stiff floor.
 pub fn designed(problem: &Problem, search: &Search, floor: Floor) -> Result<Design> {
-    let kinds = [Torque, Power, TorqueRate, HertzPressure];
-    if let Some(kind) = kinds.into_iter().find(|k| problem.limits[*k].is_some()) {
-        return Err(SynthError::LimitOnFloor.at_key(&format!("limits.{}", kind.name())));
-    }
     let problem = at_best_phase(problem, search)?;
     let wanted = problem.target.as_ref().map(|t| sampled(|x| t.curve.at(x)));
     let on = Ground {
@@ -96,74 +86,15 @@ pub fn designed(problem: &Problem, search: &Search, floor: Floor) -> Result<Desi
         floor,
         problem,
     };
-    let settled = SETTLED * on.problem.target_mean();
-    let mut given = on.inertia(&on.floor.of_walkers(0, &on.wanted))?;
-    let mut path: Vec<[Vec<f64>; 2]> = Vec::new();
-    let mut best: Option<(f64, Round)> = None;
-    let (round, moved) = loop {
-        let round = on.round(search, &given)?;
-        let apart = difference(&round.moved, &given);
-        let size = apart.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        if size <= settled {
-            break (round, given);
-        }
-        path.push([round.moved.clone(), apart]);
-        let has_law = round.infeasible.is_none();
-        if best.as_ref().is_none_or(|b| has_law && size < b.0) {
-            best = Some((size, round));
-        }
-        if let Some((_, round)) = best.take_if(|_| !has_law || path.len() == ROUNDS) {
-            let moved = round.moved.clone();
-            break (round, moved);
-        }
-        given = accelerated(&path[path.len().saturating_sub(MEMORY + 1)..]);
-    };
-    let mut design = on.judged(search, &moved, round.sized, round.infeasible)?;
-    let motion = FloorMotion::of(&round.acceleration);
+    let allowed = SETTLED * on.problem.target_mean();
+    let start = on.inertia(&on.floor.of_walkers(0, &on.wanted))?;
+    let last = settled(start, allowed, |given| on.round(search, given))?;
+    let (sized, infeasible, acceleration) = last.design;
+    let mut design = on.judged(search, &last.state, sized, infeasible)?;
+    let motion = FloorMotion::of(&acceleration);
     let resonance = on.resonance(&design);
     design.floor = Some(OnFloor { motion, resonance });
     Ok(design)
-}
-
-fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| a - b).collect()
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn less(from: &mut [f64], part: f64, of: &[f64]) {
-    from.iter_mut().zip(of).for_each(|(x, y)| *x -= part * y);
-}
-
-/// What to design for next, from what rounds made and how far that is from what they were designed for: the combination of
-/// the rounds whose distance is least (Anderson's acceleration; Walker and Ni 2011).
-fn accelerated(path: &[[Vec<f64>; 2]]) -> Vec<f64> {
-    let Some([moved, apart]) = path.last() else {
-        return Vec::new();
-    };
-    let (mut next, mut rest) = (moved.clone(), apart.clone());
-    let mut known: Vec<[Vec<f64>; 2]> = Vec::new();
-    for pair in path.windows(2).rev() {
-        let [mut moved, mut apart] = [0, 1].map(|k| difference(&pair[1][k], &pair[0][k]));
-        let size = dot(&apart, &apart).sqrt();
-        for [other, direction] in &known {
-            let part = dot(direction, &apart);
-            less(&mut apart, part, direction);
-            less(&mut moved, part, other);
-        }
-        let left = dot(&apart, &apart).sqrt();
-        if left > DEPENDENT * size {
-            let unit = |of: Vec<f64>| of.iter().map(|x| x / left).collect::<Vec<_>>();
-            let (moved, apart) = (unit(moved), unit(apart));
-            let part = dot(&apart, &rest);
-            less(&mut rest, part, &apart);
-            less(&mut next, part, &moved);
-            known.push([moved, apart]);
-        }
-    }
-    next
 }
 
 fn sampled(f: impl Fn(f64) -> f64) -> Vec<f64> {
@@ -178,13 +109,8 @@ struct Ground {
     wanted: Vec<(f64, f64)>,
 }
 
-/// A law, with the acceleration of the floor under it, m/s², and M z″ over the turn, N.
-struct Round {
-    sized: SizedLaw,
-    infeasible: Option<Infeasible>,
-    acceleration: Vec<(f64, f64)>,
-    moved: Vec<f64>,
-}
+/// A law, why none keeps the limits, and the acceleration of the floor under it, m/s².
+type OnGround = (SizedLaw, Option<Infeasible>, Vec<(f64, f64)>);
 
 impl Ground {
     /// M z″ under a force, N.
@@ -199,11 +125,14 @@ impl Ground {
         each.map(|a| self.problem.drive.mass * a).collect()
     }
 
-    /// The problem with a motion of the floor given.
-    fn moving(&self, moved: &[f64]) -> Problem {
-        let still = vec![0.0; SAMPLES];
+    /// The problem with a motion of the floor given, as M z″ over the turn, N.
+    fn moving(&self, inertia: &[f64]) -> Problem {
+        let Some(target) = &self.problem.target else {
+            return self.problem.clone();
+        };
+        let force = piecewise(&target.curve.with_forces(inertia.to_vec()));
         self.problem
-            .on_shaft(&sampled(|x| x), &[moved.to_vec(), still.clone(), still])
+            .on_shaft(&sampled(|x| x), Extra::of_force(force))
     }
 
     /// The acceleration of the floor under a law.
@@ -220,7 +149,7 @@ impl Ground {
     }
 
     /// The law for a motion of the floor, and the motion that it makes.
-    fn round(&self, search: &Search, given: &[f64]) -> Result<Round> {
+    fn round(&self, search: &Search, given: &[f64]) -> Result<Round<OnGround>> {
         // What is kept belongs to the target of the round before.
         let fresh = Search {
             cache: Default::default(),
@@ -228,12 +157,10 @@ impl Ground {
         };
         let (sized, infeasible) = solved(&self.moving(given), &fresh)?;
         let acceleration = self.under(&sized.law.law)?;
-        let moved = self.weighed(&acceleration);
         Ok(Round {
-            sized,
-            infeasible,
-            acceleration,
-            moved,
+            made: self.weighed(&acceleration),
+            has_law: infeasible.is_none(),
+            design: (sized, infeasible, acceleration),
         })
     }
 
@@ -241,11 +168,11 @@ impl Ground {
     fn judged(
         &self,
         search: &Search,
-        moved: &[f64],
+        inertia: &[f64],
         sized: SizedLaw,
         infeasible: Option<Infeasible>,
     ) -> Result<Design> {
-        let judged = self.moving(moved);
+        let judged = self.moving(inertia);
         let checked = checked_cam(&judged, search, &sized.law.law, None)?;
         let mut design = finished(&judged, search, SizedLaw { checked, ..sized }, infeasible)?;
         design.target = self.problem.target.as_ref().map(|t| (*t.curve).clone());

@@ -1,7 +1,7 @@
 //! A law for the speed that the motor gives the shaft.
 //!
-//! The design at constant speed is a motion in time. Run by the motor it fixes power and so ω(θ); told by that clock, the
-//! same motion in time is another law, whose force differs from the target by what the design left only. With ω(θ) known the
+//! The design at constant speed is a motion in time. Run by the motor it fixes power and so ω(θ); at that speed the same
+//! motion in time is another law, whose force differs from the target by what the design left only. With ω(θ) known the
 //! force is linear in the law ([`crate::problem`]), the program is solved again, and so on: each round multiplies the change
 //! by about the ripple (theory §10).
 
@@ -9,33 +9,43 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use crate::cam::Follower;
+use super::added::Layout;
+use super::fixed_point::{Round, settled};
+use crate::cam::{Follower, LimitKind};
 use crate::drive::{Drive, Motor};
 use crate::dynamics::rigid::touch::{rubs, touch};
-use crate::dynamics::shaft::{Load, Motion, Node, error_in_time, periodic};
+use crate::dynamics::shaft::{Load, Motion, Node, error_in_time, force, periodic};
 use crate::dynamics::{InTime, Shaft};
-use crate::error::{DynamicsError, Placed, Result, SynthError};
+use crate::error::{DynamicsError, Error, Placed, Result, SynthError};
 use crate::force::ForceCurve;
 use crate::law::{Law, Svaj};
-use crate::problem::Problem;
-use crate::scene::{Family, ShaftSpeed};
+use crate::problem::{Note, Problem};
+use crate::scene::{Family, Minimise, ShaftSpeed};
 use crate::synth::design::Design;
+use crate::synth::qp::TOLERANCE;
 use crate::synth::{Search, at_constant_speed};
-use crate::units::Quantity;
+use crate::units::{Dimension, Quantity};
 
-/// Equal angles of the clock.
+/// Equal angles at which speed and force are given.
 const ROWS: usize = 240;
-/// Equal angles of the target.
-const SAMPLES: usize = 720;
-/// Rounds of designs at most.
-const ROUNDS: usize = 8;
-/// Rounds of the clock alone, before the first design, and the relative change of speed at which they end.
-const CLOCK_ROUNDS: usize = 12;
-const SAME_CLOCK: f64 = 1e-5;
-/// Change of the target, part of its mean, at which the design is final.
+/// Steps of the motion between the breaks of the law.
+const STEPS: usize = 48;
+/// Rounds of the speed alone, before the first design, and the relative change of speed at which they end.
+const SPEED_ROUNDS: usize = 12;
+const SAME_SPEED: f64 = 1e-5;
+/// Largest difference of target and force between what a law is designed for and what it makes, part of the mean, at which
+/// the design is final: where a limit depends on it, and at most; without such a limit this part of the accuracy.
+const SETTLED_AT_LIMITS: f64 = 1e-6;
 const SETTLED: f64 = 1e-4;
+const SETTLED_OF_ACCURACY: f64 = 0.1;
+/// Part of the accuracy, without one of the mean force, below which a forecast change of the force is neglected.
+const NEGLECTED: f64 = 0.2;
+const NEGLECTED_OF_MEAN: f64 = 1e-3;
 /// Part by which inertia, torque line and friction may differ from what is given.
 const DEVIATION: f64 = 0.1;
+/// An inertia that meets the accuracy is sought up to this factor, to this part.
+const LARGEST_FACTOR: f64 = 1e6;
+const INERTIA_PART: f64 = 1e-4;
 
 /// The design on its shaft.
 ///
@@ -53,7 +63,7 @@ const DEVIATION: f64 = 0.1;
 /// assert!(on_shaft.force_time.unwrap().rms_error_percent_of_mean < 0.5);
 /// assert!(on_shaft.at_constant_speed.unwrap().rms_error_percent_of_mean > 6.0);
 /// // With 10 % more inertia the same cam still presses to 1 % of the weight.
-/// let [less, more] = on_shaft.sensitivity[0].percent;
+/// let [less, more] = design.sensitivity()[0].percent;
 /// assert!(less.unwrap() < 1.0 && more.unwrap() < 1.0);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
@@ -69,8 +79,8 @@ pub struct OnShaft {
     pub rounds: usize,
     /// Factor between the last two changes of the target from round to round; `None` of fewer than two changes.
     pub contraction: Option<f64>,
-    /// Force error over time, percent of the mean, where the machine differs by ±10 %, its supply set again.
-    pub sensitivity: Vec<Sensitivity>,
+    /// What inertia and energy of the load said beforehand.
+    pub forecast: Forecast,
     /// Speed at equal cam angles, rad/s.
     #[serde(skip)]
     pub speed: Vec<f64>,
@@ -80,6 +90,33 @@ pub struct OnShaft {
     /// The target over time.
     #[serde(skip)]
     pub target: Option<ForceCurve>,
+}
+
+/// Ripple and change of the force by a varying speed, estimated from inertia and the energy that swings.
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // A wheel of 500 kg m²: the speed hardly ripples, and the law is that for constant speed.
+/// let mut table = scene::built_in("footbridge")?.scene()?.to_table();
+/// scene::set(&mut table, "machine.motor.slope=10 N m s/rad")?;
+/// scene::set(&mut table, "machine.inertia=500 kg m^2")?;
+/// let scene = scene::read(&table)?;
+/// let on_shaft = synthesise(&scene, scene.model_force()?.as_ref())?.shaft.unwrap();
+/// assert!(on_shaft.forecast.is_negligible && on_shaft.rounds == 0);
+/// assert!((on_shaft.forecast.ripple / on_shaft.shaft.ripple - 1.0).abs() < 0.02);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Forecast {
+    /// Highest less lowest speed, part of the mean.
+    pub ripple: f64,
+    /// RMS change of the force, percent of its mean.
+    pub force_change_percent_of_mean: f64,
+    /// What is neglected, percent of the mean.
+    pub neglected_percent_of_mean: f64,
+    /// Whether a constant speed is enough.
+    pub is_negligible: bool,
 }
 
 /// Force error of the cam on another machine.
@@ -111,7 +148,7 @@ impl Problem {
 /// force, or no law.
 ///
 /// # Errors
-/// The shaft stops; the rounds do not contract; a limit that has no form at varying speed.
+/// The shaft stops; the rounds do not contract.
 pub fn designed(first: Design, search: &Search) -> Result<Design> {
     let problem = first.problem.clone();
     let Some(motor) = problem.motor().filter(|_| first.infeasible.is_none()) else {
@@ -120,32 +157,33 @@ pub fn designed(first: Design, search: &Search) -> Result<Design> {
     let run = Runner::new(&first, &motor)?;
     let clock = run.of_law(&first.cam.law, None)?;
     let at_constant_speed = run.error(&first.cam.law, &clock);
+    let forecast = run.forecast(&problem, &first.cam.law);
     let fixed = problem.law.shaft == ShaftSpeed::Constant
+        || forecast.is_negligible
         || matches!(problem.law.family, Family::Program | Family::Polynomial);
-    let mut last = Last {
-        design: first,
-        clock,
-        rounds: 0,
-        contraction: None,
-    };
-    if !fixed && problem.target.is_some() {
-        refuse_unknown(&problem)?;
-        last = rounds(last, &run, &problem, search)?;
-    }
     let Last {
         mut design,
         clock,
         rounds,
         contraction,
-    } = last;
+    } = if fixed || problem.target.is_none() {
+        Last {
+            design: first,
+            clock,
+            rounds: 0,
+            contraction: None,
+        }
+    } else {
+        rounds(&first.cam.law, clock, &run, &problem, search)?
+    };
     let law = design.cam.law.clone();
-    let (load, _) = run.load_of_law(&law);
+    let load = run.load_of_law(&law);
     let supply = clock.check_supply(&load, &motor);
     supply.map_err(|e| e.at_key("machine.motor"))?;
     let lowest = law.extremes(0).0.at;
     let on_shaft = design.problem.on_shaft.clone();
     if let Some(target) = on_shaft.map(|shaft| shaft.target.clone()) {
-        let at = |i: usize| (design.force_at(angle(i)), 1.0 / clock.speed[i]);
+        let at = |i: usize| (design.force_at(angle(i)), 1.0 / clock.speed_at(angle(i))[0]);
         let [force, time] = (0..ROWS)
             .map(at)
             .fold([0.0, 0.0], |[sum, all], (force, time)| {
@@ -155,18 +193,35 @@ pub fn designed(first: Design, search: &Search) -> Result<Design> {
         design.target = Some(target);
         design.band = problem.band.clone();
     }
+    let force_time = run.error(&law, &clock);
+    design
+        .notes
+        .extend(run.inertia_note(&problem, &law, force_time));
     design.shaft = Some(OnShaft {
         shaft: clock.report(&load, &motor, lowest),
-        force_time: run.error(&law, &clock),
+        force_time,
         at_constant_speed,
         rounds,
         contraction,
-        sensitivity: run.sensitivity(&law, &clock),
-        speed: clock.speed,
-        time: clock.time,
+        forecast,
+        speed: run.speed(&clock),
+        time: run.time(&clock),
         target: problem.target.as_ref().map(|t| (*t.curve).clone()),
     });
     Ok(design)
+}
+
+impl Design {
+    /// Force error over time, percent of the mean, where the machine differs by ±10 %, its supply set again; nothing at
+    /// constant speed or without a target.
+    pub fn sensitivity(&self) -> Vec<Sensitivity> {
+        let motor = self.problem.machine.motor();
+        let Some(motor) = motor.filter(|_| self.shaft.is_some()) else {
+            return Vec::new();
+        };
+        let run = Runner::new(self, &motor);
+        run.map_or_else(|_| Vec::new(), |run| run.sensitivity(&self.cam.law))
+    }
 }
 
 /// The last design with the shaft under it.
@@ -177,64 +232,82 @@ struct Last {
     contraction: Option<f64>,
 }
 
-/// Designs for the clock of the design before until the target stays.
-fn rounds(first: Last, run: &Runner, problem: &Problem, search: &Search) -> Result<Last> {
-    let mut last = first;
-    let law = last.design.cam.law.clone();
-    let mut clocks: Clocks = (None, run.settled(&law, last.clock.clone())?);
-    let mean = problem.target_mean();
-    let sampled = |at: &Problem| -> Vec<f64> {
-        let curve = at.target.as_ref().map(|t| &t.curve);
-        let angles = (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
-        curve.map_or(Vec::new(), |curve| angles.map(|x| curve.at(x)).collect())
+/// Designs for the speed that the design before makes, from that of a law for constant speed, until both agree.
+fn rounds(
+    first: &Law,
+    clock: Motion,
+    run: &Runner,
+    problem: &Problem,
+    search: &Search,
+) -> Result<Last> {
+    let mut clock = run.in_time(first, clock)?;
+    let layout = Layout::new(problem, first);
+    let start = layout.state(problem, &clock, &|x| retimed(first, &clock, x));
+    let allowed = if depends_on_speed(problem) {
+        SETTLED_AT_LIMITS
+    } else {
+        let accuracy = problem
+            .allowed_error()
+            .map_or(0.0, |most| most / problem.target_mean());
+        (SETTLED_OF_ACCURACY * accuracy).max(SETTLED_AT_LIMITS)
     };
-    let (mut target, mut change): (_, Option<f64>) = (sampled(problem), None);
-    for round in 1..=ROUNDS {
-        let at = run.corrected(problem, &last.design.cam.law, &clocks);
-        let next = sampled(&at);
-        let square = next.iter().zip(&target).map(|(a, b)| (a - b).powi(2));
-        let now = (square.sum::<f64>() / SAMPLES as f64).sqrt();
-        last.contraction = change.map(|before| now / before).filter(|x| x.is_finite());
-        if now <= SETTLED * mean {
-            return Ok(last);
-        }
-        if round > 3 && change.is_some_and(|before| now >= before) {
-            break;
-        }
-        (target, change) = (next, Some(now));
+    let last = settled(start, allowed, |state| {
+        let (phases, extra) = layout.extra(problem, state);
         // What is kept belongs to the target of the round before.
         let fresh = Search {
             cache: Default::default(),
             ..search.clone()
         };
-        last.design = at_constant_speed(&at, &fresh)?;
-        last.rounds = round;
-        if last.design.infeasible.is_some() {
-            return Ok(last);
-        }
-        last.clock = run.of_law(&last.design.cam.law, Some(&clocks.1))?;
-        clocks = (Some(clocks.1), last.clock.clone());
+        let design = at_constant_speed(&problem.on_shaft(&phases, extra), &fresh)?;
+        let law = &design.cam.law;
+        // A law of a round may stop the shaft that the first one does not.
+        let next = run.of_law(law, Some(&clock));
+        clock = next.map_err(|_| diverges(&clock, None))?;
+        Ok(Round {
+            made: layout.state(problem, &clock, &|x| law.svaj(x)),
+            has_law: design.infeasible.is_none(),
+            design: (design, clock.clone()),
+        })
+    })?;
+    let (design, clock) = last.design;
+    if last.difference > allowed.max(SETTLED) && design.infeasible.is_none() {
+        return Err(diverges(&clock, last.contraction));
     }
-    let contraction = last.contraction.unwrap_or(1.0);
-    let ripple = Quantity::share(last.clock.ripple());
-    Err(SynthError::ShaftDiverges {
-        ripple,
-        contraction,
-    }
-    .at_key("machine.inertia"))
+    Ok(Last {
+        design,
+        clock,
+        rounds: last.rounds,
+        contraction: last.contraction,
+    })
 }
 
-/// Refuses limits that have no form at varying speed: on the jerk, the torque and the contact pressure.
-fn refuse_unknown(problem: &Problem) -> Result<()> {
-    use crate::cam::LimitKind::{HertzPressure, Jerk, Power, Torque, TorqueRate};
-    let kinds = [Jerk, Torque, Power, TorqueRate, HertzPressure];
-    match kinds
-        .into_iter()
-        .find(|kind| problem.limits[*kind].is_some())
-    {
-        None => Ok(()),
-        Some(kind) => Err(SynthError::LimitOnShaft.at_key(&format!("limits.{}", kind.name()))),
+/// The fault of rounds that do not agree.
+fn diverges(clock: &Motion, contraction: Option<f64>) -> Error {
+    SynthError::ShaftDiverges {
+        ripple: Quantity::share(clock.ripple()),
+        contraction: contraction.unwrap_or(1.0),
     }
+    .at_key("machine.inertia")
+}
+
+/// Whether what the speed adds is in a limit or in the objective, and not in the target alone.
+fn depends_on_speed(problem: &Problem) -> bool {
+    use LimitKind::{
+        Acceleration, ForceMax, ForceMin, HertzPressure, Jerk, Power, Torque, TorqueRate, Velocity,
+    };
+    let kinds = [
+        ForceMin,
+        ForceMax,
+        Velocity,
+        Acceleration,
+        Jerk,
+        Torque,
+        Power,
+        TorqueRate,
+        HertzPressure,
+    ];
+    let is_limited = kinds.into_iter().any(|kind| problem.limits[kind].is_some());
+    is_limited || problem.band.is_some() || problem.objective() != Minimise::ForceError
 }
 
 /// Runs laws of a design on its shaft.
@@ -246,9 +319,6 @@ struct Runner<'a> {
     friction: f64,
 }
 
-/// The clock of a shaft before and the one that runs now.
-type Clocks = (Option<Motion>, Motion);
-
 impl<'a> Runner<'a> {
     fn new(design: &Design, motor: &'a Motor) -> Result<Self> {
         let drive = design.drive;
@@ -256,8 +326,13 @@ impl<'a> Runner<'a> {
         if !law.is_closed() || law.extent() != (0.0, TAU) || drive.speed <= 0.0 {
             return Err(DynamicsError::MotorTurns.at_key("machine.motor"));
         }
-        let target = design.problem.target.as_ref();
-        let target = target.map(|t| (0..ROWS).map(|i| t.curve.at(angle(i))).collect());
+        // That of a finished design is by the cam angle.
+        let on_shaft = design
+            .shaft
+            .as_ref()
+            .and_then(|shaft| shaft.target.as_ref());
+        let target = on_shaft.or(design.problem.target.as_ref().map(|t| &*t.curve));
+        let target = target.map(|curve| (0..ROWS).map(|i| curve.at(angle(i))).collect());
         Ok(Runner {
             follower: design.cam.follower,
             friction: design.problem.machine.friction,
@@ -275,93 +350,135 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// The load of a motion over the turn, and at the equal angles.
-    fn load(&self, breaks: &[f64], at: &dyn Fn(f64) -> Svaj) -> (Load, Vec<Node>) {
-        let node = |x: f64| {
+    /// The load of a motion over the turn.
+    fn load(&self, breaks: &[f64], at: &dyn Fn(f64) -> Svaj) -> Load {
+        Load::of((0.0, TAU), breaks, STEPS, &|x| {
             let at = at(x);
             Node::new(&self.drive, at, self.arms(at))
-        };
-        let rows = (0..ROWS).map(|i| node(angle(i))).collect();
-        (Load::of((0.0, TAU), breaks, ROWS, &node), rows)
+        })
     }
 
-    fn load_of_law(&self, law: &Law) -> (Load, Vec<Node>) {
+    fn load_of_law(&self, law: &Law) -> Load {
         self.load(law.breaks(), &|x| law.svaj(x))
     }
 
-    /// The clock of a law.
+    /// The motion of the shaft under a law.
     fn of_law(&self, law: &Law, near: Option<&Motion>) -> Result<Motion> {
-        let (load, rows) = self.load_of_law(law);
-        self.run(&load, &rows, near)
+        self.run(&self.load_of_law(law), near)
     }
 
-    fn run(&self, load: &Load, rows: &[Node], near: Option<&Motion>) -> Result<Motion> {
-        let run = periodic(load, rows, self.motor, self.drive.speed, near);
+    fn run(&self, load: &Load, near: Option<&Motion>) -> Result<Motion> {
+        let run = periodic(load, self.motor, self.drive.speed, near);
         run.map_err(|e| e.at_key("machine.motor"))
     }
 
-    /// The clock of the motion in time that a law makes at constant speed.
-    fn settled(&self, law: &Law, first: Motion) -> Result<Motion> {
-        let mut clocks: Clocks = (None, first);
-        for _ in 0..CLOCK_ROUNDS {
-            let (load, rows) = self.load(&[], &|x| told(law, &clocks, x));
-            let next = self.run(&load, &rows, Some(&clocks.1))?;
-            let pairs = next.speed.iter().zip(&clocks.1.speed);
-            let change = pairs.fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
-            clocks.1 = next;
-            if change < SAME_CLOCK * self.drive.speed {
+    /// The motion of the shaft under the motion in time that a law makes at constant speed.
+    fn in_time(&self, law: &Law, first: Motion) -> Result<Motion> {
+        let mut clock = first;
+        for _ in 0..SPEED_ROUNDS {
+            let load = self.load(&[], &|x| retimed(law, &clock, x));
+            let next = self.run(&load, Some(&clock))?;
+            let change =
+                |i: usize| (next.speed_at(angle(i))[0] - clock.speed_at(angle(i))[0]).abs();
+            let change = (0..ROWS).step_by(4).map(change).fold(0.0, f64::max);
+            clock = next;
+            if change < SAME_SPEED * self.drive.speed {
                 break;
             }
         }
-        Ok(clocks.1)
+        Ok(clock)
     }
 
-    /// The problem for the clock that runs now; the law was designed for the one before.
-    fn corrected(&self, problem: &Problem, law: &Law, clocks: &Clocks) -> Problem {
-        let (clock, mean) = (&clocks.1, self.drive.speed);
-        let angles = || (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
-        let mut extra: [Vec<f64>; 3] = Default::default();
-        for x in angles() {
-            let [_, rate, bend] = clock.phase(x);
-            let w = mean / rate;
-            let acceleration = -bend * w * w * w / mean;
-            let at = told(law, clocks, x);
-            let velocity = (w - mean) * at.v;
-            let inertia = (w * w - mean * mean) * at.a + acceleration * at.v;
-            let force = self.drive.damping * velocity + self.drive.mass * inertia;
-            for (list, value) in extra.iter_mut().zip([force, velocity, inertia]) {
-                list.push(value);
-            }
-        }
-        let phases: Vec<f64> = angles().map(|x| clock.phase(x)[0]).collect();
-        problem.on_shaft(&phases, &extra)
+    /// Speed at the equal angles, rad/s.
+    fn speed(&self, clock: &Motion) -> Vec<f64> {
+        (0..ROWS).map(|i| clock.speed_at(angle(i))[0]).collect()
+    }
+
+    /// Time at the equal angles, s.
+    fn time(&self, clock: &Motion) -> Vec<f64> {
+        let phase = |i: usize| clock.phase(angle(i))[0];
+        (0..ROWS).map(|i| phase(i) / self.drive.speed).collect()
     }
 
     /// Force error over time of a law under its clock.
     fn error(&self, law: &Law, clock: &Motion) -> Option<InTime> {
-        let nodes: Vec<Svaj> = (0..ROWS).map(|i| law.svaj(angle(i))).collect();
-        let forces = clock.forces(&self.drive, &nodes);
-        let period = TAU / self.drive.speed;
         let target = self.target.as_ref()?;
-        Some(error_in_time(
-            &forces,
-            &clock.speed,
-            &clock.time,
-            period,
-            target,
-        ))
+        let at = |i: usize| {
+            let [speed, acceleration, _] = clock.speed_at(angle(i));
+            force(&self.drive, law.svaj(angle(i)), speed, acceleration)
+        };
+        let forces: Vec<f64> = (0..ROWS).map(at).collect();
+        let period = TAU / self.drive.speed;
+        let (speed, time) = (self.speed(clock), self.time(clock));
+        Some(error_in_time(&forces, &speed, &time, period, target))
+    }
+
+    /// What inertia and energy of the load say of a law for constant speed.
+    fn forecast(&self, problem: &Problem, law: &Law) -> Forecast {
+        let load = self.load_of_law(law);
+        let (ripple, change) = load.forecast(self.motor.inertia, self.drive.speed);
+        let allowed = problem.allowed_error().zip(self.target.as_ref());
+        let neglected = allowed.map_or(NEGLECTED_OF_MEAN, |(most, _)| {
+            NEGLECTED * most / problem.target_mean()
+        });
+        Forecast {
+            ripple,
+            force_change_percent_of_mean: 100.0 * change,
+            neglected_percent_of_mean: 100.0 * neglected,
+            is_negligible: change <= neglected && !depends_on_speed(problem),
+        }
+    }
+
+    /// Force error over time of a law with another motor or wheel, percent of the mean.
+    fn error_with(&self, load: &Load, law: &Law, motor: &Motor) -> Option<f64> {
+        let clock = periodic(load, motor, self.drive.speed, None).ok()?;
+        Some(self.error(law, &clock)?.rms_error_percent_of_mean)
+    }
+
+    /// The smallest inertia with which a law meets the accuracy over time, where its own does not.
+    fn inertia_note(&self, problem: &Problem, law: &Law, own: Option<InTime>) -> Option<Note> {
+        let allowed = 100.0 * problem.allowed_error()? / problem.target_mean();
+        let error = own?.rms_error_percent_of_mean;
+        if error <= allowed * (1.0 + TOLERANCE) {
+            return None;
+        }
+        let load = self.load_of_law(law);
+        let meets = |inertia: f64| {
+            let wheel = Motor {
+                inertia,
+                ..self.motor.clone()
+            };
+            let error = self.error_with(&load, law, &wheel);
+            error.is_some_and(|error| error <= allowed)
+        };
+        let own = self.motor.inertia;
+        let mut range = [own, own];
+        while !meets(range[1]) {
+            range = [range[1], 2.0 * range[1]];
+            if range[1] > LARGEST_FACTOR * own {
+                return None;
+            }
+        }
+        while range[1] > (1.0 + INERTIA_PART) * range[0] {
+            let middle = (range[0] * range[1]).sqrt();
+            range[usize::from(meets(middle))] = middle;
+        }
+        let inertia = Quantity::new(range[1], Dimension::Inertia);
+        let [error, allowed] = [error, allowed].map(|percent| Quantity::share(0.01 * percent));
+        Some(Note::InertiaForAccuracy {
+            error,
+            allowed,
+            inertia,
+        })
     }
 
     /// Force error of a law where the machine differs.
-    fn sensitivity(&self, law: &Law, own: &Motion) -> Vec<Sensitivity> {
-        let (load, rows) = self.load_of_law(law);
-        let percent = |motor: Motor| {
-            let clock = periodic(&load, &rows, &motor, self.drive.speed, Some(own)).ok()?;
-            Some(self.error(law, &clock)?.rms_error_percent_of_mean)
-        };
+    fn sensitivity(&self, law: &Law) -> Vec<Sensitivity> {
+        let load = self.load_of_law(law);
         let both = |key, changed: &dyn Fn(f64) -> Motor| Sensitivity {
             key,
-            percent: [1.0 - DEVIATION, 1.0 + DEVIATION].map(|part| percent(changed(part))),
+            percent: [1.0 - DEVIATION, 1.0 + DEVIATION]
+                .map(|part| self.error_with(&load, law, &changed(part))),
         };
         let free = Motor {
             nominal: None,
@@ -387,31 +504,19 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Equal angles of the clock, rad.
+/// Equal angles, rad.
 fn angle(i: usize) -> f64 {
     TAU * i as f64 / ROWS as f64
 }
 
-/// The law that makes by the clock that runs now the motion in time that `law` makes by the clock before: s(ψ(x)) with
-/// φ₀(ψ) = φ₁(x).
-fn told(law: &Law, (before, now): &Clocks, x: f64) -> Svaj {
-    let [phase, rate, bend] = now.phase(x);
-    let (mut psi, mut first, mut second) = (phase, rate, bend);
-    if let Some(before) = before {
-        psi = x;
-        let mut own = before.phase(psi);
-        for _ in 0..4 {
-            psi -= (own[0] - phase) / own[1];
-            own = before.phase(psi);
-        }
-        first = rate / own[1];
-        second = (bend - own[2] * first * first) / own[1];
-    }
-    let at = law.svaj(psi);
+/// The law that makes under a clock the motion in time that `law` makes at constant speed: s(φ(x)).
+fn retimed(law: &Law, clock: &Motion, x: f64) -> Svaj {
+    let [phase, rate, bend, third] = clock.phase(x);
+    let at = law.svaj(phase);
     Svaj {
         s: at.s,
-        v: at.v * first,
-        a: at.a * first * first + at.v * second,
-        j: 0.0,
+        v: at.v * rate,
+        a: at.a * rate * rate + at.v * bend,
+        j: at.j * rate.powi(3) + 3.0 * at.a * rate * bend + at.v * third,
     }
 }

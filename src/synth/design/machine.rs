@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::Design;
 use crate::cam::{Hole, Measures};
 use crate::dynamics::rigid::{liftoff_speed, touch::held};
-use crate::synth::limits::{Press, torque_curve};
+use crate::synth::limits::{Press, power_curve, torque_curve};
 
 /// A mean power below this part of the largest is rounding: springs and masses give back what they take.
 const GIVEN_BACK: f64 = 1e-12;
@@ -96,6 +96,8 @@ impl Design {
             [torque.integral() / length, rms],
             self.drive.speed,
         );
+        let (low, high) = power_curve(&self.problem, torque).extremes();
+        report.power_max_w = Some(high.value.max(-low.value));
         if turns {
             report.liftoff_speed_rad_per_s = self.liftoff();
         } else {
@@ -122,7 +124,7 @@ impl Design {
     /// Speed at which a follower that is not held from both sides leaves the cam.
     fn liftoff(&self) -> Option<f64> {
         let second = self.conjugate.as_ref().map(|pair| &pair.second);
-        if self.floor.is_some() || held(&self.cam, second) {
+        if self.problem.on_shaft.is_some() || held(&self.cam, second) {
             return None;
         }
         liftoff_speed(self.pressing(), &self.drive)
@@ -130,14 +132,7 @@ impl Design {
 
     /// Highest pressure on any of its contacts.
     fn pressure(&self) -> Option<f64> {
-        if self.floor.is_some() {
-            return None;
-        }
-        let press = Press {
-            drive: &self.drive,
-            thickness: self.thickness,
-            law: self.pressing(),
-        };
+        let press = Press::of(&self.problem, self.pressing());
         let second = self.conjugate.as_ref().map(|pair| &pair.second);
         let worst = press.worst(&self.cam, second, self.groove.as_ref())?;
         Some(worst.value)

@@ -34,7 +34,7 @@ pub fn explain(problem: &Problem, refusal: &Refusal) -> Infeasible {
         Failure::Numerical { stop } => because(Reason::SolverStopped { stop: *stop }, Vec::new()),
         Failure::Infeasible => {
             let mut limits = conflicting_limits(problem, refusal);
-            if let Some(nonconvex) = refusal.nonconvex {
+            if let Some(nonconvex) = &refusal.nonconvex {
                 // Demands and convex limits have a common law: it was computed first.
                 if limits.is_empty() {
                     limits = nonconvex.names();
@@ -94,7 +94,10 @@ fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Optio
 /// Limits of the scene that conflict, given the demands; empty where the demands alone are infeasible.
 fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
     let rows = refusal.program.limits.iter().filter(|l| is_asked(l));
-    let nonconvex = refusal.nonconvex.map_or_else(Vec::new, |b| b.names());
+    let nonconvex = refusal
+        .nonconvex
+        .as_ref()
+        .map_or_else(Vec::new, |b| b.names());
     let mut names: Vec<Criterion> = Vec::new();
     let mean = refusal.program.rms.iter().map(|l| l.name);
     for name in rows.map(|l| l.name).chain(mean).chain(nonconvex) {
@@ -109,7 +112,11 @@ fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
         program.rms = program
             .rms
             .map(|l| if stays(l.name) { l } else { unlimited(l) });
-        can_hold(problem, &program, refusal.nonconvex.map(|b| b.only(stays)))
+        can_hold(
+            problem,
+            &program,
+            refusal.nonconvex.as_ref().map(|b| b.only(stays)),
+        )
     };
     // Where no law is found without any limit, the limits are not to blame.
     if holds(&[]) != Some(true) {

@@ -9,6 +9,7 @@ use crate::dynamics::hertz::{STEEL, modulus};
 use crate::dynamics::rigid::touch::touch;
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly, bernstein, stand_in};
+use crate::problem::{Problem, sum};
 
 /// Rounds of the search for the highest quotient; it settles in three or four.
 const ROUNDS: usize = 40;
@@ -24,9 +25,28 @@ pub struct Press<'a> {
     pub thickness: f64,
     /// The law that makes the force.
     pub law: &'a Law,
+    /// What a varying speed or a floor adds to it, N.
+    pub extra: Option<&'a PiecewisePoly>,
 }
 
-impl Press<'_> {
+impl<'a> Press<'a> {
+    /// Of a problem, under the law that makes the force.
+    pub fn of(problem: &'a Problem, law: &'a Law) -> Self {
+        Press {
+            drive: &problem.drive,
+            thickness: problem.cam.thickness,
+            law,
+            extra: problem.on_shaft.as_ref().map(|shaft| &shaft.extra.force),
+        }
+    }
+
+    /// The force over the turn, N.
+    fn force_curve(&self) -> PiecewisePoly {
+        let own = self.drive.force_curve(self.law);
+        self.extra
+            .map_or_else(|| own.clone(), |extra| sum(&own, extra))
+    }
+
     /// Highest pressure on any contact, Pa: of a conjugate pair the second cam's where it bears, of a groove
     /// both walls' at its floor and at its rim. `None` where a profile is undercut.
     pub fn worst(
@@ -64,7 +84,10 @@ impl Press<'_> {
 
     /// Whether the force would pull anywhere.
     fn pulls(&self) -> bool {
-        self.drive.force_extremes(self.law).0.value < 0.0
+        match self.extra {
+            None => self.drive.force_extremes(self.law).0.value < 0.0,
+            Some(_) => self.force_curve().extremes().0.value < 0.0,
+        }
     }
 
     fn factor(&self) -> f64 {
@@ -80,16 +103,28 @@ impl Press<'_> {
         bearing: &dyn Fn(Svaj, f64) -> (f64, f64),
     ) -> Extreme {
         let factor = self.factor();
-        let breaks = cam.law.breaks();
-        let alike = self.law.breaks() == breaks;
+        let own = cam.law.breaks();
+        let alike = self.law.breaks() == own;
+        // What is added is smooth between breaks of its own.
+        let cut = self
+            .extra
+            .map(|extra| cam.law.poly().cut_at(extra.breaks()));
+        let breaks = cut.as_ref().map_or(own, |cut| cut.breaks());
         let square = stand_in(breaks, 1e-12, |i, x| {
-            let u = (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
+            let middle = 0.5 * (breaks[i] + breaks[i + 1]);
+            let i = if cut.is_none() {
+                i
+            } else {
+                own.partition_point(|b| *b <= middle) - 1
+            };
+            let u = (x - own[i]) / (own[i + 1] - own[i]);
             let pressing = if alike {
                 self.law.svaj_on(i, u)
             } else {
                 self.law.svaj(x)
             };
-            let force = sign * self.drive.force(pressing);
+            let extra = self.extra.map_or(0.0, |extra| extra.eval(x));
+            let force = sign * (self.drive.force(pressing) + extra);
             let (normal, curvature) = bearing(cam.law.svaj_on(i, u), force);
             factor * normal * curvature
         })
@@ -101,7 +136,7 @@ impl Press<'_> {
     /// Where the radius of curvature is linear in the law, ρ = Rb + s + a, the highest F/ρ is found by
     /// Dinkelbach's method: the extreme of F − λρ gives a higher quotient λ, until there is none.
     fn under_flat_face(&self, cam: &Cam, base_radius: f64) -> Extreme {
-        let force = self.drive.force_curve(self.law);
+        let force = self.force_curve();
         let radius = cam.law.combination([1.0, 0.0, 1.0, 0.0], base_radius);
         let radius = radius.cut_at(force.breaks());
         let force = force.cut_at(radius.breaks());

@@ -94,7 +94,7 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     for (name, order, limit) in limited(problem) {
         let per_time = problem.drive.speed.powi(order as i32);
         let extra = problem.on_shaft.as_ref();
-        let timed = match extra.and_then(|shaft| shaft.timed.get(order - 1)) {
+        let timed = match extra.and_then(|shaft| shaft.extra.timed[order - 1].as_ref()) {
             None => Extreme::largest(cam.derivative_extremes(order)).map(|value| value * per_time),
             Some(extra) => {
                 let [weights @ .., _] = only(order, per_time);

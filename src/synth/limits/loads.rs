@@ -4,6 +4,7 @@
 //! pressure under a roller are not convex: h(s, v, a, j, D, e) ≥ 0 with its derivatives.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use super::finished::Finished;
 use super::hertz_pressure::Press;
@@ -13,7 +14,7 @@ use crate::drive::Drive;
 use crate::dynamics::hertz::{STEEL, flat_face_limit, modulus};
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
-use crate::problem::Problem;
+use crate::problem::{OnShaft, Problem, product};
 use crate::synth::qp::{Limit, Meaning, RADIUS};
 
 /// A cam is not made larger for a pressure of whose square the roller alone makes more than this part.
@@ -49,13 +50,15 @@ fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
 }
 
 /// What is not convex in the loads of a problem; `None` = no limit.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Loads {
     /// Lift to force.
     pub drive: Drive,
+    /// What a varying speed or a floor adds to it.
+    pub on_shaft: Option<Arc<OnShaft>>,
     /// Largest |F v|, N·m.
     pub torque: Option<f64>,
-    /// Largest |F v| that a limit on the power leaves, N·m.
+    /// Largest |F v| that a limit on the power leaves at the mean speed, N·m.
     pub power: Option<f64>,
     /// Largest |d(F v)/dθ|, N·m/rad.
     pub torque_rate: Option<f64>,
@@ -81,6 +84,7 @@ impl Loads {
         let roller = Some(problem.cam.roller_radius).filter(|r| under_roller && *r > 0.0);
         let loads = Loads {
             drive: problem.drive,
+            on_shaft: problem.on_shaft.clone(),
             torque: limits[LimitKind::Torque],
             // At constant speed P/ω (theory §10).
             power: limits[LimitKind::Power].map(|power| power / problem.drive.speed),
@@ -97,21 +101,39 @@ impl Loads {
     }
 
     /// Every limit at a place of the law; h ≥ 0 where it holds.
-    pub fn slacks(&self, at: Svaj, size: ProfileSize, out: &mut Vec<Slack>) {
-        let shaft = self.shaft();
+    pub fn slacks(&self, at: Svaj, theta: f64, size: ProfileSize, out: &mut Vec<Slack>) {
+        let shaft = self.on_shaft.as_ref();
+        let [extra, extra_rate] = shaft.map_or([0.0; 2], |shaft| {
+            [&shaft.extra.force, &shaft.force_rate].map(|curve| curve.eval(theta))
+        });
+        let force = self.drive.force(at) + extra;
         for side in [1.0, -1.0] {
-            out.extend(shaft.map(|(name, most)| self.torque_slack(name, at, most, side)));
-            out.extend(self.torque_rate.map(|most| self.rate_slack(at, most, side)));
+            for (name, most) in self.on_torque(theta).into_iter().flatten() {
+                out.push(self.torque_slack(name, at, force, most, side));
+            }
+            let rate = self.torque_rate;
+            out.extend(rate.map(|most| self.rate_slack(at, [force, extra_rate], most, side)));
         }
-        out.extend(self.pressure.map(|p| self.pressure_slack(at, size, p)));
+        out.extend(
+            self.pressure
+                .map(|p| self.pressure_slack(at, force, size, p)),
+        );
     }
 
-    /// The lesser of the limits on the torque: the other one follows from it.
-    fn shaft(&self) -> Option<(LimitKind, f64)> {
-        match (self.torque, self.power) {
-            (Some(torque), Some(power)) if power < torque => Some((LimitKind::Power, power)),
-            (None, power) => Some((LimitKind::Power, power?)),
-            (Some(torque), _) => Some((LimitKind::Torque, torque)),
+    /// The limits on the torque; at constant speed the lesser, from which the other one follows.
+    fn on_torque(&self, theta: f64) -> [Option<(LimitKind, f64)>; 2] {
+        let speed = (self.on_shaft.as_ref()).and_then(|shaft| shaft.extra.speed.as_ref());
+        let torque = self.torque.map(|most| (LimitKind::Torque, most));
+        let power = self.power.map(|most| (LimitKind::Power, most));
+        match (torque, power, speed) {
+            (_, Some((name, most)), Some(speed)) => {
+                let part = self.drive.speed / speed.eval(theta);
+                [torque, Some((name, most * part))]
+            }
+            (Some(torque), Some(power), None) => {
+                [Some(if power.1 < torque.1 { power } else { torque }), None]
+            }
+            (torque, power, _) => [torque, power],
         }
     }
 
@@ -130,7 +152,7 @@ impl Loads {
 
     /// The same with one limit at another value, or left out.
     pub fn with(&self, name: LimitKind, value: Option<f64>) -> Loads {
-        let mut out = *self;
+        let mut out = self.clone();
         match name {
             LimitKind::Torque => out.torque = value,
             LimitKind::Power => out.power = value,
@@ -145,9 +167,8 @@ impl Loads {
     }
 
     /// T − (±F v).
-    fn torque_slack(&self, name: LimitKind, at: Svaj, most: f64, side: f64) -> Slack {
+    fn torque_slack(&self, name: LimitKind, at: Svaj, force: f64, most: f64, side: f64) -> Slack {
         let [k, c, m, _] = self.drive.weights();
-        let force = self.drive.force(at);
         Slack {
             h: most - side * force * at.v,
             w: most,
@@ -160,10 +181,9 @@ impl Loads {
     }
 
     /// R − (±(F′ v + F a)).
-    fn rate_slack(&self, at: Svaj, most: f64, side: f64) -> Slack {
+    fn rate_slack(&self, at: Svaj, [force, extra]: [f64; 2], most: f64, side: f64) -> Slack {
         let [k, c, m, _] = self.drive.weights();
-        let force = self.drive.force(at);
-        let rate = k * at.v + c * at.a + m * at.j;
+        let rate = k * at.v + c * at.a + m * at.j + extra;
         Slack {
             h: most - side * (rate * at.v + force * at.a),
             w: most,
@@ -179,9 +199,8 @@ impl Loads {
     /// q R_f X (w^{3/2} − R_f K) − F w², q = p² π L/E*: with X = D + s, Y = v − e, w = X² + Y² and
     /// K = w + vY − aX the normal force is F √w/X and the sum of curvatures w^{3/2}/(R_f (w^{3/2} − R_f K))
     /// (theory §6, §10).
-    fn pressure_slack(&self, at: Svaj, size: ProfileSize, p: Pressure) -> Slack {
+    fn pressure_slack(&self, at: Svaj, force: f64, size: ProfileSize, p: Pressure) -> Slack {
         let [k, c, m, _] = self.drive.weights();
-        let force = self.drive.force(at);
         let (x, y) = (size.rise + at.s, at.v - size.offset);
         let w = x * x + y * y;
         let root = w.sqrt();
@@ -229,11 +248,7 @@ pub fn checks(design: &Finished) -> Vec<Check> {
         );
     }
     if let Some(limit) = limits[LimitKind::HertzPressure] {
-        let press = Press {
-            drive: &design.problem.drive,
-            thickness: design.problem.cam.thickness,
-            law: design.pressing,
-        };
+        let press = Press::of(design.problem, design.pressing);
         let worst = press.worst(design.cam, design.second, design.groove);
         // An undercut profile is cut away where the pressure would be highest.
         let endless = || design.cam.curvature().convex.map(|_| f64::INFINITY);
@@ -241,8 +256,7 @@ pub fn checks(design: &Finished) -> Vec<Check> {
         check(LimitKind::HertzPressure, worst, limit);
     }
     if let Some(limit) = limits[LimitKind::Power] {
-        let speed = design.problem.drive.speed;
-        let worst = largest(&torque()).map(|torque| torque * speed);
+        let worst = largest(&power_curve(design.problem, torque()));
         check(LimitKind::Power, worst, limit);
     }
     out
@@ -250,9 +264,15 @@ pub fn checks(design: &Finished) -> Vec<Check> {
 
 /// Shaft torque F·v without friction, N·m, of a force over the turn and the law of the cam.
 pub fn torque_curve(force: PiecewisePoly, law: &Law) -> PiecewisePoly {
-    let velocity = law.combination([0.0, 1.0, 0.0, 0.0], 0.0);
-    let force = force.cut_at(velocity.breaks());
-    velocity.cut_at(force.breaks()).times(&force)
+    product(&law.combination([0.0, 1.0, 0.0, 0.0], 0.0), &force)
+}
+
+/// Power of a shaft torque over the turn, W, at the speed that the shaft has.
+pub fn power_curve(problem: &Problem, torque: PiecewisePoly) -> PiecewisePoly {
+    match (problem.on_shaft.as_ref()).and_then(|shaft| shaft.extra.speed.as_ref()) {
+        Some(speed) => product(&torque, speed),
+        None => PiecewisePoly::combine(&[(problem.drive.speed, &torque)], 0.0),
+    }
 }
 
 /// Largest absolute value, by roots.
@@ -266,7 +286,7 @@ pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64
         return 0.0;
     };
     let per_radius = problem.drive.weights()[2] - limit.weights[2];
-    let force = problem.drive.force_curve(pressing);
+    let force = problem.force_curve(pressing);
     let bend = law.combination([1.0, 0.0, 1.0, 0.0], 0.0);
     let bend = bend.cut_at(force.breaks());
     let force = force.cut_at(bend.breaks());
@@ -283,7 +303,7 @@ pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
         problem.limits[LimitKind::HertzPressure]?,
         problem.cam.roller_radius,
     );
-    let force = problem.drive.force_extremes(pressing).1.value;
+    let force = problem.force_extremes(pressing).1.value;
     let least = force * modulus(STEEL, STEEL) / (PI * problem.cam.thickness * roller);
     (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)
 }

@@ -24,7 +24,7 @@ pub use finished::{Finished, GEOMETRY};
 pub use force::{about_the_target, accuracy, report as force_report};
 pub use hertz_pressure::Press;
 pub use kinematic::{above_base_circle, monotone, peak};
-pub use loads::{bearable_on_some_size, largest, smallest_base_radius, torque_curve};
+pub use loads::{bearable_on_some_size, largest, power_curve, smallest_base_radius, torque_curve};
 pub use nonconvex::{ENLARGED, NonconvexLimits, clearances, loaded, relative};
 pub use pressure_angle::{NEARLY_RIGHT, usual_pressure_angle};
 pub use profile::Profile;
@@ -50,35 +50,59 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     let of_law_alone = out.len();
     out.extend(curvature::row(problem));
     out.extend(pressure_angle::rows(problem));
-    out.extend(loads::row(problem));
-    // The lift in limits on the profile is a distance from the base circle.
-    for limit in &mut out[of_law_alone..] {
+    if problem.on_shaft.is_none() {
+        out.extend(loads::row(problem));
+    }
+    count_from_base_circle(problem, &mut out[of_law_alone..]);
+    out
+}
+
+/// The lift in limits on the profile is a distance from the base circle.
+fn count_from_base_circle(problem: &Problem, limits: &mut [Limit]) {
+    for limit in limits {
         limit.from_base_circle = !problem.level_is_known() && limit.weights[0] != 0.0;
+    }
+}
+
+/// Limits by time, on the force and on its pressure where the speed of the shaft varies or the floor moves: their bounds are
+/// less by what that adds; these shapes join the program.
+pub fn rows_on_shaft(problem: &Problem, program: &mut Program) -> Vec<Limit> {
+    if problem.on_shaft.is_none() {
+        return Vec::new();
+    }
+    let mut out = force::rows(problem);
+    out.extend(kinematic::timed(problem));
+    let of_law_alone = out.len();
+    out.extend(loads::row(problem));
+    count_from_base_circle(problem, &mut out[of_law_alone..]);
+    for limit in &mut out {
+        shift(problem, program, limit);
     }
     out
 }
 
-/// Limits by time and on the force where the speed of the shaft varies: their bounds are less by what that adds; these
-/// shapes join the program.
-pub fn rows_on_shaft(problem: &Problem, program: &mut Program) -> Vec<Limit> {
+/// Lowers the bound of a limit by what a varying speed or a floor adds to its quantity.
+fn shift(problem: &Problem, program: &mut Program, limit: &mut Limit) {
     let Some(shaft) = &problem.on_shaft else {
-        return Vec::new();
+        return;
     };
-    let mut out = force::rows(problem);
-    out.extend(kinematic::timed(problem));
-    for limit in &mut out {
-        let unit = problem.drive.speed.powi(limit.highest_order() as i32);
-        let (extra, factor) = match limit.name {
-            Criterion::Limit(LimitKind::ForceMin) => (&shaft.extra, 1.0),
-            Criterion::Limit(LimitKind::ForceMax) => (&shaft.extra, -1.0),
-            Criterion::Limit(LimitKind::Velocity) => (&shaft.timed[0], -limit.weights[1] / unit),
-            _ => (&shaft.timed[1], -limit.weights[2] / unit),
-        };
+    let per_time = problem.drive.speed.powi(limit.highest_order() as i32);
+    let timed = |order: usize| {
+        let extra = shaft.extra.timed[order - 1].as_ref()?;
+        Some((extra, -limit.weights[order] / per_time))
+    };
+    let added = match limit.name {
+        Criterion::Limit(LimitKind::ForceMin) => Some((&shaft.extra.force, 1.0)),
+        Criterion::Limit(LimitKind::ForceMax | LimitKind::HertzPressure) => {
+            Some((&shaft.extra.force, -1.0))
+        }
+        _ => timed(limit.highest_order()),
+    };
+    if let Some((extra, factor)) = added {
         let shape = PiecewisePoly::combine(&[(factor, extra)], 0.0);
         program.shapes.push(shape);
         limit.shape = Some(program.shapes.len() - 1);
     }
-    out
 }
 
 /// Limits of the profile with the cam's size among the variables, and what the size costs (theory §6).
@@ -88,13 +112,15 @@ pub fn with_size(problem: &Problem, program: &mut Program) {
     let mut sized = Vec::new();
     if follower == FollowerKind::FlatTranslating {
         sized.push(curvature::row_with_size(problem));
-        sized.extend(loads::row_with_size(problem));
+        let mut pressed = loads::row_with_size(problem);
+        pressed
+            .iter_mut()
+            .for_each(|limit| shift(problem, program, limit));
+        sized.extend(pressed);
     } else if !follower.is_oscillating() {
         sized.extend(pressure_angle::rows_with_size(problem));
     }
-    for limit in &mut sized {
-        limit.from_base_circle = !problem.level_is_known() && limit.weights[0] != 0.0;
-    }
+    count_from_base_circle(problem, &mut sized);
     program.limits.extend(sized);
     size::priced(problem, program);
 }

@@ -12,7 +12,7 @@ use crate::problem::Problem;
 pub const ENLARGED: f64 = 4e-6;
 
 /// All limits of a problem that are not convex in the law.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct NonconvexLimits {
     /// Those of the profile.
     pub profile: Option<Profile>,
@@ -30,10 +30,10 @@ impl NonconvexLimits {
     }
 
     /// Every limit at a place of the law; h ≥ 0 where it holds.
-    pub fn slacks(&self, at: Svaj) -> Vec<Slack> {
+    pub fn slacks(&self, at: Svaj, theta: f64) -> Vec<Slack> {
         let mut out = self.profile.map_or_else(Vec::new, |f| f.slacks(at));
         if let Some(loads) = &self.loads {
-            loads.slacks(at, self.size(), &mut out);
+            loads.slacks(at, theta, self.size(), &mut out);
         }
         out
     }
@@ -46,7 +46,7 @@ impl NonconvexLimits {
     /// The names of all of them.
     pub fn names(&self) -> Vec<Criterion> {
         let mut out: Vec<Criterion> = Vec::new();
-        for slack in self.slacks(Svaj::default()) {
+        for slack in self.slacks(Svaj::default(), 0.0) {
             if !out.contains(&slack.name) {
                 out.push(slack.name);
             }
@@ -64,7 +64,7 @@ impl NonconvexLimits {
         };
         NonconvexLimits {
             profile: self.profile.and_then(|p| p.only(&kept)),
-            loads: self.loads.map(left_out),
+            loads: self.loads.clone().map(left_out),
         }
     }
 
@@ -72,21 +72,31 @@ impl NonconvexLimits {
     pub fn at_size(&self, size: ProfileSize) -> Self {
         NonconvexLimits {
             profile: self.profile.map(|f| f.at_size(size)),
-            ..*self
+            loads: self.loads.clone(),
         }
     }
 }
 
 /// h/w over the law, for each of the limits.
 pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
-    let breaks = law.breaks();
-    let place = |i: usize, x: f64| law.svaj_on(i, (x - breaks[i]) / (breaks[i + 1] - breaks[i]));
-    let first = limits.slacks(place(0, breaks[0]));
+    let own = law.breaks();
+    let on_shaft = limits.loads.as_ref().and_then(|l| l.on_shaft.as_ref());
+    // What a varying speed adds is smooth between breaks of its own.
+    let extra = on_shaft.map(|shaft| law.poly().cut_at(shaft.extra.force.breaks()));
+    let breaks = extra.as_ref().map_or(own, |cut| cut.breaks());
+    let pieces: Vec<usize> = (breaks.windows(2))
+        .map(|ends| own.partition_point(|b| *b <= 0.5 * (ends[0] + ends[1])) - 1)
+        .collect();
+    let place = |i: usize, x: f64| {
+        let piece = pieces[i];
+        law.svaj_on(piece, (x - own[piece]) / (own[piece + 1] - own[piece]))
+    };
+    let first = limits.slacks(place(0, breaks[0]), breaks[0]);
     (0..first.len())
         .map(|k| {
             let terms = (first[k].largest / first[k].w).abs();
             stand_in_for_difference(breaks, 1e-11, terms, |i, x| {
-                let s = &limits.slacks(place(i, x))[k];
+                let s = &limits.slacks(place(i, x), x)[k];
                 s.h / s.w
             })
         })
@@ -107,7 +117,7 @@ pub fn loaded(law: &Law, limits: &NonconvexLimits) -> f64 {
         .flat_map(|l| l.named())
         .map(|n| n.0.into())
         .collect();
-    let first = limits.slacks(law.svaj_on(0, 0.0));
+    let first = limits.slacks(law.svaj_on(0, 0.0), law.breaks()[0]);
     relative(law, limits)
         .iter()
         .zip(first)

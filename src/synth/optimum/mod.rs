@@ -278,13 +278,13 @@ fn misses_accuracy(problem: &Problem, optimum: &Optimum) -> bool {
 /// Where the law breaks a limit on the loads, the sequence that keeps them; the limits where there is none.
 fn with_loads(problem: &Problem, optimum: &mut Optimum) -> Option<NonconvexLimits> {
     let limits = NonconvexLimits::of(problem)?;
-    limits.loads?;
+    limits.loads.as_ref()?;
     let (program, solution) = at_level(problem, optimum, &limits);
-    let here = scp::AtSize::new(limits, &program).of(&solution);
+    let here = scp::AtSize::new(limits.clone(), &program).of(&solution);
     if limits::loaded(&Law::of(&program.basis, &solution.x), &here) >= 0.0 {
         return None;
     }
-    (!in_sequence(problem, optimum, limits)).then_some(limits)
+    (!in_sequence(problem, optimum, limits.clone())).then_some(limits)
 }
 
 /// Goes on with the sequence that keeps limits that are not convex; false where that has no start.

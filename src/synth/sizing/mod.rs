@@ -234,11 +234,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     let least = (problem.hub_radius() + spec.roller_radius).max(next_to_nothing(problem, law));
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let bearable = limits::bearable_on_some_size(problem, pressing);
-    let press = limits::Press {
-        drive: &problem.drive,
-        thickness: problem.cam.thickness,
-        law: pressing,
-    };
+    let press = limits::Press::of(problem, pressing);
     // Growing D at the same offset relaxes the pressure angle, the curvature and the pressure alike.
     let holds = |d: f64| {
         let prime = d.hypot(offset);

@@ -83,4 +83,5 @@ run-swings = the follower oscillates: lift and gap are angles in rad, the force 
 run-pair-distance = the conjugate pair keeps its distance within { $deviation }; where the force turns negative the second cam bears it
 run-steady-shaft = under its motor the speed would ripple by about { $ripple } and change the force by { $change } of the mean, no more than { $allowed }: constant speed is enough
 run-shaft-varies = under its motor the speed ripples by { $found } (forecast from inertia and energy { $ripple }, which would change the force by { $change } of the mean): the force is that of the varying speed
+run-shaft-unsettled = the motion does not repeat after one turn of the shaft: its speed is that of a turn that does, and the flights are approximate
 run-flexible-at-mean-speed = the compliant follower is run at the mean speed of the shaft; the ripple is that under a rigid follower

@@ -49,6 +49,7 @@ design-noise = The number of { $size } is limited to a force error of { $error }
 design-thin-wall = The wall between the hole for the shaft and the base circle is { $wall }; a hub usually has { $usual }. Set a larger cam.base_radius or a smaller cam.bore.
 design-large-roller = The roller has a radius of { $roller }, more than the cam that it rolls on, { $cam }. Check cam.roller_radius and its unit.
 design-thin-shaft = The base circle has a diameter of { $circle }; a steel shaft that carries the torque of { $torque } needs { $shaft } (shear stress 40 MPa). Make the cam larger, or leave its size open and set cam.bore to the diameter of the shaft.
+design-inertia-for-accuracy = Under its motor the force error over time is { $error } of the mean; { $allowed } is allowed. The smallest inertia that meets it is { $inertia } (machine.inertia); law.shaft = "motor" designs for the motor where the family of the law allows it.
 design-no-base-circle = The smallest base radius is zero, so the profile passes through the shaft axis. Set cam.bore or cam.base_radius.
 design-usual-pressure-angle = No limit on the pressure angle is given: the cam is sized for at most { $angle }, the usual value. Set limits.pressure_angle to change it.
 design-polydyne = The cam is polydyne: at { $speed } the output end of a follower of stiffness { $stiffness } follows the law. Lift, velocity, acceleration, jerk and their limits are those of the cam; the force is that of the output end.
@@ -57,10 +58,6 @@ design-polydyne-miss = With its flexible follower this cam has a force error of 
 # Faults in what a design is asked for.
 synth-shaft-diverges = the law and the speed of the shaft do not settle: at a ripple of { $ripple } each round changes the target { $contraction } times as much as the one before
     .help = a larger inertia or a steeper torque line, or law.shaft = "constant"
-synth-limit-on-floor = this limit is not available for a law that is designed for a floor that moves
-    .help = omit the limit or [machine.floor]
-synth-limit-on-shaft = this limit is not available for a law that is designed for the speed of its motor
-    .help = set law.shaft = "constant", or omit the limit
 synth-force-not-read = the force curve was not read
 synth-no-lift-changes-force = no lift changes the force: spring rate, damping and mass are all zero
     .help = give at least one of spring_rate, damping, mass

@@ -89,4 +89,5 @@ run-swings = el seguidor oscila: elevación y separación son ángulos en rad, l
 run-pair-distance = el par conjugado mantiene su distancia dentro de { $deviation }; donde la fuerza se vuelve negativa la soporta la segunda leva
 run-steady-shaft = con su motor la velocidad oscilaría cerca de un { $ripple } y cambiaría la fuerza un { $change } de la media, no más del { $allowed }: basta la velocidad constante
 run-shaft-varies = con su motor la velocidad oscila un { $found } (previsto de inercia y energía { $ripple }, que cambiaría la fuerza un { $change } de la media): la fuerza es la de la velocidad variable
+run-shaft-unsettled = el movimiento no se repite tras una vuelta del eje: su velocidad es la de una vuelta que sí se repite, y los vuelos son aproximados
 run-flexible-at-mean-speed = el seguidor flexible se simula a la velocidad media del eje; la oscilación es la de un seguidor rígido

@@ -49,6 +49,7 @@ design-noise = El número de { $size } se limita a un error de fuerza de { $erro
 design-thin-wall = La pared entre el agujero del eje y el círculo base es de { $wall }; un cubo suele tener { $usual }. Fije un cam.base_radius mayor o un cam.bore menor.
 design-large-roller = El rodillo tiene un radio de { $roller }, mayor que la leva sobre la que rueda, { $cam }. Compruebe cam.roller_radius y su unidad.
 design-thin-shaft = El círculo base tiene un diámetro de { $circle }; un eje de acero que transmita el par de { $torque } necesita { $shaft } (tensión tangencial de 40 MPa). Agrande la leva, o deje abierto su tamaño y fije cam.bore con el diámetro del eje.
+design-inertia-for-accuracy = Con su motor el error de fuerza en el tiempo es { $error } de la media; se permite { $allowed }. La menor inercia que lo cumple es { $inertia } (machine.inertia); law.shaft = "motor" diseña para el motor si la familia de la ley lo permite.
 design-no-base-circle = El menor radio base es cero, de modo que el perfil pasa por el eje. Fije cam.bore o cam.base_radius.
 design-usual-pressure-angle = No se da límite para el ángulo de presión: la leva se dimensiona para { $angle } como máximo, el valor habitual. Fije limits.pressure_angle para cambiarlo.
 design-polydyne = La leva es polidina: a { $speed } el extremo de salida de un seguidor de rigidez { $stiffness } sigue la ley. Elevación, velocidad, aceleración, sobreaceleración y sus límites son los de la leva; la fuerza es la del extremo de salida.
@@ -57,10 +58,6 @@ design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fue
 # Errores en lo que se pide de un diseño.
 synth-shaft-diverges = la ley y la velocidad del eje no convergen: con una oscilación de { $ripple } cada vuelta cambia el objetivo { $contraction } veces lo que la anterior
     .help = más inercia o una recta de par más inclinada, o law.shaft = "constant"
-synth-limit-on-floor = este límite no está disponible para una ley diseñada para un suelo que se mueve
-    .help = omita el límite o [machine.floor]
-synth-limit-on-shaft = este límite no está disponible para una ley diseñada para la velocidad de su motor
-    .help = ponga law.shaft = "constant" u omita el límite
 synth-force-not-read = no se leyó la curva de fuerza
 synth-no-lift-changes-force = ninguna elevación cambia la fuerza: la rigidez, el amortiguamiento y la masa son cero
     .help = indique al menos spring_rate, damping o mass

@@ -247,7 +247,7 @@ fn shaft(design: &Design) -> Vec<String> {
                     "contraction": contraction}),
         ));
     }
-    let differs = on_shaft.sensitivity.iter().map(|s| {
+    let differs = design.sensitivity().into_iter().map(|s| {
         let percent = s
             .percent
             .map(|p| p.map_or("—".to_string(), |p| fixed(p, 2)));

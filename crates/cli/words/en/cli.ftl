@@ -389,6 +389,12 @@ explain-to-spline = a spline, which also holds dwells and points
 explain-more-spans = none: a spline follows any force; give it more spans
 explain-law-given = none: the scene gives the law itself
 explain-family-degree = { $family } of degree { $degree }
+explain-constant-speed = constant speed
+explain-motor = the speed that the motor gives
+explain-forecast = inertia and the energy that swings forecast a ripple of { $ripple } % and a change of the force by { $change } % of the mean RMS; { $neglected } % is neglected{ $enough ->
+        [true] {": "}constant speed is enough
+       *[other] {""}
+    }
 explain-with-rows = a program with the limits as rows: an optimum that satisfies all of them stays the optimum, so nothing would change
 explain-cone = a cone program with the cam's size among its variables, when the size is to be found
 explain-sequence = a sequence of convex programs, when the limit on the roller's curvature is not satisfied

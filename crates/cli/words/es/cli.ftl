@@ -389,6 +389,12 @@ explain-to-spline = una spline, que también admite detenimientos y puntos
 explain-more-spans = ninguno: una spline sigue cualquier fuerza; dele más tramos
 explain-law-given = ninguno: la escena da la propia ley
 explain-family-degree = { $family } de grado { $degree }
+explain-constant-speed = velocidad constante
+explain-motor = la velocidad que da el motor
+explain-forecast = la inercia y la energía que oscila prevén una oscilación de { $ripple } % y un cambio de la fuerza de { $change } % de la media (RMS); se desprecia { $neglected } %{ $enough ->
+        [true] {": "}basta la velocidad constante
+       *[other] {""}
+    }
 explain-with-rows = un programa con los límites como filas: un óptimo que los cumple todos sigue siendo el óptimo, así que nada cambiaría
 explain-cone = un programa cónico con el tamaño de la leva entre sus variables, cuando hay que hallar el tamaño
 explain-sequence = una secuencia de programas convexos, cuando no se cumple el límite de curvatura del rodillo

@@ -64,7 +64,7 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     if let Some(on_shaft) = &design.shaft {
         put("shaft", json!(on_shaft.shaft));
         put("force_time", json!(on_shaft.force_time));
-        put("shaft_design", shaft_design(on_shaft));
+        put("shaft_design", shaft_design(design, on_shaft));
     }
     if let Some(floor) = &design.floor {
         put("floor", json!(floor.motion));
@@ -77,12 +77,13 @@ pub fn summary(design: &Design, time: Timing) -> Value {
 }
 
 /// How the law and the speed of the shaft were made to agree, and what a machine that differs makes of it.
-fn shaft_design(on_shaft: &OnShaft) -> Value {
+fn shaft_design(design: &Design, on_shaft: &OnShaft) -> Value {
     json!({
         "rounds": on_shaft.rounds,
         "contraction": on_shaft.contraction,
         "at_constant_speed": on_shaft.at_constant_speed,
-        "sensitivity": on_shaft.sensitivity,
+        "forecast": on_shaft.forecast,
+        "sensitivity": design.sensitivity(),
     })
 }
 

@@ -1,5 +1,6 @@
 //! The contact model on a prepared cam: the run over its events, read at the rows and integrated.
 
+use super::on_shaft::contact_on_shaft;
 use crate::dynamics::contact::{self, ContactRun, Phase};
 use crate::dynamics::outcome::{Force, Model, Outcome, Torque};
 use crate::dynamics::reason::RunNote;
@@ -12,7 +13,7 @@ use crate::law::Law;
 use std::f64::consts::TAU;
 
 /// A follower held from both sides cannot lift off, and a cam with ends has no steady state.
-fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
+pub fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
     if p.held {
         let fault = if input.machine.conjugate.is_some() {
             DynamicsError::HeldByPair
@@ -28,15 +29,23 @@ fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
 }
 
 pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
+    if let (Some(motor), Some(clock)) = (&input.machine.motor, &p.shaft) {
+        return contact_on_shaft(input, p, motor, clock);
+    }
     refuse_contact(input, p)?;
     let surface = |law: &Law| Surface::new(law.clone(), &p.drive);
     let surfaces: Vec<Surface> = p.laws.iter().map(surface).collect();
     let machine = &input.machine;
     let run = contact::run(&surfaces, &p.drive, machine.restitution, &machine.limits);
+    Ok(steady_outcome(input, p, &surfaces, run))
+}
+
+/// What is reported of a run over its surfaces; where the speed varies they are by the part of the period.
+pub fn steady_outcome(input: &Run, p: &Prepared, surfaces: &[Surface], run: ContactRun) -> Outcome {
     let mut out = p.outcome(Model::Contact);
     let (from, to) = run.window();
-    let (forces, heights) = samples(&run, &surfaces, p);
-    let sums = integrate(&run, &surfaces, input, p);
+    let (forces, heights) = samples(&run, surfaces, p);
+    let sums = integrate(&run, surfaces, input, p);
     let pressed: f64 = run
         .steady_impacts()
         .map(|i| i.pulse.impulse * p.drive.speed * surfaces[i.surface].at(i.at).v)
@@ -68,7 +77,7 @@ pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
         });
     }
     out.impacts = run.impacts;
-    Ok(out)
+    out
 }
 
 /// Contact force, and height over the lift, at the rows of one repetition.
@@ -78,7 +87,11 @@ fn samples(run: &ContactRun, surfaces: &[Surface], p: &Prepared) -> (Vec<f64>, V
     let total = n * run.period;
     let (mut forces, mut heights) = (Vec::with_capacity(total), Vec::with_capacity(total));
     for i in 0..total {
-        let angle = from + TAU * i as f64 / n as f64;
+        let angle = TAU * i as f64 / n as f64;
+        let angle = from
+            + p.shaft
+                .as_ref()
+                .map_or(angle, |shaft| shaft.phase(angle)[0]);
         let past = run.stretches.partition_point(|s| s.to <= angle);
         let stretch = run.stretches.get(past).or(run.stretches.last());
         let state = stretch.map(|s| s.phase);

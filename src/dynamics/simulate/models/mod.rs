@@ -2,6 +2,7 @@
 
 mod contact;
 mod flexible;
+mod on_shaft;
 mod rigid;
 
 pub(super) use contact::contact_run;

@@ -1,6 +1,7 @@
 //! The rigid model on a prepared cam.
 
 use super::note_pull;
+use super::on_shaft::in_time;
 use crate::dynamics::floor::{Floor, FloorMotion, harmonics};
 use crate::dynamics::outcome::{Force, Model, Outcome};
 use crate::dynamics::reason::RunNote;
@@ -19,7 +20,8 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     let mut out = p.outcome(Model::Rigid);
     if let Some(shaft) = &p.shaft {
         let forces = shaft.forces(&p.drive, &p.nodes);
-        return Ok(sampled(input, p, &forces));
+        let surface = Surface::new(in_time(&p.lift, shaft), &p.drive);
+        return Ok(over_time(input, p, &forces, &surface));
     }
     if let Some(floor) = &input.machine.floor {
         return on_floor(input, p, floor);
@@ -75,17 +77,31 @@ fn on_floor(input: &Run, p: &Prepared, floor: &Floor) -> Result<Outcome> {
     let acceleration = floor.acceleration(speed, &all.collect::<Vec<_>>())?;
     let moved = samples(&acceleration, 0, still.len()).into_iter();
     let forces: Vec<f64> = still.iter().zip(moved).map(|(f, a)| f + mass * a).collect();
-    let mut out = sampled(input, p, &forces);
+    let pulled = forces.iter().filter(|f| **f < 0.0).count() as f64 / forces.len() as f64;
+    let mut out = sampled(input, p, &forces, extremes(&forces), pulled);
     out.floor = Some(FloorMotion::of(&acceleration));
     // It is that of a stiff floor.
     out.liftoff_speed = None;
     Ok(out)
 }
 
-/// The rigid follower under forces that are no function of its lift alone; extremes are those of the rows.
-fn sampled(input: &Run, p: &Prepared, forces: &[f64]) -> Outcome {
+/// The rigid follower on a shaft whose speed varies; `surface` is the cam by the part of the period.
+fn over_time(input: &Run, p: &Prepared, forces: &[f64], surface: &Surface) -> Outcome {
+    let (low, high) = surface.force.extremes();
+    let pulled = surface.pulls.iter().fold(0.0, |sum, (a, b)| sum + b - a) / p.cycle.length;
+    sampled(input, p, forces, (low.value, high.value), pulled)
+}
+
+/// The rigid follower under forces that are no function of its lift alone, with their extremes and the part of the cycle in
+/// which they pull.
+fn sampled(
+    input: &Run,
+    p: &Prepared,
+    forces: &[f64],
+    (low, high): (f64, f64),
+    pulled: f64,
+) -> Outcome {
     let mut out = p.outcome(Model::Rigid);
-    let (low, high) = extremes(forces);
     out.force_time = p.force_time(forces);
     out.force = Force {
         min: low,
@@ -99,7 +115,6 @@ fn sampled(input: &Run, p: &Prepared, forces: &[f64]) -> Outcome {
     if out.torque.mean.abs() < NO_TORQUE * out.torque.rms {
         out.torque.mean = 0.0;
     }
-    let pulled = forces.iter().filter(|f| **f < 0.0).count() as f64 / forces.len() as f64;
     note_pull(&mut out, input, p, pulled);
     out.contact_lost = out.lost_fraction > 0.0;
     if out.contact_lost {

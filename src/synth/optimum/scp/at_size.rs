@@ -30,8 +30,9 @@ impl AtSize {
     /// The same where no step changes a size.
     pub fn held(&self) -> Self {
         AtSize {
+            limits: self.limits.clone(),
+            present: self.present,
             free: [false; EXTRAS],
-            ..*self
         }
     }
 

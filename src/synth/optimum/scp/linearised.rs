@@ -89,7 +89,7 @@ pub fn linearised(
     let mut out = program.fixed.clone();
     for place in places(program, current, &law, limits) {
         let at = law.svaj_on(place.piece, place.u);
-        for (k, s) in limits.slacks(at).into_iter().enumerate() {
+        for (k, s) in limits.slacks(at, place.at).into_iter().enumerate() {
             if s.h > FAR * s.largest {
                 continue;
             }

@@ -12,7 +12,7 @@ use gaitcam::dynamics::recover;
 use gaitcam::dynamics::{Machine, Run};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
-use gaitcam::scene::{Family, Scene};
+use gaitcam::scene::{Family, Scene, ShaftSpeed};
 use gaitcam::synth::{Design, Tier};
 use serde_json::json;
 
@@ -42,6 +42,7 @@ pub fn choices(scene: &Scene, design: &Design) -> Vec<Choice> {
     let mut out = vec![family(scene, design)];
     out.extend(size(scene, design));
     out.push(tier(design));
+    out.extend(shaft(scene, design));
     out
 }
 
@@ -147,6 +148,31 @@ fn tier(design: &Design) -> Choice {
         next: text(next),
         richer: None,
     }
+}
+
+/// Whether the law is that for the motor, from the forecast of inertia and energy.
+fn shaft(scene: &Scene, design: &Design) -> Option<Choice> {
+    let on_shaft = design.shaft.as_ref()?;
+    let forecast = on_shaft.forecast;
+    let is_constant = on_shaft.rounds == 0;
+    let percent = |x: f64| fixed(x, 3);
+    let values = json!({"ripple": percent(100.0 * forecast.ripple),
+        "change": percent(forecast.force_change_percent_of_mean),
+        "neglected": percent(forecast.neglected_percent_of_mean),
+        "enough": forecast.is_negligible.to_string()});
+    let [constant, motor] = ["explain-constant-speed", "explain-motor"].map(text);
+    Some(Choice {
+        subject: "shaft",
+        chosen: if is_constant { constant } else { motor.clone() },
+        because: fill("explain-forecast", &values),
+        next: if is_constant {
+            motor
+        } else {
+            text("explain-none")
+        },
+        richer: (is_constant && scene.law.shaft == ShaftSpeed::Constant)
+            .then(|| with(scene, |s| s.law.shaft = ShaftSpeed::Motor)),
+    })
 }
 
 fn with(scene: &Scene, change: impl FnOnce(&mut Scene)) -> Scene {

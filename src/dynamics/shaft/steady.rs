@@ -1,0 +1,294 @@
+//! The turn that repeats, by Newton's method on the whole turn: energies at all stages and the no-load speed together.
+//!
+//! Linear about the last energies, every step's end is α + β E₀ + γ δω₀; two conditions close the turn: it ends as it begins
+//! and takes the time of the mean speed. A sweep costs the loads at the stages once (theory §10).
+
+use std::f64::consts::TAU;
+
+use super::turn::{INNER, Inverse, Load, PLACES, STAGES, WEIGHTS};
+use crate::drive::Motor;
+
+/// Sweeps at most; five are usual, two from a turn that is near.
+const SWEEPS: usize = 30;
+/// Relative change of the energies, after which the next one is its square.
+const SAME: f64 = 1e-6;
+/// An energy falls to no less than this part in a sweep.
+const LEAST_PART: f64 = 0.3;
+/// Steps of a turn where only its existence is asked.
+const COARSE: usize = 96;
+/// Inertia is changed by this factor between turns of which one leads to the next, by no less than that, over this range.
+const FACTOR: f64 = 100.0;
+const LEAST_FACTOR: f64 = 1.01;
+const RANGE: f64 = 1e4;
+/// A flywheel is large enough to turn nearly evenly at this ripple.
+const EVEN: f64 = 0.1;
+
+/// A turn that repeats.
+#[derive(Debug, Clone)]
+pub struct Steady {
+    /// ω²/2 at the stages of the steps, rad²/s².
+    stages: Vec<[f64; STAGES]>,
+    /// No-load speed, rad/s.
+    pub no_load: f64,
+    /// ω²/2 at the beginning of every step, and at the end.
+    pub energy: Vec<f64>,
+    /// Time there, s.
+    pub time: Vec<f64>,
+    /// ∮ of the motor's torque at the camshaft, J.
+    pub motor_work: f64,
+    /// ∫ of its square over time, (N·m)²·s.
+    pub motor_square: f64,
+    /// ∮ of the load's torque, J.
+    pub load_work: f64,
+    /// Smallest and largest energy.
+    pub range: [f64; 2],
+    /// Largest absolute torque of the motor at the camshaft, N·m.
+    pub motor_peak: f64,
+}
+
+/// A shaft that does not keep turning.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stall {
+    /// With less than this inertia, kg·m².
+    Below(f64),
+    /// With any.
+    Anyway,
+}
+
+impl Steady {
+    /// The turn of a load under a motor at a mean speed, rad/s, from one that may be `near`.
+    pub fn find(
+        load: &Load,
+        motor: &Motor,
+        speed: f64,
+        near: Option<&Steady>,
+    ) -> Result<Steady, Stall> {
+        let coarse = load.every(COARSE);
+        if near.is_none() && load.steps.len() > coarse.steps.len() {
+            let first = Steady::find(&coarse, motor, speed, None)?;
+            return Steady::find(load, motor, speed, Some(&first));
+        }
+        let start = near.map(|n| (n.at_stages_of(load), n.no_load));
+        let from = |(stages, no_load)| newton(load, motor, speed, stages, no_load);
+        if let Some(turn) = start
+            .and_then(from)
+            .or_else(|| from(even(load, motor, speed)))
+        {
+            return Ok(turn);
+        }
+        let scale = coarse.swing(speed) / (EVEN * speed * speed);
+        let large = scale.max(FACTOR * motor.inertia);
+        let wheel = with_inertia(motor, large);
+        let (stages, no_load) = even(&coarse, &wheel, speed);
+        let first = newton(&coarse, &wheel, speed, stages, no_load).ok_or(Stall::Anyway)?;
+        let (least, turn) = smaller(&coarse, motor, speed, (large, first), motor.inertia);
+        if least > motor.inertia {
+            return Err(Stall::Below(least));
+        }
+        let stages = turn.at_stages_of(load);
+        newton(load, motor, speed, stages, turn.no_load).ok_or(Stall::Below(least * LEAST_FACTOR))
+    }
+
+    /// Smallest inertia, kg·m², to 1 %, with which this shaft keeps turning; 0: with any.
+    pub fn least_inertia(&self, load: &Load, motor: &Motor, speed: f64) -> f64 {
+        let goal = motor.inertia / RANGE;
+        let coarse = load.every(COARSE);
+        let start = newton(
+            &coarse,
+            motor,
+            speed,
+            self.at_stages_of(&coarse),
+            self.no_load,
+        );
+        let Some(start) = start else {
+            return motor.inertia;
+        };
+        let (least, _) = smaller(&coarse, motor, speed, (motor.inertia, start), goal);
+        if least > goal { least } else { 0.0 }
+    }
+
+    /// Its energies at the stages of a load with other steps.
+    fn at_stages_of(&self, load: &Load) -> Vec<[f64; STAGES]> {
+        let (own, other) = (self.stages.len(), load.steps.len());
+        if own == other {
+            return self.stages.clone();
+        }
+        // As if all steps were alike: near enough to start from.
+        let at = |i: usize, k: usize| {
+            let x = (i as f64 + PLACES[k]) * own as f64 / other as f64;
+            let j = (x as usize).min(own - 1);
+            self.energy[j] + (x - j as f64) * (self.energy[j + 1] - self.energy[j])
+        };
+        let stages = |i: usize| std::array::from_fn(|k| at(i, k));
+        (0..other).map(stages).collect()
+    }
+}
+
+pub fn with_inertia(motor: &Motor, inertia: f64) -> Motor {
+    Motor {
+        inertia,
+        ..motor.clone()
+    }
+}
+
+/// Energies of a shaft that turns nearly evenly, and the no-load speed.
+fn even(load: &Load, motor: &Motor, speed: f64) -> (Vec<[f64; STAGES]>, f64) {
+    let (mean, works) = load.at_constant_speed(speed);
+    let level = 0.5 * speed * speed;
+    let middle = works.iter().sum::<f64>() / works.len() as f64;
+    let at =
+        |work: &f64| [(level - (work - middle) / motor.inertia).max(LEAST_PART * level); STAGES];
+    let no_load = motor.no_load_for(speed, mean + motor.friction);
+    (works.iter().map(at).collect(), no_load)
+}
+
+/// From a turn with a large inertia to smaller ones, each from the one before: the smallest that is found, down to `goal`.
+fn smaller(
+    load: &Load,
+    motor: &Motor,
+    speed: f64,
+    (mut inertia, mut turn): (f64, Steady),
+    goal: f64,
+) -> (f64, Steady) {
+    let mut factor = FACTOR;
+    while inertia > goal && factor > LEAST_FACTOR {
+        let next = (inertia / factor).max(goal);
+        let wheel = with_inertia(motor, next);
+        match newton(load, &wheel, speed, turn.stages.clone(), turn.no_load) {
+            Some(found) => (inertia, turn) = (next, found),
+            None => factor = factor.sqrt(),
+        }
+    }
+    (inertia, turn)
+}
+
+/// Newton's method from energies at the stages and a no-load speed.
+fn newton(
+    load: &Load,
+    motor: &Motor,
+    speed: f64,
+    mut stages: Vec<[f64; STAGES]>,
+    mut no_load: f64,
+) -> Option<Steady> {
+    let mut lines = vec![[[0.0; STAGES]; 3]; stages.len()];
+    for _ in 0..SWEEPS {
+        let (first, supply) = sweep(load, motor, speed, &stages, no_load, &mut lines)?;
+        let next = |line: &[[f64; STAGES]; 3], k: usize| {
+            line[0][k] + line[1][k] * first + line[2][k] * supply
+        };
+        let (mut change, mut part) = (0.0_f64, 1.0_f64);
+        for (stage, line) in stages.iter().zip(&lines) {
+            for k in 0..STAGES {
+                let d = next(line, k) - stage[k];
+                change = change.max(d.abs() / stage[k]);
+                if d < (LEAST_PART - 1.0) * stage[k] {
+                    part = part.min((LEAST_PART - 1.0) * stage[k] / d);
+                }
+            }
+        }
+        if !change.is_finite() {
+            return None;
+        }
+        part = part.min(0.5 * no_load / supply.abs());
+        for (stage, line) in stages.iter_mut().zip(&lines) {
+            for k in 0..STAGES {
+                stage[k] += part * (next(line, k) - stage[k]);
+            }
+        }
+        no_load += part * supply;
+        if change < SAME {
+            return evaluated(load, motor, stages, no_load, first);
+        }
+    }
+    None
+}
+
+/// One linear problem: the first energy and the change of the no-load speed; `lines` become the energies at the stages as a
+/// constant and the factors of both.
+fn sweep(
+    load: &Load,
+    motor: &Motor,
+    speed: f64,
+    stages: &[[f64; STAGES]],
+    no_load: f64,
+    lines: &mut [[[f64; STAGES]; 3]],
+) -> Option<(f64, f64)> {
+    let mut energy = [0.0, 1.0, 0.0];
+    let mut time = [0.0; 3];
+    for ((step, own), line) in load.steps.iter().zip(stages).zip(lines) {
+        let h = step.width;
+        let rates: [[f64; 3]; STAGES] =
+            std::array::from_fn(|k| step.nodes[k].rate(motor, no_load, own[k]));
+        let inverse = Inverse::of(h, &rates);
+        let sum = |i: usize, of: &dyn Fn(usize) -> f64| {
+            h * (INNER[i][0] * of(0) + INNER[i][1] * of(1) + INNER[i][2] * of(2))
+        };
+        let still = |k: usize| rates[k][0] - rates[k][1] * own[k];
+        *line = [
+            inverse.times(std::array::from_fn(|i| energy[0] + sum(i, &still))),
+            inverse.times([energy[1]; 3]),
+            inverse.times(std::array::from_fn(|i| {
+                energy[2] + sum(i, &|k| rates[k][2])
+            })),
+        ];
+        for k in 0..STAGES {
+            let w = h * WEIGHTS[k];
+            let v = (2.0 * own[k]).sqrt();
+            let slowing = w / (v * v * v);
+            energy[0] += w * (still(k) + rates[k][1] * line[0][k]);
+            energy[1] += w * rates[k][1] * line[1][k];
+            energy[2] += w * (rates[k][1] * line[2][k] + rates[k][2]);
+            time[0] += w / v - slowing * (line[0][k] - own[k]);
+            time[1] -= slowing * line[1][k];
+            time[2] -= slowing * line[2][k];
+        }
+    }
+    let ([a, b], [c, d]) = ([energy[1] - 1.0, energy[2]], [time[1], time[2]]);
+    let (e, f) = (-energy[0], TAU / speed - time[0]);
+    let determinant = a * d - b * c;
+    let found = ((e * d - b * f) / determinant, (a * f - e * c) / determinant);
+    (found.0.is_finite() && found.1.is_finite()).then_some(found)
+}
+
+/// The turn with these energies at its stages.
+fn evaluated(
+    load: &Load,
+    motor: &Motor,
+    stages: Vec<[f64; STAGES]>,
+    no_load: f64,
+    first: f64,
+) -> Option<Steady> {
+    let mut out = Steady {
+        energy: Vec::with_capacity(stages.len() + 1),
+        time: Vec::with_capacity(stages.len() + 1),
+        stages: Vec::new(),
+        no_load,
+        motor_work: 0.0,
+        motor_square: 0.0,
+        load_work: 0.0,
+        range: [first, first],
+        motor_peak: 0.0,
+    };
+    let (mut energy, mut time) = (first, 0.0);
+    for (step, own) in load.steps.iter().zip(&stages) {
+        out.energy.push(energy);
+        out.time.push(time);
+        for k in 0..STAGES {
+            let (w, speed) = (step.width * WEIGHTS[k], (2.0 * own[k]).sqrt());
+            let rate = step.nodes[k].rate(motor, no_load, own[k])[0];
+            energy += w * rate;
+            time += w / speed;
+            let torque = motor.torque(speed, no_load)[0];
+            out.motor_work += w * torque;
+            out.motor_square += w * torque * torque / speed;
+            out.motor_peak = out.motor_peak.max(torque.abs());
+            out.load_work += w * step.nodes[k].torque(own[k], rate);
+            out.range = [out.range[0].min(own[k]), out.range[1].max(own[k])];
+        }
+        out.range = [out.range[0].min(energy), out.range[1].max(energy)];
+    }
+    out.energy.push(energy);
+    out.time.push(time);
+    out.stages = stages;
+    (out.range[0] > 0.0).then_some(out)
+}

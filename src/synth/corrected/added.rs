@@ -1,0 +1,130 @@
+//! What a varying speed adds to force, velocity, acceleration and jerk of a law, as numbers that rounds of designs carry on.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::SMatrix;
+
+use crate::cam::LimitKind;
+use crate::dynamics::shaft::{Motion, force};
+use crate::law::{Law, Svaj};
+use crate::poly::{PiecewisePoly, bernstein};
+use crate::problem::{Extra, Problem};
+
+/// Equal parts of the turn, between the breaks of the law, and the degree of what is added on each.
+const PARTS: usize = 48;
+const DEGREE: usize = 5;
+const NODES: usize = DEGREE + 1;
+/// A part is no shorter than this share of an equal one.
+const SHORTEST: f64 = 0.3;
+/// Equal angles of the target.
+const SAMPLES: usize = 360;
+
+/// The numbers of a state, in this order: what is added to the force at the nodes, what is added by time where that is
+/// limited, the speed, and the parts of the period at equal angles. Each is in units in which 1 is about the whole.
+pub struct Layout {
+    breaks: Vec<f64>,
+    /// Bernstein coefficients from the values at the nodes.
+    coefficients: SMatrix<f64, NODES, NODES>,
+    /// Limits on velocity, acceleration and jerk.
+    limits: [Option<f64>; 3],
+}
+
+impl Layout {
+    /// The parts that suit a law.
+    pub fn new(problem: &Problem, law: &Law) -> Layout {
+        let kinds = [
+            LimitKind::Velocity,
+            LimitKind::Acceleration,
+            LimitKind::Jerk,
+        ];
+        let own = law.breaks();
+        let equal = TAU / PARTS as f64;
+        let far = |x: &f64| own.iter().all(|b| (b - x).abs() > SHORTEST * equal);
+        let between = (0..PARTS).map(|i| equal * i as f64).filter(far);
+        let mut breaks: Vec<f64> = own.iter().copied().chain(between).collect();
+        breaks.sort_by(f64::total_cmp);
+        let values = SMatrix::<f64, NODES, NODES>::from_fn(|i, k| {
+            let u = node(i);
+            let part = u.powi(k as i32) * (1.0 - u).powi((DEGREE - k) as i32);
+            bernstein::binomial(DEGREE, k) * part
+        });
+        Layout {
+            breaks,
+            // The nodes differ: the matrix has an inverse.
+            coefficients: values.try_inverse().unwrap_or_else(SMatrix::identity),
+            limits: kinds.map(|kind| problem.limits[kind]),
+        }
+    }
+
+    fn nodes(&self) -> impl Iterator<Item = f64> {
+        let part = |ends: &[f64]| {
+            let (from, width) = (ends[0], ends[1] - ends[0]);
+            (0..NODES).map(move |k| from + node(k) * width)
+        };
+        self.breaks.windows(2).flat_map(part)
+    }
+
+    /// The state that a law `at` every angle makes on a shaft in motion.
+    pub fn state(&self, problem: &Problem, clock: &Motion, law: &dyn Fn(f64) -> Svaj) -> Vec<f64> {
+        let (drive, mean) = (&problem.drive, problem.target_mean());
+        let count = NODES * (self.breaks.len() - 1);
+        let mut parts: [Vec<f64>; 5] = std::array::from_fn(|_| Vec::with_capacity(count));
+        for x in self.nodes() {
+            let at = law(x);
+            let [w, rate, slope] = clock.speed_at(x);
+            let added = force(drive, at, w, rate) - drive.force(at);
+            parts[0].push(added / mean);
+            // d/dt = w d/dθ, and w w′ is the angular acceleration.
+            let timed = [
+                w * at.v,
+                w * w * at.a + rate * at.v,
+                w * (w * w * at.j + 3.0 * rate * at.a + slope * at.v),
+            ];
+            let even = [at.v, at.a, at.j];
+            for (k, limit) in self.limits.iter().enumerate() {
+                let still = drive.speed.powi(k as i32 + 1) * even[k];
+                parts[k + 1].extend(limit.map(|limit| (timed[k] - still) / limit));
+            }
+            parts[4].push(w / drive.speed);
+        }
+        let angles = (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
+        let phases = angles.map(|x| clock.phase(x)[0]);
+        parts.concat().into_iter().chain(phases).collect()
+    }
+
+    /// The parts of the period at equal angles, rad, and what is added, of a state.
+    pub fn extra(&self, problem: &Problem, state: &[f64]) -> (Vec<f64>, Extra) {
+        let mut left = state;
+        let count = NODES * (self.breaks.len() - 1);
+        let mut next = |unit: f64| {
+            let (own, rest) = left.split_at(count);
+            left = rest;
+            self.curve(own, unit)
+        };
+        let force = next(problem.target_mean());
+        let timed = self.limits.map(|limit| limit.map(&mut next));
+        let speed = Some(next(problem.drive.speed));
+        let extra = Extra {
+            force,
+            timed,
+            speed,
+        };
+        (left.to_vec(), extra)
+    }
+
+    fn curve(&self, values: &[f64], unit: f64) -> PiecewisePoly {
+        let mut coefficients = Vec::with_capacity(values.len());
+        for piece in values.chunks_exact(NODES) {
+            for row in self.coefficients.row_iter() {
+                let sum: f64 = row.iter().zip(piece).map(|(a, b)| a * b).sum();
+                coefficients.push(unit * sum);
+            }
+        }
+        PiecewisePoly::new(self.breaks.clone(), DEGREE, coefficients)
+    }
+}
+
+/// Chebyshev's nodes: what is added may jump at the ends of a part.
+fn node(k: usize) -> f64 {
+    0.5 * (1.0 - (PI * (k as f64 + 0.5) / NODES as f64).cos())
+}

@@ -1,0 +1,161 @@
+//! Rounds of designs for a machine that depends on the design: each is made for what the one before makes of the machine.
+
+use crate::error::Result;
+
+/// Rounds of designs at most.
+const ROUNDS: usize = 30;
+/// Rounds before the last that the next one is made from.
+const MEMORY: usize = 5;
+/// Part of a difference between rounds below which it says nothing new.
+const DEPENDENT: f64 = 1e-6;
+
+/// A design, and the state of the machine that it makes.
+pub struct Round<D> {
+    /// The design.
+    pub design: D,
+    /// What it makes.
+    pub made: Vec<f64>,
+    /// Whether a law keeps its limits.
+    pub has_law: bool,
+}
+
+/// The last design.
+pub struct Settled<D> {
+    /// The design.
+    pub design: D,
+    /// The state that it is judged in: what it was made for, or what it makes where the rounds do not agree.
+    pub state: Vec<f64>,
+    /// Designs made.
+    pub rounds: usize,
+    /// Factor between the last two differences of what was given and what was made.
+    pub contraction: Option<f64>,
+    /// The last difference.
+    pub difference: f64,
+}
+
+/// Designs until what a design makes differs from what it was made for by no more than `allowed` anywhere; that of the least
+/// difference where a round has no law, or where they do not agree.
+///
+/// # Errors
+/// Those of a round.
+pub fn settled<D>(
+    mut given: Vec<f64>,
+    allowed: f64,
+    mut round: impl FnMut(&[f64]) -> Result<Round<D>>,
+) -> Result<Settled<D>> {
+    let mut path: Vec<[Vec<f64>; 2]> = Vec::new();
+    let mut best: Option<(f64, Round<D>)> = None;
+    let (mut before, mut contraction) = (None, None);
+    loop {
+        let next = round(&given)?;
+        let off = difference(&next.made, &given);
+        let size = off.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        contraction = before.map(|before| size / before).or(contraction);
+        before = Some(size);
+        let rounds = path.len() + 1;
+        if size <= allowed {
+            let (design, state, difference) = (next.design, given, size);
+            return Ok(Settled {
+                design,
+                state,
+                rounds,
+                contraction,
+                difference,
+            });
+        }
+        path.push([next.made.clone(), off]);
+        let has_law = next.has_law;
+        if best.as_ref().is_none_or(|b| has_law && size < b.0) {
+            best = Some((size, next));
+        }
+        if let Some((difference, best)) = best.take_if(|_| !has_law || rounds == ROUNDS) {
+            return Ok(Settled {
+                design: best.design,
+                state: best.made,
+                rounds,
+                contraction,
+                difference,
+            });
+        }
+        given = accelerated(&path[path.len().saturating_sub(MEMORY + 1)..]);
+    }
+}
+
+fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn subtract(from: &mut [f64], part: f64, of: &[f64]) {
+    from.iter_mut().zip(of).for_each(|(x, y)| *x -= part * y);
+}
+
+/// What to design for next, from what rounds made and how far that is from what they were designed for: the combination of
+/// the rounds whose distance is least (Anderson's acceleration; Walker and Ni 2011).
+fn accelerated(path: &[[Vec<f64>; 2]]) -> Vec<f64> {
+    let Some([made, off]) = path.last() else {
+        return Vec::new();
+    };
+    let (mut next, mut rest) = (made.clone(), off.clone());
+    let mut directions: Vec<[Vec<f64>; 2]> = Vec::new();
+    for pair in path.windows(2).rev() {
+        let [mut made, mut off] = [0, 1].map(|k| difference(&pair[1][k], &pair[0][k]));
+        let size = dot(&off, &off).sqrt();
+        for [other, direction] in &directions {
+            let part = dot(direction, &off);
+            subtract(&mut off, part, direction);
+            subtract(&mut made, part, other);
+        }
+        let left = dot(&off, &off).sqrt();
+        if left > DEPENDENT * size {
+            let unit = |of: Vec<f64>| of.iter().map(|x| x / left).collect::<Vec<_>>();
+            let (made, off) = (unit(made), unit(off));
+            let part = dot(&off, &rest);
+            subtract(&mut rest, part, &off);
+            subtract(&mut next, part, &made);
+            directions.push([made, off]);
+        }
+    }
+    next
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_linear_map_of_two_unknowns_that_expands_settles_in_three_rounds() {
+        // x ↦ A x + b with eigenvalues −3 and 0.5: plain rounds diverge.
+        let map = |x: &[f64]| vec![-3.0 * x[0] + 1.0, 2.0 * x[0] + 0.5 * x[1] - 1.0];
+        let mut count = 0;
+        let found = settled(vec![5.0, -7.0], 1e-12, |x| {
+            count += 1;
+            let (design, made, has_law) = ((), map(x), true);
+            Ok(Round {
+                design,
+                made,
+                has_law,
+            })
+        });
+        let found = found.unwrap();
+        // x = 1/4, y = 2 (2/4 − 1) = −1.
+        assert!((found.state[0] - 0.25).abs() < 1e-12 && (found.state[1] + 1.0).abs() < 1e-12);
+        assert!(count <= 5 && found.rounds == count, "{count}");
+    }
+
+    #[test]
+    fn a_round_without_a_law_ends_with_the_nearest_law() {
+        let found = settled(vec![1.0], 1e-9, |x| {
+            let has_law = x[0] > 0.4;
+            Ok(Round {
+                design: x[0],
+                made: vec![0.5 * x[0] - 1.0],
+                has_law,
+            })
+        });
+        assert_eq!(found.unwrap().design, 1.0);
+    }
+}
