@@ -240,7 +240,9 @@ fn rounds(
     problem: &Problem,
     search: &Search,
 ) -> Result<Last> {
-    let mut clock = run.in_time(first, clock)?;
+    // The motion in time of a law for constant speed may stop a small wheel that the law itself turns.
+    let in_time = run.in_time(first, clock.clone());
+    let mut clock = in_time.map_err(|_| diverges(&clock, None))?;
     let layout = Layout::new(problem, first);
     let start = layout.state(problem, &clock, &|x| retimed(first, &clock, x));
     let allowed = if depends_on_speed(problem) {
