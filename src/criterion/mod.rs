@@ -32,6 +32,8 @@ pub enum Criterion {
     BaseCircle,
     /// The bore fits into the base circle.
     Bore,
+    /// The base circle stays outside the bore and its keyway.
+    BaseOutsideBore,
     /// The base radius that a scene gives.
     BaseRadius,
     /// The prime radius that a scene gives.
@@ -70,6 +72,7 @@ impl Criterion {
             Criterion::Band => "band",
             Criterion::BaseCircle => "base_circle",
             Criterion::Bore => "bore",
+            Criterion::BaseOutsideBore => "base_outside_bore",
             Criterion::BaseRadius => "cam.base_radius",
             Criterion::GivenPrimeRadius => "cam.prime_radius",
             Criterion::Concave => "concave",

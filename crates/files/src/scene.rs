@@ -57,12 +57,15 @@ impl Input {
     /// recording is absolute, rows of motions replace their files.
     pub fn resolved(&self) -> Table {
         let mut table = self.whole.clone();
-        let file = self
-            .recording()
-            .and_then(|path| fs::canonicalize(path).ok());
+        let whole = |path: &Path| Some(fs::canonicalize(path).ok()?.to_string_lossy().into_owned());
+        let file = self.recording().and_then(|path| {
+            let plates = target::plates(&self.folder, &path);
+            let files = plates.unwrap_or_else(|| vec![path]);
+            let files: Option<Vec<String>> = files.iter().map(|f| whole(f)).collect();
+            Some(files?.join(target::AND))
+        });
         let gait = table.get_mut("gait").and_then(Value::as_table_mut);
         if let (Some(file), Some(gait)) = (file, gait) {
-            let file = file.to_string_lossy().into_owned();
             gait.insert("file".to_string(), Value::String(file));
         }
         table

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::read::read_bytes;
-use gaitcam::error::Result;
+use gaitcam::error::{Placed, ReadError, Result};
 use gaitcam::force::{self, ForceCurve};
 use gaitcam::scene::{self, Scene, Source};
 
@@ -32,10 +32,47 @@ pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
 /// A file that cannot be read.
 pub fn content(folder: &Path, path: &Path) -> Result<Vec<u8>> {
     let place = find(folder, path);
-    match scene::built_in_file(path).filter(|_| !place.exists()) {
-        Some(bytes) => Ok(bytes.to_vec()),
+    if place.exists() {
+        return read_bytes(&place);
+    }
+    if let Some(bytes) = scene::built_in_file(path) {
+        return Ok(bytes.to_vec());
+    }
+    match plates(folder, path) {
+        Some(files) => joined(&files),
         None => read_bytes(&place),
     }
+}
+
+/// Stands between the files of the plates of one trial, in a scene as on the screen.
+pub const AND: &str = " + ";
+
+/// The files of the plates that a path names together, `None` where it names one file.
+pub fn plates(folder: &Path, path: &Path) -> Option<Vec<PathBuf>> {
+    let text = path.to_str()?;
+    let names = text
+        .split(AND)
+        .map(|name| find(folder, Path::new(name.trim())));
+    (text.contains(AND) && !find(folder, path).exists()).then(|| names.collect())
+}
+
+/// The recording that the files of the plates of one trial hold together.
+///
+/// # Errors
+/// A file that cannot be read, files of several trials or without the name of a plate.
+pub fn joined(files: &[PathBuf]) -> Result<Vec<u8>> {
+    if let [file] = files {
+        return read_bytes(file);
+    }
+    let all = files
+        .iter()
+        .map(|f| read_bytes(f))
+        .collect::<Result<Vec<_>>>()?;
+    let joined = force::joined_plates(&all);
+    joined.ok_or_else(|| {
+        let names: Vec<String> = files.iter().map(|f| f.display().to_string()).collect();
+        ReadError::NotPlatesOfOneTrial.in_file(Path::new(&names.join(AND)))
+    })
 }
 
 /// A path of a scene: relative to the scene file if it exists there, else to the working directory.

@@ -38,7 +38,10 @@ pub use interpretation::{
     Clock, Column, Contact, Interpretation, MeanStanceCurve, Overlay, Period, coded,
 };
 pub use models::{ModelInfo, Status, catalogue, fourier, model, of_harmonics, waves};
-pub use read::{Cell, NumberTable, PlateFile, metadata_name, of_arrays, one_cycle, plate_of, read};
+pub use read::{
+    Cell, NumberTable, PlateFile, joined_plates, metadata_name, of_arrays, one_cycle, plate_of,
+    read,
+};
 pub use recording::{
     Axis, Channel, ClockSource, CycleSource, DecimalMark, Feet, Foot, ForceUnit, Format, Heels,
     Idle, Kind, MassSource, Note, OpenQuestion, PeriodSource, Processor, ReadOptions, Recording,

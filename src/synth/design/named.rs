@@ -45,6 +45,7 @@ pub fn dimension(measures: Measures, criterion: Criterion) -> Dimension {
         Criterion::BaseCircle if oscillating => Dimension::Angle,
         Criterion::BaseCircle
         | Criterion::Bore
+        | Criterion::BaseOutsideBore
         | Criterion::BaseRadius
         | Criterion::GivenPrimeRadius
         | Criterion::Concave

@@ -107,7 +107,12 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     }
     if let Some(hole) = problem.cam.hole() {
         let (base, reach) = (size(follower.base_radius()), hole.reach());
-        out.push(Check::at_least(Criterion::Bore, base, reach, GEOMETRY));
+        out.push(Check::at_least(
+            Criterion::BaseOutsideBore,
+            base,
+            reach,
+            GEOMETRY,
+        ));
     }
     out
 }

@@ -1,6 +1,6 @@
 # What each key of a scene file means (src/scene/keys/table.rs).
 key-name = Name of the scene and of its output folder.
-key-gait-file = Recording or written cycle of the wanted force; relative to the scene file first, then to the working directory.
+key-gait-file = Recording or written cycle of the wanted force; relative to the scene file first, then to the working directory. Plates of one trial in a file each: "a.tsv + b.tsv".
 key-gait-model = Published load model of the wanted force: young, li-2010, setra, iso-22675 …
 key-gait-harmonics = Own dynamic load factors of the force of both feet, in place of a model: of each harmonic of the step frequency the amplitude as a part of the weight and the phase added to its sine, ["0.4", "0.1 at -90 deg"].
 key-gait-step_frequency = Steps per second of the load model or the load factors.
@@ -93,7 +93,7 @@ key-limits-jerk = Largest jerk |d³s/dt³|.
 key-limits-force_min = Smallest contact force; without it 0 where only force keeps the contact, none: not judged.
 key-limits-force_max = Largest contact force.
 key-limits-curvature = Smallest convex radius of curvature of the finished cam.
-key-limits-pressure_angle = Largest pressure angle on both sides; without it CAM-DAS's bounds are judged, none: not judged.
+key-limits-pressure_angle = Largest pressure angle on both sides; without it the verdict's own bounds apply (docs/verdict.md), and none switches them off.
 key-limits-pressure_angle_rise = Largest pressure angle during the rise.
 key-limits-pressure_angle_fall = Largest pressure angle during the fall.
 key-limits-prime_radius = Largest prime radius (flat faces: base radius) of a cam whose size is free.

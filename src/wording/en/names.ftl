@@ -38,6 +38,7 @@ name-cam-prime-radius = cam.prime_radius
 name-cam-base-radius = cam.base_radius
 name-base-circle = base_circle
 name-bore = bore
+name-base-outside-bore = base_outside_bore
 name-face-width = face_width
 name-torque = torque
 name-torque-rate = torque_rate

@@ -1,6 +1,6 @@
 # Qué significa cada clave de un archivo de escena (src/scene/keys/table.rs).
 key-name = Nombre de la escena y de su carpeta de salida.
-key-gait-file = Registro o ciclo escrito de la fuerza deseada; relativo primero al archivo de la escena y después al directorio de trabajo.
+key-gait-file = Registro o ciclo escrito de la fuerza deseada; relativo primero al archivo de la escena y después al directorio de trabajo. Plataformas de un ensayo en un archivo cada una: "a.tsv + b.tsv".
 key-gait-model = Modelo de carga publicado de la fuerza deseada: young, li-2010, setra, iso-22675 …
 key-gait-harmonics = Factores de carga dinámica propios de la fuerza de ambos pies, en lugar de un modelo: de cada armónico de la frecuencia de paso la amplitud como parte del peso y la fase que se suma a su seno, ["0.4", "0.1 at -90 deg"].
 key-gait-step_frequency = Pasos por segundo del modelo de carga o de los factores de carga.
@@ -93,7 +93,7 @@ key-limits-jerk = Sobreaceleración máxima |d³s/dt³|.
 key-limits-force_min = Fuerza de contacto mínima; sin ella, 0 donde solo la fuerza mantiene el contacto; none: no se juzga.
 key-limits-force_max = Fuerza de contacto máxima.
 key-limits-curvature = Radio de curvatura convexo mínimo de la leva acabada.
-key-limits-pressure_angle = Ángulo de presión máximo en ambos lados; sin él se juzgan los límites de CAM-DAS; none: no se juzga.
+key-limits-pressure_angle = Ángulo de presión máximo en ambos lados; sin él valen los límites propios del veredicto (docs/verdict.md), y none los quita.
 key-limits-pressure_angle_rise = Ángulo de presión máximo en la subida.
 key-limits-pressure_angle_fall = Ángulo de presión máximo en la bajada.
 key-limits-prime_radius = Radio primario máximo (caras planas: radio base) de una leva de tamaño libre.

@@ -38,6 +38,7 @@ name-cam-prime-radius = radio primario
 name-cam-base-radius = radio base
 name-base-circle = círculo base
 name-bore = agujero
+name-base-outside-bore = radio base fuera del agujero
 name-face-width = longitud de la cara
 name-torque = par
 name-torque-rate = variación del par

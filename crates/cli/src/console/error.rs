@@ -14,63 +14,154 @@ use gaitcam::wording::Catalogue;
 // `NoParquet` is of builds without it.
 #[cfg_attr(feature = "parquet", allow(dead_code))]
 pub enum CliError {
-    CannotWrite { fault: String },
-    CannotOpen { fault: String },
-    NotCsv { fault: String },
-    SceneName { shown: String, fault: NameFault },
-    FewRows { rows: u32, least: u32 },
-    CycleEnding { file: String },
+    CannotWrite {
+        fault: String,
+    },
+    CannotOpen {
+        fault: String,
+    },
+    NotCsv {
+        fault: String,
+    },
+    SceneName {
+        shown: String,
+        fault: NameFault,
+    },
+    FewRows {
+        rows: u32,
+        least: u32,
+    },
+    CycleEnding {
+        file: String,
+    },
     CycleOverRecording,
     SceneNotRecording,
-    NoLaw { typed: String, known: String },
-    NoKeyContains { pattern: String },
-    InputTime { limit: String },
-    NoModel { typed: String },
-    Restitution { value: f64 },
-    NegativeFriction { typed: String },
-    Speeds { typed: String, most: usize },
-    CamIsMade { key: String },
-    BrokenTable { fault: String },
+    NoLaw {
+        typed: String,
+        nearest: String,
+        known: String,
+    },
+    NoKeyContains {
+        pattern: String,
+    },
+    InputTime {
+        limit: String,
+    },
+    NoModel {
+        typed: String,
+    },
+    Restitution {
+        value: f64,
+    },
+    NegativeFriction {
+        typed: String,
+    },
+    Speeds {
+        typed: String,
+        most: usize,
+    },
+    CamIsMade {
+        key: String,
+    },
+    BrokenTable {
+        fault: String,
+    },
     FieldNotNumber,
     EmptyTable,
-    NotSweepTable { column: String },
+    NotSweepTable {
+        column: String,
+    },
     NoParquet,
-    TableEnding { file: String },
+    TableEnding {
+        file: String,
+    },
     NoBaseScene,
-    RowNotNumber { row: u64, cell: String },
+    RowNotNumber {
+        row: u64,
+        cell: String,
+    },
     NothingVaries,
     ListCell,
-    ListValue { fault: String },
+    ListValue {
+        fault: String,
+    },
     EmptyList,
-    NoRecordings { endings: String },
-    NotRecordings { files: usize, endings: String },
+    NoRecordings {
+        endings: String,
+    },
+    NotRecordings {
+        files: usize,
+        endings: String,
+    },
     NoCurve,
-    ManyRows { rows: String },
+    ManyRows {
+        rows: String,
+    },
     ScatterAlone,
     ScatterCsv,
-    TooManySamples { count: String, most: String },
+    TooManySamples {
+        count: String,
+        most: String,
+    },
     NoSample,
-    PartialRows { rows: u64 },
+    PartialRows {
+        rows: u64,
+    },
     NotPartial,
-    RowsSafe { fault: String, rows: u64 },
-    AllRowsSafe { fault: String },
-    CannotRepair { fault: String },
+    RowsSafe {
+        fault: String,
+        rows: u64,
+    },
+    AllRowsSafe {
+        fault: String,
+    },
+    CannotRepair {
+        fault: String,
+    },
     FileIsThere,
-    UnknownFlag { near: Option<String> },
+    UnknownFlag {
+        near: Option<String>,
+    },
     OneTooMany,
-    UnknownVerb { typed: String, near: Option<String> },
+    UnknownVerb {
+        typed: String,
+        near: Option<String>,
+    },
     FlagWithoutValue,
-    FlagChoice { typed: String, choices: String },
-    FlagValue { typed: String, fault: String },
-    FlagWhole { typed: String },
-    FlagRange { typed: String, range: String },
-    MissingArguments { missing: String },
-    FlagConflict { other: String },
+    FlagChoice {
+        typed: String,
+        choices: String,
+    },
+    FlagValue {
+        typed: String,
+        fault: String,
+    },
+    FlagWhole {
+        typed: String,
+    },
+    FlagRange {
+        typed: String,
+        range: String,
+    },
+    MissingArguments {
+        missing: String,
+    },
+    FlagConflict {
+        other: String,
+    },
     FlagCount,
-    Arguments { fault: String },
-    MeasuredColumns { found: String },
-    MeasuredField { text: String },
-    NegativeBall { typed: String },
+    Arguments {
+        fault: String,
+    },
+    MeasuredColumns {
+        found: String,
+    },
+    MeasuredField {
+        text: String,
+    },
+    NegativeBall {
+        typed: String,
+    },
 }
 
 /// Why a scene's name cannot name a folder.

@@ -19,7 +19,8 @@ use crate::input::recordings::recordings;
 use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::force::{self, Cycle, Feet, ForceCurve, Interpretation, OpenQuestion, ReadOptions};
 use gaitcam::units::Dimension;
-use gaitcam_files::{read::read_bytes, target::metadata};
+use gaitcam_files::read::read_bytes;
+use gaitcam_files::target::{joined, metadata};
 use gaitcam_output as output;
 use gaitcam_output::folder::write_whole;
 use gaitcam_output::gait as tables;
@@ -157,7 +158,7 @@ fn read(args: &GaitArgs, paths: &[PathBuf], feet: Feet) -> Result<Read> {
         return Err(CliError::SceneNotRecording.in_file(path));
     }
     let options = options(args, path)?;
-    let bytes = read_bytes(path)?;
+    let bytes = joined(paths)?;
     let place = || Place::File(path.to_path_buf());
     let heading = together(paths, |path| path.display().to_string());
     if let Some(curve) = force::one_cycle(path, &bytes, &options)? {
@@ -170,11 +171,8 @@ fn read(args: &GaitArgs, paths: &[PathBuf], feet: Feet) -> Result<Read> {
             ..Read::default()
         });
     }
-    let mut recording = force::read(path, &bytes, &options)?;
+    let recording = force::read(path, &bytes, &options)?;
     drop(bytes);
-    for other in &paths[1..] {
-        recording.add_plates(force::read(other, &read_bytes(other)?, &options)?);
-    }
     let stances = force::stances(&recording);
     let cycle = force::cycle(&recording, &stances, feet).map_err(|e| e.at(place()));
     let name = together(paths, |path: &Path| {

@@ -10,7 +10,7 @@ use crate::console::exit_code::BUILT;
 use crate::console::language;
 use crate::console::terminal::{print, print_json};
 use crate::console::words::{self, fixed};
-use gaitcam::error::{Placed, Result};
+use gaitcam::error::{Placed, Result, nearest};
 use gaitcam::law::{End, Ends, Factors, Rise};
 use gaitcam_output::{folder::Folder, laws_report};
 
@@ -52,15 +52,21 @@ pub fn run(args: &LawsArgs) -> Result<u8> {
         Folder::open(out)?.write("laws.html", page.as_bytes())?;
     }
     let all = Rise::catalogue();
-    let asked = |rise: &Rise| args.name.as_deref().is_none_or(|n| n == rise.name());
+    let asked = |rise: &Rise| {
+        (args.name.as_deref()).is_none_or(|n| n == rise.name() || n == words::name(rise.name()))
+    };
     let mut rows = Vec::new();
     for rise in all.iter().filter(|rise| asked(rise)) {
         rows.push((rise.clone(), rise.factors()?, rise.ends()?));
     }
     if let (Some(typed), true) = (&args.name, rows.is_empty()) {
         let known: Vec<String> = all.iter().map(|rise| rise.name().to_string()).collect();
-        let (typed, known) = (typed.clone(), known.join(", "));
-        return Err(CliError::NoLaw { typed, known }.at_argument("NAME"));
+        let fault = CliError::NoLaw {
+            typed: typed.clone(),
+            nearest: nearest_law(typed, &all).unwrap_or("none").to_string(),
+            known: known.join(", "),
+        };
+        return Err(fault.at_argument("NAME"));
     }
     if args.json {
         print_json(&rows.iter().map(object).collect());
@@ -68,6 +74,20 @@ pub fn run(args: &LawsArgs) -> Result<u8> {
         print(&table(&rows));
     }
     Ok(BUILT)
+}
+
+/// The law whose name, as scenes write it or as the language calls it, is nearest to a word.
+fn nearest_law<'a>(typed: &str, all: &'a [Rise]) -> Option<&'a str> {
+    let called: Vec<String> = all.iter().map(|r| words::name(r.name())).collect();
+    let names = all
+        .iter()
+        .map(Rise::name)
+        .chain(called.iter().map(String::as_str));
+    let found = nearest(typed, names)?;
+    let is_it = |(rise, called): (&'a Rise, &String)| {
+        (rise.name() == found || called == found).then(|| rise.name())
+    };
+    all.iter().zip(&called).find_map(is_it)
 }
 
 type Row = (Rise, Factors, Ends);
@@ -86,11 +106,17 @@ fn object((rise, f, ends): &Row) -> Value {
 fn table(rows: &[Row]) -> String {
     let long = rows.iter().map(|row| row.0.name().chars().count());
     let long = long.max().unwrap_or(0);
+    // What the language calls a law, where scenes do not write it so.
+    let called = |rise: &Rise| words::name(rise.name());
+    let differs = rows.iter().any(|row| called(&row.0) != row.0.name());
+    let wide = rows.iter().map(|row| called(&row.0).chars().count());
+    let wide = wide.max().filter(|_| differs).map_or(0, |wide| wide + 1);
     let mut out = vec![
         words::text("laws-head"),
         format!(
-            "{:<long$} {:>9} {:>9} {:>10} {:>9}  {}",
+            "{:<long$} {:<wide$}{:>9} {:>9} {:>10} {:>9}  {}",
             words::text("laws-law"),
+            "",
             "Cv",
             "Ca",
             "Cj",
@@ -106,7 +132,8 @@ fn table(rows: &[Row]) -> String {
             "∞".to_string()
         };
         out.push(format!(
-            "{name:<long$} {:>9} {:>9} {jerk:>10} {:>9}  {}",
+            "{name:<long$} {:<wide$}{:>9} {:>9} {jerk:>10} {:>9}  {}",
+            if differs { called(rise) } else { String::new() },
             fixed(f.cv, 5),
             fixed(f.ca, 5),
             fixed(f.ct, 5),

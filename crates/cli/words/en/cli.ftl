@@ -23,7 +23,10 @@ cli-cycle-over-recording = the mean cycle would replace the recording itself
 cli-scene-not-recording = is a scene, not a recording
     .help = gaitcam synth designs its cam, gaitcam doctor checks it; gaitcam gait reads the recording that its gait.file names
 cli-no-law = "{ $typed }" is not a rise law
-    .help = the laws are { $known }
+    .help = { $nearest ->
+        [none] the laws are { $known }
+       *[other] did you mean "{ $nearest }"? The laws are { $known }
+    }
 cli-no-key-contains = no key contains "{ $pattern }"
 cli-input-time = the input was not read within { $limit } s
     .help = end the input, or give more time

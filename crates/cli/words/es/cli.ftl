@@ -23,7 +23,10 @@ cli-cycle-over-recording = el ciclo medio sustituiría al propio registro
 cli-scene-not-recording = es una escena, no un registro
     .help = gaitcam synth diseña su leva y gaitcam doctor la revisa; gaitcam gait lee el registro que nombra su gait.file
 cli-no-law = «{ $typed }» no es una ley de subida
-    .help = las leyes son { $known }
+    .help = { $nearest ->
+        [none] las leyes son { $known }
+       *[other] ¿quiso decir «{ $nearest }»? Las leyes son { $known }
+    }
 cli-no-key-contains = ninguna clave contiene "{ $pattern }"
 cli-input-time = la entrada no se leyó en { $limit } s
     .help = termine la entrada, o dé más tiempo

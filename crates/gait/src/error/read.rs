@@ -117,6 +117,8 @@ pub enum ReadError {
     NoChannel { channel: String, channels: String },
     /// Neither a force plate nor an analog channel of force.
     NoPlate { channels: String },
+    /// Files named together that are not the plates of one trial, one file each.
+    NotPlatesOfOneTrial,
     /// The only force plates are of a TYPE that is not read.
     PlateTypeUnknown {
         plate: usize,

@@ -26,7 +26,7 @@ use crate::recording::{ReadOptions, Recording};
 
 pub use arrays::of_arrays;
 pub use number_table::{Cell, NumberTable};
-pub use text::{PlateFile, metadata_name, plate_of};
+pub use text::{PlateFile, joined_plates, metadata_name, plate_of};
 
 /// Reads a recording of vertical force.
 ///
@@ -46,7 +46,15 @@ pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recordin
     }
     match foreign(bytes) {
         Some(kind) => Err(ReadError::Foreign { kind }.in_file(path)),
-        None => text::read(path, bytes, options),
+        None => {
+            let mut plates = text::parts(bytes).into_iter();
+            let first = plates.next().unwrap_or_default();
+            let mut recording = text::read(path, first, options)?;
+            for other in plates {
+                recording.add_plates(text::read(path, other, options)?);
+            }
+            Ok(recording)
+        }
     }
 }
 

@@ -31,7 +31,7 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     );
     put("continuity", json!(Continuity::of(&design.cam)));
     put("cam_das", json!(design.cam.cam_das_class().name()));
-    put("force", json!(design.force.newtons(&design.drive)));
+    put("force", force(design));
     put("drive", drive(design));
     put("law", law(design));
     put("cam", cam(design));
@@ -125,6 +125,25 @@ fn real(x: f64) -> Value {
         f64::NEG_INFINITY => json!("-inf"),
         x => json!(x),
     }
+}
+
+/// Null where nothing presses; without a target its values and those of the error are null.
+fn force(design: &Design) -> Value {
+    if design.drive.is_idle() && design.target.is_none() {
+        return Value::Null;
+    }
+    let mut out = json!(design.force.newtons(&design.drive));
+    if design.target.is_none() {
+        for key in [
+            "rms_error_n",
+            "max_error_n",
+            "rms_error_percent_of_mean",
+            "target_mean_n",
+        ] {
+            out[key] = Value::Null;
+        }
+    }
+    out
 }
 
 fn drive(design: &Design) -> Value {

@@ -97,6 +97,29 @@ fn an_infeasible_summary_names_the_conflict_and_writes_no_nan() {
     assert!(!read.to_string().contains("NaN"));
 }
 
+#[test]
+fn without_a_target_there_is_no_error_and_where_nothing_presses_no_force() {
+    let of = |name: &str, changes: &[&str]| {
+        let text = gaitcam_test_support::scene_file(name);
+        let design = gaitcam_test_support::design(&text, changes).unwrap();
+        gaitcam_output::json::summary(&design, TIME)["force"].clone()
+    };
+    assert!(of("camdas_03_flat", &[]).is_null());
+    let heavy = of(
+        "camdas_03_flat",
+        &["drive.mass=2 kg", "drive.spring_rate=100 N/m"],
+    );
+    for key in [
+        "rms_error_n",
+        "max_error_n",
+        "rms_error_percent_of_mean",
+        "target_mean_n",
+    ] {
+        assert!(heavy[key].is_null(), "{key}: {heavy}");
+    }
+    assert!(heavy["max_n"].as_f64().unwrap() > heavy["min_n"].as_f64().unwrap());
+}
+
 /// Where `summary.json` has a number or name of the design, and where the design's own data has it.
 const CORE: [(&str, &str); 26] = [
     ("/name", "/name"),

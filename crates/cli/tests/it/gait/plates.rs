@@ -150,3 +150,61 @@ fn a_plate_whose_file_ends_early_ends_the_recording() {
     );
     near(&read["mass_kg"], 70.0, 0.02);
 }
+
+#[test]
+fn a_scene_names_the_plates_of_a_trial_together_as_gait_prints_them() {
+    for walk in walks().take(4) {
+        let folder = tempfile::tempdir().unwrap();
+        let files = walk.write(folder.path(), "walk", "2015-10-06, 12:24:07");
+        let names: Vec<&str> = files.iter().map(|f| f.to_str().unwrap()).collect();
+        let read = json(&names);
+        let out = folder.path().join("cam");
+        let file = format!("gait.file={}", names.join(" + "));
+        let design = |file: &str| {
+            let out = out.to_str().unwrap();
+            gaitcam(&[
+                "synth",
+                "measured_walk",
+                "--set",
+                file,
+                "--out",
+                out,
+                "--json",
+            ])
+        };
+        let summary = object(&design(&file));
+        near(
+            &summary["recording"]["mass_kg"],
+            read["mass_kg"].as_f64().unwrap(),
+            1e-12,
+        );
+        let period = read["cycle"]["period_s"].as_f64().unwrap();
+        near(
+            &summary["drive"]["speed_rad_per_s"],
+            2.0 * PI / period,
+            1e-6,
+        );
+        // The folder's own scene names them whole: it gives the same cam from anywhere.
+        let again = out.join("scene.toml");
+        let again = gaitcam(&[
+            "synth",
+            again.to_str().unwrap(),
+            "--out",
+            out.to_str().unwrap(),
+            "--json",
+        ]);
+        assert_eq!(object(&again)["law"], summary["law"]);
+        // Files of two trials, and one plate twice, are no recording.
+        let other = folder.path().join("other.tsv");
+        fs::write(&other, walk.file("2015-10-07, 09:00:00", 1)).unwrap();
+        for second in [other.to_str().unwrap(), names[0]] {
+            let run = design(&format!("gait.file={} + {second}", names[0]));
+            assert_eq!(run.status.code(), Some(2));
+            assert!(
+                stderr(&run).contains("plates of one trial"),
+                "{}",
+                stderr(&run)
+            );
+        }
+    }
+}

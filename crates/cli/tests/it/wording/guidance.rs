@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::support::{both, object, run_in, walk};
+use crate::support::{both, gaitcam, object, run_in, stderr, stdout, walk};
 
 #[test]
 fn every_machine_of_init_becomes_an_acceptable_cam() {
@@ -134,4 +134,53 @@ fn a_wrong_command_line_is_said_like_every_other_fault_in_both_languages() {
     let json = run_in(folder.path(), &["sweep", "--json"]);
     let error: serde_json::Value = object(&json);
     assert_eq!(error["error"]["code"], "cli-missing-arguments");
+}
+
+#[test]
+fn a_law_is_found_by_its_name_in_the_language_and_a_mistyped_one_is_suggested() {
+    let spanish = gaitcam(&["laws", "cicloidal", "--lang", "es"]);
+    let shown = stdout(&spanish);
+    assert!(
+        shown.contains("cycloidal") && shown.contains("cicloidal"),
+        "{shown}"
+    );
+    let all = stdout(&gaitcam(&["laws", "--lang", "es"]));
+    assert!(all.contains("sinusoidal modificada"), "{all}");
+    for (typed, language, says) in [
+        ("cicloidal", "en", "did you mean \"cycloidal\"?"),
+        ("cicloydal", "es", "¿quiso decir «cycloidal»?"),
+        ("senoidal modificada", "es", "¿quiso decir «modified-sine»?"),
+    ] {
+        let run = gaitcam(&["laws", typed, "--lang", language]);
+        assert_eq!(run.status.code(), Some(2));
+        assert!(stderr(&run).contains(says), "{}", stderr(&run));
+    }
+}
+
+#[test]
+fn the_check_of_a_bore_names_the_radius_that_it_judges() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let run = |language: &str| {
+        stdout(&gaitcam(&[
+            "synth",
+            "footbridge",
+            "--set",
+            "cam.bore=40 mm",
+            "--out",
+            out,
+            "--lang",
+            language,
+        ]))
+    };
+    let shown = run("en");
+    assert!(
+        shown.contains("base_outside_bore 30 mm (limit 20 mm)"),
+        "{shown}"
+    );
+    let shown = run("es");
+    assert!(
+        shown.contains("radio base fuera del agujero 30 mm (límite 20 mm)"),
+        "{shown}"
+    );
 }

@@ -33,7 +33,7 @@ pub(super) use choose::{column, unit_label};
 pub(super) use header::Table;
 use layout::Separator;
 pub(super) use layout::{Fields, Layout, Lines, Position, TextFile, detect, plain, text};
-pub use plate_file::{PlateFile, plate_of};
+pub use plate_file::{PlateFile, joined_plates, parts, plate_of};
 pub use stance_table::metadata_name;
 pub(super) use table::{next_table, numbers};
 pub(super) use times::time_unit;

@@ -25,6 +25,8 @@ pub struct PlateFile {
 /// Keys in which the files of one trial agree, the one that tells trials apart first.
 const TRIAL: [&str; 4] = ["TIME_STAMP", "FIRST_SAMPLE", "NO_OF_SAMPLES", "FREQUENCY"];
 const PLATE: &str = "FORCE_PLATE_NAME";
+/// First key of such a header.
+const FIRST: &[u8] = b"NO_OF_SAMPLES";
 /// Lines of such a header, at most.
 const HEAD: usize = 60;
 
@@ -33,6 +35,33 @@ pub fn plate_of(start: &[u8]) -> Option<PlateFile> {
     let bytes = plain(start);
     let lines = Lines::new(&bytes).take(HEAD).map(|(_, line)| text(line));
     of_head(&lines.collect::<Vec<_>>())
+}
+
+/// The files of one trial's plates, one after the other, as [`read`](crate::read()) takes them; `None` where they are not
+/// plates of one trial, or one of them stands twice.
+pub fn joined_plates(files: &[Vec<u8>]) -> Option<Vec<u8>> {
+    let plates: Vec<PlateFile> = files.iter().map(|f| plate_of(f)).collect::<Option<_>>()?;
+    let fits = |(i, plate): (usize, &PlateFile)| {
+        plate.trial == plates[0].trial && plates[..i].iter().all(|p| p.plate != plate.plate)
+    };
+    let is_trial = plates.iter().enumerate().all(fits);
+    let joined = files.join(&b'\n');
+    (is_trial && parts(&joined).len() == files.len()).then_some(joined)
+}
+
+/// The plates of a text that holds several, one after the other; the whole text where it holds one.
+pub fn parts(bytes: &[u8]) -> Vec<&[u8]> {
+    let lines = (bytes.iter().enumerate()).filter_map(|(i, b)| (*b == b'\n').then_some(i + 1));
+    let begins = |i: &usize| bytes[*i..].starts_with(FIRST);
+    let mut starts: Vec<usize> = [0].into_iter().chain(lines).filter(begins).collect();
+    if starts.len() < 2 {
+        return vec![bytes];
+    }
+    starts[0] = 0;
+    let ends = starts[1..].iter().copied().chain([bytes.len()]);
+    (starts.iter().zip(ends))
+        .map(|(from, to)| &bytes[*from..to])
+        .collect()
 }
 
 /// The plate that a header names.

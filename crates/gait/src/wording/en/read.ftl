@@ -106,5 +106,7 @@ read-no-channel = no analog channel "{ $channel }"
     .help = the channels are { $channels }
 read-no-plate = neither a force plate nor an analog force channel found
     .help = the analog channels are { $channels }
+read-not-plates-of-one-trial = these files are not the plates of one trial
+    .help = only files that name their plate and have the same time stamp, samples and rate are read together, each once
 read-plate-type-unknown = force plate { $plate } has the unsupported TYPE { $kind }
     .help = types 1 to 7 are supported; name its vertical force channel (option force). The channels are { $channels }

@@ -106,5 +106,7 @@ read-no-channel = no hay ningún canal analógico «{ $channel }»
     .help = los canales son { $channels }
 read-no-plate = no se encontró ninguna plataforma de fuerza ni canal analógico de fuerza
     .help = los canales analógicos son { $channels }
+read-not-plates-of-one-trial = estos archivos no son las plataformas de un mismo ensayo
+    .help = solo se leen juntos archivos que nombran su plataforma y tienen la misma marca de tiempo, muestras y frecuencia, cada uno una vez
 read-plate-type-unknown = la plataforma de fuerza { $plate } tiene el TYPE { $kind }, que no se admite
     .help = se admiten los tipos 1 a 7; indique su canal de fuerza vertical (opción force). Los canales son { $channels }
