@@ -49,7 +49,11 @@ pub enum SynthError {
     /// The scene fixes the size of the cam.
     SizeFixed,
     /// The rounds between law and speed of the shaft do not contract.
-    ShaftDiverges { ripple: Quantity, contraction: f64 },
+    ShaftDiverges {
+        inertia: Quantity,
+        ripple: Quantity,
+        contraction: f64,
+    },
     /// No law even without the limits; a [`Reason`](crate::synth::Reason) as it serialises.
     /// No law exists, with the reason as data.
     NoLaw { reason: Value },

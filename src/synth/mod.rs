@@ -74,7 +74,8 @@ pub(crate) mod spectral;
 mod verdict;
 
 pub use corrected::on_floor::{AtFrequency, OnFloor};
-pub use corrected::on_shaft::{Forecast, OnShaft, Sensitivity};
+pub use corrected::on_shaft::OnShaft;
+pub use corrected::runner::{Forecast, Sensitivity};
 pub use design::{
     Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, LoadFactor, Minimised,
     Relaxation, SolverReport, Step, Tier,

@@ -7,3 +7,4 @@ mod fixed_point;
 pub mod on_floor;
 pub mod on_shaft;
 pub mod polydyne;
+pub mod runner;

@@ -57,7 +57,7 @@ design-polydyne-miss = With its flexible follower this cam has a force error of 
 
 # Faults in what a design is asked for.
 synth-shaft-diverges = the law and the speed of the shaft do not settle: at a ripple of { $ripple } each round changes the target { $contraction } times as much as the one before
-    .help = a larger inertia or a steeper torque line, or law.shaft = "constant"
+    .help = an inertia of about "{ $inertia }" or a steeper torque line, or law.shaft = "constant"
 synth-force-not-read = the force curve was not read
 synth-no-lift-changes-force = no lift changes the force: spring rate, damping and mass are all zero
     .help = give at least one of spring_rate, damping, mass

@@ -57,7 +57,7 @@ design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fue
 
 # Errores en lo que se pide de un diseño.
 synth-shaft-diverges = la ley y la velocidad del eje no convergen: con una oscilación de { $ripple } cada vuelta cambia el objetivo { $contraction } veces lo que la anterior
-    .help = más inercia o una recta de par más inclinada, o law.shaft = "constant"
+    .help = una inercia de unos "{ $inertia }" o una recta de par más inclinada, o law.shaft = "constant"
 synth-force-not-read = no se leyó la curva de fuerza
 synth-no-lift-changes-force = ninguna elevación cambia la fuerza: la rigidez, el amortiguamiento y la masa son cero
     .help = indique al menos spring_rate, damping o mass
