@@ -3,9 +3,8 @@
 use std::time::Instant;
 
 use gaitcam::Problem;
-use gaitcam::force;
 use gaitcam::halt::Halt;
-use gaitcam::scene::{self, Source};
+use gaitcam::scene;
 use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Runner, Sampling};
 use gaitcam::synth::{Search, design};
 
@@ -30,13 +29,7 @@ fn mean(rounds: usize, mut call: impl FnMut()) -> f64 {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = scene::parse(scene::DEFAULT)?;
     let synth_s = mean(2000, || {
-        let gait = scene.gait.as_ref();
-        let target = gait.and_then(|g| match &g.source {
-            Source::Model(name) => {
-                force::model(name, g.step_frequency, g.model_weight(), g.feet).ok()
-            }
-            Source::File(_) => None,
-        });
+        let target = scene.model_force().ok().flatten();
         let search = Search::default();
         if let Ok(problem) = Problem::resolve(&scene, target.as_ref())
             && let Ok(design) = design(&problem, &search)

@@ -14,6 +14,9 @@ use gaitcam_engine::{Hash, Recent};
 use gaitcam_files::read::read_at_most;
 use gaitcam_output::folder::write_new;
 
+/// The bytes of a file with their hash.
+type Content = (Hash, Arc<Vec<u8>>);
+
 /// Largest file that is read, bytes.
 const LARGEST: u64 = 256 << 20;
 /// Files listed at most, and folders looked into below the opened one.
@@ -29,7 +32,7 @@ type Stamp = (PathBuf, u64, Option<SystemTime>);
 /// The opened folder.
 pub struct Folder {
     root: PathBuf,
-    read: Mutex<Recent<Stamp, (Hash, Arc<Vec<u8>>)>>,
+    read: Mutex<Recent<Stamp, Content>>,
 }
 
 /// A file of the folder that the page may open.

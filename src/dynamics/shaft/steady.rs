@@ -178,11 +178,11 @@ fn newton(
         };
         let (mut change, mut part) = (0.0_f64, 1.0_f64);
         for (stage, line) in stages.iter().zip(&lines) {
-            for k in 0..STAGES {
-                let d = next(line, k) - stage[k];
-                change = change.max(d.abs() / stage[k]);
-                if d < (LEAST_PART - 1.0) * stage[k] {
-                    part = part.min((LEAST_PART - 1.0) * stage[k] / d);
+            for (k, own) in stage.iter().enumerate() {
+                let d = next(line, k) - own;
+                change = change.max(d.abs() / own);
+                if d < (LEAST_PART - 1.0) * own {
+                    part = part.min((LEAST_PART - 1.0) * own / d);
                 }
             }
         }
@@ -191,8 +191,8 @@ fn newton(
         }
         part = part.min(0.5 * no_load / supply.abs());
         for (stage, line) in stages.iter_mut().zip(&lines) {
-            for k in 0..STAGES {
-                stage[k] += part * (next(line, k) - stage[k]);
+            for (k, own) in stage.iter_mut().enumerate() {
+                *own += part * (next(line, k) - *own);
             }
         }
         no_load += part * supply;

@@ -13,6 +13,7 @@ const THICK: f64 = 0.01;
 
 fn loads() -> Loads {
     Loads {
+        on_shaft: None,
         drive: Drive {
             spring_rate: 4000.0,
             damping: 30.0,
@@ -49,7 +50,7 @@ fn place(i: u32) -> Svaj {
 
 fn slacks(at: Svaj, size: ProfileSize) -> Vec<Slack> {
     let mut out = Vec::new();
-    loads().slacks(at, size, &mut out);
+    loads().slacks(at, 0.0, size, &mut out);
     out
 }
 
@@ -121,7 +122,7 @@ fn the_pressure_is_the_contact_s_own() {
         let pressure = line(here.normal, THICK, here.curvature, steel).pressure;
         let at_limit = loads().with(LimitKind::HertzPressure, Some(pressure));
         let mut out = Vec::new();
-        at_limit.slacks(at, SIZE, &mut out);
+        at_limit.slacks(at, 0.0, SIZE, &mut out);
         let slack = out.last().unwrap();
         assert!(
             slack.h.abs() < 1e-12 * slack.w,

@@ -13,6 +13,9 @@ use crate::words::{self, Words};
 use gaitcam::cam::Measures;
 use gaitcam::wording::Language;
 
+/// Points, colour and width of a drawn curve.
+type Curve = (Vec<(f64, f64)>, RGBAColor, f64);
+
 /// A cam at one speed.
 ///
 /// ```
@@ -123,7 +126,7 @@ impl Shown<'_> {
     }
 
     /// The curves of a strip, target first.
-    fn curves(&self, strip: Strip) -> Vec<(Vec<(f64, f64)>, RGBAColor, f64)> {
+    fn curves(&self, strip: Strip) -> Vec<Curve> {
         let one = |of: &dyn Fn(&AtSpeed) -> Option<f64>| vec![(self.curve(of), BLUE, 2.2)];
         match strip {
             Strip::Error => one(&|r| r.rms_error),
