@@ -256,8 +256,7 @@ pub fn periodic(load: &Load, motor: &Motor, mean: f64, near: Option<&Motion>) ->
         let energy = steady.energy[i];
         let rate = mean / (2.0 * energy).sqrt();
         let bend = |step: usize, end: usize| {
-            let node = load.steps[step].ends[end];
-            let acceleration = node.rate(motor, steady.no_load, energy)[0];
+            let acceleration = steady.rate_at_end(load, motor, step, end);
             -acceleration * rate.powi(3) / (mean * mean)
         };
         Mark {

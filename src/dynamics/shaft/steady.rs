@@ -20,6 +20,8 @@ const COARSE: usize = 96;
 const FACTOR: f64 = 100.0;
 const LEAST_FACTOR: f64 = 1.01;
 const RANGE: f64 = 1e4;
+/// Decay of a disturbance over a step beyond which the step does not resolve it.
+const UNRESOLVED: f64 = 5.0;
 /// A flywheel is large enough to turn nearly evenly at this ripple.
 const EVEN: f64 = 0.1;
 
@@ -105,6 +107,26 @@ impl Steady {
         };
         let (least, _) = smaller(&coarse, motor, speed, (motor.inertia, start), goal);
         if least > goal { least } else { 0.0 }
+    }
+
+    /// E′ at the beginning (0) or the end (1) of a step, from inside it. Where the motor settles within a part of the step, the
+    /// energy at its ends oscillates about the slow one by what the equation would magnify: there E′ is that of the stages.
+    pub fn rate_at_end(&self, load: &Load, motor: &Motor, step: usize, end: usize) -> f64 {
+        let (own, energy) = (&load.steps[step], self.energy[step + end]);
+        let [rate, by_energy, _] = own.ends[end].rate(motor, self.no_load, energy);
+        if (own.width * by_energy).abs() < UNRESOLVED {
+            return rate;
+        }
+        let rates: [f64; STAGES] = std::array::from_fn(|k| {
+            own.nodes[k].rate(motor, self.no_load, self.stages[step][k])[0]
+        });
+        // Lagrange's polynomial through the stages.
+        let factor = |k: usize| {
+            let others = (0..STAGES).filter(|i| *i != k);
+            let terms = others.map(|i| (end as f64 - PLACES[i]) / (PLACES[k] - PLACES[i]));
+            terms.product::<f64>()
+        };
+        (0..STAGES).map(|k| factor(k) * rates[k]).sum()
     }
 
     /// Its energies at the stages of a load with other steps.

@@ -78,18 +78,21 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
         .map(|word| word.trim_matches(['(', ')', ',', ';', ':', '.', '!', '?']))
 }
 
-/// A text without the choices of an argument, `[valores: walking, running]`, which are typed as they stand.
-fn without_choices(mut text: String) -> String {
-    while let Some(from) = text.find("[valores:") {
-        let length = text[from..].find(']').unwrap();
-        text.replace_range(from..=from + length, "");
+/// A text without what is typed as it stands: the choices of an argument, `[valores: walking, running]`, and lists of texts,
+/// `["0.4", "0.1 at -90 deg"]`.
+fn without_typed(mut text: String) -> String {
+    for begin in ["[valores:", "[\""] {
+        while let Some(from) = text.find(begin) {
+            let length = text[from..].find(']').unwrap();
+            text.replace_range(from..=from + length, "");
+        }
     }
     text
 }
 
 /// Fails on an English word.
 fn assert_spanish(arguments: &[&str], code: i32) {
-    let text = without_choices(said(arguments, code));
+    let text = without_typed(said(arguments, code));
     // Choices of a key, `both | one | left`, are typed as they stand.
     for line in text.lines().filter(|line| !line.contains(" | ")) {
         let found = words(line).find(|w| ENGLISH.contains(&w.to_lowercase().as_str()));
