@@ -46,6 +46,15 @@ pub enum FileError {
     AnotherSweep { differences: String },
     /// The folder holds files that are no block of a sweep.
     NotSweepFolder { file: String },
+    /// Cycles that cannot be those of a population, by file or walker; `none` where there is none of a kind.
+    Walkers {
+        count: usize,
+        unreadable: String,
+        weight: String,
+        unit: String,
+        feet: String,
+        kind: String,
+    },
     /// No table of numbers where the curve of a motor, or the rows of a motion, are to be; `start` is the start of the file.
     NoTable { start: String, purpose: String },
     /// The curve of a motor lacks a column.

@@ -42,6 +42,10 @@ pub enum SceneError {
     NotTable { typed: String, section: String },
     /// Text that is no hardness with its scale.
     NotHardness { typed: String },
+    /// Text that names no measure of the errors of several walkers.
+    NotRobust { typed: String },
+    /// Text that gives no step frequencies.
+    NotFrequencies { typed: String },
     /// A length of the hub without its diameter.
     HubWithoutDiameter,
     /// A hub smaller than the hole for the shaft.

@@ -54,6 +54,14 @@ pub enum SynthError {
         ripple: Quantity,
         contraction: f64,
     },
+    /// What is given is to be set anew for each walker.
+    AdjustsGiven { key: String },
+    /// The mass of this drive carries no walker's weight.
+    MassNotAdjustable,
+    /// At another speed the force is no multiple of that at the reference speed.
+    SpeedNotAdjustable,
+    /// The setting has no form for several walkers.
+    NotOfPopulation,
     /// No law even without the limits; a [`Reason`](crate::synth::Reason) as it serialises.
     /// No law exists, with the reason as data.
     NoLaw { reason: Value },

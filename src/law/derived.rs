@@ -7,6 +7,31 @@ use crate::poly::PiecewisePoly;
 const AT_BREAK: f64 = 1e-9;
 
 impl Law {
+    /// The sum of laws over the same breaks, each times its part; of polynomials.
+    pub(crate) fn mixed(parts: &[(f64, &Law)]) -> Option<Law> {
+        let first = parts.first()?.1;
+        let alike =
+            |law: &Law| law.breaks() == first.breaks() && law.waves.iter().all(Vec::is_empty);
+        if !parts.iter().all(|(_, law)| alike(law)) {
+            return None;
+        }
+        let sum = |of: &dyn Fn(&Law) -> Option<PiecewisePoly>| {
+            let terms: Option<Vec<(f64, PiecewisePoly)>> = parts
+                .iter()
+                .map(|(part, law)| Some((*part, of(law)?)))
+                .collect();
+            let terms = terms?;
+            let terms: Vec<(f64, &PiecewisePoly)> = terms.iter().map(|(p, t)| (*p, t)).collect();
+            Some(PiecewisePoly::combine(&terms, 0.0))
+        };
+        let mut out = Law::from_poly(sum(&|law| Some(law.poly.clone()))?, first.closed);
+        let of = |k: usize| sum(&|law| Some(law.derivatives.as_ref()?[k].clone()));
+        if let (Some(v), Some(a), Some(j)) = (of(0), of(1), of(2)) {
+            out.derivatives = Some([v, a, j].into());
+        }
+        Some(out)
+    }
+
     /// The law run backwards: s(−θ), for a cam that turns clockwise. Its extent is mirrored about zero.
     #[must_use]
     pub fn reversed(&self) -> Law {

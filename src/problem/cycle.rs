@@ -38,7 +38,7 @@ impl Cycle {
 }
 
 /// A cycle begun at a phase; samples taken elsewhere keep the mean force, which belongs to the whole cycle.
-fn begun_at(curve: &ForceCurve, phase: f64) -> ForceCurve {
+pub(super) fn begun_at(curve: &ForceCurve, phase: f64) -> ForceCurve {
     let begun = curve.begun_at(phase);
     let shift = curve.mean_n() - begun.mean_n();
     ForceCurve {

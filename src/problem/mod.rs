@@ -14,6 +14,7 @@ mod on_shaft;
 mod requirements;
 mod size;
 mod target;
+mod walkers;
 
 use cycle::Cycle;
 pub use mean_force::MeanForce;
@@ -26,6 +27,7 @@ pub use size::{Size, USUAL_PRESSURE_ANGLE};
 pub use target::Target;
 pub(crate) use target::piecewise;
 use target::typical_lift;
+pub use walkers::{Served, Walkers};
 
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -83,6 +85,8 @@ pub struct Problem {
     pub open_questions: Vec<(OpenQuestion, Vec<force::Note>)>,
     /// Weight of the walker that the target is of, N, scaled as the target is; `None` without a force.
     pub weight_n: Option<f64>,
+    /// The walkers of whom the target is the mean; `None` of one cycle.
+    pub walkers: Option<Arc<Walkers>>,
     /// What the varying speed of the shaft makes of it; `None` at constant speed.
     pub on_shaft: Option<Arc<OnShaft>>,
     weights: Vec<PhaseWeight>,
@@ -138,6 +142,7 @@ impl Problem {
             (Some(_), force) => force,
         };
         let required = Requirements::of(scene, force.map(MeanForce::of))?;
+        let walkers = Walkers::of(scene, force, &required)?.map(Arc::new);
         let factor = required.scaling.factor;
         let weight_n = gait.zip(force).map(|(g, force)| factor * weight(g, force));
         let band = gait.and_then(|g| g.band);
@@ -168,6 +173,10 @@ impl Problem {
             above_base_circle: true,
             open_questions: open_questions(gait, force),
             weight_n,
+            walkers: walkers.map(|all| match at {
+                0.0 => all,
+                at => Arc::new(all.begun_at(at)),
+            }),
             on_shaft: None,
             weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
             cycle: cycle.map(Arc::new),
@@ -183,6 +192,8 @@ impl Problem {
         let mut out = self.clone();
         (out.phase, out.target, out.band) = (phase, target, band);
         out.length = typical_lift(&out.drive, out.target.as_ref(), &out.law);
+        let turned = |all: &Arc<Walkers>| Arc::new(all.begun_at(phase - self.phase));
+        out.walkers = self.walkers.as_ref().map(turned);
         out
     }
 

@@ -55,8 +55,15 @@ impl Target {
     /// The cycle with its cubics.
     pub fn new(curve: impl Into<Arc<ForceCurve>>) -> Self {
         let curve = curve.into();
+        let slopes = curve.slopes();
+        Target::with_slopes(curve, slopes)
+    }
+
+    /// The same with the slopes of its cubics, N per sample, one more than samples.
+    pub(crate) fn with_slopes(curve: impl Into<Arc<ForceCurve>>, slopes: Vec<f64>) -> Self {
+        let curve = curve.into();
         Target {
-            cells: Arc::new(cells(&curve)),
+            cells: Arc::new(cells(&curve, slopes)),
             mean_n: curve.mean_n(),
             range_n: curve.range_n().into(),
             curve,
@@ -132,12 +139,12 @@ impl Target {
 }
 
 /// The cubics between the samples of a force, N.
-fn cells(force: &ForceCurve) -> Cells {
+fn cells(force: &ForceCurve, slopes: Vec<f64>) -> Cells {
     let f = &force.force_n;
     let mut ends = Vec::with_capacity(f.len() + 1);
     ends.extend_from_slice(f);
     ends.push(f[0]);
-    Cells::new(ends, force.slopes(), TAU)
+    Cells::new(ends, slopes, TAU)
 }
 
 /// The lift that force and demands ask for, m: the unit in which solvers work.
@@ -171,7 +178,7 @@ pub fn piecewise(force: &ForceCurve) -> PiecewisePoly {
     // TAU·n/n need not be TAU: the last break is set, not computed.
     let breaks = (0..n).map(|i| TAU * i as f64 / n as f64);
     let breaks = breaks.chain([TAU]).collect();
-    let cells = cells(force);
+    let cells = cells(force, force.slopes());
     let coef = (0..n).flat_map(|i| cells.cubic(i)).collect();
     PiecewisePoly::new(breaks, 3, coef)
 }

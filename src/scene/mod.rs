@@ -19,9 +19,9 @@ pub use keys::schema;
 pub use motion_file::{LARGEST_MOTION, motion_files, with_motions};
 pub use notes::SceneNote;
 pub use parts::{
-    Band, CamSpec, ConjugateSpec, DriveSpec, Dwell, Family, FloorSpec, ForceScale, Gait, Harmonic,
-    KeywaySpec, LawPoint, LawSpec, Limits, MachineSpec, Minimise, MotorSpec, Phase, PhaseWeight,
-    SegmentSpec, ShaftSpeed, Source, WalkersSpec, Weigh,
+    Adjust, Band, CamSpec, ConjugateSpec, DriveSpec, Dwell, Family, FloorSpec, ForceScale, Gait,
+    Harmonic, KeywaySpec, LawPoint, LawSpec, Limits, MachineSpec, Minimise, MotorSpec, Phase,
+    PhaseWeight, Robust, SegmentSpec, ShaftSpeed, Source, StepFrequencies, WalkersSpec, Weigh,
 };
 pub use read::{parse, read, read_keys, table};
 pub use rules::check;

@@ -39,8 +39,26 @@ pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
     let at = inside(table, path).map_err(|e| e.at_key(key))?;
     let replaced: &[&str] = match key {
         "gait.file" => &["model", "harmonics", "step_frequency", "body_weight"],
-        "gait.model" => &["file", "harmonics", "time", "force", "unit", "rate", "mass"],
-        "gait.harmonics" => &["file", "model", "time", "force", "unit", "rate", "mass"],
+        "gait.model" => &[
+            "file",
+            "harmonics",
+            "time",
+            "force",
+            "unit",
+            "rate",
+            "mass",
+            "leave_out",
+        ],
+        "gait.harmonics" => &[
+            "file",
+            "model",
+            "time",
+            "force",
+            "unit",
+            "rate",
+            "mass",
+            "leave_out",
+        ],
         _ => &[],
     };
     for other in replaced {

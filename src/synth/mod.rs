@@ -67,6 +67,7 @@ mod limits;
 mod optimum;
 mod pareto;
 mod phase;
+pub(crate) mod population;
 mod qp;
 mod search;
 mod sizing;
@@ -89,6 +90,7 @@ pub use design::{
 };
 pub use infeasible::in_units;
 pub use pareto::{Trade, trade, traded};
+pub use population::{OfPopulation, WalkerError};
 pub use qp::{Certificate, Demand, Given, Stop};
 pub use search::Search;
 pub use spectral::{Spectral, invert};
@@ -138,6 +140,9 @@ impl Scene {
 /// # Errors
 /// Faults of the input.
 pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
+    if let Some(walkers) = problem.walkers.clone() {
+        return population::designed(problem, search, &walkers);
+    }
     match problem.machine.floor() {
         Some(floor) => corrected::on_floor::designed(problem, search, floor),
         None => corrected::on_shaft::designed(at_constant_speed(problem, search)?, search),
@@ -178,6 +183,7 @@ fn solved(problem: &Problem, search: &Search) -> Result<(SizedLaw, Option<Infeas
 
 /// The design of a problem that has one; why there is none is not looked for.
 fn passing_design(problem: &Problem, search: &Search) -> std::result::Result<Design, NoLaw> {
+    let problem = &population::of_mean(problem);
     let problem = phase::resolve(problem, |at| least_error(at, search))?;
     let sized = sized(&problem, &problem, search)?;
     Ok(finished(&problem, search, sized, None)?)
@@ -297,6 +303,7 @@ fn finished(
         name: problem.name.clone(),
         shaft: None,
         floor: None,
+        population: None,
         phase: problem.phase,
         weight_n: problem.weight_n,
         band: problem.band.clone(),

@@ -71,6 +71,8 @@ enum Of {
     Barrels,
     /// Those on a floor that moves.
     Floors,
+    /// Those for several walkers.
+    Populations,
 }
 
 /// What [`Contents`] must ask for to have a file.
@@ -97,7 +99,7 @@ pub struct Source<'a> {
     design: &'a Design,
     time: Timing,
     contents: &'a Contents,
-    pictures: [OnceCell<Picture>; 4],
+    pictures: [OnceCell<Picture>; 5],
 }
 
 /// The bytes of a file, if it can be made, with remarks about it.
@@ -132,9 +134,9 @@ const fn file(
 }
 
 /// Every file that a design may have except its scene, in the order of writing.
-pub const ALL: [File; 28] = {
+pub const ALL: [File; 31] = {
     use Group::{Drawings, Pictures, Report, Tables, Workshop};
-    use Of::{All, Barrels, Cams, Floors, Pairs, Plates, Profiles};
+    use Of::{All, Barrels, Cams, Floors, Pairs, Plates, Populations, Profiles};
     use With::{Always, Finish, Png, Program, Solid, Tool, Wire};
     [
         file(Report, "report.html", All, Always, |s| {
@@ -147,6 +149,9 @@ pub const ALL: [File; 28] = {
             made(csv::profile(s.design, s.contents.points))
         }),
         file(Tables, "second_profile.csv", Pairs, Always, second_profile),
+        file(Tables, "walkers.csv", Populations, Always, |s| {
+            Ok((csv::walkers(s.design).map(String::into_bytes), Vec::new()))
+        }),
         file(Tables, "floor.csv", Floors, Always, |s| {
             Ok((csv::floor(s.design).map(String::into_bytes), Vec::new()))
         }),
@@ -167,6 +172,12 @@ pub const ALL: [File; 28] = {
         file(Pictures, "force.png", Cams, Png, |s| made(s.force().png())),
         file(Pictures, "cam.svg", Cams, Always, |s| made(s.cam().svg())),
         file(Pictures, "cam.png", Cams, Png, |s| made(s.cam().png())),
+        file(Pictures, "walkers.svg", Populations, Always, |s| {
+            made(s.walkers().svg())
+        }),
+        file(Pictures, "walkers.png", Populations, Png, |s| {
+            made(s.walkers().png())
+        }),
         file(Pictures, "floor.svg", Floors, Always, |s| {
             made(s.floor().svg())
         }),
@@ -316,6 +327,10 @@ impl<'a> Source<'a> {
         self.pictures[2].get_or_init(|| plots::cam(self.design, self.contents.language))
     }
 
+    fn walkers(&self) -> &Picture {
+        self.pictures[4].get_or_init(|| plots::walkers(self.design, self.contents.language))
+    }
+
     fn floor(&self) -> &Picture {
         self.pictures[3].get_or_init(|| plots::floor(self.design, self.contents.language))
     }
@@ -353,6 +368,7 @@ impl File {
             Of::Pairs => cam && design.conjugate.is_some(),
             Of::Barrels => cam && barrel,
             Of::Floors => cam && design.floor.is_some(),
+            Of::Populations => cam && design.population.is_some(),
         }
     }
 

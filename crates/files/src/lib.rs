@@ -13,6 +13,7 @@ pub mod design;
 mod earlier;
 pub mod files;
 pub mod lock;
+pub mod population;
 pub mod read;
 pub mod result_folder;
 pub mod scene;

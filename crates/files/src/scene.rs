@@ -64,9 +64,20 @@ impl Input {
             let files: Option<Vec<String>> = files.iter().map(|f| whole(f)).collect();
             Some(files?.join(target::AND))
         });
+        let more = self.scene.gait.as_ref().map_or(&[][..], |g| &g.more_files);
+        let absolute = |path: &PathBuf| {
+            let place = target::find(&self.folder, path);
+            whole(&place).unwrap_or_else(|| place.to_string_lossy().into_owned())
+        };
         let gait = table.get_mut("gait").and_then(Value::as_table_mut);
         if let (Some(file), Some(gait)) = (file, gait) {
-            gait.insert("file".to_string(), Value::String(file));
+            let mut all = vec![Value::String(file)];
+            all.extend(more.iter().map(|path| Value::String(absolute(path))));
+            let value = match all.len() {
+                1 => all.remove(0),
+                _ => Value::Array(all),
+            };
+            gait.insert("file".to_string(), value);
         }
         table
     }

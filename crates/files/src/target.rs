@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::population::population;
 use crate::read::read_bytes;
 use gaitcam::error::{Placed, ReadError, Result};
 use gaitcam::force::{self, ForceCurve};
@@ -18,6 +19,9 @@ pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
     match &gait.source {
         Source::Model(_) | Source::Harmonics(_) => gait.model_force(),
         Source::File(path) => {
+            if let Some(mean) = population(gait, folder, path)? {
+                return Ok(Some(mean));
+            }
             let bytes = content(folder, path)?;
             let path = find(folder, path);
             let options = gait.read_options(metadata(&path))?;

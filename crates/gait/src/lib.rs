@@ -23,6 +23,7 @@ mod cycle;
 pub mod error;
 mod interpretation;
 mod models;
+mod population;
 mod quantity;
 mod read;
 mod recording;
@@ -38,6 +39,10 @@ pub use interpretation::{
     Clock, Column, Contact, Interpretation, MeanStanceCurve, Overlay, Period, coded,
 };
 pub use models::{ModelInfo, Status, catalogue, fourier, model, of_harmonics, waves};
+pub use population::{
+    Population, Walker, WalkerFault, fault as walker_fault, is_table as is_population,
+    read_table as read_population, write_table as population_csv,
+};
 pub use read::{
     Cell, NumberTable, PlateFile, joined_plates, metadata_name, of_arrays, one_cycle, plate_of,
     read,

@@ -42,6 +42,7 @@ pub mod plots {
     pub use super::figures::force::force;
     pub use super::figures::law::svaj;
     pub use super::figures::speeds::{AtSpeed, speeds};
+    pub use super::figures::walkers::walkers;
 }
 
 /// How long the work took, s; measured by the caller, since emitters read no clock.

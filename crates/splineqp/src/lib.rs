@@ -33,6 +33,7 @@
 //! | `rms` | a limit on a root mean square, by the weight at which it holds with equality |
 //! | `refine` | Newton's method on the contacts: the last digits of a solution and its proof |
 //! | `settings` | every tuning constant with its reason |
+//! | `squares` | weights of several squares at which the worst is least |
 //! | `certificate` | duality gap, stationarity |
 
 #![forbid(unsafe_code)]
@@ -50,6 +51,7 @@ pub mod poly;
 mod program;
 mod settings;
 mod solve;
+mod squares;
 
 pub use basis::{Basis, Entries, apply};
 pub use certificate::{Certificate, PROVED, certificate};
@@ -62,6 +64,7 @@ pub use program::{
 pub use settings::{Settings, TOLERANCE};
 pub use solve::exchange::clarabel::{prepared as clarabel_prepared, run as clarabel_run};
 pub use solve::exchange::solve as solve_by_interior_point;
+pub use squares::{LeastWorst, Square, least_worst};
 
 /// The types by which a caller names limits and equalities.
 ///

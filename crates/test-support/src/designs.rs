@@ -55,6 +55,7 @@ fn plain(name: &str, drive: Drive, cam: Cam, force: ForceReport) -> Design {
     Design {
         shaft: None,
         floor: None,
+        population: None,
         name: name.into(),
         weight_n: None,
         target: None,

@@ -6,7 +6,9 @@ use crate::drive::DriveKind;
 use crate::error::{Result, SceneError, nearest};
 use crate::force::{Feet, Kind as Movement, OpenQuestion};
 use crate::law::Rise;
-use crate::scene::{Band, Family, ForceScale, KeywaySpec, Minimise, Phase, Scene, ShaftSpeed};
+use crate::scene::{
+    Adjust, Band, Family, ForceScale, KeywaySpec, Minimise, Phase, Robust, Scene, ShaftSpeed,
+};
 
 /// Getter and setter of a key; the number counts entries of a list from 0.
 #[derive(Clone, Copy)]
@@ -104,6 +106,8 @@ impl_field! {
         KeywaySpec::Auto => Value::Text("auto".to_string()),
         KeywaySpec::Width(width) => Value::Number(width),
     }), |v| Some(v.number().map_or(KeywaySpec::Auto, KeywaySpec::Width));
+    Robust: |robust| (*robust != Robust::Mean).then(|| Value::Text(robust.to_string())), |v| v.text().parse()?;
+    Option<Adjust>: |adjust| adjust.map(|a| Value::Texts(a.words())), |v| adjusted(&v.texts())?;
     Option<Band>: |band| band.map(|b| match b {
         Band::Spread => Value::Text("spread".to_string()),
         Band::Width(newtons) => Value::Number(newtons),
@@ -112,6 +116,13 @@ impl_field! {
         Phase::Free => Value::Text("free".to_string()),
         Phase::At(angle) => Value::Number(*angle),
     }), |v| v.number().map_or(Phase::Free, Phase::At);
+}
+
+fn adjusted(words: &[String]) -> Result<Option<Adjust>> {
+    match words {
+        [auto] if auto == "auto" => Ok(None),
+        words => Adjust::of(words).map(Some),
+    }
 }
 
 fn names(questions: &[OpenQuestion]) -> Option<Value> {

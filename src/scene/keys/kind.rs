@@ -80,6 +80,9 @@ pub enum Kind {
     /// A number with its unit, or this word.
     #[strum(serialize = "number-or-word")]
     NumberOr(Measure, &'static str),
+    /// A number with its unit, or several: `1.4 Hz:2.4 Hz:11`, `normal 1.87 Hz 0.19 Hz`.
+    #[strum(serialize = "number")]
+    NumberOrSeveral(Measure),
     /// A whole number from the first to the last.
     Count(usize, usize),
     /// One of several words.

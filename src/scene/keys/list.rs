@@ -65,6 +65,10 @@ pub fn takes(key: &Key, language: Language) -> String {
     };
     match key.kind {
         Kind::Number(_) => number(None),
+        Kind::NumberOrSeveral(_) => {
+            let one = number(None);
+            format!("{one}{or}1.4 Hz:2.4 Hz:11{or}normal 1.87 Hz 0.19 Hz")
+        }
         Kind::NumberOr(_, word) => number(Some(word)),
         Kind::Count(low, high) => format!("{low} … {high}"),
         Kind::Choice(words) => words().join(" | "),

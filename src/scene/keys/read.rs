@@ -7,7 +7,7 @@ use super::kind::{Kind, Range};
 use super::row::Key;
 use super::value::Value;
 use crate::error::{Placed, Result, SceneError};
-use crate::scene::Scene;
+use crate::scene::{Scene, StepFrequencies};
 use crate::units::{Dimension, Quantity, parse};
 
 /// Reads what a scene file gives for a key; `None` for `"auto"`.
@@ -19,7 +19,10 @@ pub fn read(key: &Key, typed: &Toml, scene: &Scene, path: &str) -> Result<Option
         Kind::NumberOr(_, word) if typed.as_str() == Some(word) => {
             Ok(Some(Value::Text(word.to_string())))
         }
-        Kind::Number(measure) | Kind::NumberOr(measure, _) => {
+        Kind::NumberOrSeveral(_) if typed.as_str().is_some_and(StepFrequencies::is_meant) => {
+            Ok(typed.as_str().map(|text| Value::Text(text.to_string())))
+        }
+        Kind::Number(measure) | Kind::NumberOrSeveral(measure) | Kind::NumberOr(measure, _) => {
             number(key, typed, measure.of(scene.cam.measures()), scene, path)
         }
         Kind::Count(..) if typed.as_str() == Some("auto") => Ok(None),

@@ -135,7 +135,9 @@ impl Key {
     /// What its number measures; `None` for words and counts.
     pub fn measure(&self) -> Option<Measure> {
         match self.kind {
-            Kind::Number(measure) | Kind::NumberOr(measure, _) => Some(measure),
+            Kind::Number(measure) | Kind::NumberOrSeveral(measure) | Kind::NumberOr(measure, _) => {
+                Some(measure)
+            }
             _ => None,
         }
     }

@@ -50,6 +50,9 @@ fn place(at: &mut Value, path: &str, value: Value) {
 fn of_key(key: &Key) -> Value {
     match key.kind {
         Kind::Number(measure) => number(key, &measure.each(), None),
+        Kind::NumberOrSeveral(measure) => {
+            number(key, &measure.each(), Some("[^:]+:[^:]+:[^:]+|normal .*"))
+        }
         Kind::NumberOr(measure, word) => number(key, &measure.each(), Some(word)),
         Kind::Count(low, high) => json!({"anyOf": [
             {"type": "integer", "minimum": low, "maximum": high},

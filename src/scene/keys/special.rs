@@ -12,12 +12,40 @@ pub(super) const NONE: &str = "none";
 
 /// `gait.file`: a recording, in place of a model.
 pub(super) const FILE: Access = Access {
-    get: |s, _| match &s.gait.as_ref()?.source {
-        Source::File(path) => Some(Value::Text(path.to_string_lossy().into_owned())),
-        Source::Model(_) | Source::Harmonics(_) => None,
+    get: |s, _| {
+        let gait = s.gait.as_ref()?;
+        let path = match &gait.source {
+            Source::File(path) => path,
+            Source::Model(_) | Source::Harmonics(_) => return None,
+        };
+        let all = std::iter::once(path).chain(&gait.more_files);
+        let texts = all.map(|path| path.to_string_lossy().into_owned());
+        Some(Value::Texts(texts.collect()))
     },
     set: |s, _, v| {
-        s.gait.get_or_insert_default().source = Source::File(PathBuf::from(v.text()));
+        let gait = s.gait.get_or_insert_default();
+        let mut paths = v.texts().into_iter().map(PathBuf::from);
+        gait.source = Source::File(paths.next().unwrap_or_default());
+        gait.more_files = paths.collect();
+        Ok(())
+    },
+};
+
+/// `gait.step_frequency`: one, or those of several walkers.
+pub(super) const STEP_FREQUENCY: Access = Access {
+    get: |s, _| {
+        let gait = s.gait.as_ref()?;
+        match gait.step_frequencies {
+            Some(several) => Some(Value::Text(several.to_string())),
+            None => gait.step_frequency.map(Value::Number),
+        }
+    },
+    set: |s, _, v| {
+        let gait = s.gait.get_or_insert_default();
+        (gait.step_frequency, gait.step_frequencies) = match v {
+            Value::Text(text) => (None, Some(text.parse()?)),
+            one => (one.number(), None),
+        };
         Ok(())
     },
 };

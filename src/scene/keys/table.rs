@@ -9,7 +9,7 @@ use super::kind::{Idle, Kind, Measure, Range};
 use super::row::Key;
 use super::special::{
     ACCURACY, FILE, FORCE_MIN, HARMONICS, MATERIAL, MODEL, NONE, OFFSET, PRESSURE_ANGLE,
-    both_sides, limit, one_side, weigh, weights,
+    STEP_FREQUENCY, both_sides, limit, one_side, weigh, weights,
 };
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
@@ -38,10 +38,10 @@ const MOST_TURNS: usize = 100;
 pub static KEYS: &[Key] = &[
     row("name", TEXT, "cam", field!(name)),
 
-    row("gait.file",            TEXT,                                 "",      FILE),
+    row("gait.file",            TEXTS,                                "",      FILE),
     row("gait.model",           MODELS,                               "",      MODEL),
     row("gait.harmonics",       TEXTS,                                "",      HARMONICS),
-    row("gait.step_frequency",  number(Frequency, Positive),          "auto",  field!(gait?.step_frequency)).idle_when(over_recordings),
+    row("gait.step_frequency",  number(Frequency, Positive).or_several(), "auto", STEP_FREQUENCY).idle_when(over_recordings),
     row("gait.body_weight",     number(Force, Positive),              "auto",  field!(gait?.body_weight)).idle_when(over_recordings),
     row("gait.time",            TEXT,                                 "",      field!(gait?.time)).idle_when(over_models),
     row("gait.force",           TEXTS,                                "",      field!(gait?.force)).idle_when(over_models),
@@ -52,6 +52,8 @@ pub static KEYS: &[Key] = &[
     row("gait.span",            number(Angle, Between(0.0, TAU)),    "auto",  field!(gait?.span)).idle_when(over_models),
     row("gait.kind",            words::<Movement>(),                  "",      field!(gait?.kind)).idle_when(over_models),
     row("gait.accept",          TEXT,                                 "",      field!(gait?.accept)).idle_when(over_models),
+    row("gait.leave_out",       TEXTS,                                "",      field!(gait?.leave_out)).idle_when(over_models),
+    row("gait.adjust",          TEXTS,                                "auto",  field!(gait?.adjust)),
     row("gait.feet",            words::<Feet>(),                      "both",  field!(gait?.feet)),
     row("gait.scale",           words::<ForceScale>(),                "none",  field!(gait?.scale)),
     row("gait.band",            number(Force, Positive).or("spread"), "",      field!(gait?.band)),
@@ -111,6 +113,7 @@ pub static KEYS: &[Key] = &[
     row("law.weigh.force_error",    number(Percent, Positive),           "",      weigh!(force_error)).read_again().idle_when(not_fitted),
     row("law.weigh.prime_radius",   number(Length, Positive),            "",      weigh!(prime_radius)).read_again().idle_when(not_fitted),
     row("law.weigh.jerk",           by_arm(Jerk, AngularJerk, Positive), "",      weigh!(jerk)).read_again().idle_when(not_fitted),
+    row("law.robust",               TEXT,                                "mean",  field!(law.robust)).idle_when(no_force),
     row("law.monotone",             FLAG,                                "false", field!(law.monotone)).idle_when(not_fitted),
     row("law.polydyne",             FLAG,                                "false", field!(law.polydyne)),
     row("law.shaft",                words::<ShaftSpeed>(),               "motor", field!(law.shaft)).only(turns).idle_when(no_motor),
@@ -184,6 +187,14 @@ impl Takes {
     const fn or(self, word: &'static str) -> Takes {
         match self {
             Takes(Kind::Number(measure), range) => Takes(Kind::NumberOr(measure, word), range),
+            other => other,
+        }
+    }
+
+    /// Accepts a range or a distribution in place of the number.
+    const fn or_several(self) -> Takes {
+        match self {
+            Takes(Kind::Number(measure), range) => Takes(Kind::NumberOrSeveral(measure), range),
             other => other,
         }
     }

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use super::harmonic::Harmonic;
+use super::{Adjust, StepFrequencies};
 use crate::error::{Error, Placed, Result};
-use crate::force::{self, Feet, ForceCurve, Kind, OpenQuestion, ReadOptions};
+use crate::force::{self, Feet, ForceCurve, Kind, OpenQuestion, ReadOptions, Walker};
 
 /// Weight of the walker that the load models were published for, N.
 const MODEL_WEIGHT: f64 = 700.0;
@@ -51,6 +52,14 @@ pub struct Gait {
     pub source: Source,
     /// Models: steps per second; `None` = the model's own.
     pub step_frequency: Option<f64>,
+    /// Models: step frequencies of several walkers, in place of one.
+    pub step_frequencies: Option<StepFrequencies>,
+    /// Files or folders of further walkers.
+    pub more_files: Vec<PathBuf>,
+    /// Walkers, by file or name, who are left out.
+    pub leave_out: Vec<String>,
+    /// What the machine is set to for each of several walkers; `None` = mass and speed, where the scene gives none.
+    pub adjust: Option<Adjust>,
     /// Models: weight of the walker, N; `None` = 700 N.
     pub body_weight: Option<f64>,
     /// Recordings: name of the time column.
@@ -140,9 +149,27 @@ impl Gait {
         self.force_of_weight(self.model_weight())
     }
 
-    /// The same for a walker of another weight, N.
+    /// The same for a walker of another weight, N; with several step frequencies one walker for each.
     pub(crate) fn force_of_weight(&self, weight: f64) -> Result<Option<ForceCurve>> {
-        let (frequency, feet) = (self.step_frequency, self.feet);
+        let Some(several) = self.step_frequencies else {
+            return self.of_step(self.step_frequency, weight);
+        };
+        let walker = |(frequency, counts): (f64, f64)| {
+            let curve = self.of_step(Some(frequency), weight)?;
+            let title = format!("{} Hz", (1e4 * frequency).round() / 1e4);
+            Ok(curve.map(|curve| Walker {
+                weight: counts,
+                ..Walker::new(&title, curve)
+            }))
+        };
+        let walkers: Result<Option<Vec<Walker>>> =
+            several.points().into_iter().map(walker).collect();
+        walkers?.map(ForceCurve::of_walkers).transpose()
+    }
+
+    /// The force of one walker at a step frequency, Hz; `None` = the model's own.
+    fn of_step(&self, frequency: Option<f64>, weight: f64) -> Result<Option<ForceCurve>> {
+        let feet = self.feet;
         let (force, key) = match &self.source {
             Source::Model(name) => (force::model(name, frequency, weight, feet), "gait.model"),
             Source::Harmonics(list) => {
@@ -157,6 +184,9 @@ impl Gait {
     /// Period, s, and (cosine, sine) amplitudes of the harmonics of a force that is a finite sum, for one newton of weight.
     #[allow(clippy::type_complexity)] // one pair, named above
     pub(crate) fn series(&self) -> Result<Option<(f64, Vec<(f64, f64)>)>> {
+        if self.step_frequencies.is_some() {
+            return Ok(None);
+        }
         match &self.source {
             Source::Model(name) => force::fourier(name, self.step_frequency, self.feet),
             Source::Harmonics(list) => {

@@ -1,6 +1,6 @@
 //! `[law]`: family, resolution and exact conditions of the law.
 
-use super::Gait;
+use super::{Gait, Robust};
 use crate::law::Rise;
 
 /// Family of laws.
@@ -272,6 +272,8 @@ pub struct LawSpec {
     pub harmonics: Option<usize>,
     /// Objective; `None` = force error if there is a target force, jerk otherwise.
     pub minimise: Option<Minimise>,
+    /// What is minimised over the force errors of several walkers.
+    pub robust: Robust,
     /// Whether the law is monotone between neighbouring points.
     pub monotone: bool,
     /// Whether the law is that of the output of a compliant follower (polydyne cam).

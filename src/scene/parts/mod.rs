@@ -8,6 +8,7 @@ mod harmonic;
 mod law;
 mod limits;
 mod machine;
+mod population;
 
 pub use cam::{CamSpec, ConjugateSpec, KeywaySpec};
 pub use drive::DriveSpec;
@@ -17,3 +18,4 @@ pub use harmonic::Harmonic;
 pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, ShaftSpeed, Weigh};
 pub use limits::Limits;
 pub use machine::{MachineSpec, MotorSpec};
+pub use population::{Adjust, Robust, StepFrequencies};

@@ -30,6 +30,7 @@ use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Note, Problem};
 use crate::synth::corrected::on_floor::OnFloor;
 use crate::synth::corrected::on_shaft::OnShaft;
+use crate::synth::population::OfPopulation;
 use crate::units::Quantity;
 use crate::wording::Language;
 use parameters::Functions;
@@ -116,6 +117,8 @@ pub struct Design {
     pub shaft: Option<OnShaft>,
     /// How the floor moves; `None` where it is stiff.
     pub floor: Option<OnFloor>,
+    /// How well it serves each of several walkers; `None` for one cycle.
+    pub population: Option<OfPopulation>,
     /// What it is the design of.
     #[serde(skip)]
     pub problem: Arc<Problem>,

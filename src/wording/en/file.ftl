@@ -53,3 +53,20 @@ file-motion-many-rows = more than { $most } rows
     .help = give every second row or fewer
 file-motion-differs = column { $column } covers { $covered }, but { $key } is { $typed }
     .help = correct one of them, or leave { $key } out: it is then taken from the file
+file-walkers = { $count } cycles cannot be taken into the population.{ $unreadable ->
+        [none] {""}
+       *[other] {" "}No cycle in { $unreadable }.
+    }{ $weight ->
+        [none] {""}
+       *[other] {" "}The mean force is not the weight: { $weight }.
+    }{ $unit ->
+        [none] {""}
+       *[other] {" "}Another unit of force: { $unit }.
+    }{ $feet ->
+        [none] {""}
+       *[other] {" "}One foot among both, or the reverse: { $feet }.
+    }{ $kind ->
+        [none] {""}
+       *[other] {" "}Another kind of movement: { $kind }.
+    }
+    .help = correct them, or leave them out by name: gait.leave_out = ["NAME", …]

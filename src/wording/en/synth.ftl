@@ -58,6 +58,14 @@ design-polydyne-miss = With its flexible follower this cam has a force error of 
 # Faults in what a design is asked for.
 synth-shaft-diverges = the law and the speed of the shaft do not settle: at a ripple of { $ripple } each round changes the target { $contraction } times as much as the one before
     .help = an inertia of about "{ $inertia }" or a steeper torque line, or law.shaft = "constant"
+synth-adjusts-given = { $key } is given and is to be set anew for each walker
+    .help = leave { $key } out, or leave it out of gait.adjust
+synth-mass-not-adjustable = the mass of this drive carries no walker's weight
+    .help = leave "mass" out of gait.adjust; a moving axis carries the weight
+synth-speed-not-adjustable = the force of this drive at another speed is no multiple of that at one speed: spring, damping and inertia depend on it differently
+    .help = leave "speed" out of gait.adjust and give drive.speed
+synth-not-of-population = this setting is not available for several walkers
+    .help = give one cycle, or leave the setting out; law.robust needs law.family = "spline", "harmonic" or none, and the force error as objective
 synth-force-not-read = the force curve was not read
 synth-no-lift-changes-force = no lift changes the force: spring rate, damping and mass are all zero
     .help = give at least one of spring_rate, damping, mass

@@ -53,3 +53,20 @@ file-motion-many-rows = más de { $most } filas
     .help = dé una de cada dos filas o menos
 file-motion-differs = la columna { $column } abarca { $covered }, pero { $key } es { $typed }
     .help = corrija uno de los dos, u omita { $key }: entonces se toma del archivo
+file-walkers = { $count } ciclos no pueden tomarse en la población.{ $unreadable ->
+        [none] {""}
+       *[other] {" "}Sin ciclo en { $unreadable }.
+    }{ $weight ->
+        [none] {""}
+       *[other] {" "}La fuerza media no es el peso: { $weight }.
+    }{ $unit ->
+        [none] {""}
+       *[other] {" "}Otra unidad de fuerza: { $unit }.
+    }{ $feet ->
+        [none] {""}
+       *[other] {" "}Un pie entre ambos, o al revés: { $feet }.
+    }{ $kind ->
+        [none] {""}
+       *[other] {" "}Otro tipo de movimiento: { $kind }.
+    }
+    .help = corríjalos o exclúyalos por su nombre: gait.leave_out = ["NOMBRE", …]

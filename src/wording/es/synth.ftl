@@ -58,6 +58,14 @@ design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fue
 # Errores en lo que se pide de un diseño.
 synth-shaft-diverges = la ley y la velocidad del eje no convergen: con una oscilación de { $ripple } cada vuelta cambia el objetivo { $contraction } veces lo que la anterior
     .help = una inercia de unos "{ $inertia }" o una recta de par más inclinada, o law.shaft = "constant"
+synth-adjusts-given = { $key } está dado y debe ajustarse para cada caminante
+    .help = omita { $key }, o quítelo de gait.adjust
+synth-mass-not-adjustable = la masa de este accionamiento no soporta el peso del caminante
+    .help = quite "mass" de gait.adjust; un eje móvil soporta el peso
+synth-speed-not-adjustable = la fuerza de este accionamiento a otra velocidad no es un múltiplo de la que da a una: muelle, amortiguamiento e inercia dependen de ella de modo distinto
+    .help = quite "speed" de gait.adjust y dé drive.speed
+synth-not-of-population = este ajuste no está disponible para varios caminantes
+    .help = dé un solo ciclo u omita el ajuste; law.robust necesita law.family = "spline", "harmonic" o ninguna, y el error de fuerza como objetivo
 synth-force-not-read = no se leyó la curva de fuerza
 synth-no-lift-changes-force = ninguna elevación cambia la fuerza: la rigidez, el amortiguamiento y la masa son cero
     .help = indique al menos spring_rate, damping o mass

@@ -42,6 +42,8 @@ pub fn typed(key: &Key, scene: &Scene, numbers: &mut Numbers) -> Option<String> 
         Kind::Number(_) => number(numbers),
         Kind::NumberOr(_, word) if numbers.below(3) == 0 => Some(word.to_string()),
         Kind::NumberOr(..) => number(numbers),
+        Kind::NumberOrSeveral(_) if numbers.below(3) == 0 => Some("1.4 Hz:2.4 Hz:11".to_string()),
+        Kind::NumberOrSeveral(_) => number(numbers),
         Kind::Count(low, high) => Some((low + numbers.below(high - low + 1)).to_string()),
         Kind::Choice(words) => {
             let words = words();
@@ -52,6 +54,8 @@ pub fn typed(key: &Key, scene: &Scene, numbers: &mut Numbers) -> Option<String> 
         Kind::Text if key.name() == "curve" => Some("0 20 10 5".to_string()),
         Kind::Text if key.name() == "accept" => Some("clock, mass".to_string()),
         Kind::Text if key.name() == "hardness" => Some(format!("{} HRC", 20 + numbers.below(45))),
+        Kind::Text if key.name() == "robust" => Some(format!("cvar 0.{}", numbers.below(10))),
+        Kind::Texts if key.name() == "adjust" => Some("mass, phase".to_string()),
         Kind::Texts if key.name() == "harmonics" => {
             let factor = numbers.unit() + 0.01;
             Some(format!("{factor}, 0.1 at {} deg", numbers.below(360)))

@@ -197,6 +197,12 @@ fn fault(schema: &serde_json::Value, value: &serde_json::Value) -> Option<String
     if !schema["const"].is_null() {
         return (schema["const"].as_f64() != value.as_f64()).then(|| format!("{value} is not 0"));
     }
+    if let Some(types) = schema["type"].as_array() {
+        let alone = |one: &serde_json::Value| fault(&serde_json::json!({"type": one}), value);
+        return (types.iter())
+            .all(|one| alone(one).is_some())
+            .then(|| format!("{value} is none of {types:?}"));
+    }
     let fits = match schema["type"].as_str() {
         Some("object") => value.is_object(),
         Some("array") => value.is_array(),

@@ -5,6 +5,7 @@ mod families;
 mod guard;
 mod limits;
 mod objectives;
+mod population;
 mod problem;
 mod proof;
 mod random;

@@ -4,22 +4,8 @@ use std::path::{Path, PathBuf};
 
 use crate::console::error::CliError;
 use gaitcam::error::{Placed, Result};
+use gaitcam_files::population::{ENDINGS, inside};
 use gaitcam_files::read::cannot_be_read;
-
-/// Endings of recordings; a folder may also hold other files.
-const ENDINGS: [&str; 13] = [
-    "c3d", "mot", "sto", "forces", "asc", "ascii", "csv", "tsv", "tab", "txt", "dat", "data", "prn",
-];
-/// Beginnings of the names of texts about a folder, and of the table of subjects.
-const ABOUT: [&str; 7] = [
-    "readme",
-    "license",
-    "licence",
-    "copying",
-    "notice",
-    "sources",
-    "changelog",
-];
 
 /// Recordings given by name or inside folders.
 #[derive(Default)]
@@ -38,7 +24,13 @@ pub fn recordings(paths: &[PathBuf], argument: &str) -> Result<Recordings> {
     let mut out = Recordings::default();
     for path in paths {
         if is_folder(path)? {
-            collect(path, &mut out)?;
+            let found = inside(path)?;
+            let names = found
+                .recordings
+                .iter()
+                .map(|p| p.to_string_lossy().into_owned());
+            out.files.extend(names);
+            out.skipped.extend(found.others);
         } else {
             out.files.push(path.to_string_lossy().into_owned());
         }
@@ -58,37 +50,4 @@ pub fn recordings(paths: &[PathBuf], argument: &str) -> Result<Recordings> {
 fn is_folder(path: &Path) -> Result<bool> {
     let about = std::fs::metadata(path).map_err(|e| cannot_be_read(path, &e))?;
     Ok(about.is_dir())
-}
-
-fn collect(folder: &Path, out: &mut Recordings) -> Result<()> {
-    let mut inside = std::fs::read_dir(folder)
-        .and_then(|all| all.map(|entry| entry.map(|e| e.path())).collect())
-        .map_err(|e: std::io::Error| cannot_be_read(folder, &e))
-        .map(|all: Vec<PathBuf>| all)?;
-    inside.sort();
-    for path in inside {
-        let name = path
-            .file_name()
-            .map_or_else(String::new, |n| n.to_string_lossy().into());
-        if name.starts_with('.') {
-            continue;
-        }
-        if is_folder(&path)? {
-            collect(&path, out)?;
-        } else if is_called_a_recording(&name.to_lowercase()) {
-            out.files.push(path.to_string_lossy().into_owned());
-        } else {
-            out.skipped.push(name);
-        }
-    }
-    Ok(())
-}
-
-fn is_called_a_recording(name: &str) -> bool {
-    let Some((stem, ending)) = name.rsplit_once('.') else {
-        return false;
-    };
-    ENDINGS.contains(&ending)
-        && !ABOUT.iter().any(|about| stem.starts_with(about))
-        && !stem.ends_with("metadata")
 }

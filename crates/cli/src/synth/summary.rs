@@ -31,6 +31,7 @@ pub fn text(design: &Design, time: Timing) -> String {
     out.push(cam(design));
     out.extend(machine(design));
     out.extend(shaft(design));
+    out.extend(population(design));
     out.extend(floor(design));
     out.extend(passed_checks(design));
     out.extend(active_limits(design));
@@ -44,9 +45,9 @@ pub fn text(design: &Design, time: Timing) -> String {
 }
 
 /// Labels of the rows, without `label-`.
-const LABELS: [&str; 15] = [
-    "failed", "ok", "force", "law", "drive", "cam", "machine", "shaft", "floor", "active",
-    "relaxing", "note", "solved", "optimum", "sequence",
+const LABELS: [&str; 16] = [
+    "failed", "ok", "force", "law", "drive", "cam", "machine", "shaft", "floor", "walkers",
+    "active", "relaxing", "note", "solved", "optimum", "sequence",
 ];
 
 /// A row under its label; a label that is empty continues the row before.
@@ -266,6 +267,17 @@ fn shaft(design: &Design) -> Vec<String> {
         ));
     }
     out
+}
+
+/// Force errors of several walkers.
+fn population(design: &Design) -> Option<String> {
+    let p = design.population.as_ref()?;
+    Some(filled(
+        "walkers",
+        "synth-walkers",
+        json!({"count": p.walkers, "mean": fixed(p.mean_percent, 3), "worst": fixed(p.worst_percent, 3),
+                "who": p.worst_walker, "cvar": fixed(p.cvar_percent, 3)}),
+    ))
 }
 
 /// Acceleration of the floor under shaker and walkers, and its comfort.

@@ -127,6 +127,7 @@ label-drive = drive
 label-cam = cam
 label-machine = machine
 label-floor = floor
+label-walkers = walkers
 label-shaft = shaft
 label-active = active
 label-relaxing = relaxing
@@ -156,6 +157,7 @@ synth-law = { $family }{ $degree ->
 synth-offset = {" "}offset { $offset } mm,
 synth-cam = { $follower }, base radius { $base } mm, prime radius { $prime } mm,{ $offset } smallest convex radius { $convex } mm
 synth-load-factors = dynamic load factors 1 to 4: { $list }
+synth-walkers = { $count }: force error { $mean } % of the mean force on average, { $cvar } % for the worst tenth, { $worst } % for the worst ({ $who })
 synth-floor = { $peak } m/s² peak, { $rms } m/s² RMS; comfort class { $class } (HiVoSS), comfort { $setra ->
     [maximum] maximum
     [mean] mean

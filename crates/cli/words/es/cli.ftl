@@ -127,6 +127,7 @@ label-drive = accionamiento
 label-cam = leva
 label-machine = máquina
 label-floor = suelo
+label-walkers = caminantes
 label-shaft = eje
 label-active = activo
 label-relaxing = relajar
@@ -156,6 +157,7 @@ synth-law = { $family }{ $degree ->
 synth-offset = {" "}excentricidad { $offset } mm,
 synth-cam = { $follower }, radio base { $base } mm, radio primario { $prime } mm,{ $offset } menor radio convexo { $convex } mm
 synth-load-factors = factores de carga dinámica 1 a 4: { $list }
+synth-walkers = { $count }: error de fuerza del { $mean } % de la fuerza media en promedio, { $cvar } % en la peor décima parte, { $worst } % en el peor ({ $who })
 synth-floor = máximo { $peak } m/s², { $rms } m/s² RMS; clase de confort { $class } (HiVoSS), confort { $setra ->
     [maximum] máximo
     [mean] medio

@@ -11,6 +11,7 @@ use slopes::{slope_at, slopes};
 
 use crate::error::{ForceError, Result};
 use crate::interpretation::Interpretation;
+use crate::population::Population;
 use crate::quantity::seconds;
 use crate::recording::Note;
 use crate::statistics::ends;
@@ -51,6 +52,9 @@ pub struct ForceCurve {
     /// How the recording of which it is the mean was interpreted.
     #[serde(serialize_with = "interpretation")]
     pub recording: Option<Arc<Interpretation>>,
+    /// The walkers of whom it is the mean.
+    #[serde(skip)]
+    pub population: Option<Arc<Population>>,
 }
 
 /// The interpretation as the JSON of [`Interpretation::json`].
@@ -86,6 +90,7 @@ impl ForceCurve {
             mass_kg: None,
             clock_s: None,
             recording: None,
+            population: None,
         })
     }
 

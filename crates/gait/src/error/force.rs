@@ -87,6 +87,14 @@ pub enum ForceError {
     NoLiveChannel { duration: Quantity },
     /// No channel rises above the contact threshold.
     NoContact { duration: Quantity },
+    /// A population without a walker.
+    NoWalkers,
+    /// No cam serves a walker whose weight or mean force is not positive.
+    WalkerImpossible { walker: String },
+    /// A table of walkers lacks a column.
+    WalkerColumnMissing { column: &'static str },
+    /// A value of a table of walkers is no number.
+    WalkerValue { column: String, value: String },
     /// Every stance is of the other foot.
     NoStanceOfFoot { foot: &'static str },
     /// The file does not name the feet.

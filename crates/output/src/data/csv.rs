@@ -55,6 +55,18 @@ pub fn floor(design: &Design) -> Option<String> {
     Some([names.to_string()].into_iter().chain(rows).collect())
 }
 
+/// `walkers.csv`: how well the cam serves each cycle of a population.
+pub fn walkers(design: &Design) -> Option<String> {
+    let each = &design.population.as_ref()?.each;
+    let rows = each.iter().map(|w| {
+        let name = w.walker.replace([',', '\n', '\r', '"'], " ");
+        let (mass, speed, phase) = (w.mass_kg, w.speed_rad_per_s, w.phase_rad);
+        format!("{name},{mass},{speed},{phase},{}\n", w.rms_error_percent)
+    });
+    let names = "walker,mass_kg,speed_rad_per_s,phase_rad,rms_error_percent\n";
+    Some([names.to_string()].into_iter().chain(rows).collect())
+}
+
 /// `law.csv`: lift, its derivatives by the cam angle, force and target at `points` equal steps.
 ///
 /// The force is the one at the output: for a polydyne cam, that of the follower's end.

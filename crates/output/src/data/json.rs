@@ -66,6 +66,9 @@ pub fn summary(design: &Design, time: Timing) -> Value {
         put("force_time", json!(on_shaft.force_time));
         put("shaft_design", shaft_design(design, on_shaft));
     }
+    if let Some(population) = &design.population {
+        put("population", json!(population));
+    }
     if let Some(floor) = &design.floor {
         put("floor", json!(floor.motion));
     }

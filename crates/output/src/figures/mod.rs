@@ -11,3 +11,4 @@ pub mod recording;
 pub mod run;
 pub mod speeds;
 pub mod sweep;
+pub mod walkers;

@@ -1,0 +1,206 @@
+//! Populations of walkers from folders, lists of files, and tables.
+
+use std::path::{Path, PathBuf};
+
+use gaitcam::error::{FileError, Place, Result};
+use gaitcam::force::{self, ForceCurve, Walker, WalkerFault, walker_fault};
+use gaitcam::scene::Gait;
+
+use crate::read::{cannot_be_read, read_bytes};
+use crate::target::{find, metadata};
+
+/// Endings of recordings; a folder may also hold other files.
+pub const ENDINGS: [&str; 13] = [
+    "c3d", "mot", "sto", "forces", "asc", "ascii", "csv", "tsv", "tab", "txt", "dat", "data", "prn",
+];
+/// Beginnings of the names of texts about a folder, and of the table of subjects.
+const ABOUT: [&str; 7] = [
+    "readme",
+    "license",
+    "licence",
+    "copying",
+    "notice",
+    "sources",
+    "changelog",
+];
+
+/// Files of a folder.
+#[derive(Debug, Default)]
+pub struct Inside {
+    /// Those called as recordings are, in the order of their names.
+    pub recordings: Vec<PathBuf>,
+    /// Names of the others.
+    pub others: Vec<String>,
+}
+
+/// The files of a folder and of those in it; hidden files are left out without a word.
+///
+/// # Errors
+/// A folder that cannot be read.
+pub fn inside(folder: &Path) -> Result<Inside> {
+    let mut out = Inside::default();
+    collect(folder, &mut out)?;
+    Ok(out)
+}
+
+fn collect(folder: &Path, out: &mut Inside) -> Result<()> {
+    let entries = std::fs::read_dir(folder).and_then(|all| {
+        let paths = all.map(|entry| entry.map(|e| e.path()));
+        paths.collect::<std::io::Result<Vec<PathBuf>>>()
+    });
+    let mut entries = entries.map_err(|e| cannot_be_read(folder, &e))?;
+    entries.sort();
+    for path in entries {
+        let name = path.file_name().unwrap_or_default();
+        let name = name.to_string_lossy().into_owned();
+        if name.starts_with('.') {
+            continue;
+        }
+        if path.is_dir() {
+            collect(&path, out)?;
+        } else if is_called_a_recording(&name.to_lowercase()) {
+            out.recordings.push(path);
+        } else {
+            out.others.push(name);
+        }
+    }
+    Ok(())
+}
+
+fn is_called_a_recording(name: &str) -> bool {
+    let Some((stem, ending)) = name.rsplit_once('.') else {
+        return false;
+    };
+    ENDINGS.contains(&ending)
+        && !ABOUT.iter().any(|about| stem.starts_with(about))
+        && !stem.ends_with("metadata")
+}
+
+/// The mean cycle of the walkers that a scene names, with the walkers; `None` where it names one recording.
+///
+/// # Errors
+/// Every walker who cannot be taken, with the reason; only those that the scene leaves out are.
+pub fn population(gait: &Gait, folder: &Path, path: &Path) -> Result<Option<ForceCurve>> {
+    let place = find(folder, path);
+    let is_folder = place.is_dir();
+    if !is_folder && gait.more_files.is_empty() {
+        let is_table = is_text(&place) && force::is_population(&read_bytes(&place)?);
+        if !is_table {
+            return Ok(None);
+        }
+    }
+    let mut read = Read::default();
+    for path in std::iter::once(path).chain(gait.more_files.iter().map(PathBuf::as_path)) {
+        let place = find(folder, path);
+        if place.is_dir() {
+            for file in inside(&place)?.recordings {
+                read.take(gait, &file);
+            }
+        } else {
+            read.take(gait, &place);
+        }
+    }
+    let at = || Place::File(place.clone());
+    read.checked(gait)
+        .and_then(ForceCurve::of_walkers)
+        .map(Some)
+        .map_err(|e| match e.place {
+            Place::File(_) | Place::Line { .. } => e,
+            _ => e.at(at()),
+        })
+}
+
+/// Endings of tables; a recording of gigabytes is not read to find out.
+fn is_text(path: &Path) -> bool {
+    let ending = path
+        .extension()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .to_lowercase();
+    ["csv", "tsv", "txt"].contains(&ending.as_str())
+}
+
+/// Walkers as they were read.
+#[derive(Default)]
+struct Read {
+    walkers: Vec<Walker>,
+    /// Files that hold no cycle.
+    unreadable: Vec<String>,
+}
+
+impl Read {
+    /// The cycle of a recording, or every row of a table.
+    fn take(&mut self, gait: &Gait, path: &Path) {
+        if leaves_out(gait, &file_name(path)) || leaves_out(gait, &path.display().to_string()) {
+            return;
+        }
+        match cycles(gait, path) {
+            Ok(walkers) => self.walkers.extend(walkers),
+            Err(_) => self.unreadable.push(file_name(path)),
+        }
+    }
+
+    /// The walkers, if all can be taken.
+    fn checked(self, gait: &Gait) -> Result<Vec<Walker>> {
+        let mut walkers = self.walkers;
+        walkers.retain(|w| !leaves_out(gait, &w.name));
+        let mut names: [Vec<String>; 4] = Default::default();
+        for walker in &walkers {
+            let name = walker.name.clone();
+            let (kind, shown) = match walker_fault(walker, &walkers) {
+                None => continue,
+                Some(WalkerFault::MeanNotWeight { percent }) => {
+                    (0, format!("{name} ({percent:.0} %)"))
+                }
+                Some(WalkerFault::NoMeanForce) => (0, name),
+                Some(WalkerFault::OtherUnit) => (1, name),
+                Some(WalkerFault::OtherFeet) => (2, name),
+                Some(WalkerFault::OtherKind) => (3, name),
+            };
+            names[kind].push(shown);
+        }
+        let count = self.unreadable.len() + names.iter().map(Vec::len).sum::<usize>();
+        if count == 0 {
+            return Ok(walkers);
+        }
+        let text = |list: &[String]| {
+            if list.is_empty() {
+                "none".to_string()
+            } else {
+                list.join(", ")
+            }
+        };
+        Err(FileError::Walkers {
+            count,
+            unreadable: text(&self.unreadable),
+            weight: text(&names[0]),
+            unit: text(&names[1]),
+            feet: text(&names[2]),
+            kind: text(&names[3]),
+        }
+        .into())
+    }
+}
+
+/// The walkers of a file.
+fn cycles(gait: &Gait, path: &Path) -> Result<Vec<Walker>> {
+    let bytes = read_bytes(path)?;
+    if is_text(path) && force::is_population(&bytes) {
+        return force::read_population(path, &bytes);
+    }
+    let options = gait.read_options(metadata(path))?;
+    let curve = force::force_curve(path, &bytes, &options, gait.feet)?;
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    Ok(vec![Walker::new(&name, curve)])
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
+}
+
+fn leaves_out(gait: &Gait, name: &str) -> bool {
+    gait.leave_out.iter().any(|out| out == name)
+}

@@ -1,0 +1,140 @@
+//! Several walkers as one target: their cycles with weights, and the mean that stands for them.
+
+mod fault;
+mod table;
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+pub use fault::{WalkerFault, fault};
+pub use table::{is_table, read_table, write_table};
+
+use crate::curve::ForceCurve;
+use crate::error::{ForceError, Result};
+
+/// A cycle of a walker.
+///
+/// ```
+/// use gaitcam_gait::{ForceCurve, Walker};
+///
+/// let cycle = ForceCurve::from_samples("W01", 0.5, vec![700.0, 800.0, 700.0, 600.0])?;
+/// assert_eq!(Walker::new("W01", cycle).weight, 1.0);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Walker {
+    /// Who it is; cycles of one name are cycles of one walker.
+    pub name: String,
+    /// The cycle.
+    pub curve: ForceCurve,
+    /// What the walker counts in a mean, any unit.
+    pub weight: f64,
+    /// Walking speed, m/s, where it is known.
+    pub speed_m_per_s: Option<f64>,
+}
+
+impl Walker {
+    /// A walker of weight 1.
+    pub fn new(name: &str, curve: ForceCurve) -> Walker {
+        Walker {
+            name: name.to_string(),
+            curve,
+            weight: 1.0,
+            speed_m_per_s: None,
+        }
+    }
+}
+
+/// Walkers whom one cam serves.
+///
+/// ```
+/// use gaitcam_gait::{ForceCurve, Walker};
+///
+/// // Two people in step: their mean is the mean of the cycles in parts of the weight, times the mean weight.
+/// let cycle = |g: f64, a: f64| ForceCurve::from_samples("", 0.5, vec![g, g * (1.0 + a), g, g * (1.0 - a)]);
+/// let walkers = vec![Walker::new("A", cycle(600.0, 0.2)?), Walker::new("B", cycle(800.0, 0.4)?)];
+/// let mean = ForceCurve::of_walkers(walkers)?;
+/// assert!((mean.mean_n() - 700.0).abs() < 1e-9);
+/// assert!((mean.at(std::f64::consts::FRAC_PI_2) - 700.0 * 1.3).abs() < 1.0);
+/// assert_eq!(mean.population.unwrap().count(), 2);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Population {
+    /// Every cycle of every walker.
+    pub walkers: Vec<Walker>,
+    /// Part of each cycle in a mean; their sum is 1, and the cycles of one walker share the walker's.
+    pub shares: Vec<f64>,
+}
+
+impl Population {
+    fn of(walkers: Vec<Walker>) -> Population {
+        let mut cycles: std::collections::HashMap<&str, f64> = Default::default();
+        for walker in &walkers {
+            *cycles.entry(&walker.name).or_default() += 1.0;
+        }
+        let each = walkers.iter().map(|w| w.weight / cycles[w.name.as_str()]);
+        let each: Vec<f64> = each.collect();
+        let total: f64 = each.iter().sum();
+        let shares = each.iter().map(|w| w / total).collect();
+        Population { walkers, shares }
+    }
+
+    /// Number of walkers, whatever the number of their cycles.
+    pub fn count(&self) -> usize {
+        let names = self.walkers.iter().map(|w| w.name.as_str());
+        names.collect::<std::collections::HashSet<_>>().len()
+    }
+
+    /// The walkers with their parts.
+    pub fn each(&self) -> impl Iterator<Item = (&Walker, f64)> {
+        self.walkers.iter().zip(self.shares.iter().copied())
+    }
+}
+
+impl ForceCurve {
+    /// The mean cycle of walkers, in parts of the weight, at their mean weight and mean cadence, with the walkers behind it;
+    /// of one walker the cycle itself.
+    ///
+    /// # Errors
+    /// No walker; a weight that is not positive; a mean force that is not positive.
+    pub fn of_walkers(walkers: Vec<Walker>) -> Result<ForceCurve> {
+        let positive = |x: f64| x.is_finite() && x > 0.0;
+        for walker in &walkers {
+            if !positive(walker.weight) || !positive(walker.curve.mean_n()) {
+                let walker = walker.name.clone();
+                return Err(ForceError::WalkerImpossible { walker }.into());
+            }
+        }
+        let population = Population::of(walkers);
+        let mut mean = match population.walkers.as_slice() {
+            [] => return Err(ForceError::NoWalkers.into()),
+            [one] => one.curve.clone(),
+            _ => population.mean()?,
+        };
+        mean.population = Some(Arc::new(population));
+        Ok(mean)
+    }
+}
+
+impl Population {
+    fn mean(&self) -> Result<ForceCurve> {
+        let samples = self.walkers.iter().map(|w| w.curve.force_n.len());
+        let n = samples.max().unwrap_or(0);
+        let weight: f64 = self.each().map(|(w, p)| p * w.curve.mean_n()).sum();
+        let cadence: f64 = self.each().map(|(w, p)| p / w.curve.period_s).sum();
+        let mut force = vec![0.0; n];
+        for (walker, part) in self.each() {
+            let curve = &walker.curve;
+            let factor = part * weight / curve.mean_n();
+            if curve.force_n.len() == n {
+                let samples = force.iter_mut().zip(&curve.force_n);
+                samples.for_each(|(sum, f)| *sum += factor * f);
+            } else {
+                let at = |i: usize| curve.at(TAU * i as f64 / n as f64);
+                (force.iter_mut().enumerate()).for_each(|(i, sum)| *sum += factor * at(i));
+            }
+        }
+        ForceCurve::from_samples("mean", 1.0 / cadence, force)
+    }
+}

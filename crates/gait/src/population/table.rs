@@ -1,0 +1,142 @@
+//! The table of a population: one cycle a row.
+//!
+//! `walker,speed_m_per_s,mass_kg,period_s,f_000,…,f_100`: the force at equal steps of the cycle, N, of which the last is the
+//! first again; `speed_m_per_s`, `mass_kg` and `weight` may be missing or empty.
+
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+use std::path::Path;
+
+use super::Walker;
+use crate::curve::ForceCurve;
+use crate::error::{ForceError, Placed, Result};
+
+/// Steps of a cycle in a table that is written.
+const STEPS: usize = 100;
+
+/// Places of the columns.
+struct Columns {
+    walker: usize,
+    period: usize,
+    speed: Option<usize>,
+    mass: Option<usize>,
+    weight: Option<usize>,
+    /// Of the force, in order.
+    force: Vec<usize>,
+    names: Vec<String>,
+}
+
+/// Whether a file is a table of walkers: by the names of its columns.
+pub fn is_table(bytes: &[u8]) -> bool {
+    let head = bytes.split(|b| *b == b'\n').find(|l| !l.starts_with(b"#"));
+    let head = String::from_utf8_lossy(head.unwrap_or_default()).to_lowercase();
+    let names: Vec<&str> = head.split([',', ';', '\t']).map(str::trim).collect();
+    names.contains(&"walker") && names.iter().any(|n| n.starts_with("f_"))
+}
+
+/// Reads a table of walkers.
+///
+/// # Errors
+/// With the line: a column that is missing, a value that is no number, a cycle that is none.
+pub fn read_table(path: &Path, bytes: &[u8]) -> Result<Vec<Walker>> {
+    let text = String::from_utf8_lossy(bytes);
+    let text = text.trim_start_matches('\u{feff}');
+    let mut lines = (1..).zip(text.lines());
+    let mut head = (&mut lines).filter(|(_, l)| !l.starts_with('#') && !l.trim().is_empty());
+    let (line, names) = head.next().unwrap_or((1, ""));
+    let separator = [';', '\t', ','].into_iter().find(|s| names.contains(*s));
+    let separator = separator.unwrap_or(',');
+    let columns = columns(names, separator).map_err(|e| e.at_line(path, line))?;
+    let mut out = Vec::new();
+    for (line, row) in lines.filter(|(_, l)| !l.trim().is_empty() && !l.starts_with('#')) {
+        let cells: Vec<&str> = row.split(separator).map(str::trim).collect();
+        let walker = walker(&columns, &cells, separator == ';');
+        out.push(walker.map_err(|e| e.at_line(path, line))?);
+    }
+    if out.is_empty() {
+        return Err(ForceError::NoWalkers.in_file(path));
+    }
+    Ok(out)
+}
+
+fn columns(head: &str, separator: char) -> std::result::Result<Columns, ForceError> {
+    let names: Vec<String> = (head.split(separator))
+        .map(|n| n.trim().to_lowercase())
+        .collect();
+    let place = |name: &str| names.iter().position(|n| n == name);
+    let needed =
+        |column: &'static str| place(column).ok_or(ForceError::WalkerColumnMissing { column });
+    let mut force: Vec<(u32, usize)> = names
+        .iter()
+        .enumerate()
+        .filter_map(|(i, n)| Some((n.strip_prefix("f_")?.parse().ok()?, i)))
+        .collect();
+    force.sort_unstable();
+    if force.len() < 9 {
+        return Err(ForceError::WalkerColumnMissing { column: "f_000" });
+    }
+    Ok(Columns {
+        walker: needed("walker")?,
+        period: needed("period_s")?,
+        speed: place("speed_m_per_s"),
+        mass: place("mass_kg"),
+        weight: place("weight"),
+        force: force.into_iter().map(|f| f.1).collect(),
+        names,
+    })
+}
+
+fn walker(columns: &Columns, cells: &[&str], comma: bool) -> Result<Walker> {
+    let cell = |place: usize| cells.get(place).copied().unwrap_or_default();
+    let number = |place: usize| {
+        let text = cell(place);
+        let plain = if comma {
+            text.replace(',', ".")
+        } else {
+            text.to_string()
+        };
+        let value: Option<f64> = plain.parse().ok().filter(|x: &f64| x.is_finite());
+        value.ok_or_else(|| ForceError::WalkerValue {
+            column: columns.names[place].clone(),
+            value: text.to_string(),
+        })
+    };
+    let given = |place: Option<usize>| {
+        let place = place.filter(|p| !cell(*p).is_empty());
+        place.map(number).transpose()
+    };
+    // The last sample is the first of the next cycle.
+    let places = &columns.force[..columns.force.len() - 1];
+    let force: std::result::Result<Vec<f64>, ForceError> =
+        places.iter().map(|p| number(*p)).collect();
+    let name = cell(columns.walker);
+    let mut curve = ForceCurve::from_samples(name, number(columns.period)?, force?)?;
+    curve.mass_kg = given(columns.mass)?;
+    Ok(Walker {
+        weight: given(columns.weight)?.unwrap_or(1.0),
+        speed_m_per_s: given(columns.speed)?,
+        ..Walker::new(name, curve)
+    })
+}
+
+/// The table of walkers as csv.
+pub fn write_table(walkers: &[Walker]) -> String {
+    let mut out = String::from("walker,speed_m_per_s,mass_kg,period_s");
+    for step in 0..=STEPS {
+        let _ = write!(out, ",f_{step:03}");
+    }
+    out.push('\n');
+    let blank = |x: Option<f64>| x.map_or(String::new(), |x| x.to_string());
+    for walker in walkers {
+        let curve = &walker.curve;
+        let name = walker.name.replace([',', '\n', '\r', '"'], " ");
+        let (speed, mass) = (blank(walker.speed_m_per_s), blank(curve.mass_kg));
+        let _ = write!(out, "{name},{speed},{mass},{}", curve.period_s);
+        for step in 0..=STEPS {
+            let force = curve.at(TAU * (step % STEPS) as f64 / STEPS as f64);
+            let _ = write!(out, ",{force}");
+        }
+        out.push('\n');
+    }
+    out
+}

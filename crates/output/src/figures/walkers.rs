@@ -1,0 +1,74 @@
+//! The picture of a population: the band of all wanted forces, and the walker whom the cam serves worst.
+
+use std::f64::consts::TAU;
+
+use plotters::style::Color;
+
+use crate::plot::axes::{angle_ticks, padded};
+use crate::plot::layout::Layout;
+use crate::plot::palette::{BLUE, ORANGE};
+use crate::plot::picture::Picture;
+use crate::words::{self, Words};
+use gaitcam::synth::Design;
+use gaitcam::wording::Language;
+use gaitcam_base::text::number;
+
+/// Steps of a turn.
+const STEPS: usize = 360;
+
+/// Wanted forces of all walkers as a band, in parts of each mean force, with the force of the cam at the worst of them.
+pub fn walkers(design: &Design, language: Language) -> Picture {
+    walkers_in(design, Layout::ALONE, &words::words(language))
+}
+
+fn walkers_in(design: &Design, layout: Layout, words: &Words) -> Picture {
+    let walkers = design.problem.walkers.as_deref();
+    let each = walkers.map_or(&[][..], |w| &w.each);
+    let errors = design.population.as_ref().map_or(&[][..], |p| &p.each);
+    let error = |i: usize| errors.get(i).map_or(0.0, |e| e.rms_error_percent);
+    let worst = (0..each.len()).max_by(|i, j| error(*i).total_cmp(&error(*j)));
+    let worst = worst.map(|i| (&each[i], error(i)));
+    let places = (0..=STEPS).map(|i| TAU * i as f64 / STEPS as f64);
+    let degrees = |x: f64| x.to_degrees();
+    let (mut low, mut high, mut wanted, mut given) = (vec![], vec![], vec![], vec![]);
+    for x in places {
+        let forces = each.iter().map(|w| 100.0 * w.target.at(x) / w.unit);
+        let ends = forces.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], f| {
+            [a.min(f), b.max(f)]
+        });
+        low.push((degrees(x), ends[0]));
+        high.push((degrees(x), ends[1]));
+        if let Some((walker, _)) = worst {
+            wanted.push((degrees(x), 100.0 * walker.target.at(x) / walker.unit));
+            let force = walker.drive.force(design.pressing().svaj(x));
+            given.push((degrees(x), 100.0 * force / walker.unit));
+        }
+    }
+    layout.picture(words.language(), |f| {
+        f.title(&design.name, &words.text("figure-walkers"))?;
+        let frame = layout.frame();
+        let curves = [&low, &high, &given, &wanted];
+        let values = curves.into_iter().flatten().map(|p| p.1);
+        let y = padded(values, 0.12);
+        let panel = f.panel(frame, [0.0, 360.0], angle_ticks([0.0, 360.0]), y)?;
+        panel.band(&high, &low, ORANGE.mix(0.22))?;
+        panel.curve(&wanted, ORANGE.mix(0.8), 3.0)?;
+        panel.curve(&given, BLUE, 2.4)?;
+        panel.quantity(&words.text("figure-walkers-force"))?;
+        panel.across(&words.text("figure-walkers-angle"))?;
+        let (name, percent) = worst.map_or(("", 0.0), |(w, e)| (w.name.as_str(), e));
+        let wanted = words.fill("figure-walkers-worst", &[("name", name)]);
+        let given = words.fill("figure-walkers-cam", &[("percent", &number(percent, 2))]);
+        let band = words.text("figure-walkers-band");
+        let legend = [frame.left, frame.top - 1.1 * f.e];
+        f.key(
+            legend,
+            f.e,
+            &[
+                (ORANGE.mix(0.22), 14.0, &band),
+                (ORANGE.mix(0.8), 3.0, &wanted),
+                (BLUE, 2.4, &given),
+            ],
+        )
+    })
+}

@@ -1,0 +1,190 @@
+//! The walkers of a population, each resolved against the machine that is set for him.
+//!
+//! The force of walker w is F_w = R_w + β_w (F − R) with F and R those of the reference machine: of mass and speed are left the
+//! force at rest R_w and one factor β_w, M_w ω_w²/(M ω²) on a moving axis. So every walker is linear in the same law.
+
+use std::f64::consts::TAU;
+
+use super::{MeanForce, Requirements, Target};
+use crate::drive::{Drive, DriveKind};
+use crate::error::{Placed, Result, SynthError};
+use crate::force::{ForceCurve, Walker};
+use crate::scene::{Adjust, Robust, Scene};
+
+/// Part by which weights of drives that are multiples of each other may differ.
+const SAME: f64 = 1e-12;
+
+/// A walker whom the cam serves.
+///
+/// ```
+/// use gaitcam::{Problem, scene};
+///
+/// // The same cam at another speed and mass: β = M ω²/(M₀ ω₀²).
+/// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.6 Hz:2 Hz:2")?;
+/// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
+/// let served = &problem.walkers.as_ref().unwrap().each;
+/// assert!((served[1].factor / served[0].factor - (2.0_f64 / 1.6).powi(2)).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Served {
+    /// Who.
+    pub name: String,
+    /// Part in a mean; the sum over all is 1.
+    pub share: f64,
+    /// The machine as it is set for the walker.
+    pub drive: Drive,
+    /// β.
+    pub factor: f64,
+    /// Force in whose parts the error counts, N: the mean of the target.
+    pub unit: f64,
+    /// The target, scaled as the scene says, N, at the phase of the cam.
+    pub target: ForceCurve,
+    /// Walking speed, m/s, where it is known.
+    pub speed_m_per_s: Option<f64>,
+}
+
+/// All walkers whom the cam serves.
+///
+/// ```
+/// use gaitcam::scene::Robust;
+/// use gaitcam::{Problem, scene};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.4 Hz:2.4 Hz:11")?;
+/// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
+/// let walkers = problem.walkers.unwrap();
+/// assert_eq!((walkers.each.len(), walkers.robust), (11, Robust::Mean));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Walkers {
+    /// Every cycle of every walker.
+    pub each: Vec<Served>,
+    /// Number of walkers, some of whom may have several cycles.
+    pub count: usize,
+    /// What is minimised over their errors.
+    pub robust: Robust,
+    /// What the machine is set to for each.
+    pub adjust: Adjust,
+}
+
+impl Walkers {
+    /// The population behind a force, on a machine whose reference is `required`; `None` for one cycle.
+    pub(super) fn of(
+        scene: &Scene,
+        force: Option<&ForceCurve>,
+        required: &Requirements,
+    ) -> Result<Option<Walkers>> {
+        let Some(population) = force.and_then(|f| f.population.as_deref()) else {
+            return Ok(None);
+        };
+        let adjust = adjusted(scene)?;
+        let mut set = scene.clone();
+        if adjust.mass {
+            set.drive.mass = None;
+        } else if required.drive.kind == DriveKind::MovingAxis {
+            set.drive.mass = Some(required.drive.mass);
+        }
+        set.drive.speed = (!adjust.speed).then_some(required.drive.speed);
+        let samples = population.walkers.iter().map(|w| w.curve.force_n.len());
+        let samples = samples.max().unwrap_or_default();
+        let served = |(walker, share): (&Walker, f64)| {
+            let curve = resampled(&walker.curve, samples);
+            let own = Requirements::of(&set, Some(MeanForce::of(&curve)))?;
+            let target = own.scaling.of(&curve);
+            Ok(Served {
+                name: walker.name.clone(),
+                share,
+                factor: factor(&own.drive, &required.drive)?,
+                drive: own.drive,
+                unit: target.mean_n().abs(),
+                target,
+                speed_m_per_s: walker.speed_m_per_s,
+            })
+        };
+        let each: Result<Vec<Served>> = population.each().map(served).collect();
+        Ok(Some(Walkers {
+            each: each?,
+            count: population.count(),
+            robust: scene.law.robust,
+            adjust,
+        }))
+    }
+
+    /// The same with a phase of each cycle.
+    #[must_use]
+    pub(crate) fn at_phases(&self, phases: &[f64]) -> Walkers {
+        let mut out = self.clone();
+        for (walker, phase) in out.each.iter_mut().zip(phases).filter(|w| *w.1 != 0.0) {
+            walker.target = super::cycle::begun_at(&walker.target, *phase);
+        }
+        out
+    }
+
+    /// The same whose cycles begin at another phase.
+    #[must_use]
+    pub(super) fn begun_at(&self, phase: f64) -> Walkers {
+        let mut out = self.clone();
+        for walker in &mut out.each {
+            walker.target = super::cycle::begun_at(&walker.target, phase);
+        }
+        out
+    }
+}
+
+/// What the machine is set to for each walker.
+fn adjusted(scene: &Scene) -> Result<Adjust> {
+    let (spec, is_moving) = (&scene.drive, scene.drive.kind == DriveKind::MovingAxis);
+    let Some(adjust) = scene.gait.as_ref().and_then(|g| g.adjust) else {
+        return Ok(Adjust {
+            mass: is_moving && spec.mass.is_none(),
+            speed: is_moving && spec.speed.is_none(),
+            phase: false,
+        });
+    };
+    let given = [
+        ("drive.mass", adjust.mass && spec.mass.is_some()),
+        ("drive.speed", adjust.speed && spec.speed.is_some()),
+    ];
+    if let Some((key, _)) = given.into_iter().find(|g| g.1) {
+        let key = key.to_string();
+        return Err(SynthError::AdjustsGiven { key }.at_key("gait.adjust"));
+    }
+    if adjust.mass && !is_moving {
+        return Err(SynthError::MassNotAdjustable.at_key("gait.adjust"));
+    }
+    Ok(adjust)
+}
+
+/// β of a machine.
+fn factor(own: &Drive, reference: &Drive) -> Result<f64> {
+    let (own, all) = (own.weights(), reference.weights());
+    let largest = (0..all.len()).max_by(|i, j| all[*i].abs().total_cmp(&all[*j].abs()));
+    let factor = largest.map_or(1.0, |i| own[i] / all[i]);
+    let differs = |(own, all): (&f64, &f64)| (own - factor * all).abs() > SAME * own.abs();
+    if own.iter().zip(&all).any(differs) {
+        return Err(SynthError::SpeedNotAdjustable.at_key("gait.adjust"));
+    }
+    Ok(factor)
+}
+
+/// A cycle at so many samples.
+fn resampled(curve: &ForceCurve, samples: usize) -> ForceCurve {
+    if curve.force_n.len() == samples {
+        return curve.clone();
+    }
+    let at = |i: usize| curve.at(TAU * i as f64 / samples as f64);
+    curve.with_forces((0..samples).map(at).collect())
+}
+
+impl super::Problem {
+    /// The same for another target, given with the slopes of its cubics; without walkers, and at its phase.
+    #[must_use]
+    pub(crate) fn for_target(&self, curve: ForceCurve, slopes: Vec<f64>) -> super::Problem {
+        let mut out = self.clone();
+        out.target = Some(Target::with_slopes(curve, slopes));
+        out.walkers = None;
+        out.phase_is_free = false;
+        out
+    }
+}

@@ -1,0 +1,230 @@
+//! What a scene says of a population of walkers: what is minimised over them, and what the machine is set to for each.
+
+use std::str::FromStr;
+
+use crate::error::{Error, SceneError, nearest};
+use crate::units::{Dimension, parse};
+
+/// What is minimised over the force errors of several walkers.
+///
+/// ```
+/// use gaitcam::scene::Robust;
+///
+/// assert_eq!("cvar 0.9".parse::<Robust>()?, Robust::Tail(0.9));
+/// assert_eq!(Robust::Worst.to_string(), "worst");
+/// assert!("best".parse::<Robust>().is_err());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Robust {
+    /// Their mean square.
+    #[default]
+    Mean,
+    /// The largest.
+    Worst,
+    /// The mean square of the largest, all above this part of the walkers (conditional value at risk).
+    Tail(f64),
+}
+
+impl std::fmt::Display for Robust {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Robust::Mean => f.write_str("mean"),
+            Robust::Worst => f.write_str("worst"),
+            Robust::Tail(part) => write!(f, "cvar {part}"),
+        }
+    }
+}
+
+impl FromStr for Robust {
+    type Err = Error;
+
+    fn from_str(typed: &str) -> Result<Robust, Error> {
+        let plain = typed.trim().to_lowercase();
+        let part = plain.strip_prefix("cvar").map(str::trim);
+        let part = part.and_then(|p| {
+            parse(p, Dimension::Percent)
+                .or(parse(p, Dimension::Ratio))
+                .ok()
+        });
+        match (plain.as_str(), part.filter(|p| (0.0..1.0).contains(p))) {
+            ("mean", _) => Ok(Robust::Mean),
+            ("worst", _) => Ok(Robust::Worst),
+            (_, Some(part)) => Ok(Robust::Tail(part)),
+            _ => {
+                let typed = typed.to_string();
+                Err(SceneError::NotRobust { typed }.into())
+            }
+        }
+    }
+}
+
+/// What of the machine is set anew for each walker.
+///
+/// ```
+/// use gaitcam::scene::Adjust;
+///
+/// let adjust = Adjust::of(&["mass".to_string(), "phase".to_string()])?;
+/// assert_eq!(adjust, Adjust { mass: true, speed: false, phase: true });
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Adjust {
+    /// The moved mass.
+    pub mass: bool,
+    /// The speed of the cam.
+    pub speed: bool,
+    /// The phase of the walker's cycle at cam angle 0.
+    pub phase: bool,
+}
+
+/// The words of what can be adjusted.
+const ADJUSTED: [&str; 4] = ["mass", "speed", "phase", "none"];
+
+impl Adjust {
+    /// From its words; `"none"` for nothing.
+    ///
+    /// # Errors
+    /// An unknown word.
+    pub fn of(words: &[String]) -> Result<Adjust, Error> {
+        let mut out = Adjust::default();
+        for word in words.iter().flat_map(|w| w.split(',')).map(str::trim) {
+            match word {
+                "mass" => out.mass = true,
+                "speed" => out.speed = true,
+                "phase" => out.phase = true,
+                "none" => {}
+                _ => {
+                    return Err(SceneError::UnknownWord {
+                        word: word.to_string(),
+                        nearest: nearest(word, ADJUSTED).map(str::to_string),
+                        known: ADJUSTED.join(", "),
+                    }
+                    .into());
+                }
+            }
+        }
+        Ok(out)
+    }
+
+    /// Its words.
+    pub fn words(self) -> Vec<String> {
+        let all = [
+            (self.mass, "mass"),
+            (self.speed, "speed"),
+            (self.phase, "phase"),
+        ];
+        let words = all.into_iter().filter(|w| w.0).map(|w| w.1.to_string());
+        let words: Vec<String> = words.collect();
+        if words.is_empty() {
+            vec!["none".to_string()]
+        } else {
+            words
+        }
+    }
+}
+
+/// Step frequencies of walkers of one load model.
+///
+/// ```
+/// use gaitcam::scene::StepFrequencies;
+///
+/// let range: StepFrequencies = "1.4 Hz:2.4 Hz:11".parse()?;
+/// assert_eq!(range.points().len(), 11);
+/// assert_eq!(range.points()[10], (2.4, 1.0));
+/// // Points of a normal distribution count what its density is there.
+/// let normal: StepFrequencies = "normal 1.87 Hz 0.19 Hz".parse()?;
+/// assert_eq!(normal.to_string(), "normal 1.87 Hz 0.19 Hz");
+/// assert!(normal.points()[10].1 > normal.points()[0].1);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StepFrequencies {
+    /// Equal steps from the first to the last, Hz.
+    Range(f64, f64, usize),
+    /// A normal distribution: mean and standard deviation, Hz.
+    Normal(f64, f64),
+}
+
+/// Points of a normal distribution, and how many standard deviations they reach.
+const POINTS: usize = 21;
+const REACH: f64 = 2.5;
+/// Most points of a range.
+const MOST_POINTS: usize = 2000;
+
+impl StepFrequencies {
+    /// Frequencies, Hz, with their weights.
+    pub fn points(self) -> Vec<(f64, f64)> {
+        let place = |i: usize, n: usize| i as f64 / (n - 1) as f64;
+        match self {
+            StepFrequencies::Range(from, to, n) => {
+                let at = |i| from + (to - from) * place(i, n);
+                let mut all: Vec<(f64, f64)> = (0..n).map(|i| (at(i), 1.0)).collect();
+                all[n - 1].0 = to;
+                all
+            }
+            StepFrequencies::Normal(mean, deviation) => {
+                let z = |i| REACH * (2.0 * place(i, POINTS) - 1.0);
+                let of = |z: f64| (mean + z * deviation, (-0.5 * z * z).exp());
+                (0..POINTS).map(|i| of(z(i))).collect()
+            }
+        }
+    }
+
+    /// Whether a value of the key is meant to be several frequencies.
+    pub fn is_meant(typed: &str) -> bool {
+        typed.contains(':') || typed.trim_start().starts_with("normal")
+    }
+}
+
+impl std::fmt::Display for StepFrequencies {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            StepFrequencies::Range(from, to, n) => write!(f, "{from} Hz:{to} Hz:{n}"),
+            StepFrequencies::Normal(mean, deviation) => {
+                write!(f, "normal {mean} Hz {deviation} Hz")
+            }
+        }
+    }
+}
+
+impl FromStr for StepFrequencies {
+    type Err = Error;
+
+    fn from_str(typed: &str) -> Result<StepFrequencies, Error> {
+        let hertz = |text: &str| {
+            let value = parse(text.trim(), Dimension::Frequency).ok();
+            value.filter(|x| *x > 0.0)
+        };
+        let parts: Vec<&str> = typed.split(':').collect();
+        let read = match (parts.as_slice(), typed.trim().strip_prefix("normal")) {
+            (_, Some(both)) => {
+                let both = both.trim();
+                // "1.87 Hz 0.19 Hz": the first quantity ends where the second number begins.
+                let cut = both.match_indices(' ').map(|m| m.0).find(|i| {
+                    let rest = both[*i..].trim_start();
+                    *i > 0 && rest.starts_with(|c: char| c.is_ascii_digit())
+                });
+                cut.and_then(|i| {
+                    Some(StepFrequencies::Normal(
+                        hertz(&both[..i])?,
+                        hertz(&both[i..])?,
+                    ))
+                })
+            }
+            ([from, to, n], None) => hertz(from).zip(hertz(to)).and_then(|(from, to)| {
+                let n = n
+                    .trim()
+                    .parse()
+                    .ok()
+                    .filter(|n| (2..=MOST_POINTS).contains(n))?;
+                (from < to).then_some(StepFrequencies::Range(from, to, n))
+            }),
+            _ => None,
+        };
+        read.ok_or_else(|| {
+            let typed = typed.to_string();
+            SceneError::NotFrequencies { typed }.into()
+        })
+    }
+}

@@ -1,0 +1,151 @@
+//! Force errors of walkers under a law, as squares of distances: every walker's is (γ_w ψ − y_w)² in the mean, with ψ the force of
+//! the law on the reference machine less that at rest.
+
+use std::f64::consts::TAU;
+
+use crate::drive::Drive;
+use crate::law::Law;
+use crate::poly::{Cells, gauss_legendre};
+use crate::problem::Served;
+use crate::scene::Robust;
+
+/// Ranges and nodes on each of them for laws that are no polynomials.
+const RANGES: usize = 256;
+const NODES: usize = 5;
+/// Highest degree of polynomials that a target is nearest to.
+const HIGHEST: usize = 9;
+
+/// Places of the turn at which forces are compared: integrals of products of laws of one basis are exact.
+pub struct Nodes {
+    /// Cam angles, rad.
+    at: Vec<f64>,
+    /// Roots of the weights; the sum of their squares is 1.
+    roots: Vec<f64>,
+    breaks: Vec<f64>,
+    /// Degree of the polynomials between the breaks; `None` of harmonics.
+    degree: Option<usize>,
+}
+
+/// A walker's target over the nodes.
+pub struct Aim {
+    /// β/unit, 1/N.
+    pub scale: f64,
+    /// (F − R)/unit, times the roots.
+    pub towards: Vec<f64>,
+    /// Mean square of what no law of the basis takes away.
+    pub left: f64,
+}
+
+impl Nodes {
+    /// The nodes of the basis of a law.
+    pub fn of(law: &Law) -> Nodes {
+        let pieces = law.breaks().len() - 1;
+        let is_polynomial = (0..pieces).all(|i| law.waves(i).is_empty());
+        let degree = law.poly().degree().max(1);
+        let degree = (is_polynomial && degree <= HIGHEST).then_some(degree);
+        let breaks = match degree {
+            Some(_) => law.breaks().to_vec(),
+            None => (0..=RANGES)
+                .map(|i| TAU * i as f64 / RANGES as f64)
+                .collect(),
+        };
+        let rule = gauss_legendre(degree.map_or(NODES, |d| d + 1));
+        let (mut at, mut roots) = (Vec::new(), Vec::new());
+        for ends in breaks.windows(2) {
+            for &(u, weight) in &rule {
+                at.push(ends[0] + u * (ends[1] - ends[0]));
+                roots.push((weight * (ends[1] - ends[0]) / TAU).sqrt());
+            }
+        }
+        Nodes {
+            at,
+            roots,
+            breaks,
+            degree,
+        }
+    }
+
+    /// Force of a law less that at rest, N, times the roots.
+    pub fn force(&self, drive: &Drive, law: &Law) -> Vec<f64> {
+        let rest = drive.rest_force;
+        let at = self.at.iter().zip(&self.roots);
+        at.map(|(x, root)| root * (drive.force(law.svaj(*x)) - rest))
+            .collect()
+    }
+
+    /// A walker's target.
+    pub fn aim(&self, walker: &Served) -> Aim {
+        let mut ends = walker.target.force_n.clone();
+        ends.push(ends[0]);
+        let cells = Cells::new(ends, walker.target.slopes(), TAU);
+        let values = match self.degree {
+            Some(degree) => cells.nearest(&self.breaks, degree),
+            None => self.at.iter().map(|x| cells.at(*x)).collect(),
+        };
+        let (rest, unit) = (walker.drive.rest_force, walker.unit);
+        let both = values.iter().zip(&self.roots);
+        let towards: Vec<f64> = both.map(|(f, root)| root * (f - rest) / unit).collect();
+        let square = cells.mean_square_from(rest) / (unit * unit);
+        let left = self.degree.map_or(0.0, |_| square - norm(&towards));
+        Aim {
+            scale: walker.factor / unit,
+            towards,
+            left: left.max(0.0),
+        }
+    }
+}
+
+impl Aim {
+    /// Mean square error under a law's force, parts of the unit.
+    pub fn square(&self, force: &[f64]) -> f64 {
+        let both = force.iter().zip(&self.towards);
+        both.map(|(f, y)| (self.scale * f - y).powi(2)).sum::<f64>() + self.left
+    }
+}
+
+pub fn norm(values: &[f64]) -> f64 {
+    values.iter().map(|x| x * x).sum()
+}
+
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// What is minimised over mean square errors of walkers with these shares.
+pub fn measure(robust: Robust, squares: &[f64], shares: &[f64]) -> f64 {
+    match robust {
+        Robust::Mean => dot(squares, shares),
+        Robust::Worst => squares.iter().fold(0.0, |m, q| m.max(*q)),
+        Robust::Tail(part) => tail(part, squares, shares),
+    }
+}
+
+/// Mean of the largest values, those of the last 1 − `part` of the shares.
+pub fn tail(part: f64, values: &[f64], shares: &[f64]) -> f64 {
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
+    let (mut left, mut sum) = (1.0 - part, 0.0);
+    for i in order {
+        let taken = shares[i].min(left);
+        sum += taken * values[i];
+        left -= taken;
+        if left <= 0.0 {
+            break;
+        }
+    }
+    sum / (1.0 - part)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tail_is_the_mean_of_the_largest_with_a_part_of_the_last_one() {
+        let (values, shares) = ([1.0, 5.0, 3.0, 2.0], [0.25; 4]);
+        assert!((tail(0.75, &values, &shares) - 5.0).abs() < 1e-15);
+        assert!((tail(0.5, &values, &shares) - 4.0).abs() < 1e-15);
+        assert!((tail(0.6, &values, &shares) - (0.25 * 5.0 + 0.15 * 3.0) / 0.4).abs() < 1e-15);
+        assert!((tail(0.0, &values, &shares) - 2.75).abs() < 1e-15);
+    }
+}

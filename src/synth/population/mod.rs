@@ -1,0 +1,354 @@
+//! One cam for many walkers.
+//!
+//! Mass and speed of the machine are set for each, so that the force error of walker w, M_w (ω_w² a + g) − F_w, is linear in the
+//! law. The mean of the squares is the design for one mean curve; the worst of them, and the mean of the worst tenth, is the
+//! design for another mean curve, with weights that the search finds ([`weights`]). Families, limits, proofs and checks are
+//! those of one walker (theory §8).
+
+mod errors;
+mod limits;
+mod phase;
+mod report;
+mod weights;
+
+pub use report::{OfPopulation, WalkerError};
+
+use crate::cam::{Check, Criterion};
+use crate::error::{Placed, Result, SynthError};
+use crate::force::ForceCurve;
+use crate::law::Law;
+use crate::poly::Extreme;
+use crate::problem::{Problem, Walkers};
+use crate::scene::{Family, Minimise, Robust};
+use crate::synth::design::proof::Doubt;
+use crate::synth::design::{Design, Tier};
+use crate::synth::families::{self, SolvedLaw};
+use crate::synth::optimum::NoLaw;
+use crate::synth::qp::PROVED;
+use crate::synth::search::Search;
+use crate::synth::{SizedLaw, at_best_phase, finished, solved};
+use errors::{Aim, Nodes};
+use weights::Weights;
+
+/// Designs at most for one set of phases.
+const ROUNDS: usize = 80;
+/// Designs at most for which the limits on loads are tightened, and what of them is left free.
+const LOAD_ROUNDS: usize = 12;
+const LOAD_ROOM: f64 = 1e-6;
+/// Turns of laws and phases at most, and the part of the measure below which a turn gains nothing.
+const PHASE_ROUNDS: usize = 30;
+const PHASE_SETTLED: f64 = 1e-7;
+/// Relative slack of the accuracy that the scene asks for.
+const SLACK: f64 = 1e-9;
+
+/// The design for the walkers of a problem.
+///
+/// # Errors
+/// A setting that has no form for several walkers; as of one walker.
+pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result<Design> {
+    refuse_unknown(problem, walkers)?;
+    let one = at_best_phase(&bare(problem), search)?;
+    let problem = &problem.at_phase(one.phase);
+    let walkers = problem.walkers.as_deref().unwrap_or(walkers);
+    let mut loads = 1.0;
+    for round in 0.. {
+        let limited = limits::for_all(&bare(problem), walkers, loads);
+        let found = Found::at_best_phases(&limited, search, walkers)?;
+        let law = &found.sized.law.law;
+        let checked = limits::checked(&unjudged(problem), walkers, search, law)?;
+        if let Some(part) = limits::less_loaded(&checked.checks).filter(|_| round < LOAD_ROUNDS)
+            && found.infeasible.is_none()
+        {
+            loads *= part * (1.0 - LOAD_ROOM);
+            continue;
+        }
+        return found.judged(problem, search, walkers, checked, loads < 1.0);
+    }
+    unreachable!("the last round returns")
+}
+
+/// The problem of the mean of the walkers under the limits of all, as of one walker whose error is not judged.
+pub fn of_mean(problem: &Problem) -> Problem {
+    match problem.walkers.as_deref() {
+        None => problem.clone(),
+        Some(walkers) => limits::for_all(&bare(problem), walkers, 1.0),
+    }
+}
+
+/// The reference problem alone.
+fn bare(problem: &Problem) -> Problem {
+    let mut out = unjudged(problem);
+    out.walkers = None;
+    out
+}
+
+/// The force error of the mean is not judged: that of the walkers is. One walker is today's design.
+fn unjudged(problem: &Problem) -> Problem {
+    let is_one = (problem.walkers.as_ref()).is_none_or(|w| w.each.len() == 1);
+    if is_one {
+        problem.clone()
+    } else {
+        problem.without_accuracy()
+    }
+}
+
+/// Settings without a form for several walkers.
+fn refuse_unknown(problem: &Problem, walkers: &Walkers) -> Result<()> {
+    let law = &problem.law;
+    let families = [
+        Family::Auto,
+        Family::Ladder,
+        Family::Spline,
+        Family::Harmonic,
+    ];
+    let is_robust = walkers.robust != Robust::Mean;
+    let unknown = [
+        ("gait.band", problem.band.is_some()),
+        ("gait.weight", problem.is_weighed()),
+        ("law.polydyne", law.polydyne),
+        ("machine.motor", problem.machine.motor().is_some()),
+        ("machine.floor", problem.machine.floor().is_some()),
+        ("law.family", is_robust && !families.contains(&law.family)),
+        (
+            "law.minimise",
+            is_robust && problem.objective() != Minimise::ForceError,
+        ),
+    ];
+    match unknown.into_iter().find(|u| u.1 && walkers.each.len() > 1) {
+        Some((key, _)) => Err(SynthError::NotOfPopulation.at_key(key)),
+        None => Ok(()),
+    }
+}
+
+/// The law for the walkers, with its evidence.
+struct Found {
+    sized: SizedLaw,
+    infeasible: Option<crate::synth::design::Infeasible>,
+    squares: Vec<f64>,
+    upper: f64,
+    lower: f64,
+    rounds: usize,
+    /// How much later each cycle begins than at the phase of the cam, rad.
+    phases: Vec<f64>,
+}
+
+impl Found {
+    /// The law and, where they are set for each walker, the phases: each in turn best for the other.
+    fn at_best_phases(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
+        let mut phases = vec![0.0; walkers.each.len()];
+        let mut found = Found::of(limited, search, walkers)?;
+        let is_free = walkers.adjust.phase && walkers.each.len() > 1;
+        let turns = if is_free { PHASE_ROUNDS } else { 0 };
+        for _ in 0..turns {
+            if found.infeasible.is_some() || search.halt.is_asked() {
+                break;
+            }
+            let force = phase::of_law(&limited.drive, &found.sized.law.law);
+            phases = walkers
+                .each
+                .iter()
+                .map(|w| phase::best(&force, w))
+                .collect();
+            let mut next = Found::of(limited, search, &walkers.at_phases(&phases))?;
+            next.rounds += found.rounds;
+            next.phases.clone_from(&phases);
+            let gain = found.upper - next.upper;
+            let is_better = gain > 0.0;
+            let is_last = gain <= PHASE_SETTLED * found.upper;
+            if is_better {
+                found = next;
+            }
+            if is_last {
+                break;
+            }
+        }
+        Ok(found)
+    }
+
+    fn of(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
+        let shares: Vec<f64> = walkers.each.iter().map(|w| w.share).collect();
+        let (sized, infeasible) = solved(&weighed(limited, walkers, &shares), &fresh(search))?;
+        let nodes = Nodes::of(&sized.law.law);
+        let aims: Vec<Aim> = walkers.each.iter().map(|w| nodes.aim(w)).collect();
+        let mut weights = Weights::new(walkers.robust, &shares, &aims);
+        let mut laws = vec![sized.law.clone()];
+        weights.take(
+            &shares,
+            nodes.force(&limited.drive, &laws[0].law),
+            gap(&laws[0]),
+        );
+        let fixed = held(limited, &laws[0]);
+        let is_searched = infeasible.is_none() && walkers.robust != Robust::Mean;
+        while is_searched && !weights.is_proved() && laws.len() < ROUNDS && !search.halt.is_asked()
+        {
+            let combines = laws.iter().all(|law| law.solver.tier != Tier::Scp);
+            let Some(next) = weights.next(combines) else {
+                break;
+            };
+            if weights.is_proved() {
+                break;
+            }
+            let law = match families::law(&weighed(&fixed, walkers, &next), &fresh(search)) {
+                Ok(law) => law,
+                Err(NoLaw::Fault(fault)) => return Err(fault),
+                Err(NoLaw::Refused(_)) => break,
+            };
+            weights.take(&next, nodes.force(&limited.drive, &law.law), gap(&law));
+            laws.push(law);
+        }
+        let squares = |force: &[f64]| aims.iter().map(|aim| aim.square(force)).collect();
+        Ok(Found {
+            squares: squares(&weights.force(&weights.best)),
+            upper: weights.upper,
+            lower: weights.lower,
+            rounds: laws.len(),
+            phases: vec![0.0; walkers.each.len()],
+            sized: SizedLaw {
+                law: combined(&weights.best, laws),
+                ..sized
+            },
+            infeasible,
+        })
+    }
+
+    /// The design of the law, judged for all walkers.
+    fn judged(
+        self,
+        problem: &Problem,
+        search: &Search,
+        walkers: &Walkers,
+        mut checked: crate::synth::sizing::checked_cam::CheckedCam,
+        is_tightened: bool,
+    ) -> Result<Design> {
+        let mut sized = self.sized;
+        sized
+            .law
+            .functions
+            .raise(&mut sized.law.coefficients, checked.raised);
+        let phases: Vec<f64> = self.phases.iter().map(|p| problem.phase + p).collect();
+        let mut report = report::report(walkers, &self.squares, &phases);
+        report.rounds = self.rounds;
+        report.gap = ((self.upper - self.lower) / self.upper.max(f64::MIN_POSITIVE)).max(0.0);
+        let is_free = walkers.adjust.phase && walkers.each.len() > 1;
+        report.bound_percent = is_free.then(|| 100.0 * phase::bound(walkers).max(0.0).sqrt());
+        if walkers.each.len() > 1 {
+            checked.checks.extend(accuracy(problem, self.upper));
+            let solver = &mut sized.law.solver;
+            if let Some(proof) = &mut solver.certificate {
+                proof.relative_gap = proof.relative_gap.max(report.gap);
+                proof.global_gap = proof.global_gap.max(report.gap);
+            }
+            if report.gap > PROVED || is_tightened || is_free {
+                solver.certified = false;
+                let why = if is_tightened || is_free {
+                    Doubt::Local
+                } else {
+                    Doubt::Gap
+                };
+                solver.doubt = solver.doubt.or(Some(why));
+            }
+        }
+        sized.checked = checked;
+        let mut design = finished(&unjudged(problem), search, sized, self.infeasible)?;
+        design.population = Some(report);
+        Ok(design)
+    }
+}
+
+/// The combination of laws, with the evidence of its largest part.
+fn combined(parts: &[f64], laws: Vec<SolvedLaw>) -> SolvedLaw {
+    let bearing: Vec<(f64, &SolvedLaw)> = parts
+        .iter()
+        .copied()
+        .zip(&laws)
+        .filter(|p| p.0 > 0.0)
+        .collect();
+    let main = bearing.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    let mut out = main.map_or(&laws[0], |m| m.1).clone();
+    if bearing.len() < 2 {
+        return out;
+    }
+    let each = 0..out.coefficients.len();
+    let sum = |i: usize| {
+        bearing
+            .iter()
+            .map(|(part, law)| part * law.coefficients[i])
+            .sum()
+    };
+    out.coefficients = each.map(sum).collect();
+    let terms: Vec<(f64, &Law)> = bearing
+        .iter()
+        .map(|(part, law)| (*part, &law.law))
+        .collect();
+    let harmonic = || {
+        let pairs = out.coefficients[1..].chunks_exact(2).map(|c| (c[0], c[1]));
+        Law::harmonic(out.coefficients[0], &pairs.collect::<Vec<_>>())
+    };
+    out.law = Law::mixed(&terms).unwrap_or_else(harmonic);
+    out
+}
+
+/// The accuracy that the scene asks for, of what is minimised over the walkers.
+fn accuracy(problem: &Problem, square: f64) -> Option<Check> {
+    let asked = problem.accuracy? * problem.target_mean();
+    let value = square.sqrt() * problem.target_mean();
+    let worst = Extreme { at: 0.0, value };
+    Some(Check::at_most(Criterion::RmsError, worst, asked, SLACK))
+}
+
+/// The problem with the size of a law's family: every round is over the same functions.
+fn held(problem: &Problem, law: &SolvedLaw) -> Problem {
+    let mut out = problem.clone();
+    out.law.family = law.family;
+    match law.family {
+        // A dwell is a range of its own.
+        Family::Spline => {
+            out.law.spans = Some(law.law.breaks().len() - 1 - problem.law.dwells.len())
+        }
+        _ => out.law.harmonics = Some(law.coefficients.len() / 2),
+    }
+    out
+}
+
+/// A search of its own: what is kept belongs to another target.
+fn fresh(search: &Search) -> Search {
+    Search {
+        cache: Default::default(),
+        ..search.clone()
+    }
+}
+
+/// What the half mean square of a law may be above the least, N².
+fn gap(law: &SolvedLaw) -> f64 {
+    let certificate = law.solver.certificate.as_ref();
+    certificate.map_or(0.0, |c| c.duality_gap.max(c.global_gap * c.size))
+}
+
+/// The problem of one curve whose mean square error is, but for factor and constant, the weighed sum of the walkers':
+/// R + (Σ λ γ y)/(Σ λ γ²) with γ = β/unit and y = (F_w − R_w)/unit.
+fn weighed(problem: &Problem, walkers: &Walkers, weights: &[f64]) -> Problem {
+    let Some(target) = &problem.target else {
+        return problem.clone();
+    };
+    let samples = walkers.each[0].target.force_n.len();
+    let (mut force, mut slopes) = (vec![0.0; samples], vec![0.0; samples + 1]);
+    let mut whole = 0.0;
+    for (walker, weight) in walkers.each.iter().zip(weights).filter(|w| *w.1 > 0.0) {
+        let part = weight * walker.factor / (walker.unit * walker.unit);
+        whole += part * walker.factor;
+        let rest = walker.drive.rest_force;
+        let own = force.iter_mut().zip(&walker.target.force_n);
+        own.for_each(|(sum, f)| *sum += part * (f - rest));
+        let own = slopes.iter_mut().zip(walker.target.slopes());
+        own.for_each(|(sum, s)| *sum += part * s);
+    }
+    let rest = problem.drive.rest_force;
+    force.iter_mut().for_each(|f| *f = rest + *f / whole);
+    slopes.iter_mut().for_each(|s| *s /= whole);
+    let curve = ForceCurve {
+        population: None,
+        spread_n: None,
+        ..target.curve.with_forces(force)
+    };
+    problem.for_target(curve, slopes)
+}

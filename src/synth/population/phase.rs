@@ -1,0 +1,108 @@
+//! The phase of each walker's cycle, where it is set for him too: not convex, so laws and phases are sought in turn.
+//!
+//! A bound that no phases beat: where every harmonic of every walker may be turned by itself, only amplitudes are left,
+//! |γ Ψₙ − Yₙ| ≥ |γ |Ψₙ| − |Yₙ||, and with them the problem of the walkers in step, without limits.
+
+use std::f64::consts::TAU;
+
+use super::errors::{Aim, norm};
+use super::weights::Weights;
+use crate::drive::Drive;
+use crate::law::Law;
+use crate::poly::amplitudes;
+use crate::problem::{Served, Walkers};
+
+/// Equal angles of a law's force.
+const SAMPLES: usize = 1024;
+/// Harmonics that decide a phase.
+const HARMONICS: usize = 100;
+/// Phases tried, and Newton steps from the best of them.
+const TRIED: usize = 720;
+const STEPS: usize = 6;
+/// Rounds of the bound at most.
+const ROUNDS: usize = 60;
+
+/// (cosine, sine) amplitudes of harmonics 1, 2, …
+fn waves(samples: &[f64]) -> Vec<(f64, f64)> {
+    amplitudes(samples)
+        .into_iter()
+        .skip(1)
+        .take(HARMONICS)
+        .collect()
+}
+
+/// The force of a law, N.
+pub fn of_law(drive: &Drive, law: &Law) -> Vec<(f64, f64)> {
+    let at = (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
+    waves(&at.map(|x| drive.force(law.svaj(x))).collect::<Vec<_>>())
+}
+
+/// How much later a walker's cycle begins where it is nearest to the force, rad.
+pub fn best(force: &[(f64, f64)], walker: &Served) -> f64 {
+    let own = waves(&walker.target.force_n);
+    let terms: Vec<[f64; 3]> = (1..)
+        .zip(force.iter().zip(&own))
+        .map(|(n, ((a, b), (c, d)))| [f64::from(n), a * c + b * d, a * d - b * c])
+        .collect();
+    let correlation = |phase: f64| -> f64 {
+        let term = |[n, c, s]: &[f64; 3]| c * (n * phase).cos() + s * (n * phase).sin();
+        terms.iter().map(term).sum()
+    };
+    let places = (0..TRIED).map(|i| TAU * i as f64 / TRIED as f64);
+    let mut phase = places.fold((0.0, f64::NEG_INFINITY), |best, x| {
+        let value = correlation(x);
+        if value > best.1 { (x, value) } else { best }
+    });
+    for _ in 0..STEPS {
+        let mut slope = [0.0; 2];
+        for [n, c, s] in &terms {
+            let (sin, cos) = (n * phase.0).sin_cos();
+            slope[0] += n * (s * cos - c * sin);
+            slope[1] -= n * n * (c * cos + s * sin);
+        }
+        let next = phase.0 - slope[0] / slope[1].min(-f64::MIN_POSITIVE);
+        let value = correlation(next);
+        if value <= phase.1 {
+            break;
+        }
+        phase = (next, value);
+    }
+    phase.0
+}
+
+/// A lower bound of the measure over all phases, as a mean square.
+pub fn bound(walkers: &Walkers) -> f64 {
+    let aim = |walker: &Served| {
+        let own = waves(&walker.target.force_n);
+        let part = walker.unit * 2.0_f64.sqrt();
+        Aim {
+            scale: walker.factor / walker.unit,
+            towards: own.iter().map(|(a, b)| a.hypot(*b) / part).collect(),
+            left: 0.0,
+        }
+    };
+    let aims: Vec<Aim> = walkers.each.iter().map(aim).collect();
+    let shares: Vec<f64> = walkers.each.iter().map(|w| w.share).collect();
+    let mut weights = Weights::new(walkers.robust, &shares, &aims);
+    let mut next = Some(shares.clone());
+    for _ in 0..ROUNDS {
+        let Some(own) = next.take() else { break };
+        let mut force = vec![0.0; aims[0].towards.len()];
+        let mut whole = 0.0;
+        for (aim, weight) in aims.iter().zip(&own) {
+            whole += weight * aim.scale * aim.scale;
+            let part = weight * aim.scale;
+            force
+                .iter_mut()
+                .zip(&aim.towards)
+                .for_each(|(f, y)| *f += part * y);
+        }
+        force.iter_mut().for_each(|f| *f /= whole);
+        debug_assert!(norm(&force).is_finite());
+        weights.take(&own, force, 0.0);
+        if !weights.is_proved() {
+            next = weights.next(true);
+        }
+    }
+    weights.lower
+}

@@ -1,0 +1,115 @@
+//! What a design for a population reports.
+
+use serde::Serialize;
+
+use super::errors::{dot, tail};
+use crate::problem::Walkers;
+use crate::scene::Robust;
+
+/// Part of the walkers beside whom the worst are averaged where the objective names none.
+const USUAL_TAIL: f64 = 0.9;
+
+/// How well one cam serves a population.
+///
+/// ```
+/// use gaitcam::scene;
+///
+/// // One cam for every cadence: the walker of 1.4 Hz or 2.4 Hz errs most, and by much less than with the mean cam.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.4 Hz:2.4 Hz:11")?;
+/// let mean = scene.design()?.population.unwrap();
+/// let worst = scene.with("law.robust", "worst")?.design()?.population.unwrap();
+/// assert!(worst.worst_percent < 0.8 * mean.worst_percent);
+/// assert!(worst.gap <= 1e-6);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Serialize)]
+pub struct OfPopulation {
+    /// Walkers, whatever the number of their cycles.
+    pub walkers: usize,
+    /// Cycles of all walkers.
+    pub cycles: usize,
+    /// What was minimised.
+    pub robust: String,
+    /// Largest RMS force error, percent of the walker's mean force.
+    pub worst_percent: f64,
+    /// Mean of the RMS force errors, by weight.
+    pub mean_percent: f64,
+    /// Mean of the largest of them: of the last tenth, or of what the objective names.
+    pub cvar_percent: f64,
+    /// Whose error is the largest.
+    pub worst_walker: String,
+    /// The objective less its proved lower bound, part of the objective (a mean square).
+    pub gap: f64,
+    /// No law at any phases of the walkers has a smaller objective than this, percent; `None` where the phases are given.
+    pub bound_percent: Option<f64>,
+    /// Designs that were computed.
+    pub rounds: usize,
+    /// Each cycle.
+    #[serde(skip)]
+    pub each: Vec<WalkerError>,
+}
+
+/// How well a cam serves a walker.
+///
+/// ```
+/// use gaitcam::scene;
+///
+/// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.6 Hz:2 Hz:3")?;
+/// let each = scene.design()?.population.unwrap().each;
+/// assert_eq!(each[1].walker, "1.8 Hz");
+/// assert!((each[1].speed_rad_per_s - std::f64::consts::TAU * 1.8).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WalkerError {
+    /// Who.
+    pub walker: String,
+    /// Mass to which the machine is set, kg.
+    pub mass_kg: f64,
+    /// Speed of the cam, rad/s.
+    pub speed_rad_per_s: f64,
+    /// Phase of the walker's cycle at cam angle 0, rad.
+    pub phase_rad: f64,
+    /// RMS force error, percent of the mean force.
+    pub rms_error_percent: f64,
+    /// What the walker counts in a mean.
+    pub share: f64,
+    /// Walking speed, m/s, where it is known.
+    pub speed_m_per_s: Option<f64>,
+}
+
+/// The report of mean square errors.
+pub fn report(walkers: &Walkers, squares: &[f64], phases: &[f64]) -> OfPopulation {
+    let each = walkers.each.iter().zip(squares).zip(phases);
+    let each = each.map(|((walker, square), phase)| WalkerError {
+        walker: walker.name.clone(),
+        mass_kg: walker.drive.mass,
+        speed_rad_per_s: walker.drive.speed,
+        phase_rad: phase.rem_euclid(std::f64::consts::TAU),
+        rms_error_percent: 100.0 * square.sqrt(),
+        share: walker.share,
+        speed_m_per_s: walker.speed_m_per_s,
+    });
+    let each: Vec<WalkerError> = each.collect();
+    let errors: Vec<f64> = each.iter().map(|e| e.rms_error_percent).collect();
+    let shares: Vec<f64> = each.iter().map(|e| e.share).collect();
+    let worst = (0..each.len()).max_by(|i, j| errors[*i].total_cmp(&errors[*j]));
+    let worst = worst.unwrap_or_default();
+    let part = match walkers.robust {
+        Robust::Tail(part) => part,
+        Robust::Mean | Robust::Worst => USUAL_TAIL,
+    };
+    OfPopulation {
+        walkers: walkers.count,
+        cycles: each.len(),
+        robust: walkers.robust.to_string(),
+        worst_percent: errors[worst],
+        mean_percent: dot(&errors, &shares),
+        cvar_percent: tail(part, &errors, &shares),
+        worst_walker: each[worst].walker.clone(),
+        gap: 0.0,
+        bound_percent: None,
+        rounds: 0,
+        each,
+    }
+}

@@ -1,0 +1,148 @@
+//! The weights of the walkers at which the cam of the weighted mean is the one sought.
+//!
+//! For weights λ the sum Σ λ_w e_w² is, but for a constant, one mean square distance to one curve, (Σ λ γ y)/(Σ λ γ²): today's
+//! design. Its optimum less its duality gap is a lower bound of the worst error, and of the mean of the worst tenth where no
+//! weight exceeds its part of that tenth. The next weights are the multipliers of the same question over the convex hull of the
+//! laws found so far, every one of which keeps the limits that are convex (theory §8).
+
+use splineqp::{Square, least_worst};
+
+use super::errors::{Aim, dot, measure, norm};
+use crate::scene::Robust;
+use crate::synth::qp::PROVED;
+
+/// Part of a law's force below which it is a combination of the others.
+const DEPENDENT: f64 = 1e-9;
+
+/// The search for weights.
+pub struct Weights<'a> {
+    robust: Robust,
+    shares: &'a [f64],
+    aims: &'a [Aim],
+    /// Forces of the laws found.
+    laws: Vec<Vec<f64>>,
+    /// Parts of the laws in the best combination.
+    pub best: Vec<f64>,
+    /// Its measure.
+    pub upper: f64,
+    /// No law of the family has a measure below this.
+    pub lower: f64,
+}
+
+impl<'a> Weights<'a> {
+    pub fn new(robust: Robust, shares: &'a [f64], aims: &'a [Aim]) -> Self {
+        Weights {
+            robust,
+            shares,
+            aims,
+            laws: Vec::new(),
+            best: Vec::new(),
+            upper: f64::INFINITY,
+            lower: 0.0,
+        }
+    }
+
+    /// Takes the law designed for some weights; `gap` is what its half mean square may be above the least, N².
+    pub fn take(&mut self, weights: &[f64], force: Vec<f64>, gap: f64) {
+        let squares = self.squares(&force);
+        let both = weights.iter().zip(self.aims);
+        let curvature: f64 = both.map(|(w, aim)| w * aim.scale * aim.scale).sum();
+        let bound = dot(weights, &squares) - 2.0 * curvature * gap;
+        self.lower = self.lower.max(bound);
+        self.laws.push(force);
+        let mut parts = vec![0.0; self.laws.len()];
+        parts[self.laws.len() - 1] = 1.0;
+        self.keep(parts, &squares);
+    }
+
+    fn squares(&self, force: &[f64]) -> Vec<f64> {
+        self.aims.iter().map(|aim| aim.square(force)).collect()
+    }
+
+    fn keep(&mut self, parts: Vec<f64>, squares: &[f64]) {
+        let value = measure(self.robust, squares, self.shares);
+        if value < self.upper {
+            (self.upper, self.best) = (value, parts);
+        }
+    }
+
+    /// The force of a combination.
+    pub fn force(&self, parts: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; self.laws[0].len()];
+        for (part, law) in parts.iter().zip(&self.laws) {
+            out.iter_mut()
+                .zip(law)
+                .for_each(|(sum, f)| *sum += part * f);
+        }
+        out
+    }
+
+    /// Whether no law is better than the best by more than a millionth.
+    pub fn is_proved(&self) -> bool {
+        self.upper - self.lower <= PROVED * self.upper
+    }
+
+    /// The largest weight of each walker.
+    fn caps(&self) -> Option<Vec<f64>> {
+        match self.robust {
+            Robust::Tail(part) => Some(self.shares.iter().map(|p| p / (1.0 - part)).collect()),
+            Robust::Mean | Robust::Worst => None,
+        }
+    }
+
+    /// The weights for the next law; `None` where the hull has none. Where combinations keep the limits the best one of the
+    /// hull is taken too.
+    pub fn next(&mut self, combines: bool) -> Option<Vec<f64>> {
+        let centre = self.force(&self.best);
+        let axes = axes(&self.laws, &centre);
+        let largest = self.aims.iter().fold(0.0_f64, |m, aim| m.max(aim.scale));
+        let root = self.upper.sqrt();
+        let unit = largest / root;
+        let place = |force: &Vec<f64>| -> Vec<f64> {
+            let off = less(force, &centre);
+            axes.iter().map(|axis| unit * dot(axis, &off)).collect()
+        };
+        let points: Vec<Vec<f64>> = self.laws.iter().map(place).collect();
+        let square = |aim: &Aim| {
+            let pairs = aim.towards.iter().zip(&centre);
+            let off: Vec<f64> = pairs.map(|(y, f)| y - aim.scale * f).collect();
+            Square {
+                scale: aim.scale / largest,
+                towards: axes.iter().map(|axis| dot(axis, &off) / root).collect(),
+                constant: (norm(&off) + aim.left) / self.upper,
+            }
+        };
+        let squares: Vec<Square> = self.aims.iter().map(square).collect();
+        let found = least_worst(&points, &squares, self.caps().as_deref())?;
+        if combines {
+            let squares = self.squares(&self.force(&found.parts));
+            self.keep(found.parts, &squares);
+        }
+        Some(found.weights)
+    }
+}
+
+fn less(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+/// Orthonormal axes of the differences from a centre.
+fn axes(laws: &[Vec<f64>], centre: &[f64]) -> Vec<Vec<f64>> {
+    let mut out: Vec<Vec<f64>> = Vec::new();
+    for law in laws {
+        let mut rest = less(law, centre);
+        let size = norm(&rest).sqrt();
+        // Twice: rounding leaves what is no longer orthogonal.
+        for _ in 0..2 {
+            for axis in &out {
+                let part = dot(axis, &rest);
+                rest.iter_mut().zip(axis).for_each(|(r, a)| *r -= part * a);
+            }
+        }
+        let left = norm(&rest).sqrt();
+        if left > DEPENDENT * size && left > 0.0 {
+            out.push(rest.iter().map(|r| r / left).collect());
+        }
+    }
+    out
+}

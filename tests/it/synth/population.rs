@@ -1,0 +1,290 @@
+//! One cam for many walkers, against closed forms and an independent conic program.
+
+use std::f64::consts::TAU;
+
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{DefaultSettingsBuilder, SupportedConeT};
+use gaitcam::force::{ForceCurve, Walker};
+use gaitcam::{LimitKind, Scene, scene};
+
+/// A generator of numbers in [0, 1), Marsaglia's xorshift.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn normal(&mut self) -> f64 {
+        let (a, b) = (self.next().max(1e-300), self.next());
+        (-2.0 * a.ln()).sqrt() * (TAU * b).cos()
+    }
+}
+
+/// Walkers with load factors about those of Young, 2001; (cosine, sine) of each harmonic in parts of the weight.
+fn people(count: usize, harmonics: usize, spread: f64) -> Vec<(Walker, Vec<(f64, f64)>)> {
+    let mut random = Random(88_172_645_463_325_252);
+    let person = |i: usize| {
+        let weight = 9.81 * (70.0 + 12.0 * random.normal()).clamp(45.0, 110.0);
+        let f = (1.87 + 0.186 * random.normal()).clamp(1.4, 2.4);
+        let mean = [
+            0.37 * (f - 0.95),
+            0.054 + 0.0088 * f,
+            0.026 + 0.015 * f,
+            0.010 + 0.0204 * f,
+        ];
+        let wave = |n: usize| {
+            let a = mean.get(n).copied().unwrap_or(0.008) * (1.0 + 0.16 * spread * random.normal());
+            let phase = if n == 0 {
+                0.0
+            } else {
+                0.5 * spread * random.normal()
+            };
+            (a * phase.sin(), a * phase.cos())
+        };
+        let waves: Vec<(f64, f64)> = (0..harmonics).map(wave).collect();
+        let at = |j: usize| {
+            let x = TAU * j as f64 / 1024.0;
+            let sum = (1..).zip(&waves).map(|(n, (c, s))| {
+                let (sin, cos) = (f64::from(n) * x).sin_cos();
+                c * cos + s * sin
+            });
+            weight * (1.0 + sum.sum::<f64>())
+        };
+        let curve = ForceCurve::from_samples("", 1.0 / f, (0..1024).map(at).collect()).unwrap();
+        (Walker::new(&format!("W{i:03}"), curve), waves)
+    };
+    (0..count).map(person).collect()
+}
+
+fn force(people: &[(Walker, Vec<(f64, f64)>)]) -> ForceCurve {
+    ForceCurve::of_walkers(people.iter().map(|p| p.0.clone()).collect()).unwrap()
+}
+
+fn with(changes: &[(&str, &str)]) -> Scene {
+    let scene = scene::built_in("footbridge").unwrap().scene().unwrap();
+    changes
+        .iter()
+        .fold(scene, |s, (key, value)| s.with(key, value).unwrap())
+}
+
+#[test]
+fn the_cam_of_one_walker_is_the_cam_of_his_cycle() {
+    let one = people(1, 6, 1.0);
+    let limited = [("limits.stroke", "40 mm"), ("law.spans", "24")];
+    for robust in ["mean", "worst", "cvar 0.9"] {
+        let scene = with(&[limited[0], limited[1], ("law.robust", robust)]);
+        let population = scene.design_for(&force(&one)).unwrap();
+        let alone = scene.design_for(&one[0].0.curve).unwrap();
+        for (a, b) in population.coefficients.iter().zip(&alone.coefficients) {
+            assert!((a - b).abs() < 1e-9 * 0.04, "{a} {b}");
+        }
+        assert_eq!(population.verdict, alone.verdict);
+        let own = population.population.unwrap();
+        let percent = alone.force.rms_error_percent_of_mean;
+        assert!((own.worst_percent / percent - 1.0).abs() < 1e-9);
+    }
+}
+
+/// Σ p (ω²a/g − y)² with a of the cam and y = F/G − 1: but for a constant the distance to Σ p ω² y/Σ p ω⁴ times g.
+#[test]
+fn the_cam_of_the_mean_error_is_the_cam_of_the_weighted_mean_curve() {
+    let people = people(9, 6, 1.0);
+    let scene = with(&[("law.spans", "24"), ("limits.stroke", "35 mm")]);
+    let design = scene.design_for(&force(&people)).unwrap();
+    let speed = |w: &Walker| TAU / w.curve.period_s;
+    let whole: f64 = people.iter().map(|(w, _)| speed(w).powi(4)).sum();
+    let mean: Vec<f64> = (0..1024)
+        .map(|i| {
+            let part = |(w, _): &(Walker, _)| {
+                speed(w).powi(2) * (w.curve.force_n[i] / w.curve.mean_n() - 1.0) / whole
+            };
+            people.iter().map(part).sum::<f64>()
+        })
+        .collect();
+    // At 12 rad/s under 700 N this curve is that acceleration.
+    let own = mean.iter().map(|y| 700.0 * (1.0 + 144.0 * y)).collect();
+    let curve = ForceCurve::from_samples("", TAU / 12.0, own).unwrap();
+    let alone = scene.design_for(&curve).unwrap();
+    for (a, b) in design.coefficients.iter().zip(&alone.coefficients) {
+        // The cubics of a mean curve are not quite the mean of the cubics.
+        assert!((a - b).abs() < 1e-7 * 0.035, "{a} {b}");
+    }
+}
+
+/// One cone for each walker over the harmonics of the force: ‖(γ c − y, rest)‖ ≤ t.
+fn least_worst_by_cones(people: &[(Walker, Vec<(f64, f64)>)], harmonics: usize) -> f64 {
+    let (columns, t) = (2 * harmonics + 1, 2 * harmonics);
+    let (mut entries, mut b, mut cones) = (Vec::new(), Vec::new(), Vec::new());
+    for (walker, waves) in people {
+        let gamma = (TAU / walker.curve.period_s).powi(2) / 100.0;
+        entries.push((b.len(), t, -1.0));
+        b.push(0.0);
+        for (n, (c, s)) in waves.iter().enumerate() {
+            for (k, y) in [(0, c), (1, s)] {
+                if n < harmonics {
+                    entries.push((b.len(), 2 * n + k, -gamma));
+                }
+                b.push(-y);
+            }
+        }
+        cones.push(SupportedConeT::SecondOrderConeT(1 + 2 * waves.len()));
+    }
+    let (i, j, values) = entries.into_iter().collect();
+    let a = CscMatrix::new_from_triplets(b.len(), columns, i, j, values);
+    let mut q = vec![0.0; columns];
+    q[t] = 1.0;
+    let settings = DefaultSettingsBuilder::default()
+        .verbose(false)
+        .tol_gap_abs(1e-12)
+        .tol_gap_rel(1e-12)
+        .tol_feas(1e-12)
+        .build()
+        .unwrap();
+    let p = CscMatrix::zeros((columns, columns));
+    let mut solver = splineqp::clarabel_prepared(&p, &q, &a, &b, &cones, settings).unwrap();
+    splineqp::clarabel_run(&mut solver);
+    solver.solution.x[t] / 2.0_f64.sqrt()
+}
+
+#[test]
+fn the_least_worst_error_is_that_of_a_conic_program_of_its_own() {
+    for (count, spread) in [(12, 1.0), (60, 0.4), (200, 0.15)] {
+        let people = people(count, 6, spread);
+        let scene = with(&[
+            ("law.family", "harmonic"),
+            ("law.harmonics", "4"),
+            ("law.robust", "worst"),
+        ]);
+        let design = scene.design_for(&force(&people)).unwrap();
+        let own = design.population.unwrap();
+        let other = 100.0 * least_worst_by_cones(&people, 4);
+        assert!(own.gap <= 1e-6, "{count}: gap {}", own.gap);
+        assert!(
+            (own.worst_percent / other - 1.0).abs() < 1e-6,
+            "{} {other}",
+            own.worst_percent
+        );
+    }
+}
+
+#[test]
+fn two_hundred_walkers_under_limits_have_a_proved_worst_error_and_limits_that_hold_for_all() {
+    let people = people(200, 8, 0.3);
+    let limits = [
+        ("law.spans", "32"),
+        ("limits.stroke", "40 mm"),
+        ("limits.acceleration", "5 m/s^2"),
+        ("limits.jerk", "150 m/s^3"),
+        ("accuracy.rms", "none"),
+    ];
+    let mean = with(&limits).design_for(&force(&people)).unwrap();
+    let of_mean = mean.population.unwrap();
+    for robust in ["worst", "cvar 0.9"] {
+        let scene = with(&limits).with("law.robust", robust).unwrap();
+        let design = scene.design_for(&force(&people)).unwrap();
+        assert!(design.solver.certified && design.checks.iter().all(|c| c.pass));
+        let own = design.population.as_ref().unwrap();
+        assert!(own.gap <= 1e-6);
+        if robust == "worst" {
+            assert!(own.worst_percent < of_mean.worst_percent);
+        } else {
+            assert!(own.cvar_percent < of_mean.cvar_percent);
+        }
+        assert!(own.mean_percent > of_mean.mean_percent);
+        let law = &design.cam.law;
+        for order in [2, 3] {
+            let [low, high] = [law.extremes(order).0, law.extremes(order).1];
+            let most = low.value.abs().max(high.value.abs());
+            let fastest = own
+                .each
+                .iter()
+                .fold(0.0_f64, |m, w| m.max(w.speed_rad_per_s));
+            let bound = [5.0, 150.0][order - 2];
+            assert!(most * fastest.powi(order as i32) <= bound * (1.0 + 1e-6));
+        }
+    }
+}
+
+#[test]
+fn the_torque_is_within_its_limit_for_every_walker() {
+    let people = people(20, 4, 0.3);
+    let scene = with(&[
+        ("law.spans", "16"),
+        ("limits.torque", "20 N m"),
+        ("accuracy.rms", "none"),
+    ]);
+    let design = scene.design_for(&force(&people)).unwrap();
+    let law = &design.cam.law;
+    let mut most = 0.0_f64;
+    for walker in &design.population.as_ref().unwrap().each {
+        let (mass, speed) = (walker.mass_kg, walker.speed_rad_per_s);
+        for i in 0..3600 {
+            let at = law.svaj(TAU * f64::from(i) / 3600.0);
+            most = most.max((mass * (9.81 + speed * speed * at.a) * at.v).abs());
+        }
+    }
+    assert!(most <= 20.0 * (1.0 + 1e-6), "{most}");
+    assert!(most > 19.5, "{most}");
+    let check = design.checks.iter().find(|c| c.name == LimitKind::Torque);
+    assert!(check.unwrap().pass && (check.unwrap().worst / most - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn settings_without_a_form_for_several_walkers_are_refused_with_their_key() {
+    let people = people(3, 4, 0.3);
+    let flexible = ("machine.natural_frequency", "12 Hz");
+    let cases: [(&[(&str, &str)], &str); 3] = [
+        (&[("gait.band", "20 N")], "gait.band"),
+        (
+            &[flexible, ("law.degree", "7"), ("law.polydyne", "true")],
+            "law.polydyne",
+        ),
+        (
+            &[("drive.mass", "70 kg"), ("gait.adjust", "mass")],
+            "gait.adjust",
+        ),
+    ];
+    for (changes, key) in cases {
+        let error = with(changes).design_for(&force(&people)).unwrap_err();
+        assert!(error.to_string().contains(key), "{error}");
+    }
+}
+
+/// Cycles of one shape begun anywhere: at their own phases all are served as one, and the bound says that nothing is better.
+#[test]
+fn phases_that_are_set_for_each_walker_bring_cycles_of_one_shape_into_step() {
+    let [(first, _)] = <[_; 1]>::try_from(people(1, 4, 0.3)).unwrap();
+    let turned = |i: u32| {
+        let curve = first.curve.begun_at(0.4 * f64::from(i));
+        Walker::new(&format!("W{i}"), curve)
+    };
+    let force = ForceCurve::of_walkers((0..5).map(turned).collect()).unwrap();
+    let at_worst = [
+        ("law.family", "harmonic"),
+        ("law.harmonics", "2"),
+        ("law.robust", "worst"),
+    ];
+    let alone = with(&at_worst).design_for(&first.curve).unwrap();
+    let fixed = with(&at_worst)
+        .design_for(&force)
+        .unwrap()
+        .population
+        .unwrap();
+    let scene = with(&at_worst)
+        .with("gait.adjust", "mass, speed, phase")
+        .unwrap();
+    let own = scene.design_for(&force).unwrap().population.unwrap();
+    let percent = alone.force.rms_error_percent_of_mean;
+    assert!(fixed.worst_percent > 5.0 * percent);
+    assert!(
+        (own.worst_percent / percent - 1.0).abs() < 1e-3,
+        "{} {percent}",
+        own.worst_percent
+    );
+    assert!(own.bound_percent.unwrap() <= own.worst_percent);
+    assert_eq!(fixed.bound_percent, None);
+}
