@@ -47,7 +47,11 @@ pub fn put_on(design: &mut Design, scene: &Scene) -> Result<Option<Error>> {
         return Ok(None);
     };
     let mut gait = gait.clone();
-    gait.step_frequency = gait.step_frequency.map(|f| faster * f);
+    gait.step_frequency = match gait.step_frequencies.take() {
+        // Of several walkers the one who takes the steps of this speed.
+        Some(_) => step_frequency(design),
+        None => gait.step_frequency.map(|f| faster * f),
+    };
     let (target, missing) = match gait.model_force() {
         Ok(None) => return Ok(None),
         Ok(Some(force)) => {
@@ -85,6 +89,13 @@ pub fn finish(
     let stale = earlier::stale(&path, &scene);
     folder.commit(&stale)?;
     Ok(path)
+}
+
+/// Step frequency of a cam's drive, Hz.
+fn step_frequency(design: &Design) -> Option<f64> {
+    let of_step = design.load_factors().first()?.of_step;
+    let period = design.cam.law.extent().1 / design.drive.speed.abs();
+    Some((1.0 / of_step).round() / period)
 }
 
 /// Writes the resolved scene: `scene.toml`, or `scene.used.toml` where the scene was read from that place.

@@ -24,7 +24,11 @@ pub(super) const FILE: Access = Access {
     },
     set: |s, _, v| {
         let gait = s.gait.get_or_insert_default();
-        let mut paths = v.texts().into_iter().map(PathBuf::from);
+        let texts = match v {
+            Value::Text(one) => vec![one],
+            several => several.texts(),
+        };
+        let mut paths = texts.into_iter().map(PathBuf::from);
         gait.source = Source::File(paths.next().unwrap_or_default());
         gait.more_files = paths.collect();
         Ok(())

@@ -239,7 +239,8 @@ impl<'a> Kernel<'a> {
     /// The row of a harmonic law that keeps its limits, from the harmonics of the force.
     fn closed_row(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Option<Row> {
         let gait = scene.gait.as_ref()?;
-        if scene.machine.motor.is_given() || scene.machine.has_floor() {
+        let is_many = gait.step_frequencies.is_some();
+        if is_many || scene.machine.motor.is_given() || scene.machine.has_floor() {
             return None;
         }
         let scale = match &gait.source {
@@ -356,7 +357,8 @@ fn series(gait: &Gait, force: &Force) -> Option<Series> {
     if gait.is_recording() {
         let curve = force.curve.as_ref()?.as_ref().ok()?;
         let is_certain = open_questions(Some(gait), Some(curve)).is_empty();
-        return is_certain.then(|| Series::of_curve(curve.clone()));
+        let is_one = curve.population.is_none();
+        return (is_certain && is_one).then(|| Series::of_curve(curve.clone()));
     }
     if let Some((period_s, waves)) = gait.series().ok()? {
         let (mean_n, spread_n) = (1.0, 0.0);
