@@ -183,6 +183,9 @@ fn solved(problem: &Problem, search: &Search) -> Result<(SizedLaw, Option<Infeas
 
 /// The design of a problem that has one; why there is none is not looked for.
 fn passing_design(problem: &Problem, search: &Search) -> std::result::Result<Design, NoLaw> {
+    if population::is_judged(problem) {
+        return Ok(design(problem, search)?);
+    }
     let problem = &population::of_mean(problem);
     let problem = phase::resolve(problem, |at| least_error(at, search))?;
     let sized = sized(&problem, &problem, search)?;

@@ -292,7 +292,8 @@ impl<'a> Relaxing<'a> {
     fn own_accuracy(&self, number: Relaxable, design: &Design) -> Option<Option<f64>> {
         let law = &self.problem.law;
         let given = law.spans.is_some() && law.family == Family::Spline;
-        if !number.is_accuracy() || !given || self.problem.limited_error().is_some() {
+        let several = self.problem.walkers.is_some();
+        if !number.is_accuracy() || !given || several || self.problem.limited_error().is_some() {
             return None;
         }
         if design.infeasible.is_some() {

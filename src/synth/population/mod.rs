@@ -13,12 +13,14 @@ mod weights;
 
 pub use report::{OfPopulation, WalkerError};
 
+use std::sync::Arc;
+
 use crate::cam::{Check, Criterion};
 use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::Extreme;
-use crate::problem::{Problem, Walkers};
+use crate::problem::{Note, Problem, Walkers};
 use crate::scene::{Family, Minimise, Robust};
 use crate::synth::design::proof::Doubt;
 use crate::synth::design::{Design, Tier};
@@ -65,6 +67,12 @@ pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result
         return found.judged(problem, search, walkers, checked, loads < 1.0);
     }
     unreachable!("the last round returns")
+}
+
+/// Whether the force errors of several walkers are judged.
+pub fn is_judged(problem: &Problem) -> bool {
+    let several = problem.walkers.as_ref().is_some_and(|w| w.each.len() > 1);
+    several && problem.accuracy.is_some()
 }
 
 /// The problem of the mean of the walkers under the limits of all, as of one walker whose error is not judged.
@@ -251,6 +259,20 @@ impl Found {
         sized.checked = checked;
         let mut design = finished(&unjudged(problem), search, sized, self.infeasible)?;
         design.population = Some(report);
+        if walkers.each.len() > 1 {
+            // What would help is sought with the accuracy of the walkers, which is judged above.
+            let off = problem.limits.unjudged.accuracy;
+            let says_off = |note: &Note| {
+                matches!(
+                    note,
+                    Note::NotJudged {
+                        key: "accuracy.rms"
+                    }
+                )
+            };
+            design.notes.retain(|note| off || !says_off(note));
+            design.problem = Arc::new(problem.clone());
+        }
         Ok(design)
     }
 }
