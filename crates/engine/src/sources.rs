@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -14,6 +14,7 @@ use crate::lock;
 use gaitcam::error::Result;
 use gaitcam::force::{self, ForceCurve, ReadOptions};
 use gaitcam::scene::{self, Gait, Scene, Source};
+use gaitcam_files::population::{self, Content};
 
 /// A file by the name that the scene gives it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -91,6 +92,9 @@ impl<'a> Files<'a> {
             (None, Source::File(path)) => path,
         };
         let (hash, bytes) = self.bytes(path)?;
+        if !gait.more_files.is_empty() || population::is_table(path, &bytes) {
+            return self.population(gait, path).map(Some);
+        }
         let (options, subjects) = self.options(gait, path)?;
         let how = format!("{hash} {subjects:?} {gait:?}");
         let key = Hash::of(how.as_bytes());
@@ -101,6 +105,25 @@ impl<'a> Files<'a> {
         };
         lock(&self.engine.curves).put(key, curve.clone());
         Ok(Some((curve, hash)))
+    }
+
+    /// The mean cycle of the walkers that a scene names, with the hash of their files.
+    fn population(&self, gait: &Gait, path: &Path) -> Result<(ForceCurve, Hash)> {
+        let paths = std::iter::once(path).chain(gait.more_files.iter().map(PathBuf::as_path));
+        let content = |path: &Path| {
+            let (hash, bytes) = self.bytes(path)?;
+            let subjects = force::metadata_name(path).and_then(|p| self.bytes(&p).ok());
+            let content = Content {
+                path: path.to_path_buf(),
+                bytes,
+                metadata: subjects.map(|(_, bytes)| bytes.to_vec()),
+            };
+            Ok((hash.to_string(), content))
+        };
+        let read: Result<Vec<(String, Content)>> = paths.map(content).collect();
+        let (hashes, files): (Vec<String>, Vec<Content>) = read?.into_iter().unzip();
+        let curve = population::population_of(gait, &files)?;
+        Ok((curve, Hash::of(hashes.join(" ").as_bytes())))
     }
 
     /// How the recording of a scene is read, with the hash of the file about the persons.

@@ -1,6 +1,7 @@
 //! Populations of walkers from folders, lists of files, and tables.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use gaitcam::error::{FileError, Place, Result};
 use gaitcam::force::{self, ForceCurve, Walker, WalkerFault, walker_fault};
@@ -84,7 +85,7 @@ pub fn population(gait: &Gait, folder: &Path, path: &Path) -> Result<Option<Forc
     let place = find(folder, path);
     let is_folder = place.is_dir();
     if !is_folder && gait.more_files.is_empty() {
-        let is_table = is_text(&place) && force::is_population(&read_bytes(&place)?);
+        let is_table = is_text(&place) && is_table(&place, &read_bytes(&place)?);
         if !is_table {
             return Ok(None);
         }
@@ -100,14 +101,38 @@ pub fn population(gait: &Gait, folder: &Path, path: &Path) -> Result<Option<Forc
             read.take(gait, &place);
         }
     }
-    let at = || Place::File(place.clone());
-    read.checked(gait)
-        .and_then(ForceCurve::of_walkers)
-        .map(Some)
-        .map_err(|e| match e.place {
-            Place::File(_) | Place::Line { .. } => e,
-            _ => e.at(at()),
-        })
+    read.mean(gait, place).map(Some)
+}
+
+/// The content of a file, and of the table of subjects beside it.
+pub struct Content {
+    /// Its name.
+    pub path: PathBuf,
+    /// Its bytes.
+    pub bytes: Arc<Vec<u8>>,
+    /// The table of subjects.
+    pub metadata: Option<Vec<u8>>,
+}
+
+/// The same of files that are read already.
+///
+/// # Errors
+/// As [`population`].
+pub fn population_of(gait: &Gait, files: &[Content]) -> Result<ForceCurve> {
+    let mut read = Read::default();
+    let kept = |path: &Path| {
+        !leaves_out(gait, &file_name(path)) && !leaves_out(gait, &path.display().to_string())
+    };
+    for file in files.iter().filter(|f| kept(&f.path)) {
+        read.take_content(gait, &file.path, &file.bytes, || file.metadata.clone());
+    }
+    let first = files.first().map(|f| f.path.clone());
+    read.mean(gait, first.unwrap_or_default())
+}
+
+/// Whether a file is a table of walkers.
+pub fn is_table(path: &Path, bytes: &[u8]) -> bool {
+    is_text(path) && force::is_population(bytes)
 }
 
 /// Endings of tables; a recording of gigabytes is not read to find out.
@@ -134,10 +159,32 @@ impl Read {
         if leaves_out(gait, &file_name(path)) || leaves_out(gait, &path.display().to_string()) {
             return;
         }
-        match cycles(gait, path) {
+        match read_bytes(path) {
+            Ok(bytes) => self.take_content(gait, path, &bytes, || metadata(path)),
+            Err(_) => self.unreadable.push(file_name(path)),
+        }
+    }
+
+    fn take_content(
+        &mut self,
+        gait: &Gait,
+        path: &Path,
+        bytes: &[u8],
+        metadata: impl FnOnce() -> Option<Vec<u8>>,
+    ) {
+        match cycles(gait, path, bytes, metadata) {
             Ok(walkers) => self.walkers.extend(walkers),
             Err(_) => self.unreadable.push(file_name(path)),
         }
+    }
+
+    /// Their mean, with the file at fault where there is one.
+    fn mean(self, gait: &Gait, first: PathBuf) -> Result<ForceCurve> {
+        let mean = self.checked(gait).and_then(ForceCurve::of_walkers);
+        mean.map_err(|e| match e.place {
+            Place::File(_) | Place::Line { .. } => e,
+            _ => e.at(Place::File(first)),
+        })
     }
 
     /// The walkers, if all can be taken.
@@ -183,13 +230,17 @@ impl Read {
 }
 
 /// The walkers of a file.
-fn cycles(gait: &Gait, path: &Path) -> Result<Vec<Walker>> {
-    let bytes = read_bytes(path)?;
-    if is_text(path) && force::is_population(&bytes) {
-        return force::read_population(path, &bytes);
+fn cycles(
+    gait: &Gait,
+    path: &Path,
+    bytes: &[u8],
+    metadata: impl FnOnce() -> Option<Vec<u8>>,
+) -> Result<Vec<Walker>> {
+    if is_table(path, bytes) {
+        return force::read_population(path, bytes);
     }
-    let options = gait.read_options(metadata(path))?;
-    let curve = force::force_curve(path, &bytes, &options, gait.feet)?;
+    let options = gait.read_options(metadata())?;
+    let curve = force::force_curve(path, bytes, &options, gait.feet)?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     Ok(vec![Walker::new(&name, curve)])
 }

@@ -22,6 +22,7 @@ use crate::console::words;
 use crate::input::searching::TimeLimit;
 use crate::input::{self, SceneArgs};
 use gaitcam_files::Input;
+use gaitcam_files::population::population;
 use gaitcam_files::read::read_bytes;
 use gaitcam_files::scene::with_motions;
 use gaitcam_files::target::{content, find, metadata};
@@ -101,6 +102,7 @@ fn examine_scene(args: &DoctorArgs) -> Result<u8> {
     };
     if let Some(gait) = &input.scene.gait
         && let Source::File(path) = &gait.source
+        && population(gait, &input.folder, path)?.is_none()
     {
         let place = find(&input.folder, path);
         let bytes = content(&input.folder, path)?;
