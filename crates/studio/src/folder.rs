@@ -29,9 +29,6 @@ const READ: usize = 8;
 /// A file as it was: path, size, time of its last change.
 type Stamp = (PathBuf, u64, Option<SystemTime>);
 
-/// What a file held.
-type Content = (Hash, Arc<Vec<u8>>);
-
 /// The opened folder.
 pub struct Folder {
     root: PathBuf,

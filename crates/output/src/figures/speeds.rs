@@ -113,9 +113,6 @@ impl Strip {
     }
 }
 
-/// Points of a curve, its colour and width.
-type Curve = (Vec<(f64, f64)>, RGBAColor, f64);
-
 struct Shown<'a> {
     rows: &'a [AtSpeed],
     factor: f64,
