@@ -85,7 +85,7 @@ pub fn population(gait: &Gait, folder: &Path, path: &Path) -> Result<Option<Forc
     let place = find(folder, path);
     let is_folder = place.is_dir();
     if !is_folder && gait.more_files.is_empty() {
-        let is_table = is_text(&place) && is_table(&place, &read_bytes(&place)?);
+        let is_table = place.is_file() && is_text(&place) && is_table(&place, &read_bytes(&place)?);
         if !is_table {
             return Ok(None);
         }
