@@ -78,8 +78,8 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
         .map(|word| word.trim_matches(['(', ')', ',', ';', ':', '.', '!', '?']))
 }
 
-/// A text without what is typed as it stands: the choices of an argument, `[valores: walking, running]`, and lists of texts,
-/// `["0.4", "0.1 at -90 deg"]`.
+/// A text without what is typed as it stands: the choices of an argument, `[valores: walking, running]`, lists of texts,
+/// `["0.4", "0.1 at -90 deg"]`, and the default of a key.
 fn without_typed(mut text: String) -> String {
     for begin in ["[valores:", "[\""] {
         while let Some(from) = text.find(begin) {
@@ -87,7 +87,10 @@ fn without_typed(mut text: String) -> String {
             text.replace_range(from..=from + length, "");
         }
     }
-    text
+    let defaults = text.split("por defecto ").enumerate();
+    let typed = |part: &str| part.find(char::is_whitespace).unwrap_or(part.len());
+    let rests = defaults.map(|(i, part)| if i == 0 { part } else { &part[typed(part)..] });
+    rests.collect()
 }
 
 /// Fails on an English word.
