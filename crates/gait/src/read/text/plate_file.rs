@@ -29,6 +29,8 @@ const PLATE: &str = "FORCE_PLATE_NAME";
 const FIRST: &[u8] = b"NO_OF_SAMPLES";
 /// Lines of such a header, at most.
 const HEAD: usize = 60;
+/// Bytes that hold them.
+const HEAD_BYTES: usize = 1 << 14;
 
 /// The plate that a text holds, from its beginning; `None` for a text of another kind.
 pub fn plate_of(start: &[u8]) -> Option<PlateFile> {
@@ -51,6 +53,9 @@ pub fn joined_plates(files: &[Vec<u8>]) -> Option<Vec<u8>> {
 
 /// The plates of a text that holds several, one after the other; the whole text where it holds one.
 pub fn parts(bytes: &[u8]) -> Vec<&[u8]> {
+    if plate_of(&bytes[..bytes.len().min(HEAD_BYTES)]).is_none() {
+        return vec![bytes];
+    }
     let lines = (bytes.iter().enumerate()).filter_map(|(i, b)| (*b == b'\n').then_some(i + 1));
     let begins = |i: &usize| bytes[*i..].starts_with(FIRST);
     let mut starts: Vec<usize> = [0].into_iter().chain(lines).filter(begins).collect();
