@@ -15,7 +15,7 @@ use super::plan::axis::Values as AxisValues;
 use super::plan::{Plan, row_count};
 use super::runner::Runner;
 use super::table::records::Records;
-use crate::error::{Error, Place, Result, SweepError};
+use crate::error::{Error, Place, Placed, Result, SweepError, SynthError};
 use crate::force::{self, ForceCurve};
 use crate::scene::{Scene, Source};
 
@@ -206,6 +206,9 @@ impl Study {
         };
         let bytes = content(path)
             .ok_or_else(|| Error::from(SweepError::NotCarried).at(Place::File(path.clone())))?;
+        if force::is_population(bytes) || !gait.more_files.is_empty() {
+            return Err(SynthError::NotOfPopulation.at_key("gait.file"));
+        }
         let metadata = force::metadata_name(path).and_then(|p| content(&p).map(|b| b.to_vec()));
         force::force_curve(path, bytes, &gait.read_options(metadata)?, gait.feet)
     }

@@ -32,7 +32,7 @@ pub struct Aim {
     pub scale: f64,
     /// (F − R)/unit, times the roots.
     pub towards: Vec<f64>,
-    /// Mean square of what no law of the basis takes away.
+    /// Mean square of the error that remains under the best law of the basis.
     pub left: f64,
 }
 
