@@ -17,7 +17,7 @@ use serde::{Serialize, Serializer};
 /// assert_eq!(Criterion::Limit(LimitKind::Curvature).of_second_cam().name(), "second_curvature");
 /// assert!(Criterion::Concave != LimitKind::Curvature);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::EnumCount)]
 #[non_exhaustive]
 pub enum Criterion {
     /// A limit that a scene may set.

@@ -136,6 +136,8 @@ pub enum SceneError {
     SizeNotFree,
     /// A spline's degree outside its range.
     SplineDegree { typed: String },
+    /// A derivative is minimised that laws of this degree do not have.
+    DegreeBelowObjective { degree: usize, order: usize },
     /// A demand that only splines take.
     OnlySplines { family: &'static str },
     /// A programme without segments.

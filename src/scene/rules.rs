@@ -168,6 +168,13 @@ fn objective(scene: &Scene, typed: Typed) -> Verdict {
         let typed = degree.to_string();
         return Err(("law.degree", SceneError::SplineDegree { typed }));
     }
+    if let (Some(degree), Some(Minimise::Energy(order) | Minimise::Peak(order))) =
+        (law.degree, law.minimise)
+        && degree < order
+    {
+        let fault = SceneError::DegreeBelowObjective { degree, order };
+        return Err(("law.degree", fault));
+    }
     Ok(())
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use gaitcam::cam::LimitKind;
+use gaitcam::cam::{Criterion, LimitKind};
 use gaitcam::dynamics::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
 use gaitcam::error::{
     CamError, DynamicsError, Error, FileError, JoinCure, LawError, SceneError, SegmentName,
@@ -16,7 +16,7 @@ use gaitcam::sweep::Difference;
 use gaitcam::synth::{Change, Demand, Doubt, Ended, Method, PassedOver, Reason};
 use gaitcam::units::Quantity;
 use gaitcam::wording::{FILES, Language, catalogue};
-use strum::VariantNames;
+use strum::{EnumCount, VariantNames};
 
 use gaitcam_test_support::words::assert_same_messages;
 
@@ -90,6 +90,39 @@ fn spanish_has_the_messages_help_texts_and_arguments_of_english() {
         catalogue(Language::Es).keys(),
         "the messages stand in another order"
     );
+}
+
+#[test]
+fn every_criterion_has_a_name_in_both_languages() {
+    use Criterion as C;
+    let others = [
+        C::RmsError,
+        C::Accuracy,
+        C::Band,
+        C::BaseCircle,
+        C::Bore,
+        C::BaseOutsideBore,
+        C::BaseRadius,
+        C::GivenPrimeRadius,
+        C::Concave,
+        C::Interference,
+        C::UpperWall,
+        C::LowerWall,
+        C::Monotone,
+        C::Peak,
+        C::SecondCurvature,
+        C::SecondConcave,
+        C::SecondInterference,
+        C::SecondPressureAngleRise,
+        C::SecondPressureAngleFall,
+    ];
+    assert_eq!(others.len() + 1, Criterion::COUNT);
+    let limits = LimitKind::ALL.iter().map(|kind| Criterion::from(*kind));
+    let keys = catalogue(Language::Es).keys();
+    for criterion in limits.chain(others) {
+        let key = format!("name-{}", criterion.name().replace(['_', '.'], "-"));
+        assert!(keys.contains(&key), "{key}");
+    }
 }
 
 #[test]

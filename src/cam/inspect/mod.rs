@@ -144,19 +144,17 @@ impl Cam {
             ball,
             samples: self.samples(PROFILE),
         };
-        let size = self.follower.prime_radius();
+        let (low, high) = radii(&exact.samples);
         let mut fits = Vec::new();
         for pose in self.starts(points, ball) {
             let foot = |q| exact.foot(q);
-            let (pose, feet) = fitted(pose, points, size, (ROUNDS, CONVERGED), foot);
+            let (pose, feet) = fitted(pose, points, high, (ROUNDS, CONVERGED), foot);
             fits.push((rms(&feet), pose, feet));
         }
         fits.sort_by(|a, b| a.0.total_cmp(&b.0));
         let Some((least, pose, feet)) = fits.first() else {
             return Err(CamError::MeasuredCircle.into());
         };
-        let radii = exact.samples.iter().map(|s| s.p[0].hypot(s.p[1]));
-        let (low, high) = radii.fold((f64::INFINITY, 0.0_f64), |(l, h), r| (l.min(r), h.max(r)));
         if *least > OTHER * (high - low) {
             return Err(CamError::MeasuredOther {
                 distance: Quantity::length(*least),
@@ -165,7 +163,7 @@ impl Cam {
             }
             .into());
         }
-        if !is_determined(feet, pose, size) {
+        if !is_determined(feet, pose, high) {
             return Err(CamError::MeasuredCircle.into());
         }
         let mut turns = vec![wrapped(-pose.angle)];
@@ -216,7 +214,7 @@ impl Cam {
         let few: Vec<[f64; 2]> = points.iter().copied().step_by(every).collect();
         let outline: Vec<[f64; 2]> = samples.iter().map(|s| s.p).collect();
         let (pivot, place) = (middle(points), middle(&outline));
-        let size = self.follower.prime_radius();
+        let (_, size) = radii(&samples);
         let mut fits: Vec<(f64, Pose)> = Vec::new();
         for k in 0..STARTS {
             let start = Pose {
@@ -240,6 +238,12 @@ impl Cam {
         distinct.truncate(REFINED);
         distinct
     }
+}
+
+/// Smallest and largest distance of a profile from the cam's centre, m.
+fn radii(samples: &[Sample]) -> (f64, f64) {
+    let radii = samples.iter().map(|s| s.p[0].hypot(s.p[1]));
+    radii.fold((f64::INFINITY, 0.0), |(l, h), r| (l.min(r), h.max(r)))
 }
 
 /// The profile itself, with samples to begin from.

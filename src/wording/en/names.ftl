@@ -47,6 +47,13 @@ name-residual = residual
 name-accuracy-rms = accuracy.rms
 name-rms-error = rms_error
 name-band = band
+name-monotone = monotone
+name-peak = peak
+name-upper-wall = upper_wall
+name-lower-wall = lower_wall
+name-second-concave = second_concave
+name-second-pressure-angle-rise = second_pressure_angle_rise
+name-second-pressure-angle-fall = second_pressure_angle_fall
 
 # Families of laws.
 name-spline = spline

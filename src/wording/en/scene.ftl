@@ -95,6 +95,8 @@ scene-size-not-free = the size of this cam is not free
     .help = this applies to cams whose radius is not given, but not to translating cams, barrel cams and oscillating mushroom followers
 scene-spline-degree = invalid spline degree { $typed }
     .help = write a whole number from 3 to 9, or "auto"
+scene-degree-below-objective = a law of degree { $degree } has no derivative of order { $order } to minimise: it is zero between the knots
+    .help = use degree { $order } or higher, or another law.minimise
 scene-only-splines = a law of this family ({ $family }) does not support this key
     .help = use law.family = "spline"
 scene-program-without-segments = the programme has no segments

@@ -47,6 +47,13 @@ name-residual = vibración residual
 name-accuracy-rms = error de fuerza admitido
 name-rms-error = error de fuerza
 name-band = banda de fuerza
+name-monotone = monotonía
+name-peak = valor máximo
+name-upper-wall = radio de la pared superior
+name-lower-wall = radio de la pared inferior
+name-second-concave = radio de curvatura cóncavo de la segunda leva
+name-second-pressure-angle-rise = ángulo de presión en la subida de la segunda leva
+name-second-pressure-angle-fall = ángulo de presión en la bajada de la segunda leva
 
 # Familias de leyes.
 name-spline = spline

@@ -95,6 +95,8 @@ scene-size-not-free = el tamaño de esta leva no es libre
     .help = se aplica a levas cuyo radio no se da, salvo las de traslación, las de tambor y las de seguidor oscilante de hongo
 scene-spline-degree = grado de spline no válido { $typed }
     .help = escriba un número entero de 3 a 9, o "auto"
+scene-degree-below-objective = una ley de grado { $degree } no tiene derivada de orden { $order } que minimizar: es cero entre los nudos
+    .help = use grado { $order } o mayor, u otro law.minimise
 scene-only-splines = una ley de esta familia ({ $family }) no admite esta clave
     .help = use law.family = "spline"
 scene-program-without-segments = el programa no tiene segmentos

@@ -160,6 +160,27 @@ fn a_key_without_effect_is_noted() {
     assert!(with(&["law.family=harmonic", "law.degree=5"]).contains("law.degree"));
 }
 
+#[test]
+fn a_derivative_that_a_degree_does_not_have_is_no_objective() {
+    let objectives = [("acceleration", 2), ("jerk", 3), ("snap", 4)];
+    for (name, order) in objectives {
+        for objective in [name.to_string(), format!("peak-{name}")] {
+            for degree in 3..=9 {
+                let mut table: Table = scene::DEFAULT.parse().unwrap();
+                for change in [
+                    format!("law.minimise={objective}"),
+                    format!("law.degree={degree}"),
+                ] {
+                    scene::set(&mut table, &change).unwrap();
+                }
+                let refused = scene::read(&table).err().map(|e| e.to_string());
+                let named = refused.as_ref().is_some_and(|e| e.contains("law.degree"));
+                assert_eq!(named, degree < order, "{objective} {degree}: {refused:?}");
+            }
+        }
+    }
+}
+
 /// The schema is a list of patterns: enough of it is evaluated here to accept every scene and refuse slips.
 #[test]
 fn the_schema_accepts_every_built_in_scene_and_refuses_unknown_keys() {
