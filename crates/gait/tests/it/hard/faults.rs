@@ -293,6 +293,36 @@ fn every_unit_of_force_in_a_header_gives_the_same_newtons() {
 }
 
 #[test]
+fn columns_in_a_unit_that_is_none_of_force_are_refused_by_it() {
+    let units = [
+        "mV", "V", "mV/V", "kPa", "bar", "mbar", "psi", "N/cm²", "ADC", "counts", "bits", "Nm",
+        "N.mm", "mm", "deg", "m/s^2",
+    ];
+    for (seed, unit) in units.into_iter().enumerate() {
+        let dice = &mut Dice::new(seed as u64);
+        let person = walker(dice, 9.0);
+        for style in [
+            "left Fz [U],right Fz [U]",
+            "left Fz (U),right Fz (U)",
+            "row",
+        ] {
+            let mut table = belts(dice, &person, &plain(200.0), ["left Fz", "right Fz"]);
+            let text = if style == "row" {
+                let text = table.delimited(CLOCK, false);
+                text.replacen('\n', &format!("\ns,{unit},{unit}\n"), 1)
+            } else {
+                let names = style.replace('U', unit);
+                table.names = names.split(',').map(str::to_string).collect();
+                table.delimited(CLOCK, false)
+            };
+            let code = opened(&text, &none()).err().map(|e| e.code().to_string());
+            let refused = code.as_deref() == Some("read-no-force-unit");
+            assert!(refused, "{unit} {style}: {code:?}");
+        }
+    }
+}
+
+#[test]
 fn decimal_commas_between_commas_are_refused_by_that_reason() {
     for seed in 0..20 {
         let dice = &mut Dice::new(seed);
