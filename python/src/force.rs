@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use gaitcam::force::{self, ForceCurve};
 use gaitcam::scene;
-use gaitcam_files::{Input, read, target};
+use gaitcam_files::{Input, target};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -332,7 +332,7 @@ impl Force {
 ///
 /// Parameters
 /// ----------
-/// path : path of the file
+/// path : path of the file, or a list of paths: the plates of one trial in a file each
 /// options
 ///     What the file does not say, or says wrongly, as in the section ``[gait]`` of a scene: ``feet`` ("both", "one",
 ///     "left", "right", "total"), ``rate`` ("1000 Hz"), ``mass`` ("72.6 kg"), ``unit`` ("kN"), ``kind`` ("walking",
@@ -342,13 +342,29 @@ impl Force {
 #[pyo3(signature = (path, **options))]
 pub fn read_gait(
     py: Python<'_>,
-    path: PathBuf,
+    path: Paths,
     options: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Force> {
-    let bytes = py.detach(|| read::read_bytes(&path)).raise(py)?;
-    let place = std::path::absolute(&path).unwrap_or_else(|_| path.clone());
-    let gait = gait(options, &place)?;
-    Force::of_recording(py, gait, bytes.into(), target::metadata(&path))
+    let paths = match path {
+        Paths::One(path) => target::plates(Path::new(""), &path).unwrap_or_else(|| vec![path]),
+        Paths::Several(paths) => paths,
+    };
+    let bytes = py.detach(|| target::joined(&paths)).raise(py)?;
+    let place = |path: &PathBuf| {
+        let place = std::path::absolute(path).unwrap_or_else(|_| path.clone());
+        place.to_string_lossy().into_owned()
+    };
+    let places: Vec<String> = paths.iter().map(place).collect();
+    let gait = gait(options, Path::new(&places.join(target::AND)))?;
+    let metadata = paths.first().and_then(|path| target::metadata(path));
+    Force::of_recording(py, gait, bytes.into(), metadata)
+}
+
+/// A recording in one file, or the plates of one trial in a file each.
+#[derive(FromPyObject)]
+pub enum Paths {
+    One(PathBuf),
+    Several(Vec<PathBuf>),
 }
 
 fn gait(options: Option<&Bound<'_, PyDict>>, path: &Path) -> PyResult<Table> {

@@ -139,3 +139,34 @@ def test_a_whole_recording_may_come_from_arrays():
     with pytest.raises(gaitcam.InputError) as fault:
         gaitcam.Force.from_recording(t[:-1], plates)
     assert fault.value.key == "f_n"
+
+
+def plate_file(path, plate, mass_kg=70.0, stride_s=1.1):
+    """One step of a walker on one of two plates of a trial, as Qualisys writes it."""
+    rate, stance = 1000.0, 0.62 * stride_s
+    t = np.arange(int(rate * (0.8 + 1.5 * stride_s))) / rate
+    x = (t - 0.4 - 0.5 * stride_s * plate) / stance
+    # The mean of the two sines over a stance is 2/π (1 + 0.25/3).
+    level = mass_kg * 9.81 / (2.0 * 0.62) / (2.0 / np.pi * (1.0 + 0.25 / 3.0))
+    force = np.where((x >= 0.0) & (x < 1.0), level * (np.sin(np.pi * x) + 0.25 * np.sin(3.0 * np.pi * x)), 0.0)
+    head = f"NO_OF_SAMPLES\t{len(t)}\nFREQUENCY\t{rate}\nTIME_STAMP\t2020-01-01\nFIRST_SAMPLE\t1\n"
+    head += f"DESCRIPTION\tForce data\nFORCE_PLATE_NAME\tForce-plate {plate + 1}\n"
+    head += "Force_X\tForce_Y\tForce_Z\tMoment_X\tMoment_Y\tMoment_Z\tCOP_X\tCOP_Y\tCOP_Z\n"
+    rows = (f"1.0\t-2.0\t{f:.3f}\t50.0\t60.0\t1.0\t300.0\t200.0\t0.0\n" for f in force)
+    path.write_text(head + "".join(rows))
+    return path
+
+
+def test_plates_in_a_file_each_are_one_recording(tmp_path):
+    files = [plate_file(tmp_path / f"walk_f_{k + 1}.tsv", k) for k in range(2)]
+    force = gaitcam.read_gait(files)
+    assert force.mass_kg == pytest.approx(70.0, rel=0.02)
+    typed = gaitcam.read_gait(" + ".join(map(str, files)))
+    np.testing.assert_array_equal(typed.force_n, force.force_n)
+    again = pickle.loads(pickle.dumps(force))
+    np.testing.assert_array_equal(again.force_n, force.force_n)
+    scene = gaitcam.Scene({"cam": {"follower": "flat-translating"}, "drive": {"kind": "moving-axis"}})
+    gaitcam.synth(scene, force=force).save(tmp_path / "out")
+    assert (tmp_path / "out" / "law.csv").exists()
+    with pytest.raises(gaitcam.InputError):
+        gaitcam.read_gait([])
