@@ -19,7 +19,7 @@ from urllib.parse import unquote
 
 ROOT = Path(__file__).resolve().parent.parent
 TEXT = {".rs", ".md", ".toml", ".py", ".ftl", ".html", ".js", ".css"}
-SKIP = {"target", ".git", "out", "corpus", "node_modules", ".venv"}
+SKIP = {"target", ".git", "out", "corpus", "node_modules", ".venv", "dist"}
 # Short names of documents that only their writers had.
 FOREIGN = re.compile(r"\b(FACTS|INTERFACE\.md|DESIGN\.md|STYLE\.md)\b|\b[Tt]hesis 00\d|\b[Pp]aper 00\d")
 

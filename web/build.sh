@@ -1,26 +1,34 @@
 #!/usr/bin/env bash
 # Builds the page with its engine inside: web/dist/ (static files for any web server) and web/dist/gaitcam.html (one file
 # that opens by a double click).
+#
 # The engine is compiled for WebAssembly. Where the installed Rust has no library for it, Debian's compiler is unpacked
-# below target/web; nothing is installed. esbuild comes from npm.
+# below target/web; nothing is installed. Debian's binaryen makes the module smaller, esbuild of npm joins the scripts.
+# What cannot be had ends the build.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 web=$PWD/target/web
 tools=$web/toolchain
 mkdir -p "$web"
-rm -rf web/dist
 
-missing() { echo "the page with its engine: SKIPPED, $1"; exit 0; }
-command -v node > /dev/null && command -v npm > /dev/null || missing "no Node.js (install nodejs and npm)"
+fail() { echo "web/build.sh: $*" >&2; exit 1; }
 
-PACKAGES="rustc-web libstd-rust-web-1.96 libstd-rust-web-dev rust-web-src libllvm22 llvm-22-linker-tools lld-22"
+command -v npm > /dev/null || fail "npm is needed (Debian: apt-get install nodejs npm)"
+
+# The package that another one depends on, its version in its name.
+needed() { apt-cache depends "$1" | grep -oE "$2[0-9.]+" | head -n1; }
 
 unpack() {
-  command -v apt-get > /dev/null || missing "no library of Rust for WebAssembly (rustup target add wasm32-unknown-unknown)"
+  command -v apt-get > /dev/null || fail "no library of Rust for WebAssembly (rustup target add wasm32-unknown-unknown) and no apt-get to fetch Debian's"
+  apt-cache show rustc-web > /dev/null 2>&1 || apt-get -qq update || true
+  apt-cache show rustc-web > /dev/null 2>&1 || fail "the Debian archive set up here has no rustc-web (bookworm-security has)"
+  local std llvm
+  std=$(needed libstd-rust-web-dev libstd-rust-web-)
+  llvm=$(needed "$std" libllvm)
+  rm -rf "$tools.new" "$web/packages"
   mkdir -p "$tools.new" "$web/packages"
-  # shellcheck disable=SC2086
-  (cd "$web/packages" && { apt-get download $PACKAGES || { apt-get -qq update && apt-get download $PACKAGES; }; }) > /dev/null 2>&1 ||
-    missing "Debian's compiler for the web cannot be had"
+  (cd "$web/packages" && apt-get -qq download rustc-web "$std" libstd-rust-web-dev rust-web-src "$llvm" "lld-${llvm#libllvm}" binaryen) ||
+    fail "apt-get cannot fetch Debian's compiler"
   for package in "$web"/packages/*.deb; do dpkg -x "$package" "$tools.new"; done
   rm -r "$web/packages"
   mv "$tools.new" "$tools"
@@ -28,18 +36,23 @@ unpack() {
 
 if [ -d "$(rustc --print sysroot)/lib/rustlib/wasm32-unknown-unknown" ]; then
   standard=()
-  CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$PWD/web/link.sh
   export WASM_LD="rust-lld -flavor wasm" PATH="$PATH:$(rustc --print target-libdir)/../bin"
 else
   [ -d "$tools" ] || unpack
-  export LD_LIBRARY_PATH=$tools/usr/lib/x86_64-linux-gnu:$tools/usr/lib/llvm-22/lib
-  export RUSTC=$tools/usr/bin/rustc RUSTC_BOOTSTRAP=1 WASM_LD=$tools/usr/lib/llvm-22/bin/wasm-ld
-  standard=(-Zbuild-std=std,panic_abort)
+  export LD_LIBRARY_PATH=$tools/usr/lib/x86_64-linux-gnu:$(echo "$tools"/usr/lib/llvm-*/lib)
+  export RUSTC=$tools/usr/bin/rustc RUSTC_BOOTSTRAP=1 WASM_LD=$(echo "$tools"/usr/lib/llvm-*/bin/wasm-ld)
+  export PATH="$tools/usr/bin:$PATH"
+  # A page has nowhere to print a panic: it ends the worker, and the page says so.
+  export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-Zunstable-options -Cpanic=immediate-abort"
+  standard=(-Zbuild-std=std,panic_abort -Zbuild-std-features=)
 fi
 export CARGO_INCREMENTAL=0 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$PWD/web/link.sh
 cargo rustc --quiet --profile web -p gaitcam-engine --lib --crate-type cdylib --target wasm32-unknown-unknown \
   --target-dir "$web/cargo" "${standard[@]}"
+module=$web/cargo/wasm32-unknown-unknown/web/gaitcam_engine.wasm
+command -v wasm-opt > /dev/null || fail "wasm-opt is needed (binaryen)"
+wasm-opt -O3 "$module" -o "$web/engine.wasm"
 
 [ -x "$web/node_modules/.bin/esbuild" ] || npm install --silent --no-audit --no-fund --prefix "$web" esbuild@0.28.2 > /dev/null ||
-  missing "esbuild cannot be installed"
-python3 web/page.py "$web/cargo/wasm32-unknown-unknown/web/gaitcam_engine.wasm" "$web/node_modules/.bin/esbuild" web/dist
+  fail "npm cannot install esbuild"
+python3 web/page.py "$web/engine.wasm" "$web/node_modules/.bin/esbuild" web/dist

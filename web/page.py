@@ -34,6 +34,22 @@ def bundle(esbuild, out):
         subprocess.run(command, check=True)
 
 
+def without_custom_sections(module):
+    """The module without names and other notes of its compiler."""
+    out, at = bytearray(module[:8]), 8
+    while at < len(module):
+        kind, length, start = module[at], 0, at + 1
+        for shift in range(0, 35, 7):
+            length |= (module[start] & 127) << shift
+            start += 1
+            if module[start - 1] < 128:
+                break
+        if kind != 0:
+            out += module[at : start + length]
+        at = start + length
+    return bytes(out)
+
+
 def index():
     text = (PAGE / "index.html").read_text()
     return text.replace("{language}", "en").replace("{engine}", "wasm")
@@ -78,7 +94,7 @@ def main():
     engine, esbuild, out = sys.argv[1], sys.argv[2], Path(sys.argv[3])
     shutil.rmtree(out, ignore_errors=True)
     (out / "engine").mkdir(parents=True)
-    packed = gzip.compress(Path(engine).read_bytes(), 9, mtime=0)
+    packed = gzip.compress(without_custom_sections(Path(engine).read_bytes()), 9, mtime=0)
     (out / "engine" / "engine.wasm.gz").write_bytes(packed)
     shutil.copy(PAGE / "engine" / "worker.js", out / "engine" / "worker.js")
     bundle(esbuild, out / "app.js")

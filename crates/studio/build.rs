@@ -7,7 +7,7 @@ use std::{env, fs};
 fn main() {
     let page = Path::new(&env::var("CARGO_MANIFEST_DIR").unwrap()).join("page");
     let mut list = String::new();
-    for folder in ["", "core", "engine", "panels"] {
+    for folder in ["", "charts", "core", "dialogs", "engine", "panels"] {
         println!("cargo::rerun-if-changed={}", page.join(folder).display());
         let entries = fs::read_dir(page.join(folder)).unwrap();
         let mut files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();

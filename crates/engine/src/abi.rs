@@ -1,17 +1,20 @@
-//! The functions that a browser calls: memory for a question, its answer, bytes to be kept.
+//! The functions that a browser calls: room for a question, its answer, bytes to be kept.
 //!
-//! Numbers only: an address and a length in, the address of an answer out. The first four bytes of an answer are its
-//! length; a file's answer is one JSON object with its media type, a line break, and the bytes.
-#![allow(unsafe_code)] // The memory of a page is reached by addresses.
+//! Only numbers pass: addresses and lengths. The first four bytes of an answer are its length; a file's answer is one
+//! JSON object with its media type, a line break, and the bytes. Whatever the page may read or write stays owned here,
+//! so that a wrong address gives an empty question and never a wrong access.
+#![allow(unsafe_code)] // Exported names and the imported clock; there is no unsafe block.
 
+use std::collections::BTreeMap;
 use std::path::Path;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, LazyLock, Mutex};
 
 use serde_json::json;
 
 use crate::ask::{Body, Engine, Host, Start};
 use crate::fault::StudioError;
 use crate::hash::Hash;
+use crate::lock;
 use gaitcam::error::{Placed, Result};
 use gaitcam::halt::Halt;
 use gaitcam::scene;
@@ -47,53 +50,47 @@ impl Host for Page {
     }
 }
 
-fn engine() -> &'static Engine {
-    static ENGINE: OnceLock<Engine> = OnceLock::new();
-    ENGINE.get_or_init(Engine::default)
+static ENGINE: LazyLock<Engine> = LazyLock::new(Engine::default);
+/// Questions that the page writes and answers that it reads, by their addresses.
+static SHARED: Mutex<BTreeMap<usize, Vec<u8>>> = Mutex::new(BTreeMap::new());
+
+fn share(mut bytes: Vec<u8>) -> *mut u8 {
+    let at = bytes.as_mut_ptr();
+    lock(&SHARED).insert(at as usize, bytes);
+    at
 }
 
-/// Memory for `length` bytes; what is given its address takes it over.
-#[unsafe(no_mangle)]
-extern "C" fn room(length: usize) -> *mut u8 {
-    Box::into_raw(vec![0; length].into_boxed_slice()).cast()
+fn taken(at: *mut u8) -> Vec<u8> {
+    lock(&SHARED).remove(&(at as usize)).unwrap_or_default()
 }
 
-/// The bytes that the page has written into [`room`].
-///
-/// # Safety
-/// `at` is the address that `room(length)` gave, and used once.
-unsafe fn taken(at: *mut u8, length: usize) -> Vec<u8> {
-    let slice = std::ptr::slice_from_raw_parts_mut(at, length);
-    unsafe { Box::from_raw(slice) }.into_vec()
-}
-
-/// An answer for the page, which it gives back by [`free`].
+/// Bytes for the page, behind their length.
 fn given(bytes: &[u8]) -> *mut u8 {
     let mut all = (bytes.len() as u32).to_le_bytes().to_vec();
     all.extend_from_slice(bytes);
-    Box::into_raw(all.into_boxed_slice()).cast()
+    share(all)
+}
+
+/// The address of `length` bytes, which the page fills and hands to [`ask`] or [`keep`].
+#[unsafe(no_mangle)]
+extern "C" fn room(length: usize) -> *mut u8 {
+    share(vec![0; length])
 }
 
 /// Takes an answer back.
-///
-/// # Safety
-/// `at` is the address of an answer of `length` bytes, its own four included.
 #[unsafe(no_mangle)]
-unsafe extern "C" fn free(at: *mut u8, length: usize) {
-    drop(unsafe { taken(at, length) });
+extern "C" fn free(at: *mut u8) {
+    taken(at);
 }
 
 /// Answers a question: a route, a line break, and the question.
-///
-/// # Safety
-/// As [`taken`].
 #[unsafe(no_mangle)]
-unsafe extern "C" fn ask(at: *mut u8, length: usize) -> *mut u8 {
-    let all = unsafe { taken(at, length) };
+extern "C" fn ask(at: *mut u8) -> *mut u8 {
+    let all = taken(at);
     let (route, question) = all.split_at(all.iter().position(|b| *b == b'\n').unwrap_or(0));
     let route = std::str::from_utf8(route).unwrap_or_default();
     let question = question.get(1..).unwrap_or_default();
-    match engine().answer(&Page, route, question).body {
+    match ENGINE.answer(&Page, route, question).body {
         Body::Json(json) => given(&json),
         Body::File { kind, bytes, .. } => {
             let mut file = json!({"kind": kind}).to_string().into_bytes();
@@ -105,11 +102,7 @@ unsafe extern "C" fn ask(at: *mut u8, length: usize) -> *mut u8 {
 }
 
 /// Keeps the bytes of a file; the answer is their hash.
-///
-/// # Safety
-/// As [`taken`].
 #[unsafe(no_mangle)]
-unsafe extern "C" fn keep(at: *mut u8, length: usize) -> *mut u8 {
-    let hash = engine().keep(unsafe { taken(at, length) });
-    given(hash.as_str().as_bytes())
+extern "C" fn keep(at: *mut u8) -> *mut u8 {
+    given(ENGINE.keep(taken(at)).as_str().as_bytes())
 }

@@ -7,12 +7,13 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 
-use crate::design::{self, Made};
 use crate::fault::StudioError;
 use crate::hash::Hash;
+use crate::questions::design::{self, Made};
+use crate::questions::{catalogue, export, recording, runs, variation};
 use crate::recent::Recent;
 use crate::sources::{Files, Named};
-use crate::{catalogue, export, lock, recording, variation, words};
+use crate::{lock, words};
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::halt::Halt;
@@ -175,6 +176,8 @@ impl Engine {
             "relax" => asked(object, |q| design::relax(files, q)),
             "sensitivity" => asked(object, |q| variation::sensitivity(files, q)),
             "front" => asked(object, |q| variation::front(files, q)),
+            "simulate" => asked(object, |q| runs::simulate(files, q)),
+            "sweep" => asked(object, |q| runs::sweep(files, q)),
             "force" => asked(object, |q| recording::points(files, q)),
             "recording" => asked(object, |q| recording::dropped(files, q)),
             "contacts" => asked(object, |q| recording::contacts(files, q)),

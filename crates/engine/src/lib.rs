@@ -7,9 +7,9 @@
 //!
 //! ```text
 //! ask.rs      questions by their routes, answers     sources.rs  files and force curves of a question
-//! design.rs, variation.rs, recording.rs, catalogue.rs, export.rs   one per kind of question
-//! edit.rs     changes of a scene's table             form.rs     fields and sliders of a scene
-//! curves.rs   what the diagrams show                 abi.rs      the functions that a browser calls
+//! questions/  one file per kind of question          form.rs     fields and sliders of a scene
+//! edit.rs     changes of a scene's table             curves.rs   what the diagrams show
+//! abi.rs      the functions that a browser calls
 //! ```
 #![deny(unsafe_code, missing_docs)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
@@ -17,18 +17,14 @@
 #[cfg(target_family = "wasm")]
 mod abi;
 mod ask;
-mod catalogue;
 mod curves;
-mod design;
 mod edit;
-mod export;
 pub mod fault;
 mod form;
 mod hash;
+mod questions;
 mod recent;
-mod recording;
 mod sources;
-mod variation;
 mod words;
 
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -12,12 +12,12 @@ import { unpack } from "./core/packing.js";
 import * as form from "./panels/form.js";
 import * as clock from "./core/clock.js";
 import * as stage from "./panels/stage.js";
-import * as charts from "./panels/charts.js";
+import * as charts from "./charts/charts.js";
 import * as verdict from "./panels/verdict.js";
 import * as view from "./core/view.js";
 import * as tools from "./panels/tools.js";
 import * as player from "./panels/player.js";
-import * as files from "./panels/files.js";
+import * as files from "./dialogs/files.js";
 import * as force from "./panels/force.js";
 import * as programme from "./panels/programme.js";
 import * as compare from "./panels/compare.js";
@@ -121,7 +121,7 @@ function working(on, since) {
 }
 
 async function first(start) {
-  if (versions.restore()) {
+  if (!view.embedded && versions.restore()) {
     designs.ask();
     return;
   }
@@ -154,9 +154,10 @@ async function boot() {
   compare.load({ start, edit, openScene });
   text.load(openScene);
   files.load(start);
+  document.documentElement.toggleAttribute("data-embed", Boolean(view.embedded));
   tools.load({ start, move, openScene });
   designs.on({ show, state, working, lost: status.lost, colour: stage.chosen });
-  autosave.load();
+  if (!view.embedded) autosave.load();
   words.onLanguage(() => designs.ask());
   units.watch(() => designs.ask());
   window.addEventListener("hashchange", async () => {

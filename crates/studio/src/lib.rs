@@ -134,15 +134,6 @@ fn opened(path: Option<&Path>) -> Result<(Folder, Start)> {
     Ok((folder, start))
 }
 
-/// Length of the head of a request at the start of `bytes`, where there is a whole one that this server takes: what
-/// fuzzing feeds with the bytes of strangers.
-pub fn head_length(bytes: &[u8]) -> Option<usize> {
-    http::Head::read(bytes)
-        .ok()
-        .flatten()
-        .map(|(_, length)| length)
-}
-
 /// Locks; a thread that panicked has left nothing half done here.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)

@@ -12,6 +12,8 @@ use crate::poly::amplitudes;
 const HARMONICS: usize = 6;
 /// Samples of a turn that the harmonics are taken from.
 const SAMPLES: usize = 1024;
+/// A harmonic below this part of the weight is rounding: it has no phase.
+const ROUNDING: f64 = 1e-13;
 
 /// One harmonic of the target and of the achieved force: F = F₀ + W Σ αₖ sin(kθ − φₖ), W the weight of the walker.
 ///
@@ -35,11 +37,11 @@ pub struct LoadFactor {
     pub frequency_hz: f64,
     /// αₖ of the target.
     pub target: f64,
-    /// φₖ of the target, rad.
+    /// φₖ of the target, rad; 0 where it has no such harmonic.
     pub target_phase_rad: f64,
     /// αₖ of the achieved force.
     pub achieved: f64,
-    /// φₖ of the achieved force, rad.
+    /// φₖ of the achieved force, rad; 0 where it has no such harmonic.
     pub achieved_phase_rad: f64,
 }
 
@@ -67,17 +69,26 @@ impl Design {
         let given = of(angles().map(|t| achieved.eval(self.angle_at(t))).collect());
         let turns_per_s = self.drive.speed.abs() / TAU;
         let steps = steps_per_turn(&wanted);
+        let part = |amplitudes: &[(f64, f64)], k: usize| {
+            let (amplitude, phase) = harmonic(amplitudes, k);
+            let part = amplitude / weight;
+            if part < ROUNDING {
+                (0.0, 0.0)
+            } else {
+                (part, phase)
+            }
+        };
         (1..=steps * HARMONICS)
             .map(|k| {
-                let (target, target_phase_rad) = harmonic(&wanted, k);
-                let (achieved, achieved_phase_rad) = harmonic(&given, k);
+                let (target, target_phase_rad) = part(&wanted, k);
+                let (achieved, achieved_phase_rad) = part(&given, k);
                 LoadFactor {
                     harmonic: k,
                     of_step: k as f64 / steps as f64,
                     frequency_hz: k as f64 * turns_per_s,
-                    target: target / weight,
+                    target,
                     target_phase_rad,
-                    achieved: achieved / weight,
+                    achieved,
                     achieved_phase_rad,
                 }
             })

@@ -16,6 +16,7 @@ use gaitcam::cam::Measures;
 use gaitcam::dynamics::{Model, Outcome};
 use gaitcam::force::ForceCurve;
 use gaitcam::synth::Design;
+use gaitcam::wording::Language;
 
 /// A curve in the key: colour, width, name.
 type Entry = (RGBAColor, f64, String);
@@ -94,6 +95,10 @@ impl Shown<'_> {
 }
 
 /// Force with target and rigid force behind it, torque, and the gap where there is one.
+pub fn run(synthesis: &Design, outcome: &Outcome, language: Language) -> Picture {
+    run_in(synthesis, outcome, Layout::ALONE, &words::words(language))
+}
+
 pub(crate) fn run_in(
     synthesis: &Design,
     outcome: &Outcome,

@@ -6,8 +6,8 @@ import * as blobs from "./blobs.js";
 import * as versions from "./versions.js";
 
 const AGAIN = 2000;
-// A design that takes longer is first asked for as a cheaper one while a value is moved, and whole when the hand has
-// rested, ms.
+// Where a design takes longer, one of about the same size is asked for while a value is moved, and the whole when the
+// hand has rested, ms.
 const LONG = 100;
 const REST = 250;
 let slow = false;
@@ -64,8 +64,9 @@ export function cancel() {
 }
 
 async function run(since) {
-  const quick = slow && !whole && versions.now().gesture !== null;
+  const quick = slow && !whole && versions.now().gesture !== null && Boolean(shown?.answer.numbers.prime_radius_m);
   refining = whole && slow;
+  let rests = false;
   const control = new AbortController();
   running = control;
   const v = versions.now();
@@ -80,7 +81,8 @@ async function run(since) {
     if (more) next();
     if (outcome.answer) {
       slow = outcome.answer.quick || outcome.answer.server_ms > LONG;
-      if (outcome.answer.quick && !more) retry = setTimeout(refine, REST);
+      rests = outcome.answer.quick && !more;
+      if (rests) retry = setTimeout(refine, REST);
       shown = { version: v.id, answer: outcome.answer, files: v.files };
       await handlers.show(outcome.answer, since, more);
     } else if (outcome.same) shown = { ...shown, version: v.id };
@@ -94,7 +96,7 @@ async function run(since) {
     if (running === control) {
       running = null;
       if (waiting !== null) next();
-      else handlers.working(false, since);
+      else if (!rests) handlers.working(false, since);
     }
   }
 }
@@ -116,7 +118,7 @@ async function tried(route, v, groups, signal, quick = false) {
   try {
     const question = { scene: v.scene, changes, files: blobs.listed(v.files) };
     if (route === "design") question.colour = handlers.colour();
-    if (quick) question.quick = true;
+    if (quick) question.quick = [shown.answer.numbers.prime_radius_m, shown.answer.numbers.offset_m ?? 0];
     return { answer: await engine.ask(route, question, { signal }) };
   } catch (error) {
     if (route === "read" && error.code === "http") return {};

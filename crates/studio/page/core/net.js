@@ -17,7 +17,7 @@ export function speak(tag) {
   language = tag;
 }
 
-// Bytes by their hash, for as long as a version names them; an engine that has lost them is given them again.
+// Bytes by their hash: an engine that has lost them is given them again.
 const kept = new Map();
 
 async function sha256(text) {
@@ -75,11 +75,8 @@ async function keep(data) {
 }
 
 export const engine = {
-  kind: below.kind,
-  speak,
   keep,
   bytes: (hash) => kept.get(hash),
-  forget: (hash) => kept.delete(hash),
   async ask(route, question = {}, { signal } = {}) {
     const answer = await ask(route, question, signal);
     if (route === "force") made(answer, answer.hash);
@@ -87,7 +84,8 @@ export const engine = {
     return answer;
   },
   download: (question, { signal } = {}) => ask("export", question, signal),
-  page: (packed) => below.page(packed),
+  // This page in one file with a packed scene inside, where the page carries its engine.
+  page: below.page,
   folder: below.folder && {
     list: () => reached(below.folder.list(language)),
     open: async (path) => ({ files: [], ...await reached(below.folder.open(path, language)) }),

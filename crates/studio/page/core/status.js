@@ -26,7 +26,8 @@ export function show() {
   const refused = versions.refused(v);
   $("verdict").dataset.verdict = current ? designs.present().answer.verdict : "pending";
   $("design").classList.toggle("stale", refused);
-  if (refused) pending();
+  if (refused) pending("studio-pending");
+  else if (designs.present()?.answer.quick) pending("studio-quick");
   $("undo").disabled = !versions.canUndo();
   $("redo").disabled = !versions.canRedo();
   $("scene-name").textContent = v?.name ?? "";
@@ -35,10 +36,10 @@ export function show() {
 }
 
 // The verdict belongs to no design.
-function pending() {
+function pending(why) {
   $("verdict").className = "verdict";
   say($("verdict-name"), "–");
-  say($("verdict-reasons"), t("studio-pending"));
+  say($("verdict-reasons"), t(why));
 }
 
 function faults(v) {
@@ -59,7 +60,8 @@ function faults(v) {
 
 function line(change) {
   const { fault } = change;
-  const box = make("div", {}, make("p", {}, make("strong", {}, fault.place ? `${fault.place}: ` : ""), fault.message,
+  const message = fault.code === "broken" ? t("studio-broken", { fault: fault.message }) : fault.message;
+  const box = make("div", {}, make("p", {}, make("strong", {}, fault.place ? `${fault.place}: ` : ""), message,
     fault.help ? make("span", { class: "help" }, ` – ${fault.help}`) : null));
   const button = (text, action) => make("button", { type: "button", onclick: action }, text);
   for (const [text, action] of remedies(fault)) box.append(button(text, action));

@@ -6,6 +6,9 @@ import { t, onLanguage } from "./words.js";
 const TABS = ["values", "force", "programme", "compare", "text"];
 const opened = new Map();
 
+// In a frame of another page, `?embed=force,s`: the cam and these diagrams, to be looked at only.
+export const embedded = new URLSearchParams(location.search).get("embed")?.split(",") ?? null;
+
 export function theme() {
   let dark = window.matchMedia("(prefers-color-scheme: dark)").matches;
   try {

@@ -1,7 +1,5 @@
 // The engine of `gaitcam studio`: questions to its server, under the token that is the page's folder.
 
-export const kind = "native";
-
 function address(path, language) {
   const url = new URL(path, document.baseURI);
   if (language) url.searchParams.set("language", language);
@@ -45,5 +43,4 @@ export const folder = {
   },
 };
 
-// The page in one file is made where the engine is part of it.
-export const page = async () => null;
+export const page = null;

@@ -1,7 +1,5 @@
 // The engine inside the page: a module in workers, one for what follows the hand and one for what takes longer.
 
-export const kind = "wasm";
-
 const inline = (id) => document.getElementById(id)?.textContent;
 const unpack = (stream) => stream.pipeThrough(new DecompressionStream("gzip"));
 
@@ -58,7 +56,7 @@ class Lane {
     this.worker.onmessage = ({ data }) => {
       // A module that has failed in the middle of something is begun anew.
       if (data.broken) this.stop();
-      if (this.busy) this.end(this.busy, data.broken ? "reject" : "resolve", data.broken ? new Error(data.broken) : data);
+      if (this.busy) this.end(this.busy, "resolve", data);
     };
     this.worker.postMessage({ module: ready });
   }
@@ -82,24 +80,30 @@ class Lane {
 }
 
 const lanes = { hand: new Lane(), long: new Lane() };
-const LONG = new Set(["relax", "sensitivity", "front", "export", "scene-picture", "simulate"]);
+const LONG = new Set(["relax", "sensitivity", "front", "export", "scene-picture", "simulate", "sweep"]);
 const lane = (route) => (LONG.has(route) ? lanes.long : lanes.hand);
 
+// A question at which the engine fails is not asked again: it would fail again.
+const failed = (message) => ({ error: { code: "broken", message } });
+
 export async function ask(route, text, signal) {
-  const { answer } = await lane(route).ask({ route, text }, signal);
+  const { answer, broken } = await lane(route).ask({ route, text }, signal);
+  if (broken) return failed(broken);
   const end = route === "export" ? answer.indexOf(10) : -1;
   if (end < 0) return JSON.parse(new TextDecoder().decode(answer));
   const { kind: type } = JSON.parse(new TextDecoder().decode(answer.subarray(0, end)));
   return new Blob([answer.subarray(end + 1)], { type });
 }
 
-export function keep(bytes, route) {
-  return lane(route).ask({ bytes });
+export async function keep(bytes, route) {
+  const { hash, broken } = await lane(route).ask({ bytes });
+  return broken ? failed(broken) : { hash };
 }
 
 export const folder = null;
 
-const PACKED = "<!--packed-->";
+// Where the page in one file has room for a scene, or has one already.
+const PACKED = /<!--packed-->|<script type="text\/plain" id="packed">[\w-]*<\/script>/;
 
 // This page in one file, with a packed scene inside.
 export async function page(scene) {

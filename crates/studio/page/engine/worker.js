@@ -12,26 +12,25 @@ function imports(module) {
   return all;
 }
 
-function given(text) {
-  const bytes = typeof text === "string" ? new TextEncoder().encode(text) : text;
+function given(bytes) {
   const at = engine.room(bytes.length);
   new Uint8Array(engine.memory.buffer, at, bytes.length).set(bytes);
-  return [at, bytes.length];
+  return at;
 }
 
 function taken(at) {
   const length = new DataView(engine.memory.buffer).getUint32(at, true);
   const bytes = new Uint8Array(engine.memory.buffer, at + 4, length).slice();
-  engine.free(at, length + 4);
+  engine.free(at);
   return bytes;
 }
 
 onmessage = async ({ data: { module, route, text, bytes } }) => {
   try {
     if (module) engine = (await WebAssembly.instantiate(module, imports(module))).exports;
-    else if (bytes) postMessage({ hash: new TextDecoder().decode(taken(engine.keep(...given(bytes)))) });
+    else if (bytes) postMessage({ hash: new TextDecoder().decode(taken(engine.keep(given(bytes)))) });
     else {
-      const answer = taken(engine.ask(...given(`${route}\n${text}`)));
+      const answer = taken(engine.ask(given(new TextEncoder().encode(`${route}\n${text}`))));
       postMessage({ answer }, [answer.buffer]);
     }
   } catch (error) {

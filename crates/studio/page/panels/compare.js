@@ -1,4 +1,4 @@
-// The slate of pinned designs, sensitivity bars, the trade-off front.
+// The slate of pinned designs, sensitivity bars, the trade-off front; below them runs and sweeps.
 
 import { $, make, clear, svg, notice } from "../core/dom.js";
 import { t, number, onLanguage } from "../core/words.js";
@@ -9,8 +9,9 @@ import * as designs from "../core/designs.js";
 import * as versions from "../core/versions.js";
 import { label } from "./form.js";
 import * as units from "../core/units.js";
+import * as runs from "./runs.js";
 import * as stage from "./stage.js";
-import * as charts from "./charts.js";
+import * as charts from "../charts/charts.js";
 
 const COLOURS = ["#e69f00", "#cc79a7", "#009e73", "#d55e00", "#56b4e9", "#8a7a00"];
 const ROWS = ["force_rms_error_n", "force_max_n", "stroke_m", "velocity_max_m_per_s", "acceleration_max_m_per_s2", "jerk_max_m_per_s3", "base_radius_m",
@@ -76,6 +77,8 @@ function build() {
     make("h2", {}, t("studio-front")), make("p", { class: "lead" }, t("studio-front-lead")));
   const against = make("select", { id: "against", "aria-label": t("studio-front-against") }, ...start.trades.map((q) => make("option", { value: q }, t(`studio-quantity-${q}`))));
   root.append(make("div", { class: "buttons" }, against, make("button", { type: "button", id: "trade", onclick: () => trade(against.value) }, t("studio-compute"))), make("div", { id: "front" }));
+  const figures = start.figures.filter(([name]) => ROWS.includes(name));
+  if (answer) root.append(...runs.sections({ present, fields: answer.fields, figures, edit }));
   table();
   if (bars) tornado();
   if (front) points();

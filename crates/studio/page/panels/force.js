@@ -5,7 +5,7 @@ import { t, number, onLanguage } from "../core/words.js";
 import { engine } from "../core/net.js";
 import * as blobs from "../core/blobs.js";
 import * as versions from "../core/versions.js";
-import { onTab, openTab, tab } from "../core/view.js";
+import { embedded, onTab, openTab, tab } from "../core/view.js";
 import { label, focus } from "./form.js";
 import * as hand from "./hand.js";
 
@@ -21,7 +21,7 @@ export function load(onEdit, onScene) {
   edit = onEdit;
   openScene = onScene;
   hand.load(onEdit);
-  drops();
+  if (!embedded) drops();
   onTab("force", async () => {
     try {
       folderFiles = engine.folder ? (await engine.folder.list()).filter((f) => !f.scene) : [];

@@ -6,12 +6,12 @@ import * as versions from "../core/versions.js";
 import * as designs from "../core/designs.js";
 import * as autosave from "../core/autosave.js";
 import * as units from "../core/units.js";
-import * as gallery from "./gallery.js";
-import * as exports from "./exports.js";
-import * as files from "./files.js";
-import * as history from "./history.js";
+import * as gallery from "../dialogs/gallery.js";
+import * as exports from "../dialogs/exports.js";
+import * as files from "../dialogs/files.js";
+import * as history from "../dialogs/history.js";
 import * as compare from "./compare.js";
-import * as charts from "./charts.js";
+import * as charts from "../charts/charts.js";
 
 export function load({ start, move, openScene }) {
   $("undo").addEventListener("click", () => move(versions.undo));

@@ -26,7 +26,7 @@ export function show(answer) {
   conflict(answer, answer.relaxations, []);
   renewed($("limits"), [answer.easing, answer.active, answer.notes], () => limits(answer));
   tables(answer);
-  if (answer.needs_relaxing) relax(answer);
+  if (answer.needs_relaxing && !answer.quick) relax(answer);
 }
 
 // Fills a box anew where what it shows has changed.
@@ -76,7 +76,7 @@ export function stop() {
 function conflict(answer, relaxations, together) {
   const box = clear($("conflict"));
   const useful = relaxations.filter((r) => r.value);
-  box.hidden = !answer.needs_relaxing || (answer.conflict.length === 0 && useful.length === 0 && together.length === 0);
+  box.hidden = answer.quick || !answer.needs_relaxing || (answer.conflict.length === 0 && useful.length === 0 && together.length === 0);
   if (box.hidden) return;
   if (answer.conflict.length > 0) {
     box.append(make("p", {}, make("strong", {}, t("studio-conflict")), " ", answer.conflict.join(" · ")));

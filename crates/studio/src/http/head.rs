@@ -163,4 +163,42 @@ mod tests {
             assert!(head(broken).is_err(), "{broken:?}");
         }
     }
+
+    /// Any bytes are answered or refused, and a head is a part of what was sent that does not depend on what follows it.
+    #[test]
+    fn damaged_heads_end_where_they_end_and_nothing_panics() {
+        const HEADS: [&str; 2] = [
+            "GET /a%20b?token=1%2b2&x=y+z HTTP/1.0\r\nHost: h\r\nConnection: close\r\n\r\nrest",
+            "POST /0123456789abcdef/design?language=es HTTP/1.1\r\nHost: 127.0.0.1:8080\r\nOrigin: http://127.0.0.1:8080\r\n\
+             Content-Length: 12\r\nExpect: 100-continue\r\n\r\n",
+        ];
+        // Xorshift: the same damage every time.
+        let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut roll = |below: usize| {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state >> 11) as usize % below
+        };
+        let length = |bytes: &[u8]| Some(Head::read(bytes).ok()??.1);
+        let mut whole = 0;
+        for round in 0..40_000 {
+            let mut bytes = HEADS[round % HEADS.len()].as_bytes().to_vec();
+            for _ in 0..roll(5) {
+                let at = roll(bytes.len());
+                match roll(4) {
+                    0 => bytes[at] = roll(256) as u8,
+                    1 => bytes.insert(at, b"%&=?: \r\n\0"[roll(9)]),
+                    2 => drop(bytes.drain(at..(at + roll(9)).min(bytes.len() - 1).max(at))),
+                    _ => bytes.extend_from_within(at..),
+                }
+            }
+            let Some(end) = length(&bytes) else { continue };
+            whole += 1;
+            assert!((1..=bytes.len()).contains(&end));
+            assert_eq!(length(&bytes[..end]), Some(end), "{bytes:?}");
+            assert_eq!(length(&bytes[..end - 1]), None, "{bytes:?}");
+        }
+        assert!(whole > 10_000, "{whole} heads of 40 000 are whole");
+    }
 }

@@ -186,3 +186,22 @@ class Page:
 
     def value(self, key):
         return self.page.input_value(f'[name="{key}"]')
+
+
+class Pages(unittest.TestCase):
+    """Tests that share one browser and one server; each opens pages of its own."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser()
+        cls.server = Server()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.server.kill()
+
+    def page(self, url=None, **more):
+        page = self.browser.page(url or self.server.url, **more)
+        self.addCleanup(page.page.context.close)
+        return page

@@ -5,26 +5,15 @@ import unittest
 import zipfile
 from pathlib import Path
 
-from studio import ROOT, Browser, Server
+from studio import ROOT, Pages
 
 SHARED = [folder / "shared" / "data" / "gait" for folder in (ROOT.parent, ROOT.parent.parent)]
 RUNNING = next((f for f in SHARED if f.is_dir()), SHARED[0]) / "opensim" / "grf_run.mot"
 
 
-class Direct(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = Browser()
-        cls.server = Server()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-        cls.server.kill()
-
+class Direct(Pages):
     def page(self, **more):
-        page = self.browser.page(self.server.url, **more)
-        self.addCleanup(page.page.context.close)
+        page = super().page(**more)
         page.page.click("#play")
         return page
 

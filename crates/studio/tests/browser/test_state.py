@@ -5,7 +5,7 @@ import re
 import time
 import unittest
 
-from studio import ROOT, Browser, Server
+from studio import ROOT, Pages
 
 CYCLE = "# critical points, period_s = 0.54\ntime_s,force_n\n"
 DROP = """([name, text]) => {
@@ -24,22 +24,7 @@ def after(seconds):
     return lambda route: (time.sleep(seconds), route.fallback())
 
 
-class State(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = Browser()
-        cls.server = Server()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-        cls.server.kill()
-
-    def page(self, **more):
-        page = self.browser.page(self.server.url, **more)
-        self.addCleanup(page.page.context.close)
-        return page
-
+class State(Pages):
     def drop(self, page, name, text):
         page.does(lambda: page.page.evaluate(DROP, [name, text]))
 

@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 from axe_playwright_python.base import AXE_FILE_PATH
-from studio import BINARY, ROOT, Browser, Server
+from studio import BINARY, ROOT, Pages, Server
 
 # Scenes that need a recording of their own show what is missing instead of a cam.
 WITHOUT_RECORDING = "measured_walk"
@@ -19,22 +19,7 @@ SIZES = [(400, 860), (1280, 800), (1400, 900), (2560, 1300)]
 PICTURES = ROOT / "target" / "studio-pictures"
 
 
-class Studio(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = Browser()
-        cls.server = Server()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-        cls.server.kill()
-
-    def page(self, **more):
-        page = self.browser.page(self.server.url, **more)
-        self.addCleanup(page.page.context.close)
-        return page
-
+class Studio(Pages):
     def quiet(self, page):
         self.assertEqual(page.said, [])
 

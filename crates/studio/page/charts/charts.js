@@ -3,10 +3,10 @@
 import { $, make, clear, say } from "../core/dom.js";
 import { Chart } from "./chart.js";
 import * as clock from "../core/clock.js";
-import { dialog } from "../core/view.js";
+import { dialog, embedded } from "../core/view.js";
 import { t, number, onLanguage } from "../core/words.js";
-import { label } from "./form.js";
-import * as hand from "./hand.js";
+import { label } from "../panels/form.js";
+import * as hand from "../panels/hand.js";
 import * as units from "../core/units.js";
 import * as handles from "./handles.js";
 
@@ -40,7 +40,7 @@ export function show(raw, next = fields) {
     charts.delete(id);
   }
   const first = ids.includes(large) ? large : usual(curves);
-  const seen = curves.panels.filter((p) => p.id === first || !hidden.has(p.id)).sort((a, b) => (b.id === first) - (a.id === first));
+  const seen = curves.panels.filter((p) => (embedded ? embedded.includes(p.id) : p.id === first || !hidden.has(p.id))).sort((a, b) => (b.id === first) - (a.id === first));
   for (const [id, chart] of charts) if (!seen.some((p) => p.id === id)) chart.root.remove();
   $("charts").style.setProperty("--rows", Math.ceil((seen.length - 1) / 2));
   seen.forEach((panel, i) => {
@@ -67,10 +67,11 @@ function made(id) {
   charts.set(id, chart);
   chart.labelOf = label;
   chart.onEnlarge = enlarge;
+  chart.onSay = (text) => say($("spoken"), text);
+  if (embedded) return chart;
   chart.onLimit = (key, value, gesture) => edit([{ set: { key, value } }], gesture, { title: label(key) });
   chart.onSegment = (edits, gesture) => edit(edits, gesture, { title: t("studio-programme") });
   if (id === "force") Object.assign(chart, { overlay: hand.overlay, onKnot: hand.place });
-  chart.onSay = (text) => say($("spoken"), text);
   return chart;
 }
 

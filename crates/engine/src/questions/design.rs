@@ -14,9 +14,9 @@ use crate::hash::Hash;
 use crate::sources::Files;
 use crate::{lock, table, words};
 use gaitcam::Problem;
-use gaitcam::cam::Continuity;
+use gaitcam::cam::{Continuity, Verdict};
 use gaitcam::error::Result;
-use gaitcam::scene::{Scene, keys};
+use gaitcam::scene::{Minimise, Scene, keys};
 use gaitcam::synth::{self, Design, FIGURES, Relaxation, Search};
 use gaitcam::wording::Language;
 use gaitcam_files::files::{self, Group};
@@ -35,11 +35,14 @@ pub struct Ask {
     /// By what the contour is coloured.
     #[serde(default)]
     pub colour: Colour,
-    /// The hand is moving: a cheaper answer would do. Every answer is the whole one so far.
+    /// Prime radius and offset (m) of the design before, while a value is moved: where the size is what is sought, a law
+    /// for about that size is an answer soon enough.
     #[serde(default)]
-    #[allow(dead_code)]
-    quick: bool,
+    pub quick: Option<[f64; 2]>,
 }
+
+/// Sizes tried for a quick answer, as multiples of the one before.
+const NEAR: [f64; 3] = [1.0, 1.1, 1.25];
 
 /// Everything that the page shows of a design.
 #[derive(Serialize)]
@@ -74,6 +77,8 @@ pub struct Answer {
     names: BTreeMap<String, String>,
     idle: bool,
     needs_relaxing: bool,
+    /// The size was held: the design of the scene is still to come.
+    quick: bool,
     server_ms: f64,
 }
 
@@ -124,8 +129,18 @@ pub struct Made {
 /// Faults of the changes, of the scene and of its force.
 pub fn design(files: &Files, ask: &Ask) -> Result<Answer> {
     let start = files.host.seconds();
-    let made = made(files, changed(files, ask)?)?;
+    let table = changed(files, ask)?;
+    let quick = match ask.quick {
+        Some(size) => near(files, &table, size)?,
+        None => None,
+    };
+    let is_quick = quick.is_some();
+    let made = match quick {
+        Some(made) => Arc::new(made),
+        None => made(files, table)?,
+    };
     let mut answer = answer(&made, ask.colour, words::current());
+    answer.quick = is_quick;
     answer.server_ms = 1e3 * (files.host.seconds() - start);
     Ok(answer)
 }
@@ -191,6 +206,47 @@ pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
     Ok(made)
 }
 
+/// The design of a scene whose size is sought, for about the size of another design: one convex program in place of a
+/// sequence. `None` where no size is sought.
+fn near(files: &Files, table: &Table, [prime, offset]: [f64; 2]) -> Result<Option<Made>> {
+    let start = files.host.seconds();
+    let (scene, whole) = files.scene(table)?;
+    let is_sought = scene.law.minimise == Some(Minimise::Size)
+        && scene.cam.roller_radius > 0.0
+        && scene.cam.given_radii().is_none();
+    if !is_sought {
+        return Ok(None);
+    }
+    let (target, force) = files.target(&scene)?.unzip();
+    let search = Search::until(files.host.halt());
+    let design = |factor: f64| {
+        let mut sized = scene.clone();
+        sized.cam.prime_radius = Some(factor * prime);
+        sized.cam.offset = scene.cam.offset.or(Some(offset));
+        synth::design(&Problem::resolve(&sized, target.as_ref())?, &search)
+    };
+    let mut found = design(NEAR[0])?;
+    for factor in &NEAR[1..] {
+        if found.verdict != Verdict::Unacceptable {
+            break;
+        }
+        found = design(*factor)?;
+    }
+    let total_s = files.host.seconds() - start;
+    Ok(Some(Made {
+        table: table.clone(),
+        whole,
+        scene,
+        design: found,
+        time: Timing {
+            solve_s: total_s,
+            total_s,
+        },
+        hash: files.of_scene(&toml::to_string(table).unwrap_or_default()),
+        force,
+    }))
+}
+
 fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
     let (design, scene) = (&kept.design, &kept.scene);
     let name = |typed: &str| parts::name(typed, language);
@@ -234,7 +290,8 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
         curves,
         names,
         idle: design.is_idle(),
-        needs_relaxing: design.verdict == gaitcam::cam::Verdict::Unacceptable,
+        needs_relaxing: design.verdict == Verdict::Unacceptable,
+        quick: false,
         server_ms: 0.0,
     }
 }

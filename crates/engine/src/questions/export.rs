@@ -3,8 +3,8 @@
 use serde::Deserialize;
 
 use crate::ask::{Answer, Body};
-use crate::design::{Made, made};
 use crate::fault::StudioError;
+use crate::questions::design::{Made, made};
 use crate::sources::Files;
 use crate::{table, words};
 use gaitcam::error::{Error, Result};

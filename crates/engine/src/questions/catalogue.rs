@@ -4,6 +4,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::ask::Start;
+use crate::questions::variation::{QUANTITIES, TRADES};
 use crate::sources::Files;
 use crate::{table, words};
 use gaitcam::error::Result;
@@ -33,8 +34,8 @@ pub fn start(start: &Start) -> Value {
         "words": {"en": words::page(Language::En), "es": words::page(Language::Es)},
         "keys": keys::json(),
         "scenes": scenes.collect::<Vec<_>>(),
-        "quantities": crate::variation::QUANTITIES.map(|q| q.0),
-        "trades": crate::variation::TRADES,
+        "quantities": QUANTITIES.map(|q| q.0),
+        "trades": TRADES,
         "figures": FIGURES.each_ref().map(|f| (f.column, people(f.unit))),
         "longest_s": crate::LONGEST,
     })

@@ -6,7 +6,9 @@ import { engine } from "../core/net.js";
 import { dialog } from "../core/view.js";
 import * as blobs from "../core/blobs.js";
 import { zip } from "../core/zip.js";
+import { pack } from "../core/packing.js";
 import * as designs from "../core/designs.js";
+import * as versions from "../core/versions.js";
 
 // Files that are made for a cutter.
 const CUTTER = ["cutter.csv", "cutter.nc", "cutter_second.nc"];
@@ -27,6 +29,7 @@ export function open() {
         make("small", {}, t(`studio-file-${name.replaceAll(".", "-")}`))));
       body.append(make("section", {}, make("h3", {}, t(`studio-export-${group}`)), make("ul", {}, ...links)));
     }
+    if (engine.page) body.append(page(`${answer.name}.html`));
     body.append(make("p", {}, whole(answer, make_)));
     if (!answer.infeasible) body.append(make("p", {}, make("label", { for: "tool" }, t("studio-tool")), " ", tool));
     body.append(make("p", { class: "lead" }, t("studio-export-tolerance")));
@@ -49,6 +52,15 @@ function link(name, made) {
     }
   } }, name);
   return a;
+}
+
+// This page with the scene inside, and how another page shows it.
+function page(name) {
+  const made = async () => engine.page((await pack(versions.now())).text);
+  const frame = `<iframe src="${name}?embed=force,s" title="${name}" width="900" height="600"></iframe>`;
+  return make("section", {}, make("h3", {}, t("studio-export-page")),
+    make("ul", {}, make("li", {}, link(name, made), make("small", {}, t("studio-file-page")))),
+    make("p", { class: "lead" }, t("studio-export-frame")), make("code", { id: "frame" }, frame));
 }
 
 // All files in one archive; one that cannot be made is left out and named.

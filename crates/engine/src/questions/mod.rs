@@ -1,0 +1,8 @@
+//! Questions, one file per kind.
+
+pub mod catalogue;
+pub mod design;
+pub mod export;
+pub mod recording;
+pub mod runs;
+pub mod variation;

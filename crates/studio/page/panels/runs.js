@@ -1,0 +1,83 @@
+// The finished cam in motion, and a table of designs over one or two values.
+
+import { $, make, clear, notice } from "../core/dom.js";
+import { t, number } from "../core/words.js";
+import { engine } from "../core/net.js";
+import * as units from "../core/units.js";
+import { label } from "./form.js";
+
+// Values of one key, and of each of two.
+const [ALONE, BOTH] = [13, 7];
+const said = (error) => notice([error.place, error.message, error.help].filter(Boolean).join(" – "));
+let ran = null;
+let grid = null;
+
+// `present` gives the scene on the screen with its files, `fields` its fields, `figures` the columns with their units.
+export function sections({ present, fields, figures, edit }) {
+  const keys = Object.keys(fields).filter((key) => fields[key].slider && fields[key].text);
+  const choice = (id, first) => make("select", { id, "aria-label": t(`studio-${id}`) }, ...first, ...keys.map((key) => make("option", { value: key }, label(key))));
+  const across = choice("sweep-across", []);
+  const down = choice("sweep-down", [make("option", { value: "" }, "–")]);
+  const figure = make("select", { id: "sweep-figure", "aria-label": t("studio-sweep-figure") }, ...figures.map(([name]) => make("option", { value: name }, t(`studio-number-${name}`))));
+  const button = (id, action) => make("button", { type: "button", id, onclick: async ({ target }) => {
+    target.disabled = true;
+    await action().catch(said);
+    target.disabled = false;
+  } }, t("studio-compute"));
+  const run = async () => {
+    ran = await engine.ask("simulate", present());
+    motion();
+  };
+  const sweep = async () => {
+    const size = down.value && down.value !== across.value ? BOTH : ALONE;
+    const axes = [across.value, size === BOTH ? down.value : ""].filter(Boolean).map((key) => ({ key, values: values(fields[key].slider, size) }));
+    const vary = axes.map(({ key, values: [first, ...rest] }) => `${key}=${first}:${rest.at(-1)}:${size}`);
+    const answer = await engine.ask("sweep", { ...present(), vary, column: figure.value });
+    grid = { ...answer, axes, figure: figures.find(([name]) => name === figure.value) };
+    designs(edit);
+  };
+  const out = [make("h2", {}, t("studio-simulate")), make("p", { class: "lead" }, t("studio-simulate-lead")), make("div", { class: "buttons" }, button("simulate", run)), make("div", { id: "motion" }),
+    make("h2", {}, t("studio-sweep")), make("p", { class: "lead" }, t("studio-sweep-lead")), make("div", { class: "buttons" }, across, down, figure, button("sweep", sweep)), make("div", { id: "grid" })];
+  queueMicrotask(() => { motion(); designs(edit); });
+  return out;
+}
+
+// From half to half as much again, within the slider's ends.
+function values({ from, to, at, unit }, count) {
+  const [low, high] = [Math.max(from, at - 0.5 * Math.abs(at)), Math.min(to, at + 0.5 * Math.abs(at))];
+  return Array.from({ length: count }, (_, i) => `${Number((low + (high - low) * i / (count - 1)).toPrecision(4))}${unit}`);
+}
+
+function motion() {
+  const box = $("motion");
+  if (!box || !ran) return;
+  if (ran.why) clear(box).append(make("p", {}, ran.why));
+  else {
+    clear(box).append(make("pre", { class: "scroll", tabindex: "0" }, ran.table), make("div", { class: "run" }));
+    box.lastChild.innerHTML = ran.picture;
+  }
+}
+
+// A table coloured by the figure: rows over the first key, columns over the second; a click takes the values.
+function designs(edit) {
+  const box = $("grid");
+  if (!box || !grid) return;
+  if (!grid.values) {
+    clear(box).append(make("p", {}, t("studio-sweep-none")));
+    return;
+  }
+  const { axes: [rows, columns], figure: [name, [of, plain]] } = grid;
+  const [unit, factor] = units.unit(of);
+  const width = columns?.values.length ?? 1;
+  const found = grid.values.filter((x) => x !== null);
+  const [low, high] = [Math.min(...found), Math.max(...found)];
+  const cell = (i, j) => {
+    const [x, verdict] = [grid.values[i * width + j], grid.verdicts[i * width + j]];
+    const take = () => edit([rows, columns].filter(Boolean).map((axis, k) => ({ set: { key: axis.key, value: axis.values[k === 0 ? i : j] } })));
+    return make("td", { class: `n ${verdict ?? ""}`, style: x === null ? null : `--part:${high > low ? Math.round(100 * (x - low) / (high - low)) : 0}%` },
+      make("button", { type: "button", class: "plain", onclick: take, title: verdict ? t(`studio-verdict-${verdict}`) : "" }, x === null ? "–" : number(x * plain * factor)));
+  };
+  const head = columns ? [make("tr", {}, make("td", {}, `${label(rows.key)} / ${label(columns.key)}`), ...columns.values.map((v) => make("th", { scope: "col" }, v)))] : [];
+  const body = rows.values.map((v, i) => make("tr", {}, make("th", { scope: "row" }, v), ...Array.from({ length: width }, (_, j) => cell(i, j))));
+  clear(box).append(make("p", {}, `${t(`studio-number-${name}`)}, ${unit}`), make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "grid" }, make("thead", {}, ...head), make("tbody", {}, ...body))));
+}
