@@ -252,9 +252,15 @@ impl<'a> Relaxing<'a> {
         let holds = |value: f64| self.may_pass(number, value);
         let works = self.bisected(works, fails, precise, holds);
         // At the boundary of feasibility a program may fail numerically; a slightly weaker one is solved.
-        let rounded = ROOMS.map(|room| number.with_room(works, room));
-        let passes = |to: &f64| self.tried(number, *to).is_some();
-        rounded.into_iter().find(passes)
+        // Next to its own edge a limited accuracy makes every program of a sequence slow.
+        let least = if self.problem.limited_error().is_some() {
+            COARSE
+        } else {
+            0.0
+        };
+        let rooms = ROOMS.into_iter().filter(|room| *room >= least);
+        let mut rounded = rooms.map(|room| number.with_room(works, room));
+        rounded.find(|to| self.tried(number, *to).is_some())
     }
 
     /// Of a range between a value that holds and one that does not, the end that holds once the range is `precise` enough.

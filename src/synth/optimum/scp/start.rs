@@ -85,7 +85,7 @@ pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Optio
                 step *= 2.0;
             }
             None => {
-                step *= 0.5;
+                step = 0.5 * (share - reached);
                 if step < SMALLEST_SHARE {
                     return None;
                 }
