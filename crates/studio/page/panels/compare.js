@@ -32,7 +32,10 @@ export function load(page) {
 
 export function show(next, more) {
   answer = next;
-  if (!more && openTab() === "compare") table();
+  if (!more && openTab() === "compare") {
+    table();
+    age();
+  }
 }
 
 export function pin() {
@@ -78,10 +81,11 @@ function build() {
   const against = make("select", { id: "against", "aria-label": t("studio-front-against") }, ...start.trades.map((q) => make("option", { value: q }, t(`studio-quantity-${q}`))));
   root.append(make("div", { class: "buttons" }, against, make("button", { type: "button", id: "trade", onclick: () => trade(against.value) }, t("studio-compute"))), make("div", { id: "front" }));
   const figures = start.figures.filter(([name]) => ROWS.includes(name));
-  if (answer) root.append(...runs.sections({ present, fields: answer.fields, figures, edit }));
+  if (answer) root.append(...runs.sections({ ask, fields: answer.fields, figures, edit }));
   table();
   if (bars) tornado();
   if (front) points();
+  age();
 }
 
 function table() {
@@ -114,9 +118,24 @@ const inputsOf = (fields) => Object.fromEntries(Object.entries(fields).filter(([
 // The scene on the screen with its files.
 const present = () => ({ scene: designs.present().answer.scene, files: blobs.listed(designs.present().files) });
 
+// Boxes with what each was computed from: those of a design that is no longer on the screen are dimmed.
+const computed = new Map();
+
+async function ask(route, box, question = {}) {
+  const of = present();
+  const found = await engine.ask(route, { ...of, ...question });
+  computed.set(box, JSON.stringify(of));
+  age();
+  return found;
+}
+
+function age() {
+  for (const [box, of] of computed) $(box)?.classList.toggle("stale", of !== JSON.stringify(present()));
+}
+
 async function vary(quantity) {
   try {
-    bars = await engine.ask("sensitivity", { ...present(), quantity, share: 0.05 });
+    bars = await ask("sensitivity", "tornado", { quantity, share: 0.05 });
     tornado();
   } catch (error) {
     notice(error.message);
@@ -147,7 +166,7 @@ function tornado() {
 
 async function trade(against) {
   try {
-    front = await engine.ask("front", { ...present(), against });
+    front = await ask("front", "front", { against });
     points();
   } catch (error) {
     notice([error.place, error.message, error.help].filter(Boolean).join(" – "));

@@ -2,7 +2,6 @@
 
 import { $, make, clear, notice } from "../core/dom.js";
 import { t, number } from "../core/words.js";
-import { engine } from "../core/net.js";
 import * as units from "../core/units.js";
 import { label } from "./form.js";
 
@@ -12,8 +11,8 @@ const said = (error) => notice([error.place, error.message, error.help].filter(B
 let ran = null;
 let grid = null;
 
-// `present` gives the scene on the screen with its files, `fields` its fields, `figures` the columns with their units.
-export function sections({ present, fields, figures, edit }) {
+// `ask` sends a question about the design on the screen for a box, `fields` are its fields, `figures` the columns with units.
+export function sections({ ask, fields, figures, edit }) {
   const keys = Object.keys(fields).filter((key) => fields[key].slider && fields[key].text);
   const choice = (id, first) => make("select", { id, "aria-label": t(`studio-${id}`) }, ...first, ...keys.map((key) => make("option", { value: key }, label(key))));
   const across = choice("sweep-across", []);
@@ -25,14 +24,14 @@ export function sections({ present, fields, figures, edit }) {
     target.disabled = false;
   } }, t("studio-compute"));
   const run = async () => {
-    ran = await engine.ask("simulate", present());
+    ran = await ask("simulate", "motion");
     motion();
   };
   const sweep = async () => {
     const size = down.value && down.value !== across.value ? BOTH : ALONE;
     const axes = [across.value, size === BOTH ? down.value : ""].filter(Boolean).map((key) => ({ key, values: values(fields[key].slider, size) }));
     const vary = axes.map(({ key, values: [first, ...rest] }) => `${key}=${first}:${rest.at(-1)}:${size}`);
-    const answer = await engine.ask("sweep", { ...present(), vary, column: figure.value });
+    const answer = await ask("sweep", "grid", { vary, column: figure.value });
     grid = { ...answer, axes, figure: figures.find(([name]) => name === figure.value) };
     designs(edit);
   };

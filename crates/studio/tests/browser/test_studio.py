@@ -261,6 +261,27 @@ class Studio(Pages):
         page.does(lambda: page.page.locator(".front .knot").last.click())
         self.quiet(page)
 
+    def test_a_cam_in_motion_and_a_sweep_belong_to_the_design_they_were_computed_from(self):
+        page = self.page()
+        page.page.click("#tab-compare")
+        page.page.click("#simulate")
+        page.page.wait_for_selector("#motion svg")
+        self.assertIn("N", page.page.inner_text("#motion pre"))
+        page.page.select_option("#sweep-across", "drive.mass")
+        page.page.click("#sweep")
+        page.page.wait_for_selector("#grid tbody tr", timeout=60000)
+        self.assertEqual(page.page.locator("#grid tbody tr").count(), 13)
+        of_another = ":is(#motion, #grid).stale"
+        self.assertEqual(page.page.locator(of_another).count(), 0)
+        page.page.click("#tab-values")
+        page.sets("gait.step_frequency", "2 Hz")
+        page.page.click("#tab-compare")
+        self.assertEqual(page.page.locator(of_another).count(), 2)
+        page.page.click("#simulate")
+        page.page.wait_for_selector("#motion:not(.stale) svg")
+        page.does(lambda: page.page.locator("#grid td button").first.click())
+        self.quiet(page)
+
     def test_the_keyboard_reaches_everything(self):
         page = self.page()
         page.page.reload()
