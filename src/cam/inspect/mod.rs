@@ -152,6 +152,10 @@ impl Cam {
             fits.push((rms(&feet), pose, feet));
         }
         fits.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // Of equal fits that whose centre is nearest to the frame's origin: most cams are measured about their shaft.
+        let equal = fits.partition_point(|f| f.0 <= fits[0].0 + ALIKE.1);
+        let far = |pose: &Pose| pose.centre()[0].hypot(pose.centre()[1]);
+        fits[..equal].sort_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
         let Some((least, pose, feet)) = fits.first() else {
             return Err(CamError::MeasuredCircle.into());
         };
