@@ -55,7 +55,9 @@ async function follow(recording, key) {
   if (seen === key && openTab() === "force") build();
 }
 
-function described({ file, without }, hash) {
+async function described({ file, without }, hash) {
+  // After a reload the engine may not have it yet.
+  await blobs.get(hash);
   return without.length > 0 ? engine.ask("contacts", { file, hash, without }) : engine.ask("recording", { file, hash });
 }
 

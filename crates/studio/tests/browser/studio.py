@@ -75,6 +75,7 @@ class Native:
 
 
 Server = Static if DIST else Native
+of_server = unittest.skipIf(DIST, "static files have no server")
 
 
 class Browser:

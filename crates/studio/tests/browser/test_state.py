@@ -5,7 +5,7 @@ import re
 import time
 import unittest
 
-from studio import ROOT, Pages
+from studio import ROOT, Pages, of_server
 
 CYCLE = "# critical points, period_s = 0.54\ntime_s,force_n\n"
 DROP = """([name, text]) => {
@@ -233,6 +233,7 @@ class State(Pages):
         # Its contents and its appearance are one announcement.
         self.assertLessEqual(page.page.evaluate("window.said"), 2)
 
+    @of_server
     def test_nothing_is_greyed_below_a_second_and_nothing_moves_while_a_design_is_made(self):
         page = self.page()
         page.page.evaluate(
@@ -254,6 +255,7 @@ class State(Pages):
             self.assertEqual(seen["busy"] > 0, greyed, wait)
             self.assertEqual(len(set(seen["tops"])), 1, set(seen["tops"]))
 
+    @of_server
     def test_no_placeholder_of_a_text_reaches_the_page(self):
         start = json.loads(self.page().page.evaluate("fetch('start', {method: 'POST', body: '{}'}).then((r) => r.text())"))
         for tag, words in start["words"].items():

@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 from axe_playwright_python.base import AXE_FILE_PATH
-from studio import BINARY, ROOT, Pages, Server
+from studio import BINARY, ROOT, Pages, Server, of_server
 
 # Scenes that need a recording of their own show what is missing instead of a cam.
 WITHOUT_RECORDING = "measured_walk"
@@ -179,6 +179,7 @@ class Studio(Pages):
         self.assertEqual(len(rows), 1440)
         self.quiet(page)
 
+    @of_server
     def test_a_scene_is_saved_beside_what_is_there(self):
         page = self.page()
         for name in ["kept.toml", "kept-2.toml"]:
@@ -211,6 +212,7 @@ class Studio(Pages):
         self.quiet(page)
         self.quiet(other)
 
+    @of_server
     def test_a_server_that_is_killed_and_started_again_is_told_and_loses_nothing(self):
         server = Server()
         page = self.browser.page(server.url)
