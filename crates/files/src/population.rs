@@ -34,7 +34,8 @@ pub struct Inside {
     pub others: Vec<String>,
 }
 
-/// The files of a folder and of those in it; hidden files are left out without a word.
+/// The files of a folder and of those in it; hidden files are left out without a word. Links to folders are not followed: they
+/// may lead back to where they stand.
 ///
 /// # Errors
 /// A folder that cannot be read.
@@ -57,9 +58,9 @@ fn collect(folder: &Path, out: &mut Inside) -> Result<()> {
         if name.starts_with('.') {
             continue;
         }
-        if path.is_dir() {
+        if path.is_dir() && !path.is_symlink() {
             collect(&path, out)?;
-        } else if is_called_a_recording(&name.to_lowercase()) {
+        } else if !path.is_dir() && is_called_a_recording(&name.to_lowercase()) {
             out.recordings.push(path);
         } else {
             out.others.push(name);
@@ -254,4 +255,22 @@ fn file_name(path: &Path) -> String {
 
 fn leaves_out(gait: &Gait, name: &str) -> bool {
     gait.leave_out.iter().any(|out| out == name)
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn links_of_a_folder_to_itself_are_not_followed() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path();
+        std::fs::write(path.join("walk.csv"), "").unwrap();
+        for name in ["a", "b", "c.csv"] {
+            std::os::unix::fs::symlink(path, path.join(name)).unwrap();
+        }
+        let found = inside(path).unwrap();
+        assert_eq!(found.recordings, [path.join("walk.csv")]);
+        assert_eq!(found.others, ["a", "b", "c.csv"]);
+    }
 }
