@@ -39,19 +39,10 @@ pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
     let at = inside(table, path).map_err(|e| e.at_key(key))?;
     let replaced: &[&str] = match key {
         "gait.file" => &["model", "harmonics", "step_frequency", "body_weight"],
-        "gait.model" => &[
-            "file",
-            "harmonics",
-            "time",
-            "force",
-            "unit",
-            "rate",
-            "mass",
-            "leave_out",
-        ],
-        "gait.harmonics" => &[
+        "gait.model" | "gait.harmonics" => &[
             "file",
             "model",
+            "harmonics",
             "time",
             "force",
             "unit",
@@ -61,7 +52,7 @@ pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
         ],
         _ => &[],
     };
-    for other in replaced {
+    for other in replaced.iter().filter(|other| *other != last) {
         at.remove(*other);
     }
     at.insert((*last).to_string(), value);
