@@ -20,8 +20,9 @@ use crate::program::{EXTRAS, Failure, PEAK, Program, RmsLimit, Row, Solution, St
 
 /// Root mean square, as a part of what is allowed, below which none is smaller.
 const SMALL: f64 = 1e-2;
-/// Part of a neighbour's step taken per unit of what its weight leaves: a step changes ln of the root mean square by 0.02 or more.
-const NEAR: f64 = 100.0;
+/// A neighbour's weight that leaves the root mean square this part from what is allowed, or more, is moved by a whole step; one
+/// that leaves less by so much less.
+const NEAR: f64 = 0.01;
 
 /// An optimum on the way.
 struct Tried<N: Names> {
@@ -65,8 +66,8 @@ pub fn solve<N: Names>(
     if let Some(tangent) = neighbour.filter(|r| r.multiplier > 0.0) {
         let weight = (tangent.multiplier / limit.most).ln();
         let near = search.at(weight).and_then(|here| {
-            // A neighbour's weight that nearly serves: the other end of the bracket is near too, and so are its contacts.
-            let step = settings.near_step * (NEAR * here.excess.abs()).min(1.0);
+            // A short step keeps the contacts.
+            let step = settings.near_step * (here.excess.abs() / NEAR).clamp(NEAR, 1.0);
             search.bracket(here, step, settings.near_steps)
         });
         if let Ok(Some([inside, outside])) = near {
