@@ -86,6 +86,8 @@ struct Average {
     spread_n: Option<Vec<f64>>,
     averaged: usize,
     source: CycleSource,
+    /// What was left out of it.
+    note: Option<Note>,
 }
 
 impl Average {
@@ -102,6 +104,7 @@ impl Average {
             spread_n,
             averaged: durations.len(),
             source,
+            note: None,
         }
     }
 
@@ -124,6 +127,7 @@ impl Average {
             spread_n: known.then(deviations),
             averaged,
             source,
+            note: None,
         }
     }
 }
@@ -222,7 +226,7 @@ fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet
         },
         mean_of_weight: mean_of_weight(&curve, feet).unwrap_or(1.0),
         mass_fits: warning.is_none(),
-        notes: warning.into_iter().collect(),
+        notes: warning.into_iter().chain(average.note).collect(),
         curve,
     };
     let more = warnings(recording, stances, &cycle, total);

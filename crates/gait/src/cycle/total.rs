@@ -3,7 +3,8 @@
 use super::Average;
 use super::average::{Mean, at, periodic};
 use crate::curve::SAMPLES;
-use crate::recording::{CycleSource, PeriodSource, Recording};
+use crate::quantity::seconds;
+use crate::recording::{CycleSource, Note, PeriodSource, Recording};
 use crate::stance::{RejectReason, Rejected, Stances, footfalls};
 use crate::statistics::{mean, mean_and_deviation, ranked};
 
@@ -154,7 +155,29 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
     let strides = durations.len();
     let source = CycleSource::TotalForce { strides };
     let from = PeriodSource::TotalForce;
-    Some(Average::of_cycles(average, &durations, from, source))
+    let note = other_speeds(&steps, usual, n / recording.rate_hz);
+    Some(Average {
+        note,
+        ..Average::of_cycles(average, &durations, from, source)
+    })
+}
+
+/// Part of the steps of a recording that may be of another speed before that is said.
+const OTHER_SPEED: f64 = 0.15;
+
+/// Whether regular steps fill the whole duration, s, but for one step at either end: those of another speed pass the mean
+/// force unseen or are irregular.
+fn other_speeds(steps: &[f64], usual: f64, duration_s: f64) -> Option<Note> {
+    let regular = || steps.iter().filter(|s| (*s / usual - 1.0).abs() < ODD_STEP);
+    let used = regular().count();
+    let stances = (duration_s / usual) as usize;
+    let changes = (used + 2) as f64 <= (1.0 - OTHER_SPEED) * stances as f64;
+    changes.then(|| Note::SpeedChanges {
+        used,
+        stances,
+        low: seconds(regular().copied().fold(f64::INFINITY, f64::min)),
+        high: seconds(regular().copied().fold(0.0, f64::max)),
+    })
 }
 
 /// Longest part of a total that is looked at for its repetition, s, and the rate at which it is, Hz.

@@ -55,12 +55,10 @@ pub(super) fn words(name: &str) -> Vec<String> {
     words
 }
 
-/// The unit in brackets at the end of a name, as in `Force [N]` or `time(ms)`.
-pub(super) fn bracketed(name: &str) -> Option<&str> {
-    let open = name.rfind(['[', '('])?;
-    let rest = &name[open + 1..];
-    let close = rest.find([']', ')'])?;
-    Some(rest[..close].trim())
+/// What stands in the brackets of a name: `N` and `left` of `Fz [N] (left)`.
+pub(super) fn bracketed(name: &str) -> impl Iterator<Item = &str> {
+    let opened = name.split(['[', '(']).skip(1);
+    opened.filter_map(|rest| Some(rest[..rest.find([']', ')'])?].trim()))
 }
 
 /// Reads one column name.
@@ -87,6 +85,22 @@ pub(super) fn role(name: &str) -> Role {
         return Role::Frame;
     }
     Role::Other
+}
+
+/// Whether a word says which channel of force a column is: its foot, plate or direction.
+pub(super) fn is_of_channel(word: &str) -> bool {
+    let lists = [
+        LEFT,
+        RIGHT,
+        SIDE,
+        VERTICAL,
+        VERTICAL_FORCE,
+        WHOLE,
+        STRONG_FORCE,
+        WEAK_FORCE,
+    ];
+    let number = word.chars().all(|c| c.is_ascii_digit());
+    number || axis_letter(word).is_some() || lists.iter().any(|list| is(word, list))
 }
 
 /// Whether a name states that the force is vertical, total or normal, not only that it is a force.
@@ -230,6 +244,7 @@ mod tests {
         assert_eq!(role("Frame"), Role::Frame);
         assert_eq!(role("Sub Frame"), Role::SubFrame);
         assert_eq!(role("#Sample"), Role::Frame);
-        assert_eq!(bracketed("time [ms]"), Some("ms"));
+        assert_eq!(bracketed("time [ms]").next(), Some("ms"));
+        assert!(bracketed("Fz (left) [N] (2").eq(["left", "N"]));
     }
 }

@@ -10,8 +10,8 @@ use super::columns::{Role, role, words};
 use super::critical_points::{critical, through};
 use super::keys;
 use super::text::{
-    Lines, Position, Table, TextFile, column, next_table, numbers, plain, text, time_unit,
-    unit_label,
+    Lines, Position, Table, TextFile, check_unit, column, next_table, numbers, plain, text,
+    time_unit, unit_label,
 };
 use super::timebase::polyline;
 use crate::curve::{ForceCurve, SAMPLES};
@@ -88,6 +88,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
 
 /// Newtons per unit of a column.
 fn newtons(file: &TextFile, table: &Table, column: usize, mass_kg: Option<f64>) -> Result<f64> {
+    check_unit(file, table, column)?;
     let label = unit_label(table, column);
     let unit = file.options.unit.or(label).unwrap_or(ForceUnit::Newton);
     unit.newtons(mass_kg).ok_or_else(|| {

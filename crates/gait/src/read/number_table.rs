@@ -86,7 +86,7 @@ impl<'a> NumberTable<'a> {
         if let Some(unit) = self.table.unit(column) {
             return (whole.to_lowercase(), Some(unit.to_string()));
         }
-        let (name, unit) = match (bracketed(whole), whole.find(['[', '('])) {
+        let (name, unit) = match (bracketed(whole).last(), whole.find(['[', '('])) {
             (Some(unit), Some(open)) => (&whole[..open], Some(unit)),
             _ => match whole.split_once(['_', ' ']) {
                 Some((name, unit)) => (name, Some(unit)),

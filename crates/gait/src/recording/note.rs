@@ -379,6 +379,10 @@ impl Note {
             Note::StrideAssumed { .. } => (Clock, &["gait.mass", "gait.period", "gait.span"]),
             Note::StrideImplausible { .. } => (Clock, &["gait.rate", "gait.kind"]),
             Note::StrideVaries { .. } => (Clock, &["gait.file"]),
+            // Two blocks of speed: nothing says which one is meant.
+            Note::SpeedChanges { used, stances, .. } if 3 * used < 2 * stances => {
+                (Clock, &["gait.file"])
+            }
             Note::Clipped { .. } => (Clipped, &["gait.file", "gait.force"]),
             Note::UnitUnconfirmed { .. } => (Mass, &["gait.unit", "gait.mass"]),
             Note::PeakImplausible { .. } => (Mass, &["gait.mass", "gait.unit", "gait.kind"]),

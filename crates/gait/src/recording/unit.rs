@@ -45,6 +45,9 @@ pub enum ForceUnit {
         to_string = "BW",
         serialize = "N/BW",
         serialize = "xBW",
+        serialize = "x BW",
+        serialize = "body weight",
+        serialize = "body weights",
         serialize = "N/N"
     )]
     BodyWeight,
@@ -53,6 +56,8 @@ pub enum ForceUnit {
         to_string = "%BW",
         serialize = "% BW",
         serialize = "BW%",
+        serialize = "BW %",
+        serialize = "% body weight",
         serialize = "percentBW"
     )]
     PercentBodyWeight,

@@ -63,24 +63,24 @@ impl Usual {
         }
     }
 
-    /// Whether two contacts together last no longer than one stance does elsewhere, or at all.
+    /// Whether two contacts together last no longer than the stances about them do, or one at all.
     fn is_one_stance(&self, i: usize, j: usize, together_s: f64) -> bool {
-        let others = self.main.iter().filter(|(k, _)| *k != i && *k != j);
-        let longest = others.map(|m| m.1).fold(0.0, f64::max);
-        together_s
-            < if longest > 0.0 {
-                1.2 * longest
-            } else {
-                WHOLE_S
-            }
+        let others = self.about(i).filter(|(k, _)| *k != i && *k != j);
+        let usual = low_median(others.map(|m| m.1).collect());
+        together_s < usual.map_or(WHOLE_S, |s| 1.2 * s)
     }
 
     /// Duration of the contacts about a place of the list, s.
     fn duration_s(&self, place: usize) -> Option<f64> {
+        low_median(self.about(place).map(|m| m.1).collect())
+    }
+
+    /// The main contacts about a place of the list, in time.
+    fn about(&self, place: usize) -> impl Iterator<Item = &(usize, f64)> {
         let at = self.main.partition_point(|(i, _)| *i < place);
         let from = at.saturating_sub(FELLOWS);
         let to = (at + FELLOWS + 1).min(self.main.len());
-        low_median(self.main[from..to].iter().map(|m| m.1).collect())
+        self.main[from..to].iter()
     }
 }
 

@@ -1,27 +1,50 @@
 //! Clipping: the amplifier or converter stops at a level below the peaks of the force.
+//!
+//! Noise, gain, resampling and a removed drift leave this of it: many readings at one level, none above, and few just below,
+//! where the force passes the level steeply.
 
-use super::longest_run;
+use super::crowd;
+use crate::statistics::median;
 
-/// Shortest plateau that is counted, s.
+/// Readings above this part of the highest are looked at.
+const UPPER: f64 = 0.6;
+/// Half width of the level: part of the highest reading, and standard deviations of the noise.
+const WIDTH: (f64, f64) = (0.004, 2.5);
+/// Most readings above the level, as a part of those at it.
+const ABOVE: f64 = 0.03;
+/// Readings at the level over those just below, in an equal width. A parabola has 2.4, and peaks of several contacts differ:
+/// made walkers, runners and jumpers stay below 3.3. Of one or two contacts a flat top has more: 5.3 where it falls with the
+/// fourth power of time.
+const CROWDED: (f64, f64) = (3.5, 6.0);
+/// Fewest readings at the level.
+const FEWEST: usize = 8;
+/// Shortest time at the level in a contact that reaches it, s.
 const HELD_S: f64 = 0.03;
-/// Curvature of a walking peak over its force, 1/s²: rounding to a step q makes a plateau of 2 √(2q/(κF)).
-const CURVATURE: f64 = 40.0;
 
-/// The level at which readings stop: their maximum, where two contacts (or one for twice as long) hold it to the last
-/// digit for longer than the rounding of the readings explains.
-pub(super) fn clipped(force: &[f64], rate_hz: f64) -> Option<f64> {
+/// The level at which readings without drift stop, N; `None` where they reach their peaks.
+///
+/// `unloaded_n`: standard deviation of the unloaded reading, N.
+pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f64> {
     let top = force.iter().copied().fold(0.0, f64::max);
-    let plateau = |contact: &[f64]| longest_run(contact, top - 1e-9 * top, top);
-    let samples = |s: f64| ((s * rate_hz).round() as usize).max(3);
-    // Steps are looked at in the few recordings that reach this.
-    if plateau(force) < samples(HELD_S) {
-        return None;
-    }
-    let steps = force.windows(2).map(|w| (w[1] - w[0]).abs());
-    let rounding = steps.filter(|s| *s > 1e-9 * top).fold(top, f64::min);
-    let rounded_s = 2.5 * (2.0 * rounding / (CURVATURE * top)).sqrt();
-    let fewest = samples(HELD_S.max(rounded_s));
-    let contacts = force.split(|f| *f < 0.5 * top);
-    let plateaus: Vec<usize> = contacts.map(plateau).filter(|n| *n >= fewest).collect();
-    (plateaus.len() > 1 || plateaus.iter().any(|n| *n >= 2 * fewest)).then_some(top)
+    let noise = unloaded_n.max(noise(force, UPPER * top));
+    let half = (WIDTH.0 * top).max(WIDTH.1 * noise);
+    let (level, at) = crowd(force, UPPER * top, top, 2.0 * half);
+    let within = |low: f64, high: f64| force.iter().filter(|x| **x > low && **x <= high).count();
+    let below = within(level - 3.0 * half, level - half).max(1);
+    let above = within(level + half, top);
+    let contacts = force.split(|x| *x < 0.5 * top);
+    let reach = contacts.filter(|c| c.iter().any(|x| *x >= level - half));
+    let contacts = reach.count().max(1);
+    let crowded = if contacts > 2 { CROWDED.0 } else { CROWDED.1 };
+    let stops = above as f64 <= ABOVE * at as f64 && at as f64 > crowded * below as f64;
+    let held_s = at as f64 / rate_hz / contacts as f64;
+    (stops && at >= FEWEST && held_s > HELD_S).then_some(level)
+}
+
+/// Standard deviation of white noise, N, in readings above a level: from second differences, of which that of the force is
+/// small.
+fn noise(force: &[f64], least: f64) -> f64 {
+    let upper = force.windows(3).filter(|w| w.iter().all(|x| *x > least));
+    let bends = upper.map(|w| (w[0] - 2.0 * w[1] + w[2]).abs());
+    1.4826 * median(bends.collect()).unwrap_or(0.0) / 6f64.sqrt()
 }

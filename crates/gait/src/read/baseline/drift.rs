@@ -6,16 +6,36 @@ use crate::statistics::{median, ranked};
 const WINDOW_S: f64 = 2.0;
 /// Fewest windows that show a drift.
 const FEWEST: usize = 4;
-/// A smaller change over the whole recording is left to the baseline, N.
-const SMALLEST_N: f64 = 15.0;
 /// Largest deviation of the unloaded level from a straight line, N.
 const STRAIGHT_N: f64 = 6.0;
 
-/// Slope of the unloaded level, N per sample, of readings whose load is positive; `None` without a steady drift.
+/// A smaller change over the whole recording is left to the baseline, N.
+pub(super) const SMALLEST_N: f64 = 15.0;
+
+/// Slope of the unloaded level, N per sample, of readings of either sign; 0 without a steady drift.
+pub(super) fn drift(force: &[f64], rate_hz: f64) -> f64 {
+    let even = |sign: f64, slope: f64| -> Vec<f64> {
+        let all = force.iter().enumerate();
+        all.map(|(i, x)| sign * (x - slope * i as f64)).collect()
+    };
+    let of = |sign: f64, slope: f64| Some(sign * upwards(&even(sign, slope), rate_hz)?);
+    let found = [1.0, -1.0]
+        .into_iter()
+        .find_map(|sign| Some((sign, of(sign, 0.0)?)));
+    let Some((sign, slope)) = found else {
+        return 0.0;
+    };
+    // A steep drift moves the percentile within a window.
+    let steep = (slope * force.len() as f64).abs() > SMALLEST_N;
+    let rest = if steep { of(sign, slope) } else { None };
+    slope + rest.unwrap_or(0.0)
+}
+
+/// The slope where the load is positive.
 ///
 /// Level of a window: its 10th percentile. Slope: the median over pairs of windows (Theil and Sen), so that windows in
 /// which the plate is loaded throughout do not matter while they are few.
-pub(super) fn drift(force: &[f64], rate_hz: f64) -> Option<f64> {
+fn upwards(force: &[f64], rate_hz: f64) -> Option<f64> {
     let length = ((WINDOW_S * rate_hz) as usize).max(10);
     let level = |window: &[f64]| ranked(window.to_vec(), length / 10);
     let levels: Vec<f64> = force.chunks_exact(length).filter_map(level).collect();
@@ -29,9 +49,6 @@ pub(super) fn drift(force: &[f64], rate_hz: f64) -> Option<f64> {
     });
     let slope = median(pairs.collect())?;
     let change = slope * levels.len() as f64;
-    if change.abs() <= SMALLEST_N {
-        return None;
-    }
     let rests: Vec<f64> = windows()
         .map(|(i, level)| level - slope * i as f64)
         .collect();

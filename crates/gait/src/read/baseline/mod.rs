@@ -7,7 +7,7 @@ use crate::quantity::newtons;
 use crate::recording::{Channel, Idle, Note};
 use crate::statistics::{ends, mean_and_deviation, ranked, sample};
 use clipped::clipped;
-use drift::drift;
+use drift::{SMALLEST_N, drift};
 
 /// A channel with a smaller range was never loaded, N.
 const TOUCHED_N: f64 = 30.0;
@@ -33,44 +33,50 @@ pub(super) fn channel(
     zero: Option<(usize, usize)>,
     notes: &mut Vec<Note>,
 ) -> Channel {
-    let missing = bridge(&mut raw);
-    let lacking: usize = missing.iter().map(|(a, b)| b - a).sum();
+    let gaps = bridge(&mut raw);
+    let missing: usize = gaps.iter().map(|(a, b)| b - a).sum();
+    let samples = raw.len();
     let mut out = Channel {
         name,
         force_n: raw,
-        missing,
+        missing: gaps,
         ..Channel::default()
     };
-    if 2 * lacking > out.force_n.len() {
-        out.idle = Some(Idle::MostlyEmpty {
-            missing: lacking,
-            samples: out.force_n.len(),
-        });
+    if 2 * missing > samples {
+        out.idle = Some(Idle::MostlyEmpty { missing, samples });
         return out;
     }
-    let mut thin = sample(&out.force_n, SAMPLE);
-    out.idle = idle(&thin, out.force_n.len() as f64 / rate_hz);
+    let slope = drift(&out.force_n, rate_hz);
+    let drifts = (slope * samples as f64).abs() > SMALLEST_N;
+    let removed = if drifts { slope } else { 0.0 };
+    let step = samples / SAMPLE + 1;
+    let without = |readings: &[f64], slope: f64| -> Vec<f64> {
+        let all = readings.iter().enumerate();
+        all.map(|(k, x)| x - slope * (k * step) as f64).collect()
+    };
+    let mut thin = without(&sample(&out.force_n, SAMPLE), removed);
+    out.idle = idle(&thin, samples as f64 / rate_hz);
     if out.idle.is_some() {
         return out;
     }
-    if loads_downwards(&thin) {
-        for x in out.force_n.iter_mut().chain(&mut thin) {
-            *x = -*x + 0.0; // no signed zeros
-        }
+    let sign = if loads_downwards(&thin) { -1.0 } else { 1.0 };
+    for x in &mut thin {
+        *x = sign * *x + 0.0; // no signed zeros
     }
-    if let Some(level) = clipped(&out.force_n, rate_hz) {
-        let (column, level) = (out.name.clone(), newtons(level));
-        notes.push(Note::Clipped { column, level });
-    }
-    if let Some(slope) = drift(&out.force_n, rate_hz) {
-        for (i, x) in out.force_n.iter_mut().enumerate() {
-            *x -= slope * i as f64;
-        }
-        thin = sample(&out.force_n, SAMPLE);
-        let (column, rise) = (out.name.clone(), newtons(slope * rate_hz));
-        notes.push(Note::DriftRemoved { column, rise });
+    for (i, x) in out.force_n.iter_mut().enumerate() {
+        *x = sign * (*x - removed * i as f64) + 0.0;
     }
     let found = baseline(&thin, &out.force_n, rate_hz);
+    let even = without(&thin, sign * (slope - removed));
+    let stops = clipped(&even, rate_hz / step as f64, found.map_or(0.0, |f| f.1));
+    let note = |level: f64| (out.name.clone(), newtons(level));
+    if let Some((column, level)) = stops.map(note) {
+        notes.push(Note::Clipped { column, level });
+    }
+    if drifts {
+        let (column, rise) = note(sign * slope * rate_hz);
+        notes.push(Note::DriftRemoved { column, rise });
+    }
     if let Some((level, noise)) = found.or_else(|| quiet(out.force_n.get(zero?.0..zero?.1)?)) {
         out.baseline_n = level;
         out.noise_n = noise;

@@ -4,7 +4,7 @@ use super::header::{Table, is_unit};
 use super::layout::TextFile;
 use super::listed;
 use crate::error::{Error, Placed, ReadError, Result, nearest};
-use crate::read::columns::{Role, bracketed, foot, role, words};
+use crate::read::columns::{Role, bracketed, foot, is_of_channel, role, words};
 use crate::recording::{Axis, Foot, ForceUnit};
 
 /// Most columns of force: some hundred plates of three components. Each takes a channel of its own.
@@ -97,14 +97,10 @@ fn vertical(table: &Table, i: usize) -> ForceColumn {
 fn leave_foreign_units(file: &TextFile, table: &Table, force: &mut Vec<ForceColumn>) -> Result<()> {
     let first = force[0].0;
     force.retain(|f| foreign_unit(table, f.0).is_none());
-    match foreign_unit(table, first) {
-        Some(unit) if force.is_empty() => {
-            let (column, unit) = (table.names[first].trim().to_string(), unit.to_string());
-            let fault = ReadError::NoForceUnit { column, unit };
-            Err(fault.at_line(file.path, table.header_line()))
-        }
-        _ => Ok(()),
+    if force.is_empty() {
+        check_unit(file, table, first)?;
     }
+    Ok(())
 }
 
 /// The user named one column as both time and force.
@@ -143,24 +139,47 @@ fn is_newtons(table: &Table, i: usize) -> bool {
         )
 }
 
-/// The unit of a column, where it is one and none of force: `mV`, `kPa`.
+/// The unit of a column, where it is one and none of force: `mV`, `kPa`, `%`.
+///
+/// In square brackets stands a unit, unless it names a foot, a plate or a direction; in round ones perhaps a remark.
 fn foreign_unit(table: &Table, i: usize) -> Option<&str> {
-    let unit = table.unit(i).or_else(|| bracketed(&table.names[i]))?;
-    let bare = !matches!(unit, "-" | "%") && is_unit(unit);
-    (bare && unit.parse::<ForceUnit>().is_err()).then_some(unit)
+    let name = &table.names[i];
+    let is_named = |b: &str| words(b).iter().all(|w| is_of_channel(w));
+    let is_bracketed = |b: &&str| {
+        let square = name.contains(&format!("[{b}"));
+        let letters = b
+            .chars()
+            .all(|c| c.is_alphanumeric() || " -_.:".contains(c));
+        is_unit(b) || (square || !letters) && !is_named(b)
+    };
+    let brackets = bracketed(name).filter(is_bracketed);
+    let mut units = table.unit(i).into_iter().chain(brackets);
+    units.find(|unit| *unit != "-" && unit.parse::<ForceUnit>().is_err())
 }
 
 pub(crate) fn unit_label(table: &Table, i: usize) -> Option<ForceUnit> {
     let name = table.names.get(i)?;
-    match table.unit(i).or_else(|| bracketed(name)) {
-        Some(label) => label.parse().ok(),
-        None => {
-            // `force_n`, `fz_lbf`, `Fz N/kg`; kilograms would rather be those of a mass.
-            let (_, last) = name.trim().rsplit_once(['_', ' '])?;
-            last.parse()
-                .ok()
-                .filter(|_| !last.eq_ignore_ascii_case("kg"))
+    let label = |word: &str| word.parse().ok();
+    if let Some(unit) = table.unit(i) {
+        return label(unit);
+    }
+    if name.contains(['[', '(']) {
+        return bracketed(name).find_map(label);
+    }
+    // `force_n`, `fz_lbf`, `Fz N/kg`; kilograms would rather be those of a mass.
+    let (_, last) = name.trim().rsplit_once(['_', ' '])?;
+    label(last).filter(|_| !last.eq_ignore_ascii_case("kg"))
+}
+
+/// The error for a column of force whose unit is none of force.
+pub(crate) fn check_unit(file: &TextFile, table: &Table, i: usize) -> Result<()> {
+    match foreign_unit(table, i) {
+        Some(unit) if file.options.unit.is_none() => {
+            let (column, unit) = (table.names[i].trim().to_string(), unit.to_string());
+            let fault = ReadError::NoForceUnit { column, unit };
+            Err(fault.at_line(file.path, table.header_line()))
         }
+        _ => Ok(()),
     }
 }
 

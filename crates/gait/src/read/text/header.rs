@@ -128,7 +128,7 @@ fn is_group_row(row: &[String], below: &[String], width: usize, layout: Layout) 
 /// Whether a word is the name of a unit.
 pub(super) fn is_unit(word: &str) -> bool {
     const UNITS: &str = " s sec secs seconds ms min n kn dan newton newtons kilonewton kilonewtons lbf lb lbs kgf kp kg mm cm m nmm n.mm n*mm nm n.m n*m n-m \
-        n·m n·mm v mv uv µv volt volts deg ° deg/s rad hz - % bw %bw n/kg n/bw adc bits a.u. g mm/s m/s m/s^2 m/s² n/cm² pa hpa kpa mpa bar mbar psi mv/v count counts digits lsb \
+        n·m n·mm v mv uv µv volt volts deg ° deg/s rad hz - % bw %bw n/kg ns kip dyn ozf gf mn n/bw adc bits a.u. g mm/s m/s m/s^2 m/s² n/cm² pa hpa kpa mpa bar mbar psi mv/v count counts digits lsb \
         frame frames ";
     let bare = word.trim_matches(['[', ']', '(', ')', ' ']).to_lowercase();
     !bare.is_empty() && UNITS.contains(&format!(" {bare} "))

@@ -29,7 +29,7 @@ use super::vertical::{self, Facts};
 use crate::error::{Error, Placed, ReadError, Result};
 use crate::recording::{ForceUnit, Format, Note, ReadOptions, Recording};
 
-pub(super) use choose::{column, unit_label};
+pub(super) use choose::{check_unit, column, unit_label};
 pub(super) use header::Table;
 use layout::Separator;
 pub(super) use layout::{Fields, Layout, Lines, Position, TextFile, detect, plain, text};

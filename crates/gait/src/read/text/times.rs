@@ -11,7 +11,7 @@ use crate::recording::{ClockSource, Note, ReadOptions};
 /// Seconds per unit of a time column, if its name or the row of units gives it.
 pub(in crate::read) fn time_unit(table: &Table, i: usize) -> Option<f64> {
     let name = table.names.get(i)?;
-    let label = table.unit(i).or_else(|| bracketed(name));
+    let label = table.unit(i).or_else(|| bracketed(name).last());
     let last = words(name).pop();
     match label.or(last.as_deref())?.to_lowercase().as_str() {
         "s" | "sec" | "secs" | "seconds" => Some(1.0),

@@ -89,7 +89,7 @@ note-plate-channel-missing = plate { $plate } is ignored: its channel { $channel
 note-plate-matrix-missing = plate { $plate } is ignored: its calibration matrix is missing
 note-plate-tilted = plate { $plate } is not parallel to plate 1: at most one of their normal forces is vertical
 note-insole-mass = the mass of { $mass } is computed from the mean total force of the insoles, which are seldom calibrated: give the walker's mass
-note-clipped = { $column } is clipped: it stops at { $level }, equal to the last digit, in several stances
+note-clipped = { $column } is clipped: its readings stop at about { $level }, below the peaks of the force
 note-drift-removed = the unloaded reading of { $column } drifts by { $rise } per second; the drift was removed
 note-stride-varies = the strides last { $period } ± { $spread }: more than one speed, or no steady walk; give a recording of one speed
 note-stride-from-one = the stride time of { $period } is from one step or stride and uncertain by { $error }; the stroke of a cam grows with its square and is uncertain by { $stroke }
@@ -117,7 +117,7 @@ note-kind-differs = kind { $typed } is given, but the contacts are those of { $m
         [walking] { kind-walking }
        *[other] { kind-other }
     }
-note-speed-changes = the speed changes during the recording; the mean is of the { $used } of { $stances } stances that last { $low } to { $high }, the largest group of one speed
+note-speed-changes = the speed changes during the recording; the mean is of the { $used } of { $stances } stances or steps that last { $low } to { $high }, the largest group of one speed
 note-stances-differ = the stances differ by { $share } of the body weight, or of the mean impulse between the feet, where at most { $most } is expected: partial contacts, cross-talk or two feet on one plate
 note-total-column = the column is taken as the total force of both feet
 note-plates-summed = feet cross from plate to plate: the mean cycle is of the sum of { $plates } plates, which carry the walker all the time

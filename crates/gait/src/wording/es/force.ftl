@@ -89,7 +89,7 @@ note-plate-channel-missing = se omite la plataforma { $plate }: su canal { $chan
 note-plate-matrix-missing = se omite la plataforma { $plate }: falta su matriz de calibración
 note-plate-tilted = la plataforma { $plate } no es paralela a la plataforma 1: como máximo una de sus fuerzas normales es vertical
 note-insole-mass = la masa de { $mass } se calcula con la fuerza total media de las plantillas, que rara vez están calibradas: indique la masa de la persona
-note-clipped = { $column } está recortada: se detiene en { $level }, igual hasta la última cifra, en varios apoyos
+note-clipped = { $column } está recortada: sus lecturas se detienen en unos { $level }, por debajo de los picos de la fuerza
 note-drift-removed = la lectura sin carga de { $column } deriva { $rise } por segundo; la deriva se ha eliminado
 note-stride-varies = las zancadas duran { $period } ± { $spread }: más de una velocidad, o una marcha no estable; indique un registro de una sola velocidad
 note-stride-from-one = el tiempo de zancada de { $period } procede de un solo paso o zancada y tiene una incertidumbre de { $error }; la carrera de una leva crece con su cuadrado y tiene una incertidumbre de { $stroke }
@@ -117,7 +117,7 @@ note-kind-differs = se indica kind { $typed }, pero los contactos son de { $move
         [walking] { kind-walking }
        *[other] { kind-other }
     }
-note-speed-changes = la velocidad cambia durante el registro; la media es de los { $used } de { $stances } apoyos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
+note-speed-changes = la velocidad cambia durante el registro; la media es de los { $used } de { $stances } apoyos o pasos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
 note-stances-differ = los apoyos difieren en { $share } del peso corporal, o del impulso medio entre los pies, cuando se espera como máximo { $most }: contactos parciales, diafonía o dos pies en una plataforma
 note-total-column = la columna se toma como la fuerza total de ambos pies
 note-plates-summed = los pies pasan de una plataforma a otra: el ciclo medio es de la suma de { $plates } plataformas, que llevan a la persona todo el tiempo

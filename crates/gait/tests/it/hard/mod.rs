@@ -4,6 +4,7 @@
 mod cases;
 mod dice;
 mod faults;
+mod headers;
 mod layout;
 mod markers;
 mod person;

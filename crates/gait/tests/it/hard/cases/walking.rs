@@ -87,7 +87,7 @@ pub fn changing_speed(dice: &mut Dice) -> Case {
     };
     let table = sides(dice, &person, &plate, ["Left Fz [N]", "Right Fz [N]"]);
     let text = table.delimited(seconds_clock(dice), false);
-    let mut made = case("changing speed", text, truth(&person), true);
+    let mut made = case("changing speed", text, truth(&person), false);
     made.feet = dice.of(&[Feet::Both, Feet::One, Feet::Left]);
     made
 }
