@@ -74,6 +74,10 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
         text: text.to_string(),
         example: example(),
     };
+    if let Some(plain) = without_groups(text) {
+        let text = text.to_string();
+        return Err(UnitsError::Grouped { text, plain }.into());
+    }
     let (value, unit) = leading_number(text).ok_or_else(no_number)?;
     let unit = unit.trim();
     if unit.is_empty() {
@@ -145,6 +149,20 @@ fn quotient(value: f64, rest: &str) -> Option<(f64, &str)> {
     let (number, after) = split_number(rest.trim_start().strip_prefix('/')?.trim_start());
     let divisor: f64 = number.replace(',', ".").parse().ok()?;
     (divisor > 0.0).then(|| (value / divisor, after))
+}
+
+/// `1234.5 mm` for `1.234,5 mm` and `1,234.5 mm`; `None` where no marks part the thousands.
+fn without_groups(text: &str) -> Option<String> {
+    let mark = |c: char| c == '.' || c == ',';
+    let end = text.find(|c: char| !(c.is_ascii_digit() || mark(c) || "+-".contains(c)));
+    let (number, rest) = text.split_at(end.unwrap_or(text.len()));
+    let first = number.find(mark)?;
+    let last = number.rfind(mark).filter(|last| *last > first)?;
+    let decimal = number[first..=first] != number[last..=last];
+    let (whole, part) = number.split_at(if decimal { last } else { number.len() });
+    let mut groups = whole[first + 1..].split(mark);
+    let plain = whole.replace(mark, "") + &part.replace(',', ".");
+    groups.all(|g| g.len() == 3).then(|| plain + rest)
 }
 
 /// Splits "1.85e-3mm" into "1.85e-3" and "mm"; an `e` counts as exponent only before a digit, a comma as decimal sign
@@ -245,6 +263,23 @@ fn unknown_unit(unit: &str, dimension: Dimension) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn thousands_are_written_without_marks() {
+        for (text, plain) in [
+            ("1.234,5 mm", "1234.5 mm"),
+            ("1,234.5 mm", "1234.5 mm"),
+            ("-1.234.567 mm", "-1234567 mm"),
+            ("12.345.678,25mm", "12345678.25mm"),
+        ] {
+            let refused = parse(text, Dimension::Length).unwrap_err();
+            let (text, plain) = (text.to_string(), plain.to_string());
+            assert_eq!(refused.fault(), Some(&UnitsError::Grouped { text, plain }));
+        }
+        for text in ["1,5 mm", "1.5 mm", "1234.5 mm", "1 3/8 in", "1,234 mm"] {
+            assert!(parse(text, Dimension::Length).is_ok(), "{text}");
+        }
+    }
 
     #[test]
     fn compound_units_reduce_to_si() {

@@ -23,6 +23,8 @@ use crate::wording::{Catalogue, WORDS};
 pub enum UnitsError {
     /// No number at the start.
     NoNumber { text: String, example: String },
+    /// A number whose thousands are parted; `plain`: without.
+    Grouped { text: String, plain: String },
     /// A number without its unit.
     NoUnit { text: String, example: String },
     /// A share that could be meant in per cent.

@@ -104,6 +104,7 @@ struct Read {
 pub fn run(args: &GaitArgs) -> Result<u8> {
     let feet: Feet = args.feet.parse().map_err(input::at_flag("--feet"))?;
     let accept = OpenQuestion::list(&args.accept).map_err(input::at_flag("--accept"))?;
+    let options = options(args)?;
     let mut files = recordings(&args.files, "FOLDER")?.files;
     let named = |file: &str| args.files.iter().any(|f| f == Path::new(file));
     files.retain(|f| named(f) || !args.out.as_deref().is_some_and(|o| wrote(o, Path::new(f))));
@@ -112,11 +113,11 @@ pub fn run(args: &GaitArgs) -> Result<u8> {
     let is_one = trials.len() == 1 && trials[0] == args.files;
     let places = Places::of(args.out.as_deref(), &trials, !is_one)?;
     if is_one {
-        return one(args, &trials[0], &places, feet);
+        return one(args, options, &trials[0], &places, feet);
     }
-    let reads = trials
-        .iter()
-        .map(|paths| read(args, paths, feet).unwrap_or_else(|fault| Read::failed(paths, fault)));
+    let reads = trials.iter().map(|paths| {
+        read(options.clone(), paths, feet).unwrap_or_else(|fault| Read::failed(paths, fault))
+    });
     let is_named = |read: &Read| read.paths.iter().any(|p| args.files.contains(p));
     several::describe(reads.collect(), &places, &accept, args.json, &is_named)
 }
@@ -132,8 +133,14 @@ fn wrote(folder: &Path, file: &Path) -> bool {
     (name.contains("_cycle") || name == places::JOINT_MEAN) && inside() && is_cycle()
 }
 
-fn one(args: &GaitArgs, paths: &[PathBuf], places: &Places, feet: Feet) -> Result<u8> {
-    let read = read(args, paths, feet)?;
+fn one(
+    args: &GaitArgs,
+    options: ReadOptions,
+    paths: &[PathBuf],
+    places: &Places,
+    feet: Feet,
+) -> Result<u8> {
+    let read = read(options, paths, feet)?;
     if let Some(place) = places.each.first() {
         read.write(place)?;
     }
@@ -152,12 +159,15 @@ fn one(args: &GaitArgs, paths: &[PathBuf], places: &Places, feet: Feet) -> Resul
 }
 
 /// Reads one recording: a file, or the files of its plates.
-fn read(args: &GaitArgs, paths: &[PathBuf], feet: Feet) -> Result<Read> {
+fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet) -> Result<Read> {
     let path = paths[0].as_path();
     if path.extension().is_some_and(|e| e == "toml") {
         return Err(CliError::SceneNotRecording.in_file(path));
     }
-    let options = options(args, path)?;
+    let options = ReadOptions {
+        metadata: metadata(path),
+        ..options
+    };
     let bytes = joined(paths)?;
     let place = || Place::File(path.to_path_buf());
     let heading = together(paths, |path| path.display().to_string());
@@ -265,16 +275,16 @@ fn of_files(key: &str, files: &str) -> String {
     words::fill(key, &json!({"file": files}))
 }
 
-fn options(args: &GaitArgs, path: &Path) -> Result<ReadOptions> {
+fn options(args: &GaitArgs) -> Result<ReadOptions> {
     Ok(ReadOptions {
         time: args.time.clone(),
         force: args.force.clone(),
         unit: input::parsed("--unit", args.unit.as_deref())?,
-        rate_hz: input::quantity("--rate", args.rate.as_deref(), Dimension::Frequency)?,
-        mass_kg: input::quantity("--mass", args.mass.as_deref(), Dimension::Mass)?,
+        rate_hz: input::positive("--rate", args.rate.as_deref(), Dimension::Frequency)?,
+        mass_kg: input::positive("--mass", args.mass.as_deref(), Dimension::Mass)?,
         kind: input::parsed("--kind", args.kind.as_deref())?,
-        period_s: input::quantity("--period", args.period.as_deref(), Dimension::Time)?,
-        span_rad: input::quantity("--span", args.span.as_deref(), Dimension::Angle)?,
-        metadata: metadata(path),
+        period_s: input::positive("--period", args.period.as_deref(), Dimension::Time)?,
+        span_rad: input::positive("--span", args.span.as_deref(), Dimension::Angle)?,
+        metadata: None,
     })
 }

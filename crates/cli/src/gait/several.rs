@@ -5,7 +5,7 @@ use super::{Read, of_files, together, write_picture};
 use crate::console::exit_code::{BAD_INPUT, BUILT};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
-use gaitcam::error::Result;
+use gaitcam::error::{ForceError, Result};
 use gaitcam::force::{JointMean, LeftOut, OpenQuestion, Trial, joint_mean};
 use gaitcam_output::gait::{TrialRow, trials_json, trials_table};
 use serde_json::{Value, json};
@@ -31,7 +31,12 @@ pub fn describe(
         .filter_map(|(read, open)| Some((read.cycle.as_ref()?, open)))
         .map(|(cycle, open)| Trial { cycle, open })
         .collect();
-    let joint = joint_mean(&trials);
+    let joint = if trials.is_empty() {
+        let trials = reads.len();
+        Err(ForceError::NoJointMean { trials }.into())
+    } else {
+        joint_mean(&trials)
+    };
     let left_out = reasons(&reads, &joint, &open);
     let names = short_names(&reads);
     let rows: Vec<TrialRow> = reads

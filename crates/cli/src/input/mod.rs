@@ -92,15 +92,15 @@ pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<
         .transpose()
 }
 
-/// A length above zero of a flag, m, where the flag is given.
-pub fn length(flag: &str, text: Option<&str>) -> Result<Option<f64>> {
-    let length = quantity(flag, text, Dimension::Length)?;
-    match (length, text) {
+/// The same above zero.
+pub fn positive(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
+    let value = quantity(flag, text, dimension)?;
+    match (value, text) {
         (Some(x), Some(typed)) if x <= 0.0 => {
-            let (typed, example) = (typed.to_string(), Dimension::Length.example().to_string());
+            let (typed, example) = (typed.to_string(), dimension.example().to_string());
             Err(SceneError::NotPositive { typed, example }.at_argument(flag))
         }
-        _ => Ok(length),
+        _ => Ok(value),
     }
 }
 

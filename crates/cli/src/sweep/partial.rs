@@ -137,7 +137,7 @@ impl PartialTable {
             gaitcam::sweep::agree(table, &finished, sweep, language::current())?;
             return Ok(None);
         }
-        if folder.is_file() {
+        if folder.symlink_metadata().is_ok_and(|about| !about.is_dir()) {
             return Err(CliError::NotPartial.in_file(&folder));
         }
         let lock = locked(&folder)?;

@@ -24,6 +24,7 @@ use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Place, Placed, Result, is_no_cam};
 use gaitcam::force::ForceCurve;
 use gaitcam::synth::{self, Design, Search};
+use gaitcam::units::Dimension;
 use gaitcam_cad::Units;
 use gaitcam_cad::dxf::{Content, Curves};
 use gaitcam_files::design::{self, check_inputs_stay};
@@ -163,9 +164,9 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     }
     let start = Instant::now();
     let points = rows(args)?;
-    let tool = input::length("--tool", args.tool.as_deref())?;
-    let pass = input::length("--pass", args.pass.as_deref())?;
-    let wire = input::length("--wire", args.wire.as_deref())?;
+    let tool = input::positive("--tool", args.tool.as_deref(), Dimension::Length)?;
+    let pass = input::positive("--pass", args.pass.as_deref(), Dimension::Length)?;
+    let wire = input::positive("--wire", args.wire.as_deref(), Dimension::Length)?;
     let waiting = args.time.of_input(args.json);
     // A limit that was given covers the reading too.
     let limit = waiting.as_ref().map(|_| args.time.of_design());

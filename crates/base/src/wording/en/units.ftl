@@ -1,6 +1,8 @@
 # Faults in a quantity with a unit.
 units-no-number = "{ $text }" does not start with a number
     .help = write for example { $example }
+units-grouped = "{ $text }" parts thousands by a mark
+    .help = write "{ $plain }"
 units-no-unit = "{ $text }" has no unit
     .help = write for example { $example }
 units-bare-share = "{ $text }" has no unit

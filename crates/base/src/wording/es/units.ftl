@@ -1,6 +1,8 @@
 # Errores en una magnitud con unidad.
 units-no-number = «{ $text }» no empieza por un número
     .help = escriba por ejemplo { $example }
+units-grouped = «{ $text }» separa los millares con un signo
+    .help = escriba «{ $plain }»
 units-no-unit = «{ $text }» no tiene unidad
     .help = escriba por ejemplo { $example }
 units-bare-share = «{ $text }» no tiene unidad
