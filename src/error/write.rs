@@ -21,22 +21,69 @@ use crate::units::Quantity;
 #[non_exhaustive]
 #[allow(missing_docs)] // the messages of wording/en/write.ftl say what each field is
 pub enum WriteError {
-    FolderRefuses { fault: String },
-    FileRefuses { fault: String },
-    NotPutTogether { fault: String },
-    PlateThickness { thickness: Quantity },
-    TooFewPoints { points: usize, least: usize },
+    FolderRefuses {
+        fault: String,
+    },
+    FileRefuses {
+        fault: String,
+    },
+    NotPutTogether {
+        fault: String,
+    },
+    PlateThickness {
+        thickness: Quantity,
+    },
+    TooFewPoints {
+        points: usize,
+        least: usize,
+    },
     OpenProfile,
     OpenGroove,
     GrooveCrossings,
     UndercutProfile,
     ProfileFolds,
-    HubTooLarge { hub: Quantity, free: Quantity },
-    BoreTooLarge { bore: Quantity, free: Quantity },
-    CutterRadius { radius: Quantity },
-    DepthOfPass { pass: Quantity, least: Quantity },
+    HubTooLarge {
+        hub: Quantity,
+        free: Quantity,
+    },
+    BoreTooLarge {
+        bore: Quantity,
+        free: Quantity,
+    },
+    CutterRadius {
+        radius: Quantity,
+    },
+    DepthOfPass {
+        pass: Quantity,
+        least: Quantity,
+    },
     TooSharp,
     NoCutterPath,
-    GrooveCutter { radius: Quantity, roller: Quantity },
-    WireTooThick { radius: Quantity },
+    GrooveCutter {
+        radius: Quantity,
+        roller: Quantity,
+    },
+    WireTooThick {
+        radius: Quantity,
+    },
+    EcamIntervals {
+        asked: usize,
+        least: usize,
+        most: usize,
+    },
+    EcamPoints {
+        dialect: String,
+        points: usize,
+        error: Quantity,
+        allowed: Quantity,
+        better: usize,
+        to: Quantity,
+    },
+    EcamLaw {
+        dialect: String,
+        points: usize,
+        error: Quantity,
+        allowed: Quantity,
+    },
+    EcamOfMotor,
 }

@@ -33,6 +33,7 @@ pub mod biarc;
 pub mod cutter;
 pub mod drawing;
 pub mod dxf;
+pub mod ecam;
 pub mod gcode;
 pub mod outline;
 pub mod solid;

@@ -6,6 +6,7 @@
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 mod console;
+mod ecam;
 mod evidence;
 mod gait;
 mod input;
@@ -50,6 +51,8 @@ enum Command {
     Simulate(simulate::SimulateArgs),
     /// Fit measured points of a made cam to its design: deviations, and what this very cam does
     Inspect(inspect::InspectArgs),
+    /// Write a design as an electronic cam for a motion controller, and say what that controller makes of it
+    Ecam(ecam::EcamArgs),
     /// Design thousands of scenes: a grid, a list or a sample of values, into one table
     Sweep(sweep::SweepArgs),
     /// Pareto front of a sweep: table, pictures, and the best design as a normal result
@@ -108,6 +111,7 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Simulate(args) => simulate::run(&args),
         Command::Gait(args) => gait::run(&args),
         Command::Inspect(args) => inspect::run(&args),
+        Command::Ecam(args) => ecam::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Front(args) => front::run(&args),
         Command::Reproduce(args) => evidence::reproduce(&args),
@@ -153,6 +157,7 @@ impl Command {
             Command::Simulate(args) => args.json,
             Command::Gait(args) => args.json,
             Command::Inspect(args) => args.json,
+            Command::Ecam(args) => args.json,
             Command::Sweep(args) => args.json,
             Command::Front(args) => args.json,
             Command::Compare(args) => args.json,

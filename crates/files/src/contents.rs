@@ -2,6 +2,7 @@
 
 use gaitcam::error::Error;
 use gaitcam_cad::cutter::Gouge;
+use gaitcam_cad::ecam::{Dialect, ElectronicCam};
 use gaitcam_cad::{Units, drawing, dxf};
 use gaitcam_output::Language;
 
@@ -23,6 +24,8 @@ pub struct Contents {
     pub pass: Option<f64>,
     /// Half the diameter of a wire and its spark gap, m: its path is written.
     pub wire: Option<f64>,
+    /// For which controller an electronic cam is written.
+    pub ecam: Option<Dialect>,
     /// Layers of the DXF drawings.
     pub drawn: dxf::Content,
     /// Edges of profile.dxf as arcs or splines.
@@ -44,6 +47,7 @@ impl Default for Contents {
             tool: None,
             pass: None,
             wire: None,
+            ecam: None,
             drawn: dxf::Content::All,
             curves: dxf::Curves::default(),
             units: Units::default(),
@@ -73,6 +77,10 @@ pub enum Remark {
     NoBalanceHole,
     /// The cutter damages the profile.
     Gouge(Gouge),
+    /// What the controller makes of its electronic cam.
+    Ecam(ElectronicCam),
+    /// There is no electronic cam.
+    NoEcam(Error),
     /// There is no program for the cutter or the wire.
     NoProgram(Error),
 }
@@ -81,10 +89,15 @@ impl Remark {
     /// Why a file could not be made, if the remark is about that.
     pub fn into_fault(self) -> Option<Error> {
         match self {
-            Remark::NoSolid(fault) | Remark::NoStep(fault) | Remark::NoProgram(fault) => {
-                Some(fault)
-            }
-            Remark::Arcs { .. } | Remark::NoArcs | Remark::NoBalanceHole | Remark::Gouge(_) => None,
+            Remark::NoSolid(fault)
+            | Remark::NoStep(fault)
+            | Remark::NoEcam(fault)
+            | Remark::NoProgram(fault) => Some(fault),
+            Remark::Arcs { .. }
+            | Remark::NoArcs
+            | Remark::NoBalanceHole
+            | Remark::Ecam(_)
+            | Remark::Gouge(_) => None,
         }
     }
 }

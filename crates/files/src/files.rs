@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 use gaitcam::cam::Wall;
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Design;
+use gaitcam_cad::ecam::{self, Dialect};
 use gaitcam_cad::{cutter, drawing, dxf, gcode, solid, step, svg};
 use gaitcam_output::{Picture, Timing, csv, plots, report, xlsx};
 
@@ -90,6 +91,8 @@ enum With {
     Program,
     /// The radius of a wire.
     Wire,
+    /// An electronic cam for this controller.
+    Ecam(Dialect),
     /// Nothing, but it is written last, by [`design::finish`](crate::design::finish).
     Finish,
 }
@@ -133,8 +136,18 @@ const fn file(
     }
 }
 
+const fn electronic_cam(dialect: Dialect, make: fn(&Source) -> Made) -> File {
+    file(
+        Group::Workshop,
+        dialect.file(),
+        Of::Cams,
+        With::Ecam(dialect),
+        make,
+    )
+}
+
 /// Every file that a design may have except its scene, in the order of writing.
-pub const ALL: [File; 31] = {
+pub const ALL: [File; 36] = {
     use Group::{Drawings, Pictures, Report, Tables, Workshop};
     use Of::{All, Barrels, Cams, Floors, Pairs, Plates, Populations, Profiles};
     use With::{Always, Finish, Png, Program, Solid, Tool, Wire};
@@ -223,6 +236,11 @@ pub const ALL: [File; 31] = {
                 Remark::NoProgram,
             )
         }),
+        electronic_cam(Dialect::Codesys, |s| electronic(s, Dialect::Codesys)),
+        electronic_cam(Dialect::Twincat, |s| electronic(s, Dialect::Twincat)),
+        electronic_cam(Dialect::Segments, |s| electronic(s, Dialect::Segments)),
+        electronic_cam(Dialect::Rockwell, |s| electronic(s, Dialect::Rockwell)),
+        electronic_cam(Dialect::Csv, |s| electronic(s, Dialect::Csv)),
     ]
 };
 
@@ -285,6 +303,16 @@ fn arcs(source: &Source) -> Made {
             (Some(drawing.bytes), vec![Remark::Arcs { arcs, deviation }])
         }
         None => (None, vec![Remark::NoArcs]),
+    })
+}
+
+fn electronic(source: &Source, dialect: Dialect) -> Made {
+    Ok(match ecam::make(source.design, dialect, None) {
+        Ok(made) => {
+            let text = made.text.clone().into_bytes();
+            (Some(text), vec![Remark::Ecam(made)])
+        }
+        Err(fault) => (None, vec![Remark::NoEcam(fault)]),
     })
 }
 
@@ -379,6 +407,7 @@ impl File {
             With::Solid => contents.solid,
             With::Tool | With::Program => contents.tool.is_some(),
             With::Wire => contents.wire.is_some(),
+            With::Ecam(dialect) => contents.ecam == Some(dialect),
             With::Finish => false,
         }
     }

@@ -29,3 +29,11 @@ write-groove-cutter = the groove is exact only with a cutter of the roller's rad
 write-wire-too-thick = the wire with its gap, { $radius }, does not fit the keyway
 write-too-sharp = the profile is too sharp for a smooth spline
     .help = set limits.curvature so that the profile has no cusp
+write-ecam-intervals = { $asked } points are too few or too many for this controller
+    .help = give { $least } to { $most }, or leave --points out
+write-ecam-points = { $points } points make { $dialect } miss the force by { $error } of the mean RMS (at most { $allowed })
+    .help = give --points { $better } ({ $to }), or leave it out
+write-ecam-law = { $dialect } misses the force by { $error } of the mean RMS (at most { $allowed }) at its best, with { $points } points
+    .help = choose codesys, twincat or segments, or a law whose acceleration does not jump
+write-ecam-of-motor = the law is made for a shaft whose speed its motor lets vary; the master of an electronic cam turns evenly
+    .help = set law.shaft = "constant"

@@ -29,3 +29,11 @@ write-groove-cutter = la ranura es exacta solo con una fresa del radio del rodil
 write-wire-too-thick = el hilo con su separación, { $radius }, no cabe en el chavetero
 write-too-sharp = el perfil es demasiado agudo para una spline suave
     .help = fije limits.curvature para que el perfil no tenga cúspide
+write-ecam-intervals = { $asked } puntos son demasiado pocos o demasiados para este control
+    .help = indique de { $least } a { $most }, o quite --points
+write-ecam-points = con { $points } puntos { $dialect } yerra la fuerza en un { $error } de la media, RMS (como mucho { $allowed })
+    .help = indique --points { $better } ({ $to }), o quítelo
+write-ecam-law = { $dialect } yerra la fuerza en un { $error } de la media, RMS (como mucho { $allowed }), en el mejor caso, con { $points } puntos
+    .help = elija codesys, twincat o segments, o una ley cuya aceleración no salte
+write-ecam-of-motor = la ley es para un eje cuya velocidad varía con su motor; el maestro de una leva electrónica gira uniformemente
+    .help = ponga law.shaft = "constant"

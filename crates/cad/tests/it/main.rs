@@ -3,6 +3,7 @@
 mod cutter;
 mod drawing;
 mod drawings;
+mod ecam;
 mod machining;
 mod odd_designs;
 mod outline;

@@ -17,6 +17,7 @@ use crate::console::exit_code;
 use crate::console::language;
 use crate::console::terminal::{print, print_json};
 use crate::console::words;
+use crate::ecam;
 use crate::input::searching::TimeLimit;
 use crate::input::{self, Input, SceneArgs};
 use gaitcam::Problem;
@@ -27,6 +28,7 @@ use gaitcam::synth::{self, Design, Search};
 use gaitcam::units::Dimension;
 use gaitcam_cad::Units;
 use gaitcam_cad::dxf::{Content, Curves};
+use gaitcam_cad::ecam::Dialect;
 use gaitcam_files::design::{self, check_inputs_stay};
 use gaitcam_files::files::{self, Source};
 use gaitcam_files::{Contents, ResultFolder};
@@ -80,6 +82,9 @@ pub struct SynthArgs {
     /// Draw the edges of profile.dxf as arcs (R12), or as splines (R2000)
     #[arg(long, value_name = "CURVES", value_enum, default_value_t = Dxf::Arcs)]
     pub dxf: Dxf,
+    /// Also write an electronic cam: program text or table of points for a motion controller
+    #[arg(long, value_name = "DIALECT", value_parser = ecam::dialects())]
+    pub ecam: Option<Dialect>,
     /// Also write the path of a cutter of this radius: --tool '6 mm'
     #[arg(long, value_name = "RADIUS")]
     pub tool: Option<String>,
@@ -179,6 +184,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
             tool,
             pass,
             wire,
+            ecam: args.ecam,
             drawn: args.drawn(),
             curves: args.curves(),
             units: args.units(),

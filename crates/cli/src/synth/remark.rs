@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::{console::language, console::words};
+use crate::{console::language, console::words, ecam};
 use gaitcam::cam::Measures;
 use gaitcam::error::Error;
 use gaitcam_cad::cutter::Gouge;
@@ -17,6 +17,8 @@ pub fn sentence(remark: &Remark, measures: Measures) -> String {
             let deviation = words::power(1e3 * deviation, 2);
             words::fill("synth-arcs", &json!({"arcs": arcs, "deviation": deviation}))
         }
+        Remark::Ecam(made) => ecam::sentence(made),
+        Remark::NoEcam(fault) => words::fill("synth-no-ecam", &arguments(fault)),
         Remark::NoBalanceHole => words::text("synth-no-balance-hole"),
         Remark::NoArcs => words::text("synth-no-arcs"),
         Remark::NoProgram(fault) => words::fill("synth-no-program", &arguments(fault)),

@@ -460,3 +460,12 @@ inspect-most-force = largest force: designed { $before }, as made { $after } { $
 inspect-acceleration = peak acceleration: designed { $before }, as made { $after } { $unit }
 inspect-liftoff = lift-off speed: designed { $before }, as made { $after } { $unit }
 inspect-lifts-off = this cam loses contact at the speed of the scene
+# Electronic cams.
+synth-no-ecam = no electronic cam: { $fault }
+ecam-no-cam = no cam to run: { $why }
+ecam-file = File { $file }.
+ecam-quintic = quintic
+ecam-cubic = cubic spline
+ecam-force = { $file }: { $points } intervals, { $curve }, { $number }; force error with this controller { $error } N RMS, of it { $added } % of the mean by the file
+ecam-law = { $file }: { $points } intervals, { $curve }, { $number }; force off the law by { $error } N RMS with this controller, { $added } % of the largest
+ecam-acceleration = { $file }: { $points } intervals, { $curve }, { $number }; acceleration off the law by { $added } % of the largest, RMS

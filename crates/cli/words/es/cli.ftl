@@ -460,3 +460,12 @@ inspect-most-force = fuerza máxima: diseñada { $before }, hecha { $after } { $
 inspect-acceleration = aceleración máxima: diseñada { $before }, hecha { $after } { $unit }
 inspect-liftoff = velocidad de despegue: diseñada { $before }, hecha { $after } { $unit }
 inspect-lifts-off = esta leva pierde el contacto a la velocidad de la escena
+# Electronic cams.
+synth-no-ecam = sin leva electrónica: { $fault }
+ecam-no-cam = no hay leva que ejecutar: { $why }
+ecam-file = Archivo { $file }.
+ecam-quintic = quíntica
+ecam-cubic = spline cúbica
+ecam-force = { $file }: { $points } intervalos, { $curve }, { $number }; error de fuerza con este control { $error } N RMS, del archivo un { $added } % de la media
+ecam-law = { $file }: { $points } intervalos, { $curve }, { $number }; con este control la fuerza se aparta de la ley { $error } N RMS, un { $added } % de la mayor
+ecam-acceleration = { $file }: { $points } intervalos, { $curve }, { $number }; la aceleración se aparta de la ley un { $added } % de la mayor, RMS

@@ -1,0 +1,109 @@
+//! The points of an electronic cam, in the units of its controller.
+
+use gaitcam::cam::Measures;
+use gaitcam::law::Svaj;
+use gaitcam::synth::Design;
+
+use super::Number;
+
+/// A point of the cam with the derivatives of the follower's position by that of the cam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Node {
+    /// Position of the cam (master), degrees or mm.
+    pub x: f64,
+    /// Position of the follower (slave), mm or degrees.
+    pub y: f64,
+    /// dy/dx.
+    pub v: f64,
+    /// d²y/dx².
+    pub a: f64,
+}
+
+/// What a file says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// Name of the scene.
+    pub name: String,
+    /// Unit of x: `deg` or `mm`.
+    pub x_unit: &'static str,
+    /// Unit of y: `mm` or `deg`.
+    pub y_unit: &'static str,
+    /// x per rad (or m) of the law, y per m (or rad).
+    pub factors: [f64; 2],
+    /// Whether the motion repeats after its last point.
+    pub closed: bool,
+    /// Both ends of every interval: a law may jump between two.
+    pub segments: Vec<[Node; 2]>,
+}
+
+impl Table {
+    /// Of a design, with points at these angles (a sliding cam: places, m), rounded to the numbers of the controller.
+    pub fn of(design: &Design, angles: &[f64], number: Number) -> Table {
+        let measures = design.cam.follower.measures();
+        let (x_unit, x) = match measures {
+            Measures::Straight => ("mm", 1e3),
+            Measures::Translating | Measures::Oscillating => ("deg", 1f64.to_degrees()),
+        };
+        let (y_unit, y) = match measures {
+            Measures::Oscillating => ("deg", 1f64.to_degrees()),
+            Measures::Translating | Measures::Straight => ("mm", 1e3),
+        };
+        let law = &design.cam.law;
+        let breaks = law.breaks();
+        let node = |theta: f64, at: Svaj| Node {
+            x: number.nearest(x * theta),
+            y: number.nearest(y * at.s),
+            v: number.nearest(y / x * at.v),
+            a: number.nearest(y / (x * x) * at.a),
+        };
+        let end = |theta: f64| {
+            // The last piece that begins before the angle.
+            let i = breaks
+                .partition_point(|b| *b < theta)
+                .clamp(1, breaks.len() - 1)
+                - 1;
+            law.svaj_on(i, (theta - breaks[i]) / (breaks[i + 1] - breaks[i]))
+        };
+        let segment = |pair: &[f64]| {
+            [
+                node(pair[0], law.svaj(pair[0])),
+                node(pair[1], end(pair[1])),
+            ]
+        };
+        Table {
+            name: design.name.clone(),
+            x_unit,
+            y_unit,
+            factors: [x, y],
+            closed: law.is_closed(),
+            segments: angles.windows(2).map(segment).collect(),
+        }
+    }
+
+    /// Every point once: the left ends, and the last right end.
+    pub fn nodes(&self) -> impl Iterator<Item = Node> {
+        let last = self.segments.last().map(|s| s[1]);
+        self.segments.iter().map(|s| s[0]).chain(last)
+    }
+
+    /// What the numbers are, for the head of a file.
+    pub fn head(&self) -> String {
+        let (x, y) = (self.x_unit, self.y_unit);
+        // No character that ends a comment.
+        let name = self.name.replace(['*', '(', ')', '\n', '\r'], " ");
+        let points = self.segments.len() + 1;
+        format!(
+            "{name}: cam in {x}, follower in {y}, derivatives by the position of the cam, {points} points"
+        )
+    }
+}
+
+impl Number {
+    /// The nearest number that the controller has.
+    pub fn nearest(self, x: f64) -> f64 {
+        match self {
+            Number::Single => f64::from(x as f32),
+            Number::Double => x,
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! `gaitcam ecam`: a design → the program text or table of a motion controller → the force error of that controller.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use serde_json::json;
+
+use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::language;
+use crate::console::terminal::{print, print_json, report};
+use crate::console::words::{self, fixed, power};
+use crate::input::made::Made;
+use crate::input::{self, SceneArgs};
+use gaitcam::error::Result;
+use gaitcam_cad::ecam::{self, Dialect, ElectronicCam, Interpolation, Number};
+use gaitcam_files::{PATIENCE, ResultFolder};
+
+const EXAMPLES: &str = "Examples:
+  gaitcam ecam out/footbridge --dialect codesys
+  gaitcam ecam out/footbridge --dialect rockwell --points 120";
+
+/// Which design, for which controller.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct EcamArgs {
+    /// The design: a folder or summary.json of synth, a scene file or the name of a built-in scene
+    #[arg(value_name = "RESULT")]
+    design: PathBuf,
+    /// The controller: codesys, twincat (structured text); segments (ends of polynomials); rockwell (CAM array); csv (positions)
+    #[arg(long, value_parser = dialects())]
+    dialect: Dialect,
+    /// Equal intervals per cycle (default: as few as carry the law)
+    #[arg(long, value_name = "N")]
+    points: Option<usize>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// The names of the dialects on the command line.
+pub fn dialects() -> impl TypedValueParser<Value = Dialect> {
+    let named = |name: String| Dialect::ALL.into_iter().find(|d| d.name() == name);
+    PossibleValuesParser::new(Dialect::ALL.map(Dialect::name))
+        .map(move |name| named(name).unwrap_or(Dialect::Csv))
+}
+
+/// Writes the file beside the design; exit code 3 when the design has no cam.
+pub fn run(args: &EcamArgs) -> Result<u8> {
+    let named = SceneArgs {
+        scene: Some(args.design.clone()),
+        set: Vec::new(),
+    };
+    let made = Made::read(&named, None)?;
+    let (design, _) = made.design()?;
+    if let Some(why) = design.no_cam(language::current()) {
+        report(words::fill("ecam-no-cam", &json!({"why": why})));
+        return Ok(NO_SUCH_CAM);
+    }
+    let cam = ecam::make(&design, args.dialect, args.points)?;
+    let path = match args.design.is_dir() {
+        true => args.design.clone(),
+        false => input::result_folder(&made.input, None, "")?,
+    };
+    let folder = ResultFolder::open(&path, PATIENCE)?;
+    folder.write(cam.dialect.file(), cam.text.as_bytes())?;
+    let file = folder.path().join(cam.dialect.file()).display().to_string();
+    folder.commit(&[])?;
+    if args.json {
+        let replayed = cam.replayed;
+        print_json(&json!({
+            "dialect": cam.dialect.name(),
+            "file": file,
+            "points": cam.intervals,
+            "rms_error_n": replayed.error,
+            "added_rms_n": replayed.added,
+            "added_percent": 100.0 * replayed.share,
+        }));
+        return Ok(BUILT);
+    }
+    print(&sentence(&cam));
+    print(&words::fill("ecam-file", &json!({"file": file})));
+    Ok(BUILT)
+}
+
+/// What the controller makes of the cam.
+pub fn sentence(cam: &ElectronicCam) -> String {
+    let carries = cam.dialect.carries();
+    let curve = words::text(match carries.interpolation {
+        Interpolation::Quintic => "ecam-quintic",
+        Interpolation::CubicSpline => "ecam-cubic",
+    });
+    let number = match carries.number {
+        Number::Single => "REAL",
+        Number::Double => "LREAL",
+    };
+    let replayed = cam.replayed;
+    let error = replayed.error.or(replayed.added).unwrap_or_default();
+    let key = match (replayed.error, replayed.added) {
+        (Some(_), _) => "ecam-force",
+        (None, Some(_)) => "ecam-law",
+        (None, None) => "ecam-acceleration",
+    };
+    let fields = json!({
+        "file": cam.dialect.file(),
+        "points": cam.intervals,
+        "curve": curve,
+        "number": number,
+        "error": fixed(error, 2),
+        "added": power(100.0 * replayed.share, 2),
+    });
+    words::fill(key, &fields)
+}
