@@ -33,10 +33,10 @@ PICTURES = {
         "run": "out/fast/report.html#run",
         "speeds": "out/footbridge_speeds/speeds.svg",
     },
-    ("sweeps", None): {"heat": "out/grid/heat.svg", "front": "out/grid/front.svg"},
+    ("sweeps", "barridos"): {"heat": "out/grid/heat.svg", "front": "out/grid/front.svg"},
     ("workshop", None): {"profile": "out/shop/profile.svg"},
     ("teachers", None): {"svaj": "out/camdas_09_eight_motions/svaj.svg"},
-    ("python", None): {"svaj": "out/footbridge/svaj.svg"},
+    ("python", "python"): {"svaj": "out/footbridge/svaj.svg"},
 }
 LARGEST = 150_000
 
