@@ -11,6 +11,7 @@
 //! | [`step`] | solid with B-spline faces (AP214) | [`step::FAITHFUL`] |
 //! | [`solid`] | STL and 3MF of the plate, walls of a barrel's groove | vertices on the profile |
 //! | [`drawing`] | PDF sheet with views, dimensions, table of radii | three decimals of a millimetre |
+//! | [`ecam`] | electronic cam for a motion controller | executed again in the numbers of the controller |
 //! | [`gcode`], [`cutter`] | programs for a mill, a rotary axis, a wire; gouging | [`biarc`] within a tolerance |
 //!
 //! ```

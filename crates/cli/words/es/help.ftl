@@ -51,6 +51,7 @@ gaitcam = De una fuerza vertical de la marcha a la leva que la reproduce
 synth = Diseña una leva: curva de fuerza o programa → ley → leva → comprobaciones → archivos
 gait = Lee un registro: formato, canales, apoyos, ciclo medio
 inspect = Ajusta los puntos medidos de una leva hecha a su diseño: desviaciones, y qué hará esta misma leva
+ecam = Escribe un diseño como leva electrónica para un control de movimiento, y dice qué hace ese control con ella
 simulate = Simula la leva acabada: fuerza, par, despegue, vibración, con el modelo más simple que basta
 sweep = Diseña miles de escenas: una rejilla, una lista o una muestra de valores, en una sola tabla
 front = Frente de Pareto de un barrido: tabla, figuras y el mejor diseño como resultado normal
@@ -85,6 +86,7 @@ synth-front = Calcula un frente de Pareto en lugar de una leva: force_error:prim
 synth-solid = Escribe además los archivos de taller: plano (PDF), sólido (STEP, STL, 3MF), arcos (DXF), libro (XLSX)
 synth-cut_only = Quita de los dibujos DXF lo que no se corta: círculos, marcas, curva de paso (capas REF_*)
 synth-dxf = Traza los bordes de profile.dxf como arcos (R12) o como splines (R2000)
+synth-ecam = Escribe además una leva electrónica: programa o tabla de puntos para un control de movimiento
 synth-tool = Escribe además la trayectoria de una fresa de este radio: --tool '6 mm'
 synth-pass = Profundidad de pasada de esa fresa: cutter.nc con Z, husillo y avances
 synth-units = Unidad del DXF, del plano y de los programas
@@ -173,3 +175,8 @@ inspect-ball = Los puntos son centros de una bola palpadora de este radio: --bal
 inspect-set = Cambia un valor de la escena, o accionamiento y máquina de un resultado: --set 'drive.speed=60 rpm' (se puede repetir)
 inspect-out = Carpeta de los archivos (por defecto la del diseño, o out/NOMBRE_inspected)
 inspect-json = Escribe inspection.json en lugar del resumen; sin --out no se escribe ningún archivo
+
+ecam-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incluida
+ecam-dialect = El control: codesys, twincat (texto estructurado); segments (extremos de polinomios); rockwell (vector CAM); csv (posiciones)
+ecam-points = Intervalos iguales por ciclo (por defecto los menos que llevan la ley)
+ecam-json = Escribe JSON

@@ -1,5 +1,6 @@
 //! Results used again: run at other speeds, compared with a measured cam and with each other.
 
 mod as_made;
+mod ecam;
 mod front_and_compare;
 mod inspect;
