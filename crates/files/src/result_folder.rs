@@ -126,12 +126,17 @@ fn complete(path: &Path) -> Result<()> {
     if !is_folder(&ready) {
         return Ok(());
     }
+    let foreign = || FileError::Foreign.in_file(&ready);
     let new: Vec<&str> = own().filter(|name| is_plain(&ready.join(name))).collect();
+    let entries = fs::read_dir(&ready).map_err(|_| foreign())?.count();
+    if entries > new.len() + usize::from(is_plain(&ready.join(STALE))) {
+        return Err(foreign());
+    }
     for name in &new {
         check_place(&path.join(name))?;
     }
     put(path, &ready, &new).map_err(|e| cannot_place(path, &e))?;
-    discard(&ready).map_err(|_| FileError::Foreign.in_file(&ready))
+    discard(&ready).map_err(|_| foreign())
 }
 
 fn put(path: &Path, ready: &Path, new: &[&str]) -> io::Result<()> {
@@ -243,6 +248,32 @@ mod tests {
         drop(ResultFolder::open(path, Duration::ZERO).unwrap());
         assert_eq!(names(path), ["law.csv", "profile.csv", "summary.json"]);
         assert_eq!(fs::read_to_string(path.join("law.csv")).unwrap(), "new");
+    }
+
+    #[test]
+    fn new_files_among_foreign_ones_are_refused_before_anything_is_moved() {
+        type Put = fn(&Path);
+        let foreign: [Put; 4] = [
+            |at| fs::write(at.join("notes.txt"), "own").unwrap(),
+            |at| fs::create_dir(at.join("profile.csv")).unwrap(),
+            |at| fs::create_dir(at.join(STALE)).unwrap(),
+            |at| fs::write(at.join("law.csv.old"), "own").unwrap(),
+        ];
+        for put in foreign {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path();
+            let ready = path.join(READY);
+            fs::create_dir(&ready).unwrap();
+            put(&ready);
+            fs::write(path.join("law.csv"), "old").unwrap();
+            fs::write(ready.join("cam.svg"), "new").unwrap();
+            if !ready.join(STALE).exists() {
+                fs::write(ready.join(STALE), "law.csv").unwrap();
+            }
+            let before = (names(path), names(&ready));
+            assert!(ResultFolder::open(path, Duration::ZERO).is_err());
+            assert_eq!((names(path), names(&ready)), before);
+        }
     }
 
     #[test]

@@ -4,7 +4,7 @@ mod csv;
 pub(super) mod records;
 pub(super) mod results;
 
-pub use csv::{cell_text, text_cell};
+pub use gaitcam_base::text::{cell_text, text_cell};
 
 /// Endings of columns with the units they stand for.
 const UNITS: [(&str, &str); 18] = [

@@ -1,8 +1,10 @@
 //! Numbers and text as files and pages show them.
 
+mod cell;
 mod escape;
 mod number;
 
+pub use cell::{cell_text, text_cell};
 pub use escape::escaped;
 pub use number::{
     append, append_decimal, degrees, in_language, millimetres, number, page_in_language, range,

@@ -10,6 +10,7 @@ use std::path::Path;
 use super::Walker;
 use crate::curve::ForceCurve;
 use crate::error::{ForceError, Placed, Result};
+use gaitcam_base::text::{cell_text, text_cell};
 
 /// Steps of a cycle in a table that is written.
 const STEPS: usize = 100;
@@ -109,7 +110,7 @@ fn walker(columns: &Columns, cells: &[&str], comma: bool) -> Result<Walker> {
     let places = &columns.force[..columns.force.len() - 1];
     let force: std::result::Result<Vec<f64>, ForceError> =
         places.iter().map(|p| number(*p)).collect();
-    let name = cell(columns.walker);
+    let name = cell_text(cell(columns.walker));
     let mut curve = ForceCurve::from_samples(name, number(columns.period)?, force?)?;
     curve.mass_kg = given(columns.mass)?;
     Ok(Walker {
@@ -130,6 +131,7 @@ pub fn write_table(walkers: &[Walker]) -> String {
     for walker in walkers {
         let curve = &walker.curve;
         let name = walker.name.replace([',', '\n', '\r', '"'], " ");
+        let name = text_cell(&name);
         let (speed, mass) = (blank(walker.speed_m_per_s), blank(curve.mass_kg));
         let _ = write!(out, "{name},{speed},{mass},{}", curve.period_s);
         for step in 0..=STEPS {
@@ -139,4 +141,23 @@ pub fn write_table(walkers: &[Walker]) -> String {
         out.push('\n');
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_name_of_a_walker_is_a_formula_and_each_reads_back() {
+        let names = ["=1+1", "+y", "-z", "@x", "'=a", "W 1", "12"];
+        let walker = |name: &&str| {
+            let force = (0..64).map(|i| 700.0 + f64::from(i)).collect();
+            Walker::new(name, ForceCurve::from_samples(name, 1.0, force).unwrap())
+        };
+        let table = write_table(&names.iter().map(walker).collect::<Vec<_>>());
+        assert!(!table.contains("\n=") && !table.contains("\n+") && !table.contains("\n@"));
+        let read = read_table(Path::new("w.csv"), table.as_bytes()).unwrap();
+        let back: Vec<&str> = read.iter().map(|w| w.name.as_str()).collect();
+        assert_eq!(back, names);
+    }
 }

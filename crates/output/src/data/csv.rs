@@ -2,6 +2,7 @@
 
 use crate::pose::{angles, target_at};
 use gaitcam::cam::{ProfilePoint, Wall};
+use gaitcam::sweep::table::text_cell;
 use gaitcam::synth::Design;
 
 /// Columns of `law.csv` for a translating follower.
@@ -60,6 +61,7 @@ pub fn walkers(design: &Design) -> Option<String> {
     let each = &design.population.as_ref()?.each;
     let rows = each.iter().map(|w| {
         let name = w.walker.replace([',', '\n', '\r', '"'], " ");
+        let name = text_cell(&name);
         let (mass, speed, phase) = (w.mass_kg, w.speed_rad_per_s, w.phase_rad);
         format!("{name},{mass},{speed},{phase},{}\n", w.rms_error_percent)
     });

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::dice::Dice;
 use super::layout::{Clock, Plate, Table};
-use super::person::{Person, Step, changing, runner, walker};
+use super::person::{Person, Step, changing, limper, runner, walker};
 use crate::c3d_file::{Build, Processor, build};
 use gaitcam_gait::error::Result;
 use gaitcam_gait::{
@@ -298,4 +298,77 @@ fn both_feet_of_a_runner_in_one_column_give_the_stride() {
             person.strides
         );
     }
+}
+
+/// The columns of contacts in turn, each on a plate of its own.
+fn plates_in_turn(dice: &mut Dice, person: &Person, contacts: std::ops::Range<usize>) -> Table {
+    let plate = plain(dice.of(&[200.0, 500.0, 1000.0]));
+    let (first, last) = (person.steps[contacts.start], person.steps[contacts.end - 1]);
+    let (from, seconds) = (first.at - 0.4, last.at + last.lasts - first.at + 0.8);
+    let on = |k: usize| move |t: f64| person.feet(t + from, |i, _| i == k);
+    Table {
+        rate_hz: plate.rate_hz,
+        names: contacts.clone().map(|k| format!("Fz{k}")).collect(),
+        columns: contacts
+            .map(|k| plate.samples(dice, seconds, on(k)))
+            .collect(),
+    }
+}
+
+/// Root mean square and largest size.
+fn errors(all: &[f64]) -> (f64, f64) {
+    let square = all.iter().map(|x| x * x).sum::<f64>() / all.len() as f64;
+    (square.sqrt(), all.iter().fold(0.0, |m, x| m.max(x.abs())))
+}
+
+#[test]
+fn a_stride_from_one_step_is_within_twice_the_uncertainty_that_is_said() {
+    let mut off = Vec::new();
+    for seed in 0..100 {
+        let dice = &mut Dice::new(seed);
+        let person = if seed % 4 == 0 {
+            limper(dice, 9.0)
+        } else {
+            walker(dice, 9.0)
+        };
+        let first = dice.of(&[2, 3]);
+        let table = plates_in_turn(dice, &person, first..first + 2);
+        let curve = opened(&table.delimited(CLOCK, false), &none()).unwrap();
+        let understood = understood(&curve);
+        let one = understood.warnings.iter().find_map(|n| match n {
+            Note::StrideFromOne { error, stroke, .. } => Some((error.value, stroke.value)),
+            _ => None,
+        });
+        let (error, stroke) = one.expect("the note");
+        // The stroke of a law goes with the square of the period.
+        assert!((stroke / error - 2.0).abs() < 1e-9, "{seed}");
+        assert!(understood.period.unwrap().uncertainty_s().is_some());
+        let stride = person.strides[0];
+        if seed % 4 != 0 {
+            off.push((curve.period_s / stride - 1.0) / error);
+        }
+    }
+    let (rms, worst) = errors(&off);
+    println!(
+        "{} strides from one step: {rms:.2} of the uncertainty, at most {worst:.2}",
+        off.len()
+    );
+    assert!(off.len() == 75 && rms < 1.0 && worst < 2.0);
+}
+
+#[test]
+fn contacts_in_turn_weigh_the_walker() {
+    let mut off = Vec::new();
+    for seed in 0..120 {
+        let dice = &mut Dice::new(seed);
+        let person = walker(dice, 9.0);
+        let count = dice.of(&[2, 3, 4]);
+        let table = plates_in_turn(dice, &person, 2..2 + count);
+        let curve = opened(&table.delimited(CLOCK, false), &none()).unwrap();
+        off.push(curve.mass_kg.unwrap() / person.mass - 1.0);
+    }
+    let (rms, worst) = errors(&off);
+    println!("mass of 120 walkers: RMS {rms:.4}, at most {worst:.4}");
+    // Single contacts of the made walkers differ by 1.5 %.
+    assert!(rms < 0.015 && worst < 0.04);
 }

@@ -1,0 +1,61 @@
+//! Texts as cells of CSV.
+
+use std::borrow::Cow;
+
+/// A text as a cell of CSV that no spreadsheet takes for a formula: an apostrophe stands before what begins like one.
+/// Numbers stay as they are.
+///
+/// ```
+/// use gaitcam_base::text::{cell_text, text_cell};
+///
+/// assert_eq!(text_cell("=A1.csv"), "'=A1.csv");
+/// assert_eq!(cell_text("'=A1.csv"), "=A1.csv");
+/// assert_eq!(text_cell("-4.5"), "-4.5");
+/// ```
+pub fn text_cell(text: &str) -> Cow<'_, str> {
+    match begins_like_formula(text) {
+        true => Cow::Owned(format!("'{text}")),
+        false => Cow::Borrowed(text),
+    }
+}
+
+/// The text of a cell that [`text_cell`] has made.
+pub fn cell_text(cell: &str) -> &str {
+    let text = cell.strip_prefix('\'');
+    text.filter(|text| begins_like_formula(text))
+        .unwrap_or(cell)
+}
+
+/// Apostrophes before it count too, so that one more can always be taken off again.
+fn begins_like_formula(text: &str) -> bool {
+    let begins = |c: char| matches!(c, '=' | '+' | '-' | '@' | '\t' | '\r');
+    text.trim_start_matches('\'').starts_with(begins) && text.parse::<f64>().is_err()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_text_reads_back_and_none_begins_like_a_formula() {
+        let mut texts = vec![String::new()];
+        for _ in 0..4 {
+            let longer =
+                |t: &String| ["'", "=", "+", "-", "@", "5", "a"].map(|c| format!("{t}{c}"));
+            texts = texts
+                .iter()
+                .flat_map(longer)
+                .chain([String::new()])
+                .collect();
+        }
+        for text in texts {
+            let cell = text_cell(&text);
+            assert_eq!(cell_text(&cell), text);
+            let is_number = cell.parse::<f64>().is_ok();
+            assert!(
+                is_number || !cell.starts_with(['=', '+', '-', '@']),
+                "{cell}"
+            );
+        }
+    }
+}
