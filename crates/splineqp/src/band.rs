@@ -290,6 +290,12 @@ fn factor_of_width(core: &mut [f64], w: usize) -> Option<()> {
 }
 
 impl ArrowFactor {
+    /// Every stored entry of L as (row, column, value).
+    pub fn entries(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+        let entries = self.0.lower_entries().into_iter();
+        entries.map(|(i, j, l)| (i, j, if i == j { 1.0 / l } else { l }))
+    }
+
     /// Solves in place.
     pub fn solve(&self, x: &mut [f64]) {
         self.forward(x);

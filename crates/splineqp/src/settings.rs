@@ -99,22 +99,16 @@ pub struct ProximalSettings {
 /// Settings of the search for the weight of a limit on a root mean square.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RmsSettings {
-    /// Step of ln μ until the limit lies between two optima, doubled each time …
+    /// Tolerance of the limits in the program with a cone, where the search begins.
+    pub rough: f64,
+    /// First step of ln μ or ln p, in parts of the logarithm by which the limit is missed …
     pub step: f64,
-    /// … so many times …
-    pub steps: usize,
-    /// … from the weight of a neighbouring program …
-    pub near_step: f64,
-    /// … so many times …
-    pub near_steps: usize,
-    /// … or of ln p from the peak of the law of the least root mean square …
-    pub peak_step: f64,
+    /// … no shorter than this, and four times as long each time …
+    pub least_step: f64,
     /// … so many times.
-    pub peak_steps: usize,
+    pub steps: usize,
     /// The least peak that is tried is larger than the least one there is by this part.
     pub pinch: f64,
-    /// Contacts nearer to each other than this part of a piece begin as one.
-    pub coincident: f64,
     /// Weights tried between two.
     pub weights: usize,
     /// Weights whose logarithms are nearer than this are one.
@@ -292,14 +286,11 @@ const CERTIFICATE: CertificateSettings = CertificateSettings {
 };
 
 const RMS: RmsSettings = RmsSettings {
-    step: 3.0,
+    rough: 1e-6,
+    step: 4.0,
+    least_step: 1e-6,
     steps: 16,
-    near_step: 0.5,
-    near_steps: 3,
-    peak_step: 0.2,
-    peak_steps: 24,
     pinch: 2e-7,
-    coincident: 0.02,
     weights: 40,
     same_weight: 1e-11,
     gap: 1e-10,

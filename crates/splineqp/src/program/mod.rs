@@ -16,7 +16,7 @@ pub use failure::{Failure, Stop};
 pub use limit::{
     EXTRAS, FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, RADIUS, RISE, SIZES, only,
 };
-pub use rms::{RmsLimit, hold};
+pub use rms::{Ball, RmsLimit, hold};
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries, apply};

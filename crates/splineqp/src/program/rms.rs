@@ -2,11 +2,24 @@
 
 use super::{EXTRAS, Limit, Meaning, PEAK, Program, Row, SIZES};
 use crate::Names;
+use crate::band::ArrowFactor;
 use crate::objective::{MeanSquare, Quadratic};
 use crate::poly::Peak;
 
 /// Rounding of a difference of q's terms, as a part of its constant.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// What H gains on its diagonal, as a part of that, to have a factor where it does not see a constant.
+const RIDGE: f64 = 1e-13;
+
+/// A limit on a root mean square as a cone: ‖Lᵀx + h‖ ≤ radius.
+pub struct Ball {
+    /// L, the factor of q's H.
+    pub factor: ArrowFactor,
+    /// h.
+    pub shift: Vec<f64>,
+    /// √(most² − 2 min q).
+    pub radius: f64,
+}
 
 /// √(2 q(x)) ≤ most, with a convex quadratic q: half the mean square of what is limited.
 #[derive(Debug, Clone)]
@@ -26,6 +39,25 @@ impl<N: Names> RmsLimit<N> {
     pub fn excess(&self, x: &[f64]) -> f64 {
         let square = 2.0 * self.half.value(x) - ROUNDING * self.half.whole.constant.abs();
         square.max(0.0).sqrt() / self.most - 1.0
+    }
+
+    /// The limit as a cone; `None` where no law has so small a mean square.
+    pub(crate) fn ball(&self) -> Option<Ball> {
+        let whole = &self.half.whole;
+        let mut hessian = whole.hessian.clone();
+        let ridge = RIDGE * hessian.largest_diagonal();
+        (0..hessian.dimension()).for_each(|i| hessian.add(i, i, ridge));
+        let factor = hessian.factor()?;
+        let mut shift = whole.gradient.clone();
+        factor.forward(&mut shift);
+        let mut nearest: Vec<f64> = shift.iter().map(|h| -h).collect();
+        factor.backward(&mut nearest);
+        let room = self.most.powi(2) - 2.0 * self.half.value(&nearest);
+        (room > 0.0).then(|| Ball {
+            factor,
+            shift,
+            radius: room.sqrt(),
+        })
     }
 
     /// Whether a row is a tangent of this limit.

@@ -16,6 +16,7 @@ mod rms;
 
 use crate::basis::apply;
 use crate::program::{EXTRAS, FACE_END, Failure, LOWEST, PEAK, Program, Solution, Stop};
+use crate::settings::TOLERANCE;
 use crate::{Names, equality};
 use active_set::proximal;
 
@@ -26,6 +27,7 @@ impl<N: Names> Program<N> {
     /// Equalities that contradict each other, limits that leave nothing, a solver that stops without an answer.
     pub fn solve(&self) -> Result<Solution<N>, Failure<N>> {
         let mut solution = match &self.rms {
+            Some(_) if self.settings.tolerance > TOLERANCE => exchange::solve(self)?,
             Some(limit) => rms::solve(self, limit)?,
             None => self.solved()?,
         };

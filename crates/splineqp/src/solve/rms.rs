@@ -1,4 +1,7 @@
-//! A limit on a root mean square √(2 q), by a number at which it holds with equality.
+//! A limit on a root mean square √(2 q) to rounding, by a number at which it holds with equality.
+//!
+//! **Beginning.** As a cone of an interior-point program the limit gives the law to about 1e-6, and its multiplier. That is
+//! enough between the steps of a sequence; here it is where the search begins.
 //!
 //! **Weight.** With weight μ on q the optimum x(μ) of J + μ q keeps the other limits, and q(x(μ)) falls as μ grows. Where
 //! √(2 q) is `most`, x(μ) is the optimum under √(2 q) ≤ `most` and μ·most the multiplier of its tangent: J's gradient and the
@@ -17,13 +20,10 @@
 
 use crate::Names;
 use crate::program::{EXTRAS, Failure, PEAK, Program, RmsLimit, Row, Solution, Stop, hold};
+use crate::solve::exchange;
 
 /// Root mean square, as a part of what is allowed, below which none is smaller.
 const SMALL: f64 = 1e-2;
-/// A neighbour's weight that leaves the root mean square this part from what is allowed, or more, is moved by a whole step; one
-/// that leaves less by so much less.
-const NEAR: f64 = 0.01;
-
 /// An optimum on the way.
 struct Tried<N: Names> {
     /// ln of the weight or of the peak.
@@ -57,47 +57,34 @@ pub fn solve<N: Names>(
     program: &Program<N>,
     limit: &RmsLimit<N>,
 ) -> Result<Solution<N>, Failure<N>> {
-    let settings = &program.settings.rms;
     let mut search = Search::new(program, limit);
-    if search.way == Way::Peak {
-        return search.least_peak();
-    }
-    let neighbour = program.seeds.iter().find(|r| limit.is_tangent(r));
-    if let Some(tangent) = neighbour.filter(|r| r.multiplier > 0.0) {
-        let weight = (tangent.multiplier / limit.most).ln();
-        let near = search.at(weight).and_then(|here| {
-            // A short step keeps the contacts.
-            let step = settings.near_step * (here.excess.abs() / NEAR).clamp(NEAR, 1.0);
-            search.bracket(here, step, settings.near_steps)
-        });
-        if let Ok(Some([inside, outside])) = near {
-            return search.between(inside, outside);
+    let number = match search.begin() {
+        Some(number) => number,
+        None => match search.without_limit() {
+            Ok(plain) if limit.excess(&plain.x) <= 0.0 => return Ok(plain),
+            // Without the limit the objective may have no least value.
+            Ok(_) | Err(Failure::Numerical { .. }) => search.from_the_nearest()?,
+            Err(failure) => return Err(failure),
+        },
+    };
+    let first = match search.at(number) {
+        // The other limits leave no law of so small a peak.
+        Err(Failure::Infeasible) if search.way == Way::Peak => None,
+        first => Some(first?),
+    };
+    let found = first.map_or(Ok(None), |first| search.bracket(first))?;
+    match found {
+        Some([inside, outside]) => search.between(inside, outside),
+        None => {
+            let least = search.least.take();
+            let least = least.map_or_else(|| search.without_limit(), Ok)?;
+            search.held_up(least)
         }
     }
-    match search.without_limit() {
-        Ok(plain) if limit.excess(&plain.x) <= 0.0 => return Ok(plain),
-        // Without the limit the objective may have no least value.
-        Ok(_) | Err(Failure::Numerical { .. }) => (),
-        Err(failure) => return Err(failure),
-    }
-    search.nearest()?;
-    let square = limit.half.whole.hessian.largest_diagonal() * program.length.powi(2);
-    let first = search.at((program.objective_unit() / square).ln())?;
-    let bracket = search.bracket(first, settings.step, settings.steps)?;
-    let [inside, outside] = bracket.ok_or(Stop::NoProgress)?;
-    search.between(inside, outside)
 }
 
 impl<'a, N: Names> Search<'a, N> {
     fn new(program: &'a Program<N>, limit: &'a RmsLimit<N>) -> Self {
-        // The rows of a law between two optima are those of both.
-        let mut seeds: Vec<Row<N>> = Vec::new();
-        for row in program.seeds.iter().filter(|r| r.limit.is_some()) {
-            let part = program.settings.rms.coincident;
-            if !seeds.iter().any(|s| s.coincides(row, part)) {
-                seeds.push(row.clone());
-            }
-        }
         let is_flat =
             program.hessian.largest_diagonal() == 0.0 && program.gradient.iter().all(|g| *g == 0.0);
         let priced = (0..EXTRAS).filter(|k| program.cost[*k] != 0.0);
@@ -110,9 +97,39 @@ impl<'a, N: Names> Search<'a, N> {
             program,
             limit,
             way,
-            seeds,
+            seeds: Vec::new(),
             least: None,
         }
+    }
+
+    /// The number that the limit as a cone gives; `None` where that has no answer, or the limit no multiplier.
+    fn begin(&mut self) -> Option<f64> {
+        let mut rough = self.program.clone();
+        rough.settings.tolerance = self.program.settings.rms.rough;
+        let found = exchange::solve(&rough).ok()?;
+        let is_tangent = |r: &&Row<N>| self.limit.is_tangent(r);
+        let weight = found.active.iter().find(is_tangent)?.multiplier / self.limit.most;
+        self.seeds = found.active;
+        self.seeds.retain(|r| r.limit.is_some());
+        Some(match self.way {
+            Way::Weight => weight.ln(),
+            Way::Peak => found.extra[PEAK].ln(),
+        })
+    }
+
+    /// The number at which the objective weighs as much as the root mean square, or the peak of the law of the least.
+    fn from_the_nearest(&self) -> Result<f64, Failure<N>> {
+        let program = self.program;
+        let near = program.of_least_rms(None).ok_or(Stop::Refused)?.solve()?;
+        if self.limit.excess(&near.x) > program.settings.tolerance {
+            return Err(Failure::Infeasible);
+        }
+        let square = self.limit.half.whole.hessian.largest_diagonal() * program.length.powi(2);
+        let number = match self.way {
+            Way::Weight => program.objective_unit() / square,
+            Way::Peak => program.own_peak(&near.x, &near.extra),
+        };
+        Ok(number.max(f64::MIN_POSITIVE).ln())
     }
 
     /// The optimum without the limit.
@@ -122,43 +139,22 @@ impl<'a, N: Names> Search<'a, N> {
         plain.solve()
     }
 
-    /// The law of the least root mean square.
-    fn nearest(&self) -> Result<Solution<N>, Failure<N>> {
-        let near = self.program.of_least_rms(None).ok_or(Stop::Refused)?;
-        let near = near.solve()?;
-        if self.limit.excess(&near.x) > self.program.settings.tolerance {
-            return Err(Failure::Infeasible);
-        }
-        Ok(near)
-    }
-
-    /// Downwards from the peak of the law of the least root mean square.
-    fn least_peak(&mut self) -> Result<Solution<N>, Failure<N>> {
-        let settings = &self.program.settings.rms;
-        let mut near = self.nearest()?;
-        let peak = self.program.own_peak(&near.x, &near.extra);
-        near.extra[PEAK] = peak;
-        let first = self.tried(peak.max(f64::MIN_POSITIVE).ln(), 0.0, near);
-        let found = self.bracket(first, settings.peak_step, settings.peak_steps);
-        match (found?, self.least.take()) {
-            (Some([inside, outside]), _) => self.between(inside, outside),
-            (None, least) => self.held_up(least.map_or_else(|| self.without_limit(), Ok)?),
-        }
-    }
-
-    /// The law of the least peak that the other limits leave, with the proof of `least`.
+    /// The optimum without the limit where that keeps it, or the law of the least peak that the other limits leave, with its proof.
     fn held_up(&mut self, least: Solution<N>) -> Result<Solution<N>, Failure<N>> {
         if self.limit.excess(&least.x) <= self.program.settings.tolerance {
             return Ok(least);
         }
-        let near = self.at(self.lowest(&least))?;
-        let keeps = near.excess <= 0.0;
-        keeps
-            .then_some(Solution {
-                active: least.active,
-                ..near.solution
-            })
-            .ok_or(Stop::NoProgress.into())
+        if self.way == Way::Peak {
+            let near = self.at(self.lowest(&least))?;
+            if near.excess <= 0.0 {
+                return Ok(Solution {
+                    active: least.active,
+                    ..near.solution
+                });
+            }
+        }
+        self.from_the_nearest()?;
+        Err(Stop::NoProgress.into())
     }
 
     /// ln of the least peak that is tried: a little above the least that the other limits leave.
@@ -236,14 +232,11 @@ impl<'a, N: Names> Search<'a, N> {
     }
 
     /// Optima that keep the limit and exceed it; `None` where no number tried does one of both.
-    fn bracket(
-        &mut self,
-        mut here: Tried<N>,
-        mut step: f64,
-        most: usize,
-    ) -> Result<Option<[Tried<N>; 2]>, Failure<N>> {
+    fn bracket(&mut self, mut here: Tried<N>) -> Result<Option<[Tried<N>; 2]>, Failure<N>> {
+        let settings = self.program.settings.rms;
         let holds = here.excess <= 0.0;
-        for _ in 0..most {
+        let mut step = (settings.step * here.excess.abs()).clamp(settings.least_step, 1.0);
+        for _ in 0..settings.steps {
             let mut number = here.number + if holds { -step } else { step };
             if let Some(lowest) = self.least.as_ref().map(|least| self.lowest(least)) {
                 number = number.max(lowest);
@@ -268,7 +261,7 @@ impl<'a, N: Names> Search<'a, N> {
                 return Ok(Some(both));
             }
             here = next;
-            step *= 2.0;
+            step *= 4.0;
         }
         Ok(None)
     }

@@ -8,7 +8,7 @@ use clarabel::solver::{
 };
 
 use crate::basis::{Entries, row_unit};
-use crate::program::{EXTRAS, Failure, PEAK, Program, Row, SIZES, Stop};
+use crate::program::{Ball, EXTRAS, Failure, PEAK, Program, Row, SIZES, Stop};
 
 /// Minimise ½xᵀPx + qᵀx with b − Ax in the cones, in the solver's hands. Clarabel's code is generic: every crate that makes or
 /// runs a solver of its own compiles it whole, so all ask here.
@@ -32,11 +32,13 @@ pub fn run(solver: &mut DefaultSolver<f64>) {
 }
 
 /// What the interior-point method returns, in the program's own units.
-pub struct Point {
+pub struct Point<N: Names> {
     /// Coefficients.
     pub x: Vec<f64>,
     /// Further variables.
     pub extra: [f64; EXTRAS],
+    /// The tangent of the limit on a root mean square, with its multiplier.
+    pub tangent: Option<Row<N>>,
     /// Iterations.
     pub iterations: usize,
 }
@@ -47,11 +49,15 @@ pub fn solve<N: Names>(
     program: &Program<N>,
     rows: &mut [Row<N>],
     margin: f64,
-) -> Result<Point, Failure<N>> {
+) -> Result<Point<N>, Failure<N>> {
     let (length, n) = (program.length, program.basis.columns());
     let scaling = Scaling::of(program, rows);
     let (p, q) = objective(program, &scaling);
-    let (a, b, cones) = constraints(program, rows, &scaling, margin);
+    let ball = match &program.rms {
+        Some(limit) => Some(limit.ball().ok_or(Failure::Infeasible)?),
+        None => None,
+    };
+    let (a, b, cones) = constraints(program, rows, ball.as_ref(), &scaling, margin);
     let own = &program.settings.exchange;
     let settings = DefaultSettingsBuilder::default()
         .verbose(false)
@@ -79,9 +85,16 @@ pub fn solve<N: Names>(
     for (column, &k) in (n..).zip(&scaling.free) {
         extra[k] = answer.x[column] * scaling.variable(k, length);
     }
+    let x: Vec<f64> = answer.x[..n].iter().map(|y| y * length).collect();
+    let beside = usize::from(program.cone) * SIZES.len();
+    let tangent = program.rms.as_ref().zip(ball).map(|(limit, ball)| {
+        let z = multipliers[rows.len() + beside] * scaling.objective / ball.radius;
+        limit.tangent(&x, z * limit.most / ball.radius)
+    });
     Ok(Point {
-        x: answer.x[..n].iter().map(|y| y * length).collect(),
+        x,
         extra,
+        tangent,
         iterations: answer.iterations as usize,
     })
 }
@@ -140,10 +153,11 @@ fn objective<N: Names>(program: &Program<N>, scaling: &Scaling) -> (CscMatrix<f6
     (p, q)
 }
 
-/// A, b and the cones: equalities, rows, and R ≥ ‖(D, e)‖ where the program has it.
+/// A, b and the cones: equalities, rows, R ≥ ‖(D, e)‖ where the program has it, and the limit on a root mean square.
 fn constraints<N: Names>(
     program: &Program<N>,
     rows: &[Row<N>],
+    ball: Option<&Ball>,
     scaling: &Scaling,
     margin: f64,
 ) -> (CscMatrix<f64>, Vec<f64>, Vec<SupportedConeT<f64>>) {
@@ -177,6 +191,14 @@ fn constraints<N: Names>(
             b.push(0.0);
         }
         cones.push(SupportedConeT::SecondOrderConeT(SIZES.len()));
+    }
+    if let Some(ball) = ball {
+        let first = b.len() + 1;
+        b.push(1.0 - margin);
+        b.extend(ball.shift.iter().map(|h| h / ball.radius));
+        let part = length / ball.radius;
+        entries.extend((ball.factor.entries()).map(|(i, j, l)| (first + j, i, -l * part)));
+        cones.push(SupportedConeT::SecondOrderConeT(n + 1));
     }
     (matrix(b.len(), n + scaling.free.len(), entries), b, cones)
 }

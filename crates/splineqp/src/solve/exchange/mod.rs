@@ -19,7 +19,8 @@ use clarabel::Point;
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
     let mut rows: Vec<Row<N>> = program.fixed.clone();
     if !program.seeds.is_empty() {
-        rows.extend(program.seeds.iter().cloned());
+        let contacts = program.seeds.iter().filter(|r| r.limit.is_some());
+        rows.extend(contacts.cloned());
         // A limit on a size alone is one row, which no place of the law calls in.
         let mut own = Vec::new();
         program.seed_rows(&mut own);
@@ -64,10 +65,13 @@ pub fn from_rows<N: Names>(
             (Err(failure), _) => return Err(failure),
         };
         iterations += point.iterations;
-        let Point { x, extra, .. } = point;
+        let Point {
+            x, extra, tangent, ..
+        } = point;
         let broken = program.broken(&x, &extra);
         let violation = program.violation(&x, &extra);
-        let active = rows.iter().filter(|r| is_active(program, r, &x, &extra));
+        let all = rows.iter().chain(&tangent);
+        let active = all.filter(|r| is_active(program, r, &x, &extra));
         let solution = Solution {
             active: active.cloned().collect(),
             x,
@@ -81,7 +85,7 @@ pub fn from_rows<N: Names>(
             return Ok(solution);
         }
         let near = violation < program.settings.refinement.from;
-        if near && refinements < settings.refinements {
+        if near && program.rms.is_none() && refinements < settings.refinements {
             refinements += 1;
             if let Some(refined) = refine::on_contacts(program, &solution) {
                 return Ok(refined);
