@@ -329,6 +329,10 @@ def page(rows, sizes):
     out += ["", "## Survivors", "", "| mutant | why no test fails |", "|---|---|"]
     escaped = lambda text: text.replace("|", "\\|")
     out += [f"| {escaped(r['mutant'])} | {escaped(r['reason'])} |" for r in rows if r["outcome"] == "missed"]
+    by_hand = {f.name: f.area for f in FAULTS}
+    out += ["", "## Faults written by hand", "", "| fault | area | outcome | by |", "|---|---|---|---|"]
+    mine = [r for r in rows if r["mutant"] in by_hand]
+    out += [f"| {r['mutant']} | {r['area']} | {r['outcome']} | {r['by']} |" for r in mine]
     TABLE.with_suffix(".md").write_text("\n".join(out) + "\n")
 
 

@@ -90,7 +90,8 @@ fn number(
     path: &str,
 ) -> Result<Option<Value>> {
     let value = match typed {
-        Toml::String(s) if s == "auto" => return Ok(None),
+        // No limit is chosen by the program.
+        Toml::String(s) if s == "auto" && key.limit.is_none() => return Ok(None),
         Toml::String(s) => parse(s, dimension).map_err(|e| e.at_key(path))?,
         Toml::Integer(0) => 0.0,
         Toml::Float(x) if *x == 0.0 => 0.0,

@@ -174,12 +174,12 @@ macro_rules! one_side {
     };
 }
 
-/// The row of a limit: path, limit, direction that permits more, what it takes.
+/// The row of a limit: path, limit, direction that permits more, what it takes beside "none".
 macro_rules! limit {
     ($path:literal, $kind:ident, $relax:ident, $takes:expr) => {
         row(
             $path,
-            $takes,
+            $takes.or(NONE),
             "",
             Access {
                 get: |s, _| s.limits[LimitKind::$kind].value(),

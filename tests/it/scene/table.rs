@@ -279,3 +279,31 @@ fn every_key_has_its_sentence_in_both_languages() {
         }
     }
 }
+
+/// The program chooses no limit: every one is a number, or none.
+#[test]
+fn a_limit_is_a_number_or_none_and_never_auto() {
+    let mut tried = 0;
+    for name in [
+        "footbridge",
+        "heel_tester_fitted",
+        "camdas_11_oscillating_roller",
+    ] {
+        let scene = scene::built_in(name).unwrap().scene().unwrap();
+        for key in KEYS
+            .iter()
+            .filter(|k| k.limit.is_some() && k.exists(&scene))
+        {
+            let error = scene.with(key.path, "auto").unwrap_err().to_string();
+            assert!(
+                error.contains(key.path) && error.contains("auto"),
+                "{error}"
+            );
+            let without = scene.with(key.path, "none").unwrap();
+            assert_eq!(key.number(&without), None, "{name} {}", key.path);
+            tried += 1;
+        }
+    }
+    println!("{tried} limits of three scenes");
+    assert!(tried > 40);
+}

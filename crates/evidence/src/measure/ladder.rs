@@ -142,7 +142,7 @@ fn scenes(watch: &Watch) -> Result<Vec<Row>> {
     let cases: [(&'static str, &[&str]); 2] = [
         (
             "a roller of 0.1 mm",
-            &["cam.roller_radius=0.1 mm", "limits.curvature=auto"],
+            &["cam.roller_radius=0.1 mm", "limits.curvature=none"],
         ),
         ("a roller of 1 in", &[]),
     ];

@@ -13,8 +13,9 @@ pub(super) struct Stride {
     pub start_s: f64,
     pub end_s: f64,
     pub foot: Option<Foot>,
-    /// Time on record beyond both ends, in which every foot that stands is known, s.
-    beyond_s: f64,
+    /// Time on record before the start, in which every foot that stands is known, s. After the end it is a quarter of a
+    /// stance at least: less of a last contact is a fragment.
+    before_s: f64,
     /// The contacts that reach into the stride.
     contacts: Vec<Footfall>,
 }
@@ -46,7 +47,7 @@ pub(super) fn whole_strides(recording: &Recording, stances: &Stances) -> Vec<Str
             start_s: w[1].start_s,
             end_s: w[3].start_s,
             foot: w[1].foot,
-            beyond_s: (w[1].start_s - w[0].start_s).min(w[3].end_s - w[3].start_s),
+            before_s: w[1].start_s - w[0].start_s,
             contacts: w.to_vec(),
         })
         .collect()
@@ -121,6 +122,6 @@ fn sample_stride(recording: &Recording, stride: &Stride, row: &mut [f64]) {
         loaded.map(|s| at(s.0, t * rate)).sum()
     };
     let length = stride.end_s - stride.start_s;
-    let half = (BLEND * length).min(stride.beyond_s);
+    let half = (BLEND * length).min(stride.before_s);
     periodic(row, stride.start_s, length, half, total);
 }

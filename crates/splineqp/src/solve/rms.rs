@@ -48,7 +48,7 @@ struct Search<'a, N: Names> {
     way: Way,
     /// Contacts of the last optimum.
     seeds: Vec<Row<N>>,
-    /// The law of the least peak under the other limits, once a smaller peak had none.
+    /// The law of the least peak under the other limits.
     least: Option<Solution<N>>,
 }
 
@@ -58,29 +58,27 @@ pub fn solve<N: Names>(
     limit: &RmsLimit<N>,
 ) -> Result<Solution<N>, Failure<N>> {
     let mut search = Search::new(program, limit);
-    let number = match search.begin() {
-        Some(number) => number,
-        None => match search.without_limit() {
+    let mut number = search.begin();
+    if number.is_none() || search.way == Way::Peak {
+        match search.without_limit() {
             Ok(plain) if limit.excess(&plain.x) <= 0.0 => return Ok(plain),
+            Ok(plain) if search.way == Way::Peak => {
+                number = number.map(|n| n.max(search.lowest(&plain)));
+                search.least = Some(plain);
+            }
             // Without the limit the objective may have no least value.
-            Ok(_) | Err(Failure::Numerical { .. }) => search.from_the_nearest()?,
+            Ok(_) | Err(Failure::Numerical { .. }) => (),
             Err(failure) => return Err(failure),
-        },
-    };
-    let first = match search.at(number) {
-        // The other limits leave no law of so small a peak.
-        Err(Failure::Infeasible) if search.way == Way::Peak => None,
-        first => Some(first?),
-    };
-    let found = first.map_or(Ok(None), |first| search.bracket(first))?;
-    match found {
-        Some([inside, outside]) => search.between(inside, outside),
-        None => {
-            let least = search.least.take();
-            let least = least.map_or_else(|| search.without_limit(), Ok)?;
-            search.held_up(least)
         }
     }
+    let number = number.map_or_else(|| search.from_the_nearest(), Ok)?;
+    let first = search.at(number)?;
+    if let Some([inside, outside]) = search.bracket(first)? {
+        return search.between(inside, outside);
+    }
+    let least = search.least.take();
+    let least = least.map_or_else(|| search.without_limit(), Ok)?;
+    search.held_up(least)
 }
 
 impl<'a, N: Names> Search<'a, N> {
@@ -245,10 +243,6 @@ impl<'a, N: Names> Search<'a, N> {
                 }
             }
             let next = match self.at(number) {
-                Err(Failure::Infeasible) if self.way == Way::Peak && self.least.is_none() => {
-                    self.least = self.without_limit().ok();
-                    continue;
-                }
                 // The other limits leave no law of so small a peak, or rounding ended the solver here.
                 Err(failure) if self.may_differ_beside(&failure) => {
                     step *= 0.25;

@@ -89,6 +89,8 @@ pub struct Asked {
     pub limits: Limits,
     /// Weights of the force error.
     pub ranges: Vec<Range>,
+    /// Half the width of the band in which the force stays, N.
+    pub band: Option<f64>,
     /// `[gait]` and `[drive]` of the scene file.
     pub machine: String,
 }
@@ -152,7 +154,11 @@ impl Asked {
     }
 
     fn write(&self, out: &mut String) -> std::fmt::Result {
-        write!(out, "{}", self.machine)?;
+        let gait = match self.band {
+            Some(half) => format!("[gait]\nband = \"{half} N\"\n"),
+            None => "[gait]\n".to_string(),
+        };
+        write!(out, "{}", self.machine.replacen("[gait]\n", &gait, 1))?;
         self.write_follower(out)?;
         self.write_limits(out)?;
         self.write_law(out)?;
@@ -206,7 +212,8 @@ impl Asked {
         )?;
         let derivative = |k: usize| ["lift", "velocity", "acceleration", "jerk", "snap"][k];
         match self.objective {
-            Objective::ForceError => {}
+            Objective::ForceError if self.band.is_none() => {}
+            Objective::ForceError => writeln!(out, "minimise = \"force-error\"")?,
             Objective::PeakForceError => writeln!(out, "minimise = \"peak-force-error\"")?,
             Objective::Energy(k) => writeln!(out, "minimise = \"{}\"", derivative(k))?,
             Objective::Peak(k) => writeln!(out, "minimise = \"peak-{}\"", derivative(k))?,

@@ -62,6 +62,7 @@ pub fn bare(r: &mut Random) -> Asked {
         dwells: Vec::new(),
         limits: Limits::default(),
         ranges: Vec::new(),
+        band: None,
         machine: String::new(),
     }
 }

@@ -32,6 +32,7 @@ fn fixed(name: &str, frequency: f64, [mass, spring, preload, damping]: [f64; 4])
         dwells: Vec::new(),
         limits: Limits::default(),
         ranges: Vec::new(),
+        band: None,
         machine: format!(
             "[gait]\nmodel = \"{name}\"\nstep_frequency = \"{frequency} Hz\"\nbody_weight = \"700 N\"\nfeet = \"both\"\n[drive]\nkind = \"fixed-axis\"\nmass = \"{mass} kg\"\nspring_rate = \"{spring} N/m\"\npreload = \"{preload} N\"\ndamping = \"{damping} N s/m\"\n"
         ),
@@ -53,6 +54,7 @@ fn light(speed: f64, points: Vec<Point>) -> Asked {
         dwells: Vec::new(),
         limits: Limits::default(),
         ranges: Vec::new(),
+        band: None,
         machine: format!(
             "[drive]\nkind = \"fixed-axis\"\nspeed = \"{speed} rad/s\"\nmass = \"2 kg\"\n"
         ),
@@ -125,6 +127,7 @@ fn the_touching_angle_is_the_best_of_all() {
             ..Limits::default()
         },
         ranges: Vec::new(),
+        band: None,
         machine: "[gait]\nmodel = \"kerr\"\nstep_frequency = \"1.986 Hz\"\nbody_weight = \"700 N\"\nfeet = \"both\"\n[drive]\nkind = \"moving-axis\"\nmass = \"auto\"\n".to_string(),
     };
     certified(&asked);

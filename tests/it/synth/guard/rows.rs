@@ -115,6 +115,10 @@ impl List {
         if let Some(high) = asked.limits.force_max {
             self.plain("force_max", [k, c, m, 0.0], high - asked.rest, mean);
         }
+        for (sign, half) in [1.0, -1.0].into_iter().zip(asked.band.into_iter().cycle()) {
+            self.plain("band", [k, c, m, 0.0].map(|w| sign * w), half, mean);
+            self.limits.last_mut().expect("just pushed").shape = sign;
+        }
     }
 
     /// Rb + s + a ≥ ρ under a flat face; ±(v − e) ≤ tan φ (s + D) of a knife edge.

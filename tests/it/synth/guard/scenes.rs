@@ -36,9 +36,11 @@ pub enum Kind {
     Many,
     /// Any of these on 4 to 200 spans.
     Long,
+    /// The force inside a band about the target.
+    Bands,
 }
 
-pub const KINDS: [Kind; 13] = [
+pub const KINDS: [Kind; 14] = [
     Kind::Moving,
     Kind::Fixed,
     Kind::Hydraulic,
@@ -52,6 +54,7 @@ pub const KINDS: [Kind; 13] = [
     Kind::Weighed,
     Kind::Many,
     Kind::Long,
+    Kind::Bands,
 ];
 
 /// The scene of a kind and seed.
@@ -77,6 +80,7 @@ pub fn scene(kind: Kind, seed: usize) -> Asked {
         Kind::PressureAngle => pressure_angle(r),
         Kind::Peaks => peaks(r),
         Kind::Ranges => ranges(r),
+        Kind::Bands => bands(r),
         Kind::Weighed => weighed(r),
         Kind::Many => many(r),
         Kind::Long => match r.below(8) {
@@ -108,6 +112,42 @@ fn ranges(r: &mut Random) -> Asked {
     }
     let limits = r.chance(0.5);
     if limits { limited(asked, r) } else { asked }
+}
+
+/// Half the width is counted from the largest error of the nearest law.
+fn bands(r: &mut Random) -> Asked {
+    let mut asked = match r.below(3) {
+        0 => moving(r),
+        1 => hydraulic(r),
+        _ => fixed(r),
+    };
+    asked.spans = [8, 10, 12, 16, 24, 32, 48, 64][r.below(8)];
+    let Some(free) = free(&asked) else {
+        return asked;
+    };
+    let reference = Reference::new(&asked);
+    let target = asked.target.as_ref().map(|t| &t.0);
+    let misses = reference.scan.iter().map(|place| {
+        let at = reference.splines.law(place.span, place.theta, &free.x);
+        let [k, c, m] = asked.weights;
+        let force = asked.rest + k * at[0] + c * at[1] + m * at[2];
+        (force - target.map_or(0.0, |t| t.at(place.theta))).abs()
+    });
+    let most = misses.fold(0.0, f64::max);
+    let limits = r.chance(0.3);
+    if limits {
+        asked = limited(asked, r);
+    }
+    asked.band = Some(r.within(0.7, 3.0) * most.max(0.01));
+    // No energy sees the level of a lift that a spring makes a force of: the reference's matrix would be singular.
+    asked.objective = match r.below(4) {
+        0 => Objective::ForceError,
+        1 if asked.degree > 3 => Objective::Peak(2),
+        _ if asked.weights[0] != 0.0 => Objective::ForceError,
+        2 => Objective::Energy(2),
+        _ => Objective::Energy(3),
+    };
+    asked
 }
 
 fn weighed(r: &mut Random) -> Asked {

@@ -1,8 +1,9 @@
 //! The size of a cam where the scene leaves it open, against its closed forms, and what is said about it.
 
+use gaitcam::cam::LimitKind;
 use gaitcam::error::Error;
 use gaitcam::problem::Note;
-use gaitcam::synth::{Design, synthesise};
+use gaitcam::synth::{Design, Reason, synthesise};
 use gaitcam_test_support::near;
 
 /// Rise, dwell, fall and dwell of these angles, 10 mm high.
@@ -51,6 +52,69 @@ fn a_thin_shaft_is_told_of_where_no_bore_is_given() {
         notes.iter().any(|n| matches!(n, Note::ThinShaft { .. }))
     };
     assert!(thin(&[]) && !thin(&["cam.bore=4 mm"]));
+    // An eccentric's smallest flat-faced cam has no base circle at all, and no shaft is thicker than none.
+    let eccentric = [1, 3].map(|i| format!("law.segment.{i}.motion=simple-harmonic"));
+    let changes = ["drive.spring_rate=2000 N/mm", &eccentric[0], &eccentric[1]];
+    let design = programme([170.0, 10.0, 170.0, 10.0], FLAT, &changes).unwrap();
+    near(design.cam.follower.base_radius(), 0.0, 0.0);
+    let thin = design
+        .notes
+        .iter()
+        .any(|n| matches!(n, Note::ThinShaft { .. }));
+    assert!(!thin);
+}
+
+#[test]
+fn the_size_that_a_sharp_cam_needs_lets_the_pivot_lie_within_the_profile_where_it_may() {
+    let of = |base: f64| {
+        let arm = "follower = \"roller-oscillating\"\nroller_radius = \"5 mm\"\npivot_distance = \"50 mm\"\n\
+                   arm = \"60 mm\"\npivot_beside = true";
+        let base = format!("cam.base_radius={base} m");
+        let lifts = ["law.segment.1.lift=20 deg", "law.segment.3.lift=-20 deg"];
+        let drive = ["drive.spring_rate=5 N m/rad", "limits.curvature=40 mm"];
+        programme(EVEN, arm, &[&lifts[..], &drive, &[&base]].concat()).unwrap()
+    };
+    let needed = of(0.02).reasons.into_iter().find_map(|r| match r {
+        Reason::BaseRadiusWorks { radius } => Some(radius.value),
+        _ => None,
+    });
+    let needed = needed.unwrap();
+    let keeps = |base: f64| {
+        let design = of(base);
+        let mut checks = design.checks.iter();
+        let check = checks.find(|c| c.name == LimitKind::Curvature);
+        check.unwrap().pass
+    };
+    // There the profile goes around the pivot.
+    assert!(of(needed).cam.curvature().convex.value > 0.0 && needed > 0.045);
+    assert!(keeps(needed * (1.0 + 1e-6)) && !keeps(needed * (1.0 - 1e-6)));
+}
+
+/// A hole that is larger than a limit on the size lets no cam be built, and the size shown is that of the limit.
+#[test]
+fn a_bore_beyond_the_limit_on_the_size_leaves_the_law_and_is_reported() {
+    let of = |bore: &str| {
+        let text = format!(
+            "name = \"x\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"10 rad/s\"\nspring_rate = \"5 N/mm\"\n\
+             [law]\nfamily = \"spline\"\nminimise = \"size\"\nspans = 12\n\
+             [[law.point]]\nangle = \"0 deg\"\nlift = \"0\"\n[[law.point]]\nangle = \"180 deg\"\nlift = \"5 mm\"\n\
+             [cam]\nfollower = \"flat-translating\"\n{bore}[limits]\nprime_radius = \"15 mm\"\n"
+        );
+        synthesise(
+            &gaitcam_test_support::scene(&text, &[] as &[&str]).unwrap(),
+            None,
+        )
+        .unwrap()
+    };
+    let (held, free) = (of("bore = \"40 mm\"\n"), of(""));
+    assert!(free.infeasible.is_none() && free.solver.certified);
+    // The program holds the limit and not the hole, so its law is proved; the checks see the cam about the hole.
+    assert!(held.solver.certified, "{:?}", held.solver);
+    near(held.cam.follower.prime_radius(), 0.021, 1e-9);
+    let fails: Vec<&str> = (held.checks.iter().filter(|c| !c.pass))
+        .map(|c| c.name.name())
+        .collect();
+    assert_eq!(fails, ["prime_radius"]);
 }
 
 #[test]

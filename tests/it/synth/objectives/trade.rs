@@ -23,7 +23,7 @@ fn the_front_falls_and_ends_at_the_unlimited_law() {
             "cam.roller_radius=6 mm",
             "cam.bore=auto",
             "limits.curvature=2 mm",
-            "limits.stroke=auto",
+            "limits.stroke=none",
         ];
         let changes: &[&str] = if pair.contains("radius") {
             &roller
@@ -178,7 +178,7 @@ fn a_weighed_radius_is_the_prime_radius_at_any_offset() {
             if rounded {
                 "limits.curvature=5 mm"
             } else {
-                "limits.curvature=auto"
+                "limits.curvature=none"
             },
         ];
         let with = |more: &[&str]| solved(&[&roller[..], more].concat(), &target);
@@ -256,7 +256,7 @@ fn a_weighed_roller_gets_smaller_where_the_force_error_is_cheap() {
         "cam.roller_radius=5 mm",
         "cam.bore=5 mm",
         "limits.pressure_angle=30 deg",
-        "limits.curvature=auto",
+        "limits.curvature=none",
         "accuracy.rms=50 %",
     ];
     let small = |e: &str| {

@@ -137,11 +137,6 @@ impl<'a, N: Names> Contacts<'a, N> {
         let program = self.program;
         let settings = &program.settings.refinement;
         let mut current = self.start(start);
-        // No vertex has more contacts than unknowns; far more are an interior point's.
-        let unknowns = program.basis.columns() + program.equalities.len();
-        if way == Way::Equalities && current.active.len() > 2 * unknowns {
-            return None;
-        }
         let most = settings.divergence * start.violation.max(settings.from);
         let mut best: Option<(f64, Solution<N>)> = None;
         let (mut since, mut solves) = (0, settings.solves);
@@ -353,6 +348,11 @@ impl<'a, N: Names> Contacts<'a, N> {
 
     /// A step on the contacts; rows whose multiplier turns negative leave, the most negative first.
     fn held_step(&self, from: &Solution<N>, solves: &mut usize) -> Option<Solution<N>> {
+        // No vertex has more contacts than unknowns; far more are an interior point's, or those of a step gone astray.
+        let unknowns = self.program.basis.columns() + self.program.equalities.len();
+        if from.active.len() > 2 * unknowns {
+            return None;
+        }
         let local = Local::new(self, from);
         let mut rows = from.active.clone();
         loop {
