@@ -71,7 +71,7 @@ pub fn solve<N: Names>(
             Err(failure) => return Err(failure),
         }
     }
-    let number = number.map_or_else(|| search.from_the_nearest(), Ok)?;
+    let number = number.map_or_else(|| search.beside_the_nearest(), Ok)?;
     let first = search.at(number)?;
     if let Some([inside, outside]) = search.bracket(first)? {
         return search.between(inside, outside);
@@ -116,7 +116,7 @@ impl<'a, N: Names> Search<'a, N> {
     }
 
     /// The number at which the objective weighs as much as the root mean square, or the peak of the law of the least.
-    fn from_the_nearest(&self) -> Result<f64, Failure<N>> {
+    fn beside_the_nearest(&self) -> Result<f64, Failure<N>> {
         let program = self.program;
         let near = program.of_least_rms(None).ok_or(Stop::Refused)?.solve()?;
         if self.limit.excess(&near.x) > program.settings.tolerance {
@@ -151,7 +151,7 @@ impl<'a, N: Names> Search<'a, N> {
                 });
             }
         }
-        self.from_the_nearest()?;
+        self.beside_the_nearest()?;
         Err(Stop::NoProgress.into())
     }
 

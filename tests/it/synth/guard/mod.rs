@@ -113,7 +113,7 @@ fn two_thousand_random_scenes_are_solved_as_a_second_route_solves_them() {
     assert!(disagreements.is_empty(), "{}", disagreements.join("\n"));
     assert!(all >= BUILT / THINNED || only.is_some(), "{all} built");
     assert!(
-        uncertified * UNCERTIFIED <= all,
+        uncertified * UNCERTIFIED <= all || only.is_some(),
         "{uncertified} of {all} without a certificate"
     );
 }
