@@ -17,6 +17,7 @@ use pyo3::types::{PyAny, PyDict};
 use crate::convert::{self, Reduced};
 use crate::error::{Raise, argument};
 use crate::force::Force;
+use crate::html;
 use crate::interrupt::{self, Interrupt};
 use crate::scene::Scene;
 use crate::table::Table;
@@ -84,7 +85,7 @@ impl Sweep {
     fn new(
         py: Python<'_>,
         scene: Option<&Bound<'_, PyAny>>,
-        force: Option<PyRef<'_, Force>>,
+        force: Option<&Bound<'_, PyAny>>,
         vary: Option<&Bound<'_, PyDict>>,
         rows: Option<&Bound<'_, PyAny>>,
         recordings: Option<Vec<PathBuf>>,
@@ -101,7 +102,7 @@ impl Sweep {
             Some(list) => question::scenes(list)?,
         };
         let mut question = Question::new(py, scenes, sample, method, seed)?;
-        question.force(py, force.as_deref().cloned())?;
+        question.force(py, Force::of_argument(force)?)?;
         question.vary(vary, sample.is_some())?;
         question.rows(rows)?;
         question.recordings(py, recordings)?;
@@ -182,7 +183,8 @@ impl Sweep {
         }
         let folder = std::path::absolute(&folder).unwrap_or(folder);
         let blocks = py.detach(|| {
-            let blocks = SharedBlocks::open(&folder, &self.study, block_rows, Language::En)?;
+            let blocks =
+                SharedBlocks::open(&folder, &self.study, block_rows, "parquet", Language::En)?;
             let missing = blocks.missing()?;
             Ok((blocks.blocks, missing))
         });
@@ -226,6 +228,15 @@ impl Sweep {
             study,
             time_limit,
         })
+    }
+
+    fn _repr_html_(&self) -> String {
+        let mut plan = self.study.description();
+        for scene in plan["scenes"].as_array_mut().into_iter().flatten() {
+            *scene = scene["name"].take();
+        }
+        let plan = serde_json::to_string_pretty(&plan).unwrap_or_default();
+        html::head("Sweep", &self.study.fingerprint()) + &html::fixed(&plan)
     }
 
     fn __repr__(&self) -> String {

@@ -114,7 +114,8 @@ pub struct SharedBlocks {
 }
 
 impl SharedBlocks {
-    /// The folder of a study, begun now or earlier, whose blocks have `block_rows` rows.
+    /// The folder of a study, begun now or earlier, whose blocks have `block_rows` rows; new ones are files with
+    /// `ending`.
     ///
     /// # Errors
     /// As [`Blocks::open`].
@@ -122,6 +123,7 @@ impl SharedBlocks {
         folder: &Path,
         study: &Study,
         block_rows: u64,
+        ending: &'static str,
         language: Language,
     ) -> Result<SharedBlocks> {
         let rows = study.rows()?;
@@ -129,7 +131,7 @@ impl SharedBlocks {
         plan["block_rows"] = json!(block_rows);
         plan["rows"] = json!(rows);
         Ok(SharedBlocks {
-            blocks: Blocks::open(folder, &plan, "parquet", language)?,
+            blocks: Blocks::open(folder, &plan, ending, language)?,
             rows,
             block_rows: block_rows.max(1),
         })
@@ -256,7 +258,7 @@ mod tests {
     fn blocks_cover_every_row_once_and_only_missing_ones_are_asked_for() {
         let folder = tempfile::tempdir().unwrap();
         let study = study("limits.stroke=40 mm:60 mm:10");
-        let open = || SharedBlocks::open(folder.path(), &study, 4, Language::En).unwrap();
+        let open = || SharedBlocks::open(folder.path(), &study, 4, "csv", Language::En).unwrap();
         let first = open();
         assert_eq!(first.missing().unwrap(), [0..4, 4..8, 8..10]);
         fs::write(first.blocks.path(&(4..8)), b"").unwrap();
@@ -274,7 +276,7 @@ mod tests {
     fn another_sweep_is_refused_with_what_differs() {
         let folder = tempfile::tempdir().unwrap();
         let open = |vary: &str, rows| {
-            SharedBlocks::open(folder.path(), &study(vary), rows, Language::En).map(|_| ())
+            SharedBlocks::open(folder.path(), &study(vary), rows, "csv", Language::En).map(|_| ())
         };
         open("limits.stroke=40 mm:60 mm:10", 4).unwrap();
         let fault = open("limits.stroke=40 mm:50 mm:10", 4).unwrap_err();
@@ -287,6 +289,7 @@ mod tests {
             other.path(),
             &study("limits.stroke=1 mm:2 mm:3"),
             4,
+            "parquet",
             Language::En,
         );
         assert_eq!(fault.unwrap_err().code(), "file-not-sweep-folder");

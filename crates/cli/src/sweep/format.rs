@@ -22,6 +22,13 @@ pub enum Format {
 }
 
 impl Format {
+    /// Of the blocks that many processes share.
+    #[cfg(feature = "parquet")]
+    pub const SHARED: Format = Format::Parquet;
+    /// Of the blocks that many processes share.
+    #[cfg(not(feature = "parquet"))]
+    pub const SHARED: Format = Format::Csv;
+
     /// From the ending of the file's name.
     pub fn of(path: &Path) -> Result<Format> {
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
@@ -56,12 +63,21 @@ impl Format {
         }
     }
 
-    /// A block: rows as a table of its own; `lines` are those of [`Format::lines`].
-    pub fn block(self, records: &Records, lines: &str) -> Result<Vec<u8>> {
+    /// A block: rows as a table of its own; `lines` are those of [`Format::lines`], `metadata` is for Parquet.
+    pub fn block(
+        self,
+        records: &Records,
+        lines: &str,
+        metadata: &[(String, String)],
+    ) -> Result<Vec<u8>> {
         match self {
-            Format::Csv => Ok((records.csv_header() + lines).into_bytes()),
+            Format::Csv => {
+                // CSV has no place for it; the folder's plan says the same.
+                let _ = metadata;
+                Ok((records.csv_header() + lines).into_bytes())
+            }
             #[cfg(feature = "parquet")]
-            Format::Parquet => parquet::file(records, &[]),
+            Format::Parquet => parquet::file(records, metadata),
         }
     }
 

@@ -200,7 +200,7 @@ impl PartialTable {
     pub fn append(&mut self, records: &Records, lines: &str) -> Result<()> {
         let start = self.counts.rows;
         let rows = start..start + records.len() as u64;
-        let bytes = self.format.block(records, lines)?;
+        let bytes = self.format.block(records, lines, &[])?;
         self.blocks.put_with_checksum(&rows, &bytes).map_err(|e| {
             let fault = e.sentence(language::current());
             CliError::RowsSafe { fault, rows: start }.in_file(&self.folder)

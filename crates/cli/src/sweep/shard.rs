@@ -1,7 +1,17 @@
 //! `gaitcam sweep --shard I/N`: one share of a sweep in blocks, for queues that start many processes.
 
-#[cfg(feature = "parquet")]
-pub use with_parquet::run;
+use std::sync::atomic::Ordering;
+
+use serde_json::json;
+
+use super::format::Format;
+use super::{SweepArgs, arguments, check_size, check_values, work};
+use crate::console::exit_code::{BUILT, INTERRUPTED};
+use crate::console::terminal::{self, print, print_json};
+use crate::{console::language, console::words};
+use gaitcam::sweep::{Plan, Study, Subject};
+use gaitcam_files::blocks::{BLOCK_ROWS, SharedBlocks};
+use gaitcam_files::target::content;
 
 /// A share of equal shares. They may be counted from 0 or from 1: share 0 of N is share N.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,86 +32,66 @@ pub fn shard(typed: &str) -> Result<Shard, String> {
         .ok_or_else(|| crate::console::words::text("sweep-shard"))
 }
 
-/// Blocks are Parquet files, which this build cannot write.
+/// Computes the blocks of the share that the folder lacks: Parquet where this build writes it, else CSV.
 ///
 /// # Errors
-/// Always.
-#[cfg(not(feature = "parquet"))]
-pub fn run(_: &super::SweepArgs, _: Shard) -> gaitcam::error::Result<u8> {
-    use gaitcam::error::Placed as _;
-    Err(crate::console::error::CliError::NoParquet.at_argument("--shard"))
+/// As a sweep into one table; a folder that holds another sweep.
+pub fn run(args: &SweepArgs, shard: Shard) -> gaitcam::error::Result<u8> {
+    let sweep = arguments::plan(args)?;
+    check_size(args, &sweep.plan)?;
+    check_values(args, &sweep.plan)?;
+    let folders = sweep.folders;
+    let subject = Subject::Designs(named_by_scene(sweep.plan));
+    let study = Study::new(subject, |index, path| {
+        let folder = folders.get(index).map_or(".".as_ref(), |f| f.as_path());
+        content(folder, path)
+    })?;
+    let rows = args.block_rows.unwrap_or(BLOCK_ROWS);
+    let blocks = SharedBlocks::open(
+        &args.out,
+        &study,
+        rows,
+        Format::SHARED.ending(),
+        language::current(),
+    )?;
+    let metadata = study.metadata();
+    let jobs = work::jobs(args.jobs);
+    let stop = work::stop_on_ctrl_c();
+    let halts = || args.time.of_row();
+    let missing = blocks.missing_of(shard.part, shard.parts)?;
+    let total = missing.iter().map(|r| r.end - r.start).sum();
+    let bar = work::progress(words::text("sweep-designs"), total, 0);
+    for block in missing {
+        let rows = block.clone();
+        let stopped = || stop.load(Ordering::Relaxed);
+        let Some(records) = study.run(block, jobs, &halts, &stopped)? else {
+            bar.finish_and_clear();
+            let done = json!({"done": bar.position().to_string(), "rows": total.to_string()});
+            terminal::report(words::fill("sweep-stopped", &done));
+            return Ok(INTERRUPTED);
+        };
+        let lines = Format::SHARED.lines(&records);
+        let bytes = Format::SHARED.block(&records, &lines, &metadata)?;
+        blocks.blocks.put(&rows, &bytes)?;
+        bar.inc(records.len() as u64);
+    }
+    bar.finish_and_clear();
+    let folder = args.out.display().to_string();
+    let left = blocks.missing()?.len();
+    if args.json {
+        print_json(&json!({"folder": folder, "rows": total, "missing_blocks": left}));
+    } else {
+        let summary = json!({"folder": folder, "rows": total.to_string(), "left": left});
+        print(&words::fill("sweep-shard-done", &summary));
+    }
+    Ok(BUILT)
 }
 
-#[cfg(feature = "parquet")]
-mod with_parquet {
-    use std::sync::atomic::Ordering;
-
-    use serde_json::json;
-
-    use super::super::{SweepArgs, arguments, check_size, check_values, work};
-    use super::Shard;
-    use crate::console::exit_code::{BUILT, INTERRUPTED};
-    use crate::console::terminal::{self, print, print_json};
-    use crate::{console::language, console::words};
-    use gaitcam::error::Result;
-    use gaitcam::sweep::{Plan, Study, Subject};
-    use gaitcam_files::blocks::{BLOCK_ROWS, SharedBlocks};
-    use gaitcam_files::target::content;
-    use gaitcam_output::parquet::file;
-
-    /// Computes the blocks of the share that the folder lacks.
-    ///
-    /// # Errors
-    /// As a sweep into one table; a folder that holds another sweep.
-    pub fn run(args: &SweepArgs, shard: Shard) -> Result<u8> {
-        let sweep = arguments::plan(args)?;
-        check_size(args, &sweep.plan)?;
-        check_values(args, &sweep.plan)?;
-        let folders = sweep.folders;
-        let subject = Subject::Designs(named_by_scene(sweep.plan));
-        let study = Study::new(subject, |index, path| {
-            let folder = folders.get(index).map_or(".".as_ref(), |f| f.as_path());
-            content(folder, path)
-        })?;
-        let rows = args.block_rows.unwrap_or(BLOCK_ROWS);
-        let blocks = SharedBlocks::open(&args.out, &study, rows, language::current())?;
-        let metadata = study.metadata();
-        let jobs = work::jobs(args.jobs);
-        let stop = work::stop_on_ctrl_c();
-        let halts = || args.time.of_row();
-        let missing = blocks.missing_of(shard.part, shard.parts)?;
-        let total = missing.iter().map(|r| r.end - r.start).sum();
-        let bar = work::progress(words::text("sweep-designs"), total, 0);
-        for block in missing {
-            let rows = block.clone();
-            let stopped = || stop.load(Ordering::Relaxed);
-            let Some(records) = study.run(block, jobs, &halts, &stopped)? else {
-                bar.finish_and_clear();
-                let done = json!({"done": bar.position().to_string(), "rows": total.to_string()});
-                terminal::report(words::fill("sweep-stopped", &done));
-                return Ok(INTERRUPTED);
-            };
-            blocks.blocks.put(&rows, &file(&records, &metadata)?)?;
-            bar.inc(records.len() as u64);
-        }
-        bar.finish_and_clear();
-        let folder = args.out.display().to_string();
-        let left = blocks.missing()?.len();
-        if args.json {
-            print_json(&json!({"folder": folder, "rows": total, "missing_blocks": left}));
-        } else {
-            let summary = json!({"folder": folder, "rows": total.to_string(), "left": left});
-            print(&words::fill("sweep-shard-done", &summary));
-        }
-        Ok(BUILT)
+/// A plan whose base scenes have their own names, not those of files, so that it is the same on every machine.
+fn named_by_scene(mut plan: Plan) -> Plan {
+    for scene in &mut plan.scenes {
+        let own = scene.table.get("name").and_then(|name| name.as_str());
+        scene.name = own.unwrap_or("cam").to_string();
     }
-
-    /// A plan whose base scenes have their own names, not those of files, so that it is the same on every machine.
-    fn named_by_scene(mut plan: Plan) -> Plan {
-        for scene in &mut plan.scenes {
-            let own = scene.table.get("name").and_then(|name| name.as_str());
-            scene.name = own.unwrap_or("cam").to_string();
-        }
-        plan
-    }
+    plan
 }
