@@ -15,7 +15,7 @@ use crate::units::Quantity;
 /// // Without a mass nothing has a natural frequency.
 /// let weightless = Drive::fixed_axis(0.0, 1000.0, 10.0);
 /// let error = Train::from_frequency(&weightless, 50.0, 0.05).unwrap_err();
-/// assert_eq!(error.fault(), Some(&DynamicsError::FrequencyWithoutMass));
+/// assert_eq!(error.fault(), Some(&DynamicsError::FrequencyWithoutMass { fluid: false }));
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
@@ -51,8 +51,8 @@ pub enum DynamicsError {
     Concave { at: Quantity, radius: Quantity },
     /// Invalid natural frequency or damping ratio.
     Frequency { frequency: f64, ratio: f64 },
-    /// A natural frequency needs a mass.
-    FrequencyWithoutMass,
+    /// A natural frequency needs a mass, which a column of fluid has not.
+    FrequencyWithoutMass { fluid: bool },
     /// Invalid stiffness or damping.
     Train,
     /// An undamped natural frequency equals a harmonic.

@@ -51,7 +51,7 @@ pub fn run(args: &EcamArgs) -> Result<u8> {
         scene: Some(args.design.clone()),
         set: Vec::new(),
     };
-    let made = Made::read(&named, None)?;
+    let made = Made::read(&named, &[])?;
     let (design, _) = made.design()?;
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("ecam-no-cam", &json!({"why": why})));

@@ -11,8 +11,9 @@ pub(crate) const SCENE: &str = "scene.toml";
 /// The same where the input itself has that name.
 pub(crate) const SCENE_BESIDE_INPUT: &str = "scene.used.toml";
 /// What `simulate` adds to the design that it runs.
-const OF_RUN: [&str; 5] = [
+const OF_RUN: [&str; 6] = [
     "dynamics.csv",
+    "dynamics.xlsx",
     "simulation.json",
     "speeds.csv",
     "speeds.svg",

@@ -1,5 +1,6 @@
 //! The outcome of a simulation: `simulation.json`, `dynamics.csv` and the table of the console.
 
+use crate::csv::{self, Columns};
 use crate::words::{self, Words};
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{Difference, FloorMotion, Impact, Outcome, Pressure, Row, Shaft};
@@ -7,7 +8,7 @@ use gaitcam::wording::Language;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Names of the columns of `dynamics.csv`, in order; of an arm lift and gap are [angles](ANGLES).
+/// Names of the columns of `dynamics.csv`, in order.
 const COLUMNS: [&str; 12] = [
     "theta_rad",
     "contact_force_n",
@@ -22,17 +23,6 @@ const COLUMNS: [&str; 12] = [
     "time_s",
     "speed_rad_per_s",
 ];
-
-/// Names of the columns that are angles where the follower swings.
-const ANGLES: [(&str, &str); 2] = [("lift_m", "lift_rad"), ("gap_m", "gap_rad")];
-
-/// The names of the columns for the follower that ran.
-fn names(outcome: &Outcome) -> [&'static str; COLUMNS.len()] {
-    COLUMNS.map(|name| {
-        let angle = ANGLES.iter().find(|a| a.0 == name && outcome.swings);
-        angle.map_or(name, |a| a.1)
-    })
-}
 
 fn values(outcome: &Outcome, row: &Row) -> [f64; COLUMNS.len()] {
     [
@@ -66,12 +56,7 @@ pub fn json(outcome: &Outcome) -> Value {
             "max": outcome.force.max / outcome.lever,
             "rms_error_n": outcome.force.rms_error.map(|e| e / outcome.lever),
         },
-        "torque": {
-            "min": outcome.torque.min,
-            "max": outcome.torque.max,
-            "mean": outcome.torque.mean,
-            "rms": outcome.torque.rms,
-        },
+        "torque": outcome.torque,
         "liftoff_speed_rad_per_s": outcome.liftoff_speed,
         "settle_cycles": outcome.settle_cycles,
         "details": {
@@ -94,27 +79,10 @@ pub fn json(outcome: &Outcome) -> Value {
     out
 }
 
-/// The columns of `dynamics.csv`.
-pub fn columns(outcome: &Outcome) -> Vec<(&'static str, Vec<f64>)> {
-    let column = |i: usize| outcome.rows.iter().map(|r| values(outcome, r)[i]).collect();
-    (names(outcome).into_iter().enumerate())
-        .map(|(i, name)| (name, column(i)))
-        .collect()
-}
-
-/// `dynamics.csv`: a header and one row per angle, numbers that read back exactly.
-pub fn csv(outcome: &Outcome) -> String {
-    let mut out = names(outcome).join(",");
-    out.push('\n');
-    for row in &outcome.rows {
-        let cells: Vec<String> = values(outcome, row)
-            .iter()
-            .map(|x| format!("{x}"))
-            .collect();
-        out.push_str(&cells.join(","));
-        out.push('\n');
-    }
-    out
+/// The columns of `dynamics.csv`, [`crate::csv::text`], and of `dynamics.xlsx`, [`crate::xlsx::table`].
+pub fn columns(outcome: &Outcome) -> Columns {
+    let rows = outcome.rows.iter().map(|row| values(outcome, row));
+    csv::columns(csv::named(COLUMNS, outcome.swings), rows)
 }
 
 /// The results for people, in the units of the follower that ran.
@@ -127,11 +95,8 @@ pub fn table(outcome: &Outcome, measures: Measures, language: Language) -> Strin
     ];
     lines.extend(loads(outcome, measures, words));
     lines.extend(outcome.shaft.iter().flat_map(|s| shaft(s, words)));
-    lines.extend(
-        outcome
-            .floor
-            .map(|f| ("simulation-floor", floor(&f, words))),
-    );
+    let floor = outcome.floor.map(|f| floor(&f, language));
+    lines.extend(floor.map(|text| ("simulation-floor", text)));
     lines.extend(motion(outcome, measures, words));
     if let Some(next) = &outcome.next {
         lines.push(("simulation-next-model", change(next, outcome.lever, words)));
@@ -155,36 +120,30 @@ fn contact(outcome: &Outcome, words: &Words) -> String {
     if !outcome.contact_lost {
         return words.text("simulation-contact-kept");
     }
-    let percent = words.decimal(format!("{:.3}", 100.0 * outcome.lost_fraction));
+    let percent = words.fixed(100.0 * outcome.lost_fraction, 3);
     words.fill("simulation-contact-lost", &[("percent", &percent)])
 }
 
 /// Acceleration of the floor and its comfort.
-pub fn floor(floor: &FloorMotion, words: &Words) -> String {
-    let number = |x: f64| words.decimal(format!("{x:.4}"));
+pub fn floor(floor: &FloorMotion, language: Language) -> String {
+    let words = words::words(language);
     let [peak, rms] = [
         floor.acceleration_peak_m_per_s2,
         floor.acceleration_rms_m_per_s2,
     ]
-    .map(number);
-    words.fill(
-        "simulation-floor-values",
-        &[
-            ("peak", &peak),
-            ("rms", &rms),
-            ("class", floor.comfort),
-            ("setra", floor.comfort_setra),
-        ],
-    )
+    .map(|x| words.fixed(x, 4));
+    let values = [
+        ("peak", &*peak),
+        ("rms", &*rms),
+        ("class", floor.comfort),
+        ("setra", floor.comfort_setra),
+    ];
+    words.fill("simulation-floor-values", &values)
 }
 
 /// Speed, motor, start and least inertia of the shaft.
 pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)> {
-    let number = |x: f64, digits: usize| {
-        // Less than its last digit is 0, without a sign.
-        let zero = x.abs() < 0.5 * 0.1_f64.powi(digits as i32);
-        words.decimal(format!("{:.digits$}", if zero { 0.0 } else { x }))
-    };
+    let number = |x: f64, digits: usize| words.fixed(x, digits);
     let speed = [
         ("least", &*number(shaft.min, 4)),
         ("most", &*number(shaft.max, 4)),
@@ -220,44 +179,45 @@ pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)>
     ]
 }
 
-/// Force, its error, torque and pressure.
+/// Force, its error, what the bearings carry, torque and pressure.
 fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
+    let number = |x: f64, digits: usize| words.fixed(x, digits);
     let force = measures.force().name;
-    let (low, high) = (outcome.force.min, outcome.force.max);
-    let range = words.decimal(format!("{low:.4} … {high:.4} {force}"));
-    let mut lines = vec![("simulation-force", range)];
+    let [low, high] = [outcome.force.min, outcome.force.max].map(|f| number(f, 4));
+    let mut lines = vec![("simulation-force", format!("{low} … {high} {force}"))];
     if let Some(error) = outcome.force.rms_error {
-        let error = words.decimal(format!("{error:.4} {force} RMS"));
+        let error = format!("{} {force} RMS", number(error, 4));
         lines.push(("simulation-error", error));
     }
+    let largest = |of: fn(&Row) -> f64| {
+        let rows = outcome.rows.iter().map(|row| of(row).abs());
+        number(rows.fold(0.0, f64::max), 1)
+    };
+    let bearings = [
+        ("normal", &*largest(|row| row.normal_force)),
+        ("side", &*largest(|row| row.side_thrust)),
+    ];
+    let bearings = words.fill("simulation-bearings-values", &bearings);
+    lines.push(("simulation-bearings", bearings));
     let t = &outcome.torque;
     let (label, unit) = match measures {
         Measures::Straight => ("simulation-push", "N"),
         Measures::Translating | Measures::Oscillating => ("simulation-torque", "N·m"),
     };
     let torque = [
-        ("least", &*words.decimal(format!("{:.5}", t.min))),
-        ("most", &*words.decimal(format!("{:.5} {unit}", t.max))),
-        ("mean", &*words.decimal(format!("{:.5}", t.mean + 0.0))),
-        ("rms", &*words.decimal(format!("{:.5}", t.rms))),
+        ("least", &*number(t.min, 5)),
+        ("most", &*format!("{} {unit}", number(t.max, 5))),
+        ("mean", &*number(t.mean, 5)),
+        ("rms", &*number(t.rms, 5)),
     ];
     lines.push((label, words.fill("simulation-torque-values", &torque)));
     if let Some(p) = &outcome.hertz {
         let c = &p.contact;
         let pressure = [
-            (
-                "pressure",
-                &*words.decimal(format!("{:.1} MPa", 1e-6 * c.pressure)),
-            ),
+            ("pressure", &*(number(1e-6 * c.pressure, 1) + " MPa")),
             ("at", &*words.decimal(measures.place(p.theta, 1))),
-            (
-                "width",
-                &*words.decimal(format!("{:.4} mm", 1e3 * c.half_width)),
-            ),
-            (
-                "depth",
-                &*words.decimal(format!("{:.4} mm", 1e3 * c.shear_depth)),
-            ),
+            ("width", &*(number(1e3 * c.half_width, 4) + " mm")),
+            ("depth", &*(number(1e3 * c.shear_depth, 4) + " mm")),
         ];
         let text = words.fill("simulation-pressure-values", &pressure);
         lines.push(("simulation-pressure", text));
@@ -297,10 +257,7 @@ fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static
         let bounce = lift.after(&format!("{:.4}", lift.factor * bounce));
         let impacts = [
             ("count", &*outcome.impacts.len().to_string()),
-            (
-                "speed",
-                &*words.decimal(format!("{:.4} {speed}", hit.speed)),
-            ),
+            ("speed", &*format!("{} {speed}", words.fixed(hit.speed, 4))),
             ("at", &*words.decimal(measures.place(hit.at, 2))),
             ("bounce", &*words.decimal(bounce)),
         ];
@@ -366,19 +323,24 @@ pub(crate) fn change(next: &Difference, lever: f64, words: &Words) -> String {
     if same {
         return words.fill("simulation-next-same", &[("model", model)]);
     }
-    let written = |x: f64| {
-        let sign = if x > 0.0 { "+" } else { "" };
-        format!("{sign}{}", words.decimal(format!("{x:.4}")))
+    let signed = |x: f64| {
+        let number = words.fixed(x, 4);
+        let sign = if x > 0.0 && number.contains(|c| ('1'..='9').contains(&c)) {
+            "+"
+        } else {
+            ""
+        };
+        format!("{sign}{number}")
     };
     let error = next.rms_error.map_or(String::new(), |e| {
-        words.fill("simulation-next-rms", &[("rms", &written(e / lever))])
+        words.fill("simulation-next-rms", &[("rms", &signed(e / lever))])
     });
     let values = [
         ("model", model),
-        ("least", &*written(next.force_min / lever)),
-        ("most", &*written(next.force_max / lever)),
+        ("least", &*signed(next.force_min / lever)),
+        ("most", &*signed(next.force_max / lever)),
         ("error", &*error),
-        ("lost", &*written(100.0 * next.lost_fraction)),
+        ("lost", &*signed(100.0 * next.lost_fraction)),
     ];
     words.fill("simulation-next-changes", &values)
 }

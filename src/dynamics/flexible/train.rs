@@ -1,6 +1,6 @@
 //! The elastic train between the cam and the moved mass.
 
-use crate::drive::Drive;
+use crate::drive::{Drive, DriveKind};
 use crate::error::{DynamicsError, Result};
 
 /// Spring and damper between the cam and the moved mass, in series with it.
@@ -38,7 +38,8 @@ impl Train {
             .into());
         }
         if drive.mass <= 0.0 {
-            return Err(DynamicsError::FrequencyWithoutMass.into());
+            let fluid = drive.kind == DriveKind::Hydraulic;
+            return Err(DynamicsError::FrequencyWithoutMass { fluid }.into());
         }
         let w = std::f64::consts::TAU * hertz;
         Ok(Train {

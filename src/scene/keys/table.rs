@@ -152,7 +152,7 @@ pub static KEYS: &[Key] = &[
     row("machine.natural_frequency", number(Frequency, Positive),               "",     field!(machine.natural_frequency)),
     row("machine.stiffness",         by_arm(SpringRate, AngularRate, Positive), "",     field!(machine.stiffness)),
     row("machine.damping_ratio",     number(Ratio, NotNegative),                "0.05", field!(machine.damping_ratio)).idle_when(rigid),
-    row("machine.friction",          number(Ratio, NotNegative),                "0",    field!(machine.friction)),
+    row("machine.friction",          number(Ratio, NotNegative),                "0",    field!(machine.friction)).idle_when(rolls),
     row("machine.restitution",       number(Ratio, Between(0.0, 1.0)),          "0",    field!(machine.restitution)),
     row("machine.second_cam",        number(Angle, Any),                        "",     field!(machine.second_cam)),
     row("machine.motor.slope",         number(AngularDamping, Positive),        "",     field!(machine.motor.slope)).only(turns),
@@ -322,6 +322,11 @@ fn no_flat_face(scene: &Scene) -> Option<Idle> {
 
 fn hydraulic(scene: &Scene) -> Option<Idle> {
     is_hydraulic(scene).then_some(Idle::Drive)
+}
+
+/// A roller rolls: its contact has no sliding friction.
+fn rolls(scene: &Scene) -> Option<Idle> {
+    has_roller(scene).then_some(Idle::Follower)
 }
 
 /// A rigid follower does not vibrate.

@@ -21,7 +21,10 @@ dynamics-concave = the profile is undercut or concave at { $at }: radius of curv
 dynamics-frequency = invalid natural frequency of { $frequency } Hz with damping ratio { $ratio }
     .help = the frequency must be positive and the damping ratio not negative
 dynamics-frequency-without-mass = a natural frequency needs a moving mass
-    .help = give drive.mass, or for a fluid column machine.stiffness in place of the frequency
+    .help = { $fluid ->
+        [true] a hydraulic drive moves none; give machine.stiffness, that of the fluid column, in place of the frequency
+       *[other] give drive.mass, under an arm drive.inertia
+    }
 dynamics-train = the follower's stiffness must be positive and its damping not negative
 dynamics-resonance = resonance: the undamped follower vibrates { $cycles } times per turn, at a harmonic of the cam; there is no steady state
     .help = give a damping ratio above 0, or another speed

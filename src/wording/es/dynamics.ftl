@@ -21,7 +21,10 @@ dynamics-concave = el perfil es cóncavo o presenta rebaje en { $at }: radio de 
 dynamics-frequency = frecuencia natural no válida de { $frequency } Hz con razón de amortiguamiento { $ratio }
     .help = la frecuencia debe ser positiva y la razón de amortiguamiento no negativa
 dynamics-frequency-without-mass = una frecuencia natural requiere una masa móvil
-    .help = indique drive.mass, o con una columna de fluido machine.stiffness en lugar de la frecuencia
+    .help = { $fluid ->
+        [true] un accionamiento hidráulico no mueve ninguna; indique machine.stiffness, la de la columna de fluido, en lugar de la frecuencia
+       *[other] indique drive.mass, con un seguidor oscilante drive.inertia
+    }
 dynamics-train = la rigidez del seguidor debe ser positiva y su amortiguamiento no negativo
 dynamics-resonance = resonancia: el seguidor no amortiguado vibra { $cycles } veces por vuelta, en un armónico de la leva; no hay régimen permanente
     .help = indique una razón de amortiguamiento mayor que 0 u otra velocidad

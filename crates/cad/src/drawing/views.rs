@@ -172,7 +172,7 @@ impl<'a> Views<'a> {
         let circle = |radius: f64| Target::Circle(self.scale * radius);
         let far = farthest(&piece.edge, 20 * POINTS).p;
         let long = words.length(far[0].hypot(far[1]), 3);
-        let at = words.decimal(format!("{:.1}", angle(far)));
+        let at = words.fixed(angle(far), 1);
         let size = format!("R {long}  φ {at}°");
         add(
             named("drawing-largest-radius", size),
@@ -195,7 +195,7 @@ impl<'a> Views<'a> {
         if let Some(hole) = piece.balance {
             let [x, y] = hole.centre;
             let (size, far) = (words.length(hole.diameter, 2), words.length(x.hypot(y), 3));
-            let at = words.decimal(format!("{:.2}", angle(hole.centre)));
+            let at = words.fixed(angle(hole.centre), 2);
             let size = format!("Ø {size}  R {far}  φ {at}°");
             add(
                 named("drawing-balance", size),

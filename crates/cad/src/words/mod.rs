@@ -49,6 +49,11 @@ impl Words {
         }
     }
 
+    /// A number with a fixed count of decimals, with the decimal sign of the language; zero has no sign.
+    pub fn fixed(&self, value: f64, decimals: usize) -> String {
+        self.own.fixed(value, decimals)
+    }
+
     /// The unit of lengths.
     pub fn units(&self) -> Units {
         self.units

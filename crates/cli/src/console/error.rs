@@ -50,12 +50,6 @@ pub enum CliError {
     NoModel {
         typed: String,
     },
-    Restitution {
-        value: f64,
-    },
-    NegativeFriction {
-        typed: String,
-    },
     Speeds {
         typed: String,
         most: usize,

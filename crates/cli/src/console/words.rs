@@ -49,7 +49,7 @@ pub fn column(name: &str) -> String {
 
 /// A number with a fixed count of decimals, with the decimal sign of the language.
 pub fn fixed(value: f64, decimals: usize) -> String {
-    decimal(format!("{value:.decimals$}"))
+    gaitcam::wording::fixed(language::current(), value, decimals)
 }
 
 /// A small number as a power of ten: `1.2e-15`.

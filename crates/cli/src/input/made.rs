@@ -4,11 +4,22 @@ use std::path::{Path, PathBuf};
 
 use super::{Input, SceneArgs, at_flag, scene};
 use crate::console::error::CliError;
+use crate::console::language;
 use crate::input::searching;
 use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::scene::{Scene, set};
 use gaitcam::synth::Design;
 use gaitcam_files::design::{is_of_machine, put_on};
+
+/// A flag that stands for a key of the machine.
+pub struct Flag<'a> {
+    /// The flag.
+    pub name: &'static str,
+    /// The key.
+    pub key: &'static str,
+    /// What is given.
+    pub value: &'a str,
+}
 
 /// The scene of a cam, and the scene of the machine around it.
 pub struct Made {
@@ -22,11 +33,11 @@ pub struct Made {
 
 impl Made {
     /// The cam that the arguments name. The changes of a scene are part of its design; those of a result (its folder or
-    /// summary.json) are changes of the machine, since its cam is cut. `speed` runs either at another speed.
+    /// summary.json) are changes of the machine, since its cam is cut. `flags` change the machine of either.
     ///
     /// # Errors
     /// A change of the cam of a result; otherwise as [`scene`].
-    pub fn read(args: &SceneArgs, speed: Option<&str>) -> Result<Made> {
+    pub fn read(args: &SceneArgs, flags: &[Flag]) -> Result<Made> {
         let result = args.scene.as_deref().and_then(summary_of);
         let on_machine: &[String] = if result.is_some() { &args.set } else { &[] };
         let input = match result {
@@ -42,23 +53,34 @@ impl Made {
             }
             set(&mut table, change).map_err(at_flag("--set"))?;
         }
-        if let Some(speed) = speed {
-            // Quoted, so that a bare number is refused as on every other flag.
-            set(&mut table, &format!("drive.speed={speed:?}")).map_err(at_flag("--speed"))?;
+        for Flag { name, key, value } in flags {
+            // Quoted, so that a bare number is refused as in a scene.
+            set(&mut table, &format!("{key}={value:?}")).map_err(at_flag(name))?;
         }
-        let of_speed = |e: Error| match &e.place {
-            Place::Key(key) if speed.is_some() && key == "drive.speed" => {
-                e.placed(Place::Argument("--speed".to_string()))
+        let of_flag = |e: Error| {
+            let flag = |key: &String| flags.iter().find(|flag| flag.key == key);
+            match &e.place {
+                Place::Key(key) if flag(key).is_some() => {
+                    let name = flag(key).map_or("", |flag| flag.name).to_string();
+                    e.placed(Place::Argument(name))
+                }
+                _ => e,
             }
-            _ => e,
         };
-        let running = Input::new(table, input.folder.clone(), None).map_err(of_speed)?;
+        let running = Input::new(table, input.folder.clone(), None).map_err(of_flag)?;
         let running = running.scene;
+        let another = !on_machine.is_empty() || running.drive != input.scene.drive;
         Ok(Made {
-            other_machine: running != input.scene,
+            other_machine: another && running != input.scene,
             running,
             input,
         })
+    }
+
+    /// Why a key has no effect in a run, as a sentence.
+    pub fn unused(&self, key: &str) -> Option<String> {
+        let note = self.running.no_effect_of(key)?;
+        Some(note.sentence(language::current()))
     }
 
     /// The cam as designed, on the machine that runs it; and why there is no target at the speed of that machine.

@@ -68,7 +68,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         scene: Some(args.design.clone()),
         set: args.set.clone(),
     };
-    let made = Made::read(&named, None)?;
+    let made = Made::read(&named, &[])?;
     let (design, input) = (made.design()?.0, made.input);
     if let Some(infeasible) = &design.infeasible {
         let why = sentences(&infeasible.reasons, language::current());
@@ -253,7 +253,7 @@ fn comparison(design: &Design, made: &MadeCam, measures: Measures) -> Vec<String
     ];
     let defined = all.iter().filter(|row| row.2 != force || !design.is_idle());
     let line = |(key, value, unit): &Compared| {
-        let number = |x: f64| words::decimal(format!("{x:.4}"));
+        let number = |x: f64| words::fixed(x, 4);
         let (before, after) = (number(value(&made.designed)?), number(value(&made.made)?));
         let data = json!({"before": before, "after": after, "unit": unit});
         Some(format!("  {}", words::fill(key, &data)))

@@ -14,18 +14,17 @@ use crate::console::exit_code::{self, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
-use crate::input::made::Made;
+use crate::input::made::{Flag, Made};
 use crate::input::{self, SceneArgs};
 use crate::synth::{files_in, no_cam};
 use gaitcam::dynamics::{Model, Outcome, Run, simulate};
 use gaitcam::error::{Error, Place, Placed, Result, is_no_cam};
-use gaitcam::scene::{MachineSpec, Scene};
+use gaitcam::scene::Scene;
 use gaitcam::synth::Design;
-use gaitcam::units::Dimension;
 use gaitcam_files::design::{check_inputs_stay, finish, of_another_design, summary, write_scene};
 use gaitcam_files::{PATIENCE, ResultFolder};
 use gaitcam_output::report::{Running, html_of_run};
-use gaitcam_output::{Timing, simulation};
+use gaitcam_output::{Timing, csv, simulation, xlsx};
 
 const EXAMPLES: &str = "Examples:
   gaitcam simulate scenes/footbridge.toml
@@ -49,7 +48,7 @@ pub struct SimulateArgs {
     /// auto (the simplest that is sufficient), rigid, flexible, contact
     #[arg(long, default_value = "auto")]
     model: String,
-    /// Folder for dynamics.csv, simulation.json and report.html (default out/NAME)
+    /// Folder for dynamics.csv, dynamics.xlsx, simulation.json and report.html (default out/NAME)
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print JSON
@@ -72,6 +71,37 @@ pub struct SimulateArgs {
     second_cam: Option<String>,
 }
 
+impl SimulateArgs {
+    /// The flags that stand for keys of the machine, and what they are given.
+    fn machine(&self) -> Vec<Flag<'_>> {
+        [
+            ("--speed", "drive.speed", &self.speed),
+            (
+                "--natural-frequency",
+                "machine.natural_frequency",
+                &self.natural_frequency,
+            ),
+            (
+                "--damping-ratio",
+                "machine.damping_ratio",
+                &self.damping_ratio,
+            ),
+            ("--friction", "machine.friction", &self.friction),
+            ("--restitution", "machine.restitution", &self.restitution),
+            ("--second-cam", "machine.second_cam", &self.second_cam),
+        ]
+        .into_iter()
+        .filter_map(|(name, key, value)| {
+            Some(Flag {
+                name,
+                key,
+                value: value.as_deref()?,
+            })
+        })
+        .collect()
+    }
+}
+
 /// Designs the scene's cam (of a result folder: its own again), emits its profile and runs that; exit code 3 when there is no cam to run, or one
 /// that is unacceptable, be it for contact lost in this run.
 pub fn run(args: &SimulateArgs) -> Result<u8> {
@@ -83,7 +113,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         return speeds::run(args, speeds, model);
     }
     let start = Instant::now();
-    let made = Made::read(&args.scene, args.speed.as_deref())?;
+    let made = Made::read(&args.scene, &args.machine())?;
     let input = &made.input;
     let folder = ResultFolder::open(&folder(args, &made)?, PATIENCE)?;
     let scene = toml::to_string(&input.resolved()).unwrap_or_default();
@@ -134,7 +164,9 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     json["verdict"] = design.verdict.name().into();
     json["speed_rad_per_s"] = run.drive.speed.into();
     let text = serde_json::to_string_pretty(&json).unwrap_or_default();
-    folder.write("dynamics.csv", simulation::csv(&outcome).as_bytes())?;
+    let columns = simulation::columns(&outcome);
+    folder.write("dynamics.csv", csv::text(&columns).as_bytes())?;
+    folder.write("dynamics.xlsx", &xlsx::table("dynamics", &columns)?)?;
     folder.write("simulation.json", text.as_bytes())?;
     let page = html_of_run(&design, time, &running, language::current());
     folder.write("report.html", page.as_bytes())?;
@@ -145,7 +177,14 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         print_json(&json);
     } else {
         let untargeted = untargeted.map(|e| no_target(&e));
-        let remarks = remark(args, &made, &design).into_iter().chain(untargeted);
+        let unused = args
+            .machine()
+            .into_iter()
+            .filter_map(|f| made.unused(f.key));
+        let remarks = remark(args, &made, &design)
+            .into_iter()
+            .chain(unused)
+            .chain(untargeted);
         describe(&design, remarks, &outcome);
         print(&files_in(&place, "report.html"));
     }
@@ -192,41 +231,9 @@ fn remark(args: &SimulateArgs, made: &Made, design: &Design) -> Option<String> {
     again.then(|| words::text("simulate-designed-again"))
 }
 
-/// The scene's machine, with what the command line says in its place.
-fn machine(args: &SimulateArgs, spec: &MachineSpec) -> Result<MachineSpec> {
-    let given = |flag: &str, text: &Option<String>, dimension| {
-        input::quantity(flag, text.as_deref(), dimension)
-    };
-    let mut machine = spec.clone();
-    let hz = given(
-        "--natural-frequency",
-        &args.natural_frequency,
-        Dimension::Frequency,
-    )?;
-    machine.natural_frequency = hz.or(spec.natural_frequency);
-    machine.damping_ratio = given("--damping-ratio", &args.damping_ratio, Dimension::Ratio)?
-        .unwrap_or(spec.damping_ratio);
-    let friction = given("--friction", &args.friction, Dimension::Ratio)?;
-    if friction.is_some_and(|mu| mu < 0.0) {
-        let typed = args.friction.clone().unwrap_or_default();
-        return Err(CliError::NegativeFriction { typed }.at_argument("--friction"));
-    }
-    machine.friction = friction.unwrap_or(spec.friction);
-    let e =
-        given("--restitution", &args.restitution, Dimension::Ratio)?.unwrap_or(spec.restitution);
-    if !(0.0..=1.0).contains(&e) {
-        return Err(CliError::Restitution { value: e }.at_argument("--restitution"));
-    }
-    machine.restitution = e;
-    machine.second_cam =
-        given("--second-cam", &args.second_cam, Dimension::Angle)?.or(spec.second_cam);
-    Ok(machine)
-}
-
 /// The emitted profile of the design on that machine.
 fn emitted(args: &SimulateArgs, scene: &Scene, design: &Design) -> Result<Run> {
-    let machine = machine(args, &scene.machine)?;
-    let run = design.emitted(&machine, design.drive);
+    let run = design.emitted(&scene.machine, design.drive);
     run.map_err(|e| match args.natural_frequency {
         Some(_) => e.placed(Place::Argument("--natural-frequency".to_string())),
         None => e,

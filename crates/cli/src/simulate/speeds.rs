@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 
-use super::{SimulateArgs, machine, no_target};
+use super::{SimulateArgs, no_target};
 use crate::console::error::CliError;
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
@@ -38,7 +38,7 @@ struct Row {
 /// Runs the cam of the arguments at each of `speeds`, FIRST:LAST:COUNT.
 pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
     let start = Instant::now();
-    let made = Made::read(&args.scene, None)?;
+    let made = Made::read(&args.scene, &args.machine())?;
     let speeds = read(speeds, made.running.cam.is_straight())?;
     let place = input::result_folder(&made.input, args.out.as_deref(), "_speeds")?;
     let folder = ResultFolder::open(&place, PATIENCE)?;
@@ -53,7 +53,7 @@ pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
         return Ok(NO_SUCH_CAM);
     }
     let mut untargeted = None;
-    let mut row = |w: &f64| at(args, &made, &design, *w, model, &mut untargeted);
+    let mut row = |w: &f64| at(&made, &design, *w, model, &mut untargeted);
     let rows = speeds.iter().map(&mut row).collect::<Result<Vec<Row>>>()?;
     let measures = design.cam.follower.measures();
     let ran: Vec<AtSpeed> = rows.iter().map(|r| r.at).collect();
@@ -108,7 +108,6 @@ fn read(text: &str, straight: bool) -> Result<Vec<f64>> {
 
 /// The emitted cam at a speed, against the target of that speed where a load model gives one.
 fn at(
-    args: &SimulateArgs,
     made: &Made,
     design: &Design,
     speed: f64,
@@ -121,7 +120,7 @@ fn at(
     if let Some(why) = put_on(&mut moved, &scene)? {
         untargeted.get_or_insert(why);
     }
-    let run = moved.emitted(&machine(args, &scene.machine)?, moved.drive)?;
+    let run = moved.emitted(&scene.machine, moved.drive)?;
     let outcome = match simulate(&run, model) {
         Ok(outcome) => outcome,
         Err(error) if stands(&error) => {

@@ -2,7 +2,7 @@
 
 use gaitcam::cam::{Check, Criterion, Hardness, Measures};
 use gaitcam::synth::{Design, SolverReport, in_units, sentences};
-use gaitcam_output::{ActiveLimit, Timing};
+use gaitcam_output::{ActiveLimit, Timing, simulation};
 use serde_json::{Value, json};
 
 use crate::console::language;
@@ -110,11 +110,6 @@ fn passed_checks(design: &Design) -> Vec<String> {
     at_most(CHECKS - failed, lines, "more-passed")
 }
 
-/// A force that is zero to its last printed digit, printed without a minus sign.
-fn without_negative_zero(newtons: f64) -> f64 {
-    if newtons.abs() < 0.005 { 0.0 } else { newtons }
-}
-
 fn force(design: &Design) -> Vec<String> {
     if design.target.is_none() {
         return Vec::new();
@@ -131,7 +126,7 @@ fn force(design: &Design) -> Vec<String> {
         filled(
             "",
             "synth-force-range",
-            json!({"low": fixed(without_negative_zero(f.min_n), 2), "high": fixed(f.max_n, 2),
+            json!({"low": fixed(f.min_n, 2), "high": fixed(f.max_n, 2),
                     "mean": fixed(f.mean_n, 2)}),
         ),
     ];
@@ -282,12 +277,10 @@ fn population(design: &Design) -> Option<String> {
 
 /// Acceleration of the floor under shaker and walkers, and its comfort.
 fn floor(design: &Design) -> Option<String> {
-    let f = design.floor.as_ref()?.motion;
-    Some(filled(
+    let motion = design.floor.as_ref()?.motion;
+    Some(row(
         "floor",
-        "synth-floor",
-        json!({"peak": fixed(f.acceleration_peak_m_per_s2, 4), "rms": fixed(f.acceleration_rms_m_per_s2, 4),
-                "class": f.comfort, "setra": f.comfort_setra}),
+        &simulation::floor(&motion, language::current()),
     ))
 }
 

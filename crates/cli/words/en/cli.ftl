@@ -32,10 +32,6 @@ cli-input-time = the input was not read within { $limit } s
     .help = end the input, or give more time
 cli-no-model = "{ $typed }" is not a model
     .help = write auto, rigid, flexible or contact
-cli-restitution = invalid value { $value }
-    .help = a coefficient of restitution lies in [0, 1]: 0 for a plastic impact, 1 for an elastic one
-cli-negative-friction = a coefficient of friction is 0 or more, not { $typed }
-    .help = 0 for none; oiled steel on steel about 0.1
 cli-speeds = { $typed } is no range of speeds
     .help = write first, last and number of speeds, 2 to { $most }: --speeds '1.4 Hz:2.3 Hz:10'
 cli-cam-is-made = the cam of a result is made: { $key } would design another
@@ -158,12 +154,6 @@ synth-offset = {" "}offset { $offset } mm,
 synth-cam = { $follower }, base radius { $base } mm, prime radius { $prime } mm,{ $offset } smallest convex radius { $convex } mm
 synth-load-factors = dynamic load factors 1 to 4: { $list }
 synth-walkers = { $count }: force error { $mean } % of the mean force on average, { $cvar } % for the worst tenth, { $worst } % for the worst ({ $who })
-synth-floor = { $peak } m/s² peak, { $rms } m/s² RMS; comfort class { $class } (HiVoSS), comfort { $setra ->
-    [maximum] maximum
-    [mean] mean
-    [minimum] minimum
-   *[unacceptable] unacceptable
-} (SETRA)
 synth-shaft = { $low } … { $high } rad/s, ripple { $ripple } %; motor: no-load speed { $noload } rad/s, torque { $rms } N·m RMS, { $most } N·m peak
 synth-shaft-error = force error over time { $own } % of the mean; of the law for constant speed { $before } %{ $rounds ->
         [0] {""}
@@ -444,7 +434,7 @@ doctor-recording = { $file }: { $columns ->
        *[other] { $used } contacts
     } used, { $rejected } left out
 doctor-unacceptable = Found: { $sentence }. Give another recording or column.
-doctor-doubt = Not known: { $sentence }. Settle it, or accept it with gait.accept = "{ $name }".
+doctor-doubt = Open: { $sentence }. Check it; then give the key that answers it, or accept what was assumed with gait.accept = "{ $name }".
 doctor-recording-options = What the file does not say can be given: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (see gaitcam keys gait).
 
 # inspect.

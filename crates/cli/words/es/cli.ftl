@@ -32,10 +32,6 @@ cli-input-time = la entrada no se leyó en { $limit } s
     .help = termine la entrada, o dé más tiempo
 cli-no-model = "{ $typed }" no es un modelo
     .help = escriba auto, rigid, flexible o contact
-cli-restitution = valor no válido { $value }
-    .help = el coeficiente de restitución está en [0, 1]: 0 en un choque plástico, 1 en uno elástico
-cli-negative-friction = un coeficiente de rozamiento es 0 o mayor, no { $typed }
-    .help = 0 si no hay; acero sobre acero con aceite, alrededor de 0.1
 cli-speeds = { $typed } no es un intervalo de velocidades
     .help = escriba la primera, la última y el número de velocidades, de 2 a { $most }: --speeds '1.4 Hz:2.3 Hz:10'
 cli-cam-is-made = la leva de un resultado ya está hecha: { $key } diseñaría otra
@@ -158,12 +154,6 @@ synth-offset = {" "}excentricidad { $offset } mm,
 synth-cam = { $follower }, radio base { $base } mm, radio primario { $prime } mm,{ $offset } menor radio convexo { $convex } mm
 synth-load-factors = factores de carga dinámica 1 a 4: { $list }
 synth-walkers = { $count }: error de fuerza del { $mean } % de la fuerza media en promedio, { $cvar } % en la peor décima parte, { $worst } % en el peor ({ $who })
-synth-floor = máximo { $peak } m/s², { $rms } m/s² RMS; clase de confort { $class } (HiVoSS), confort { $setra ->
-    [maximum] máximo
-    [mean] medio
-    [minimum] mínimo
-   *[unacceptable] inaceptable
-} (SETRA)
 synth-shaft = { $low } … { $high } rad/s, oscilación { $ripple } %; motor: velocidad en vacío { $noload } rad/s, par { $rms } N·m RMS, máximo { $most } N·m
 synth-shaft-error = error de fuerza en el tiempo { $own } % de la media; de la ley para velocidad constante { $before } %{ $rounds ->
         [0] {""}
@@ -440,11 +430,11 @@ doctor-recording = { $file }: { $columns ->
         [one] una columna de fuerza
        *[other] { $columns } columnas de fuerza
     }, { $used ->
-        [one] un apoyo usado
-       *[other] { $used } apoyos usados
+        [one] un apoyo utilizado
+       *[other] { $used } apoyos utilizados
     }, { $rejected } descartados
 doctor-unacceptable = Se encontró: { $sentence }. Indique otro registro u otra columna.
-doctor-doubt = No se sabe: { $sentence }. Resuélvalo, o acéptelo con gait.accept = "{ $name }".
+doctor-doubt = Abierto: { $sentence }. Compruébelo; indique después la clave que lo responde, o acepte lo supuesto con gait.accept = "{ $name }".
 doctor-recording-options = Lo que el archivo no dice se puede indicar: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (véase gaitcam keys gait).
 
 # inspect.

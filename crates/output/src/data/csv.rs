@@ -5,8 +5,8 @@ use gaitcam::cam::{ProfilePoint, Wall};
 use gaitcam::sweep::table::text_cell;
 use gaitcam::synth::Design;
 
-/// Columns of `law.csv` for a translating follower.
-const LAW_METRES: [&str; 9] = [
+/// Columns of `law.csv`.
+const LAW: [&str; 9] = [
     "theta_rad",
     "s_m",
     "v_m_per_rad",
@@ -17,17 +17,14 @@ const LAW_METRES: [&str; 9] = [
     "time_s",
     "speed_rad_per_s",
 ];
-/// Columns of `law.csv` for an oscillating follower.
-const LAW_RADIANS: [&str; 9] = [
-    "theta_rad",
-    "s_rad",
-    "v_rad_per_rad",
-    "a_rad_per_rad2",
-    "j_rad_per_rad3",
-    "force_n",
-    "target_n",
-    "time_s",
-    "speed_rad_per_s",
+/// Columns that are angles where the follower swings.
+const ANGLES: [(&str, &str); 6] = [
+    ("s_m", "s_rad"),
+    ("v_m_per_rad", "v_rad_per_rad"),
+    ("a_m_per_rad2", "a_rad_per_rad2"),
+    ("j_m_per_rad3", "j_rad_per_rad3"),
+    ("lift_m", "lift_rad"),
+    ("gap_m", "gap_rad"),
 ];
 const PROFILE: [&str; 7] = [
     "theta_rad",
@@ -81,11 +78,7 @@ pub fn law(synthesis: &Design, points: usize) -> String {
 /// The columns of `law.csv`, the force of an arm at its lever; NaN where there is no target.
 pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     let cam = &synthesis.cam;
-    let names = if cam.follower.is_oscillating() {
-        LAW_RADIANS
-    } else {
-        LAW_METRES
-    };
+    let names = named(LAW, cam.follower.is_oscillating());
     let drive = &synthesis.drive;
     let rows = angles(&cam.law, points).map(|theta| {
         let at = cam.law.svaj(theta);
@@ -141,7 +134,15 @@ fn points_columns(rows: &[ProfilePoint]) -> Columns {
     columns(PROFILE, rows)
 }
 
-fn columns<const N: usize>(
+/// Names of columns, with those of [angles](ANGLES) where the follower swings.
+pub(crate) fn named<const N: usize>(names: [&'static str; N], swings: bool) -> [&'static str; N] {
+    names.map(|name| {
+        let angle = ANGLES.iter().find(|a| a.0 == name && swings);
+        angle.map_or(name, |a| a.1)
+    })
+}
+
+pub(crate) fn columns<const N: usize>(
     names: [&'static str; N],
     rows: impl Iterator<Item = [f64; N]>,
 ) -> Columns {
@@ -154,7 +155,8 @@ fn columns<const N: usize>(
     out
 }
 
-fn text(columns: &Columns) -> String {
+/// A table: a header, then a line for each row; numbers in the shortest form that reads back exactly, nothing for NaN.
+pub fn text(columns: &Columns) -> String {
     let rows = columns.first().map_or(0, |c| c.1.len());
     let mut out = String::with_capacity((rows + 1) * columns.len() * WIDTH);
     for (i, (name, _)) in columns.iter().enumerate() {
@@ -162,7 +164,6 @@ fn text(columns: &Columns) -> String {
         out.push_str(name);
     }
     out.push('\n');
-    // The shortest form that reads back exactly.
     let mut digits = zmij::Buffer::new();
     for row in 0..rows {
         for (i, (_, values)) in columns.iter().enumerate() {

@@ -3,6 +3,7 @@
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, Workbook, Worksheet, XlsxError};
 use serde_json::Value;
 
+use super::csv::Columns;
 use super::json;
 use crate::Timing;
 use crate::words::{self, Words};
@@ -21,10 +22,43 @@ const FIRST: u32 = 10;
 /// Lengths in mm, angles in degrees, v a j by time at the cam's speed. Fails only if the workbook cannot
 /// be put together.
 pub fn workbook(synthesis: &Design, time: Timing, language: Language) -> Result<Vec<u8>> {
-    build(synthesis, time, &words::words(language)).map_err(|e| {
-        let fault = e.to_string();
-        WriteError::NotPutTogether { fault }.into()
-    })
+    build(synthesis, time, &words::words(language)).map_err(not_built)
+}
+
+/// Workbook of one sheet, `name`: the columns of a CSV table with its header.
+///
+/// # Errors
+/// A workbook that cannot be put together.
+pub fn table(name: &str, columns: &Columns) -> Result<Vec<u8>> {
+    let built = || {
+        let mut book = book(name)?;
+        let sheet = book.add_worksheet();
+        sheet.set_name(name)?;
+        sheet.set_freeze_panes(1, 1)?;
+        for (column, (heading, values)) in (0..).zip(columns) {
+            sheet.write(0, column, *heading)?;
+            sheet.set_column_width(column, heading.len() as f64 + 2.0)?;
+            for (row, value) in (1..).zip(values).filter(|cell| cell.1.is_finite()) {
+                sheet.write(row, column, *value)?;
+            }
+        }
+        book.save_to_buffer()
+    };
+    built().map_err(not_built)
+}
+
+fn not_built(fault: XlsxError) -> gaitcam::error::Error {
+    let fault = fault.to_string();
+    WriteError::NotPutTogether { fault }.into()
+}
+
+/// An empty workbook; its date is fixed, so that the same results give the same bytes.
+fn book(title: &str) -> std::result::Result<Workbook, XlsxError> {
+    let mut book = Workbook::new();
+    let epoch = ExcelDateTime::from_ymd(2000, 1, 1)?;
+    let properties = DocProperties::new().set_title(title);
+    book.set_properties(&properties.set_creation_datetime(&epoch));
+    Ok(book)
 }
 
 fn build(
@@ -32,14 +66,7 @@ fn build(
     time: Timing,
     words: &Words,
 ) -> std::result::Result<Vec<u8>, XlsxError> {
-    let mut book = Workbook::new();
-    // A fixed date: the same design gives the same bytes.
-    let epoch = ExcelDateTime::from_ymd(2000, 1, 1)?;
-    book.set_properties(
-        &DocProperties::new()
-            .set_title(&synthesis.name)
-            .set_creation_datetime(&epoch),
-    );
+    let mut book = book(&synthesis.name)?;
     cam_sheet(book.add_worksheet(), synthesis, words)?;
     let sheet = book.add_worksheet();
     sheet.set_name("summary")?;

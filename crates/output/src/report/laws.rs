@@ -142,8 +142,16 @@ mod tests {
                 "{:?}",
                 page.find("laws-").map(|i| &page[i..i + 40])
             );
-            let heading = words::words(language).name("modified-sine");
-            assert!(page.contains(&format!("<h2>{heading}</h2>")));
+            let named = gaitcam::wording::catalogue(language).keys();
+            for rise in Rise::catalogue() {
+                let name = rise.name();
+                assert!(
+                    named.contains(&format!("name-{name}")),
+                    "{language:?}: {name}"
+                );
+                let heading = escaped(&words::words(language).name(name));
+                assert!(page.contains(&format!("<h2>{heading}</h2>")), "{heading}");
+            }
             assert_eq!(page.matches("<section").count(), Rise::catalogue().len());
             assert_eq!(
                 page.matches("<polyline").count(),

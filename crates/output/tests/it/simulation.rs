@@ -1,10 +1,13 @@
 //! `simulation.json`, `dynamics.csv` and the table of the console.
 
+use std::io::Cursor;
+
+use calamine::{Data, DataType, Reader, Xlsx};
 use gaitcam::cam::{Cam, Follower, Measures};
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::{Model, Run, simulate};
 use gaitcam::law::Law;
-use gaitcam_output::{Language, simulation};
+use gaitcam_output::{Language, csv, simulation, xlsx};
 use gaitcam_test_support::designed;
 
 #[test]
@@ -38,7 +41,7 @@ fn the_files_of_a_simulation_have_the_documented_keys_and_columns() {
     for key in ["min", "max", "mean", "rms"] {
         assert!(json["torque"][key].is_number());
     }
-    let csv = simulation::csv(&out);
+    let csv = csv::text(&simulation::columns(&out));
     assert!(csv.starts_with("theta_rad,contact_force_n,torque_nm,"));
     let rows = csv.lines().count() - 1;
     assert!(
@@ -60,13 +63,36 @@ fn tables_of_an_arm_have_angles_in_radians_and_forces_in_newtons_at_the_lever() 
     };
     let cam = Cam::new(Law::harmonic(0.35, &[(0.1, 0.0)]), follower).unwrap();
     let out = simulate(&Run::new(cam, drive, 720), Model::Rigid).unwrap();
-    let csv = simulation::csv(&out);
+    let csv = csv::text(&simulation::columns(&out));
     let head = "theta_rad,contact_force_n,torque_nm,power_w,lift_rad,gap_rad,normal_force_n,";
     assert!(csv.starts_with(head), "{csv:.120}");
     let columns = simulation::columns(&out);
     let column = |name| &columns.iter().find(|c| c.0 == name).unwrap().1;
     for (force, lift) in column("contact_force_n").iter().zip(column("lift_rad")) {
         assert!((force - 200.0 * lift / 0.1).abs() < 1e-6, "{force} {lift}");
+    }
+    // The workbook has the same columns, and the console the largest loads in them.
+    let book = xlsx::table("dynamics", &columns).unwrap();
+    let mut book: Xlsx<_> = Xlsx::new(Cursor::new(book)).unwrap();
+    let sheet = book.worksheet_range("dynamics").unwrap();
+    for (i, (name, values)) in columns.iter().enumerate() {
+        let cells: Vec<&Data> = sheet.rows().map(|row| &row[i]).collect();
+        assert_eq!(cells[0].get_string(), Some(*name));
+        let read = cells[1..].iter().map(|cell| cell.get_float().unwrap());
+        assert!(read.eq(values.iter().copied()), "{name}");
+    }
+    let table = simulation::table(&out, Measures::Oscillating, Language::En);
+    for (name, words) in [
+        ("normal_force_n", "normal force at most"),
+        ("side_thrust_n", "side thrust at most"),
+    ] {
+        let most = column(name)
+            .iter()
+            .fold(0.0_f64, |most, x| most.max(x.abs()));
+        assert!(
+            table.contains(&format!("{words} {most:.1} N")),
+            "{most}: {table}"
+        );
     }
     let force = &simulation::json(&out)["force"];
     let most = 200.0 * 0.45 / 0.1;

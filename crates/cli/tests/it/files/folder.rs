@@ -97,6 +97,7 @@ fn a_run_does_not_stand_beside_the_design_of_another_scene() {
     assert_eq!(run(&["simulate", "--out", out]), 0);
     let known = [
         "dynamics.csv",
+        "dynamics.xlsx",
         "report.html",
         "scene.toml",
         "simulation.json",

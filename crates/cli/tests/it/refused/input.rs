@@ -347,7 +347,7 @@ fn a_negative_number_after_a_flag_is_its_value() {
         ),
         (
             &["simulate", "footbridge", "--friction", "-0.1"],
-            "--friction: a coefficient of friction is 0 or more",
+            "--friction: -0.1 is negative",
         ),
         (&["studio", "--port", "-1"], "--port: invalid value -1"),
         // A flag after a flag is none.

@@ -207,6 +207,79 @@ fn what_changes_nothing_is_said() {
     assert!(both.err.contains("cam.prime_radius"), "{}", both.err);
 }
 
+/// Follower trains that move no mass: every drive, on slides and on arms.
+const WEIGHTLESS: [(&str, &[&str]); 6] = [
+    ("heel_tester", &[]),
+    ("heel_tester_fitted", &[]),
+    ("camdas_01_roller", &[]),
+    ("camdas_03_flat", &[]),
+    ("camdas_02_oscillating_roller", &[]),
+    (
+        "camdas_04_oscillating_flat",
+        &[
+            "drive.kind=hydraulic",
+            "drive.pressure_per_volume=30 psi/in^3",
+            "drive.piston_radius=0.75 in",
+        ],
+    ),
+];
+
+#[test]
+fn what_is_advised_for_a_natural_frequency_without_a_mass_can_be_followed() {
+    let mut followed = 0;
+    for (scene, changes) in WEIGHTLESS {
+        let folder = tempfile::tempdir().unwrap();
+        let run = |more: &[&str], flags: &[&str]| {
+            let mut arguments = vec!["simulate", scene, "--out", folder.path().to_str().unwrap()];
+            arguments.extend_from_slice(flags);
+            for change in changes.iter().chain(more) {
+                arguments.extend(["--set", change]);
+            }
+            gaitcam(&arguments)
+        };
+        let frequency = ["--natural-frequency", "30 Hz"];
+        let refused = run(&[], &frequency);
+        let said = stderr(&refused);
+        assert_eq!(refused.status.code(), Some(2), "{scene}: {said}");
+        let answers = [
+            ("drive.mass=2 kg", &frequency[..]),
+            ("drive.inertia=0.02 kg m^2", &frequency[..]),
+            ("machine.stiffness=200 N/mm", &[]),
+            ("machine.stiffness=2000 N m/rad", &[]),
+        ];
+        let named = answers
+            .iter()
+            .filter(|a| said.contains(a.0.split('=').next().unwrap()));
+        let ran = named.filter(|(key, flags)| run(&[key], flags).status.code() != Some(2));
+        let ran = ran.count();
+        assert!(ran > 0, "{scene}: {said}");
+        followed += ran;
+    }
+    println!(
+        "{followed} answers followed for {} scenes",
+        WEIGHTLESS.len()
+    );
+}
+
+#[test]
+fn a_flag_of_the_machine_without_effect_is_named() {
+    for (scene, told) in [
+        ("camdas_01_roller", true),
+        ("mushroom", false),
+        ("camdas_03_flat", false),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().to_str().unwrap();
+        let run = gaitcam(&["simulate", scene, "--friction", "0.1", "--out", out]);
+        let said = stdout(&run);
+        assert_eq!(
+            said.contains("machine.friction has no effect"),
+            told,
+            "{said}"
+        );
+    }
+}
+
 #[test]
 fn a_share_needs_its_percent_and_zero_needs_nothing() {
     for (change, code) in [
