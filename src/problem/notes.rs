@@ -90,6 +90,12 @@ pub enum Note {
         shaft: Quantity,
         torque: Quantity,
     },
+    /// A hole much wider than the thinnest shaft that carries the torque.
+    LargeBore {
+        bore: Quantity,
+        shaft: Quantity,
+        torque: Quantity,
+    },
     /// Under its motor the cam misses the accuracy, which a larger inertia would meet.
     InertiaForAccuracy {
         error: Quantity,

@@ -160,8 +160,18 @@ impl Cam {
             return Err(CamError::MeasuredCircle.into());
         };
         if *least > OTHER * (high - low) {
+            // Steps towards the points of another cam may lead ever farther away; laid on its middle they are near.
+            let outline: Vec<[f64; 2]> = exact.samples.iter().map(|s| s.p).collect();
+            let (angle, pivot, place) = (0.0, middle(points), middle(&outline));
+            let laid = Pose {
+                angle,
+                pivot,
+                place,
+            };
+            let feet = points.iter().map(|m| exact.foot(laid.seen(*m)));
+            let laid = rms(&feet.collect::<Vec<Foot>>());
             return Err(CamError::MeasuredOther {
-                distance: Quantity::length(*least),
+                distance: Quantity::length(least.min(laid)),
                 low: Quantity::length(low),
                 high: Quantity::length(high),
             }

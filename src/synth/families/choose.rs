@@ -27,7 +27,7 @@ type Candidate = (&'static str, fn(&Problem, &Search) -> Attempt);
 type Attempt = Result<SolvedLaw, Option<PassedOver>>;
 
 /// The harmonics in closed form: where every limit and the accuracy hold with them they are the optimum (theory §1).
-const INVERSE: Candidate = ("the inverse by harmonics", inverse);
+const INVERSE: Candidate = ("inverse-by-harmonics", inverse);
 /// The first of the simpler families whose cam passes every check.
 pub fn simpler(problem: &Problem, search: &Search) -> Result<Simpler, NoLaw> {
     let mut passed_over = Vec::new();

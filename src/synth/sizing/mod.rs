@@ -16,6 +16,8 @@ use crate::units::{Dimension, Quantity};
 
 /// Shear stress that a shaft of mild steel is designed for, Pa.
 const SHEAR: f64 = 40e6;
+/// A hole this many times as wide as its shaft has to be is mostly a slip of the unit.
+const WIDE_HOLE: f64 = 8.0;
 /// Relative accuracy of a prime radius found by bisection.
 const BISECTION: f64 = 1e-12;
 /// A prime circle this many times the first guess without success is no cam.
@@ -147,7 +149,7 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
 /// What to know of the size.
 pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
     let (size, wall) = (chosen_size(problem, cam), thin_wall(problem, cam));
-    let shaft = thin_shaft(problem, cam, pressing);
+    let shaft = shaft(problem, cam, pressing);
     let roller = large_roller(problem, cam);
     [size, wall, shaft, roller].into_iter().flatten().collect()
 }
@@ -175,25 +177,34 @@ fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     })
 }
 
-/// A shaft of steel that carries the cam's torque is thicker than its base circle. A bore that is given is checked itself.
-fn thin_shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
+/// The base circle, or the hole that is given, against the steel shaft that carries the cam's torque.
+fn shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     let circle = 2.0 * cam.follower.base_radius();
     let turns = cam.follower.measures() != Measures::Straight;
-    if problem.cam.bore.is_some() || !turns || circle <= 0.0 {
+    if !turns || circle <= 0.0 {
         return None;
     }
-    let torque = limits::largest(&limits::torque_curve(
-        problem.force_curve(pressing),
-        &cam.law,
-    ))
-    .value;
+    let force = problem.force_curve(pressing);
+    let torque = limits::largest(&limits::torque_curve(force, &cam.law)).value;
     // τ = 16 T/(π d³).
-    let shaft = (16.0 * torque / (PI * SHEAR)).cbrt();
-    (circle < shaft).then(|| Note::ThinShaft {
-        circle: Quantity::length(circle),
-        shaft: Quantity::length(shaft),
-        torque: Quantity::new(torque, Dimension::Torque),
-    })
+    let least = (16.0 * torque / (PI * SHEAR)).cbrt();
+    let [circle, shaft, torque] = [
+        Quantity::length(circle),
+        Quantity::length(least),
+        Quantity::new(torque, Dimension::Torque),
+    ];
+    match problem.cam.bore {
+        None => (circle.value < least).then_some(Note::ThinShaft {
+            circle,
+            shaft,
+            torque,
+        }),
+        Some(bore) => (bore > WIDE_HOLE * least && least > 0.0).then_some(Note::LargeBore {
+            bore: Quantity::length(bore),
+            shaft,
+            torque,
+        }),
+    }
 }
 
 /// What was left open about the size and is settled by habit.

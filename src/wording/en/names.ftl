@@ -60,6 +60,7 @@ name-spline = spline
 name-polynomial = polynomial
 name-harmonic = harmonic
 name-double-harmonic = double-harmonic
+name-inverse-by-harmonics = the inverse by harmonics
 name-program = program
 
 # Rise laws.
@@ -76,6 +77,16 @@ name-semicycloidal-end = semicycloidal-end
 name-modified-trapezoid = modified-trapezoid
 name-modified-sine = modified-sine
 name-scca = scca
+name-3-4-5 = 3-4-5
+name-4-5-6-7 = 4-5-6-7
+name-5-6-7-8-9 = 5-6-7-8-9
+name-polynomial-5 = polynomial-5
+name-polynomial-7 = polynomial-7
+name-berzak-d = berzak-d
+name-gutman-1-3 = gutman-1-3
+name-freudenstein-1-3 = freudenstein-1-3
+name-freudenstein-1-3-at-rest = freudenstein-1-3-at-rest
+name-freudenstein-1-3-5 = freudenstein-1-3-5
 name-eccentric = eccentric
 
 # Size of a law.

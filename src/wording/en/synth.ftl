@@ -49,6 +49,7 @@ design-noise = The number of { $size } is limited to a force error of { $error }
 design-thin-wall = The wall between the hole for the shaft and the base circle is { $wall }; a hub usually has { $usual }. Set a larger cam.base_radius or a smaller cam.bore.
 design-large-roller = The roller has a radius of { $roller }, more than the cam that it rolls on, { $cam }. Check cam.roller_radius and its unit.
 design-thin-shaft = The base circle has a diameter of { $circle }; a steel shaft that carries the torque of { $torque } needs { $shaft } (shear stress 40 MPa). Make the cam larger, or leave its size open and set cam.bore to the diameter of the shaft.
+design-large-bore = The hole has a diameter of { $bore }; a steel shaft that carries the torque of { $torque } needs only { $shaft } (shear stress 40 MPa). Check cam.bore and its unit.
 design-inertia-for-accuracy = Under its motor the force error over time is { $error } of the mean; { $allowed } is allowed. The smallest inertia that meets it is { $inertia } (machine.inertia); law.shaft = "motor" designs for the motor where the family of the law allows it.
 design-no-base-circle = The smallest base radius is zero, so the profile passes through the shaft axis. Set cam.bore or cam.base_radius.
 design-usual-pressure-angle = No limit on the pressure angle is given: the cam is sized for at most { $angle }, the usual value. Set limits.pressure_angle to change it.

@@ -60,6 +60,7 @@ name-spline = spline
 name-polynomial = polinomio
 name-harmonic = armónica
 name-double-harmonic = doble armónica
+name-inverse-by-harmonics = la inversa por armónicos
 name-program = programa
 
 # Leyes de subida.
@@ -76,6 +77,16 @@ name-semicycloidal-end = semicicloidal final
 name-modified-trapezoid = trapezoidal modificada
 name-modified-sine = sinusoidal modificada
 name-scca = SCCA
+name-3-4-5 = 3-4-5
+name-4-5-6-7 = 4-5-6-7
+name-5-6-7-8-9 = 5-6-7-8-9
+name-polynomial-5 = polinómica de grado 5
+name-polynomial-7 = polinómica de grado 7
+name-berzak-d = Berzak D
+name-gutman-1-3 = Gutman 1-3
+name-freudenstein-1-3 = Freudenstein 1-3
+name-freudenstein-1-3-at-rest = Freudenstein 1-3 en reposo
+name-freudenstein-1-3-5 = Freudenstein 1-3-5
 name-eccentric = excéntrica
 
 # Tamaño de la ley.

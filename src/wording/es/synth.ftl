@@ -49,6 +49,7 @@ design-noise = El número de { $size } se limita a un error de fuerza de { $erro
 design-thin-wall = La pared entre el agujero del eje y el círculo base es de { $wall }; un cubo suele tener { $usual }. Fije un cam.base_radius mayor o un cam.bore menor.
 design-large-roller = El rodillo tiene un radio de { $roller }, mayor que la leva sobre la que rueda, { $cam }. Compruebe cam.roller_radius y su unidad.
 design-thin-shaft = El círculo base tiene un diámetro de { $circle }; un eje de acero que transmita el par de { $torque } necesita { $shaft } (tensión tangencial de 40 MPa). Agrande la leva, o deje abierto su tamaño y fije cam.bore con el diámetro del eje.
+design-large-bore = El agujero tiene un diámetro de { $bore }; un eje de acero que transmite el par de { $torque } solo necesita { $shaft } (tensión tangencial de 40 MPa). Compruebe cam.bore y su unidad.
 design-inertia-for-accuracy = Con su motor el error de fuerza en el tiempo es { $error } de la media; se permite { $allowed }. La menor inercia que lo cumple es { $inertia } (machine.inertia); law.shaft = "motor" diseña para el motor si la familia de la ley lo permite.
 design-no-base-circle = El menor radio base es cero, de modo que el perfil pasa por el eje. Fije cam.bore o cam.base_radius.
 design-usual-pressure-angle = No se da límite para el ángulo de presión: la leva se dimensiona para { $angle } como máximo, el valor habitual. Fije limits.pressure_angle para cambiarlo.

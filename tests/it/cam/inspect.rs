@@ -174,12 +174,18 @@ fn points_that_say_nothing_about_this_cam_are_refused() {
         fault(flat(0.04).inspect(&points, 0.0)),
         CamError::MeasuredOther { .. }
     ));
-    // Millimetres taken for metres.
-    let large: Vec<[f64; 2]> = points.iter().map(|p| p.map(|x| 1e3 * x)).collect();
-    assert!(matches!(
-        fault(cam.inspect(&large, 0.0)),
-        CamError::MeasuredOther { .. }
-    ));
+    // Other units: laid on one another, no point is farther from the profile than both together are wide.
+    for scale in [3.0, 10.0, 25.4, 1e3] {
+        let other: Vec<[f64; 2]> = points.iter().map(|p| p.map(|x| scale * x)).collect();
+        let CamError::MeasuredOther { distance, high, .. } = fault(cam.inspect(&other, 0.0)) else {
+            panic!("{scale}");
+        };
+        let reach = other.iter().map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
+        assert!(
+            distance.value <= 2.0 * (reach + high.value),
+            "{scale}: {distance:?}"
+        );
+    }
     // s = e (1 + sin θ) under a flat face is an eccentric circle.
     let disc = Cam::new(
         Law::harmonic(0.01, &[(0.0, 0.01)]),

@@ -340,7 +340,7 @@ const ECCENTRIC: &str = r#"
 "#;
 
 #[test]
-fn a_base_circle_too_thin_for_its_shaft_is_told_and_one_with_room_is_not() {
+fn base_circle_and_hole_are_judged_by_the_shaft_that_carries_the_torque() {
     // A shaft that carries T at a shear stress of 40 MPa: T = π d³ τ/16.
     let torque = peak_torque(&design(ECCENTRIC, &["cam.prime_radius=20 mm"]));
     let shaft = (16.0 * torque / (std::f64::consts::PI * 40e6)).cbrt();
@@ -356,5 +356,18 @@ fn a_base_circle_too_thin_for_its_shaft_is_told_and_one_with_room_is_not() {
             assert!((across / (share * shaft) - 1.0).abs() < 1e-9);
             assert!((least / shaft - 1.0).abs() < 1e-6);
         }
+    }
+    // A hole is judged by the same shaft: one that is too thin breaks no rule, one eight times as wide is doubtful.
+    for (share, told) in [(0.5, false), (7.9, false), (8.1, true), (25.4, true)] {
+        let design = design(ECCENTRIC, &[&format!("cam.bore={} m", share * shaft)]);
+        let notes = design.notes.iter();
+        let shafts = notes.filter_map(|note| match note {
+            Note::LargeBore { bore, shaft, .. } => Some(bore.value / shaft.value / share),
+            Note::ThinShaft { .. } => Some(f64::NAN),
+            _ => None,
+        });
+        let shafts: Vec<f64> = shafts.collect();
+        assert_eq!(shafts.len(), usize::from(told), "{share}: {shafts:?}");
+        assert!(shafts.iter().all(|s| (s - 1.0).abs() < 1e-6), "{shafts:?}");
     }
 }

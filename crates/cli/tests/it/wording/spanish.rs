@@ -148,6 +148,21 @@ fn designs_in_spanish_hold_no_english_word_and_no_decimal_point() {
         let point = shown.lines().find(|line| has_decimal_point(line));
         assert_eq!(point, None, "{scene}");
     }
+    // The simpler families that a ladder tries are named where it leaves them.
+    for limit in ["limits.stroke=48.5 mm", "limits.jerk=65 m/s^3"] {
+        let ladder = [
+            "synth",
+            "footbridge",
+            "--set",
+            "law.family=ladder",
+            "--set",
+            limit,
+            "--out",
+        ];
+        let shown = said(&[&ladder[..], &[&path("ladder")]].concat(), 0);
+        assert!(shown.contains("la inversa por armónicos"), "{shown}");
+        assert!(!shown.contains("inverse"), "{shown}");
+    }
     let out = path("none");
     let short = [
         "synth",
