@@ -7,10 +7,11 @@ A scene states target and limits, a force may come from arrays or a recording, a
     design.verdict, design.law["s_m"], design.save("out/footbridge")
 
 Everything is SI; units stand in the names of columns and keys. Long calls release the interpreter's lock and end on
-Ctrl-C. Faults in what is given are :class:`InputError` with ``.key`` and ``.help``.
+Ctrl-C. Invalid input raises :class:`InputError`, which has ``.key`` and ``.help``.
 """
 
-from typing import Any, NamedTuple
+from typing import Any as _Any
+from typing import NamedTuple as _NamedTuple
 
 from gaitcam._native import (
     Design,
@@ -35,13 +36,13 @@ from gaitcam._native import (
 )
 
 
-class Svaj(NamedTuple):
+class Svaj(_NamedTuple):
     """Lift and its derivatives by the cam angle: m, m/rad, m/rad², m/rad³ (an oscillating follower: rad)."""
 
-    s: Any
-    v: Any
-    a: Any
-    j: Any
+    s: _Any
+    v: _Any
+    a: _Any
+    j: _Any
 
 
 #: ``gaitcam.sweep(scene, vary=...).run()`` is the table of a whole sweep; see :class:`Sweep`.

@@ -2,6 +2,7 @@
 
 import os
 import uuid
+from collections.abc import Callable
 from importlib import import_module
 from os import PathLike
 from typing import Any
@@ -32,6 +33,22 @@ def write(plan: Sweep, start: int, stop: int, file: str | PathLike[str]) -> int:
     return stop - start
 
 
-def sweep(plan: Sweep, path: str | PathLike[str], *, block_rows: int = BLOCK_ROWS) -> int:
-    """Computes the blocks that ``path`` lacks in this process; returns the number of rows computed."""
-    return sum(write(plan, *block) for block in plan.begin(path, block_rows))
+def sweep(
+    plan: Sweep,
+    path: str | PathLike[str],
+    *,
+    block_rows: int = BLOCK_ROWS,
+    progress: Callable[[int, int], object] | None = None,
+) -> int:
+    """Computes the blocks that ``path`` lacks in this process; returns the number of rows computed.
+
+    ``progress(done, rows)`` is called after each block.
+    """
+    missing = plan.begin(path, block_rows)
+    rows = sum(stop - start for start, stop, _ in missing)
+    done = 0
+    for block in missing:
+        done += write(plan, *block)
+        if progress is not None:
+            progress(done, rows)
+    return done

@@ -1,5 +1,6 @@
 """Sweeps on Ray Data: ``pip install 'gaitcam[ray]'``."""
 
+import sys
 from importlib import import_module
 from os import PathLike
 from typing import Any
@@ -22,5 +23,13 @@ def sweep(plan: Sweep, path: str | PathLike[str], *, block_rows: int = blocks.BL
     def compute(batch: dict[str, Any]) -> dict[str, list[int]]:
         return {"rows": [blocks.write(ray.get(shared), *missing[i]) for i in batch["id"]]}
 
-    numbers = import_module("ray.data").range(len(missing), override_num_blocks=len(missing))
-    return int(numbers.map_batches(compute, batch_size=1, **options).sum("rows"))
+    data: Any = import_module("ray.data")
+    context = data.DataContext.get_current()
+    shown = context.enable_progress_bars
+    # In a log Ray's bars are a page of lines every ten seconds.
+    context.enable_progress_bars = shown and sys.stdout.isatty()
+    try:
+        numbers = data.range(len(missing), override_num_blocks=len(missing))
+        return int(numbers.map_batches(compute, batch_size=1, **options).sum("rows"))
+    finally:
+        context.enable_progress_bars = shown

@@ -4,6 +4,7 @@ use gaitcam::error::Error;
 use gaitcam::scene;
 use gaitcam::sweep::Key;
 use numpy::{AllowTypeChange, PyArrayLike1};
+use pyo3::PyClass;
 use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyList, PyString, PyTuple};
@@ -53,6 +54,21 @@ pub fn entry(key: String, given: &Bound<'_, PyAny>) -> PyResult<(String, Value)>
 pub fn si_key(name: &str) -> Option<Key> {
     let key = Key::of_column(name);
     (key.is_number() && scene::keys::find(name).is_none()).then_some(key)
+}
+
+/// An object of this package as an argument.
+pub trait Argument: PyClass {
+    /// How one is made.
+    const MADE: &'static str;
+
+    /// The argument `name` that has to be one.
+    fn given<'a, 'py>(given: &'a Bound<'py, PyAny>, name: &str) -> PyResult<&'a Bound<'py, Self>> {
+        given.cast::<Self>().map_err(|_| {
+            let (own, made, other) = (Self::NAME, Self::MADE, kind(given));
+            let other = other.unwrap_or_default();
+            PyTypeError::new_err(format!("{name}: a {own}, not {other}; {made}"))
+        })
+    }
 }
 
 /// A value of a scene.

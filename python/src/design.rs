@@ -17,9 +17,10 @@ use pyo3::types::{IntoPyDict, PyBytes, PyDict};
 use serde_json::Value;
 
 use crate::asked::{Asked, language, rows};
-use crate::convert::{self, Reduced};
+use crate::convert::{self, Argument, Reduced};
 use crate::error::{NoSuchCam, Raise};
 use crate::force::{FILE, Force};
+use crate::html;
 use crate::interrupt::{self, Interrupt};
 use crate::law::Law;
 use crate::scene::Scene;
@@ -63,12 +64,18 @@ pub struct Design {
 #[pyo3(signature = (scene = None, *, force = None, time_limit = 60.0))]
 pub fn synth(
     py: Python<'_>,
-    scene: Option<PyRef<'_, Scene>>,
-    force: Option<PyRef<'_, Force>>,
+    scene: Option<&Bound<'_, PyAny>>,
+    force: Option<&Bound<'_, PyAny>>,
     time_limit: f64,
 ) -> PyResult<Design> {
-    let asked = Scene::or_default(py, scene.as_deref())?;
-    let force = force.as_deref().cloned();
+    let scene = scene.map(|s| Scene::given(s, "scene")).transpose()?;
+    let scene = Scene::or_default(py, scene.map(Bound::get))?;
+    let force = Force::of_argument(force)?;
+    answer(py, scene, force, time_limit)
+}
+
+/// The design of a scene, with a force in place of its own.
+fn answer(py: Python<'_>, asked: Scene, force: Option<Force>, time_limit: f64) -> PyResult<Design> {
     let input = match &force {
         Some(force) => force.named_in(&asked.input).raise(py)?,
         None => asked.whole(py)?.clone(),
@@ -89,6 +96,10 @@ pub fn synth(
         time,
         time_limit,
     })
+}
+
+impl Argument for Design {
+    const MADE: &'static str = "synth(scene) makes one";
 }
 
 fn made(
@@ -345,13 +356,8 @@ impl Design {
     }
 
     fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
-        let text = |s: &str| s.replace('&', "&amp;").replace('<', "&lt;");
-        let head = format!(
-            "<p><b>{}</b>: <b>{}</b><br>{}</p>",
-            text(self.name()),
-            self.verdict(),
-            text(&self.said(Language::En))
-        );
+        let said = format!("{}. {}", self.verdict(), self.said(Language::En));
+        let head = html::head(self.name(), &said);
         let Some(design) = self.made.as_ref().ok().filter(|d| d.infeasible.is_none()) else {
             return Ok(head);
         };
@@ -385,7 +391,7 @@ impl Design {
         force: Option<PyRef<'_, Force>>,
         time_limit: f64,
     ) -> PyResult<Design> {
-        synth(py, Some(scene), force, time_limit)
+        answer(py, scene.clone(), force.as_deref().cloned(), time_limit)
     }
 
     fn __repr__(&self) -> String {

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use toml::{Table, Value};
 
-use crate::convert::{self, Reduced};
+use crate::convert::{self, Argument, Reduced};
 use crate::error::Raise;
 
 /// One cycle of vertical force.
@@ -75,7 +75,17 @@ const OF_SOURCE: [&str; 12] = [
 /// The file of a force from arrays, in the folder of the result.
 pub use gaitcam_files::design::FORCE as FILE;
 
+impl Argument for Force {
+    const MADE: &'static str = "read_gait(path) and Force(t_s, f_n, period_s=...) make one";
+}
+
 impl Force {
+    /// The argument `force`, where it is given.
+    pub fn of_argument(force: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Force>> {
+        let force = force.map(|f| Force::given(f, "force")).transpose()?;
+        Ok(force.map(|f| f.get().clone()))
+    }
+
     fn of_recording(
         py: Python<'_>,
         gait: Table,

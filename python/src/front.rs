@@ -1,11 +1,13 @@
 //! The best designs of a table.
 
 use gaitcam::sweep::{self, Admission, Objective};
+use gaitcam_base::text::number;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 
 use crate::convert::{self, Reduced};
 use crate::error::Raise;
+use crate::html;
 
 /// The designs of a table that no other design beats in every objective.
 #[pyclass(frozen, module = "gaitcam")]
@@ -200,6 +202,15 @@ impl Front {
 
     fn __len__(&self) -> usize {
         self.positions.len()
+    }
+
+    fn _repr_html_(&self) -> String {
+        let names = [&["position".to_string()], &self.names[..]].concat();
+        html::table(&names, self.positions.len(), |row| {
+            let values = self.values[row].iter().map(|x| number(*x, 6));
+            let position = self.positions[row].to_string();
+            std::iter::once(position).chain(values).collect()
+        })
     }
 
     fn __repr__(&self) -> String {

@@ -9,6 +9,7 @@ mod design;
 mod error;
 mod force;
 mod front;
+mod html;
 mod interrupt;
 mod law;
 mod run;

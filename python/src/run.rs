@@ -8,9 +8,10 @@ use gaitcam_output::simulation;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
-use crate::convert::{self, Reduced};
+use crate::convert::{self, Argument, Reduced};
 use crate::design::Design;
 use crate::error::{NoSuchCam, Raise, argument};
+use crate::html;
 use crate::scene::Scene;
 use crate::table::Table;
 
@@ -44,11 +45,11 @@ pub struct Run {
 #[pyo3(signature = (design, model = "auto", *, machine = None))]
 pub fn simulate(
     py: Python<'_>,
-    design: &Bound<'_, Design>,
+    design: &Bound<'_, PyAny>,
     model: &str,
     machine: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Run> {
-    let made = design;
+    let made = Design::given(design, "design")?;
     let design = made.get();
     let Some(model) = Model::parse(model) else {
         let what = format!("{model:?} is no model; give auto, rigid, flexible or contact");
@@ -144,11 +145,7 @@ impl Run {
             false => Measures::Translating,
         };
         let text = simulation::table(&self.outcome, measures, Language::En);
-        let text = text.replace('&', "&amp;").replace('<', "&lt;");
-        format!(
-            "<p><b>{}</b>: {}</p><pre>{text}</pre>",
-            self.name, self.verdict
-        )
+        html::head(&self.name, self.verdict) + &html::fixed(&text)
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (&Py<Design>, &'static str)> {

@@ -9,7 +9,7 @@ use gaitcam_files::scene::parse;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::convert::{self, Reduced};
+use crate::convert::{self, Argument, Reduced};
 use crate::error::{Raise, raised};
 
 /// A scene: target force, drive (how lift becomes force), law of motion, cam and limits.
@@ -105,6 +105,10 @@ impl Scene {
         let (folder, file) = (self.input.folder.clone(), self.input.file.clone());
         Scene::of_table(py, table, folder, file)
     }
+}
+
+impl Argument for Scene {
+    const MADE: &'static str = "Scene.builtin(name), Scene.load(path) and Scene({...}) make one";
 }
 
 #[pymethods]

@@ -1,6 +1,7 @@
 //! A table of named columns that numpy, pandas, polars and pyarrow read without copies.
 
 use gaitcam::sweep::{Field, FieldValues, Records, Words};
+use gaitcam_base::text::number;
 use numpy::ndarray::ArrayView1;
 use numpy::{Element, PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyKeyError;
@@ -8,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyList, PyString};
 
 use crate::convert::{self, Reduced};
+use crate::html;
 
 /// Keys and values.
 type Pairs = Vec<(String, String)>;
@@ -176,6 +178,19 @@ impl Table {
         }
         let metadata = this.get().metadata.clone();
         Ok((this.get_type().into_any(), (columns, metadata)))
+    }
+
+    fn _repr_html_(&self) -> String {
+        let fields = &self.records.fields;
+        let names: Vec<String> = fields.iter().map(|f| f.name.clone()).collect();
+        html::table(&names, self.__len__(), |row| {
+            let cell = |field: &Field| match &field.values {
+                FieldValues::Rows(x) => x[row].to_string(),
+                FieldValues::Numbers(x) => number(x[row], 6),
+                FieldValues::Words(words) => words.at(row).unwrap_or("").to_string(),
+            };
+            fields.iter().map(cell).collect()
+        })
     }
 
     fn __repr__(&self) -> String {

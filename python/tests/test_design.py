@@ -177,6 +177,33 @@ def test_a_scene_without_a_cam_is_a_design_that_says_why(name, changes, key, tmp
             shown()
 
 
+def test_every_result_shows_itself_in_a_notebook(design, footbridge):
+    plan = gaitcam.Sweep(footbridge, vary={"gait.body_weight": ["600 N", "800 N", 25], "law.family": ["harmonic"]})
+    table = plan.run()
+    front = gaitcam.front(table, "stroke")
+    shown = table._repr_html_()
+    assert shown.count("<tr>") == 12 and "…" in shown and "<td>acceptable</td>" in shown
+    assert all(f"<th>{name}</th>" in shown for name in table.column_names)
+    assert front._repr_html_().count("<tr>") == 1 + len(front)
+    assert f"{front.values[0][0]:.4f}"[:6] in front._repr_html_()
+    assert "gait.body_weight" in plan._repr_html_() and "footbridge" in plan._repr_html_()
+    small = gaitcam.Table({"a<b": [1.0, 2.0]})._repr_html_()
+    assert small.count("<tr>") == 3 and "a&lt;b" in small and "…" not in small
+
+
+@pytest.mark.parametrize("wrong", ["footbridge", {"name": "x"}, 3, b"x", ["footbridge"]])
+def test_what_is_no_object_of_the_package_is_refused_with_how_one_is_made(design, footbridge, wrong):
+    calls = {
+        "scene": [lambda: gaitcam.synth(wrong), lambda: gaitcam.Sweep(wrong)],
+        "force": [lambda: gaitcam.synth(footbridge, force=wrong), lambda: gaitcam.Sweep(footbridge, force=wrong)],
+        "design": [lambda: gaitcam.simulate(wrong)],
+    }
+    for name, all_of_it in calls.items():
+        for call in all_of_it:
+            with pytest.raises(TypeError, match=rf"^{name}: a {name.capitalize()}, not .*; .*make"):
+                call()
+
+
 def test_a_notebook_shows_verdict_and_pictures(design):
     html = design._repr_html_()
     assert "acceptable" in html and html.count("<svg") == 3 and "<script" not in html

@@ -210,7 +210,9 @@ def test_blocks_hold_the_rows_of_one_run_and_a_second_start_does_only_what_is_mi
     pq = pytest.importorskip("pyarrow.parquet")
     plan = gaitcam.Sweep(spectral, vary={"gait.step_frequency": ["1.5 Hz", "2.4 Hz", 100]})
     out = tmp_path / "blocks"
-    assert gaitcam.blocks.sweep(plan, out, block_rows=30) == 100
+    seen = []
+    assert gaitcam.blocks.sweep(plan, out, block_rows=30, progress=lambda *rows: seen.append(rows)) == 100
+    assert seen == [(30, 100), (60, 100), (90, 100), (100, 100)]
     blocks = sorted(out.glob("*.parquet"))
     assert [b.name for b in blocks] == [f"rows-{a:012}-{min(a + 30, 100):012}.parquet" for a in (0, 30, 60, 90)]
     union = pq.read_table(out)

@@ -51,11 +51,18 @@ def test_the_stubs_name_what_the_package_has():
                 assert f"def {member}(" in body, f"{name}.{member}"
 
 
+def test_the_package_shows_no_names_but_its_own():
+    shown = {name for name in dir(gaitcam) if not name.startswith("_")}
+    assert shown == set(gaitcam.__all__) - {"__version__"}
+
+
 def test_everything_public_is_documented():
     for name in gaitcam.__all__:
         value = getattr(gaitcam, name)
         if name != "__version__":
             assert value.__doc__, name
+        if inspect.isbuiltin(value):
+            assert "..." not in str(inspect.signature(value)), name
         if inspect.isclass(value) and value.__module__ == "gaitcam" and not issubclass(value, (Exception, tuple)):
             for member, attribute in vars(value).items():
                 if not member.startswith("_"):

@@ -14,7 +14,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyString};
 
-use crate::convert;
+use crate::convert::{self, Argument};
 use crate::error::{Raise, argument};
 use crate::force::Force;
 use crate::scene::Scene;
@@ -53,14 +53,9 @@ pub struct Question {
 /// Base scenes of a list.
 pub fn scenes(list: &Bound<'_, PyAny>) -> PyResult<Vec<Scene>> {
     let mut out = Vec::new();
-    for scene in list.try_iter()? {
-        let scene = scene?;
-        let Ok(scene) = scene.cast::<Scene>() else {
-            let kind = scene.get_type().name()?;
-            let what = format!("scene: a Scene or a list of them, not {kind}");
-            return Err(PyTypeError::new_err(what));
-        };
-        out.push(scene.get().clone());
+    let all = list.try_iter();
+    for scene in all.or_else(|_| Scene::given(list, "scene")?.try_iter())? {
+        out.push(Scene::given(&scene?, "scene")?.get().clone());
     }
     if out.is_empty() {
         let what = "an empty list of scenes".to_string();

@@ -1,0 +1,37 @@
+//! What notebooks show.
+
+use gaitcam_base::text::escaped;
+
+/// Rows of a table that are shown at most: as many from its end as from its beginning.
+const SHOWN: usize = 10;
+
+/// A name, and what is said of it.
+pub fn head(name: &str, said: &str) -> String {
+    format!("<p><b>{}</b>: {}</p>", escaped(name), escaped(said))
+}
+
+/// Text whose lines and columns stay as they are.
+pub fn fixed(text: &str) -> String {
+    format!("<pre>{}</pre>", escaped(text))
+}
+
+/// The first and the last of `count` rows under the names of their columns.
+pub fn table(names: &[String], count: usize, cells: impl Fn(usize) -> Vec<String>) -> String {
+    let line = |tag: &str, cells: &[String]| {
+        let cells = cells
+            .iter()
+            .map(|c| format!("<{tag}>{}</{tag}>", escaped(c)));
+        format!("<tr>{}</tr>", cells.collect::<String>())
+    };
+    let rows = |rows: std::ops::Range<usize>| -> String {
+        rows.map(|row| line("td", &cells(row))).collect()
+    };
+    let body = match count > SHOWN {
+        true => {
+            let gap = line("td", &vec!["…".to_string(); names.len()]);
+            rows(0..SHOWN / 2) + &gap + &rows(count - SHOWN / 2..count)
+        }
+        false => rows(0..count),
+    };
+    format!("<table>{}{body}</table>", line("th", names))
+}
