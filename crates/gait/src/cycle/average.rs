@@ -12,6 +12,9 @@ const TAIL_S: f64 = 0.06;
 /// Part of a stance by which a mean stance reaches past its ends, to hold that force.
 pub(super) const MARGIN: f64 = 0.12;
 
+/// Part of a stride about its ends over which it is blended with its neighbours.
+pub(super) const BLEND: f64 = 0.04;
+
 /// Force at a place between samples, by a straight line.
 pub(super) fn at(force: &[f64], place: f64) -> f64 {
     // Over i64: the processor has no conversion to unsigned numbers.

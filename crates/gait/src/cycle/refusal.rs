@@ -1,5 +1,6 @@
 //! Why a recording without a whole stance gives no cycle.
 
+use super::plausibility::{ADULT_KG, ranges};
 use super::total::total_stride;
 use crate::error::ForceError;
 use crate::quantity::seconds;
@@ -7,9 +8,6 @@ use crate::recording::{Feet, Kind, Note, Recording};
 use crate::stance::{RejectReason, Stances};
 use crate::statistics::mean;
 use crate::units::Quantity;
-
-/// Typical duty factor of walking.
-const USUAL_DUTY: f64 = 0.62;
 
 /// The reason, from the contacts that were rejected and from what the header announces.
 pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> ForceError {
@@ -34,7 +32,8 @@ pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) ->
         // With a wrong clock, walking resembles running or standing.
         let rejected = stances.rejected.iter();
         let durations: Vec<f64> = rejected.map(|r| r.to_s - r.from_s).collect();
-        let period = seconds(mean(&durations) / USUAL_DUTY);
+        let usual = ranges(Kind::Walking, ADULT_KG.start, false).usual_duty;
+        let period = seconds(mean(&durations) / usual);
         return ForceError::ClockImplausible { period };
     }
     if let Some(refusal) = another_movement(stances, duration) {

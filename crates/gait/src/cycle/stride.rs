@@ -1,7 +1,7 @@
 //! Whole strides of both feet in a recording.
 
 use super::Average;
-use super::average::{Mean, at, periodic, whole_span};
+use super::average::{BLEND, Mean, at, periodic, whole_span};
 use crate::curve::SAMPLES;
 use crate::recording::{CycleSource, Foot, PeriodSource, Recording};
 use crate::stance::{Footfall, RejectReason, Stances, footfalls};
@@ -22,8 +22,6 @@ pub(super) struct Stride {
 
 /// A stride whose duration is further than this from the middle one is not averaged.
 const ODD_STRIDE: f64 = 0.25;
-/// Part of a stride about its ends over which it is blended with its neighbours.
-const BLEND: f64 = 0.04;
 
 /// Strides in which every footfall is on record.
 ///

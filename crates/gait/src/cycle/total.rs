@@ -1,7 +1,7 @@
 //! Walking on one plate that both feet share, as on a treadmill with one belt: the total force, never zero.
 
 use super::Average;
-use super::average::{Mean, at, periodic};
+use super::average::{BLEND, Mean, at, periodic};
 use crate::curve::SAMPLES;
 use crate::quantity::seconds;
 use crate::recording::{CycleSource, Note, PeriodSource, Recording};
@@ -14,8 +14,6 @@ const STEADY: f64 = 0.05;
 const ODD_STEP: f64 = 0.25;
 /// Fewest regular steps that make a walk.
 const FEWEST_STEPS: usize = 5;
-/// Part of a stride about its ends over which it is blended with its neighbours.
-const BLEND: f64 = 0.04;
 /// Durations of a step that a walker can keep, s.
 const STEP_S: std::ops::Range<f64> = 0.3..1.2;
 /// The same of a runner.

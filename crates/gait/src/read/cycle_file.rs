@@ -48,7 +48,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     let columns = columns(file, &table)?;
     let (mut times, mut force, mut spread) = samples(file, &table, columns)?;
     // A bare `time` is in seconds; what has another unit, such as a percentage, is no clock.
-    let is_bare = words(&table.names[columns.0]).len() == 1;
+    let is_bare = (table.names.get(columns.0)).is_some_and(|name| words(name).len() == 1);
     let time_unit = time_unit(&table, columns.0).or(is_bare.then_some(1.0));
     for time in &mut times {
         *time *= time_unit.unwrap_or(1.0);
@@ -97,13 +97,16 @@ fn newtons(file: &TextFile, table: &Table, column: usize, mass_kg: Option<f64>) 
     })
 }
 
-/// Places of time, force and, where there is one, spread in the table of a cycle.
+/// Places of time, force and perhaps spread in the table of a cycle.
 type Columns = (usize, usize, Option<usize>);
 
 fn columns(file: &TextFile, table: &Table) -> Result<Columns> {
     let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
     let place = |wanted: fn(&Role) -> bool, column: CycleColumn| {
         roles.iter().position(wanted).ok_or_else(|| {
+            if roles.is_empty() {
+                return ReadError::NamelessColumns.at_line(file.path, table.start.line);
+            }
             let columns = table.names.join(", ");
             let error = ReadError::CycleColumnMissing { column, columns };
             error.at_line(file.path, table.header_line())
@@ -411,6 +414,25 @@ mod tests {
             fault("# critical points\ntime_s,force_n\n0,1\n2,2\n").0,
             ReadError::CyclePeriodMissing
         );
+    }
+
+    #[test]
+    fn columns_without_names_are_given_by_number() {
+        let row = |i| format!("{},7,{}\n", 0.05 * f64::from(i), 100 * i);
+        let text: String = (0..20).map(row).collect();
+        let open = |time: Option<&str>, force: &[&str]| {
+            let options = ReadOptions {
+                period_s: Some(1.0),
+                time: time.map(str::to_string),
+                force: force.iter().map(|f| f.to_string()).collect(),
+                ..ReadOptions::default()
+            };
+            read(Path::new("m.csv"), text.as_bytes(), &options)
+        };
+        let curve = open(Some("1"), &["3"]).unwrap().unwrap();
+        assert_eq!(curve.force_n[19], 1900.0);
+        let fault = open(None, &[]).unwrap_err().fault().cloned();
+        assert_eq!(fault, Some(ReadError::NamelessColumns));
     }
 
     #[test]

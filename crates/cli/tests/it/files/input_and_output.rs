@@ -7,7 +7,7 @@ use std::process::Stdio;
 
 use serde_json::Value;
 
-use crate::support::{command, object, run_in, stdout};
+use crate::support::{command, object, run_in, stdout, walk};
 
 const SCENE: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
@@ -114,4 +114,21 @@ fn the_console_says_the_verdict_first_and_all_in_25_lines() {
     let text = stdout(&output);
     assert!(text.lines().count() <= 25, "{text}");
     assert!(text.starts_with("heel_tester_fitted: acceptable"), "{text}");
+}
+
+#[test]
+fn no_name_of_a_walker_is_a_formula_in_the_table() {
+    let here = tempfile::tempdir().unwrap();
+    let folder = here.path().join("walks");
+    fs::create_dir(&folder).unwrap();
+    for name in ["=1+1.csv", "+y.csv", "-z.csv", "@x.csv"] {
+        walk(&folder.join(name));
+    }
+    fs::write(here.path().join("p.toml"), "[gait]\nfile = \"walks/\"\n").unwrap();
+    run_in(here.path(), &["synth", "p.toml", "--no-png", "--out", "R"]);
+    let table = fs::read_to_string(here.path().join("R/walkers.csv")).unwrap();
+    assert_eq!(table.lines().count(), 5, "{table}");
+    for row in table.lines().skip(1) {
+        assert!(row.starts_with('\''), "{row}");
+    }
 }

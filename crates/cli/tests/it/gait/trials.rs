@@ -153,3 +153,34 @@ fn a_file_is_one_cycle_of_the_period_given() {
     assert_eq!(wrong.status.code(), Some(2));
     assert!(fault.contains("--period"), "{fault}");
 }
+
+#[test]
+fn an_option_that_is_wrong_is_named_before_a_folder_is_read() {
+    let folder = tempfile::tempdir().unwrap();
+    trials(folder.path());
+    for (option, value) in [
+        ("--period", "-1 s"),
+        ("--period", "-1"),
+        ("--rate", "0 Hz"),
+        ("--mass", "-70 kg"),
+        ("--span", "-3 deg"),
+        ("--mass", "1.234,5 kg"),
+        ("--unit", "mV"),
+        ("--kind", "dance"),
+    ] {
+        let run = gait(&[text(folder.path()), &format!("{option}={value}")]);
+        let said = stderr(&run);
+        assert_eq!(run.status.code(), Some(2), "{option} {value}");
+        assert!(said.contains(option) && stdout(&run).is_empty(), "{said}");
+    }
+}
+
+#[test]
+fn recordings_that_cannot_be_read_are_counted_too() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["a.csv", "b.csv"] {
+        fs::write(folder.path().join(name), "time,Fz\n0,1\n").unwrap();
+    }
+    let said = stderr(&gait(&[text(folder.path())]));
+    assert!(said.contains("none of the 2 recordings"), "{said}");
+}

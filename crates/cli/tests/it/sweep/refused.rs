@@ -1,6 +1,7 @@
 //! Sweeps that cannot be: refused in words, before anything is written.
 
 use std::fs;
+use std::path::Path;
 
 use super::{refused, sweep};
 use crate::support::stderr;
@@ -40,14 +41,19 @@ fn bad_sweeps_are_refused_before_anything_is_written() {
             stderr(&output).contains("feature \"parquet\"") && stderr(&output).contains(".csv")
         );
     }
-    fs::write(folder.path().join("t.csv.partial"), "my own notes").unwrap();
-    let output = sweep(
-        &folder.path().join("t.csv"),
-        &["--vary", "law.degree=3,5", "--resume"],
-    );
-    assert!(
-        stderr(&output).contains("not the partial table of a sweep"),
-        "{}",
-        stderr(&output)
-    );
+    let partial = folder.path().join("t.csv.partial");
+    let own: [fn(&Path); 2] = [
+        |place| fs::write(place, "my own notes").unwrap(),
+        |place| std::os::unix::fs::symlink("/dev/zero", place).unwrap(),
+    ];
+    for put in own {
+        put(&partial);
+        let output = sweep(
+            &folder.path().join("t.csv"),
+            &["--vary", "law.degree=3,5", "--resume"],
+        );
+        let said = stderr(&output);
+        assert!(said.contains("not the partial table of a sweep"), "{said}");
+        fs::remove_file(&partial).unwrap();
+    }
 }

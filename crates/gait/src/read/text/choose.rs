@@ -1,6 +1,7 @@
 //! Which columns of a table to read.
 
 use super::header::{Table, is_unit};
+use super::headerless::WIDEST;
 use super::layout::TextFile;
 use super::listed;
 use crate::error::{Error, Placed, ReadError, Result, nearest};
@@ -143,7 +144,7 @@ fn is_newtons(table: &Table, i: usize) -> bool {
 ///
 /// In square brackets stands a unit, unless it names a foot, a plate or a direction; in round ones perhaps a remark.
 fn foreign_unit(table: &Table, i: usize) -> Option<&str> {
-    let name = &table.names[i];
+    let name = table.names.get(i)?;
     let is_named = |b: &str| words(b).iter().all(|w| is_of_channel(w));
     let is_bracketed = |b: &&str| {
         let square = name.contains(&format!("[{b}"));
@@ -183,10 +184,14 @@ pub(crate) fn check_unit(file: &TextFile, table: &Table, i: usize) -> Result<()>
     }
 }
 
-/// A column by name (case does not matter) or by number from 1.
+/// A column by name (case does not matter) or by number from 1; without a header by number.
 pub(crate) fn column(file: &TextFile, table: &Table, wanted: &str) -> Result<usize> {
     let plain = |s: &str| s.trim().to_lowercase();
     let names = &table.names;
+    let count = match names.len() {
+        0 => table.width.min(WIDEST),
+        count => count,
+    };
     let found = names
         .iter()
         .position(|n| n == wanted)
@@ -194,9 +199,13 @@ pub(crate) fn column(file: &TextFile, table: &Table, wanted: &str) -> Result<usi
     let number = wanted
         .parse::<usize>()
         .ok()
-        .filter(|n| (1..=names.len()).contains(n));
+        .filter(|n| (1..=count).contains(n));
     found.or(number.map(|n| n - 1)).ok_or_else(|| {
         let (column, columns) = (wanted.to_string(), listed(names));
+        if names.is_empty() {
+            return ReadError::NoColumnNumber { column, count }
+                .at_line(file.path, table.start.line);
+        }
         let error = match nearest(wanted, names.iter().take(200).map(String::as_str)) {
             Some(near) => ReadError::MisspeltColumn {
                 column,

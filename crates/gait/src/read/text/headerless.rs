@@ -1,6 +1,6 @@
 //! Tables without a header: which column is time and which are vertical forces, from the numbers alone.
 
-use super::choose::{Plan, force_is_time};
+use super::choose::{Plan, column, force_is_time};
 use super::header::Table;
 use super::layout::TextFile;
 use super::raw::Raw;
@@ -16,7 +16,7 @@ const FEWEST: usize = 10;
 const SAMPLE: usize = 4096;
 
 /// Columns beyond which a table without names is not a recording of forces.
-const WIDEST: usize = 400;
+pub(super) const WIDEST: usize = 400;
 
 /// Values per row beyond which nameless columns are pressure sensors, not plates (twelve plates of six).
 const MOST_VALUES: usize = 72;
@@ -59,17 +59,7 @@ fn chosen(
     table: &Table,
     columns: &[Vec<f64>],
 ) -> Result<(Option<usize>, Vec<usize>)> {
-    let number = |name: &String| {
-        let n = name.parse::<usize>().ok();
-        let n = n.filter(|n| (1..=columns.len()).contains(n));
-        n.map(|n| n - 1).ok_or_else(|| {
-            ReadError::NoColumnNumber {
-                column: name.clone(),
-                count: columns.len(),
-            }
-            .at_line(file.path, table.start.line)
-        })
-    };
+    let number = |name: &String| column(file, table, name);
     let time = match &file.options.time {
         Some(name) => Some(number(name)?),
         None => time_column(columns),
