@@ -179,6 +179,25 @@ fn a_scene_is_saved_beside_what_is_there_never_over_it() {
 }
 
 #[test]
+fn scenes_saved_at_once_under_one_name_each_keep_their_text() {
+    let studio = Running::new();
+    let save = &|k: usize| {
+        let text = format!("name = \"scene {k}\"\n");
+        let body = json!({"scene": text, "name": "walk"}).to_string();
+        let written = studio.post("save", body.as_bytes()).json()["written"][0].clone();
+        (text, written.as_str().unwrap().to_string())
+    };
+    let saved: Vec<(String, String)> = std::thread::scope(|scope| {
+        let all: Vec<_> = (0..24).map(|k| scope.spawn(move || save(k))).collect();
+        all.into_iter().map(|t| t.join().unwrap()).collect()
+    });
+    for (text, name) in saved {
+        let there = std::fs::read_to_string(studio.inside().join(&name)).unwrap();
+        assert_eq!(there, text, "{name}");
+    }
+}
+
+#[test]
 fn a_force_drawn_by_hand_becomes_a_cam() {
     let studio = Running::new();
     let points = json!([[0.0, 100.0], [0.1, 300.0], [0.25, 180.0], [0.4, 250.0]]);
