@@ -23,7 +23,7 @@ const CLASSES: [f64; 3] = [0.5, 1.0, 2.5];
 const POINTS: usize = 4096;
 
 /// Cosine and sine amplitude of a harmonic.
-type Term = (f64, f64);
+pub type Term = (f64, f64);
 
 /// A mode of the structure.
 ///

@@ -5,15 +5,17 @@
 //!
 //! - [`rigid`]: F = F₀ + k s + c ω v + m ω² a, torque, contact pressure ([`rigid::hertz`]);
 //! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::linear`]);
-//! - `shaft`: the rigid follower on a shaft whose speed its motor and its inertia give;
+//! - `machine_motion`: the rigid follower on a shaft whose speed its motor and its inertia give, on a floor that moves;
 //! - [`contact`]: lift-off, flight, impact and rest, one event after the other.
 //!
 //! The simplest sufficient model is chosen automatically, with its reason; [`flexible::polydyne`] computes the cam
 //! under which the output of a compliant follower follows a target law.
 
 pub mod contact;
+pub(crate) mod fixed_point;
 pub mod flexible;
 pub(crate) mod floor;
+pub(crate) mod machine_motion;
 mod outcome;
 mod reason;
 pub mod recover;

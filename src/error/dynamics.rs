@@ -86,8 +86,10 @@ pub enum DynamicsError {
         harmonic: usize,
         frequency: Quantity,
     },
-    /// A moving floor under another model than the rigid one at constant speed.
+    /// A moving floor under another model than the rigid one.
     FloorNotRigid,
+    /// A shaft and a floor that do not agree on a steady motion.
+    FloorAndShaft,
     /// A polydyne cam needs a closed law.
     OpenPolydyne,
     /// The target of a polydyne cam is not smooth enough.

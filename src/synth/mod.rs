@@ -75,7 +75,7 @@ pub(crate) mod spectral;
 mod verdict;
 
 pub use corrected::on_floor::{AtFrequency, OnFloor};
-pub use corrected::on_shaft::OnShaft;
+pub use corrected::on_machine::OnShaft;
 pub use corrected::runner::{Forecast, Sensitivity};
 pub use design::{
     Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, LoadFactor, Minimised,
@@ -143,17 +143,7 @@ pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
     if let Some(walkers) = problem.walkers.clone() {
         return population::designed(problem, search, &walkers);
     }
-    match problem.machine.floor() {
-        Some(floor) => corrected::on_floor::designed(problem, search, floor),
-        None => corrected::on_shaft::designed(at_constant_speed(problem, search)?, search),
-    }
-}
-
-/// The design for constant speed.
-fn at_constant_speed(problem: &Problem, search: &Search) -> Result<Design> {
-    let problem = at_best_phase(problem, search)?;
-    let (sized, infeasible) = solved(&problem, search)?;
-    finished(&problem, search, sized, infeasible)
+    corrected::on_machine::designed(problem, search)
 }
 
 /// The problem at its phase, the best one where that is free.
@@ -165,19 +155,24 @@ fn at_best_phase(problem: &Problem, search: &Search) -> Result<Problem> {
 
 /// The law on its cam, or the best one without limits and why those leave none.
 fn solved(problem: &Problem, search: &Search) -> Result<(SizedLaw, Option<Infeasible>)> {
+    let (sized, refusal) = best(problem, search)?;
+    Ok((sized, refusal.map(|r| infeasible::explain(problem, &r))))
+}
+
+/// The law on its cam, or the best one without limits and what refuses one with them.
+fn best(problem: &Problem, search: &Search) -> Result<(SizedLaw, Option<Box<Refusal>>)> {
     match sized(problem, problem, search) {
         Ok(sized) => Ok((sized, None)),
         Err(NoLaw::Fault(fault)) => Err(fault),
-        Err(NoLaw::Refused(refusal)) => {
-            // The law first: what is shown matters more than why, and the time may end before both are found.
-            let best = without_limits(problem, search, &refusal);
-            let why = infeasible::explain(problem, &refusal);
-            match best {
-                Ok(sized) => Ok((sized, Some(why))),
-                Err(NoLaw::Fault(fault)) => Err(fault),
-                Err(NoLaw::Refused(_)) => Err(why.no_law().at_key(why.key_of_demands())),
+        // The law first: what is shown matters more than why, and the time may end before both are found.
+        Err(NoLaw::Refused(refusal)) => match without_limits(problem, search, &refusal) {
+            Ok(sized) => Ok((sized, Some(refusal))),
+            Err(NoLaw::Fault(fault)) => Err(fault),
+            Err(NoLaw::Refused(_)) => {
+                let why = infeasible::explain(problem, &refusal);
+                Err(why.no_law().at_key(why.key_of_demands()))
             }
-        }
+        },
     }
 }
 

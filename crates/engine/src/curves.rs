@@ -219,8 +219,16 @@ fn panels(design: &Design, samples: &[Sample]) -> Vec<Panel> {
     let unit = |name| Unit { factor: 1.0, name };
     let line = line_of("main", samples, |s| s.force * s.at.v);
     out.push(panel(design, "torque", unit(torque), vec![line]));
-    let line = line_of("main", samples, |s| s.force * s.at.v * speed);
+    let turning = |s: &Sample| design.speed_and_time(s.theta).0;
+    let line = line_of("main", samples, |s| s.force * s.at.v * turning(s));
     out.push(panel(design, "power", unit("W"), vec![line]));
+    if design.shaft.is_some() {
+        let line = line_of("main", samples, turning);
+        out.push(Panel {
+            levels: vec![short(speed)],
+            ..panel(design, "speed", unit("rad/s"), vec![line])
+        });
+    }
     out
 }
 

@@ -7,7 +7,7 @@ mod in_time;
 mod steady;
 mod turn;
 
-pub use in_time::{InTime, error_in_time};
+pub use in_time::{Cubic, InTime, error_in_time};
 pub use turn::{Load, Node};
 
 use std::f64::consts::TAU;
@@ -18,6 +18,7 @@ use crate::drive::{Drive, Motor, TorqueLine};
 use crate::error::{DynamicsError, Result};
 use crate::law::Svaj;
 use crate::units::{Dimension, Quantity};
+pub use steady::forecast;
 use steady::{Stall, Steady};
 
 /// A no-load speed or inertia that is proposed has this much more than is needed.
@@ -82,7 +83,8 @@ pub struct Motion {
     /// Time there since the first angle, s.
     pub time: Vec<f64>,
     mean: f64,
-    steady: Steady,
+    /// What the motor carries, and the turn that it makes; `None` at constant speed.
+    turn: Option<(Load, Steady)>,
     marks: Vec<Mark>,
 }
 
@@ -97,11 +99,31 @@ struct Mark {
 }
 
 impl Motion {
-    /// Contact force at the rows, N: F₀ + k s + c ω v + m (ω² a + ω ω′ v).
-    pub fn forces(&self, drive: &Drive, nodes: &[Svaj]) -> Vec<f64> {
-        let motion = self.speed.iter().zip(&self.acceleration);
-        let force = |(at, (w, rate)): (&Svaj, (&f64, &f64))| force(drive, *at, *w, *rate);
-        nodes.iter().zip(motion).map(force).collect()
+    /// A constant speed, rad/s.
+    pub fn even(mean: f64) -> Motion {
+        let mark = |angle| Mark {
+            angle,
+            phase: angle,
+            rate: 1.0,
+            bend: [0.0; 2],
+        };
+        Motion::new(mean, None, vec![mark(0.0), mark(TAU)])
+    }
+
+    fn new(mean: f64, turn: Option<(Load, Steady)>, marks: Vec<Mark>) -> Motion {
+        Motion {
+            speed: Vec::new(),
+            acceleration: Vec::new(),
+            time: Vec::new(),
+            mean,
+            turn,
+            marks,
+        }
+    }
+
+    /// Whether a motor turns the shaft.
+    pub fn is_even(&self) -> bool {
+        self.turn.is_none()
     }
 
     /// The same with its values at equal angles.
@@ -119,8 +141,10 @@ impl Motion {
 
     /// Highest less lowest speed, part of the mean.
     pub fn ripple(&self) -> f64 {
-        let [min, max] = self.steady.range.map(|e| (2.0 * e).sqrt());
-        (max - min) / self.mean
+        let range = self.turn.as_ref().map(|(_, steady)| steady.range);
+        range.map_or(0.0, |[min, max]| {
+            ((2.0 * max).sqrt() - (2.0 * min).sqrt()) / self.mean
+        })
     }
 
     /// Part of the period, rad, at an angle since the first, rad, with its first three derivatives by the angle.
@@ -182,12 +206,15 @@ impl Motion {
         ]
     }
 
-    /// Refuses a motor whose supply does not reach the no-load speed of this motion; `load` is what it carries.
+    /// Refuses a motor whose supply does not reach the no-load speed of this motion.
     ///
     /// # Errors
     /// The motor's no-load speed is too low for the mean speed.
-    pub fn check_supply(&self, load: &Load, motor: &Motor) -> Result<()> {
-        let enough = |most: &f64| *most >= self.steady.no_load * (1.0 - 1e-9);
+    pub fn check_supply(&self, motor: &Motor) -> Result<()> {
+        let Some((load, steady)) = &self.turn else {
+            return Ok(());
+        };
+        let enough = |most: &f64| *most >= steady.no_load * (1.0 - 1e-9);
         let Some(nominal) = motor.nominal.filter(|most| !enough(most)) else {
             return Ok(());
         };
@@ -200,7 +227,7 @@ impl Motion {
             TorqueLine::Stall(_) | TorqueLine::Curve(_) => motor.clone(),
         };
         let needed = Steady::find(load, &needed, self.mean, None).map(|s| s.no_load);
-        let needed = MARGIN * needed.unwrap_or(self.steady.no_load);
+        let needed = MARGIN * needed.unwrap_or(steady.no_load);
         let [nominal, needed, speed] = [motor.gear * nominal, motor.gear * needed, self.mean]
             .map(|w| Quantity::new(w, Dimension::AngularSpeed));
         let fault = DynamicsError::NoLoadSpeed {
@@ -211,15 +238,17 @@ impl Motion {
         Err(fault.into())
     }
 
-    /// What is reported of it; `lowest` is the angle of the lowest lift.
-    pub fn report(&self, load: &Load, motor: &Motor, lowest: f64) -> Shaft {
-        let turn = &self.steady;
+    /// What is reported of it, nothing at constant speed; `lowest` is the angle of the lowest lift.
+    pub fn report(&self, motor: &Motor, lowest: f64) -> Option<Shaft> {
+        let (load, turn) = self.turn.as_ref()?;
         let [min, max] = turn.range.map(|e| (2.0 * e).sqrt());
         let period = TAU / self.mean;
         let balance = turn.motor_work - motor.friction * TAU - turn.load_work;
         let swing = load.swing(self.mean);
         let stops = load.stop_from_rest(motor, turn.no_load, lowest);
-        Shaft {
+        // The torque falls with the speed.
+        let torques = [min, max].map(|w| motor.torque(w, turn.no_load)[0].abs());
+        Some(Shaft {
             mean: self.mean,
             min,
             max,
@@ -227,12 +256,12 @@ impl Motion {
             no_load_speed: turn.no_load,
             inertia: motor.inertia,
             motor_torque_rms_n_m: motor.own_torque((turn.motor_square / period).sqrt()),
-            motor_torque_max_n_m: motor.own_torque(turn.motor_peak),
+            motor_torque_max_n_m: motor.own_torque(torques[0].max(torques[1])),
             motor_power_mean_w: turn.motor_work / motor.efficiency / period,
             stops_at_rad: stops.map(|at| (at - lowest).rem_euclid(TAU)),
             least_inertia_kg_m2: turn.least_inertia(load, motor, self.mean),
             energy_balance: balance / swing.max(turn.motor_work.abs()).max(f64::MIN_POSITIVE),
-        }
+        })
     }
 }
 
@@ -246,8 +275,9 @@ pub fn force(drive: &Drive, at: Svaj, speed: f64, acceleration: f64) -> f64 {
 ///
 /// # Errors
 /// The shaft stops.
-pub fn periodic(load: &Load, motor: &Motor, mean: f64, near: Option<&Motion>) -> Result<Motion> {
-    let steady = match Steady::find(load, motor, mean, near.map(|m| &m.steady)) {
+pub fn periodic(load: Load, motor: &Motor, mean: f64, near: Option<&Motion>) -> Result<Motion> {
+    let near = near.and_then(|m| m.turn.as_ref());
+    let steady = match Steady::find(&load, motor, mean, near.map(|turn| &turn.1)) {
         Ok(steady) => steady,
         Err(stall) => return Err(stalls(motor, stall).into()),
     };
@@ -256,7 +286,7 @@ pub fn periodic(load: &Load, motor: &Motor, mean: f64, near: Option<&Motion>) ->
         let energy = steady.energy[i];
         let rate = mean / (2.0 * energy).sqrt();
         let bend = |step: usize, end: usize| {
-            let acceleration = steady.rate_at_end(load, motor, step, end);
+            let acceleration = steady.rate_at_end(&load, motor, step, end);
             -acceleration * rate.powi(3) / (mean * mean)
         };
         Mark {
@@ -270,14 +300,7 @@ pub fn periodic(load: &Load, motor: &Motor, mean: f64, near: Option<&Motion>) ->
     let first = |i: usize| mark(i, (i + count - 1) % count, i, load.steps[i].from - start);
     let mut marks: Vec<Mark> = (0..count).map(first).collect();
     marks.push(mark(count, count - 1, 0, TAU));
-    Ok(Motion {
-        speed: Vec::new(),
-        acceleration: Vec::new(),
-        time: Vec::new(),
-        mean,
-        steady,
-        marks,
-    })
+    Ok(Motion::new(mean, Some((load, steady)), marks))
 }
 
 /// The message for a shaft that stops, with an inertia that would do.

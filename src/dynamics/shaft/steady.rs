@@ -44,8 +44,6 @@ pub struct Steady {
     pub load_work: f64,
     /// Smallest and largest energy.
     pub range: [f64; 2],
-    /// Largest absolute torque of the motor at the camshaft, N·m.
-    pub motor_peak: f64,
 }
 
 /// A shaft that does not keep turning.
@@ -153,15 +151,56 @@ pub fn with_inertia(motor: &Motor, inertia: f64) -> Motor {
     }
 }
 
-/// Energies of a shaft that turns nearly evenly, and the no-load speed.
+/// Energies of a shaft that turns evenly, and the no-load speed.
 fn even(load: &Load, motor: &Motor, speed: f64) -> (Vec<[f64; STAGES]>, f64) {
-    let (mean, works) = load.at_constant_speed(speed);
-    let level = 0.5 * speed * speed;
-    let middle = works.iter().sum::<f64>() / works.len() as f64;
-    let at =
-        |work: &f64| [(level - (work - middle) / motor.inertia).max(LEAST_PART * level); STAGES];
+    let mean = load.at_constant_speed(speed).0;
     let no_load = motor.no_load_for(speed, mean + motor.friction);
-    (works.iter().map(at).collect(), no_load)
+    (
+        vec![[0.5 * speed * speed; STAGES]; load.steps.len()],
+        no_load,
+    )
+}
+
+/// Range of the speed, part of its mean, and RMS change of the force, part of its mean, by what is linear in the change of
+/// the speed: the first step of Newton's method from a constant speed, rad/s.
+pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
+    let (stages, no_load) = even(load, motor, speed);
+    let mut lines = vec![[[0.0; STAGES]; 3]; stages.len()];
+    let level = 0.5 * speed * speed;
+    let found = sweep(load, motor, speed, &stages, no_load, &mut lines);
+    let (first, supply) = found.unwrap_or((f64::NAN, f64::NAN));
+    let (mut low, mut high, mut square, mut sum) = (0.0_f64, 0.0_f64, 0.0, 0.0);
+    for (step, line) in load.steps.iter().zip(&lines) {
+        for (k, node) in step.nodes.iter().enumerate() {
+            let change = line[0][k] + line[1][k] * first + line[2][k] * supply - level;
+            let [rate, by_energy, by_supply] = node.rate(motor, no_load, level);
+            let rate = rate + by_energy * change + by_supply * supply;
+            let (still, by_change) = (node.force(level, 0.0), node.by_energy(speed));
+            let w = step.width * WEIGHTS[k];
+            square += w * (by_change * change + node.mass * rate).powi(2);
+            sum += w * still;
+            (low, high) = (low.min(change), high.max(change));
+        }
+    }
+    let rms = (TAU * square).sqrt() / sum.abs();
+    (0.5 * (high - low) / level, rms)
+}
+
+/// Energies at the extremes within a step, from the rates at its stages.
+fn extremes(start: f64, width: f64, rates: [f64; STAGES]) -> impl Iterator<Item = f64> {
+    // E′ = a + b x + c x², x from the middle of the step in parts of it.
+    let side = PLACES[2] - PLACES[1];
+    let [a, b, c] = [
+        rates[1],
+        (rates[2] - rates[0]) / (2.0 * side),
+        (rates[2] - 2.0 * rates[1] + rates[0]) / (2.0 * side * side),
+    ];
+    let q = -0.5 * (b + b.signum() * (b * b - 4.0 * a * c).sqrt());
+    let inside = [q / c, a / q].into_iter().filter(|x| x.abs() <= 0.5);
+    inside.map(move |x| {
+        let quadratic = 0.5 * b * (x * x - 0.25);
+        start + width * (a * (x + 0.5) + quadratic + c / 3.0 * (x.powi(3) + 0.125))
+    })
 }
 
 /// From a turn with a large inertia to smaller ones, each from the one before: the smallest that is found, down to `goal`.
@@ -289,21 +328,23 @@ fn evaluated(
         motor_square: 0.0,
         load_work: 0.0,
         range: [first, first],
-        motor_peak: 0.0,
     };
     let (mut energy, mut time) = (first, 0.0);
     for (step, own) in load.steps.iter().zip(&stages) {
         out.energy.push(energy);
         out.time.push(time);
-        for k in 0..STAGES {
+        let rates: [f64; STAGES] =
+            std::array::from_fn(|k| step.nodes[k].rate(motor, no_load, own[k])[0]);
+        for extreme in extremes(energy, step.width, rates).filter(|e| *e > 0.0) {
+            out.range = [out.range[0].min(extreme), out.range[1].max(extreme)];
+        }
+        for (k, rate) in rates.into_iter().enumerate() {
             let (w, speed) = (step.width * WEIGHTS[k], (2.0 * own[k]).sqrt());
-            let rate = step.nodes[k].rate(motor, no_load, own[k])[0];
             energy += w * rate;
             time += w / speed;
             let torque = motor.torque(speed, no_load)[0];
             out.motor_work += w * torque;
             out.motor_square += w * torque * torque / speed;
-            out.motor_peak = out.motor_peak.max(torque.abs());
             out.load_work += w * step.nodes[k].torque(own[k], rate);
             out.range = [out.range[0].min(own[k]), out.range[1].max(own[k])];
         }

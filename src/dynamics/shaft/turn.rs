@@ -4,7 +4,7 @@
 //! per unit of contact force (v without friction), by collocation of sixth order in E = ω²/2 over the cam angle (theory §10).
 
 use crate::drive::{Drive, Motor};
-use crate::law::{Law, Svaj};
+use crate::law::Svaj;
 
 /// Newton iterations of a step at most; three are usual.
 const ROUNDS: usize = 30;
@@ -44,15 +44,15 @@ pub struct Node {
     /// 2 m a, kg·m/rad².
     bend: f64,
     /// m v, kg·m/rad.
-    mass: f64,
+    pub mass: f64,
 }
 
 impl Node {
-    /// The load of a motion under a drive with these arms.
-    pub fn new(drive: &Drive, at: Svaj, arms: [f64; 2]) -> Node {
+    /// The load of a motion under a drive with these arms, and an acceleration of the floor, m/s².
+    pub fn new(drive: &Drive, at: Svaj, arms: [f64; 2], floor: f64) -> Node {
         Node {
             arms,
-            rest: drive.rest_force + drive.spring_rate * at.s,
+            rest: drive.rest_force + drive.spring_rate * at.s + drive.mass * floor,
             damping: drive.damping * at.v,
             bend: 2.0 * drive.mass * at.a,
             mass: drive.mass * at.v,
@@ -74,6 +74,11 @@ impl Node {
     pub fn force(&self, energy: f64, rate: f64) -> f64 {
         let speed = (2.0 * energy).max(0.0).sqrt();
         self.rest + self.damping * speed + self.bend * energy + self.mass * rate
+    }
+
+    /// Derivative of the contact force by ω²/2 at a speed, rad/s.
+    pub fn by_energy(&self, speed: f64) -> f64 {
+        self.damping / speed + self.bend
     }
 
     /// Torque of the load, N·m.
@@ -117,14 +122,6 @@ pub struct Load {
 }
 
 impl Load {
-    /// Steps between equal angles and the breaks of the law; `arms` gives the torque per unit of force.
-    pub fn new(law: &Law, drive: &Drive, equal: usize, arms: &dyn Fn(Svaj) -> [f64; 2]) -> Load {
-        Load::of(law.extent(), law.breaks(), equal, &|theta| {
-            let at = law.svaj(theta);
-            Node::new(drive, at, arms(at))
-        })
-    }
-
     /// The load `at` every angle of a turn from `start` over `length`, smooth between equal angles and breaks.
     pub fn of(
         (start, length): (f64, f64),
@@ -175,29 +172,6 @@ impl Load {
         let works = self.at_constant_speed(speed).1.into_iter();
         let (low, high) = works.fold((0.0_f64, 0.0_f64), |(l, h), x| (l.min(x), h.max(x)));
         high - low
-    }
-
-    /// Range of the speed, part of its mean, and RMS change of the force, part of its mean, that a small swing of the speed
-    /// makes under a moment of inertia, kg·m²: J ω δω balances the load's work about its mean (theory §10).
-    pub fn forecast(&self, inertia: f64, speed: f64) -> (f64, f64) {
-        let (mean, works) = self.at_constant_speed(speed);
-        let scale = inertia * speed * speed;
-        let middle = works.iter().sum::<f64>() / works.len() as f64;
-        let (energy, mut turn, mut sum, mut square) = (0.5 * speed * speed, 0.0, 0.0, 0.0);
-        let mut before = 0.0;
-        for (step, work) in self.steps.iter().zip(&works) {
-            let node = &step.nodes[1];
-            let part = (0.5 * (before + work) - middle) / -scale;
-            let slope = (mean - node.torque(energy, 0.0)) / scale;
-            let by_speed = node.bend * speed * speed + node.damping * speed;
-            let change = by_speed * part + node.mass * speed * speed * slope;
-            square += step.width * change * change;
-            sum += step.width * node.force(energy, 0.0);
-            turn += step.width;
-            before = *work;
-        }
-        let change = (square / turn).sqrt() / (sum / turn).abs();
-        (self.swing(speed) / scale, change)
     }
 
     /// The same load with its steps joined to about this many.

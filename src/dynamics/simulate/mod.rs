@@ -40,12 +40,11 @@ pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
     run_under(input, &prepared, model)
 }
 
-/// Only the rigid model at constant speed has a floor.
+/// Only the rigid model has a floor.
 fn refuse_beside_floor(input: &Run, model: Model) -> Result<()> {
     let machine = &input.machine;
     let is_rigid = matches!(model, Model::Auto | Model::Rigid);
-    let is_alone = is_rigid && machine.train.is_none() && machine.motor.is_none();
-    if machine.floor.is_some() && !is_alone {
+    if machine.floor.is_some() && !(is_rigid && machine.train.is_none()) {
         return Err(DynamicsError::FloorNotRigid.at_key("machine.floor"));
     }
     Ok(())

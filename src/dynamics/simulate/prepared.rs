@@ -4,6 +4,7 @@ use crate::cam::{Cam, Follower, Measures};
 use crate::drive::Drive;
 use crate::dynamics::contact::impact::check_restitution;
 use crate::dynamics::contact::two_cams::envelope;
+use crate::dynamics::machine_motion::MachineMotion;
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::recover::{Cycle, recover_cam};
 use crate::dynamics::rigid::hertz::Material;
@@ -36,6 +37,8 @@ pub(super) struct Prepared {
     /// Motion of the shaft where its speed varies.
     pub shaft: Option<Motion>,
     pub shaft_report: Option<Shaft>,
+    /// The same with the floor's, where that moves.
+    pub machine: Option<MachineMotion>,
     /// Whether the follower is held from both sides.
     pub held: bool,
     /// Whether friction makes the torque other than F·v and it is not the flat face's.
@@ -100,6 +103,7 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         measures: follower.measures(),
         shaft: None,
         shaft_report: None,
+        machine: None,
         held,
         rubs: has_own_friction(input),
         target,
@@ -222,6 +226,11 @@ fn conjugate_nodes(
 }
 
 impl Prepared {
+    /// Contact forces at the rows at constant speed on a stiff floor, N.
+    pub fn still_forces(&self) -> Vec<f64> {
+        self.nodes.iter().map(|at| self.drive.force(*at)).collect()
+    }
+
     /// Torque in the sense of turning for force and motion, N·m.
     pub fn torque(&self, input: &Run, force: f64, at: Svaj) -> f64 {
         let (follower, friction) = (&input.cam.follower, input.machine.friction);

@@ -1,59 +1,78 @@
-//! The shaft of a run under its motor, where that changes the force.
+//! Shaft and floor of a run: the shaft under its motor, where that changes the force, and the floor under the force.
 
 use super::choose::RIGID_ENOUGH;
 use super::prepared::Prepared;
 use crate::drive::Motor;
+use crate::dynamics::floor::harmonics;
+use crate::dynamics::machine_motion::Carrier;
 use crate::dynamics::outcome::Model;
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::recover::Cycle;
-use crate::dynamics::rigid::touch::{rubs, touch};
 use crate::dynamics::run::Run;
-use crate::dynamics::shaft::{Load, periodic};
+use crate::dynamics::shaft::forecast;
 use crate::error::{DynamicsError, Result};
-use crate::law::Svaj;
 use crate::units::Quantity;
 
 /// Steps of the motion between the breaks of the law.
-pub(super) const STEPS: usize = 240;
+const STEPS: usize = 240;
 
-/// Gives the shaft its motion under the motor of the machine; under the automatic model only where the speed changes the
-/// force by more than [`RIGID_ENOUGH`] of its mean.
-pub(super) fn turn(input: &Run, p: &mut Prepared, model: Model) -> Result<()> {
-    let Some(motor) = &input.machine.motor else {
-        return Ok(());
-    };
-    refuse_unknown(input, p, motor)?;
-    let arms = |at: Svaj| arms(input, at);
-    let load = Load::new(&p.lift, &p.drive, STEPS, &arms);
-    let (ripple, change) = load.forecast(motor.inertia, p.drive.speed);
-    if model == Model::Auto && change <= RIGID_ENOUGH {
-        p.notes.push(RunNote::SteadyShaft {
-            ripple: Quantity::share(ripple),
-            change: Quantity::share(change),
-            allowed: Quantity::share(RIGID_ENOUGH),
-        });
-        return Ok(());
-    }
-    let lowest = p.lift.extremes(0).0.at;
-    let motion = periodic(&load, motor, p.drive.speed, None)?.at_rows(p.nodes.len());
-    motion.check_supply(&load, motor)?;
-    p.shaft_report = Some(motion.report(&load, motor, lowest));
-    p.notes.push(RunNote::ShaftVaries {
-        ripple: Quantity::share(ripple),
-        change: Quantity::share(change),
-        found: Quantity::share(motion.ripple()),
+/// What carries the cam of a run.
+pub(super) fn carrier<'a>(input: &'a Run, p: &Prepared) -> Carrier<'a> {
+    let machine = &input.machine;
+    let walker = machine.floor.as_ref().map(|_| match &p.target {
+        Some(target) => harmonics(target),
+        None => harmonics(&p.still_forces()),
     });
-    p.shaft = Some(motion);
-    Ok(())
+    Carrier {
+        drive: p.drive,
+        motor: machine.motor.as_ref(),
+        floor: machine.floor.as_ref(),
+        walker: walker.unwrap_or_default(),
+        follower: input.cam.follower,
+        friction: machine.friction,
+        steps: STEPS,
+    }
 }
 
-/// Torque of the shaft per unit of force where the follower is pressed, and where it is pulled, m.
-pub(super) fn arms(input: &Run, at: Svaj) -> [f64; 2] {
-    let (follower, friction) = (&input.cam.follower, input.machine.friction);
-    match friction > 0.0 && rubs(follower) {
-        false => [at.v; 2],
-        true => [1.0, -1.0].map(|f| f * touch(follower, 1.0, friction, at, f).torque),
+/// Gives shaft and floor their motion; the automatic model has the motor only where it changes the force by more than
+/// [`RIGID_ENOUGH`] of its mean.
+pub(super) fn turn(input: &Run, p: &mut Prepared, model: Model) -> Result<()> {
+    let mut carrier = carrier(input, p);
+    let lift = p.lift.clone();
+    let at = |angle: f64| lift.svaj(angle);
+    let mut neglected = None;
+    if let Some(motor) = carrier.motor {
+        refuse_unknown(input, p, motor)?;
+        let load = carrier.load(p.start, lift.breaks(), &at, &|_| 0.0);
+        let (ripple, change) = forecast(&load, motor, p.drive.speed);
+        let [ripple, change, allowed] = [ripple, change, RIGID_ENOUGH].map(Quantity::share);
+        if model == Model::Auto && change.value <= RIGID_ENOUGH {
+            carrier.motor = None;
+            p.notes.push(RunNote::SteadyShaft {
+                ripple,
+                change,
+                allowed,
+            });
+        } else {
+            neglected = Some((ripple, change));
+        }
     }
+    if carrier.motor.is_none() && carrier.floor.is_none() {
+        return Ok(());
+    }
+    let motion = carrier.motion(p.start, lift.breaks(), &at, None)?;
+    if let Some((motor, (ripple, change))) = carrier.motor.zip(neglected) {
+        motion.shaft.check_supply(motor)?;
+        p.shaft_report = motion.shaft.report(motor, lift.extremes(0).0.at);
+        p.notes.push(RunNote::ShaftVaries {
+            ripple,
+            change,
+            found: Quantity::share(motion.shaft.ripple()),
+        });
+        p.shaft = Some(motion.shaft.clone().at_rows(p.nodes.len()));
+    }
+    p.machine = Some(motion);
+    Ok(())
 }
 
 /// Refuses what has no steady turn under a motor.

@@ -144,7 +144,7 @@ impl MachineSpec {
         self.floor.is_given() || !self.modes.is_empty()
     }
 
-    /// A floor has all that a mode needs, and no motor and no flexible follower beside it.
+    /// A floor has all that a mode needs, and no flexible follower beside it.
     pub(in crate::scene) fn check_floor(&self) -> Result<(), (&'static str, SceneError)> {
         let floor = &self.floor;
         if !self.has_floor() {
@@ -176,7 +176,6 @@ impl MachineSpec {
             ));
         }
         let rivals = [
-            ("machine.motor", self.motor.is_given()),
             (
                 "machine.natural_frequency",
                 self.natural_frequency.is_some(),

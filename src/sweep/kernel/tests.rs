@@ -126,19 +126,41 @@ fn closed_rows_of_own_load_factors_equal_single_syntheses() {
 }
 
 #[test]
-fn rows_on_a_moving_floor_equal_single_syntheses() {
-    let pairs = compared(
-        &[
-            "law.family=harmonic",
-            "limits.stroke=200 mm",
-            "machine.floor.frequency=1.85 Hz",
-            "machine.floor.damping=0.01",
-        ],
-        &["machine.floor.mass=3000 kg:20000 kg"],
-        6,
-    );
-    equal(&pairs);
-    assert!(pairs.iter().all(|p| p.0.outcome == Outcome::Built));
+fn rows_under_motors_and_on_moving_floors_equal_single_syntheses() {
+    let floor = [
+        "machine.floor.frequency=1.85 Hz",
+        "machine.floor.damping=0.01",
+    ];
+    let wheel = ["machine.inertia=1 kg m^2"];
+    for family in ["law.family=harmonic", "law.family=spline"] {
+        let common = [family, "limits.stroke=200 mm", "accuracy.rms=1 %"];
+        for (fixed, swept) in [
+            (&floor[..], &["machine.floor.mass=3000 kg:20000 kg"][..]),
+            (
+                &wheel[..],
+                &["machine.motor.slope=4 N m s/rad:40 N m s/rad"],
+            ),
+            (
+                &["machine.motor.stall_torque=40 N m"][..],
+                &["machine.inertia=0.6 kg m^2:3 kg m^2"],
+            ),
+            (
+                &[floor[0], floor[1], "machine.motor.slope=10 N m s/rad"][..],
+                &[
+                    "machine.inertia=1 kg m^2:4 kg m^2",
+                    "machine.floor.mass=3000 kg:20000 kg",
+                ],
+            ),
+        ] {
+            let scene: Vec<&str> = common.iter().chain(fixed).copied().collect();
+            let pairs = compared(&scene, swept, 4);
+            equal(&pairs);
+            assert!(
+                pairs.iter().all(|p| p.0.outcome == Outcome::Built),
+                "{family} {swept:?}"
+            );
+        }
+    }
 }
 
 #[test]

@@ -348,7 +348,8 @@ mod tests {
             "machine.motor.slope=10 N m s/rad",
             "machine.inertia=1 kg m^2",
         ];
-        for changes in [&[][..], &floor, &motor] {
+        let both = [&floor[..], &motor].concat();
+        for changes in [&[][..], &floor, &motor, &both] {
             let mut table = scene::table(scene::DEFAULT).unwrap();
             for change in changes {
                 scene::set(&mut table, change).unwrap();

@@ -1,11 +1,12 @@
-//! What a varying speed adds to force, velocity, acceleration and jerk of a law, as numbers that rounds of designs carry on.
+//! What a varying speed and a floor add to force, velocity, acceleration and jerk of a law, as numbers that rounds of designs
+//! carry on.
 
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::SMatrix;
 
 use crate::cam::LimitKind;
-use crate::dynamics::shaft::{Motion, force};
+use crate::dynamics::machine_motion::MachineMotion;
 use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::{Extra, Problem};
@@ -16,8 +17,9 @@ const DEGREE: usize = 5;
 const NODES: usize = DEGREE + 1;
 /// A part is no shorter than this share of an equal one.
 const SHORTEST: f64 = 0.3;
-/// Equal angles of the target.
-const SAMPLES: usize = 360;
+/// Equal angles of the target: as many as it has, between these.
+const LEAST: usize = 360;
+const MOST: usize = 720;
 
 /// The numbers of a state, in this order: what is added to the force at the nodes, what is added by time where that is
 /// limited, the speed, and the parts of the period at equal angles. Each is in units in which 1 is about the whole.
@@ -25,13 +27,17 @@ pub struct Layout {
     breaks: Vec<f64>,
     /// Bernstein coefficients from the values at the nodes.
     coefficients: SMatrix<f64, NODES, NODES>,
-    /// Limits on velocity, acceleration and jerk.
+    /// Limits on velocity, acceleration and jerk, where the speed varies.
     limits: [Option<f64>; 3],
+    /// Whether it does.
+    varies: bool,
+    /// Equal angles of the phases.
+    angles: usize,
 }
 
 impl Layout {
-    /// The parts that suit a law.
-    pub fn new(problem: &Problem, law: &Law) -> Layout {
+    /// The parts that suit a law, on a shaft whose speed `varies` or is constant.
+    pub fn new(problem: &Problem, law: &Law, varies: bool) -> Layout {
         let kinds = [
             LimitKind::Velocity,
             LimitKind::Acceleration,
@@ -52,7 +58,10 @@ impl Layout {
             breaks,
             // The nodes differ: the matrix has an inverse.
             coefficients: values.try_inverse().unwrap_or_else(SMatrix::identity),
-            limits: kinds.map(|kind| problem.limits[kind]),
+            limits: kinds.map(|kind| problem.limits[kind].filter(|_| varies)),
+            varies,
+            angles: (problem.target.as_ref())
+                .map_or(LEAST, |t| t.curve.force_n.len().clamp(LEAST, MOST)),
         }
     }
 
@@ -64,16 +73,24 @@ impl Layout {
         self.breaks.windows(2).flat_map(part)
     }
 
-    /// The state that a law `at` every angle makes on a shaft in motion.
-    pub fn state(&self, problem: &Problem, clock: &Motion, law: &dyn Fn(f64) -> Svaj) -> Vec<f64> {
+    /// The state that a law `at` every angle makes with the machine in motion.
+    pub fn state(
+        &self,
+        problem: &Problem,
+        motion: &MachineMotion,
+        law: &dyn Fn(f64) -> Svaj,
+    ) -> Vec<f64> {
+        let shaft = &motion.shaft;
         let (drive, mean) = (&problem.drive, problem.target_mean());
         let count = NODES * (self.breaks.len() - 1);
         let mut parts: [Vec<f64>; 5] = std::array::from_fn(|_| Vec::with_capacity(count));
         for x in self.nodes() {
             let at = law(x);
-            let [w, rate, slope] = clock.speed_at(x);
-            let added = force(drive, at, w, rate) - drive.force(at);
-            parts[0].push(added / mean);
+            parts[0].push((motion.force(drive, at, x) - drive.force(at)) / mean);
+            if !self.varies {
+                continue;
+            }
+            let [w, rate, slope] = shaft.speed_at(x);
             // d/dt = w d/dθ, and w w′ is the angular acceleration.
             let timed = [
                 w * at.v,
@@ -87,8 +104,8 @@ impl Layout {
             }
             parts[4].push(w / drive.speed);
         }
-        let angles = (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
-        let phases = angles.map(|x| clock.phase(x)[0]);
+        let angles = (0..self.angles).map(|i| TAU * i as f64 / self.angles as f64);
+        let phases = angles.map(|x| shaft.phase(x)[0]);
         parts.concat().into_iter().chain(phases).collect()
     }
 
@@ -103,7 +120,7 @@ impl Layout {
         };
         let force = next(problem.target_mean());
         let timed = self.limits.map(|limit| limit.map(&mut next));
-        let speed = Some(next(problem.drive.speed));
+        let speed = self.varies.then(|| next(problem.drive.speed));
         let extra = Extra {
             force,
             timed,

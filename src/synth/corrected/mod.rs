@@ -1,10 +1,8 @@
-//! Laws corrected for the machine: for a follower that gives, for a shaft whose speed varies, for a
-//! floor that moves. Each designs for a rigid
-//! machine at constant speed, runs it, and designs again for what that says.
+//! Laws corrected for the machine: for a follower that gives, for a shaft whose speed varies, for a floor that moves. Each
+//! designs for a rigid machine at constant speed, runs it, and designs again for what that says.
 
 mod added;
-mod fixed_point;
 pub mod on_floor;
-pub mod on_shaft;
+pub mod on_machine;
 pub mod polydyne;
 pub mod runner;

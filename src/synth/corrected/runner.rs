@@ -1,15 +1,17 @@
-//! Runs of a law on its shaft: speed, force error over time, and what another inertia or motor would make of them.
+//! Runs of a law on its machine: speed, force error over time, and what another inertia or motor would make of them.
 
 use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use crate::cam::{Follower, LimitKind};
-use crate::drive::{Drive, Motor};
-use crate::dynamics::InTime;
-use crate::dynamics::rigid::touch::{rubs, touch};
-use crate::dynamics::shaft::{Load, Motion, Node, error_in_time, force, periodic};
+use crate::cam::{Cam, LimitKind};
+use crate::drive::Motor;
+use crate::dynamics::floor::harmonics;
+use crate::dynamics::machine_motion::{Carrier, MachineMotion};
+use crate::dynamics::shaft::{Load, Motion, error_in_time, forecast, periodic};
+use crate::dynamics::{Floor, InTime};
 use crate::error::{DynamicsError, Placed, Result};
+use crate::force::ForceCurve;
 use crate::law::{Law, Svaj};
 use crate::problem::{Note, Problem};
 use crate::scene::Minimise;
@@ -19,6 +21,8 @@ use crate::units::{Dimension, Quantity};
 
 /// Equal angles at which speed and force are given.
 pub const ROWS: usize = 240;
+/// Equal angles at which the force of a walker is taken.
+const WALKER: usize = 720;
 /// Steps of the motion between the breaks of the law.
 const STEPS: usize = 48;
 /// Rounds of the speed alone, before the first design, and the relative change of speed at which they end.
@@ -77,83 +81,105 @@ pub struct Sensitivity {
     pub percent: [Option<f64>; 2],
 }
 
-/// Runs laws of a design on its shaft.
+/// Runs laws of a design on its machine.
+#[derive(Clone)]
 pub struct Runner<'a> {
-    pub follower: Follower,
-    pub motor: &'a Motor,
-    pub drive: Drive,
-    pub target: Option<Vec<f64>>,
-    pub friction: f64,
+    carrier: Carrier<'a>,
+    target: Option<Vec<f64>>,
 }
 
 impl<'a> Runner<'a> {
-    pub fn new(design: &Design, motor: &'a Motor) -> Result<Self> {
-        let drive = design.drive;
-        let law = &design.cam.law;
-        if !law.is_closed() || law.extent() != (0.0, TAU) || drive.speed <= 0.0 {
+    /// A machine with the cam of a problem whose target over the period is given.
+    pub fn new(
+        problem: &Problem,
+        cam: &Cam,
+        target: Option<&ForceCurve>,
+        motor: Option<&'a Motor>,
+        floor: Option<&'a Floor>,
+    ) -> Result<Self> {
+        let (drive, law) = (problem.drive, &cam.law);
+        let turns = law.is_closed() && law.extent() == (0.0, TAU) && drive.speed > 0.0;
+        if motor.is_some() && !turns {
             return Err(DynamicsError::MotorTurns.at_key("machine.motor"));
         }
-        // That of a finished design is by the cam angle.
-        let on_shaft = design
-            .shaft
-            .as_ref()
-            .and_then(|shaft| shaft.target.as_ref());
-        let target = on_shaft.or(design.problem.target.as_ref().map(|t| &*t.curve));
-        let target = target.map(|curve| (0..ROWS).map(|i| curve.at(angle(i))).collect());
+        let at = |count: usize, curve: &ForceCurve| -> Vec<f64> {
+            (0..count)
+                .map(|i| curve.at(TAU * i as f64 / count as f64))
+                .collect()
+        };
+        let walker = floor.and(target).map(|curve| harmonics(&at(WALKER, curve)));
         Ok(Runner {
-            follower: design.cam.follower,
-            friction: design.problem.machine.friction,
-            motor,
-            drive,
-            target,
+            carrier: Carrier {
+                drive,
+                motor,
+                floor,
+                walker: walker.unwrap_or_default(),
+                follower: cam.follower,
+                friction: problem.machine.friction,
+                steps: STEPS,
+            },
+            target: target.map(|curve| at(ROWS, curve)),
         })
     }
 
-    pub fn arms(&self, at: Svaj) -> [f64; 2] {
-        let mu = self.friction;
-        match mu > 0.0 && rubs(&self.follower) {
-            false => [at.v; 2],
-            true => [1.0, -1.0].map(|f| f * touch(&self.follower, 1.0, mu, at, f).torque),
-        }
+    /// The same at constant speed.
+    pub fn evenly(&self) -> Runner<'a> {
+        let mut out = self.clone();
+        out.carrier.motor = None;
+        out
     }
 
-    /// The load of a motion over the turn.
-    pub fn load(&self, breaks: &[f64], at: &dyn Fn(f64) -> Svaj) -> Load {
-        Load::of((0.0, TAU), breaks, STEPS, &|x| {
-            let at = at(x);
-            Node::new(&self.drive, at, self.arms(at))
-        })
+    /// Whether its speed is constant.
+    pub fn is_even(&self) -> bool {
+        self.carrier.motor.is_none()
     }
 
+    /// Whether its floor moves.
+    pub fn is_on_floor(&self) -> bool {
+        self.carrier.floor.is_some()
+    }
+
+    /// The load of a law on a stiff floor.
     pub fn load_of_law(&self, law: &Law) -> Load {
-        self.load(law.breaks(), &|x| law.svaj(x))
+        let at = |x: f64| law.svaj(x);
+        self.carrier.load(0.0, law.breaks(), &at, &|_| 0.0)
     }
 
-    /// The motion of the shaft under a law.
-    pub fn of_law(&self, law: &Law, near: Option<&Motion>) -> Result<Motion> {
-        self.run(&self.load_of_law(law), near)
+    /// The motion under a law.
+    pub fn of_law(&self, law: &Law, near: Option<&MachineMotion>) -> Result<MachineMotion> {
+        let at = |x: f64| law.svaj(x);
+        let motion = self.carrier.motion(0.0, law.breaks(), &at, near);
+        motion.map_err(|e| e.at_key("machine.motor"))
     }
 
-    pub fn run(&self, load: &Load, near: Option<&Motion>) -> Result<Motion> {
-        let run = periodic(load, self.motor, self.drive.speed, near);
-        run.map_err(|e| e.at_key("machine.motor"))
-    }
-
-    /// The motion of the shaft under the motion in time that a law makes at constant speed.
-    pub fn in_time(&self, law: &Law, first: Motion) -> Result<Motion> {
-        let mut clock = first;
+    /// The motion under the wanted force and the motion in time that a law makes at constant speed.
+    pub fn in_time(&self, law: &Law, first: MachineMotion) -> Result<MachineMotion> {
+        let drive = &self.carrier.drive;
+        let floor = match self.carrier.floor {
+            Some(floor) => {
+                let all = floor.of_walkers(0, &self.carrier.walker);
+                floor.acceleration(drive.speed, &all)?
+            }
+            None => Vec::new(),
+        };
+        let Some(motor) = self.carrier.motor else {
+            return Ok(MachineMotion::new(Motion::even(drive.speed), floor));
+        };
+        let mut motion = MachineMotion::new(first.shaft, floor);
         for _ in 0..SPEED_ROUNDS {
-            let load = self.load(&[], &|x| retimed(law, &clock, x));
-            let next = self.run(&load, Some(&clock))?;
+            let clock = &motion.shaft;
+            let at = |x: f64| retimed(law, clock, x);
+            let load = self.carrier.load(0.0, &[], &at, &|x| motion.floor_at(x));
+            let next = periodic(load, motor, drive.speed, Some(clock))?;
             let change =
                 |i: usize| (next.speed_at(angle(i))[0] - clock.speed_at(angle(i))[0]).abs();
             let change = (0..ROWS).step_by(4).map(change).fold(0.0, f64::max);
-            clock = next;
-            if change < SAME_SPEED * self.drive.speed {
+            motion.shaft = next;
+            if change < SAME_SPEED * drive.speed {
                 break;
             }
         }
-        Ok(clock)
+        Ok(motion)
     }
 
     /// Speed at the equal angles, rad/s.
@@ -164,42 +190,44 @@ impl<'a> Runner<'a> {
     /// Time at the equal angles, s.
     pub fn time(&self, clock: &Motion) -> Vec<f64> {
         let phase = |i: usize| clock.phase(angle(i))[0];
-        (0..ROWS).map(|i| phase(i) / self.drive.speed).collect()
+        (0..ROWS)
+            .map(|i| phase(i) / self.carrier.drive.speed)
+            .collect()
     }
 
-    /// Force error over time of a law under its clock.
-    pub fn error(&self, law: &Law, clock: &Motion) -> Option<InTime> {
-        let target = self.target.as_ref()?;
-        let at = |i: usize| {
-            let [speed, acceleration, _] = clock.speed_at(angle(i));
-            force(&self.drive, law.svaj(angle(i)), speed, acceleration)
-        };
+    /// Force error over time of a law under its motion.
+    pub fn error(&self, law: &Law, motion: &MachineMotion) -> Option<InTime> {
+        let (target, drive) = (self.target.as_ref()?, &self.carrier.drive);
+        let at = |i: usize| motion.force(drive, law.svaj(angle(i)), angle(i));
         let forces: Vec<f64> = (0..ROWS).map(at).collect();
-        let period = TAU / self.drive.speed;
-        let (speed, time) = (self.speed(clock), self.time(clock));
+        let (speed, time) = (self.speed(&motion.shaft), self.time(&motion.shaft));
+        let period = TAU / drive.speed;
         Some(error_in_time(&forces, &speed, &time, period, target))
     }
 
-    /// What inertia and energy of the load say of a law for constant speed.
-    pub fn forecast(&self, problem: &Problem, law: &Law) -> Forecast {
+    /// What inertia, motor and energy of the load say of a law for constant speed; nothing without a motor.
+    pub fn forecast(&self, problem: &Problem, law: &Law) -> Option<Forecast> {
+        let motor = self.carrier.motor?;
         let load = self.load_of_law(law);
-        let (ripple, change) = load.forecast(self.motor.inertia, self.drive.speed);
+        let (ripple, change) = forecast(&load, motor, self.carrier.drive.speed);
         let allowed = problem.allowed_error().zip(self.target.as_ref());
         let neglected = allowed.map_or(NEGLECTED_OF_MEAN, |(most, _)| {
             NEGLECTED * most / problem.target_mean()
         });
-        Forecast {
+        Some(Forecast {
             ripple,
             force_change_percent_of_mean: 100.0 * change,
             neglected_percent_of_mean: 100.0 * neglected,
             is_negligible: change <= neglected && !depends_on_speed(problem),
-        }
+        })
     }
 
     /// Force error over time of a law with another motor or wheel, percent of the mean.
-    pub fn error_with(&self, load: &Load, law: &Law, motor: &Motor) -> Option<f64> {
-        let clock = periodic(load, motor, self.drive.speed, None).ok()?;
-        Some(self.error(law, &clock)?.rms_error_percent_of_mean)
+    fn error_with(&self, law: &Law, motor: &Motor) -> Option<f64> {
+        let mut run: Runner = self.clone();
+        run.carrier.motor = Some(motor);
+        let motion = run.of_law(law, None).ok()?;
+        Some(run.error(law, &motion)?.rms_error_percent_of_mean)
     }
 
     /// The smallest inertia with which a law meets the accuracy over time, where its own does not.
@@ -209,16 +237,16 @@ impl<'a> Runner<'a> {
         if error <= allowed * (1.0 + TOLERANCE) {
             return None;
         }
-        let load = self.load_of_law(law);
+        let motor = self.carrier.motor?;
         let meets = |inertia: f64| {
             let wheel = Motor {
                 inertia,
-                ..self.motor.clone()
+                ..motor.clone()
             };
-            let error = self.error_with(&load, law, &wheel);
+            let error = self.error_with(law, &wheel);
             error.is_some_and(|error| error <= allowed)
         };
-        let own = self.motor.inertia;
+        let own = motor.inertia;
         let mut range = [own, own];
         while !meets(range[1]) {
             range = [range[1], 2.0 * range[1]];
@@ -238,18 +266,36 @@ impl<'a> Runner<'a> {
             inertia,
         })
     }
+}
 
-    /// Force error of a law where the machine differs.
-    pub fn sensitivity(&self, law: &Law) -> Vec<Sensitivity> {
-        let load = self.load_of_law(law);
-        let both = |key, changed: &dyn Fn(f64) -> Motor| Sensitivity {
-            key,
-            percent: [1.0 - DEVIATION, 1.0 + DEVIATION]
-                .map(|part| self.error_with(&load, law, &changed(part))),
+impl Design {
+    /// Force error over time, percent of the mean, where the machine differs by ±10 %, its supply set again; nothing at
+    /// constant speed or without a target.
+    pub fn sensitivity(&self) -> Vec<Sensitivity> {
+        let machine = &self.problem.machine;
+        let (motor, floor) = (machine.motor(), machine.floor());
+        let Some(motor) = motor.filter(|_| self.shaft.is_some()) else {
+            return Vec::new();
         };
         let free = Motor {
             nominal: None,
-            ..self.motor.clone()
+            ..motor
+        };
+        let target = self.target_in_time();
+        let run = Runner::new(
+            &self.problem,
+            &self.cam,
+            target,
+            Some(&free),
+            floor.as_ref(),
+        );
+        let Ok(run) = run else {
+            return Vec::new();
+        };
+        let both = |key, changed: &dyn Fn(f64) -> Motor| Sensitivity {
+            key,
+            percent: [1.0 - DEVIATION, 1.0 + DEVIATION]
+                .map(|part| run.error_with(&self.cam.law, &changed(part))),
         };
         let inertia = |part: f64| Motor {
             inertia: part * free.inertia,

@@ -29,7 +29,7 @@ use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Note, Problem};
 use crate::synth::corrected::on_floor::OnFloor;
-use crate::synth::corrected::on_shaft::OnShaft;
+use crate::synth::corrected::on_machine::OnShaft;
 use crate::synth::population::OfPopulation;
 use crate::units::Quantity;
 use crate::wording::Language;

@@ -49,8 +49,10 @@ dynamics-no-load-speed = the no-load speed of the motor, { $nominal }, is too lo
     .help = set machine.motor.no_load_speed = "{ $needed }" or more, or a lower machine.motor.gear
 dynamics-floor-resonance = the floor has no steady motion: harmonic { $harmonic } of the force is at its undamped frequency of { $frequency }
     .help = give this mode a damping ratio above 0, for example "0.005"
-dynamics-floor-not-rigid = only the rigid model at constant speed has a floor that moves
-    .help = use --model rigid or auto without motor and flexible follower, or omit [machine.floor]
+dynamics-floor-not-rigid = only the rigid model has a floor that moves
+    .help = use --model rigid or auto without flexible follower, or omit [machine.floor]
+dynamics-floor-and-shaft = shaft and floor find no common steady motion
+    .help = use a larger machine.inertia or a larger machine.floor.damping
 dynamics-open-polydyne = a polydyne cam needs a law that repeats: otherwise there is no steady state
 dynamics-polydyne-jump = the { $derivative } of the law is discontinuous at { $at }; the lift of a polydyne cam contains the force, so the cam's own acceleration would be discontinuous there
     .help = use a law with four continuous derivatives: a spline of degree 5 or more, harmonics, or 5-6-7-8-9 segments

@@ -49,8 +49,10 @@ dynamics-no-load-speed = la velocidad en vacío del motor, { $nominal }, es dema
     .help = ponga machine.motor.no_load_speed = "{ $needed }" o más, o un machine.motor.gear menor
 dynamics-floor-resonance = el suelo no tiene movimiento estacionario: el armónico { $harmonic } de la fuerza está en su frecuencia sin amortiguar de { $frequency }
     .help = dé a este modo una razón de amortiguamiento mayor que 0, por ejemplo "0.005"
-dynamics-floor-not-rigid = solo el modelo rígido a velocidad constante tiene un suelo que se mueve
-    .help = use --model rigid o auto sin motor ni seguidor flexible, u omita [machine.floor]
+dynamics-floor-not-rigid = solo el modelo rígido tiene un suelo que se mueve
+    .help = use --model rigid o auto sin seguidor flexible, u omita [machine.floor]
+dynamics-floor-and-shaft = el eje y el suelo no encuentran un movimiento estacionario común
+    .help = use un machine.inertia mayor o un machine.floor.damping mayor
 dynamics-open-polydyne = una leva polidina necesita una ley que se repita: si no, no hay régimen permanente
 dynamics-polydyne-jump = la { $derivative ->
         [lift] elevación

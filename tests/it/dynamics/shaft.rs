@@ -146,6 +146,118 @@ fn the_motion_is_that_of_an_independent_integration_in_time() {
 }
 
 #[test]
+fn every_follower_under_every_drive_turns_as_in_an_independent_integration_in_time() {
+    let (arm, prime_radius, roller_radius) = (0.12, 0.07, 0.015);
+    let (pivot_distance, offset, arc_radius) = (0.15, 0.005, 0.03);
+    let followers = [
+        Follower::FlatTranslating { base_radius: 0.05 },
+        Follower::RollerTranslating {
+            prime_radius,
+            offset,
+            roller_radius,
+        },
+        Follower::MushroomTranslating {
+            prime_radius,
+            offset,
+            arc_radius,
+        },
+        Follower::RollerOscillating {
+            pivot_distance,
+            arm,
+            prime_radius,
+            roller_radius,
+        },
+        Follower::MushroomOscillating {
+            pivot_distance,
+            arm,
+            prime_radius,
+            arc_radius,
+        },
+        Follower::FlatOscillating {
+            pivot_distance,
+            face_offset: 0.0,
+            base_radius: 0.05,
+        },
+        Follower::Barrel {
+            radius: 0.08,
+            roller_radius,
+        },
+    ];
+    let law = Law::harmonic(0.03, &[(0.004, 0.02), (0.002, -0.001)]);
+    let speed = TAU * 1.85;
+    let drives = [
+        Drive::moving_axis(70.0, 9.81, speed),
+        Drive {
+            rest_force: 400.0,
+            damping: 60.0,
+            ..Drive::fixed_axis(20.0, 5000.0, speed)
+        },
+        Drive {
+            rest_force: 50.0,
+            ..Drive::hydraulic(2e11, 0.01, speed)
+        },
+    ];
+    let curve = vec![[0.0, 60.0], [10.0, 40.0], [12.0, 10.0], [14.0, -80.0]];
+    let lines = [
+        TorqueLine::Slope(10.0),
+        TorqueLine::Stall(120.0),
+        TorqueLine::Curve(curve),
+    ];
+    let mut ran = 0;
+    for (f, follower) in followers.into_iter().enumerate() {
+        for (d, drive) in drives.into_iter().enumerate() {
+            let lever = if follower.is_oscillating() { 0.9 } else { 1.0 };
+            let cam = Cam::new(law.clone(), follower).unwrap();
+            let case = Run::new(cam, drive.at_lever(lever), 1440);
+            let motor = Motor {
+                line: lines[(f + d) % 3].clone(),
+                friction: 1.5,
+                ..motor(10.0, 0.8)
+            };
+            let (out, shaft) = run(&case, motor.clone());
+            let first = out.rows[0].speed;
+            let (forces, mean) = in_time(&case, &motor, shaft.no_load_speed, first, 360);
+            let name = format!(
+                "{follower:?} {:?} {:?}: ripple {}",
+                drive.kind, motor.line, shaft.ripple
+            );
+            assert!(
+                shaft.ripple > 0.001 && shaft.energy_balance.abs() < 1e-9,
+                "{name}"
+            );
+            // A curve has corners where the integration loses an order.
+            assert!(
+                (mean / case.drive.speed - 1.0).abs() < 1e-5,
+                "{name} {mean}"
+            );
+            let size = forces.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+            for (i, force) in forces.iter().enumerate() {
+                let own = out.rows[4 * i].contact_force;
+                assert!(
+                    (own - force).abs() < 2e-5 * size,
+                    "{name}: {i} {own} {force}"
+                );
+            }
+            ran += 1;
+        }
+    }
+    assert_eq!(ran, 21);
+}
+
+#[test]
+fn the_largest_torque_of_the_motor_is_that_between_the_steps_of_the_solution() {
+    // From the speeds of the rows.
+    let motor = motor(10.0, 0.5);
+    let case = flat();
+    let (out, shaft) = run(&case, motor.clone());
+    let speeds = out.rows.iter().map(|r| r.speed);
+    let torques = speeds.map(|w| motor.torque(w, shaft.no_load_speed)[0].abs());
+    let most = torques.fold(0.0, f64::max);
+    // Beside the top a row is at most half a step: the parabola falls by less than 1e-5.
+    assert!(shaft.motor_torque_max_n_m >= most && shaft.motor_torque_max_n_m < most * (1.0 + 1e-5));
+}
+
+#[test]
 fn a_constant_load_gives_the_point_on_the_motor_line() {
     // A disc under a face: no lift, friction μ F Rb alone. T = μ F Rb + T_f at every speed, ω₀ = ω + T/k.
     let mut case = flat();

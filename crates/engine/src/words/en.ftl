@@ -148,6 +148,8 @@ studio-chart-pressure-angle = Pressure angle φ
 studio-chart-contact = Contact on the face
 studio-chart-torque = Shaft torque
 studio-chart-power = Power
+studio-chart-speed = Shaft speed
+studio-chart-ripple = { $name }, ripple { $ripple }
 studio-chart-alt = { $name }: { $low } to { $high }
 
 # Scenes and files.
@@ -166,7 +168,7 @@ studio-export-report = Report
 studio-export-workshop = Workshop
 studio-export-page = Page
 studio-file-page = Scene and studio in one file that opens by a double click, without a network
-studio-export-frame = In a frame of another page, to be looked at only; embed lists the diagrams (force, s, v, a, j, radius, pressure-angle, torque, power):
+studio-export-frame = In a frame of another page, to be looked at only; embed lists the diagrams (force, s, v, a, j, radius, pressure-angle, torque, power, speed):
 studio-export-all = All { $count } files as ZIP
 studio-export-without = Could not be made: { $files }
 studio-export-tolerance = Tables have 1440 rows in SI units. Drawings are at true scale in millimetres; the arcs of profile_arcs.dxf stay within 1 µm of the profile; the B-splines of cam.step are within the tolerance stated in its header.

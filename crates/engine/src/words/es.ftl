@@ -148,6 +148,8 @@ studio-chart-pressure-angle = Ángulo de presión φ
 studio-chart-contact = Contacto en la cara
 studio-chart-torque = Par en el eje
 studio-chart-power = Potencia
+studio-chart-speed = Velocidad del eje
+studio-chart-ripple = { $name }, oscilación { $ripple }
 studio-chart-alt = { $name }: de { $low } a { $high }
 
 # Escenas y archivos.
@@ -166,7 +168,7 @@ studio-export-report = Informe
 studio-export-workshop = Taller
 studio-export-page = Página
 studio-file-page = La escena y el estudio en un archivo que se abre con un doble clic, sin red
-studio-export-frame = En un marco de otra página, solo para verla; embed enumera los diagramas (force, s, v, a, j, radius, pressure-angle, torque, power):
+studio-export-frame = En un marco de otra página, solo para verla; embed enumera los diagramas (force, s, v, a, j, radius, pressure-angle, torque, power, speed):
 studio-export-all = Los { $count } archivos en ZIP
 studio-export-without = No se han podido hacer: { $files }
 studio-export-tolerance = Las tablas tienen 1440 filas en unidades del SI. Los dibujos están a escala real en milímetros; los arcos de profile_arcs.dxf se apartan del perfil menos de 1 µm; las B-splines de cam.step cumplen la tolerancia indicada en su cabecera.

@@ -41,15 +41,22 @@ pub type Columns = Vec<(&'static str, Vec<f64>)>;
 /// Room for one number and its comma.
 const WIDTH: usize = 24;
 
-/// `floor.csv`: the motion of the floor under the wanted force over the step frequency.
+/// `floor.csv`: the motion of the floor over the step frequency, under the wanted force and under that of the cam as made.
 pub fn floor(design: &Design) -> Option<String> {
-    let floor = design.floor.as_ref()?;
-    let rows = floor.resonance.iter().map(|p| {
+    design.floor.as_ref()?;
+    let rows = design.resonance().into_iter().map(|p| {
         let m = p.motion;
-        let [peak, rms] = [m.acceleration_peak_m_per_s2, m.acceleration_rms_m_per_s2];
-        format!("{:.6},{peak},{rms},{}\n", p.step_frequency, m.comfort)
+        let [peak, rms, of_cam] = [
+            m.acceleration_peak_m_per_s2,
+            m.acceleration_rms_m_per_s2,
+            p.of_cam.acceleration_peak_m_per_s2,
+        ];
+        format!(
+            "{:.6},{peak},{rms},{},{of_cam}\n",
+            p.step_frequency, m.comfort
+        )
     });
-    let names = "step_frequency_hz,acceleration_peak_m_per_s2,acceleration_rms_m_per_s2,comfort\n";
+    let names = "step_frequency_hz,acceleration_peak_m_per_s2,acceleration_rms_m_per_s2,comfort,cam_acceleration_peak_m_per_s2\n";
     Some([names.to_string()].into_iter().chain(rows).collect())
 }
 

@@ -1,11 +1,11 @@
-//! The picture of a simulation: force, torque and gap over the cam angle.
+//! The picture of a simulation: force, torque and gap over the cam angle; over time where the speed of the shaft varies.
 
 use plotters::style::{Color, RGBAColor};
 
 use std::f64::consts::TAU;
 
 use super::force::force_frame;
-use crate::plot::axes::{Panel, padded};
+use crate::plot::axes::{Panel, padded, ticks};
 use crate::plot::layout::{Figure, Layout, columns, strips};
 use crate::plot::palette::{BLUE, ORANGE, PURPLE, QUIET, RED};
 use crate::plot::picture::Picture;
@@ -21,7 +21,7 @@ use gaitcam::wording::Language;
 /// A curve in the key: colour, width, name.
 type Entry = (RGBAColor, f64, String);
 
-/// Quantities of a run over the cam angle as it is shown.
+/// Quantities of a run over the cam angle or the time as it is shown.
 struct Shown<'a> {
     synthesis: &'a Design,
     outcome: &'a Outcome,
@@ -36,17 +36,34 @@ impl Shown<'_> {
         start + span * i as f64 / self.outcome.rows.len() as f64
     }
 
+    /// Time of one turn, s.
+    fn period(&self) -> f64 {
+        TAU / self.synthesis.drive.speed.abs()
+    }
+
+    /// Place of a sample on the axis.
+    fn across(&self, i: usize) -> f64 {
+        if self.outcome.shaft.is_none() {
+            return self.measures.angle().factor * self.angle(i);
+        }
+        let a_turn = self.outcome.rows.len() / self.outcome.period_turns;
+        self.outcome.rows[i % a_turn].time + (i / a_turn) as f64 * self.period()
+    }
+
     /// A quantity of the samples, the first once more at the end.
     fn curve(&self, value: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
-        let (across, total) = (self.measures.angle().factor, self.outcome.rows.len());
-        let point = |i: usize| (across * self.angle(i), value(i % total));
+        let total = self.outcome.rows.len();
+        let point = |i: usize| (self.across(i), value(i % total));
         (0..=total).map(point).collect()
     }
 
     fn panel<'a, 'c>(&self, f: &Figure<'a, 'c>, frame: Frame, y: [f64; 2]) -> Drawn<Panel<'a, 'c>> {
-        let ends = [0, self.outcome.rows.len()].map(|i| self.angle(i));
-        let x = ends.map(|angle| self.measures.angle().factor * angle);
-        f.panel(frame, x, columns(x, self.measures != Measures::Straight), y)
+        let x = [0, self.outcome.rows.len()].map(|i| self.across(i));
+        let columns = match self.outcome.shaft {
+            Some(_) => ticks(x[0], x[1], 8.0),
+            None => columns(x, self.measures != Measures::Straight),
+        };
+        f.panel(frame, x, columns, y)
     }
 
     /// The force with target and rigid force behind it; returns their key.
@@ -55,16 +72,21 @@ impl Shown<'_> {
         let (start, length) = law.extent();
         let within = |i: usize| start + (self.angle(i) - start) % length;
         let on_shaft = self.outcome.shaft.is_some();
-        let period = TAU / self.synthesis.drive.speed.abs();
         let target = self.synthesis.target_in_time();
         let wanted = |t: &ForceCurve, i: usize| match on_shaft {
-            true => t.at(TAU * self.outcome.rows[i].time / period),
+            true => t.at(TAU * self.outcome.rows[i].time / self.period()),
             false => target_at(t, law, within(i)),
         };
         let target = target.map(|t| self.curve(|i| wanted(t, i)));
         let rigid = |i: usize| self.synthesis.drive.force(law.svaj(within(i)));
         let apart = self.outcome.model != Model::Rigid || on_shaft;
-        let rigid = apart.then(|| self.curve(rigid));
+        let mut rigid = apart.then(|| self.curve(rigid));
+        if on_shaft {
+            // At constant speed its angles are passed at other times.
+            let at = |i: usize| (self.angle(i) - start) / TAU * self.period();
+            let points = rigid.iter_mut().flatten().enumerate();
+            points.for_each(|(i, point)| point.0 = at(i));
+        }
         let grey = if on_shaft {
             "figure-constant-speed"
         } else {
@@ -142,7 +164,10 @@ pub(crate) fn run_in(
             last.curve(&gap, RED, 2.0)?;
             last.quantity(&words.fill("figure-gap", &[("unit", lift.name)]))?;
         }
-        last.across(&words::across(words, measures))?;
+        last.across(&match outcome.shaft {
+            Some(_) => words.text("figure-time"),
+            None => words::across(words, measures),
+        })?;
         let entries: Vec<_> = (entries.iter())
             .map(|(c, w, name)| (*c, *w, &**name))
             .collect();

@@ -72,7 +72,11 @@ export class Chart {
 
   name() {
     const alone = this.id === "force" && !this.panel.lines.some((l) => l.role === "target");
-    return t(alone ? "studio-chart-force-alone" : `studio-chart-${this.id}`);
+    const name = t(alone ? "studio-chart-force-alone" : `studio-chart-${this.id}`);
+    if (this.id !== "speed") return name;
+    const speeds = this.panel.lines[0].y;
+    const ripple = (Math.max(...speeds) - Math.min(...speeds)) / this.panel.levels[0];
+    return t("studio-chart-ripple", { name, ripple: quantity(100 * ripple, "%") });
   }
 
   range() {

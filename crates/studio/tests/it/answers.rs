@@ -45,6 +45,38 @@ fn every_scene_but_the_one_without_a_recording_is_designed_and_drawn() {
 }
 
 #[test]
+fn the_speed_of_a_shaft_under_its_motor_is_a_diagram_of_its_own() {
+    let studio = Running::new();
+    let set = |key: &str, value: &str| json!({"set": {"key": key, "value": value}});
+    let motor = [
+        set("machine.motor.slope", "10 N m s/rad"),
+        set("machine.inertia", "0.5 kg m^2"),
+    ];
+    let diagram = |changes: &[Value], id: &str| -> Option<Value> {
+        let answer = design(&studio, &json!({"scene": DEFAULT, "changes": changes}));
+        let panels = answer["curves"]["panels"].as_array().unwrap();
+        panels.iter().find(|p| p["id"] == id).cloned()
+    };
+    let values = |panel: &Value| -> Vec<f64> {
+        let y = panel["lines"][0]["y"].as_array().unwrap();
+        y.iter().map(|y| y.as_f64().unwrap()).collect()
+    };
+    assert_eq!(diagram(&[], "speed"), None);
+    let panel = diagram(&motor, "speed").unwrap();
+    let speed = values(&panel);
+    let low = speed.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = speed.iter().copied().fold(0.0, f64::max);
+    // The ripple of the guide's example.
+    let ripple = (high - low) / panel["levels"][0].as_f64().unwrap();
+    assert!((ripple - 0.2544).abs() < 1e-3, "{ripple}");
+    // Power is torque times the speed there.
+    let [torque, power] = ["torque", "power"].map(|id| values(&diagram(&motor, id).unwrap()));
+    for ((p, t), w) in power.iter().zip(&torque).zip(&speed) {
+        assert!((p - t * w).abs() < 1e-2, "{p} {t} {w}");
+    }
+}
+
+#[test]
 fn a_change_is_in_the_scene_that_comes_back() {
     let studio = Running::new();
     let changes = json!([{"set": {"key": "limits.stroke", "value": "55 mm"}}]);

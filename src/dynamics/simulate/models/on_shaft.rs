@@ -15,7 +15,7 @@ use crate::dynamics::reason::RunNote;
 use crate::dynamics::run::Run;
 use crate::dynamics::shaft::{Load, Motion, Node, periodic};
 use crate::dynamics::simulate::prepared::Prepared;
-use crate::dynamics::simulate::shaft::{STEPS, arms};
+use crate::dynamics::simulate::shaft::carrier;
 use crate::dynamics::surface::Surface;
 use crate::error::Result;
 use crate::law::Law;
@@ -84,7 +84,7 @@ pub fn contact_on_shaft(
             return Ok(outcome(input, p, motor, (clock, agrees), (&surfaces, run)));
         }
         let load = load(input, p, motor, &clock, &surfaces[0], &run);
-        let next = periodic(&load, motor, p.drive.speed, Some(&clock))?;
+        let next = periodic(load, motor, p.drive.speed, Some(&clock))?;
         let angles = (0..PIECES).map(|i| TAU * i as f64 / PIECES as f64);
         let change = |x: f64| (next.speed_at(x)[0] - clock.speed_at(x)[0]).abs();
         agrees = angles.map(change).fold(0.0, f64::max) < SAME * p.drive.speed;
@@ -125,7 +125,8 @@ fn load(
     let before = landings.iter().flat_map(|(at, _)| [*at, at - LANDING]);
     let edges = edges.chain(before).map(|x| start + x.rem_euclid(TAU));
     let breaks: Vec<f64> = p.lift.breaks().iter().copied().chain(edges).collect();
-    Load::of(p.lift.extent(), &breaks, STEPS, &|theta| {
+    let carrier = carrier(input, p);
+    Load::of(p.lift.extent(), &breaks, carrier.steps, &|theta| {
         let x = theta - start;
         let struck = landings
             .iter()
@@ -138,7 +139,7 @@ fn load(
             return Node::of_torque(0.0);
         }
         let at = p.lift.svaj(theta);
-        Node::new(&p.drive, at, arms(input, at))
+        Node::new(&p.drive, at, carrier.arms(at), 0.0)
     })
 }
 
@@ -151,12 +152,10 @@ fn outcome(
     (surfaces, run): (&[Surface; 1], ContactRun),
 ) -> Outcome {
     let n = p.nodes.len();
-    let load = load(input, p, motor, &clock, &surfaces[0], &run);
-    let lowest = p.lift.extremes(0).0.at;
-    let report = clock.report(&load, motor, lowest);
+    let report = clock.report(motor, p.lift.extremes(0).0.at);
     let p = Prepared {
         shaft: Some(clock.at_rows(n)),
-        shaft_report: Some(report),
+        shaft_report: report,
         ..p.clone()
     };
     let mut out = steady_outcome(input, &p, surfaces, run);

@@ -1,0 +1,181 @@
+//! The steady motion of a machine under its cam: of the shaft that a motor turns, and of the floor that the force shakes.
+//!
+//! The speed shapes the force over time, which moves the floor; the floor's acceleration is part of the force and so of the
+//! torque on the shaft. Each is found for the other in turns until both agree (theory §10).
+
+use std::f64::consts::TAU;
+
+use super::fixed_point::{Round, settled};
+use super::floor::{Floor, Term, harmonics};
+use super::rigid::touch::{rubs, touch};
+use super::shaft::{Cubic, Load, Motion, Node, force, periodic};
+use crate::cam::Follower;
+use crate::drive::{Drive, Motor};
+use crate::error::{DynamicsError, Placed, Result};
+use crate::law::Svaj;
+use crate::poly::samples;
+
+/// Equal parts of the period at which the force on the floor is taken, and those at which the floor's motion is given.
+const SAMPLES: usize = 720;
+const FINE: usize = 4 * SAMPLES;
+/// Change of M z″, part of the force at rest, at which shaft and floor agree, and that which is too much.
+const SAME: f64 = 1e-9;
+const UNSETTLED: f64 = 1e-6;
+
+/// What carries a cam: drive, motor and floor.
+#[derive(Clone)]
+pub struct Carrier<'a> {
+    /// The drive.
+    pub drive: Drive,
+    /// The motor; `None`: the shaft turns at constant speed.
+    pub motor: Option<&'a Motor>,
+    /// The floor; `None`: a stiff one.
+    pub floor: Option<&'a Floor>,
+    /// Harmonics of the force of one of the other walkers over the period, N.
+    pub walker: Vec<Term>,
+    /// The follower, and its coefficient of sliding friction.
+    pub follower: Follower,
+    /// The same.
+    pub friction: f64,
+    /// Steps of the shaft's motion between the breaks of the law.
+    pub steps: usize,
+}
+
+/// Steady motion of shaft and floor.
+#[derive(Debug, Clone)]
+pub struct MachineMotion {
+    /// The shaft.
+    pub shaft: Motion,
+    /// Harmonics of the floor's acceleration over the period, m/s²; none of a stiff one.
+    pub floor: Vec<Term>,
+    /// The same at equal parts of the period.
+    at_parts: Vec<f64>,
+}
+
+impl MachineMotion {
+    /// That of a shaft over a floor with these harmonics of its acceleration.
+    pub fn new(shaft: Motion, floor: Vec<Term>) -> MachineMotion {
+        let at_parts = match floor.is_empty() {
+            true => Vec::new(),
+            false => samples(&floor, 0, FINE),
+        };
+        MachineMotion {
+            shaft,
+            floor,
+            at_parts,
+        }
+    }
+
+    /// Acceleration of the floor, m/s², at a cam angle since the first, rad.
+    pub fn floor_at(&self, angle: f64) -> f64 {
+        match self.at_parts.is_empty() {
+            true => 0.0,
+            false => Cubic(&self.at_parts).at(self.shaft.phase(angle)[0] / TAU).0,
+        }
+    }
+
+    /// Contact force, N, at a cam angle since the first, rad.
+    pub fn force(&self, drive: &Drive, at: Svaj, angle: f64) -> f64 {
+        let [speed, acceleration, _] = self.shaft.speed_at(angle);
+        force(drive, at, speed, acceleration) + drive.mass * self.floor_at(angle)
+    }
+}
+
+impl Carrier<'_> {
+    /// Torque of the shaft per unit of force where the follower is pressed, and where it is pulled, m.
+    pub fn arms(&self, at: Svaj) -> [f64; 2] {
+        match self.friction > 0.0 && rubs(&self.follower) {
+            false => [at.v; 2],
+            true => {
+                [1.0, -1.0].map(|f| f * touch(&self.follower, 1.0, self.friction, at, f).torque)
+            }
+        }
+    }
+
+    /// The load of a motion `at` every cam angle of a turn from `start`, smooth between `breaks`, on a floor with an
+    /// acceleration at every angle since the start.
+    pub fn load(
+        &self,
+        start: f64,
+        breaks: &[f64],
+        at: &dyn Fn(f64) -> Svaj,
+        floor: &dyn Fn(f64) -> f64,
+    ) -> Load {
+        Load::of((start, TAU), breaks, self.steps, &|angle| {
+            let at = at(angle);
+            Node::new(&self.drive, at, self.arms(at), floor(angle - start))
+        })
+    }
+
+    /// The steady motion under that of the cam, from one that may be `near`.
+    ///
+    /// # Errors
+    /// The shaft stops; an undamped mode in resonance; shaft and floor do not agree.
+    pub fn motion(
+        &self,
+        start: f64,
+        breaks: &[f64],
+        at: &dyn Fn(f64) -> Svaj,
+        near: Option<&MachineMotion>,
+    ) -> Result<MachineMotion> {
+        let on = |floor: &dyn Fn(f64) -> f64| -> Result<Motion> {
+            let Some(motor) = self.motor else {
+                return Ok(Motion::even(self.drive.speed));
+            };
+            let load = self.load(start, breaks, at, floor);
+            periodic(load, motor, self.drive.speed, near.map(|m| &m.shaft))
+        };
+        let Some(floor) = self.floor else {
+            return Ok(MachineMotion::new(on(&|_| 0.0)?, Vec::new()));
+        };
+        let under = |shaft: Motion| -> Result<MachineMotion> {
+            let terms = self.on_floor(floor, &shaft, &|angle| at(start + angle))?;
+            Ok(MachineMotion::new(shaft, terms))
+        };
+        if self.motor.is_none() {
+            return under(on(&|_| 0.0)?);
+        }
+        let unit = self.drive.rest_force;
+        let angle = |i: usize| TAU * i as f64 / SAMPLES as f64;
+        let state = |motion: &MachineMotion| -> Vec<f64> {
+            let part = |i| self.drive.mass * motion.floor_at(angle(i)) / unit;
+            (0..SAMPLES).map(part).collect()
+        };
+        let first = near.map_or_else(|| vec![0.0; SAMPLES], state);
+        let found = settled(first, SAME, |given| {
+            let cubic = Cubic(given);
+            let floor = |angle: f64| cubic.at(angle / TAU).0 * unit / self.drive.mass;
+            let motion = under(on(&floor)?)?;
+            Ok(Round {
+                made: state(&motion),
+                has_law: true,
+                design: motion,
+            })
+        })?;
+        if found.difference > UNSETTLED {
+            return Err(DynamicsError::FloorAndShaft.at_key("machine.floor"));
+        }
+        Ok(found.design)
+    }
+
+    /// Harmonics of the floor's acceleration under a cam `at` every angle on a shaft in motion, m/s².
+    fn on_floor(
+        &self,
+        floor: &Floor,
+        shaft: &Motion,
+        at: &dyn Fn(f64) -> Svaj,
+    ) -> Result<Vec<Term>> {
+        let still = |i: usize| {
+            let angle = shaft.angle(TAU * i as f64 / SAMPLES as f64);
+            let [speed, acceleration, _] = shaft.speed_at(angle);
+            force(&self.drive, at(angle), speed, acceleration)
+        };
+        let still = harmonics(&(0..SAMPLES).map(still).collect::<Vec<_>>());
+        let mut others = floor.of_walkers(1, &self.walker);
+        others.resize(still.len(), (0.0, 0.0));
+        let (mass, speed) = (self.drive.mass, self.drive.speed);
+        let own = floor.pressed(mass, speed, &still, &others)?;
+        let all = own.iter().zip(&others).map(|(a, b)| (a.0 + b.0, a.1 + b.1));
+        floor.acceleration(speed, &all.collect::<Vec<_>>())
+    }
+}

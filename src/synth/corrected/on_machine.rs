@@ -1,0 +1,286 @@
+//! A law for the speed that the motor gives the shaft, and for a floor that moves.
+//!
+//! The design at constant speed on a stiff floor is a motion in time. Run by the motor it fixes power and so ω(θ); at that
+//! speed the same motion in time is another law. The wanted force fixes z″ of the floor by one linear answer per harmonic. With
+//! ω(θ) and z″(θ) known the force is linear in the law ([`crate::problem`]): the program is solved again for what the law
+//! before makes of the machine, and so on; each round multiplies the change by about the ripple, and by what the law leaves of
+//! the target (theory §10).
+
+use serde::Serialize;
+
+use super::added::Layout;
+use super::on_floor::OnFloor;
+use super::runner::{Forecast, ROWS, Runner, angle, depends_on_speed, retimed};
+use crate::drive::Motor;
+use crate::dynamics::fixed_point::{Round, Settled, settled};
+use crate::dynamics::machine_motion::MachineMotion;
+use crate::dynamics::shaft::Motion;
+use crate::dynamics::{FloorMotion, InTime, Shaft};
+use crate::error::{Error, Placed, Result, SynthError};
+use crate::force::ForceCurve;
+use crate::problem::Problem;
+use crate::scene::{Family, ShaftSpeed};
+use crate::synth::design::Design;
+use crate::synth::optimum::Refusal;
+use crate::synth::sizing::checked_cam::checked_cam;
+use crate::synth::{Search, SizedLaw, at_best_phase, best, finished, infeasible};
+use crate::units::{Dimension, Quantity};
+
+/// Largest difference of target and force between what a law is designed for and what it makes, part of the mean, at which
+/// the design is final: where a limit depends on it or a floor moves, and at most; else this part of the accuracy.
+const SETTLED_AT_LIMITS: f64 = 1e-6;
+const SETTLED: f64 = 1e-4;
+const SETTLED_OF_ACCURACY: f64 = 0.1;
+/// Ripple at which the rounds surely agree.
+const CALM: f64 = 0.25;
+
+/// The design on its shaft.
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // A wheel of 0.5 kg m² and a motor that loses 10 N·m per rad/s: the speed ripples by a quarter.
+/// let mut table = scene::built_in("footbridge")?.scene()?.to_table();
+/// scene::set(&mut table, "machine.motor.slope=10 N m s/rad")?;
+/// scene::set(&mut table, "machine.inertia=0.5 kg m^2")?;
+/// let scene = scene::read(&table)?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let on_shaft = design.shaft.as_ref().unwrap();
+/// assert!((on_shaft.shaft.ripple - 0.25).abs() < 0.01);
+/// assert!(on_shaft.force_time.unwrap().rms_error_percent_of_mean < 0.5);
+/// assert!(on_shaft.at_constant_speed.unwrap().rms_error_percent_of_mean > 6.0);
+/// // With 10 % more inertia the same cam still presses to 1 % of the weight.
+/// let [less, more] = design.sensitivity()[0].percent;
+/// assert!(less.unwrap() < 1.0 && more.unwrap() < 1.0);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Serialize)]
+pub struct OnShaft {
+    /// Motion of the shaft.
+    pub shaft: Shaft,
+    /// Force error over time.
+    pub force_time: Option<InTime>,
+    /// The same of the law for constant speed under this motor.
+    pub at_constant_speed: Option<InTime>,
+    /// Programs solved beside the one at constant speed.
+    pub rounds: usize,
+    /// Factor between the last two changes of the target from round to round; `None` of fewer than two changes.
+    pub contraction: Option<f64>,
+    /// What inertia and energy of the load said beforehand.
+    pub forecast: Forecast,
+    /// Speed at equal cam angles, rad/s.
+    #[serde(skip)]
+    pub speed: Vec<f64>,
+    /// Time there since cam angle 0, s.
+    #[serde(skip)]
+    pub time: Vec<f64>,
+    /// The target over time.
+    #[serde(skip)]
+    pub target: Option<ForceCurve>,
+}
+
+impl Problem {
+    /// The motor that turns the shaft of the design, where there is one.
+    fn motor(&self) -> Option<Motor> {
+        let is_run = self.on_shaft.is_none() && !self.law.polydyne;
+        self.machine.motor().filter(|_| is_run)
+    }
+}
+
+/// The law for a problem as a round has it, why there is none, and the motion that it makes of the machine.
+struct OnMachine {
+    problem: Problem,
+    sized: SizedLaw,
+    refusal: Option<Box<Refusal>>,
+    motion: MachineMotion,
+}
+
+/// The design of a problem, for the machine that it has.
+///
+/// # Errors
+/// The shaft stops; the rounds do not contract; an undamped mode in resonance.
+pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
+    let problem = &at_best_phase(problem, search)?;
+    let (motor, floor) = (problem.motor(), problem.machine.floor());
+    let (first, refusal) = best(problem, search)?;
+    if motor.is_none() && floor.is_none() {
+        let why = refusal.map(|refusal| infeasible::explain(problem, &refusal));
+        return finished(problem, search, first, why);
+    }
+    let target = problem.target.as_ref().map(|t| &*t.curve);
+    let run = Runner::new(
+        problem,
+        &first.checked.cam,
+        target,
+        motor.as_ref(),
+        floor.as_ref(),
+    )?;
+    let before = run.of_law(&first.law.law, None)?;
+    let at_constant_speed = run.error(&first.law.law, &before);
+    let forecast = run.forecast(problem, &first.law.law);
+    let is_designed_for = |forecast: &Forecast| {
+        let fixed = problem.law.shaft == ShaftSpeed::Constant || forecast.is_negligible;
+        !fixed && !matches!(problem.law.family, Family::Program | Family::Polynomial)
+    };
+    let varies = forecast.as_ref().is_some_and(is_designed_for);
+    let corrected = (varies || floor.is_some()) && problem.target.is_some();
+    let start = OnMachine {
+        problem: problem.clone(),
+        sized: first,
+        refusal,
+        motion: before,
+    };
+    let last = if corrected {
+        let at_speed = if varies { run.clone() } else { run.evenly() };
+        rounds(start, &at_speed, problem, search)?
+    } else {
+        Settled::at_once(start)
+    };
+    let rounds = if corrected { last.rounds } else { 0 };
+    let contraction = last.contraction;
+    let (mut design, mut motion) = judged(last, problem, search)?;
+    if corrected && !varies {
+        motion = run.of_law(&design.cam.law, None)?;
+    }
+    if varies && corrected {
+        by_time(&mut design, &motion.shaft, problem);
+    } else if corrected {
+        design.target = target.cloned();
+    }
+    design.band = problem.band.clone();
+    let law = design.cam.law.clone();
+    design.floor = floor.as_ref().map(|_| OnFloor {
+        motion: FloorMotion::of(&motion.floor),
+    });
+    let Some((motor, forecast)) = motor.as_ref().zip(forecast) else {
+        return Ok(design);
+    };
+    let key = |e: Error| e.at_key("machine.motor");
+    motion.shaft.check_supply(motor).map_err(key)?;
+    let force_time = run.error(&law, &motion);
+    let note = run.inertia_note(problem, &law, force_time);
+    design.notes.extend(note);
+    let report = motion.shaft.report(motor, law.extremes(0).0.at);
+    design.shaft = report.map(|shaft| OnShaft {
+        shaft,
+        force_time,
+        at_constant_speed,
+        rounds,
+        contraction,
+        forecast,
+        speed: run.speed(&motion.shaft),
+        time: run.time(&motion.shaft),
+        target: target.cloned(),
+    });
+    Ok(design)
+}
+
+/// The finished design of the last round, judged in the state of the machine that it is settled in.
+fn judged(
+    last: Settled<OnMachine>,
+    problem: &Problem,
+    search: &Search,
+) -> Result<(Design, MachineMotion)> {
+    let OnMachine {
+        problem: own,
+        sized,
+        refusal,
+        motion,
+    } = last.design;
+    let why = refusal.map(|refusal| infeasible::explain(&own, &refusal));
+    if last.is_agreed {
+        return Ok((finished(&own, search, sized, why)?, motion));
+    }
+    let layout = Layout::new(problem, &sized.law.law, !motion.shaft.is_even());
+    let (phases, extra) = layout.extra(problem, &last.state);
+    let made = problem.on_shaft(&phases, extra);
+    let checked = checked_cam(&made, search, &sized.law.law, None)?;
+    let sized = SizedLaw { checked, ..sized };
+    Ok((finished(&made, search, sized, why)?, motion))
+}
+
+/// Gives a design its target by the cam angle, and its mean force over time.
+fn by_time(design: &mut Design, shaft: &Motion, problem: &Problem) {
+    let Some(on_shaft) = design.problem.on_shaft.clone() else {
+        return;
+    };
+    let (mut sum, mut all) = (0.0, 0.0);
+    for i in 0..ROWS {
+        let time = 1.0 / shaft.speed_at(angle(i))[0];
+        sum += time * design.force_at(angle(i));
+        all += time;
+    }
+    (design.force.mean_n, design.force.target_mean_n) = (sum / all, problem.target_mean());
+    design.target = Some(on_shaft.target.clone());
+}
+
+/// Designs for the machine that the design before makes, from that of a law for constant speed on a stiff floor, until both
+/// agree.
+fn rounds(
+    first: OnMachine,
+    run: &Runner,
+    problem: &Problem,
+    search: &Search,
+) -> Result<Settled<OnMachine>> {
+    let law = &first.sized.law.law;
+    let diverges = |motion: &MachineMotion, contraction: Option<f64>| {
+        let speed = problem.drive.speed;
+        let inertia = run.load_of_law(law).swing(speed) / (CALM * speed * speed);
+        diverges(&motion.shaft, contraction, inertia)
+    };
+    // The motion in time of a law for constant speed may stop a small wheel that the law itself turns.
+    let start = run.in_time(law, first.motion.clone());
+    let mut motion = start.map_err(|_| diverges(&first.motion, None))?;
+    let layout = Layout::new(problem, law, !motion.shaft.is_even());
+    let state = layout.state(problem, &motion, &|x| retimed(law, &motion.shaft, x));
+    let allowed = if depends_on_speed(problem) || run.is_on_floor() {
+        SETTLED_AT_LIMITS
+    } else {
+        let accuracy = problem
+            .allowed_error()
+            .map_or(0.0, |most| most / problem.target_mean());
+        (SETTLED_OF_ACCURACY * accuracy).max(SETTLED_AT_LIMITS)
+    };
+    let last = settled(state, allowed, |state| {
+        // What is kept belongs to the target of the round before.
+        let fresh = Search {
+            cache: Default::default(),
+            ..search.clone()
+        };
+        let (phases, extra) = layout.extra(problem, state);
+        let own = problem.on_shaft(&phases, extra);
+        let (sized, refusal) = best(&own, &fresh)?;
+        let law = &sized.law.law;
+        // A law of a round may stop the shaft that the first one does not.
+        motion = match run.of_law(law, Some(&motion)) {
+            Ok(next) => next,
+            Err(fault) if run.is_even() => return Err(fault),
+            Err(_) => return Err(diverges(&motion, None)),
+        };
+        Ok(Round {
+            made: layout.state(problem, &motion, &|x| law.svaj(x)),
+            has_law: refusal.is_none(),
+            design: OnMachine {
+                problem: own,
+                sized,
+                refusal,
+                motion: motion.clone(),
+            },
+        })
+    })?;
+    let disagrees = last.difference > allowed.max(SETTLED) && last.design.refusal.is_none();
+    if disagrees && !run.is_even() {
+        return Err(diverges(&last.design.motion, last.contraction));
+    }
+    Ok(last)
+}
+
+/// The fault of rounds that do not agree, with an inertia, kg·m², at which they do.
+fn diverges(shaft: &Motion, contraction: Option<f64>, inertia: f64) -> Error {
+    SynthError::ShaftDiverges {
+        inertia: Quantity::new(inertia, Dimension::Inertia),
+        ripple: Quantity::share(shaft.ripple()),
+        contraction: contraction.unwrap_or(1.0),
+    }
+    .at_key("machine.inertia")
+}
