@@ -31,22 +31,6 @@ pub struct Settled<D> {
     pub contraction: Option<f64>,
     /// The last difference.
     pub difference: f64,
-    /// Whether it is one that is allowed.
-    pub is_agreed: bool,
-}
-
-impl<D> Settled<D> {
-    /// A design that depends on no machine.
-    pub fn at_once(design: D) -> Settled<D> {
-        Settled {
-            design,
-            state: Vec::new(),
-            rounds: 0,
-            contraction: None,
-            difference: 0.0,
-            is_agreed: true,
-        }
-    }
 }
 
 /// Designs until what a design makes differs from what it was made for by no more than `allowed` anywhere; that of the least
@@ -77,7 +61,6 @@ pub fn settled<D>(
                 rounds,
                 contraction,
                 difference,
-                is_agreed: true,
             });
         }
         path.push([next.made.clone(), off]);
@@ -92,7 +75,6 @@ pub fn settled<D>(
                 rounds,
                 contraction,
                 difference,
-                is_agreed: false,
             });
         }
         given = accelerated(&path[path.len().saturating_sub(MEMORY + 1)..]);

@@ -73,12 +73,6 @@ impl MachineMotion {
             false => Cubic(&self.at_parts).at(self.shaft.phase(angle)[0] / TAU).0,
         }
     }
-
-    /// Contact force, N, at a cam angle since the first, rad.
-    pub fn force(&self, drive: &Drive, at: Svaj, angle: f64) -> f64 {
-        let [speed, acceleration, _] = self.shaft.speed_at(angle);
-        force(drive, at, speed, acceleration) + drive.mass * self.floor_at(angle)
-    }
 }
 
 impl Carrier<'_> {

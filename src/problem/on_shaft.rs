@@ -81,32 +81,34 @@ impl Problem {
     /// The same on a shaft that is at the parts `phases` of its period, rad, at equal cam angles.
     #[must_use]
     pub fn on_shaft(&self, phases: &[f64], extra: Extra) -> Problem {
-        let at_cam = |curve: &ForceCurve| -> Vec<f64> {
-            phases.iter().map(|phase| curve.at(*phase)).collect()
-        };
         let step = TAU / phases.len() as f64;
         let added: Vec<f64> = (0..phases.len())
             .map(|i| extra.force.eval(step * i as f64))
             .collect();
-        let less = |curve: &ForceCurve| {
-            let forces = at_cam(curve).into_iter().zip(&added);
+        let at_cam = |target: &Target| -> Vec<f64> {
+            let at = |phase: &f64| target.cells().at(phase.rem_euclid(TAU));
+            phases.iter().map(at).collect()
+        };
+        let less = |curve: &ForceCurve, forces: &[f64]| {
+            let forces = forces.iter().zip(&added);
             curve.with_forces(forces.map(|(f, x)| f - x).collect())
         };
         let mut out = self.clone();
-        let target = self.target.as_ref().map(|t| &*t.curve);
-        out.target = target.map(|curve| Target::new(less(curve)));
-        out.band = self.band.as_ref().map(|edges| edges.each_ref().map(less));
+        let target = self.target.as_ref().map(|t| (&*t.curve, at_cam(t)));
+        out.target = (target.as_ref()).map(|(curve, forces)| Target::new(less(curve, forces)));
+        let edge = |curve: &ForceCurve| less(curve, &at_cam(&Target::new(curve.clone())));
+        out.band = self.band.as_ref().map(|edges| edges.each_ref().map(edge));
         out.phase_is_free = false;
         for weight in &mut out.weights {
             for edge in [&mut weight.from, &mut weight.to] {
                 *edge = self.phase + angle_at(phases, *edge - self.phase);
             }
         }
-        out.on_shaft = target.map(|curve| {
+        out.on_shaft = target.map(|(curve, forces)| {
             Arc::new(OnShaft {
                 force_rate: extra.force.derivative(),
                 extra,
-                target: curve.with_forces(at_cam(curve)),
+                target: curve.with_forces(forces),
             })
         });
         out

@@ -159,20 +159,41 @@ fn solved(problem: &Problem, search: &Search) -> Result<(SizedLaw, Option<Infeas
     Ok((sized, refusal.map(|r| infeasible::explain(problem, &r))))
 }
 
+/// The law, or the best one without limits, raised onto the base circle, and what refuses one with them.
+fn best_law(problem: &Problem, search: &Search) -> Result<(SolvedLaw, Option<Box<Refusal>>)> {
+    match families::law(problem, search) {
+        Ok(law) => Ok((law, None)),
+        Err(NoLaw::Fault(fault)) => Err(fault),
+        Err(NoLaw::Refused(refusal)) => {
+            let (sized, refusal) = refused(problem, search, refusal)?;
+            Ok((sized.law, refusal))
+        }
+    }
+}
+
 /// The law on its cam, or the best one without limits and what refuses one with them.
 fn best(problem: &Problem, search: &Search) -> Result<(SizedLaw, Option<Box<Refusal>>)> {
     match sized(problem, problem, search) {
         Ok(sized) => Ok((sized, None)),
         Err(NoLaw::Fault(fault)) => Err(fault),
-        // The law first: what is shown matters more than why, and the time may end before both are found.
-        Err(NoLaw::Refused(refusal)) => match without_limits(problem, search, &refusal) {
-            Ok(sized) => Ok((sized, Some(refusal))),
-            Err(NoLaw::Fault(fault)) => Err(fault),
-            Err(NoLaw::Refused(_)) => {
-                let why = infeasible::explain(problem, &refusal);
-                Err(why.no_law().at_key(why.key_of_demands()))
-            }
-        },
+        Err(NoLaw::Refused(refusal)) => refused(problem, search, refusal),
+    }
+}
+
+/// The best law where limits leave none, with what refuses one.
+fn refused(
+    problem: &Problem,
+    search: &Search,
+    refusal: Box<Refusal>,
+) -> Result<(SizedLaw, Option<Box<Refusal>>)> {
+    // The law first: what is shown matters more than why, and the time may end before both are found.
+    match without_limits(problem, search, &refusal) {
+        Ok(sized) => Ok((sized, Some(refusal))),
+        Err(NoLaw::Fault(fault)) => Err(fault),
+        Err(NoLaw::Refused(_)) => {
+            let why = infeasible::explain(problem, &refusal);
+            Err(why.no_law().at_key(why.key_of_demands()))
+        }
     }
 }
 

@@ -30,8 +30,9 @@ pub struct InTime {
     pub rms_error_percent_of_mean: f64,
 }
 
-/// Rounds of the phase at most.
+/// Rounds of the phase at most, and its change, parts of the period, at which they end: the error is stationary in it.
 const ROUNDS: usize = 20;
+const SAME: f64 = 1e-7;
 
 /// The distance of forces at equal angles, with speed, rad/s, and time, s, from a target at equal times of one period
 /// that begins at the same angle.
@@ -58,7 +59,7 @@ pub fn error_in_time(
             slope += w * off * rate;
             bend += w * rate * rate;
         }
-        if bend == 0.0 || (slope / bend).abs() < 1e-10 {
+        if bend == 0.0 || (slope / bend).abs() < SAME {
             break;
         }
         shift += slope / bend;

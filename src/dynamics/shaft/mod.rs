@@ -121,20 +121,15 @@ impl Motion {
         }
     }
 
-    /// Whether a motor turns the shaft.
-    pub fn is_even(&self) -> bool {
-        self.turn.is_none()
-    }
-
     /// The same with its values at equal angles.
     #[must_use]
     pub fn at_rows(mut self, count: usize) -> Motion {
         for i in 0..count {
-            let angle = TAU * i as f64 / count as f64;
-            let [speed, acceleration, _] = self.speed_at(angle);
+            let phase = self.phase(TAU * i as f64 / count as f64);
+            let [speed, acceleration, _] = self.speed_of(phase);
             self.speed.push(speed);
             self.acceleration.push(acceleration);
-            self.time.push(self.phase(angle)[0] / self.mean);
+            self.time.push(phase[0] / self.mean);
         }
         self
     }
@@ -194,7 +189,10 @@ impl Motion {
     /// Speed, rad/s, its derivative by time, rad/s², and the derivative of that by the angle, rad/s², at an angle since the
     /// first.
     pub fn speed_at(&self, angle: f64) -> [f64; 3] {
-        let [_, rate, bend, third] = self.phase(angle);
+        self.speed_of(self.phase(angle))
+    }
+
+    fn speed_of(&self, [_, rate, bend, third]: [f64; 4]) -> [f64; 3] {
         let w = self.mean / rate;
         let cube = w * w * w / self.mean;
         let acceleration = -bend * cube;

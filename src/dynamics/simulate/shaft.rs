@@ -13,8 +13,9 @@ use crate::dynamics::shaft::forecast;
 use crate::error::{DynamicsError, Result};
 use crate::units::Quantity;
 
-/// Steps of the motion between the breaks of the law.
-const STEPS: usize = 240;
+/// Steps of the motion between the breaks of the law, and of its forecast.
+const STEPS: usize = 160;
+const FEW: usize = 32;
 
 /// What carries the cam of a run.
 pub(super) fn carrier<'a>(input: &'a Run, p: &Prepared) -> Carrier<'a> {
@@ -43,7 +44,11 @@ pub(super) fn turn(input: &Run, p: &mut Prepared, model: Model) -> Result<()> {
     let mut neglected = None;
     if let Some(motor) = carrier.motor {
         refuse_unknown(input, p, motor)?;
-        let load = carrier.load(p.start, lift.breaks(), &at, &|_| 0.0);
+        let few = Carrier {
+            steps: FEW,
+            ..carrier.clone()
+        };
+        let load = few.load(p.start, &[], &at, &|_| 0.0);
         let (ripple, change) = forecast(&load, motor, p.drive.speed);
         let [ripple, change, allowed] = [ripple, change, RIGID_ENOUGH].map(Quantity::share);
         if model == Model::Auto && change.value <= RIGID_ENOUGH {

@@ -7,12 +7,15 @@ use nalgebra::SMatrix;
 
 use crate::cam::LimitKind;
 use crate::dynamics::machine_motion::MachineMotion;
+use crate::dynamics::shaft::force;
 use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::{Extra, Problem};
 
-/// Equal parts of the turn, between the breaks of the law, and the degree of what is added on each.
+/// Equal parts of the turn, between the breaks of the law where a limit depends on what is added, else without those; and the
+/// degree of what is added on each.
 const PARTS: usize = 48;
+const FEW: usize = 24;
 const DEGREE: usize = 5;
 const NODES: usize = DEGREE + 1;
 /// A part is no shorter than this share of an equal one.
@@ -36,17 +39,21 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// The parts that suit a law, on a shaft whose speed `varies` or is constant.
-    pub fn new(problem: &Problem, law: &Law, varies: bool) -> Layout {
+    /// The parts that suit a law, on a shaft whose speed `varies` or is constant, exact between the breaks of the
+    /// law or smooth.
+    pub fn new(problem: &Problem, law: &Law, varies: bool, is_exact: bool) -> Layout {
         let kinds = [
             LimitKind::Velocity,
             LimitKind::Acceleration,
             LimitKind::Jerk,
         ];
-        let own = law.breaks();
-        let equal = TAU / PARTS as f64;
+        let (own, count) = match is_exact {
+            true => (law.breaks(), PARTS),
+            false => (&[0.0, TAU][..], FEW),
+        };
+        let equal = TAU / count as f64;
         let far = |x: &f64| own.iter().all(|b| (b - x).abs() > SHORTEST * equal);
-        let between = (0..PARTS).map(|i| equal * i as f64).filter(far);
+        let between = (0..count).map(|i| equal * i as f64).filter(far);
         let mut breaks: Vec<f64> = own.iter().copied().chain(between).collect();
         breaks.sort_by(f64::total_cmp);
         let values = SMatrix::<f64, NODES, NODES>::from_fn(|i, k| {
@@ -86,11 +93,14 @@ impl Layout {
         let mut parts: [Vec<f64>; 5] = std::array::from_fn(|_| Vec::with_capacity(count));
         for x in self.nodes() {
             let at = law(x);
-            parts[0].push((motion.force(drive, at, x) - drive.force(at)) / mean);
+            let floor = drive.mass * motion.floor_at(x);
             if !self.varies {
+                parts[0].push(floor / mean);
                 continue;
             }
             let [w, rate, slope] = shaft.speed_at(x);
+            let added = force(drive, at, w, rate) - drive.force(at) + floor;
+            parts[0].push(added / mean);
             // d/dt = w d/dθ, and w w′ is the angular acceleration.
             let timed = [
                 w * at.v,

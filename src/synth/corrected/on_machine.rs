@@ -18,12 +18,14 @@ use crate::dynamics::shaft::Motion;
 use crate::dynamics::{FloorMotion, InTime, Shaft};
 use crate::error::{Error, Placed, Result, SynthError};
 use crate::force::ForceCurve;
+use crate::law::Law;
 use crate::problem::Problem;
 use crate::scene::{Family, ShaftSpeed};
 use crate::synth::design::Design;
+use crate::synth::families::SolvedLaw;
 use crate::synth::optimum::Refusal;
 use crate::synth::sizing::checked_cam::checked_cam;
-use crate::synth::{Search, SizedLaw, at_best_phase, best, finished, infeasible};
+use crate::synth::{Search, SizedLaw, at_best_phase, best, best_law, finished, infeasible};
 use crate::units::{Dimension, Quantity};
 
 /// Largest difference of target and force between what a law is designed for and what it makes, part of the mean, at which
@@ -90,7 +92,7 @@ impl Problem {
 /// The law for a problem as a round has it, why there is none, and the motion that it makes of the machine.
 struct OnMachine {
     problem: Problem,
-    sized: SizedLaw,
+    law: SolvedLaw,
     refusal: Option<Box<Refusal>>,
     motion: MachineMotion,
 }
@@ -116,37 +118,33 @@ pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
         floor.as_ref(),
     )?;
     let before = run.of_law(&first.law.law, None)?;
-    let at_constant_speed = run.error(&first.law.law, &before);
+    let rows = before.shaft.clone().at_rows(ROWS);
+    let at_constant_speed = run.error(&first.law.law, &before, &rows);
     let forecast = run.forecast(problem, &first.law.law);
     let is_designed_for = |forecast: &Forecast| {
         let fixed = problem.law.shaft == ShaftSpeed::Constant || forecast.is_negligible;
         !fixed && !matches!(problem.law.family, Family::Program | Family::Polynomial)
     };
     let varies = forecast.as_ref().is_some_and(is_designed_for);
-    let corrected = (varies || floor.is_some()) && problem.target.is_some();
-    let start = OnMachine {
-        problem: problem.clone(),
-        sized: first,
-        refusal,
-        motion: before,
-    };
-    let last = if corrected {
+    let is_corrected = (varies || floor.is_some()) && problem.target.is_some();
+    let (mut rounds_made, mut contraction) = (0, None);
+    let (mut design, motion) = if is_corrected {
         let at_speed = if varies { run.clone() } else { run.evenly() };
-        rounds(start, &at_speed, problem, search)?
+        let (last, layout) = rounds(&first.law.law, before, &at_speed, problem, search)?;
+        (rounds_made, contraction) = (last.rounds, last.contraction);
+        let (mut design, motion) = judged(last, &layout, problem, search)?;
+        if varies {
+            by_time(&mut design, &motion.shaft, problem);
+            (design, motion)
+        } else {
+            design.target = target.cloned();
+            let true_motion = run.of_law(&design.cam.law, None)?;
+            (design, true_motion)
+        }
     } else {
-        Settled::at_once(start)
+        let why = refusal.map(|refusal| infeasible::explain(problem, &refusal));
+        (finished(problem, search, first, why)?, before)
     };
-    let rounds = if corrected { last.rounds } else { 0 };
-    let contraction = last.contraction;
-    let (mut design, mut motion) = judged(last, problem, search)?;
-    if corrected && !varies {
-        motion = run.of_law(&design.cam.law, None)?;
-    }
-    if varies && corrected {
-        by_time(&mut design, &motion.shaft, problem);
-    } else if corrected {
-        design.target = target.cloned();
-    }
     design.band = problem.band.clone();
     let law = design.cam.law.clone();
     design.floor = floor.as_ref().map(|_| OnFloor {
@@ -157,7 +155,8 @@ pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     };
     let key = |e: Error| e.at_key("machine.motor");
     motion.shaft.check_supply(motor).map_err(key)?;
-    let force_time = run.error(&law, &motion);
+    let rows = motion.shaft.clone().at_rows(ROWS);
+    let force_time = run.error(&law, &motion, &rows);
     let note = run.inertia_note(problem, &law, force_time);
     design.notes.extend(note);
     let report = motion.shaft.report(motor, law.extremes(0).0.at);
@@ -165,11 +164,11 @@ pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
         shaft,
         force_time,
         at_constant_speed,
-        rounds,
+        rounds: rounds_made,
         contraction,
         forecast,
-        speed: run.speed(&motion.shaft),
-        time: run.time(&motion.shaft),
+        speed: rows.speed,
+        time: rows.time,
         target: target.cloned(),
     });
     Ok(design)
@@ -178,24 +177,25 @@ pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
 /// The finished design of the last round, judged in the state of the machine that it is settled in.
 fn judged(
     last: Settled<OnMachine>,
+    layout: &Layout,
     problem: &Problem,
     search: &Search,
 ) -> Result<(Design, MachineMotion)> {
     let OnMachine {
         problem: own,
-        sized,
+        mut law,
         refusal,
         motion,
     } = last.design;
-    let why = refusal.map(|refusal| infeasible::explain(&own, &refusal));
-    if last.is_agreed {
-        return Ok((finished(&own, search, sized, why)?, motion));
-    }
-    let layout = Layout::new(problem, &sized.law.law, !motion.shaft.is_even());
     let (phases, extra) = layout.extra(problem, &last.state);
     let made = problem.on_shaft(&phases, extra);
-    let checked = checked_cam(&made, search, &sized.law.law, None)?;
-    let sized = SizedLaw { checked, ..sized };
+    let checked = checked_cam(&made, search, &law.law, None)?;
+    let why = refusal.map(|refusal| infeasible::explain(&own, &refusal));
+    if why.is_none() {
+        law.functions.raise(&mut law.coefficients, checked.raised);
+    }
+    let end = None;
+    let sized = SizedLaw { law, checked, end };
     Ok((finished(&made, search, sized, why)?, motion))
 }
 
@@ -217,23 +217,24 @@ fn by_time(design: &mut Design, shaft: &Motion, problem: &Problem) {
 /// Designs for the machine that the design before makes, from that of a law for constant speed on a stiff floor, until both
 /// agree.
 fn rounds(
-    first: OnMachine,
+    law: &Law,
+    first: MachineMotion,
     run: &Runner,
     problem: &Problem,
     search: &Search,
-) -> Result<Settled<OnMachine>> {
-    let law = &first.sized.law.law;
+) -> Result<(Settled<OnMachine>, Layout)> {
     let diverges = |motion: &MachineMotion, contraction: Option<f64>| {
         let speed = problem.drive.speed;
         let inertia = run.load_of_law(law).swing(speed) / (CALM * speed * speed);
         diverges(&motion.shaft, contraction, inertia)
     };
     // The motion in time of a law for constant speed may stop a small wheel that the law itself turns.
-    let start = run.in_time(law, first.motion.clone());
-    let mut motion = start.map_err(|_| diverges(&first.motion, None))?;
-    let layout = Layout::new(problem, law, !motion.shaft.is_even());
+    let start = run.in_time(law, first.clone());
+    let mut motion = start.map_err(|_| diverges(&first, None))?;
+    let is_exact = depends_on_speed(problem) || run.is_on_floor();
+    let layout = Layout::new(problem, law, !run.is_even(), is_exact);
     let state = layout.state(problem, &motion, &|x| retimed(law, &motion.shaft, x));
-    let allowed = if depends_on_speed(problem) || run.is_on_floor() {
+    let allowed = if is_exact {
         SETTLED_AT_LIMITS
     } else {
         let accuracy = problem
@@ -249,8 +250,8 @@ fn rounds(
         };
         let (phases, extra) = layout.extra(problem, state);
         let own = problem.on_shaft(&phases, extra);
-        let (sized, refusal) = best(&own, &fresh)?;
-        let law = &sized.law.law;
+        let (solved, refusal) = best_law(&own, &fresh)?;
+        let law = &solved.law;
         // A law of a round may stop the shaft that the first one does not.
         motion = match run.of_law(law, Some(&motion)) {
             Ok(next) => next,
@@ -262,7 +263,7 @@ fn rounds(
             has_law: refusal.is_none(),
             design: OnMachine {
                 problem: own,
-                sized,
+                law: solved,
                 refusal,
                 motion: motion.clone(),
             },
@@ -272,7 +273,7 @@ fn rounds(
     if disagrees && !run.is_even() {
         return Err(diverges(&last.design.motion, last.contraction));
     }
-    Ok(last)
+    Ok((last, layout))
 }
 
 /// The fault of rounds that do not agree, with an inertia, kg·m², at which they do.

@@ -8,7 +8,7 @@ use crate::cam::{Cam, LimitKind};
 use crate::drive::Motor;
 use crate::dynamics::floor::harmonics;
 use crate::dynamics::machine_motion::{Carrier, MachineMotion};
-use crate::dynamics::shaft::{Load, Motion, error_in_time, forecast, periodic};
+use crate::dynamics::shaft::{Load, Motion, error_in_time, force, forecast, periodic};
 use crate::dynamics::{Floor, InTime};
 use crate::error::{DynamicsError, Placed, Result};
 use crate::force::ForceCurve;
@@ -27,7 +27,7 @@ const WALKER: usize = 720;
 const STEPS: usize = 48;
 /// Rounds of the speed alone, before the first design, and the relative change of speed at which they end.
 const SPEED_ROUNDS: usize = 12;
-const SAME_SPEED: f64 = 1e-5;
+const SAME_SPEED: f64 = 1e-3;
 /// Part of the accuracy, without one of the mean force, below which a forecast change of the force is neglected.
 const NEGLECTED: f64 = 0.2;
 const NEGLECTED_OF_MEAN: f64 = 1e-3;
@@ -182,27 +182,27 @@ impl<'a> Runner<'a> {
         Ok(motion)
     }
 
-    /// Speed at the equal angles, rad/s.
-    pub fn speed(&self, clock: &Motion) -> Vec<f64> {
-        (0..ROWS).map(|i| clock.speed_at(angle(i))[0]).collect()
-    }
-
-    /// Time at the equal angles, s.
-    pub fn time(&self, clock: &Motion) -> Vec<f64> {
-        let phase = |i: usize| clock.phase(angle(i))[0];
-        (0..ROWS)
-            .map(|i| phase(i) / self.carrier.drive.speed)
-            .collect()
-    }
-
-    /// Force error over time of a law under its motion.
-    pub fn error(&self, law: &Law, motion: &MachineMotion) -> Option<InTime> {
+    /// Force error over time of a law under its motion on the shaft at equal angles.
+    pub fn error(&self, law: &Law, motion: &MachineMotion, shaft: &Motion) -> Option<InTime> {
         let (target, drive) = (self.target.as_ref()?, &self.carrier.drive);
-        let at = |i: usize| motion.force(drive, law.svaj(angle(i)), angle(i));
+        let at = |i: usize| {
+            let still = force(
+                drive,
+                law.svaj(angle(i)),
+                shaft.speed[i],
+                shaft.acceleration[i],
+            );
+            still + drive.mass * motion.floor_at(angle(i))
+        };
         let forces: Vec<f64> = (0..ROWS).map(at).collect();
-        let (speed, time) = (self.speed(&motion.shaft), self.time(&motion.shaft));
         let period = TAU / drive.speed;
-        Some(error_in_time(&forces, &speed, &time, period, target))
+        Some(error_in_time(
+            &forces,
+            &shaft.speed,
+            &shaft.time,
+            period,
+            target,
+        ))
     }
 
     /// What inertia, motor and energy of the load say of a law for constant speed; nothing without a motor.
@@ -227,7 +227,8 @@ impl<'a> Runner<'a> {
         let mut run: Runner = self.clone();
         run.carrier.motor = Some(motor);
         let motion = run.of_law(law, None).ok()?;
-        Some(run.error(law, &motion)?.rms_error_percent_of_mean)
+        let shaft = motion.shaft.clone().at_rows(ROWS);
+        Some(run.error(law, &motion, &shaft)?.rms_error_percent_of_mean)
     }
 
     /// The smallest inertia with which a law meets the accuracy over time, where its own does not.

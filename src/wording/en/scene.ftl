@@ -146,7 +146,7 @@ scene-motor-line = a motor needs one of slope, stall_torque and curve
 scene-no-load-without-stall = a no-load speed belongs to a stall_torque
     .help = give both, or the slope alone: its no-load speed is found
 scene-motor-curve = the torque of the motor must fall with its speed, from row to row
-    .help = name a file with the columns speed_rad_per_s and torque_n_m and two rows or more, speeds increasing and torques decreasing
+    .help = name a file with the columns speed_rad_per_s and torque_n_m and two rows or more, speeds increasing and torques decreasing, or write the pairs: "0 50 10 20 12 -4"
 scene-motor-without-inertia = missing; the motor needs the moment of inertia of its shaft
     .help = write for example inertia = "0.5 kg m^2" under [machine], flywheel and rotor at the camshaft
 scene-floor-lacks = missing; a floor that moves needs modal mass, frequency and damping ratio

@@ -146,7 +146,7 @@ scene-motor-line = un motor necesita uno de slope, stall_torque y curve
 scene-no-load-without-stall = una velocidad en vacío requiere un stall_torque
     .help = indique ambos, o solo la pendiente slope: se busca su velocidad en vacío
 scene-motor-curve = el par del motor debe bajar con su velocidad, de fila en fila
-    .help = nombre un archivo con las columnas speed_rad_per_s y torque_n_m y dos filas o más, velocidades crecientes y pares decrecientes
+    .help = nombre un archivo con las columnas speed_rad_per_s y torque_n_m y dos filas o más, velocidades crecientes y pares decrecientes, o escriba los pares: "0 50 10 20 12 -4"
 scene-motor-without-inertia = falta; el motor necesita el momento de inercia de su eje
     .help = escriba por ejemplo inertia = "0.5 kg m^2" en [machine], volante y rotor reducidos al eje de la leva
 scene-floor-lacks = falta; un suelo que se mueve necesita masa modal, frecuencia y razón de amortiguamiento

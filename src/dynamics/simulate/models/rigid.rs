@@ -8,6 +8,7 @@ use crate::dynamics::outcome::{Force, Model, Outcome};
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::rigid;
 use crate::dynamics::run::Run;
+use crate::dynamics::shaft::force;
 use crate::dynamics::simulate::prepared::Prepared;
 use crate::dynamics::surface::Surface;
 use crate::error::Result;
@@ -62,8 +63,16 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
 /// the rows.
 fn over_time(input: &Run, p: &Prepared, machine: &MachineMotion) -> Outcome {
     let nodes = p.nodes.iter().enumerate();
-    let force = |(i, at): (usize, &Svaj)| machine.force(&p.drive, *at, p.step * i as f64);
-    let forces: Vec<f64> = nodes.map(force).collect();
+    let motion = |i: usize| match &p.shaft {
+        Some(shaft) => [shaft.speed[i], shaft.acceleration[i]],
+        None => [p.drive.speed, 0.0],
+    };
+    let forces = nodes.map(|(i, at): (usize, &Svaj)| {
+        let [speed, acceleration] = motion(i);
+        let floor = machine.floor_at(p.step * i as f64);
+        force(&p.drive, *at, speed, acceleration) + p.drive.mass * floor
+    });
+    let forces: Vec<f64> = forces.collect();
     let ([low, high], pulled) = match (&p.shaft, &input.machine.floor) {
         (Some(shaft), None) => {
             let surface = Surface::new(in_time(&p.lift, shaft), &p.drive);
