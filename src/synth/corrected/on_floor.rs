@@ -75,10 +75,14 @@ impl Design {
         let last = first + step * (count - 1) as f64;
         let mut at: Vec<f64> = (0..count).map(|i| first + step * i as f64).collect();
         for mode in &floor.modes {
-            for harmonic in 1..=MOST_RESONANT {
-                let peak = steps * mode.frequency / f64::from(harmonic);
-                let flanks = FLANKS.map(|widths| peak * (1.0 + widths * mode.damping));
-                at.extend(flanks.into_iter().filter(|f| (first..=last).contains(f)));
+            // Alone, and with the mass of the shaker.
+            let carried = self.drive.mass * mode.ordinate.powi(2) / mode.mass;
+            for frequency in [mode.frequency, mode.frequency / (1.0 + carried).sqrt()] {
+                for harmonic in 1..=MOST_RESONANT {
+                    let peak = steps * frequency / f64::from(harmonic);
+                    let flanks = FLANKS.map(|widths| peak * (1.0 + widths * mode.damping));
+                    at.extend(flanks.into_iter().filter(|f| (first..=last).contains(f)));
+                }
             }
         }
         at.sort_by(f64::total_cmp);

@@ -97,7 +97,8 @@ struct OnMachine {
     motion: MachineMotion,
 }
 
-/// The design of a problem, for the machine that it has.
+/// The design of a problem, for the machine that it has; where limits leave no law at constant speed and the machine does not
+/// turn with the one without them, that one.
 ///
 /// # Errors
 /// The shaft stops; the rounds do not contract; an undamped mode in resonance.
@@ -105,73 +106,135 @@ pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     let problem = &at_best_phase(problem, search)?;
     let (motor, floor) = (problem.motor(), problem.machine.floor());
     let (first, refusal) = best(problem, search)?;
-    if motor.is_none() && floor.is_none() {
-        let why = refusal.map(|refusal| infeasible::explain(problem, &refusal));
-        return finished(problem, search, first, why);
+    if motor.is_some() || floor.is_some() {
+        let target = problem.target.as_ref().map(|t| &*t.curve);
+        let cam = &first.checked.cam;
+        let run = Runner::new(problem, cam, target, motor.as_ref(), floor.as_ref());
+        let refusal = refusal.as_deref();
+        let found = run.and_then(|run| on_machine(problem, search, &first, refusal, &run));
+        if found.is_ok() || refusal.is_none() {
+            return found;
+        }
     }
-    let target = problem.target.as_ref().map(|t| &*t.curve);
-    let run = Runner::new(
-        problem,
-        &first.checked.cam,
-        target,
-        motor.as_ref(),
-        floor.as_ref(),
-    )?;
-    let before = run.of_law(&first.law.law, None)?;
+    at_constant_speed(problem, search, first, refusal.as_deref())
+}
+
+/// The law for constant speed on a stiff floor, finished.
+fn at_constant_speed(
+    problem: &Problem,
+    search: &Search,
+    first: SizedLaw,
+    refusal: Option<&Refusal>,
+) -> Result<Design> {
+    let why = refusal.map(|refusal| infeasible::explain(problem, refusal));
+    finished(problem, search, first, why)
+}
+
+/// The design on its machine, with what that does.
+fn on_machine(
+    problem: &Problem,
+    search: &Search,
+    first: &SizedLaw,
+    refusal: Option<&Refusal>,
+    run: &Runner,
+) -> Result<Design> {
+    let law = &first.law.law;
+    let before = run.of_law(law, None)?;
     let rows = before.shaft.clone().at_rows(ROWS);
-    let at_constant_speed = run.error(&first.law.law, &before, &rows);
-    let forecast = run.forecast(problem, &first.law.law);
+    let at_constant_speed_error = run.error(law, &before, &rows);
+    let forecast = run.forecast(problem, law);
     let is_designed_for = |forecast: &Forecast| {
         let fixed = problem.law.shaft == ShaftSpeed::Constant || forecast.is_negligible;
         !fixed && !matches!(problem.law.family, Family::Program | Family::Polynomial)
     };
     let varies = forecast.as_ref().is_some_and(is_designed_for);
-    let is_corrected = (varies || floor.is_some()) && problem.target.is_some();
-    let (mut rounds_made, mut contraction) = (0, None);
-    let (mut design, motion) = if is_corrected {
-        let at_speed = if varies { run.clone() } else { run.evenly() };
-        let (last, layout) = rounds(&first.law.law, before, &at_speed, problem, search)?;
-        (rounds_made, contraction) = (last.rounds, last.contraction);
+    let is_corrected = (varies || run.is_on_floor()) && problem.target.is_some();
+    let at_speed = if varies { run.clone() } else { run.evenly() };
+    let mut made = match is_corrected {
+        true => Made::corrected(law, before, &at_speed, problem, search)?,
+        false => Made {
+            design: at_constant_speed(problem, search, first.clone(), refusal)?,
+            motion: before,
+            rounds: 0,
+            contraction: None,
+        },
+    };
+    if is_corrected && !varies {
+        made.motion = run.of_law(&made.design.cam.law, None)?;
+    }
+    made.design.band = problem.band.clone();
+    made.design.floor = run.is_on_floor().then(|| OnFloor {
+        motion: FloorMotion::of(&made.motion.floor),
+    });
+    if let Some((motor, forecast)) = run.motor().zip(forecast) {
+        made.report(run, motor, forecast, at_constant_speed_error)?;
+    }
+    Ok(made.design)
+}
+
+/// A design with the motion of its machine, and the rounds that it took.
+struct Made {
+    design: Design,
+    motion: MachineMotion,
+    rounds: usize,
+    contraction: Option<f64>,
+}
+
+impl Made {
+    /// From the law for constant speed and its motion.
+    fn corrected(
+        law: &Law,
+        before: MachineMotion,
+        run: &Runner,
+        problem: &Problem,
+        search: &Search,
+    ) -> Result<Made> {
+        let (last, layout) = rounds(law, before, run, problem, search)?;
+        let (rounds, contraction) = (last.rounds, last.contraction);
         let (mut design, motion) = judged(last, &layout, problem, search)?;
-        if varies {
-            by_time(&mut design, &motion.shaft, problem);
-            (design, motion)
+        if run.is_even() {
+            design.target = problem.target.as_ref().map(|t| (*t.curve).clone());
         } else {
-            design.target = target.cloned();
-            let true_motion = run.of_law(&design.cam.law, None)?;
-            (design, true_motion)
+            by_time(&mut design, &motion.shaft, problem);
         }
-    } else {
-        let why = refusal.map(|refusal| infeasible::explain(problem, &refusal));
-        (finished(problem, search, first, why)?, before)
-    };
-    design.band = problem.band.clone();
-    let law = design.cam.law.clone();
-    design.floor = floor.as_ref().map(|_| OnFloor {
-        motion: FloorMotion::of(&motion.floor),
-    });
-    let Some((motor, forecast)) = motor.as_ref().zip(forecast) else {
-        return Ok(design);
-    };
-    let key = |e: Error| e.at_key("machine.motor");
-    motion.shaft.check_supply(motor).map_err(key)?;
-    let rows = motion.shaft.clone().at_rows(ROWS);
-    let force_time = run.error(&law, &motion, &rows);
-    let note = run.inertia_note(problem, &law, force_time);
-    design.notes.extend(note);
-    let report = motion.shaft.report(motor, law.extremes(0).0.at);
-    design.shaft = report.map(|shaft| OnShaft {
-        shaft,
-        force_time,
-        at_constant_speed,
-        rounds: rounds_made,
-        contraction,
-        forecast,
-        speed: rows.speed,
-        time: rows.time,
-        target: target.cloned(),
-    });
-    Ok(design)
+        Ok(Made {
+            design,
+            motion,
+            rounds,
+            contraction,
+        })
+    }
+
+    /// Adds what the shaft does under its motor.
+    fn report(
+        &mut self,
+        run: &Runner,
+        motor: &Motor,
+        forecast: Forecast,
+        at_constant_speed: Option<InTime>,
+    ) -> Result<()> {
+        let (law, shaft) = (self.design.cam.law.clone(), &self.motion.shaft);
+        let supply = shaft.check_supply(motor);
+        supply.map_err(|e| e.at_key("machine.motor"))?;
+        let rows = shaft.clone().at_rows(ROWS);
+        let force_time = run.error(&law, &self.motion, &rows);
+        let problem = self.design.problem.clone();
+        let note = run.inertia_note(&problem, &law, force_time);
+        self.design.notes.extend(note);
+        let report = shaft.report(motor, law.extremes(0).0.at);
+        self.design.shaft = report.map(|shaft| OnShaft {
+            shaft,
+            force_time,
+            at_constant_speed,
+            rounds: self.rounds,
+            contraction: self.contraction,
+            forecast,
+            speed: rows.speed,
+            time: rows.time,
+            target: run.wanted().cloned(),
+        });
+        Ok(())
+    }
 }
 
 /// The finished design of the last round, judged in the state of the machine that it is settled in.

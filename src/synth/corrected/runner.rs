@@ -85,6 +85,7 @@ pub struct Sensitivity {
 #[derive(Clone)]
 pub struct Runner<'a> {
     carrier: Carrier<'a>,
+    wanted: Option<&'a ForceCurve>,
     target: Option<Vec<f64>>,
 }
 
@@ -93,7 +94,7 @@ impl<'a> Runner<'a> {
     pub fn new(
         problem: &Problem,
         cam: &Cam,
-        target: Option<&ForceCurve>,
+        target: Option<&'a ForceCurve>,
         motor: Option<&'a Motor>,
         floor: Option<&'a Floor>,
     ) -> Result<Self> {
@@ -118,6 +119,7 @@ impl<'a> Runner<'a> {
                 friction: problem.machine.friction,
                 steps: STEPS,
             },
+            wanted: target,
             target: target.map(|curve| at(ROWS, curve)),
         })
     }
@@ -127,6 +129,16 @@ impl<'a> Runner<'a> {
         let mut out = self.clone();
         out.carrier.motor = None;
         out
+    }
+
+    /// The target over the period.
+    pub fn wanted(&self) -> Option<&ForceCurve> {
+        self.wanted
+    }
+
+    /// The motor.
+    pub fn motor(&self) -> Option<&Motor> {
+        self.carrier.motor
     }
 
     /// Whether its speed is constant.

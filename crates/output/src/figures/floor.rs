@@ -32,7 +32,8 @@ fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Picture {
         let x = ends.map_or([0.0, 1.0], |(a, b)| [a.0, b.0]);
         let most = wanted.iter().chain(&own).map(|p| p.1).fold(0.0, f64::max);
         let y = padded([0.0, most].into_iter(), 0.12);
-        let panel = f.panel(force_frame(layout), x, ticks(x[0], x[1], 8.0), [0.0, y[1]])?;
+        let frame = force_frame(layout);
+        let panel = f.panel(frame, x, ticks(x[0], x[1], 8.0), [0.0, y[1]])?;
         panel.curve(&wanted, ORANGE.mix(0.55), 8.0)?;
         panel.curve(&own, BLUE, 2.2)?;
         for (class, bound) in (1..).zip(FloorMotion::CLASSES) {
@@ -43,7 +44,6 @@ fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Picture {
         }
         let [target, cam] = ["figure-floor-wanted", "figure-floor-cam"].map(|k| words.text(k));
         let entries = [(ORANGE.mix(0.55), 8.0, &*target), (BLUE, 2.2, &*cam)];
-        let frame = layout.frame();
         f.key([frame.left, frame.top - 1.1 * f.e], f.e, &entries)?;
         panel.quantity(&words.text("figure-floor-acceleration"))?;
         panel.across(&words.text("figure-step-frequency"))

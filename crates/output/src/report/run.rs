@@ -34,10 +34,14 @@ pub fn section(out: &mut String, synthesis: &Design, running: &Running, words: &
         500
     });
     let frame = force_frame(layout);
-    let data = format!(
+    let mut data = format!(
         " data-left=\"{}\" data-right=\"{}\" data-top=\"{}\" data-bottom=\"{}\" data-turns=\"{}\"",
         frame.left, frame.right, frame.top, frame.bottom, outcome.period_turns
     );
+    if outcome.shaft.is_some() {
+        // Over time: the line at the present angle would stand elsewhere.
+        data.clear();
+    }
     let unit = synthesis.cam.follower.measures().force().name;
     let [low, high] =
         [outcome.force.min, outcome.force.max].map(|x| format!("{} {unit}", number(x, 4)));
