@@ -1,7 +1,6 @@
 //! The functions a law is built from, and rows on their coefficients.
 
 use crate::poly::{PiecewisePoly, SplineSpace, Wave, add_taylor, subdivide};
-use crate::program::only;
 use std::f64::consts::TAU;
 
 /// Most Bernstein coefficients of a piece that are kept on the stack; wider pieces are allocated.
@@ -9,6 +8,13 @@ pub const WIDEST: usize = 12;
 
 /// One linear functional of the law: Σ value·coefficient.
 pub type Entries = Vec<(usize, f64)>;
+
+/// Weights of one derivative alone.
+pub fn only(order: usize, weight: f64) -> [f64; 5] {
+    let mut weights = [0.0; 5];
+    weights[order] = weight;
+    weights
+}
 
 /// A linear family of laws: every law is Σ xᵢ·(basis function i).
 #[derive(Debug, Clone)]

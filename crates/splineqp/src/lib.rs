@@ -53,13 +53,13 @@ mod settings;
 mod solve;
 mod squares;
 
-pub use basis::{Basis, Entries, apply};
+pub use basis::{Basis, Entries, apply, only};
 pub use certificate::{Certificate, PROVED, certificate};
 pub use equality::solve as solve_equalities;
 pub use objective::{MeanSquare, Quadratic, pointwise};
 pub use program::{
     EXTRAS, Equality, FACE_END, Failure, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS,
-    RISE, RmsLimit, Row, SIZES, Solution, Stop, only,
+    RISE, RmsLimit, Row, SIZES, Solution, Stop,
 };
 pub use settings::{Settings, TOLERANCE};
 pub use solve::exchange::clarabel::{prepared as clarabel_prepared, run as clarabel_run};

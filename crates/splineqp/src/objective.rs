@@ -1,10 +1,9 @@
 //! Quadratic objectives: distance of the force to the target, and energies of derivatives.
 
 use super::band::ArrowMatrix;
-use super::basis::{Basis, Entries, apply};
+use super::basis::{Basis, Entries, apply, only};
 use super::frame::dot;
 use crate::poly::{SplineSpace, gauss_legendre};
-use crate::program::only;
 
 /// ½xᵀHx + gᵀx + constant.
 #[derive(Debug, Clone)]

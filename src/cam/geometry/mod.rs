@@ -8,7 +8,6 @@
 //! Flat faces: the face with outward normal n at angle ψ stands p from the cam's centre; the cam is the
 //! envelope p·n + (dp/dψ)·n⊥ with radius of curvature p + d²p/dψ².
 
-mod arc_tangent;
 mod fit;
 mod kinds;
 mod shape;
@@ -19,7 +18,6 @@ pub(crate) use space::Frame;
 
 use super::{Arm, Follower};
 use crate::law::{BATCH, Batch, Svaj};
-use arc_tangent::arc_tangent;
 use kinds::{Circle, CircleOnArm, Flat, FlatOnArm, Kind, Unrolled};
 
 /// One contact in the fixed frame; lengths in m.
@@ -129,7 +127,7 @@ impl Geometry {
             Geometry::Unrolled(kind) => kind.contacts(batch, out),
         }
         for tan in &mut out.pressure_angle {
-            *tan = arc_tangent(*tan);
+            *tan = tan.atan();
         }
     }
 
@@ -197,6 +195,6 @@ impl Contacts {
         self.pitch_x.fill(c.pitch[0]);
         self.pitch_y.fill(c.pitch[1]);
         self.rho.fill(c.rho);
-        self.pressure_angle.fill(arc_tangent(c.tan_pressure));
+        self.pressure_angle.fill(c.tan_pressure.atan());
     }
 }

@@ -1,6 +1,7 @@
 //! A linear limit on the law over a range of cam angles, and what its bound means to users.
 
 use crate::Names;
+use crate::basis::only;
 
 /// Further variables (a peak, sizes, ends of ranges), by their index in `extra` arrays.
 pub const EXTRAS: usize = 6;
@@ -149,13 +150,6 @@ impl<N: Names> Limit<N> {
     pub(crate) fn room(&self, extra: &[f64; EXTRAS]) -> f64 {
         self.bound - (0..EXTRAS).map(|k| self.extra[k] * extra[k]).sum::<f64>()
     }
-}
-
-/// Weights of one derivative alone.
-pub fn only(order: usize, weight: f64) -> [f64; 5] {
-    let mut weights = [0.0; 5];
-    weights[order] = weight;
-    weights
 }
 
 /// How a bound is read by users.

@@ -13,9 +13,7 @@ mod rms;
 mod separation;
 
 pub use failure::{Failure, Stop};
-pub use limit::{
-    EXTRAS, FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, RADIUS, RISE, SIZES, only,
-};
+pub use limit::{EXTRAS, FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, RADIUS, RISE, SIZES};
 pub use rms::{Ball, RmsLimit, hold};
 
 use super::band::ArrowMatrix;

@@ -1,15 +1,11 @@
 //! A smooth periodic function as cubics on equal cells: its best polynomial approximations and its distance from polynomials.
 //!
-//! A target force has a thousand cells and a law some ten pieces, so sums over cells determine the cost: cells, or the nodes of
-//! a quadrature rule on one cell, are processed in vector lanes.
+//! A target force has a thousand cells and a law some ten pieces, so sums over cells determine the cost.
 
 mod distance;
 mod nearest;
-mod rule;
 #[cfg(test)]
 mod tests;
-
-use pulp::{Arch, Simd, WithSimd};
 
 /// A function of period `length`, a cubic on each of n equal cells: a cubic Hermite spline.
 ///
@@ -68,8 +64,14 @@ impl Cells {
 
     /// Mean over the period of the squared distance from a constant.
     pub fn mean_square_from(&self, level: f64) -> f64 {
-        let square = Arch::new().dispatch(SquareFrom { cells: self, level });
-        square / self.count() as f64
+        // With y = f − level and the slope s at the start of a cell, y′ and s′ at its end, the mean of y² over the cells.
+        let square = |cell: usize| {
+            let [f0, s0, f1, s1] = self.ends(cell);
+            let (y0, y1) = (f0 - level, f1 - level);
+            y0 * (312.0 * y0 + 108.0 * y1 - 26.0 * s1) + s0 * (8.0 * s0 + 26.0 * y1 - 6.0 * s1)
+        };
+        let sum: f64 = (0..self.count()).map(square).sum();
+        sum / (420 * self.count()) as f64
     }
 
     /// Cells a unit of length.
@@ -90,7 +92,7 @@ impl Cells {
     /// Value at a place in cells.
     fn at_place(&self, place: f64) -> f64 {
         let i = self.cell(place);
-        rule::cubic(&self.cubic(i), place - i as f64)
+        cubic(&self.cubic(i), place - i as f64)
     }
 }
 
@@ -100,51 +102,37 @@ pub fn by_ends([f0, s0, f1, s1]: Ends) -> [f64; 4] {
     [f0, f0 + THIRD * s0, f1 - THIRD * s1, f1]
 }
 
-/// Σ over cells of the mean of (f − level)²: with y = f − level, the slopes s and ′ for the next end,
-///
-/// ```text
-/// Σ (312 y² + 108 y y′ + 26 (s y′ − y s′) + 8 s² − 6 s s′)/420
-/// ```
-struct SquareFrom<'a> {
-    cells: &'a Cells,
-    level: f64,
+/// Value of a cubic in Bernstein form.
+fn cubic([a, b, c, d]: &[f64; 4], u: f64) -> f64 {
+    let v = 1.0 - u;
+    v * v * (v * a + 3.0 * u * b) + u * u * (3.0 * v * c + u * d)
 }
 
-impl WithSimd for SquareFrom<'_> {
-    type Output = f64;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> f64 {
-        let n = self.cells.count();
-        let (f, s) = (&self.cells.values, &self.cells.slopes);
-        let (here, here_rest) = S::as_simd_f64s(&f[..n]);
-        let (next, next_rest) = S::as_simd_f64s(&f[1..]);
-        let (slope, slope_rest) = S::as_simd_f64s(&s[..n]);
-        let (next_slope, next_slope_rest) = S::as_simd_f64s(&s[1..]);
-        let mut sums = [simd.splat_f64s(0.0); 2];
-        for (i, y) in here.iter().enumerate() {
-            let ends = [*y, slope[i], next[i], next_slope[i]];
-            add_square(simd, ends, self.level, &mut sums);
+/// Coefficients of a polynomial on a part of its range, written in the degree that `out` has room for.
+fn restricted(b: &[f64], (low, high): (f64, f64), out: &mut [f64]) {
+    let own = b.len() - 1;
+    let c = &mut out[..=own];
+    c.copy_from_slice(b);
+    if high < 1.0 {
+        for k in 1..=own {
+            for i in (k..=own).rev() {
+                c[i] += (1.0 - high) * (c[i - 1] - c[i]);
+            }
         }
-        let mut sum = simd.reduce_sum_f64s(simd.add_f64s(sums[0], sums[1]));
-        for (i, y) in here_rest.iter().enumerate() {
-            let ends = [*y, slope_rest[i], next_rest[i], next_slope_rest[i]];
-            let mut sums = [0.0; 2];
-            add_square(pulp::Scalar::new(), ends, self.level, &mut sums);
-            sum += sums[0] + sums[1];
-        }
-        sum / 420.0
     }
-}
-
-#[inline(always)]
-fn add_square<S: Simd>(simd: S, [y, s, y1, s1]: [S::f64s; 4], level: f64, sums: &mut [S::f64s; 2]) {
-    let number = |x: f64| simd.splat_f64s(x);
-    let [y, y1] = [y, y1].map(|y| simd.sub_f64s(y, number(level)));
-    let by_value = simd.mul_add_f64s(number(-26.0), s1, simd.mul_f64s(number(108.0), y1));
-    let by_value = simd.mul_add_f64s(number(312.0), y, by_value);
-    let by_slope = simd.mul_add_f64s(number(-6.0), s1, simd.mul_f64s(number(26.0), y1));
-    let by_slope = simd.mul_add_f64s(number(8.0), s, by_slope);
-    sums[0] = simd.mul_add_f64s(y, by_value, sums[0]);
-    sums[1] = simd.mul_add_f64s(s, by_slope, sums[1]);
+    if low > 0.0 {
+        let u = low / high.min(1.0);
+        for k in 1..=own {
+            for i in 0..=own - k {
+                c[i] += u * (c[i + 1] - c[i]);
+            }
+        }
+    }
+    for m in own + 1..out.len() {
+        out[m] = out[m - 1];
+        for i in (1..m).rev() {
+            let t = i as f64 / m as f64;
+            out[i] = t * out[i - 1] + (1.0 - t) * out[i];
+        }
+    }
 }

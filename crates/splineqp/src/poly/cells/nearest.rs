@@ -1,9 +1,6 @@
 //! Least-squares approximation of cells by polynomials.
 
-use pulp::{Arch, Simd, WithSimd};
-
-use super::rule::restricted;
-use super::{Cells, Ends};
+use super::{Cells, Ends, restricted};
 use crate::poly::{bernstein, gauss_legendre};
 
 /// A break nearer to the end of a cell than this, in cells, counts as that end.
@@ -17,18 +14,17 @@ impl Cells {
     /// # Panics
     /// For degrees above 9, where powers lose too many digits.
     pub fn nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
-        let arch = Arch::new();
         match degree {
-            0 => arch.dispatch(Nearest::<1>::new(self, breaks)),
-            1 => arch.dispatch(Nearest::<2>::new(self, breaks)),
-            2 => arch.dispatch(Nearest::<3>::new(self, breaks)),
-            3 => arch.dispatch(Nearest::<4>::new(self, breaks)),
-            4 => arch.dispatch(Nearest::<5>::new(self, breaks)),
-            5 => arch.dispatch(Nearest::<6>::new(self, breaks)),
-            6 => arch.dispatch(Nearest::<7>::new(self, breaks)),
-            7 => arch.dispatch(Nearest::<8>::new(self, breaks)),
-            8 => arch.dispatch(Nearest::<9>::new(self, breaks)),
-            9 => arch.dispatch(Nearest::<10>::new(self, breaks)),
+            0 => Nearest::<1>::new(self, breaks).values(),
+            1 => Nearest::<2>::new(self, breaks).values(),
+            2 => Nearest::<3>::new(self, breaks).values(),
+            3 => Nearest::<4>::new(self, breaks).values(),
+            4 => Nearest::<5>::new(self, breaks).values(),
+            5 => Nearest::<6>::new(self, breaks).values(),
+            6 => Nearest::<7>::new(self, breaks).values(),
+            7 => Nearest::<8>::new(self, breaks).values(),
+            8 => Nearest::<9>::new(self, breaks).values(),
+            9 => Nearest::<10>::new(self, breaks).values(),
             _ => panic!("no nearest polynomial of degree {degree}"),
         }
     }
@@ -43,8 +39,8 @@ impl Cells {
 /// ∫ f xʲ = Σₖ C(j, k) Xʲ⁻ᵏ wᵏ⁺¹ (aₖ f + bₖ s),   aₖ = ∫₀¹ (1 − 3t² + 2t³) tᵏ,   bₖ = ∫₀¹ (t − 2t² + t³) tᵏ
 /// ```
 ///
-/// and on its left (−1)ᵏ (aₖ f − bₖ s). So the sums Σ Xᵃ f and Σ Xᵃ s over the ends, several side by side, are all that is
-/// to be done for each cell; the first and the last end have one side only.
+/// and on its left (−1)ᵏ (aₖ f − bₖ s). So the sums Σ Xᵃ f and Σ Xᵃ s over the ends are all that is to be done
+/// for each cell; the first and the last end have one side only.
 struct Nearest<'a, const N: usize> {
     cells: &'a Cells,
     breaks: &'a [f64],
@@ -90,6 +86,23 @@ impl<'a, const N: usize> Nearest<'a, N> {
         }
     }
 
+    /// The values of all ranges.
+    fn values(self) -> Vec<f64> {
+        let scale = self.cells.per_length();
+        let mut out = Vec::with_capacity(N * (self.breaks.len() - 1));
+        for ends in self.breaks.windows(2) {
+            let moments = self.moments((ends[0] * scale, ends[1] * scale));
+            let mut values = [0.0; N];
+            for (by, moment) in self.values.iter().zip(moments) {
+                for place in 0..N {
+                    values[place] += by[place] * moment;
+                }
+            }
+            out.extend_from_slice(&values);
+        }
+        out
+    }
+
     /// Adds the part of cells whose sums are given, of the width `width` on the range; moments by sum.
     #[inline(always)]
     fn add(&self, sums: &Sums<N>, width: f64, moments: &mut [[f64; 4]; N]) {
@@ -106,7 +119,7 @@ impl<'a, const N: usize> Nearest<'a, N> {
 
     /// A range's moments; its ends in cells.
     #[inline(always)]
-    fn moments<S: Simd>(&self, simd: S, (first, last): (f64, f64)) -> [f64; N] {
+    fn moments(&self, (first, last): (f64, f64)) -> [f64; N] {
         let (middle, by) = (0.5 * (first + last), 2.0 / (last - first));
         let mut moments = [[0.0; 4]; N];
         let most = self.cells.count() as f64;
@@ -114,7 +127,7 @@ impl<'a, const N: usize> Nearest<'a, N> {
         let parts = if start < end {
             let whole = start as usize..=end as usize;
             let (f, s) = (&self.cells.values[whole.clone()], &self.cells.slopes[whole]);
-            let sums = sums(simd, f, s, (start - middle) * by, by);
+            let sums = sums(f, s, (start - middle) * by, by);
             self.add(&sums, by, &mut moments);
             [(first, start), (end, last)]
         } else {
@@ -129,34 +142,13 @@ impl<'a, const N: usize> Nearest<'a, N> {
             let base = i as f64;
             let [f0, s0, f1, s1] = part_of(&self.cells.cubic(i), (from - base, to - base));
             let (x, width) = ((from - middle) * by, (to - from) * by);
-            let sums = sums(simd, &[f0, f1], &[s0, s1], x, width);
+            let sums = sums(&[f0, f1], &[s0, s1], x, width);
             self.add(&sums, width, &mut moments);
         }
         let mut out = [0.0; N];
         for j in 0..N {
             let [a, b, c, d] = moments[j];
             out[j] = (a + b) + (c + d);
-        }
-        out
-    }
-}
-
-impl<const N: usize> WithSimd for Nearest<'_, N> {
-    type Output = Vec<f64>;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> Vec<f64> {
-        let scale = self.cells.per_length();
-        let mut out = Vec::with_capacity(N * (self.breaks.len() - 1));
-        for ends in self.breaks.windows(2) {
-            let moments = self.moments(simd, (ends[0] * scale, ends[1] * scale));
-            let mut values = [0.0; N];
-            for (by, moment) in self.values.iter().zip(moments) {
-                for place in 0..N {
-                    values[place] += by[place] * moment;
-                }
-            }
-            out.extend_from_slice(&values);
         }
         out
     }
@@ -177,30 +169,19 @@ fn part_of(b: &[f64; 4], range: (f64, f64)) -> Ends {
 }
 
 /// The sums over cells with these values and slopes at their ends, the first of them at x = `first`, a cell `step` wide.
-#[inline(always)]
-fn sums<S: Simd, const N: usize>(
-    simd: S,
-    values: &[f64],
-    slopes: &[f64],
-    first: f64,
-    step: f64,
-) -> Sums<N> {
+fn sums<const N: usize>(values: &[f64], slopes: &[f64], first: f64, step: f64) -> Sums<N> {
     let n = values.len() - 1;
     let last = first + n as f64 * step;
-    let starts: [[f64; N]; 2] = [
-        powers(simd, &values[..n], first, step),
-        powers(simd, &slopes[..n], first, step),
-    ];
+    let starts: [[f64; N]; 2] = [values, slopes].map(|y| powers(&y[..n], first, step));
     let mut ends = [values[0], values[n], slopes[0], slopes[n]];
     let mut out = [[0.0; 4]; N];
     for a in 0..N {
         let [f0, f1, s0, s1] = ends;
-        out[a] = [
+        let both = [
             2.0 * starts[0][a] + (f1 - f0),
-            f0 - f1,
             2.0 * starts[1][a] + (s1 - s0),
-            s0 - s1,
         ];
+        out[a] = [both[0], f0 - f1, both[1], s0 - s1];
         for (end, x) in ends.iter_mut().zip([first, last, first, last]) {
             *end *= x;
         }
@@ -209,33 +190,16 @@ fn sums<S: Simd, const N: usize>(
 }
 
 /// Σ xᵃ y for each power a, with x from `first` on by `step`.
-#[inline(always)]
-fn powers<S: Simd, const N: usize>(simd: S, y: &[f64], first: f64, step: f64) -> [f64; N] {
-    const COUNT: [f64; 16] = [
-        0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0,
-    ];
-    let lanes = simd.partial_load_f64s(&COUNT[..S::F64_LANES]);
-    let lanes = simd.mul_add_f64s(simd.splat_f64s(step), lanes, simd.splat_f64s(first));
-    let mut sums = [simd.splat_f64s(0.0); N];
-    let (full, rest) = S::as_simd_f64s(y);
-    for i in 0..full.len() + usize::from(!rest.is_empty()) {
-        let mut own = if i < full.len() {
-            full[i]
-        } else {
-            simd.partial_load_f64s(rest)
-        };
-        let by = simd.splat_f64s((i * S::F64_LANES) as f64 * step);
-        let x = simd.add_f64s(lanes, by);
+fn powers<const N: usize>(y: &[f64], first: f64, step: f64) -> [f64; N] {
+    let mut sums = [0.0; N];
+    for (i, y) in y.iter().enumerate() {
+        let (x, mut own) = (first + i as f64 * step, *y);
         for sum in &mut sums {
-            *sum = simd.add_f64s(*sum, own);
-            own = simd.mul_f64s(own, x);
+            *sum += own;
+            own *= x;
         }
     }
-    let mut out = [0.0; N];
-    for a in 0..N {
-        out[a] = simd.reduce_sum_f64s(sums[a]);
-    }
-    out
+    sums
 }
 
 /// The value at x of the polynomial nearest to a function on [−1, 1] by each of its moments, these as parts of the length 2:
