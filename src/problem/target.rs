@@ -1,16 +1,14 @@
 //! The target force in step with the cam.
 
 use std::f64::consts::TAU;
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::Arc;
 
 use crate::drive::Drive;
 use crate::force::ForceCurve;
-use crate::poly::{Cells, PiecewisePoly, amplitudes};
+use crate::poly::{Cells, PiecewisePoly};
 use crate::scene::{LawSpec, PhaseWeight};
 
 /// One turn of the target force with its cubics.
-///
-/// Clones share what was computed for one of them.
 ///
 /// ```
 /// use gaitcam::force::ForceCurve;
@@ -31,25 +29,7 @@ pub struct Target {
     mean_n: f64,
     /// Smallest and largest sample, N.
     range_n: [f64; 2],
-    /// Its nearest polynomials on the pieces of splines computed so far.
-    nearest: Arc<Mutex<Vec<Nearest>>>,
-    spectrum: Arc<OnceLock<Vec<(f64, f64)>>>,
-    /// A force at rest, N, and the mean square of the distance from it, N².
-    square: Arc<Mutex<Option<[f64; 2]>>>,
 }
-
-/// Pieces of a spline, and the degree of the polynomials on them.
-#[derive(Debug, Clone, PartialEq)]
-struct Pieces {
-    breaks: Vec<f64>,
-    degree: usize,
-}
-
-/// Pieces with the values of their nearest polynomials.
-type Nearest = (Pieces, Arc<[f64]>);
-
-/// Splines whose nearest polynomials are kept: a design tries a few numbers of spans.
-const KEPT: usize = 16;
 
 impl Target {
     /// The cycle with its cubics.
@@ -67,9 +47,6 @@ impl Target {
             mean_n: curve.mean_n(),
             range_n: curve.range_n().into(),
             curve,
-            nearest: Arc::default(),
-            spectrum: Arc::default(),
-            square: Arc::default(),
         }
     }
 
@@ -92,49 +69,6 @@ impl Target {
     /// The force as cubics between its samples, N.
     pub fn cells(&self) -> &Cells {
         &self.cells
-    }
-
-    /// Mean over the cycle of the squared distance from a force, N².
-    pub fn mean_square_from(&self, force: f64) -> f64 {
-        let known = || self.square.lock().ok();
-        if let Some([level, square]) = known().and_then(|k| *k)
-            && level == force
-        {
-            return square;
-        }
-        let square = self.cells.mean_square_from(force);
-        if let Some(mut known) = known() {
-            *known = Some([force, square]);
-        }
-        square
-    }
-
-    /// Mean, then (cosine, sine) amplitudes of the harmonics of the samples, as
-    /// `poly::amplitudes` gives them, N.
-    pub fn spectrum(&self) -> &[(f64, f64)] {
-        self.spectrum
-            .get_or_init(|| amplitudes(&self.curve.force_n))
-    }
-
-    /// The nearest polynomial of a degree on every piece between breaks of the first turn, at the places u ∈ [0, 1] of
-    /// each that a rule of degree + 1 nodes has, piece by piece, N.
-    pub fn nearest(&self, breaks: &[f64], degree: usize) -> Arc<[f64]> {
-        if let Ok(list) = self.nearest.lock() {
-            let known = |p: &Pieces| p.degree == degree && p.breaks == breaks;
-            if let Some((_, values)) = list.iter().rev().find(|(p, _)| known(p)) {
-                return values.clone();
-            }
-        }
-        let values = self.cells.nearest(breaks, degree);
-        let values: Arc<[f64]> = values.into();
-        if let Ok(mut list) = self.nearest.lock() {
-            if list.len() >= KEPT {
-                list.clear();
-            }
-            let breaks = breaks.to_vec();
-            list.push((Pieces { breaks, degree }, values.clone()));
-        }
-        values
     }
 }
 

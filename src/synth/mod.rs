@@ -212,7 +212,7 @@ fn passing_design(problem: &Problem, search: &Search) -> std::result::Result<Des
 fn least_error(problem: &Problem, search: &Search) -> Result<Option<f64>> {
     match families::law(problem, search) {
         Ok(found) => {
-            let force = limits::force_report(problem, search, &found.law);
+            let force = limits::force_report(problem, &found.law);
             Ok(Some(force.rms_error_n))
         }
         Err(NoLaw::Refused(_)) => Ok(None),
@@ -242,7 +242,7 @@ fn sized(
         return corrected::polydyne::design(problem, limited, search, &train);
     }
     let mut law = families::law(limited, search)?;
-    let checked = checked_cam(problem, search, &law.law, None)?;
+    let checked = checked_cam(problem, &law.law, None)?;
     law.functions.raise(&mut law.coefficients, checked.raised);
     Ok(SizedLaw {
         law,
@@ -259,12 +259,12 @@ fn without_limits(
     search: &Search,
     refusal: &Refusal,
 ) -> std::result::Result<SizedLaw, NoLaw> {
-    let endless = search.without_end();
+    let endless = Search::default();
     // Such laws are quickly found: where the time is over already, they get all that they take.
     let timely = if search.halt.is_asked() {
         endless.clone()
     } else {
-        endless.ended_by(&search.halt)
+        Search::until(search.halt.clone())
     };
     let of_accuracy = refusal.is_of_accuracy();
     let mut bare = if of_accuracy {

@@ -4,11 +4,11 @@
 //! rows then set their numbers directly. A harmonic law that keeps its limits follows from the harmonics of the force;
 //! every other row is designed like a single scene.
 //!
-//! Two caches: forces with their harmonics (a grid of a few step frequencies runs twelve times as fast as a sample in
-//! which every row has its own), and searches of rows that differ in limits and sizes alone.
+//! Forces are kept with their harmonics: a grid of a few step frequencies runs twelve times as fast as a sample in which
+//! every row has its own.
 
 use std::collections::{BTreeMap, HashMap};
-use std::sync::{Arc, Mutex, OnceLock, RwLock};
+use std::sync::{Arc, OnceLock, RwLock};
 
 use toml::Table;
 
@@ -17,7 +17,7 @@ use crate::error::{Error, Result, SweepError, is_no_cam};
 use crate::force::ForceCurve;
 use crate::halt::Halt;
 use crate::problem::{MeanForce, Problem, Requirements, open_questions};
-use crate::scene::{self, Gait, LawSpec, Scene, Source};
+use crate::scene::{self, Gait, Scene, Source};
 use crate::sweep::plan::NamedScene;
 use crate::sweep::plan::batch::{Batch, Column};
 use crate::sweep::plan::key::Key;
@@ -34,9 +34,6 @@ pub type Halts<'a> = &'a (dyn Fn() -> Halt + Sync);
 
 /// Forces kept at a time; a sweep over more recordings or step frequencies forgets all of them.
 const KEPT_FORCES: usize = 1024;
-/// Demands kept at a time.
-const KEPT_DEMANDS: usize = 256;
-
 /// Turns batches into results.
 pub struct Kernel<'a> {
     scenes: &'a [NamedScene],
@@ -47,7 +44,6 @@ pub struct Kernel<'a> {
     /// Whether numbers of recordings vary, by which a file gives several forces.
     varies_reading: bool,
     forces: RwLock<BTreeMap<ForceName, Arc<Force>>>,
-    demands: Mutex<Vec<Arc<Demand>>>,
 }
 
 /// The source of a force, and the bits of its step frequency.
@@ -73,22 +69,6 @@ struct Base {
     is_closed: bool,
 }
 
-/// What a law has to achieve apart from limits and sizes, with the search that all rows of it share.
-struct Demand {
-    /// Base scene; recordings are named relative to it.
-    scene: usize,
-    gait: Option<Gait>,
-    law: LawSpec,
-    force: Option<ForceCurve>,
-    search: Search,
-}
-
-impl Demand {
-    fn is_of(&self, index: usize, scene: &Scene) -> bool {
-        self.scene == index && self.gait == scene.gait && self.law == scene.law
-    }
-}
-
 impl<'a> Kernel<'a> {
     /// A kernel for base scenes and varied keys.
     pub fn new(
@@ -107,7 +87,6 @@ impl<'a> Kernel<'a> {
             halts,
             clock,
             forces: RwLock::default(),
-            demands: Mutex::default(),
         }
     }
 
@@ -262,12 +241,10 @@ impl<'a> Kernel<'a> {
 
     /// The row of a scene that is designed like any other.
     fn designed_row(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Row {
-        let demand = match self.demand(index, scene, source) {
-            Ok(demand) => demand,
-            Err(e) => return Row::error(e.to_string()),
-        };
-        let search = demand.search.ended_by(&(self.halts)());
-        let answer = Problem::resolve(scene, demand.force.as_ref())
+        let search = Search::until((self.halts)());
+        let answer = self
+            .curve(index, scene, source)
+            .and_then(|force| Problem::resolve(scene, force.as_ref()))
             .and_then(|problem| design(&problem, &search));
         match answer {
             // A result that a clock cut short differs from run to run.
@@ -282,29 +259,6 @@ impl<'a> Kernel<'a> {
             },
             Err(e) => Row::error(e.to_string()),
         }
-    }
-
-    /// The demand of a scene, cached.
-    fn demand(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Result<Arc<Demand>> {
-        if let Ok(demands) = self.demands.lock()
-            && let Some(demand) = demands.iter().rev().find(|d| d.is_of(index, scene))
-        {
-            return Ok(demand.clone());
-        }
-        let demand = Arc::new(Demand {
-            scene: index,
-            gait: scene.gait.clone(),
-            law: scene.law.clone(),
-            force: self.curve(index, scene, source)?,
-            search: Search::default(),
-        });
-        if let Ok(mut demands) = self.demands.lock() {
-            if demands.len() >= KEPT_DEMANDS {
-                demands.clear();
-            }
-            demands.push(demand.clone());
-        }
-        Ok(demand)
     }
 
     fn curve(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Result<Option<ForceCurve>> {

@@ -252,7 +252,7 @@ fn judged(
     } = last.design;
     let (phases, extra) = layout.extra(problem, &last.state);
     let made = problem.on_shaft(&phases, extra);
-    let checked = checked_cam(&made, search, &law.law, None)?;
+    let checked = checked_cam(&made, &law.law, None)?;
     let why = refusal.map(|refusal| infeasible::explain(&own, &refusal));
     if why.is_none() {
         law.functions.raise(&mut law.coefficients, checked.raised);
@@ -306,14 +306,9 @@ fn rounds(
         (SETTLED_OF_ACCURACY * accuracy).max(SETTLED_AT_LIMITS)
     };
     let last = settled(state, allowed, |state| {
-        // What is kept belongs to the target of the round before.
-        let fresh = Search {
-            cache: Default::default(),
-            ..search.clone()
-        };
         let (phases, extra) = layout.extra(problem, state);
         let own = problem.on_shaft(&phases, extra);
-        let (solved, refusal) = best_law(&own, &fresh)?;
+        let (solved, refusal) = best_law(&own, search)?;
         let law = &solved.law;
         // A law of a round may stop the shaft that the first one does not.
         motion = match run.of_law(law, Some(&motion)) {

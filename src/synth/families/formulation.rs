@@ -11,7 +11,7 @@ use crate::scene::{Dwell, Minimise, Weigh};
 use crate::synth::limits;
 use crate::synth::optimum::Formulation;
 use crate::synth::qp::{Basis, MeanSquare, PEAK, Program, Quadratic};
-use crate::synth::search::{Objective, ObjectiveKey, Search};
+use crate::synth::search::Search;
 use crate::units::Quantity;
 
 /// Weight of the jerk term against the force term, both made dimensionless: it settles what the force
@@ -22,8 +22,6 @@ const MOST_DEMANDS: usize = 2000;
 /// Jerk, in typical lifts per rad³, whose mean square weighs as much as one typical lift of radius when
 /// size is minimised: large enough to leave the size alone, small enough to keep the law smooth.
 const SIZE_JERK: f64 = 1e3;
-/// Objectives over more spans than this are not kept: they take much memory, and more time to solve than to make.
-const MOST_KEPT_SPANS: usize = 128;
 
 /// Quadrature nodes on half a wave of the highest harmonic.
 const HARMONIC_NODES: usize = 8;
@@ -32,11 +30,7 @@ const SAME_ANGLE: f64 = 1e-12;
 
 /// The program without limits, and the force distance alone.
 pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Program, Quadratic)> {
-    let Objective {
-        basis,
-        whole,
-        force,
-    } = cached_objective(problem, search, spans)?;
+    let (basis, whole, force) = objective(problem, spans)?;
     let mut equalities = point_demands(problem, &basis)?;
     equalities.extend(implied_by_limits(problem, &basis));
     equalities.extend(dwell_demands(&problem.law.dwells, &basis));
@@ -128,24 +122,9 @@ fn stiffness(problem: &Problem) -> Option<f64> {
     (alpha > 0.0).then_some(alpha)
 }
 
-/// The objective; of few spans from the cache.
-fn cached_objective(problem: &Problem, search: &Search, spans: usize) -> Result<Objective> {
+/// What is minimised, over its functions; beside it the force distance alone.
+fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadratic)> {
     let degree = problem.spline_degree;
-    let compute = || objective(problem, spans, degree);
-    if spans > MOST_KEPT_SPANS {
-        return compute();
-    }
-    let key = ObjectiveKey {
-        spans,
-        degree,
-        minimise: problem.objective(),
-        phase: problem.phase,
-        drive: problem.drive,
-    };
-    (search.cache.objectives).try_get(key, |_| compute())
-}
-
-fn objective(problem: &Problem, spans: usize, degree: usize) -> Result<Objective> {
     let corners = if problem.law.polydyne { degree - 1 } else { 2 };
     let basis = spline_basis(degree, spans, &problem.law.dwells, corners)?;
     let force = force_distance(problem, &basis);
@@ -173,11 +152,7 @@ fn objective(problem: &Problem, spans: usize, degree: usize) -> Result<Objective
             }
         }
     }
-    Ok(Objective {
-        basis,
-        whole,
-        force,
-    })
+    Ok((basis, whole, force))
 }
 
 /// Periodic splines over the turn with `spans` spans outside the dwells, with `smooth` continuous
@@ -307,7 +282,7 @@ fn plain_distance(problem: &Problem, basis: &Basis) -> Quadratic {
         let w = problem.drive.weights();
         force.add_distance(basis, &w, wanted.nodes, wanted.filling(), None);
         if wanted.is_nearest {
-            force.constant = 0.5 * target.mean_square_from(problem.drive.rest_force);
+            force.constant = 0.5 * target.cells().mean_square_from(problem.drive.rest_force);
         }
     }
     force
@@ -321,7 +296,7 @@ fn mean_square(problem: &Problem, basis: &Basis) -> MeanSquare {
     let w = problem.drive.weights();
     let sum = MeanSquare::distance(basis, &w, wanted.nodes, wanted.filling());
     if wanted.is_nearest {
-        sum.with_mean_square(target.mean_square_from(problem.drive.rest_force))
+        sum.with_mean_square(target.cells().mean_square_from(problem.drive.rest_force))
     } else {
         sum
     }
@@ -350,7 +325,7 @@ fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted
     let (nodes, mut values, is_nearest) = match basis {
         Basis::Spline { space, .. } => {
             let degree = space.degree();
-            (degree + 1, target.nearest(&breaks, degree).to_vec(), true)
+            (degree + 1, target.cells().nearest(&breaks, degree), true)
         }
         Basis::Harmonic { .. } => {
             let rule = gauss_legendre(harmonic_nodes(basis, target));
@@ -386,7 +361,7 @@ fn weighed_distance(problem: &Problem, basis: &Basis, target: &Target) -> Quadra
     let (nodes, nearest) = match basis {
         Basis::Spline { space, .. } => {
             let nodes = space.degree() + 1;
-            (nodes, Some(target.nearest(&breaks, space.degree())))
+            (nodes, Some(target.cells().nearest(&breaks, space.degree())))
         }
         Basis::Harmonic { .. } => (harmonic_nodes(basis, target), None),
     };

@@ -10,7 +10,6 @@ mod polynomial;
 mod program;
 mod solved;
 mod spline;
-mod spline_spans;
 
 pub use solved::SolvedLaw;
 pub use spline::stopped_at_noise;

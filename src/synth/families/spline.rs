@@ -2,13 +2,12 @@
 
 use super::formulation;
 use super::solved::{SolvedLaw, solved_law};
-use super::spline_spans::Forecast;
 use crate::error::Result;
 use crate::problem::{Note, Problem};
 use crate::scene::{Family, Minimise};
 use crate::synth::optimum::{self, NoLaw, Optimum};
 use crate::synth::qp::{self, Failure};
-use crate::synth::search::{Search, SpanKey};
+use crate::synth::search::Search;
 use crate::units::Quantity;
 
 /// Spans tried before "auto" gives up.
@@ -107,14 +106,7 @@ fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
         Some(most) => most,
         None => return Ok(Spans::Given(SPANS_WITHOUT_FORCE)),
     };
-    let fewest = |_: &SpanKey| fewest_without_limits(problem, search, wanted);
-    let key = SpanKey {
-        wanted,
-        phase: problem.phase,
-        drive: problem.drive,
-        degree: problem.spline_degree,
-    };
-    let spans = search.cache.spans.try_get(key, fewest)?;
+    let spans = fewest_without_limits(problem, search, wanted)?;
     Ok(if follows {
         Spans::AtLeast(spans, wanted)
     } else {
@@ -126,13 +118,8 @@ fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
 /// Fewest spans that reach an accuracy without limits: the cheaper lower bound, because spans that miss it
 /// without limits miss it with them.
 fn fewest_without_limits(problem: &Problem, search: &Search, wanted: f64) -> Result<usize> {
-    let forecast = Forecast::of(problem);
     let mut spans = 3;
     while spans < MOST_AUTO_SPANS {
-        if forecast.as_ref().is_some_and(|f| f.misses(spans, wanted)) {
-            spans += 1 + spans / 40;
-            continue;
-        }
         let (program, force) = formulation::unlimited(problem, search, spans)?;
         match qp::solve_equalities(&program) {
             Ok(u) if force.root(&u.x) <= wanted => break,

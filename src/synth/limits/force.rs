@@ -9,7 +9,6 @@ use crate::problem::{Problem, piecewise};
 use crate::scene::Minimise;
 use crate::synth::design::ForceReport;
 use crate::synth::qp::{Limit, MeanSquare, Meaning, PEAK, Program, RmsLimit, TOLERANCE};
-use crate::synth::search::{ReportKey, Search};
 
 /// Smallest and largest force.
 pub fn rows(problem: &Problem) -> Vec<Limit> {
@@ -90,16 +89,7 @@ pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<
 }
 
 /// Distance of the force of a law from the target, exact on the pieces of both.
-pub fn report(problem: &Problem, search: &Search, law: &Law) -> ForceReport {
-    let key = ReportKey {
-        law: law.clone(),
-        drive: problem.drive,
-        phase: problem.phase,
-    };
-    (search.cache.reports).get(key, |_| measured(problem, law))
-}
-
-fn measured(problem: &Problem, law: &Law) -> ForceReport {
+pub fn report(problem: &Problem, law: &Law) -> ForceReport {
     let own = problem.force_curve(law);
     let (low, high) = problem.force_extremes(law);
     let (start, length) = law.extent();

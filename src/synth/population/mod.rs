@@ -57,7 +57,7 @@ pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result
         let limited = limits::for_all(&bare(problem), walkers, loads);
         let found = Found::at_best_phases(&limited, search, walkers)?;
         let law = &found.sized.law.law;
-        let checked = limits::checked(&unjudged(problem), walkers, search, law)?;
+        let checked = limits::checked(&unjudged(problem), walkers, law)?;
         if let Some(part) = limits::less_loaded(&checked.checks).filter(|_| round < LOAD_ROUNDS)
             && found.infeasible.is_none()
         {
@@ -175,7 +175,7 @@ impl Found {
 
     fn of(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
         let shares: Vec<f64> = walkers.each.iter().map(|w| w.share).collect();
-        let (sized, infeasible) = solved(&weighed(limited, walkers, &shares), &fresh(search))?;
+        let (sized, infeasible) = solved(&weighed(limited, walkers, &shares), search)?;
         let nodes = Nodes::of(&sized.law.law);
         let aims: Vec<Aim> = walkers.each.iter().map(|w| nodes.aim(w)).collect();
         let mut weights = Weights::new(walkers.robust, &shares, &aims);
@@ -196,7 +196,7 @@ impl Found {
             if weights.is_proved() {
                 break;
             }
-            let law = match families::law(&weighed(&fixed, walkers, &next), &fresh(search)) {
+            let law = match families::law(&weighed(&fixed, walkers, &next), search) {
                 Ok(law) => law,
                 Err(NoLaw::Fault(fault)) => return Err(fault),
                 Err(NoLaw::Refused(_)) => break,
@@ -330,14 +330,6 @@ fn held(problem: &Problem, law: &SolvedLaw) -> Problem {
         _ => out.law.harmonics = Some(law.coefficients.len() / 2),
     }
     out
-}
-
-/// A search of its own: what is kept belongs to another target.
-fn fresh(search: &Search) -> Search {
-    Search {
-        cache: Default::default(),
-        ..search.clone()
-    }
 }
 
 /// What the half mean square of a law may be above the least, N².

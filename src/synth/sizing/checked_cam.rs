@@ -7,7 +7,6 @@ use crate::law::Law;
 use crate::problem::Problem;
 use crate::synth::design::ForceReport;
 use crate::synth::limits::{Finished, force_report};
-use crate::synth::search::Search;
 use crate::synth::sizing;
 
 /// A law on its cam, with the force that it gives and every check.
@@ -33,13 +32,8 @@ pub struct CheckedCam {
 ///
 /// # Errors
 /// Lengths that fix no cam.
-pub fn checked_cam(
-    problem: &Problem,
-    search: &Search,
-    law: &Law,
-    end: Option<&Law>,
-) -> Result<CheckedCam> {
-    let own = on_base_circle(problem, search, law);
+pub fn checked_cam(problem: &Problem, law: &Law, end: Option<&Law>) -> Result<CheckedCam> {
+    let own = on_base_circle(problem, law);
     let start = law.extent().0;
     let raised = own.svaj(start).s - law.svaj(start).s;
     let end = end.map(|end| end.raised(raised));
@@ -47,7 +41,7 @@ pub fn checked_cam(
     let conjugate = sizing::conjugate(problem, &cam)?;
     let groove = sizing::groove(problem, &cam)?;
     let pressing = end.as_ref().unwrap_or(&cam.law);
-    let force = force_report(problem, search, pressing);
+    let force = force_report(problem, pressing);
     let finished = Finished {
         problem,
         cam: &cam,
@@ -81,9 +75,9 @@ impl CheckedCam {
 }
 
 /// Where nothing fixes the lift, the lowest point of the law stands on the base circle.
-fn on_base_circle(problem: &Problem, search: &Search, law: &Law) -> Law {
+fn on_base_circle(problem: &Problem, law: &Law) -> Law {
     if problem.level_is_known() {
         return law.clone();
     }
-    (search.cache.raised).get(law.clone(), |law| law.raised(-law.extremes(0).0.value))
+    law.raised(-law.extremes(0).0.value)
 }

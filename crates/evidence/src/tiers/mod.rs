@@ -129,7 +129,7 @@ impl Task<'_> {
 
     fn distance(&self, target: &Target, basis: &Basis) -> Quadratic {
         let mut force = Quadratic::zero(basis);
-        let nearest = target.nearest(&basis.breaks(), self.degree);
+        let nearest = target.cells().nearest(&basis.breaks(), self.degree);
         let mut pieces = nearest.chunks_exact(self.degree + 1);
         force.add_distance(
             basis,
@@ -142,7 +142,7 @@ impl Task<'_> {
             },
             None,
         );
-        force.constant = 0.5 * target.mean_square_from(self.drive.rest_force);
+        force.constant = 0.5 * target.cells().mean_square_from(self.drive.rest_force);
         force
     }
 
