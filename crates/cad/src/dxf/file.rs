@@ -33,37 +33,6 @@ pub enum Shape {
     },
 }
 
-impl Shape {
-    /// The same as large by a factor.
-    fn scaled(&self, factor: f64) -> Shape {
-        let point = |p: [f64; 2]| p.map(|x| factor * x);
-        match self {
-            Shape::Polyline { vertices, closed } => Shape::Polyline {
-                vertices: (vertices.iter())
-                    .map(|&[x, y, bulge]| [factor * x, factor * y, bulge])
-                    .collect(),
-                closed: *closed,
-            },
-            Shape::Spline(Clamped { control, knots }) => Shape::Spline(Clamped {
-                control: control.iter().map(|&p| point(p)).collect(),
-                knots: knots.clone(),
-            }),
-            Shape::Circle { centre, radius } => Shape::Circle {
-                centre: point(*centre),
-                radius: factor * radius,
-            },
-            Shape::Line { ends } => Shape::Line {
-                ends: ends.map(point),
-            },
-            Shape::Text { at, height, text } => Shape::Text {
-                at: point(*at),
-                height: factor * height,
-                text,
-            },
-        }
-    }
-}
-
 /// A drawing of shapes on layers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawing {
@@ -80,7 +49,7 @@ pub struct Drawing {
 impl Drawing {
     /// The file; the same drawing gives the same bytes.
     pub fn bytes(&self) -> Vec<u8> {
-        let mut body = Groups::new(self.version);
+        let mut body = Groups::new(self.version, self.units);
         let space = self.tables(&mut body);
         self.entities(&mut body, space);
         if body.later {
@@ -88,15 +57,10 @@ impl Drawing {
         }
         body.put(0, "EOF");
         // The header names the first free handle, which is known only now.
-        let mut file = Groups::new(self.version);
+        let mut file = Groups::new(self.version, self.units);
         self.header(&mut file, body.handle);
         file.text.push_str(&body.text);
         file.text.into_bytes()
-    }
-
-    /// From millimetres to the unit of the file.
-    fn scale(&self) -> f64 {
-        1e-3 * self.units.per_metre()
     }
 
     fn header(&self, out: &mut Groups, free: u32) {
@@ -118,7 +82,7 @@ impl Drawing {
         out.put(9, "$INSUNITS").put(70, unit);
         out.put(9, "$MEASUREMENT").put(70, measurement);
         for (name, [x, y]) in ["$EXTMIN", "$EXTMAX"].into_iter().zip(self.extent) {
-            out.put(9, name).point(10, [x, y].map(|x| self.scale() * x));
+            out.put(9, name).point(10, [x, y]);
         }
         out.put(0, "ENDSEC");
     }
@@ -185,7 +149,7 @@ impl Drawing {
     fn entities(&self, out: &mut Groups, space: u32) {
         out.section("ENTITIES");
         for (layer, shape) in &self.shapes {
-            match &shape.scaled(self.scale()) {
+            match shape {
                 Shape::Polyline { vertices, closed } => {
                     out.polyline(space, layer, vertices, *closed);
                 }
@@ -227,6 +191,8 @@ struct Groups {
     later: bool,
     /// The next free handle.
     handle: u32,
+    /// From millimetres to the unit of the file.
+    scale: f64,
 }
 
 /// The blocks of the spaces.
@@ -244,11 +210,12 @@ fn blocks(out: &mut Groups, spaces: [&str; 2], records: &[u32]) {
 }
 
 impl Groups {
-    fn new(version: Version) -> Self {
+    fn new(version: Version, units: Units) -> Self {
         Groups {
             text: String::new(),
             later: version != Version::R12,
             handle: 1,
+            scale: 1e-3 * units.per_metre(),
         }
     }
 
@@ -262,8 +229,13 @@ impl Groups {
         self.put(0, "SECTION").put(2, name);
     }
 
-    /// A picometre's thousandth is kept, more would be rounding; reals have a point.
+    /// A length in mm, in the unit of the file.
     fn length(&mut self, code: u16, x: f64) -> &mut Self {
+        self.number(code, self.scale * x)
+    }
+
+    /// A picometre's thousandth is kept, more would be rounding; reals have a point.
+    fn number(&mut self, code: u16, x: f64) -> &mut Self {
         let mut text = String::with_capacity(24);
         append(&mut text, x, 12);
         if !text.contains('.') {
@@ -340,7 +312,7 @@ impl Groups {
         self.put(74, 0).put(42, "1e-9").put(43, "1e-9");
         for &(times, value) in knots {
             for _ in 0..times {
-                self.length(40, value);
+                self.number(40, value);
             }
         }
         for p in control {
@@ -355,7 +327,7 @@ impl Groups {
             self.entity("LWPOLYLINE", "AcDbPolyline", space, layer);
             self.put(90, vertices.len()).put(70, flag);
             for &[x, y, bulge] in vertices {
-                self.length(10, x).length(20, y).length(42, bulge);
+                self.length(10, x).length(20, y).number(42, bulge);
             }
             return;
         }
@@ -363,7 +335,7 @@ impl Groups {
         self.put(66, 1).put(70, flag).point(10, [0.0; 2]);
         for &[x, y, bulge] in vertices {
             self.put(0, "VERTEX").put(8, layer);
-            self.point(10, [x, y]).length(42, bulge);
+            self.point(10, [x, y]).number(42, bulge);
         }
         self.put(0, "SEQEND").put(8, layer);
     }
