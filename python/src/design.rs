@@ -235,7 +235,9 @@ impl Design {
     /// The law as a function of the cam angle.
     #[getter]
     fn motion(slf: &Bound<'_, Self>) -> PyResult<Law> {
-        Law::of_design(slf)
+        let own = slf.get().shown()?;
+        let design = slf.clone().into_any().unbind();
+        Ok(Law::of_design(&own.family, own.cam.law.clone(), design))
     }
 
     /// The scene that the design answers, with the force that was given.

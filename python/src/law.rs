@@ -7,7 +7,6 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString, PyTuple};
 
 use crate::convert::{self, Reduced};
-use crate::design::Design;
 use crate::error::Raise;
 
 /// A law of motion: ``law(theta)`` gives s, v, a, j, each of the shape of ``theta``.
@@ -28,19 +27,18 @@ enum Origin {
     Catalogue,
     /// Motion, lift in m and angle in rad of each segment.
     Program(Vec<(String, f64, f64)>),
-    Design(Py<Design>),
+    Design(Py<PyAny>),
 }
 
 impl Law {
-    /// The law of a design.
-    pub fn of_design(design: &Bound<'_, Design>) -> PyResult<Law> {
-        let own = design.get().shown()?;
-        Ok(Law {
-            name: own.family.clone(),
-            law: own.cam.law.clone(),
+    /// The law of a design, which is what travels.
+    pub fn of_design(name: &str, law: law::Law, design: Py<PyAny>) -> Law {
+        Law {
+            name: name.to_string(),
+            law,
             factors: None,
-            origin: Origin::Design(design.clone().unbind()),
-        })
+            origin: Origin::Design(design),
+        }
     }
 
     fn of_rise(rise: &Rise) -> gaitcam::error::Result<Law> {

@@ -11,9 +11,10 @@ use std::sync::{Arc, LazyLock, Mutex};
 
 use serde_json::json;
 
-use crate::ask::{Body, Engine, Host, Start};
+use crate::answer::Body;
 use crate::fault::StudioError;
 use crate::hash::Hash;
+use crate::kept::{Engine, Host, Start};
 use crate::lock;
 use gaitcam::error::{Placed, Result};
 use gaitcam::halt::Halt;

@@ -1,140 +1,19 @@
-//! Questions by their routes, and their answers.
-
-use std::path::Path;
-use std::sync::{Arc, Mutex};
+//! Questions by their routes.
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 
-use crate::fault::StudioError;
+use crate::answer::{Answer, Body};
 use crate::hash::Hash;
-use crate::questions::design::{self, Made};
-use crate::questions::{catalogue, export, recording, runs, variation};
-use crate::recent::Recent;
+use crate::kept::{Engine, Host};
+use crate::questions::{catalogue, design, export, recording, runs, variation};
 use crate::sources::{Files, Named};
-use crate::{lock, words};
-use gaitcam::error::{Error, Place, Result};
-use gaitcam::force::ForceCurve;
-use gaitcam::halt::Halt;
+use crate::words;
+use gaitcam::error::Result;
 use gaitcam::wording::Language;
 
-/// Files that are kept, and the most bytes of all of them.
-const FILES: usize = 32;
-const BYTES: usize = 256 << 20;
-/// Force curves and designs that need not be computed again.
-const CURVES: usize = 12;
-const DESIGNS: usize = 12;
-
-/// What the page shows at first.
-#[derive(Debug, Clone, Default)]
-pub struct Start {
-    /// The scene.
-    pub scene: String,
-    /// The file of the folder that it was read from.
-    pub file: Option<String>,
-    /// The opened folder, where there is one.
-    pub folder: Option<String>,
-}
-
-/// What the machine below gives to the answer of one question.
-pub trait Host {
-    /// A file that is neither kept nor built in, with its hash.
-    ///
-    /// # Errors
-    /// Files that are not to be had.
-    fn read(&self, path: &Path) -> Result<(Hash, Arc<Vec<u8>>)>;
-    /// A clock, s.
-    fn seconds(&self) -> f64;
-    /// When the search of this question ends.
-    fn halt(&self) -> Halt;
-    /// What the page shows at first.
-    fn start(&self) -> Start;
-}
-
-/// What an answer holds.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Body {
-    /// Data.
-    Json(Vec<u8>),
-    /// A file of a design.
-    File {
-        /// Its name.
-        name: String,
-        /// Its media type.
-        kind: &'static str,
-        /// Its contents.
-        bytes: Vec<u8>,
-    },
-}
-
-/// An answer.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
-    /// Whether the question was understood: a scene at fault is an answer too.
-    pub understood: bool,
-    /// What it holds.
-    pub body: Body,
-}
-
-impl Answer {
-    /// Data as an answer.
-    pub fn json(value: &impl Serialize) -> Answer {
-        // Structs with string keys: this cannot fail.
-        let body = Body::Json(serde_json::to_vec(value).unwrap_or_default());
-        let understood = true;
-        Answer { understood, body }
-    }
-
-    /// Data, or its error as data.
-    pub fn of<T: Serialize>(result: Result<T>) -> Answer {
-        match result {
-            Ok(value) => Answer::json(&value),
-            Err(error) => Answer::json(&fault_json(&error)),
-        }
-    }
-
-    fn bad(fault: String) -> Answer {
-        let error = Error::from(StudioError::BadRequest { fault });
-        Answer {
-            understood: false,
-            ..Answer::json(&fault_json(&error))
-        }
-    }
-}
-
-/// Answers questions. What it keeps is found by contents alone, so that no page can see what another one has.
-pub struct Engine {
-    files: Mutex<Recent<Hash, Arc<Vec<u8>>>>,
-    pub(crate) curves: Mutex<Recent<Hash, ForceCurve>>,
-    pub(crate) designs: Mutex<Recent<Hash, Arc<Made>>>,
-}
-
-impl Default for Engine {
-    fn default() -> Engine {
-        Engine {
-            files: Mutex::new(Recent::new(FILES)),
-            curves: Mutex::new(Recent::new(CURVES)),
-            designs: Mutex::new(Recent::new(DESIGNS)),
-        }
-    }
-}
-
 impl Engine {
-    /// Keeps the bytes of a file and gives their hash.
-    pub fn keep(&self, bytes: Vec<u8>) -> Hash {
-        let hash = Hash::of(&bytes);
-        let mut files = lock(&self.files);
-        files.put(hash.clone(), Arc::new(bytes));
-        files.shrink(BYTES, |bytes| bytes.len());
-        hash
-    }
-
-    /// The bytes of a hash, where they are kept.
-    pub fn kept(&self, hash: &Hash) -> Option<Arc<Vec<u8>>> {
-        lock(&self.files).get(hash)
-    }
-
     /// Answers a question. Every answer names the hash of the question in `of`; of a file that is named and not kept it
     /// gives nothing but its hash, in `missing`.
     pub fn answer(&self, host: &dyn Host, route: &str, question: &[u8]) -> Answer {
@@ -199,21 +78,4 @@ fn asked<Q: DeserializeOwned, A: Serialize>(
         Ok(question) => Answer::of(reply(&question)),
         Err(e) => Answer::bad(e.to_string()),
     }
-}
-
-/// An error for the page.
-pub fn fault_json(error: &Error) -> Value {
-    let language = words::current();
-    let key = match &error.place {
-        Place::Key(key) => Some(key.clone()),
-        _ => None,
-    };
-    let place = error.place.to_string();
-    json!({"error": {
-        "code": error.code(),
-        "key": key,
-        "place": place.trim_end_matches(": "),
-        "message": error.what(language),
-        "help": error.help(language),
-    }})
 }

@@ -6,8 +6,9 @@
 //! hash of all that they are made from.
 //!
 //! ```text
-//! ask.rs      questions by their routes, answers     sources.rs  files and force curves of a question
+//! ask.rs      questions by their routes              sources.rs  files and force curves of a question
 //! questions/  one file per kind of question          form.rs     fields and sliders of a scene
+//! answer.rs   answers and errors as data             kept.rs     files, curves and designs kept between questions
 //! edit.rs     changes of a scene's table             curves.rs   what the diagrams show
 //! abi.rs      the functions that a browser calls
 //! ```
@@ -16,12 +17,14 @@
 
 #[cfg(target_family = "wasm")]
 mod abi;
+mod answer;
 mod ask;
 mod curves;
 mod edit;
 pub mod fault;
 mod form;
 mod hash;
+mod kept;
 mod questions;
 mod recent;
 mod sources;
@@ -34,8 +37,9 @@ use toml::Table;
 use fault::StudioError;
 use gaitcam::error::Result;
 
-pub use ask::{Answer, Body, Engine, Host, Start, fault_json};
+pub use answer::{Answer, Body, fault_json};
 pub use hash::Hash;
+pub use kept::{Engine, Host, Start};
 pub use recent::Recent;
 pub use sources::Named;
 pub use words::{current as language, settle as set_language};

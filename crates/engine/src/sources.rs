@@ -8,8 +8,8 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
-use crate::ask::{Engine, Host};
 use crate::hash::Hash;
+use crate::kept::{Engine, Host};
 use crate::lock;
 use gaitcam::error::Result;
 use gaitcam::force::{self, ForceCurve, ReadOptions};

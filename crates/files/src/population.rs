@@ -7,8 +7,7 @@ use gaitcam::error::{FileError, Place, Result};
 use gaitcam::force::{self, ForceCurve, Walker, WalkerFault, walker_fault};
 use gaitcam::scene::Gait;
 
-use crate::read::{cannot_be_read, read_bytes};
-use crate::target::{find, metadata};
+use crate::read::{cannot_be_read, find, metadata, read_bytes};
 
 /// Endings of recordings; a folder may also hold other files.
 pub const ENDINGS: [&str; 13] = [

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::population::population;
 use crate::read::read_bytes;
+pub use crate::read::{find, metadata};
 use gaitcam::error::{Placed, ReadError, Result};
 use gaitcam::force::{self, ForceCurve};
 use gaitcam::scene::{self, Scene, Source};
@@ -77,19 +78,4 @@ pub fn joined(files: &[PathBuf]) -> Result<Vec<u8>> {
         let names: Vec<String> = files.iter().map(|f| f.display().to_string()).collect();
         ReadError::NotPlatesOfOneTrial.in_file(Path::new(&names.join(AND)))
     })
-}
-
-/// A path of a scene: relative to the scene file if it exists there, else to the working directory.
-pub fn find(folder: &Path, path: &Path) -> PathBuf {
-    let beside = folder.join(path);
-    if beside.exists() {
-        beside
-    } else {
-        path.to_path_buf()
-    }
-}
-
-/// The table of subjects in the folder of a table of stances, if there is one.
-pub fn metadata(path: &Path) -> Option<Vec<u8>> {
-    read_bytes(&force::metadata_name(path)?).ok()
 }

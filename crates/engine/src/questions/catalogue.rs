@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::ask::Start;
+use crate::kept::Start;
 use crate::questions::variation::{QUANTITIES, TRADES};
 use crate::sources::Files;
 use crate::{table, words};

@@ -11,6 +11,7 @@ use crate::curves::{Colour, Curves, curves};
 use crate::edit::{Edit, apply};
 use crate::form::{Field, fields};
 use crate::hash::Hash;
+use crate::kept::Made;
 use crate::sources::Files;
 use crate::{lock, table, words};
 use gaitcam::Problem;
@@ -105,22 +106,6 @@ struct Eased {
     after: String,
     /// Gain as a share of the objective.
     gain: f64,
-}
-
-/// A design with its inputs.
-pub struct Made {
-    /// The scene's table.
-    pub table: Table,
-    /// The same with the rows of every motion in place of the file that it names.
-    pub whole: Table,
-    /// The scene.
-    pub scene: Scene,
-    /// The design.
-    pub design: Design,
-    /// How long it took.
-    pub time: Timing,
-    hash: Hash,
-    force: Option<Hash>,
 }
 
 /// Designs the scene.

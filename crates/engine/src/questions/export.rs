@@ -2,9 +2,10 @@
 
 use serde::Deserialize;
 
-use crate::ask::{Answer, Body};
+use crate::answer::{Answer, Body};
 use crate::fault::StudioError;
-use crate::questions::design::{Made, made};
+use crate::kept::Made;
+use crate::questions::design::made;
 use crate::sources::Files;
 use crate::{table, words};
 use gaitcam::error::{Error, Result};

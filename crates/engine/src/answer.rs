@@ -1,0 +1,77 @@
+//! Answers and their errors as data.
+
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use crate::fault::StudioError;
+use crate::words;
+use gaitcam::error::{Error, Place, Result};
+
+/// What an answer holds.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Body {
+    /// Data.
+    Json(Vec<u8>),
+    /// A file of a design.
+    File {
+        /// Its name.
+        name: String,
+        /// Its media type.
+        kind: &'static str,
+        /// Its contents.
+        bytes: Vec<u8>,
+    },
+}
+
+/// An answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// Whether the question was understood: a scene at fault is an answer too.
+    pub understood: bool,
+    /// What it holds.
+    pub body: Body,
+}
+
+impl Answer {
+    /// Data as an answer.
+    pub fn json(value: &impl Serialize) -> Answer {
+        // Structs with string keys: this cannot fail.
+        let body = Body::Json(serde_json::to_vec(value).unwrap_or_default());
+        let understood = true;
+        Answer { understood, body }
+    }
+
+    /// Data, or its error as data.
+    pub fn of<T: Serialize>(result: Result<T>) -> Answer {
+        match result {
+            Ok(value) => Answer::json(&value),
+            Err(error) => Answer::json(&fault_json(&error)),
+        }
+    }
+
+    /// Of a question that is not understood.
+    pub(crate) fn bad(fault: String) -> Answer {
+        let error = Error::from(StudioError::BadRequest { fault });
+        Answer {
+            understood: false,
+            ..Answer::json(&fault_json(&error))
+        }
+    }
+}
+
+/// An error for the page.
+pub fn fault_json(error: &Error) -> Value {
+    let language = words::current();
+    let key = match &error.place {
+        Place::Key(key) => Some(key.clone()),
+        _ => None,
+    };
+    let place = error.place.to_string();
+    json!({"error": {
+        "code": error.code(),
+        "key": key,
+        "place": place.trim_end_matches(": "),
+        "message": error.what(language),
+        "help": error.help(language),
+    }})
+}
