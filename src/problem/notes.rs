@@ -8,8 +8,9 @@ use strum::VariantNames;
 
 use super::Problem;
 use crate::drive::DriveKind;
+use crate::error::SceneError;
 use crate::force::{self, ForceCurve, implausible};
-use crate::scene::{LimitKind, Scene, SceneNote};
+use crate::scene::{LimitKind, Scene};
 use crate::units::{Dimension, Quantity};
 use crate::wording::{self, Language};
 
@@ -44,7 +45,7 @@ const SAME_PERIOD: f64 = 1e-3;
 #[allow(missing_docs)] // fields are named as in the sentences
 pub enum Note {
     /// On the scene.
-    Scene { note: SceneNote },
+    Scene { note: SceneError },
     /// On the recording.
     Recording { note: force::Note },
     /// The force cycle is stretched to the turn.
@@ -117,7 +118,7 @@ impl Note {
     /// The note as a sentence.
     pub fn sentence(&self, language: Language) -> String {
         match self {
-            Note::Scene { note } => note.sentence(language),
+            Note::Scene { note } => wording::sentence(language, "scene", note),
             Note::Recording { note } => wording::sentence(language, "note", note),
             own => wording::sentence(language, "design", own),
         }

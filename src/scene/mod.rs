@@ -17,7 +17,6 @@ pub use crate::cam::LimitKind;
 pub use builtin::{BuiltIn, DEFAULT, SCENES, built_in, built_in_file};
 pub use keys::schema;
 pub use motion_file::{LARGEST_MOTION, motion_files, with_motions};
-pub use notes::SceneNote;
 pub use parts::{
     Adjust, Band, CamSpec, ConjugateSpec, DriveSpec, Dwell, Family, FloorSpec, ForceScale, Gait,
     Harmonic, KeywaySpec, LawPoint, LawSpec, Limits, MachineSpec, Minimise, MotorSpec, Phase,

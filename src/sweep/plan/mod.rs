@@ -274,7 +274,7 @@ impl Plan {
             match scene::read(&table) {
                 Ok(read) => match read.no_effect_of(axis.key.name()) {
                     None => return Ok(()),
-                    Some(note) => fault = Some(note.into()),
+                    Some(error) => fault = Some(error),
                 },
                 // Keys that do not go together are a fault of the row: other values may go.
                 Err(_) if scene::read_keys(&table).is_ok() => return Ok(()),

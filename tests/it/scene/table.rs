@@ -1,3 +1,4 @@
+use gaitcam::error::Error;
 use gaitcam::scene::keys::{self, KEYS, Kind, Value};
 use gaitcam::scene::{self, SCENES, Scene};
 use gaitcam::wording::{Language, key_doc};
@@ -145,7 +146,10 @@ fn a_key_without_effect_is_noted() {
         }
         let read = scene::read(&table).unwrap();
         let notes = read.notes();
-        let words: Vec<String> = notes.iter().map(|n| n.sentence(Language::En)).collect();
+        let words: Vec<String> = notes
+            .iter()
+            .map(|n| Error::from(n.clone()).what(Language::En))
+            .collect();
         words.join("\n")
     };
     assert_eq!(with(&[]), "");

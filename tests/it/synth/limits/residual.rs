@@ -1,9 +1,9 @@
 //! Residual vibration in dwells against a time integration of the follower.
 
 use gaitcam::cam::LimitKind;
+use gaitcam::error::SceneError;
 use gaitcam::law::Law;
-use gaitcam::scene::keys::Idle;
-use gaitcam::scene::{Scene, SceneNote};
+use gaitcam::scene::Scene;
 use gaitcam::synth::Design;
 use std::f64::consts::TAU;
 
@@ -195,8 +195,8 @@ fn a_limit_on_vibration_without_a_dwell_is_said_to_have_no_effect() {
     assert!(scene.notes().is_empty());
     let mut without: Scene = scene;
     without.law.dwells.clear();
-    let [SceneNote::NoEffect { key, why, .. }] = &without.notes()[..] else {
+    let [SceneError::NoEffect { key, why, .. }] = &without.notes()[..] else {
         panic!("{:?}", without.notes());
     };
-    assert_eq!((key.as_str(), *why), ("limits.residual", Idle::NoDwell));
+    assert_eq!((key.as_str(), *why), ("limits.residual", "no-dwell"));
 }
