@@ -2,7 +2,7 @@
 
 use crate::statistics::{median, ranked};
 
-/// Duration in which a walker's foot leaves the plate at least once, s.
+/// Duration in which a walker's foot leaves the plate at least once, s; of a shorter record over plates a part will do.
 const WINDOW_S: f64 = 2.0;
 /// Fewest windows that show a drift.
 const FEWEST: usize = 4;
@@ -36,10 +36,13 @@ pub(super) fn drift(force: &[f64], rate_hz: f64) -> f64 {
 /// Level of a window: its 10th percentile. Slope: the median over pairs of windows (Theil and Sen), so that windows in
 /// which the plate is loaded throughout do not matter while they are few.
 fn upwards(force: &[f64], rate_hz: f64) -> Option<f64> {
-    let length = ((WINDOW_S * rate_hz) as usize).max(10);
+    let length = ((WINDOW_S * rate_hz) as usize).min(force.len() / (FEWEST + 1));
     let level = |window: &[f64]| ranked(window.to_vec(), length / 10);
-    let levels: Vec<f64> = force.chunks_exact(length).filter_map(level).collect();
-    if levels.len() < FEWEST {
+    let levels: Vec<f64> = force
+        .chunks_exact(length.max(1))
+        .filter_map(level)
+        .collect();
+    if levels.len() < FEWEST || length < 10 {
         return None;
     }
     let windows = || levels.iter().enumerate().step_by(levels.len() / 200 + 1);

@@ -89,7 +89,8 @@ fn clipped_forces_are_an_open_question_that_cannot_be_accepted() {
     let (mut clipped, mut whole) = (0, 0);
     for seed in 0..100 {
         let dice = &mut Dice::new(seed);
-        let person = walker(dice, 12.0);
+        let seconds = dice.of(&[6.0, 12.0]);
+        let person = walker(dice, seconds);
         let plate = plain(dice.of(&[100.0, 300.0, 1000.0]));
         let table = belts(dice, &person, &plate, ["left fz", "right fz"]);
         let mut untouched = table.clone();
@@ -150,7 +151,8 @@ fn one_clipped_stance_of_a_c3d_is_asked_about() {
 fn a_steady_drift_is_removed_and_said() {
     for seed in 0..40 {
         let dice = &mut Dice::new(seed);
-        let person = walker(dice, 20.0);
+        let seconds = dice.of(&[6.0, 20.0]);
+        let person = walker(dice, seconds);
         let rise = dice.of(&[-8.0, -4.0, 4.0, 8.0]);
         let plate = Plate {
             drift_n: rise * person.seconds,
