@@ -10,6 +10,7 @@ use gaitcam_cad::{cutter, drawing, dxf, gcode, solid, step, svg};
 use gaitcam_output::{Picture, Timing, csv, plots, report, xlsx};
 
 use crate::contents::{Contents, Remark};
+pub use crate::group::Group;
 
 /// Vertices of a solid's profile and of the polylines in the drawing with arcs.
 const VERTICES: usize = 720;
@@ -17,43 +18,6 @@ const VERTICES: usize = 720;
 const ARCS: f64 = 1e-6;
 /// Triangles of a groove's wall: along the groove for every turn, and through its depth.
 const WALL: [usize; 2] = [720, 8];
-
-/// What a file is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Group {
-    /// Numbers.
-    Tables,
-    /// The cam at true scale.
-    Drawings,
-    /// Pictures.
-    Pictures,
-    /// The report.
-    Report,
-    /// Solids, workshop drawing, programs for machines.
-    Workshop,
-}
-
-impl Group {
-    /// Every group, in the order in which they are listed.
-    pub const ALL: [Group; 5] = [
-        Group::Tables,
-        Group::Drawings,
-        Group::Pictures,
-        Group::Report,
-        Group::Workshop,
-    ];
-
-    /// Its name in data.
-    pub fn name(self) -> &'static str {
-        match self {
-            Group::Tables => "tables",
-            Group::Drawings => "drawings",
-            Group::Pictures => "pictures",
-            Group::Report => "report",
-            Group::Workshop => "workshop",
-        }
-    }
-}
 
 /// Which designs have a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -136,14 +100,10 @@ const fn file(
     }
 }
 
-const fn electronic_cam(dialect: Dialect, make: fn(&Source) -> Made) -> File {
-    file(
-        Group::Workshop,
-        dialect.file(),
-        Of::Cams,
-        With::Ecam(dialect),
-        make,
-    )
+/// An electronic cam: its maker is chosen by what it is written for.
+const fn electronic_cam(dialect: Dialect) -> File {
+    let with = With::Ecam(dialect);
+    file(Group::Workshop, dialect.file(), Of::Cams, with, |_| none())
 }
 
 /// Every file that a design may have except its scene, in the order of writing.
@@ -236,11 +196,11 @@ pub const ALL: [File; 36] = {
                 Remark::NoProgram,
             )
         }),
-        electronic_cam(Dialect::Codesys, |s| electronic(s, Dialect::Codesys)),
-        electronic_cam(Dialect::Twincat, |s| electronic(s, Dialect::Twincat)),
-        electronic_cam(Dialect::Segments, |s| electronic(s, Dialect::Segments)),
-        electronic_cam(Dialect::Rockwell, |s| electronic(s, Dialect::Rockwell)),
-        electronic_cam(Dialect::Csv, |s| electronic(s, Dialect::Csv)),
+        electronic_cam(Dialect::Codesys),
+        electronic_cam(Dialect::Twincat),
+        electronic_cam(Dialect::Segments),
+        electronic_cam(Dialect::Rockwell),
+        electronic_cam(Dialect::Csv),
     ]
 };
 
@@ -383,7 +343,10 @@ impl File {
     /// # Errors
     /// A cutter that has no path; a workbook or mesh that cannot be put together.
     pub fn make(&self, source: &Source) -> Made {
-        (self.make)(source)
+        match self.with {
+            With::Ecam(dialect) => electronic(source, dialect),
+            _ => (self.make)(source),
+        }
     }
 
     fn suits(&self, design: &Design) -> bool {

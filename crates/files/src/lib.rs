@@ -12,6 +12,7 @@ mod contents;
 pub mod design;
 mod earlier;
 pub mod files;
+mod group;
 pub mod lock;
 pub mod population;
 pub mod read;
