@@ -16,7 +16,10 @@ pub(super) const SMALLEST_N: f64 = 15.0;
 pub(super) fn drift(force: &[f64], rate_hz: f64) -> f64 {
     let even = |sign: f64, slope: f64| -> Vec<f64> {
         let all = force.iter().enumerate();
-        all.map(|(i, x)| sign * (x - slope * i as f64)).collect()
+        match (sign > 0.0, slope != 0.0) {
+            (true, false) => force.to_vec(),
+            _ => all.map(|(i, x)| sign * (x - slope * i as f64)).collect(),
+        }
     };
     let of = |sign: f64, slope: f64| Some(sign * upwards(&even(sign, slope), rate_hz)?);
     let found = [1.0, -1.0]

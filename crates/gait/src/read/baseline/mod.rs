@@ -21,6 +21,9 @@ const LOADED: f64 = 0.15;
 /// Values looked at to find baseline and sign; more are thinned evenly.
 const SAMPLE: usize = 1 << 15;
 
+/// Readings that are looked at for clipping, and their rate, Hz.
+const CLIPPED: (usize, f64) = (1 << 14, 200.0);
+
 /// Makes a channel of raw readings in newtons of either sign (NaN where samples are missing).
 ///
 /// The sign is such that the load is positive; the unloaded baseline is the densest level at the
@@ -50,25 +53,25 @@ pub(super) fn channel(
     let drifts = (slope * samples as f64).abs() > SMALLEST_N;
     let removed = if drifts { slope } else { 0.0 };
     let step = samples / SAMPLE + 1;
-    let without = |readings: &[f64], slope: f64| -> Vec<f64> {
-        let all = readings.iter().enumerate();
-        all.map(|(k, x)| x - slope * (k * step) as f64).collect()
-    };
-    let mut thin = without(&sample(&out.force_n, SAMPLE), removed);
+    let mut thin = sample(&out.force_n, SAMPLE);
+    without(&mut thin, removed * step as f64);
     out.idle = idle(&thin, samples as f64 / rate_hz);
     if out.idle.is_some() {
         return out;
     }
     let sign = if loads_downwards(&thin) { -1.0 } else { 1.0 };
-    for x in &mut thin {
-        *x = sign * *x + 0.0; // no signed zeros
-    }
-    for (i, x) in out.force_n.iter_mut().enumerate() {
-        *x = sign * (*x - removed * i as f64) + 0.0;
+    without(&mut out.force_n, removed);
+    if sign < 0.0 {
+        for x in out.force_n.iter_mut().chain(&mut thin) {
+            *x = -*x + 0.0; // no signed zeros
+        }
     }
     let found = baseline(&thin, &out.force_n, rate_hz);
-    let even = without(&thin, sign * (slope - removed));
-    let stops = clipped(&even, rate_hz / step as f64, found.map_or(0.0, |f| f.1));
+    let every = ((rate_hz / CLIPPED.1) as usize).max(1);
+    let some = out.force_n.iter().step_by(every).take(CLIPPED.0).copied();
+    let mut even: Vec<f64> = some.collect();
+    without(&mut even, sign * (slope - removed) * every as f64);
+    let stops = clipped(&even, rate_hz / every as f64, found.map_or(0.0, |f| f.1));
     let note = |level: f64| (out.name.clone(), newtons(level));
     if let Some((column, level)) = stops.map(note) {
         notes.push(Note::Clipped { column, level });
@@ -85,6 +88,15 @@ pub(super) fn channel(
         }
     }
     out
+}
+
+/// Takes a drift, N per sample, from readings.
+fn without(readings: &mut [f64], slope: f64) {
+    if slope != 0.0 {
+        for (i, x) in readings.iter_mut().enumerate() {
+            *x -= slope * i as f64;
+        }
+    }
 }
 
 /// Why a channel with these readings takes no part; `None` where it does.
