@@ -11,6 +11,9 @@ use crate::synth::qp::{PEAK, Program, Quadratic, SIZES, Solution};
 const TIGHTENINGS: usize = 40;
 const LINEARISATIONS: usize = 8;
 const SMALLEST_SHARE: f64 = 1e-3;
+/// Optima under the restriction, and how many of them in turn may come no nearer.
+const RESTRICTIONS: usize = 20;
+const PATIENCE: usize = 4;
 /// Weight of nearness against a peak that is minimised.
 const HEAVY: f64 = 1e3;
 /// Parts of a step that are looked at.
@@ -21,8 +24,8 @@ const PARTS: [f64; 4] = [1.0, 0.7, 0.4, 0.15];
 /// are solved until they hold.
 pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut current = start.clone();
-    let mut room = Room::above(0.0);
-    for _ in 0..20 {
+    let (mut room, mut nearest, mut since) = (Room::above(0.0), f64::NEG_INFINITY, 0);
+    for _ in 0..RESTRICTIONS {
         let clear = at_size.clear(program, &current);
         if least_of(&clear) >= ROOM
             && program.violation(&current.x, &current.extra) <= program.settings.tolerance
@@ -30,6 +33,15 @@ pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option
         {
             return Some(current);
         }
+        since = if least_of(&clear) > nearest {
+            0
+        } else {
+            since + 1
+        };
+        if since > PATIENCE {
+            return None;
+        }
+        nearest = nearest.max(least_of(&clear));
         room.widen(&clear);
         let mut next = program.clone();
         next.fixed = match at_size.of(&current).profile {
