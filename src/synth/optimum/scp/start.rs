@@ -10,7 +10,7 @@ use crate::synth::qp::{PEAK, Program, Quadratic, SIZES, Solution};
 /// Steps of the tightening, linearisations per step, and the smallest step.
 const TIGHTENINGS: usize = 40;
 const LINEARISATIONS: usize = 8;
-const SMALLEST_SHARE: f64 = 1e-3;
+const SMALLEST_SHARE: f64 = 2e-3;
 /// Optima under the restriction, and how many of them in turn may come no nearer.
 const RESTRICTIONS: usize = 20;
 const PATIENCE: usize = 4;
@@ -74,7 +74,7 @@ pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Optio
         active: Vec::new(),
         ..start.clone()
     };
-    let (mut reached, mut step) = (0.0_f64, 1.0_f64);
+    let (mut reached, mut step, mut again) = (0.0_f64, 1.0_f64, false);
     for _ in 0..TIGHTENINGS {
         if program.halt.is_asked() {
             return None;
@@ -94,10 +94,12 @@ pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Optio
             }
             Some(found) => {
                 (current, reached) = (found, share);
-                step *= 2.0;
+                // A share that failed before is tried again after two that served.
+                step *= if again { 2.0 } else { 0.5 };
+                again = true;
             }
             None => {
-                step = 0.5 * (share - reached);
+                (step, again) = (0.5 * (share - reached), false);
                 if step < SMALLEST_SHARE {
                     return None;
                 }
