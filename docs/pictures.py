@@ -27,6 +27,7 @@ PICTURES = {
         "torque": "out/footbridge-front/front.svg",
         "motor": "out/plain-motor/report.html#run",
     },
+    ("walkers", "caminantes"): {"band": "out/worst/walkers.svg", "cover": "out/bridges/cover.svg"},
     ("limits", "limites"): {"stroke": "out/footbridge-front/front.svg"},
     ("no-cam", "sin-leva"): {"force": "out/short/force.svg"},
     ("run", "marcha"): {

@@ -165,7 +165,13 @@ class Design:
     ) -> dict[str, bytes]: ...
     def _repr_html_(self) -> str: ...
 
-def synth(scene: Scene | None = None, *, force: Force | None = None, time_limit: float = 60.0) -> Design: ...
+def synth(
+    scene: Scene | None = None,
+    *,
+    force: Force | None = None,
+    forces: Sequence[Force] | None = None,
+    time_limit: float = 60.0,
+) -> Design: ...
 
 class Run:
     @property

@@ -12,6 +12,7 @@ use gaitcam_files::design::{self, check_inputs_stay, finish};
 use gaitcam_files::files::{self, Source};
 use gaitcam_files::{Contents, Input, PATIENCE, ROWS, ResultFolder};
 use gaitcam_output::{self as output, Language, Timing};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyBytes, PyDict};
 use serde_json::Value;
@@ -47,6 +48,9 @@ pub struct Design {
 ///     What to design; the built-in footbridge by default.
 /// force : Force, optional
 ///     The target force, in place of the one that the scene names.
+/// forces : sequence of Force, optional
+///     The cycles of several walkers, whom one cam is to serve as ``law.robust`` and ``gait.adjust`` say; forces of one
+///     name are cycles of one walker. ``summary["population"]`` says how well it does.
 /// time_limit : float
 ///     Seconds after which searches end with the best that they have.
 ///
@@ -61,16 +65,23 @@ pub struct Design {
 /// InputError
 ///     The scene, its recording or the force is wrong.
 #[pyfunction]
-#[pyo3(signature = (scene = None, *, force = None, time_limit = 60.0))]
+#[pyo3(signature = (scene = None, *, force = None, forces = None, time_limit = 60.0))]
 pub fn synth(
     py: Python<'_>,
     scene: Option<&Bound<'_, PyAny>>,
     force: Option<&Bound<'_, PyAny>>,
+    forces: Option<Vec<PyRef<'_, Force>>>,
     time_limit: f64,
 ) -> PyResult<Design> {
     let scene = scene.map(|s| Scene::given(s, "scene")).transpose()?;
     let scene = Scene::or_default(py, scene.map(Bound::get))?;
-    let force = Force::of_argument(force)?;
+    let force = match forces {
+        Some(_) if force.is_some() => {
+            return Err(PyTypeError::new_err("give force or forces, not both"));
+        }
+        Some(forces) => Some(Force::of_walkers(py, &forces)?),
+        None => Force::of_argument(force)?,
+    };
     answer(py, scene, force, time_limit)
 }
 

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use gaitcam::force::{self, ForceCurve};
+use gaitcam::force::{self, ForceCurve, Walker};
 use gaitcam::scene;
+use gaitcam_files::population::{self, Content};
 use gaitcam_files::{Input, target};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -72,6 +73,9 @@ const OF_SOURCE: [&str; 12] = [
     "span",
 ];
 
+/// Name of a force to which none is given.
+const UNNAMED: &str = "force";
+
 /// The file of a force from arrays, in the folder of the result.
 pub use gaitcam_files::design::FORCE as FILE;
 
@@ -101,6 +105,18 @@ impl Force {
                 scene::Source::Model(name) => PathBuf::from(name),
                 scene::Source::Harmonics(_) => PathBuf::new(),
             };
+            if population::is_table(&path, &bytes) {
+                let bytes = Arc::new(bytes.to_vec());
+                let (path, metadata) = (path, None);
+                return population::population_of(
+                    &gait,
+                    &[Content {
+                        path,
+                        bytes,
+                        metadata,
+                    }],
+                );
+            }
             let options = gait.read_options(metadata.clone())?;
             force::force_curve(&path, &bytes, &options, gait.feet)
         };
@@ -111,6 +127,21 @@ impl Force {
             metadata,
         };
         Ok(Force { curve, origin })
+    }
+
+    /// Several walkers as one target; forces of one name are cycles of one walker, those without a name are numbered.
+    pub fn of_walkers(py: Python<'_>, forces: &[PyRef<'_, Force>]) -> PyResult<Force> {
+        let walker = |(number, force): (usize, &PyRef<'_, Force>)| {
+            let name = match force.curve.name.as_str() {
+                UNNAMED => format!("{UNNAMED} {number}"),
+                name => name.to_string(),
+            };
+            Walker::new(&name, force.curve.clone())
+        };
+        let walkers: Vec<Walker> = (1..).zip(forces).map(walker).collect();
+        let table = force::population_csv(&walkers);
+        let gait = Table::from_iter([("file".to_string(), Value::from(FILE))]);
+        Force::of_recording(py, gait, table.into_bytes().into(), None)
     }
 
     /// The content of a file of this force: of the recording, or of [`FILE`].

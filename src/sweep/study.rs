@@ -206,8 +206,13 @@ impl Study {
         };
         let bytes = content(path)
             .ok_or_else(|| Error::from(SweepError::NotCarried).at(Place::File(path.clone())))?;
-        if force::is_population(bytes) || !gait.more_files.is_empty() {
+        if !gait.more_files.is_empty() {
             return Err(SynthError::NotOfPopulation.at_key("gait.file"));
+        }
+        if force::is_population(bytes) {
+            let all = force::read_population(path, bytes)?;
+            let walkers = gait.walkers(all, &[]).map_err(|e| e.in_file(path))?;
+            return ForceCurve::of_walkers(walkers);
         }
         let metadata = force::metadata_name(path).and_then(|p| content(&p).map(|b| b.to_vec()));
         force::force_curve(path, bytes, &gait.read_options(metadata)?, gait.feet)

@@ -47,6 +47,8 @@ enum Command {
     Synth(synth::SynthArgs),
     /// Read a recording: format, channels, stances, mean cycle
     Gait(gait::GaitArgs),
+    /// Find how many cams serve a population of walkers, and which cam serves whom
+    Cover(gait::cover::CoverArgs),
     /// Simulate the finished cam: force, torque, lift-off, vibration, with the simplest sufficient model
     Simulate(simulate::SimulateArgs),
     /// Fit measured points of a made cam to its design: deviations, and what this very cam does
@@ -110,6 +112,7 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Synth(args) => synth::run(&args),
         Command::Simulate(args) => simulate::run(&args),
         Command::Gait(args) => gait::run(&args),
+        Command::Cover(args) => gait::cover::run(&args),
         Command::Inspect(args) => inspect::run(&args),
         Command::Ecam(args) => ecam::run(&args),
         Command::Sweep(args) => sweep::run(&args),
@@ -156,6 +159,7 @@ impl Command {
             Command::Synth(args) => args.json,
             Command::Simulate(args) => args.json,
             Command::Gait(args) => args.json,
+            Command::Cover(args) => args.json,
             Command::Inspect(args) => args.json,
             Command::Ecam(args) => args.json,
             Command::Sweep(args) => args.json,

@@ -59,7 +59,7 @@ pub struct Panel {
     pub id: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// Its curves by their part: `main`, `target`, `low`, `high`.
+    /// Its curves by their part: `main`, `target`, `low`, `high`, `worst`.
     pub lines: Vec<Line>,
     /// Limits, by value.
     pub levels: Vec<Shown>,
@@ -68,7 +68,7 @@ pub struct Panel {
 /// A curve.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Line {
-    /// `main`, `target`, or an edge of a band: `low`, `high`.
+    /// `main`, `target`, an edge of a band: `low`, `high`, or the walker who is served `worst`.
     pub role: &'static str,
     /// Values at the angles.
     pub y: Vec<Shown>,
@@ -258,7 +258,43 @@ fn force(design: &Design, samples: &[Sample]) -> Panel {
             curve::target_at(high, law, s.theta)
         }));
     }
+    lines.extend(walkers(design, samples));
     panel(design, "force", unit, lines)
+}
+
+/// What the force would be if the cam served each walker without an error: the edges over all, and that of the worst. The force of
+/// every walker's machine is linear in the one shown.
+fn walkers(design: &Design, samples: &[Sample]) -> Vec<Line> {
+    let Some((all, report)) = design
+        .problem
+        .walkers
+        .as_deref()
+        .zip(design.population.as_ref())
+    else {
+        return Vec::new();
+    };
+    let rest = design.drive.rest_force;
+    let wanted = |i: usize, theta: f64| {
+        let walker = &all.each[i];
+        let later = report.each[i].phase_rad - design.phase;
+        let force = curve::target_at(&walker.target, &design.cam.law, theta + later);
+        rest + (force - walker.drive.rest_force) / walker.factor
+    };
+    let edge = |better: fn(f64, f64) -> f64| {
+        move |s: &Sample| {
+            let each = (0..all.each.len()).map(|i| wanted(i, s.theta));
+            each.reduce(better).unwrap_or(f64::NAN)
+        }
+    };
+    let error = |i: &usize| report.each[*i].rms_error_percent;
+    let worst = (0..all.each.len()).max_by(|a, b| error(a).total_cmp(&error(b)));
+    vec![
+        line_of("low", samples, edge(f64::min)),
+        line_of("high", samples, edge(f64::max)),
+        line_of("worst", samples, |s| {
+            worst.map_or(f64::NAN, |i| wanted(i, s.theta))
+        }),
+    ]
 }
 
 fn radius(design: &Design, samples: &[Sample]) -> Panel {

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use gaitcam::error::{FileError, Place, Result};
-use gaitcam::force::{self, ForceCurve, Walker, WalkerFault, walker_fault};
+use gaitcam::error::{Place, Result};
+use gaitcam::force::{self, ForceCurve, Walker};
 use gaitcam::scene::Gait;
 
 use crate::read::{cannot_be_read, find, metadata, read_bytes};
@@ -180,52 +180,12 @@ impl Read {
 
     /// Their mean, with the file at fault where there is one.
     fn mean(self, gait: &Gait, first: PathBuf) -> Result<ForceCurve> {
-        let mean = self.checked(gait).and_then(ForceCurve::of_walkers);
+        let walkers = gait.walkers(self.walkers, &self.unreadable);
+        let mean = walkers.and_then(ForceCurve::of_walkers);
         mean.map_err(|e| match e.place {
             Place::File(_) | Place::Line { .. } => e,
             _ => e.at(Place::File(first)),
         })
-    }
-
-    /// The walkers, if all can be taken.
-    fn checked(self, gait: &Gait) -> Result<Vec<Walker>> {
-        let mut walkers = self.walkers;
-        walkers.retain(|w| !leaves_out(gait, &w.name));
-        let mut names: [Vec<String>; 4] = Default::default();
-        for walker in &walkers {
-            let name = walker.name.clone();
-            let (kind, shown) = match walker_fault(walker, &walkers) {
-                None => continue,
-                Some(WalkerFault::MeanNotWeight { percent }) => {
-                    (0, format!("{name} ({percent:.0} %)"))
-                }
-                Some(WalkerFault::NoMeanForce) => (0, name),
-                Some(WalkerFault::OtherUnit) => (1, name),
-                Some(WalkerFault::OtherFeet) => (2, name),
-                Some(WalkerFault::OtherKind) => (3, name),
-            };
-            names[kind].push(shown);
-        }
-        let count = self.unreadable.len() + names.iter().map(Vec::len).sum::<usize>();
-        if count == 0 {
-            return Ok(walkers);
-        }
-        let text = |list: &[String]| {
-            if list.is_empty() {
-                "none".to_string()
-            } else {
-                list.join(", ")
-            }
-        };
-        Err(FileError::Walkers {
-            count,
-            unreadable: text(&self.unreadable),
-            weight: text(&names[0]),
-            unit: text(&names[1]),
-            feet: text(&names[2]),
-            kind: text(&names[3]),
-        }
-        .into())
     }
 }
 

@@ -103,6 +103,24 @@ impl Aim {
     }
 }
 
+impl Nodes {
+    /// What a walker's error under a law's force consists of, as mean squares that add up: of the mean force, of the size of
+    /// what varies about it, and of its shape.
+    pub fn parts(&self, aim: &Aim, force: &[f64]) -> [f64; 3] {
+        let centred = |mut values: Vec<f64>| {
+            let mean = dot(&values, &self.roots);
+            let each = values.iter_mut().zip(&self.roots);
+            each.for_each(|(x, root)| *x -= mean * root);
+            (mean, values)
+        };
+        let both = force.iter().zip(&aim.towards);
+        let (mean, off) = centred(both.map(|(f, y)| y - aim.scale * f).collect());
+        let (_, varying) = centred(force.to_vec());
+        let size = dot(&off, &varying).powi(2) / norm(&varying).max(f64::MIN_POSITIVE);
+        [mean * mean, size, (norm(&off) - size).max(0.0) + aim.left]
+    }
+}
+
 pub fn norm(values: &[f64]) -> f64 {
     values.iter().map(|x| x * x).sum()
 }

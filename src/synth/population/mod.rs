@@ -5,12 +5,17 @@
 //! design for another mean curve, with weights that the search finds ([`weights`]). Families, limits, proofs and checks are
 //! those of one walker (theory §8).
 
+mod bound;
+mod cover;
 mod errors;
+mod folds;
 mod limits;
 mod phase;
 mod report;
 mod weights;
 
+pub use cover::{Assigned, Cover, covers, served_by};
+pub use folds::{Fold, folds};
 pub use report::{OfPopulation, WalkerError};
 
 use std::sync::Arc;
@@ -21,7 +26,7 @@ use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::Extreme;
 use crate::problem::{Note, Problem, Walkers};
-use crate::scene::{Family, Minimise, Robust};
+use crate::scene::{Family, LawSpec, Minimise, Robust};
 use crate::synth::design::proof::Doubt;
 use crate::synth::design::{Design, Tier};
 use crate::synth::families::{self, SolvedLaw};
@@ -185,7 +190,14 @@ impl Found {
             nodes.force(&limited.drive, &laws[0].law),
             gap(&laws[0]),
         );
-        let fixed = held(limited, &laws[0]);
+        let mut fixed = limited.clone();
+        let first = &laws[0];
+        hold(
+            &mut fixed.law,
+            first.family,
+            &first.law,
+            first.coefficients.len(),
+        );
         let is_searched = infeasible.is_none() && walkers.robust != Robust::Mean;
         while is_searched && !weights.is_proved() && laws.len() < ROUNDS && !search.halt.is_asked()
         {
@@ -318,18 +330,14 @@ fn accuracy(problem: &Problem, square: f64) -> Option<Check> {
     Some(Check::at_most(Criterion::RmsError, worst, asked, SLACK))
 }
 
-/// The problem with the size of a law's family: every round is over the same functions.
-fn held(problem: &Problem, law: &SolvedLaw) -> Problem {
-    let mut out = problem.clone();
-    out.law.family = law.family;
-    match law.family {
+/// Gives a law's family and size: every round is over the same functions.
+fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) {
+    spec.family = family;
+    match family {
         // A dwell is a range of its own.
-        Family::Spline => {
-            out.law.spans = Some(law.law.breaks().len() - 1 - problem.law.dwells.len())
-        }
-        _ => out.law.harmonics = Some(law.coefficients.len() / 2),
+        Family::Spline => spec.spans = Some(law.breaks().len() - 1 - spec.dwells.len()),
+        _ => spec.harmonics = Some(coefficients / 2),
     }
-    out
 }
 
 /// What the half mean square of a law may be above the least, N².

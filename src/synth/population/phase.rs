@@ -70,8 +70,8 @@ pub fn best(force: &[(f64, f64)], walker: &Served) -> f64 {
     phase.0
 }
 
-/// A lower bound of the measure over all phases, as a mean square.
-pub fn bound(walkers: &Walkers) -> f64 {
+/// The amplitudes of the walkers' harmonics, N, as targets that no phase changes.
+pub fn amplitudes_of(walkers: &Walkers) -> Vec<Aim> {
     let aim = |walker: &Served| {
         let own = waves(&walker.target.force_n);
         let part = walker.unit * 2.0_f64.sqrt();
@@ -81,7 +81,12 @@ pub fn bound(walkers: &Walkers) -> f64 {
             left: 0.0,
         }
     };
-    let aims: Vec<Aim> = walkers.each.iter().map(aim).collect();
+    walkers.each.iter().map(aim).collect()
+}
+
+/// A lower bound of the measure over all phases, as a mean square.
+pub fn bound(walkers: &Walkers) -> f64 {
+    let aims = amplitudes_of(walkers);
     let shares: Vec<f64> = walkers.each.iter().map(|w| w.share).collect();
     let mut weights = Weights::new(walkers.robust, &shares, &aims);
     let mut next = Some(shares.clone());

@@ -69,4 +69,4 @@ file-walkers = { $count } cycles cannot be taken into the population.{ $unreadab
         [none] {""}
        *[other] {" "}Another kind of movement: { $kind }.
     }
-    .help = correct them, or leave them out by name: gait.leave_out = ["NAME", …]
+    .help = correct them, or leave them out by name: gait.leave_out = ["NAME", …]; gaitcam gait FILE says why a file has no cycle

@@ -69,4 +69,4 @@ file-walkers = { $count } ciclos no pueden tomarse en la población.{ $unreadabl
         [none] {""}
        *[other] {" "}Otro tipo de movimiento: { $kind }.
     }
-    .help = corríjalos o exclúyalos por su nombre: gait.leave_out = ["NOMBRE", …]
+    .help = corríjalos o exclúyalos por su nombre: gait.leave_out = ["NOMBRE", …]; gaitcam gait ARCHIVO dice por qué un archivo no tiene ciclo

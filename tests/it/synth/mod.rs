@@ -1,6 +1,7 @@
 //! Designs: families, limits, certificates, relaxations.
 
 mod arm;
+mod cover;
 mod families;
 mod guard;
 mod limits;

@@ -35,6 +35,14 @@ pub enum CliError {
         file: String,
     },
     CycleOverRecording,
+    Cams {
+        typed: String,
+        most: usize,
+    },
+    AmongRecordings {
+        folder: String,
+    },
+    NotCover,
     SceneNotRecording,
     NoLaw {
         typed: String,

@@ -1,5 +1,7 @@
-//! `gaitcam gait`: what recordings hold, their mean cycles, and the joint mean of several.
+//! `gaitcam gait`: what recordings hold, their mean cycles, and the joint mean of several; `gaitcam cover`.
 
+mod against;
+pub mod cover;
 mod places;
 mod plates;
 mod several;
@@ -17,7 +19,9 @@ use crate::console::words;
 use crate::input;
 use crate::input::recordings::recordings;
 use gaitcam::error::{Error, Place, Placed, Result};
-use gaitcam::force::{self, Cycle, Feet, ForceCurve, Interpretation, OpenQuestion, ReadOptions};
+use gaitcam::force::{
+    self, Cycle, Feet, ForceCurve, Interpretation, OpenQuestion, ReadOptions, Walker,
+};
 use gaitcam::units::Dimension;
 use gaitcam_files::read::read_bytes;
 use gaitcam_files::target::{joined, metadata};
@@ -79,6 +83,9 @@ pub struct GaitArgs {
     /// Take a recording into the joint mean although this is open about it: kind, clock, mass
     #[arg(long, value_name = "LIST", default_value = "")]
     accept: String,
+    /// Which cam of a folder that gaitcam cover wrote serves the walker, and how well
+    #[arg(long, value_name = "DIR")]
+    against: Option<PathBuf>,
 }
 
 /// One recording as it was read.
@@ -119,7 +126,15 @@ pub fn run(args: &GaitArgs) -> Result<u8> {
         read(options.clone(), paths, feet).unwrap_or_else(|fault| Read::failed(paths, fault))
     });
     let is_named = |read: &Read| read.paths.iter().any(|p| args.files.contains(p));
-    several::describe(reads.collect(), &places, &accept, args.json, &is_named)
+    let against = args.against.as_deref();
+    several::describe(
+        reads.collect(),
+        &places,
+        &accept,
+        args.json,
+        &is_named,
+        against,
+    )
 }
 
 /// Whether a file is a cycle that this command wrote into a folder.
@@ -140,7 +155,12 @@ fn one(
     places: &Places,
     feet: Feet,
 ) -> Result<u8> {
-    let read = read(options, paths, feet)?;
+    let mut read = read(options, paths, feet)?;
+    if let Some(folder) = &args.against {
+        let (text, object) = held_against(folder, std::slice::from_ref(&read))?;
+        read.text = format!("{}\n{text}", read.text.trim_end());
+        read.object["against"] = object;
+    }
     if let Some(place) = places.each.first() {
         read.write(place)?;
     }
@@ -156,6 +176,23 @@ fn one(
             BAD_INPUT
         }
     })
+}
+
+/// The cams of a cover for those who have a cycle.
+fn held_against(folder: &Path, reads: &[Read]) -> Result<(String, Value)> {
+    let walker = |read: &Read| {
+        let name = read
+            .paths
+            .first()
+            .and_then(|p| p.file_stem())
+            .unwrap_or_default();
+        Some(Walker::new(&name.to_string_lossy(), read.curve()?.clone()))
+    };
+    let walkers: Vec<Walker> = reads.iter().filter_map(walker).collect();
+    if walkers.is_empty() {
+        return Ok((String::new(), json!([])));
+    }
+    against::against(folder, walkers)
 }
 
 /// Reads one recording: a file, or the files of its plates.

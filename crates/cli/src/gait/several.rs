@@ -1,7 +1,7 @@
 //! Several recordings: a table of all, and their joint mean.
 
 use super::places::Places;
-use super::{Read, of_files, together, write_picture};
+use super::{Read, held_against, of_files, together, write_picture};
 use crate::console::exit_code::{BAD_INPUT, BUILT};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
@@ -23,7 +23,11 @@ pub fn describe(
     accept: &[OpenQuestion],
     as_json: bool,
     is_named: &dyn Fn(&Read) -> bool,
+    against: Option<&Path>,
 ) -> Result<u8> {
+    let against = against
+        .map(|folder| held_against(folder, &reads))
+        .transpose()?;
     let open: Vec<Vec<OpenQuestion>> = reads.iter().map(|r| open(r, accept)).collect();
     let trials: Vec<Trial> = reads
         .iter()
@@ -54,9 +58,16 @@ pub fn describe(
     let mean = joint.as_ref().ok();
     if as_json {
         let objects = reads.iter().map(object).collect();
-        print_json(&trials_json(&rows, objects, mean));
+        let mut object = trials_json(&rows, objects, mean);
+        if let Some((_, value)) = against {
+            object["against"] = value;
+        }
+        print_json(&object);
     } else {
         print(trials_table(&rows, mean, language::current()).trim_end());
+        if let Some((text, _)) = against {
+            print(&text);
+        }
     }
     for (read, place) in reads.iter().zip(&places.each) {
         read.write(place)?;

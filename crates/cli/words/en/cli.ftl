@@ -20,6 +20,12 @@ cli-cycle-ending = { $file } is neither a .csv file nor a folder
     .help = the cycle is written as .csv, with pictures .svg and .png beside it
 cli-cycle-over-recording = the mean cycle would replace the recording itself
     .help = give another name
+cli-cams = "{ $typed }" is no number of cams
+    .help = write one number, or the first and the last: 3, 1:6; at most { $most }
+cli-among-recordings = the results would lie among the recordings in { $folder }
+    .help = give another folder
+cli-not-cover = this is no table of gaitcam cover
+    .help = give the folder that gaitcam cover wrote
 cli-scene-not-recording = is a scene, not a recording
     .help = gaitcam synth designs its cam, gaitcam doctor checks it; gaitcam gait reads the recording that its gait.file names
 cli-no-law = "{ $typed }" is not a rise law
@@ -323,6 +329,31 @@ column-liftoff-speed = lift-off speed
 column-hertz-pressure-max = Hertz pressure maximum
 column-time = time
 column-row = row
+
+# cover and gait --against.
+cover-head = { $name }: { $cycles } cycles; force error in % of each mean force
+cover-cams = cams
+cover-mean = mean
+cover-worst = worst
+cover-bound = bound
+cover-others-mean = others, mean
+cover-others-worst = others, worst
+cover-who = served worst (largest part of the error)
+cover-weight = mean force
+cover-speed = size at this speed
+cover-shape = shape
+cover-bound-worst = bound: no cams of this number have a smaller worst error. others: walkers left out of the design (five parts in turn)
+cover-bound-mean = bound: no cams of this number have a smaller root mean square of the errors. others: walkers left out of the design (five parts in turn)
+cover-stopped = The time limit ended the search: numbers of cams are missing. Give a longer --time-limit.
+cover-error = RMS force error, % of the mean force
+cover-number = number of cams
+cover-what = Error against the number of cams
+against-head = Cams of { $folder }
+against-walker = walker
+against-cams = cams
+against-cam = served by
+against-error = error %
+against-reason = largest part of the error
 
 # compare.
 compare-diagrams = Diagrams in { $folder }

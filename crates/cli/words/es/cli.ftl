@@ -20,6 +20,12 @@ cli-cycle-ending = { $file } no es ni un archivo .csv ni una carpeta
     .help = el ciclo se escribe como .csv, con figuras .svg y .png a su lado
 cli-cycle-over-recording = el ciclo medio sustituiría al propio registro
     .help = indique otro nombre
+cli-cams = "{ $typed }" no es un número de levas
+    .help = escriba un número, o el primero y el último: 3, 1:6; como mucho { $most }
+cli-among-recordings = los resultados quedarían entre los registros de { $folder }
+    .help = dé otra carpeta
+cli-not-cover = esto no es una tabla de gaitcam cover
+    .help = dé la carpeta que escribió gaitcam cover
 cli-scene-not-recording = es una escena, no un registro
     .help = gaitcam synth diseña su leva y gaitcam doctor la revisa; gaitcam gait lee el registro que nombra su gait.file
 cli-no-law = «{ $typed }» no es una ley de subida
@@ -323,6 +329,31 @@ column-liftoff-speed = velocidad de despegue
 column-hertz-pressure-max = presión de Hertz máxima
 column-time = tiempo
 column-row = fila
+
+# cover y gait --against.
+cover-head = { $name }: { $cycles } ciclos; error de fuerza en % de cada fuerza media
+cover-cams = levas
+cover-mean = media
+cover-worst = peor
+cover-bound = cota
+cover-others-mean = otros, media
+cover-others-worst = otros, peor
+cover-who = el peor servido (mayor parte del error)
+cover-weight = fuerza media
+cover-speed = tamaño a esta velocidad
+cover-shape = forma
+cover-bound-worst = cota: ningún conjunto de este número de levas tiene un peor error menor. otros: caminantes excluidos del diseño (cinco partes por turno)
+cover-bound-mean = cota: ningún conjunto de este número de levas tiene una media cuadrática de los errores menor. otros: caminantes excluidos del diseño (cinco partes por turno)
+cover-stopped = El límite de tiempo terminó la búsqueda: faltan números de levas. Dé un --time-limit mayor.
+cover-error = error de fuerza RMS, % de la fuerza media
+cover-number = número de levas
+cover-what = Error según el número de levas
+against-head = Levas de { $folder }
+against-walker = caminante
+against-cams = levas
+against-cam = servido por
+against-error = error %
+against-reason = mayor parte del error
 
 # compare.
 compare-diagrams = Diagramas en { $folder }

@@ -36,6 +36,7 @@ value-part = PARTE
 value-band = BANDA
 value-folder = CARPETA
 value-list = LISTA
+value-table = TABLA
 value-period = PERÍODO
 value-span = ÁNGULO
 value-folders = CARPETAS
@@ -56,6 +57,7 @@ simulate = Simula la leva acabada: fuerza, par, despegue, vibración, con el mod
 sweep = Diseña miles de escenas: una rejilla, una lista o una muestra de valores, en una sola tabla
 front = Frente de Pareto de un barrido: tabla, figuras y el mejor diseño como resultado normal
 reproduce = Recalcula todas las cifras de los trabajos de origen: publicada, recalculada, coincidencia
+cover = Busca cuántas levas sirven a una población de caminantes, y cuál sirve a quién
 compare = Compara varios resultados: tabla y diagramas superpuestos
 chart = Mide velocidad frente a precisión en esta máquina y dibuja las gráficas
 studio = Abre el estudio: una página en el navegador en la que la leva cambia con cada número
@@ -103,6 +105,7 @@ gait-mass = Masa de quien camina: "72.6 kg"
 gait-kind = Qué se registró, si no se reconoce: walking, running
 gait-period = El archivo es exactamente un ciclo de esta duración, de cualquier máquina: "0.5 s"
 gait-span = El archivo cubre esta parte de la vuelta; en el resto la fuerza es cero: "256 deg"
+gait-against = Qué leva de una carpeta que escribió gaitcam cover sirve al caminante, y con qué error
 gait-accept = Incluye en la media conjunta un registro aunque esto quede abierto: kind, clock, mass
 
 simulate-speed = Hace girar la leva tal como se hizo a esta velocidad del árbol: --speed '96 rpm'
@@ -139,6 +142,11 @@ front-low_speed = Incluye diseños que no sirven a alta velocidad
 front-best = Escribe además el mejor diseño como resultado normal de synth, en CARPETA/best
 front-all = Incluye todos los diseños, también los inaceptables
 front-out = Carpeta de front.csv, figuras y report.html (por defecto out/NOMBRE-front)
+
+cover-walkers = Carpeta de registros, o una tabla de caminantes (por defecto, los de la escena)
+cover-cams = Números de levas, primero y último, o un solo número: se buscan todos desde 1
+cover-scene = Escena con la máquina, sus límites y law.robust (mean o worst); por defecto footbridge
+cover-out = Carpeta de tablas, figuras y escenas de las levas (por defecto out/NOMBRE_cover)
 
 compare-folders = Carpetas que escribió gaitcam synth
 compare-out = Carpeta de la tabla y los diagramas

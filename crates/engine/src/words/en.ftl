@@ -134,6 +134,7 @@ studio-table = Table by degree
 studio-go-to = Go to
 studio-line-main = achieved
 studio-line-target = target
+studio-line-worst = worst walker
 studio-limit-line = Limit { $name }: { $low }
 studio-segment-end = End of segment { $number }
 studio-diagrams = Diagrams over the cam angle

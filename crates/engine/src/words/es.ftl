@@ -134,6 +134,7 @@ studio-table = Tabla por grados
 studio-go-to = Ir a
 studio-line-main = obtenida
 studio-line-target = deseada
+studio-line-worst = peor caminante
 studio-limit-line = Límite { $name }: { $low }
 studio-segment-end = Fin del segmento { $number }
 studio-diagrams = Diagramas según el ángulo de leva

@@ -12,7 +12,7 @@ use crate::curve::ForceCurve;
 use crate::error::{ForceError, Placed, Result};
 use gaitcam_base::text::{cell_text, text_cell};
 
-/// Steps of a cycle in a table that is written.
+/// Fewest steps of a cycle in a table that is written.
 const STEPS: usize = 100;
 
 /// Places of the columns.
@@ -120,10 +120,14 @@ fn walker(columns: &Columns, cells: &[&str], comma: bool) -> Result<Walker> {
     })
 }
 
-/// The table of walkers as csv.
+/// The table of walkers as csv, with as many steps as the longest cycle has samples.
 pub fn write_table(walkers: &[Walker]) -> String {
+    let samples = walkers.iter().map(|w| w.curve.force_n.len());
+    let steps = samples.fold(STEPS, usize::max);
+    let is_weighed = walkers.iter().any(|w| w.weight != 1.0);
     let mut out = String::from("walker,speed_m_per_s,mass_kg,period_s");
-    for step in 0..=STEPS {
+    out.push_str(if is_weighed { ",weight" } else { "" });
+    for step in 0..=steps {
         let _ = write!(out, ",f_{step:03}");
     }
     out.push('\n');
@@ -134,8 +138,14 @@ pub fn write_table(walkers: &[Walker]) -> String {
         let name = text_cell(&name);
         let (speed, mass) = (blank(walker.speed_m_per_s), blank(curve.mass_kg));
         let _ = write!(out, "{name},{speed},{mass},{}", curve.period_s);
-        for step in 0..=STEPS {
-            let force = curve.at(TAU * (step % STEPS) as f64 / STEPS as f64);
+        if is_weighed {
+            let _ = write!(out, ",{}", walker.weight);
+        }
+        for step in 0..=steps {
+            let force = match curve.force_n.get(step % steps) {
+                Some(force) if curve.force_n.len() == steps => *force,
+                _ => curve.at(TAU * (step % steps) as f64 / steps as f64),
+            };
             let _ = write!(out, ",{force}");
         }
         out.push('\n');

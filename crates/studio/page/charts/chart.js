@@ -120,7 +120,7 @@ export class Chart {
     plot.append(...this.pinned.map((other) => this.other(other)));
     const [lower, upper] = ["low", "high"].map((role) => this.panel.lines.find((l) => l.role === role));
     if (lower && upper) plot.append(svg("path", { class: "band", d: this.band(lower.y, upper.y) }));
-    for (const role of ["target", "main"]) {
+    for (const role of ["target", "worst", "main"]) {
       const line = this.panel.lines.find((l) => l.role === role);
       if (line) plot.append(svg("path", { class: `line ${role}`, d: this.path(this.curves.theta, line.y, this.x) }));
     }

@@ -1,5 +1,6 @@
 //! Recordings: what is made of them, what is doubted, what is asked first.
 
+mod cover;
 mod doubts;
 mod open;
 mod plates;

@@ -1,0 +1,71 @@
+//! Which of the cams of a cover serves a walker, and how well.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::cover::{aligned, folder_of, reason, scene_of};
+use crate::console::error::CliError;
+use crate::console::words::{self, fixed};
+use gaitcam::Problem;
+use gaitcam::error::{Placed, Result};
+use gaitcam::force::{ForceCurve, Walker};
+use gaitcam::synth::{Assigned, Search, design, served_by};
+use gaitcam_files::Input;
+use gaitcam_files::read::read_text;
+
+/// The cams of each number in a folder of `gaitcam cover` for each walker: table and data.
+///
+/// # Errors
+/// A folder that is no cover; a walker whom the machine cannot be set to.
+pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
+    let path = folder.join("cover.csv");
+    let table = read_text(&path)?;
+    let numbers: Option<Vec<usize>> = table
+        .lines()
+        .skip(1)
+        .map(|l| l.split(',').next()?.parse().ok())
+        .collect();
+    let numbers = numbers.filter(|n| table.starts_with("cams,") && !n.is_empty());
+    let numbers = numbers.ok_or_else(|| CliError::NotCover.in_file(&path))?;
+    let force = ForceCurve::of_walkers(walkers)?;
+    let mut rows = vec![
+        ["walker", "cams", "cam", "error", "reason"].map(|c| words::text(&format!("against-{c}"))),
+    ];
+    let mut objects = Vec::new();
+    for cams in numbers {
+        for served in serving(&folder.join(folder_of(cams)), cams, &force)? {
+            let file = format!("{}/{}", folder_of(cams), scene_of(served.cam));
+            objects.push(json!({"walker": served.error.walker, "cams": cams, "cam": served.cam + 1, "scene": file,
+                "rms_error_percent": served.error.rms_error_percent}));
+            let error = fixed(served.error.rms_error_percent, 3);
+            rows.push([
+                served.error.walker.clone(),
+                cams.to_string(),
+                file,
+                error,
+                reason(&served),
+            ]);
+        }
+    }
+    let head = words::fill(
+        "against-head",
+        &json!({"folder": folder.display().to_string()}),
+    );
+    Ok((
+        format!("{head}\n{}", aligned(&rows).trim_end()),
+        Value::Array(objects),
+    ))
+}
+
+/// The best of the cams of a folder.
+fn serving(folder: &Path, cams: usize, force: &ForceCurve) -> Result<Vec<Assigned>> {
+    let (mut designs, mut scene) = (Vec::new(), None);
+    for cam in 0..cams {
+        let input = Input::open(&folder.join(scene_of(cam)))?;
+        let problem = Problem::resolve(&input.scene, input.target()?.as_ref())?;
+        designs.push(design(&problem, &Search::default())?);
+        scene = Some(input.scene);
+    }
+    scene.map_or(Ok(Vec::new()), |scene| served_by(&scene, &designs, force))
+}

@@ -1,0 +1,386 @@
+//! `gaitcam cover`: how many cams serve a population, which of them serves whom, and how well they serve others.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::json;
+use toml::Value;
+
+use crate::console::error::CliError;
+use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::language;
+use crate::console::terminal::{print, print_json, report};
+use crate::console::words::{self, fixed};
+use crate::input::searching::TimeLimit;
+use crate::input::{self, SceneArgs};
+use crate::synth::files_in;
+use gaitcam::error::{Placed, Result, SynthError};
+use gaitcam::force::{ForceCurve, Walker, population_csv, read_population};
+use gaitcam::scene::{Family, Robust, set_value};
+use gaitcam::synth::{Assigned, Cover, Fold, Search, covers, folds};
+use gaitcam_files::Input;
+use gaitcam_output::Picture;
+use gaitcam_output::folder::Folder;
+use gaitcam_output::overlay::{Strip, diagrams_over};
+
+const EXAMPLES: &str = "Examples:
+  gaitcam cover recordings/ --cams 1:6 --out out/cover
+  gaitcam cover walkers.csv --cams 3 --set law.robust=worst
+  gaitcam cover --set 'gait.step_frequency=1.4 Hz:2.4 Hz:21' --out out/bridges
+  gaitcam gait new.c3d --against out/cover";
+
+/// Most cams.
+const MOST: usize = 50;
+/// The cycles of all walkers, from which every cam is designed.
+const CYCLES: &str = "cycles.csv";
+/// What an error consists of.
+const PARTS: [&str; 3] = ["weight", "speed", "shape"];
+
+/// Which walkers, how many cams.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct CoverArgs {
+    /// Folder of recordings, or a table of walkers (default: those of the scene)
+    #[arg(value_name = "FOLDER|TABLE")]
+    walkers: Option<PathBuf>,
+    /// Numbers of cams, first and last, or one number: all from 1 on are sought
+    #[arg(long, value_name = "LIST", default_value = "1:6")]
+    cams: String,
+    /// Scene with the machine, its limits and law.robust (mean or worst); default footbridge
+    #[arg(long, value_name = "SCENE")]
+    scene: Option<PathBuf>,
+    /// Change a value: --set 'limits.stroke=40 mm' (may be repeated)
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    #[command(flatten)]
+    time: TimeLimit,
+    /// Folder for tables, pictures and the scenes of the cams (default out/NAME_cover)
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Seeks the cams and writes them; exit code 3 where a cam cannot keep its limits.
+pub fn run(args: &CoverArgs) -> Result<u8> {
+    let numbers = numbers(&args.cams)?;
+    let mut input = scene(args)?;
+    let place = input::result_folder(&input, args.out.as_deref(), "_cover")?;
+    if let Some(walkers) = &args.walkers {
+        refuse_inside(&place, walkers)?;
+    }
+    let read = input.target()?.and_then(|force| force.population);
+    let read = read.ok_or_else(|| SynthError::OneWalker.at_key("gait.file"))?;
+    let table = population_csv(&read.walkers);
+    let folder = Folder::open(&place)?;
+    folder.write(CYCLES, table.as_bytes())?;
+    // What is designed here is what the scenes that are written give.
+    let walkers = read_population(&place.join(CYCLES), table.as_bytes())?;
+    let force = ForceCurve::of_walkers(walkers.clone())?;
+    let search = Search::until(args.time.of_design());
+    let shown = args.time.shown();
+    let mut found = covers(&input.scene, &force, numbers.1, &search)?;
+    let mut other = folds(&input.scene, &force, numbers.1, &search)?;
+    drop(shown);
+    let is_whole = found.len() >= numbers.1.min(force.population.map_or(0, |p| p.count()));
+    found.retain(|c| c.cams.len() >= numbers.0);
+    other.retain(|f| f.cams >= numbers.0);
+    for cover in &found {
+        write_scenes(&place, &mut input, cover, &walkers)?;
+    }
+    folder.write("cover.csv", cover_csv(&found).as_bytes())?;
+    folder.write("assignment.csv", assignment_csv(&found).as_bytes())?;
+    folder.write("folds.csv", folds_csv(&other).as_bytes())?;
+    folder.write_picture("cover", &picture(&input, &found, &other))?;
+    if args.json {
+        print_json(
+            &json!({"covers": found.iter().map(object).collect::<Vec<_>>(), "folds": other}),
+        );
+    } else {
+        print(&text(&input, &found, &other));
+        print(&files_in(&place, "cover.png"));
+    }
+    if !is_whole {
+        report(words::text("cover-stopped"));
+    }
+    let is_built = found
+        .iter()
+        .flat_map(|c| &c.cams)
+        .all(|d| d.infeasible.is_none());
+    Ok(if is_built { BUILT } else { NO_SUCH_CAM })
+}
+
+/// `1:6` or `3`.
+fn numbers(typed: &str) -> Result<(usize, usize)> {
+    let (first, last) = typed.split_once(':').unwrap_or((typed, typed));
+    let number = |text: &str| text.trim().parse::<usize>().ok();
+    let both = number(first).zip(number(last));
+    let both = both.filter(|(first, last)| 0 < *first && first <= last && *last <= MOST);
+    both.ok_or_else(|| {
+        let (typed, most) = (typed.to_string(), MOST);
+        CliError::Cams { typed, most }.at_argument("--cams")
+    })
+}
+
+/// The scene with the walkers as its target.
+fn scene(args: &CoverArgs) -> Result<Input> {
+    let scene = SceneArgs {
+        scene: args.scene.clone(),
+        set: Vec::new(),
+    };
+    let (mut table, folder, file) = input::written(&scene)?;
+    if let Some(walkers) = &args.walkers {
+        let walkers = std::path::absolute(walkers).unwrap_or_else(|_| walkers.clone());
+        let walkers = Value::String(walkers.display().to_string());
+        set_value(&mut table, "gait.file", walkers)?;
+    }
+    for change in &args.set {
+        gaitcam::scene::set(&mut table, change).map_err(input::at_flag("--set"))?;
+    }
+    Input::new(table, folder, file)
+}
+
+/// Refuses a folder for results among the recordings, where the next run would read them.
+fn refuse_inside(out: &Path, walkers: &Path) -> Result<()> {
+    // The folder for results need not be there yet.
+    let whole = |path: &Path| {
+        let path = std::path::absolute(path).ok()?;
+        let known = |a: &Path| Some(a.canonicalize().ok()?.join(path.strip_prefix(a).ok()?));
+        path.ancestors().find_map(known)
+    };
+    let both = whole(out).zip(whole(walkers));
+    let is_inside =
+        both.is_some_and(|(out, walkers)| out.starts_with(&walkers) || walkers == out.join(CYCLES));
+    if is_inside {
+        let folder = walkers.display().to_string();
+        return Err(CliError::AmongRecordings { folder }.at_argument("--out"));
+    }
+    Ok(())
+}
+
+/// The scene of each cam: the walkers whom it does not serve are left out.
+fn write_scenes(place: &Path, input: &mut Input, cover: &Cover, walkers: &[Walker]) -> Result<()> {
+    let folder = Folder::open(&place.join(folder_of(cover.cams.len())))?;
+    let law = &cover.scene.law;
+    for cam in 0..cover.cams.len() {
+        let mut table = input.whole.clone();
+        let served = |w: &&Walker| {
+            cover
+                .each
+                .iter()
+                .any(|a| a.cam == cam && a.error.walker == w.name)
+        };
+        let mut out: Vec<String> = walkers
+            .iter()
+            .filter(|w| !served(w))
+            .map(|w| w.name.clone())
+            .collect();
+        out.dedup();
+        let size = |x: Option<usize>| x.map(|x| Value::Integer(x as i64));
+        let values = [
+            (
+                "name",
+                Some(Value::String(format!(
+                    "{}_{}_{}",
+                    input.scene.name,
+                    cover.cams.len(),
+                    cam + 1
+                ))),
+            ),
+            ("gait.file", Some(Value::String(format!("../{CYCLES}")))),
+            (
+                "gait.leave_out",
+                Some(Value::Array(out.into_iter().map(Value::String).collect())),
+            ),
+            (
+                "law.family",
+                Some(Value::String(law.family.name().to_string())),
+            ),
+            (
+                "law.spans",
+                size(law.spans.filter(|_| law.family == Family::Spline)),
+            ),
+            (
+                "law.harmonics",
+                size(law.harmonics.filter(|_| law.family == Family::Harmonic)),
+            ),
+        ];
+        for (key, value) in values
+            .into_iter()
+            .filter_map(|(key, value)| Some((key, value?)))
+        {
+            set_value(&mut table, key, value)?;
+        }
+        let text = toml::to_string(&table).unwrap_or_default();
+        folder.write(&scene_of(cam), text.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Folder of the scenes of so many cams.
+pub fn folder_of(cams: usize) -> String {
+    format!("cams_{cams}")
+}
+
+/// Scene of a cam, counted from 0.
+pub fn scene_of(cam: usize) -> String {
+    format!("cam_{}.toml", cam + 1)
+}
+
+fn cover_csv(covers: &[Cover]) -> String {
+    let mut out = String::from("cams,mean_percent,worst_percent,bound_percent\n");
+    for c in covers {
+        let bound = c.bound_percent.map_or(String::new(), |b| b.to_string());
+        let _ = writeln!(
+            out,
+            "{},{},{},{bound}",
+            c.cams.len(),
+            c.mean_percent,
+            c.worst_percent
+        );
+    }
+    out
+}
+
+fn assignment_csv(covers: &[Cover]) -> String {
+    let mut out = String::from(
+        "cams,walker,cam,rms_error_percent,weight_percent,speed_percent,shape_percent\n",
+    );
+    for cover in covers {
+        for a in &cover.each {
+            let name = a.error.walker.replace([',', '\n', '\r', '"'], " ");
+            let [weight, speed, shape] = a.parts_percent;
+            let (cams, cam, error) = (cover.cams.len(), a.cam + 1, a.error.rms_error_percent);
+            let _ = writeln!(out, "{cams},{name},{cam},{error},{weight},{speed},{shape}");
+        }
+    }
+    out
+}
+
+fn folds_csv(folds: &[Fold]) -> String {
+    let mut out = String::from(
+        "cams,walkers,in_mean_percent,in_worst_percent,out_mean_percent,out_worst_percent\n",
+    );
+    for f in folds {
+        let (own, other) = (
+            [f.in_mean_percent, f.in_worst_percent],
+            [f.out_mean_percent, f.out_worst_percent],
+        );
+        let _ = writeln!(
+            out,
+            "{},{},{},{},{},{}",
+            f.cams, f.walkers, own[0], own[1], other[0], other[1]
+        );
+    }
+    out
+}
+
+fn object(cover: &Cover) -> serde_json::Value {
+    json!({"cams": cover.cams.len(), "mean_percent": cover.mean_percent, "worst_percent": cover.worst_percent,
+        "bound_percent": cover.bound_percent, "assignment": cover.each})
+}
+
+/// The largest part of an error, in words.
+pub fn reason(of: &Assigned) -> String {
+    let largest =
+        (0..PARTS.len()).max_by(|i, j| of.parts_percent[*i].total_cmp(&of.parts_percent[*j]));
+    words::text(&format!("cover-{}", PARTS[largest.unwrap_or_default()]))
+}
+
+/// Error against number of cams, with whom they serve worst and how they serve others.
+fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
+    let mut rows = vec![
+        [
+            "cams",
+            "mean",
+            "worst",
+            "bound",
+            "others-mean",
+            "others-worst",
+            "who",
+        ]
+        .map(|c| words::text(&format!("cover-{c}"))),
+    ];
+    let percent = |x: Option<f64>| x.map_or("–".to_string(), |x| fixed(x, 3));
+    for cover in covers {
+        let worst = cover.each.iter().max_by(|a, b| {
+            a.error
+                .rms_error_percent
+                .total_cmp(&b.error.rms_error_percent)
+        });
+        let most = folds.iter().rfind(|f| f.cams == cover.cams.len());
+        rows.push([
+            cover.cams.len().to_string(),
+            fixed(cover.mean_percent, 3),
+            fixed(cover.worst_percent, 3),
+            percent(cover.bound_percent),
+            percent(most.map(|f| f.out_mean_percent)),
+            percent(most.map(|f| f.out_worst_percent)),
+            worst.map_or(String::new(), |w| {
+                format!("{} ({})", w.error.walker, reason(w))
+            }),
+        ]);
+    }
+    let of = match input.scene.law.robust {
+        Robust::Worst => "cover-bound-worst",
+        Robust::Mean | Robust::Tail(_) => "cover-bound-mean",
+    };
+    let walkers = covers.first().map_or(0, |c| c.each.len());
+    let head = words::fill(
+        "cover-head",
+        &json!({"name": input.scene.name, "cycles": walkers}),
+    );
+    format!("{head}\n{}{}", aligned(&rows), words::text(of))
+}
+
+/// Rows with columns as wide as their longest cell.
+pub fn aligned<const N: usize>(rows: &[[String; N]]) -> String {
+    let width = |i: usize| rows.iter().map(|r| r[i].chars().count()).max().unwrap_or(0);
+    let mut out = String::new();
+    for row in rows {
+        let cells = (0..N).map(|i| {
+            let (cell, width) = (&row[i], width(i));
+            if i + 1 == N {
+                cell.clone()
+            } else {
+                format!("{cell:>width$}")
+            }
+        });
+        let _ = writeln!(out, "  {}", cells.collect::<Vec<_>>().join("  "));
+    }
+    out
+}
+
+/// Error against the number of cams, and against the number of walkers for whom they are designed.
+fn picture(input: &Input, covers: &[Cover], folds: &[Fold]) -> Picture {
+    let of = |value: &dyn Fn(&Cover) -> Option<f64>| -> Vec<(f64, f64)> {
+        covers
+            .iter()
+            .filter_map(|c| Some((c.cams.len() as f64, value(c)?)))
+            .collect()
+    };
+    let most = folds.iter().map(|f| f.walkers).max();
+    let others = |value: fn(&Fold) -> f64| -> Vec<(f64, f64)> {
+        let whole = folds.iter().filter(|f| Some(f.walkers) == most);
+        whole.map(|f| (f.cams as f64, value(f))).collect()
+    };
+    let curves = vec![
+        of(&|c| Some(c.mean_percent)),
+        of(&|c| Some(c.worst_percent)),
+        of(&|c| c.bound_percent),
+        others(|f| f.out_mean_percent),
+        others(|f| f.out_worst_percent),
+    ];
+    let names = ["mean", "worst", "bound", "others-mean", "others-worst"]
+        .map(|n| words::text(&format!("cover-{n}")));
+    let strip = Strip {
+        quantity: words::text("cover-error"),
+        curves,
+    };
+    let across = words::text("cover-number");
+    let what = words::text("cover-what");
+    diagrams_over(&across, &input.scene.name, &what, &names, &[strip])
+        .in_language(language::current())
+}

@@ -1,0 +1,204 @@
+//! `gaitcam cover` and `gaitcam gait --against`: what they write belongs together, and is made again by `gaitcam synth`.
+
+use std::f64::consts::TAU;
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use crate::support::{object, run_in, stderr, stdout, walk};
+
+/// A table of walkers of two kinds, in turn, and the rows of each.
+fn table(path: &Path, count: usize) {
+    let mut text = String::from("walker,speed_m_per_s,mass_kg,period_s");
+    (0..=100).for_each(|i| write!(text, ",f_{i:03}").unwrap());
+    text.push('\n');
+    for w in 0..count {
+        let (f, a) = [(1.6, 0.28), (2.1, 0.5)][w % 2];
+        let a = a + 0.002 * w as f64;
+        write!(text, "W{w:02},,,{}", 1.0 / f).unwrap();
+        for i in 0..=100 {
+            let x = TAU * f64::from(i % 100) / 100.0;
+            write!(
+                text,
+                ",{}",
+                700.0 * (1.0 + a * x.sin() + 0.08 * (2.0 * x).cos())
+            )
+            .unwrap();
+        }
+        text.push('\n');
+    }
+    fs::write(path, text).unwrap();
+}
+
+fn rows(path: &Path) -> Vec<Vec<String>> {
+    let text = fs::read_to_string(path).unwrap();
+    let rows = text.lines().skip(1);
+    rows.map(|l| l.split(',').map(str::to_string).collect())
+        .collect()
+}
+
+#[test]
+fn the_scenes_of_a_cover_make_its_cams_and_a_walker_is_served_by_the_cam_of_his_kind() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    table(&at.join("walkers.csv"), 12);
+    let arguments = [
+        "cover",
+        "walkers.csv",
+        "--cams",
+        "1:3",
+        "--out",
+        "out",
+        "--set",
+        "law.robust=worst",
+    ];
+    let answer = run_in(at, &arguments);
+    assert!(answer.status.success(), "{}", stderr(&answer));
+    assert!(
+        stdout(&answer).contains("shape") || stdout(&answer).contains("size"),
+        "{}",
+        stdout(&answer)
+    );
+    let covers = rows(&at.join("out/cover.csv"));
+    assert_eq!(covers.len(), 3);
+    let number = |text: &str| text.parse::<f64>().unwrap();
+    assert!(
+        number(&covers[1][2]) < 0.3 * number(&covers[0][2]),
+        "{covers:?}"
+    );
+    assert!(
+        covers
+            .iter()
+            .all(|c| number(&c[3]) <= number(&c[2]) * (1.0 + 1e-9)),
+        "{covers:?}"
+    );
+    let assigned = rows(&at.join("out/assignment.csv"));
+    let two: Vec<&Vec<String>> = assigned.iter().filter(|a| a[0] == "2").collect();
+    assert_eq!(two.len(), 12);
+    assert!((0..12).all(|i| two[i][2] == two[i % 2][2]));
+    // The scene alone makes the same cam.
+    let scene = format!("out/cams_2/cam_{}.toml", two[0][2]);
+    let again = object(&run_in(at, &["synth", &scene, "--json"]));
+    let own = two
+        .iter()
+        .filter(|a| a[2] == two[0][2])
+        .map(|a| number(&a[3]));
+    let worst = again["population"]["worst_percent"].as_f64().unwrap();
+    assert!(
+        (worst / own.fold(0.0, f64::max) - 1.0).abs() < 1e-9,
+        "{worst}"
+    );
+    assert_eq!(again["population"]["walkers"], 6);
+    assert_eq!(
+        rows(&at.join("out/folds.csv"))
+            .iter()
+            .filter(|r| r[0] == "2")
+            .count(),
+        2
+    );
+    for file in ["cover.svg", "cover.png", "cycles.csv"] {
+        assert!(at.join("out").join(file).exists());
+    }
+    let text = fs::read_to_string(at.join("walkers.csv")).unwrap();
+    let new: Vec<&str> = text
+        .lines()
+        .enumerate()
+        .filter(|(i, _)| [0, 1].contains(i))
+        .map(|l| l.1)
+        .collect();
+    let cycle: String = new[1].split(',').skip(4).take(100).enumerate().fold(
+        "t_s,force_n\n".to_string(),
+        |mut out, (i, f)| {
+            writeln!(out, "{},{f}", 0.00625 * i as f64).unwrap();
+            out
+        },
+    );
+    fs::write(at.join("new.csv"), cycle).unwrap();
+    let answer = run_in(
+        at,
+        &[
+            "gait",
+            "new.csv",
+            "--period",
+            "0.625 s",
+            "--against",
+            "out",
+            "--json",
+        ],
+    );
+    let against = object(&answer)["against"].as_array().unwrap().clone();
+    assert_eq!(against.len(), 3, "{against:?}");
+    assert_eq!(against[1]["scene"], scene[4..]);
+    let error = against[1]["rms_error_percent"].as_f64().unwrap();
+    assert!(
+        (error - number(&two[0][3])).abs() < 1e-6,
+        "{error} {}",
+        two[0][3]
+    );
+}
+
+#[test]
+fn recordings_of_a_folder_are_covered_and_results_never_lie_among_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    fs::create_dir(at.join("walks")).unwrap();
+    for name in ["a.csv", "b.csv", "c.csv"] {
+        walk(&at.join("walks").join(name));
+    }
+    let inside = run_in(at, &["cover", "walks", "--out", "walks/out"]);
+    assert_eq!(inside.status.code(), Some(2), "{}", stderr(&inside));
+    assert!(stderr(&inside).contains("--out"));
+    assert!(!at.join("walks/out/cover.csv").exists());
+    let answer = run_in(at, &["cover", "walks", "--cams", "1:6", "--out", "out"]);
+    assert!(answer.status.success(), "{}", stderr(&answer));
+    // Of three walkers at most three cams; fewer than ten are not left out in turn.
+    assert_eq!(rows(&at.join("out/cover.csv")).len(), 3);
+    assert!(rows(&at.join("out/folds.csv")).is_empty());
+    fs::write(at.join("walks/nothing.csv"), "no recording\n").unwrap();
+    let refused = run_in(at, &["cover", "walks", "--out", "out"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(
+        stderr(&refused).contains("nothing.csv") && stderr(&refused).contains("gait.leave_out"),
+        "{}",
+        stderr(&refused)
+    );
+    let told = run_in(
+        at,
+        &[
+            "cover",
+            "walks",
+            "--out",
+            "out",
+            "--cams",
+            "1",
+            "--set",
+            "gait.leave_out=[\"nothing.csv\"]",
+        ],
+    );
+    assert!(told.status.success(), "{}", stderr(&told));
+}
+
+#[test]
+fn numbers_of_cams_and_folders_that_are_none_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    table(&at.join("walkers.csv"), 4);
+    for cams in ["0", "3:2", "two", "1:99"] {
+        let answer = run_in(at, &["cover", "walkers.csv", "--cams", cams]);
+        assert_eq!(answer.status.code(), Some(2), "{cams}");
+        assert!(
+            stderr(&answer).contains("--cams") && stderr(&answer).contains(cams),
+            "{}",
+            stderr(&answer)
+        );
+    }
+    let none = run_in(at, &["cover", "nowhere"]);
+    assert_eq!(none.status.code(), Some(2), "{}", stderr(&none));
+    assert!(stderr(&none).contains("nowhere"), "{}", stderr(&none));
+    fs::create_dir(at.join("empty")).unwrap();
+    fs::write(at.join("empty/cover.csv"), "a,b\n1,2\n").unwrap();
+    walk(&at.join("walk.csv"));
+    let answer = run_in(at, &["gait", "walk.csv", "--against", "empty"]);
+    assert_eq!(answer.status.code(), Some(2));
+    assert!(stderr(&answer).contains("cover.csv"), "{}", stderr(&answer));
+}

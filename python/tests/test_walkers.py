@@ -1,0 +1,80 @@
+"""One cam for several walkers: forces=[...]."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import gaitcam
+
+T = np.arange(256) / 256
+
+
+def walk(frequency, factor, name, weight=700.0):
+    f = weight * (1 + factor * np.sin(2 * np.pi * T) + 0.08 * np.sin(4 * np.pi * T + 0.3))
+    return gaitcam.Force(T / frequency, f, period_s=1 / frequency, name=name)
+
+
+@pytest.fixture(scope="module")
+def scene():
+    return gaitcam.Scene({"drive": {"kind": "moving-axis"}, "law": {"family": "harmonic", "harmonics": 2, "robust": "worst"}})
+
+
+FORCES = [walk(1.6, 0.3, "A"), walk(2.0, 0.45, "B"), walk(1.8, 0.25, "C", 900.0)]
+
+
+def test_one_walker_has_the_cam_of_his_force(scene):
+    one = gaitcam.synth(scene, forces=FORCES[:1])
+    alone = gaitcam.synth(scene, force=FORCES[0])
+    theta = np.linspace(0, 6, 50)
+    for own, other in zip(one.motion(theta), alone.motion(theta)):
+        assert own == pytest.approx(other, abs=1e-11)
+
+
+def test_the_worst_error_is_the_least_that_two_harmonics_allow(scene):
+    """Each walker's error is ‖γ ψ − y‖ over amplitudes: a grid about the optimum finds nothing better."""
+    design = gaitcam.synth(scene, forces=FORCES)
+    population = design.summary["population"]
+    assert population["walkers"] == 3
+    rows = [(2 * np.pi * f) ** 2 for f in (1.6, 2.0, 1.8)]
+    targets = [np.array([0, a, 0.08 * np.sin(0.3), 0.08 * np.cos(0.3)]) for a in (0.3, 0.45, 0.25)]
+
+    def worst(x):
+        return max(np.linalg.norm(w / 100 * x - y) for w, y in zip(rows, targets)) / np.sqrt(2)
+
+    best = min((worst(t * targets[1] / rows[1] * 100), t) for t in np.linspace(0, 2, 4001))[0]
+    own = population["worst_percent"] / 100
+    assert own <= best * (1 + 1e-9)
+    rng = np.random.default_rng(1)
+    start = targets[1] / rows[1] * 100
+    for size in np.repeat(10.0 ** -np.arange(1, 7), 2000):
+        trial = start + size * rng.normal(size=4)
+        if worst(trial) < worst(start):
+            start = trial
+    assert own == pytest.approx(worst(start), rel=1e-4) and own <= worst(start) * (1 + 1e-6)
+
+
+def test_forces_without_a_name_are_different_walkers_and_those_of_one_name_are_one(scene):
+    f = FORCES[0].force_n
+    unnamed = [gaitcam.Force(T / 1.6, k * f, period_s=1 / 1.6) for k in (1.0, 1.1)]
+    assert gaitcam.synth(scene, forces=unnamed).summary["population"]["walkers"] == 2
+    named = [walk(1.6, 0.3, "A"), walk(1.7, 0.3, "A")]
+    population = gaitcam.synth(scene, forces=named).summary["population"]
+    assert (population["walkers"], population["cycles"]) == (1, 2)
+
+
+def test_a_design_of_walkers_travels_and_is_saved_with_them(scene, tmp_path):
+    design = gaitcam.synth(scene, forces=FORCES)
+    again = pickle.loads(pickle.dumps(design))
+    assert again.summary["population"] == design.summary["population"]
+    folder = design.save(tmp_path / "out", png=False)
+    read = gaitcam.synth(gaitcam.Scene.load(f"{folder}/scene.toml"))
+    assert read.summary["population"]["worst_percent"] == pytest.approx(design.summary["population"]["worst_percent"], rel=1e-9)
+
+
+def test_a_force_in_another_unit_is_named(scene):
+    other = walk(1.7, 0.3, "in kN", 0.7)
+    with pytest.raises(gaitcam.InputError, match="in kN"):
+        gaitcam.synth(scene, forces=[*FORCES, other])
+    with pytest.raises(gaitcam.InputError):
+        gaitcam.synth(scene, forces=[])

@@ -1,0 +1,187 @@
+//! What no choice of a number of cams beats.
+//!
+//! A cam that serves walker w errs by at least e² ≥ o² + γ² ‖ψ − p‖², with p the force of the cam that he would have alone, o
+//! its error, and ψ that of the cam: p is the nearest point of a convex set that holds ψ. So walkers are points, and cams
+//! centres. Of k + 1 walkers two share a cam, which bounds the worst error; a mean square is bounded by the spread of the
+//! points less the k − 1 largest eigenvalues of their scatter (Ding and He, 2004; theory §8).
+
+use nalgebra::DMatrix;
+
+use super::errors::norm;
+
+/// Walkers from whom sets of the farthest begin.
+const BEGINNINGS: usize = 32;
+/// Steps of a bisection.
+const STEPS: usize = 60;
+
+/// The cam of one walker alone.
+pub struct Point {
+    /// Its force at the nodes, N.
+    pub at: Vec<f64>,
+    /// How far from it the best one may be, N.
+    pub slack: f64,
+    /// γ, 1/N.
+    pub scale: f64,
+    /// Least mean square error.
+    pub least: f64,
+}
+
+impl Point {
+    fn distance(&self, other: &Point) -> f64 {
+        let off = self.at.iter().zip(&other.at).map(|(a, b)| (a - b).powi(2));
+        (off.sum::<f64>().sqrt() - self.slack - other.slack).max(0.0)
+    }
+
+    /// Mean square error of the worse of two walkers with one cam.
+    fn shared(&self, other: &Point) -> f64 {
+        let distance = self.distance(other);
+        let error = |p: &Point, x: f64| p.least + (p.scale * x).powi(2);
+        // Between the two cams the error of one rises and that of the other falls.
+        let (mut near, mut far) = (0.0, distance);
+        for _ in 0..STEPS {
+            let middle = 0.5 * (near + far);
+            if error(self, middle) < error(other, distance - middle) {
+                near = middle;
+            } else {
+                far = middle;
+            }
+        }
+        error(self, near).max(other.least)
+    }
+}
+
+/// Least worst mean square error of so many cams.
+pub fn worst(points: &[Point], cams: usize) -> f64 {
+    let alone = points.iter().fold(0.0_f64, |m, p| m.max(p.least));
+    if cams >= points.len() {
+        return alone;
+    }
+    let step = points.len().div_ceil(BEGINNINGS);
+    let of_set = |first: usize| {
+        let from = |i: usize| -> Vec<f64> { points.iter().map(|p| points[i].shared(p)).collect() };
+        let mut nearest = from(first);
+        nearest[first] = f64::NEG_INFINITY;
+        let mut least = f64::INFINITY;
+        for _ in 0..cams {
+            let next = (0..points.len()).max_by(|i, j| nearest[*i].total_cmp(&nearest[*j]));
+            let next = next.unwrap_or(first);
+            least = least.min(nearest[next]);
+            let both = nearest.iter_mut().zip(from(next));
+            both.for_each(|(n, other)| *n = n.min(other));
+            nearest[next] = f64::NEG_INFINITY;
+        }
+        least
+    };
+    (0..points.len())
+        .step_by(step)
+        .map(of_set)
+        .fold(alone, f64::max)
+}
+
+/// Least mean square error of so many cams over walkers with these shares.
+pub fn mean(points: &[Point], shares: &[f64], cams: usize) -> f64 {
+    let weights: Vec<f64> = points
+        .iter()
+        .zip(shares)
+        .map(|(p, s)| s * p.scale * p.scale)
+        .collect();
+    let whole: f64 = weights.iter().sum();
+    let places = points.first().map_or(0, |p| p.at.len());
+    let mut centre = vec![0.0; places];
+    for (point, weight) in points.iter().zip(&weights) {
+        let each = centre.iter_mut().zip(&point.at);
+        each.for_each(|(c, x)| *c += weight / whole * x);
+    }
+    let off = |i: usize, j: usize| weights[i].sqrt() * (points[i].at[j] - centre[j]);
+    let rows = DMatrix::from_fn(points.len(), places, off);
+    // The smaller one of the two products has the same eigenvalues.
+    let scatter = if places < points.len() {
+        rows.tr_mul(&rows)
+    } else {
+        &rows * rows.transpose()
+    };
+    let mut eigenvalues: Vec<f64> = scatter.symmetric_eigenvalues().iter().copied().collect();
+    eigenvalues.sort_by(|a, b| b.total_cmp(a));
+    let left: f64 = eigenvalues.iter().skip(cams - 1).map(|x| x.max(0.0)).sum();
+    let slacks: Vec<f64> = (points.iter().zip(&weights))
+        .map(|(p, w)| w.sqrt() * p.slack)
+        .collect();
+    let spread = (left.sqrt() - norm(&slacks).sqrt()).max(0.0);
+    let alone = points.iter().zip(shares).map(|(p, s)| s * p.least);
+    alone.sum::<f64>() + spread * spread
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn on_a_line(places: &[f64]) -> Vec<Point> {
+        let point = |x: &f64| Point {
+            at: vec![*x, 0.0],
+            slack: 0.0,
+            scale: 1.0,
+            least: 0.25,
+        };
+        places.iter().map(point).collect()
+    }
+
+    /// Two pairs and a point far away: the best three cams stand in the middle of each pair.
+    #[test]
+    fn bounds_of_points_on_a_line_are_those_of_the_best_centres() {
+        let points = on_a_line(&[0.0, 2.0, 20.0, 22.0, 90.0]);
+        assert!((worst(&points, 3) - 1.25).abs() < 1e-12);
+        assert!((worst(&points, 5) - 0.25).abs() < 1e-12);
+        let shares = [0.2; 5];
+        // One cam: the variance about the mean.
+        let mean_place = 134.0 / 5.0;
+        let variance = [0.0, 2.0, 20.0, 22.0, 90.0].map(|x: f64| 0.2 * (x - mean_place).powi(2));
+        assert!((mean(&points, &shares, 1) - 0.25 - variance.iter().sum::<f64>()).abs() < 1e-9);
+        // Three cams leave at least what one direction has left, here nothing, and at most 4 · 0.2.
+        let three = mean(&points, &shares, 3);
+        assert!((0.25..=0.25 + 0.8).contains(&three), "{three}");
+    }
+
+    /// Against every way to give seven walkers to two cams.
+    #[test]
+    fn no_assignment_is_below_the_bounds() {
+        let mut seed = 12_345_u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 33) as f64 / f64::from(u32::MAX >> 1)
+        };
+        for _ in 0..20 {
+            let mut point = |_| Point {
+                at: vec![random(), random(), 0.2 * random()],
+                slack: 0.0,
+                scale: 0.5 + random(),
+                least: 0.01 * random(),
+            };
+            let points: Vec<Point> = (0..7).map(&mut point).collect();
+            let shares = [1.0 / 7.0; 7];
+            let mut best = f64::INFINITY;
+            for code in 0..128_u32 {
+                let group = |c: u32| -> f64 {
+                    let own = |i: &usize| (code >> i) & 1 == c;
+                    let own: Vec<usize> = (0..7).filter(own).collect();
+                    let weight = |i: &usize| shares[*i] * points[*i].scale.powi(2);
+                    let whole: f64 = own.iter().map(weight).sum();
+                    let centre = |j: usize| {
+                        own.iter()
+                            .map(|i| weight(i) * points[*i].at[j])
+                            .sum::<f64>()
+                            / whole
+                    };
+                    let error = |i: &usize| {
+                        let off = (0..3).map(|j| (points[*i].at[j] - centre(j)).powi(2));
+                        shares[*i] * points[*i].least + weight(i) * off.sum::<f64>()
+                    };
+                    own.iter().map(error).sum()
+                };
+                best = best.min(group(0) + group(1));
+            }
+            let bound = mean(&points, &shares, 2);
+            assert!(bound <= best * (1.0 + 1e-12), "{bound} {best}");
+            assert!(bound > 0.2 * best, "{bound} {best}");
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! How well cams serve walkers whom they were not designed for: cross-validation over walkers, never over cycles of one.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::cover::{People, served_by};
+use crate::error::Result;
+use crate::force::{ForceCurve, Population, Walker};
+use crate::scene::Scene;
+use crate::synth::search::Search;
+
+/// Parts of the walkers that are left out in turn.
+const PARTS: usize = 5;
+/// Fewest walkers that a cam is designed for.
+const FEWEST: usize = 4;
+
+/// Errors of walkers for whom cams were designed, and of others.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Fold {
+    /// Number of cams.
+    pub cams: usize,
+    /// Number of walkers for whom they were designed.
+    pub walkers: usize,
+    /// Mean RMS force error of these, percent of the mean force.
+    pub in_mean_percent: f64,
+    /// Largest error of these.
+    pub in_worst_percent: f64,
+    /// Mean error of the others, each under the cam that serves him best.
+    pub out_mean_percent: f64,
+    /// Largest error of the others.
+    pub out_worst_percent: f64,
+}
+
+/// Mean and largest of errors.
+#[derive(Default, Clone, Copy)]
+struct Errors {
+    count: f64,
+    sum: f64,
+    worst: f64,
+}
+
+impl Errors {
+    fn add(&mut self, error: f64) {
+        self.count += 1.0;
+        self.sum += error;
+        self.worst = self.worst.max(error);
+    }
+
+    fn mean(self) -> f64 {
+        self.sum / self.count.max(1.0)
+    }
+}
+
+/// Errors in and out of the sample for 1 to so many cams and for growing numbers of walkers, a fifth of all being left out in
+/// turn; none of fewer than ten walkers.
+///
+/// # Errors
+/// As of [`covers`](super::covers).
+pub fn folds(scene: &Scene, force: &ForceCurve, cams: usize, search: &Search) -> Result<Vec<Fold>> {
+    let Some(population) = force.population.as_deref() else {
+        return Ok(Vec::new());
+    };
+    let names = shuffled(population);
+    if names.len() < 2 * PARTS {
+        return Ok(Vec::new());
+    }
+    let mut out: BTreeMap<(usize, usize), [Errors; 2]> = BTreeMap::new();
+    let rest = names.len() - names.len().div_ceil(PARTS);
+    let sizes = [rest / 8, rest / 4, rest / 2, rest];
+    for part in 0..PARTS {
+        let (left, kept): (Vec<_>, Vec<_>) = (0..names.len()).partition(|i| i % PARTS == part);
+        let of = |places: &[usize]| {
+            walkers(
+                population,
+                &places.iter().map(|i| names[*i]).collect::<Vec<_>>(),
+            )
+        };
+        let others = ForceCurve::of_walkers(of(&left))?;
+        for size in sizes.into_iter().filter(|s| *s >= FEWEST) {
+            if search.halt.is_asked() {
+                return Ok(Vec::new());
+            }
+            let known = ForceCurve::of_walkers(of(&kept[..size]))?;
+            let Some(known) = known.population.as_deref() else {
+                continue;
+            };
+            let people = People::of(scene, known, search)?;
+            for cover in people.covers(cams)? {
+                let errors = out.entry((cover.cams.len(), size)).or_default();
+                cover
+                    .each
+                    .iter()
+                    .for_each(|a| errors[0].add(a.error.rms_error_percent));
+                let each = served_by(&cover.scene, &cover.cams, &others)?;
+                each.iter()
+                    .for_each(|a| errors[1].add(a.error.rms_error_percent));
+            }
+        }
+    }
+    let row = |((cams, walkers), [own, other]): ((usize, usize), [Errors; 2])| Fold {
+        cams,
+        walkers,
+        in_mean_percent: own.mean(),
+        in_worst_percent: own.worst,
+        out_mean_percent: other.mean(),
+        out_worst_percent: other.worst,
+    };
+    Ok(out.into_iter().map(row).collect())
+}
+
+/// The walkers of some names with all their cycles.
+fn walkers(population: &Population, names: &[&str]) -> Vec<Walker> {
+    let own = population
+        .walkers
+        .iter()
+        .filter(|w| names.contains(&w.name.as_str()));
+    own.cloned().collect()
+}
+
+/// The names of all walkers in an order that has nothing to do with theirs, the same in every run.
+fn shuffled(population: &Population) -> Vec<&str> {
+    let mut names: Vec<&str> = population.walkers.iter().map(|w| w.name.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    let mut state = 1_u64;
+    for i in (1..names.len()).rev() {
+        // Knuth's linear congruential generator.
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        names.swap(i, (state >> 33) as usize % (i + 1));
+    }
+    names
+}
