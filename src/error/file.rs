@@ -54,6 +54,7 @@ pub enum FileError {
         unit: String,
         feet: String,
         kind: String,
+        cycle: String,
     },
     /// No table of numbers where the curve of a motor, or the rows of a motion, are to be; `start` is the start of the file.
     NoTable { start: String, purpose: String },

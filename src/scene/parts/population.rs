@@ -91,7 +91,7 @@ impl Gait {
         unreadable: &[String],
     ) -> Result<Vec<Walker>, Error> {
         all.retain(|w| !self.leave_out.contains(&w.name));
-        let mut names: [Vec<String>; 4] = Default::default();
+        let mut names: [Vec<String>; 5] = Default::default();
         for walker in &all {
             let name = walker.name.clone();
             let (kind, shown) = match walker_fault(walker, &all) {
@@ -103,6 +103,7 @@ impl Gait {
                 Some(WalkerFault::OtherUnit) => (1, name),
                 Some(WalkerFault::OtherFeet) => (2, name),
                 Some(WalkerFault::OtherKind) => (3, name),
+                Some(WalkerFault::OtherCycle) => (4, name),
             };
             names[kind].push(shown);
         }
@@ -124,6 +125,7 @@ impl Gait {
             unit: text(&names[1]),
             feet: text(&names[2]),
             kind: text(&names[3]),
+            cycle: text(&names[4]),
         }
         .into())
     }

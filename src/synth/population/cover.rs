@@ -304,7 +304,8 @@ impl<'a> People<'a> {
                 }
             }
         }
-        owner
+        // Walkers alike are no seeds of their own.
+        filled(owner, count, &|_, _| 0.0)
     }
 
     /// Cams and walkers in turn.
@@ -408,12 +409,12 @@ impl<'a> People<'a> {
             each: each.into_iter().flatten().collect(),
             mean_percent: both.map(|(e, share)| e * share).sum(),
             worst_percent: errors.fold(0.0, f64::max),
-            bound_percent: self.bound(count),
+            bound_percent: self.bound(count, trial.value.1),
         })
     }
 
-    /// Percent that no such cams beat.
-    fn bound(&self, cams: usize) -> Option<f64> {
+    /// Percent that no such cams beat; the cam of all has a proof of its own.
+    fn bound(&self, cams: usize, value: f64) -> Option<f64> {
         if self.points.is_empty() {
             return None;
         }
@@ -421,14 +422,10 @@ impl<'a> People<'a> {
             Robust::Mean => bound::mean(&self.points, &self.shares, cams),
             Robust::Worst | Robust::Tail(_) => bound::worst(&self.points, cams),
         };
-        let own = self
-            .one
-            .population
-            .as_ref()
-            .filter(|_| cams == 1 && self.one.solver.certified);
-        let of_one = own.map_or(0.0, |p| (p.worst_percent / 100.0).powi(2) * (1.0 - p.gap));
-        let is_worst = self.scene.law.robust == Robust::Worst;
-        Some(100.0 * square.max(if is_worst { of_one } else { 0.0 }).sqrt())
+        let is_proved = cams == 1 && self.one.solver.certified;
+        let own = self.one.population.as_ref().filter(|_| is_proved);
+        let of_one = own.map_or(0.0, |p| value * (1.0 - p.gap));
+        Some(100.0 * square.max(of_one).sqrt())
     }
 
     /// The cam of each cycle alone; none where the sets of laws are not convex.

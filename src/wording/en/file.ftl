@@ -65,6 +65,9 @@ file-walkers = { $count } cycles cannot be taken into the population.{ $unreadab
     }{ $feet ->
         [none] {""}
        *[other] {" "}One foot among both, or the reverse: { $feet }.
+    }{ $cycle ->
+        [none] {""}
+       *[other] {" "}One step among strides, or the reverse: { $cycle }.
     }{ $kind ->
         [none] {""}
        *[other] {" "}Another kind of movement: { $kind }.

@@ -65,6 +65,9 @@ file-walkers = { $count } ciclos no pueden tomarse en la población.{ $unreadabl
     }{ $feet ->
         [none] {""}
        *[other] {" "}Un pie entre ambos, o al revés: { $feet }.
+    }{ $cycle ->
+        [none] {""}
+       *[other] {" "}Un paso entre zancadas, o al revés: { $cycle }.
     }{ $kind ->
         [none] {""}
        *[other] {" "}Otro tipo de movimiento: { $kind }.

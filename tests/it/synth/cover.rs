@@ -109,10 +109,7 @@ fn two_cams_for_seven_walkers_are_the_best_of_all_assignments_and_above_the_boun
         for number in [1, 7] {
             let own = objective(&scene, &found[number - 1].each);
             let gap = 1.0 - found[number - 1].bound_percent.unwrap() / own;
-            assert!(
-                gap < 1e-5 || stroke == "34 mm" && robust == "mean" && number == 1,
-                "{robust} {stroke} {number}: {gap}"
-            );
+            assert!(gap < 1e-5, "{robust} {stroke} {number}: {gap}");
         }
         assert!(
             found

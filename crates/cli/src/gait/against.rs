@@ -28,6 +28,16 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
         .collect();
     let numbers = numbers.filter(|n| table.starts_with("cams,") && !n.is_empty());
     let numbers = numbers.ok_or_else(|| CliError::NotCover.in_file(&path))?;
+    let first = Input::open(&folder.join(folder_of(numbers[0])).join(scene_of(0)))?;
+    // They have to be walkers as those of the cover are.
+    let known = first.target()?.and_then(|f| f.population);
+    let mut all = known.map_or(Vec::new(), |p| p.walkers.clone());
+    all.extend(walkers.iter().cloned());
+    first
+        .scene
+        .gait
+        .iter()
+        .try_for_each(|g| g.walkers(all.clone(), &[]).map(drop))?;
     let force = ForceCurve::of_walkers(walkers)?;
     let mut rows = vec![
         ["walker", "cams", "cam", "error", "reason"].map(|c| words::text(&format!("against-{c}"))),
