@@ -454,3 +454,65 @@ fn places(design: &Design) -> Vec<Place> {
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gaitcam::scene;
+
+    /// Trapezoidal mean square of the distance of two lines, at the angles of the page.
+    fn mean_square(curves: &Curves, a: &str, b: &str) -> f64 {
+        let line = |role: &str| {
+            &curves.panels[0]
+                .lines
+                .iter()
+                .find(|l| l.role == role)
+                .unwrap()
+                .y
+        };
+        let (a, b) = (line(a), line(b));
+        let at = |i: usize| (a[i].unwrap() - b[i].unwrap()).powi(2);
+        let theta = |i: usize| curves.theta[i].unwrap();
+        let steps = 1..curves.theta.len();
+        let sum: f64 = steps
+            .map(|i| 0.5 * (at(i) + at(i - 1)) * (theta(i) - theta(i - 1)))
+            .sum();
+        sum / curves.length
+    }
+
+    #[test]
+    fn the_force_of_the_cam_is_as_far_from_that_of_the_worst_walker_as_his_error_says() {
+        let scene = scene::built_in("footbridge").unwrap().scene().unwrap();
+        let scene = scene
+            .with("gait.step_frequency", "1.4 Hz:2.4 Hz:6")
+            .unwrap();
+        let design = scene.with("law.robust", "worst").unwrap().design().unwrap();
+        let curves = curves(&design, Colour::None);
+        let report = design.population.as_ref().unwrap();
+        let all = design.problem.walkers.as_ref().unwrap();
+        let worst = all
+            .each
+            .iter()
+            .find(|w| w.name == report.worst_walker)
+            .unwrap();
+        let distance = mean_square(&curves, "main", "worst").sqrt();
+        let percent = 100.0 * distance * worst.factor / worst.unit;
+        assert!(
+            (percent / report.worst_percent - 1.0).abs() < 0.01,
+            "{percent} {}",
+            report.worst_percent
+        );
+        // Every line of a walker is within the band.
+        let line = |role: &str| {
+            &curves.panels[0]
+                .lines
+                .iter()
+                .find(|l| l.role == role)
+                .unwrap()
+                .y
+        };
+        let inside =
+            |i: usize| line("low")[i] <= line("worst")[i] && line("worst")[i] <= line("high")[i];
+        assert!((0..curves.theta.len()).all(inside));
+    }
+}

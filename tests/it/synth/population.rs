@@ -317,3 +317,54 @@ fn what_would_help_several_walkers_is_their_own_error() {
             .all(|n| !format!("{n:?}").contains("accuracy.rms"))
     );
 }
+
+#[test]
+fn rows_of_a_sweep_over_a_table_of_walkers_are_their_designs_and_a_walker_in_kilonewtons_is_named()
+{
+    use gaitcam::halt::Halt;
+    use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
+
+    let people = people(6, 4, 0.5);
+    let all: Vec<Walker> = people.iter().map(|p| p.0.clone()).collect();
+    let table = |walkers: &[Walker]| gaitcam::force::population_csv(walkers).into_bytes();
+    let study = |bytes: Vec<u8>| {
+        let mut table = scene::built_in("footbridge").unwrap().toml.parse().unwrap();
+        for change in ["gait.file=walkers.csv", "law.robust=worst", "law.spans=12"] {
+            scene::set(&mut table, change).unwrap();
+        }
+        let name = "walkers".to_string();
+        let axis = Axis::parse("limits.stroke=30 mm:50 mm:3", false).unwrap();
+        let plan = Plan {
+            scenes: vec![NamedScene { name, table }],
+            list: None,
+            axes: vec![axis],
+            sampling: Sampling::Grid,
+        };
+        Study::new(Subject::Designs(plan), |_, _| Ok(bytes.clone())).unwrap()
+    };
+    let run = |study: &Study| {
+        study
+            .run(0..3, 1, &Halt::never, &|| false)
+            .unwrap()
+            .unwrap()
+    };
+    let records = run(&study(table(&all)));
+    let strokes = records.numbers("stroke_m").unwrap();
+    for (row, stroke) in [30, 40, 50].into_iter().enumerate() {
+        let limit = format!("{stroke} mm");
+        let scene = with(&[
+            ("law.spans", "12"),
+            ("law.robust", "worst"),
+            ("limits.stroke", &limit),
+        ]);
+        let design = scene.design_for(&force(&people)).unwrap();
+        assert!((strokes[row] / design.cam.law.stroke() - 1.0).abs() < 1e-6);
+    }
+    let mut mixed = all;
+    mixed[2].curve = mixed[2]
+        .curve
+        .with_forces(mixed[2].curve.force_n.iter().map(|f| f / 1000.0).collect());
+    let records = run(&study(table(&mixed)));
+    let error = records.words("error").unwrap().at(0).unwrap().to_string();
+    assert!(error.contains("W002") && error.contains("unit"), "{error}");
+}
