@@ -18,6 +18,7 @@ use crate::synth::files_in;
 use gaitcam::error::{Placed, Result, SynthError};
 use gaitcam::force::{ForceCurve, Walker, population_csv, read_population};
 use gaitcam::scene::{Family, Robust, set_value};
+use gaitcam::sweep::table::text_cell;
 use gaitcam::synth::{Assigned, Cover, Fold, Search, covers, folds};
 use gaitcam_files::Input;
 use gaitcam_output::Picture;
@@ -251,6 +252,7 @@ fn assignment_csv(covers: &[Cover]) -> String {
     for cover in covers {
         for a in &cover.each {
             let name = a.error.walker.replace([',', '\n', '\r', '"'], " ");
+            let name = text_cell(&name);
             let [weight, speed, shape] = a.parts_percent;
             let (cams, cam, error) = (cover.cams.len(), a.cam + 1, a.error.rms_error_percent);
             let _ = writeln!(out, "{cams},{name},{cam},{error},{weight},{speed},{shape}");
