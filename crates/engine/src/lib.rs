@@ -9,7 +9,7 @@
 //! ask.rs      questions by their routes              sources.rs  files and force curves of a question
 //! questions/  one file per kind of question          form.rs     fields and sliders of a scene
 //! answer.rs   answers and errors as data             kept.rs     files, curves and designs kept between questions
-//! edit.rs     changes of a scene's table             curves.rs   what the diagrams show
+//! edit.rs     changes of a scene's table             curves/     what the diagrams show
 //! abi.rs      the functions that a browser calls
 //! ```
 #![deny(unsafe_code, missing_docs)]

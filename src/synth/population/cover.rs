@@ -6,13 +6,11 @@
 
 use std::collections::HashMap;
 
-use serde::Serialize;
-
 use super::bound::{self, Point};
 use super::errors::{Aim, Nodes, measure};
-use super::report::{OfPopulation, WalkerError, report};
-use super::{bare, fresh, gap, hold, limits, phase, weighed};
-use crate::error::{Error, Placed, Result, SynthError};
+use super::served::{Assigned, Under, one_walker};
+use super::{bare, gap, hold, limits, phase, weighed};
+use crate::error::{Placed, Result, SynthError};
 use crate::force::{ForceCurve, Population, Walker};
 use crate::problem::{Problem, Walkers};
 use crate::scene::{Family, Robust, Scene};
@@ -56,17 +54,6 @@ pub struct Cover {
     pub bound_percent: Option<f64>,
 }
 
-/// A cycle and the cam that serves it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Assigned {
-    /// Number of the cam, from 0 on.
-    pub cam: usize,
-    /// How well it serves.
-    pub error: WalkerError,
-    /// Parts of the error, whose squares add up to its square: the mean force, the size of what varies, and its shape.
-    pub parts_percent: [f64; 3],
-}
-
 /// The covers of 1 to so many cams, as many as there are walkers at most. Every cam has the family and size of law that the scene
 /// gives the cam of all.
 ///
@@ -84,86 +71,6 @@ pub fn covers(
     let mut people = People::of(scene, population, search)?;
     people.points = people.points_of_all()?;
     people.covers(cams)
-}
-
-/// Which of some cams serves each walker of a force best, cycle by cycle; the machine is set as the scene says.
-///
-/// # Errors
-/// As of one cam.
-pub fn served_by(scene: &Scene, cams: &[Design], force: &ForceCurve) -> Result<Vec<Assigned>> {
-    let mut best: Vec<Assigned> = Vec::new();
-    let problem = Problem::resolve(scene, Some(force))?;
-    for (cam, design) in cams.iter().enumerate() {
-        let own = Under::of(&problem, design)?.assigned(cam);
-        if cam == 0 {
-            best = own;
-            continue;
-        }
-        for (best, own) in best.iter_mut().zip(own) {
-            if own.error.rms_error_percent < best.error.rms_error_percent {
-                *best = own;
-            }
-        }
-    }
-    Ok(best)
-}
-
-/// Cycles under a cam that need not be designed for them.
-struct Under {
-    /// Mean square errors.
-    squares: Vec<f64>,
-    report: OfPopulation,
-    /// What each error consists of, as mean squares.
-    parts: Vec<[f64; 3]>,
-}
-
-impl Under {
-    fn of(problem: &Problem, design: &Design) -> Result<Under> {
-        let problem = problem.at_phase(design.phase);
-        let walkers = problem.walkers.as_deref().ok_or_else(one_walker)?;
-        let law = &design.cam.law;
-        let mut phases = vec![0.0; walkers.each.len()];
-        let mut turned = None;
-        if walkers.adjust.phase {
-            let force = phase::of_law(&problem.drive, law);
-            phases = walkers
-                .each
-                .iter()
-                .map(|w| phase::best(&force, w))
-                .collect();
-            turned = Some(walkers.at_phases(&phases));
-        }
-        let nodes = Nodes::of(law);
-        let force = nodes.force(&problem.drive, law);
-        let each = &turned.as_ref().unwrap_or(walkers).each;
-        let aims: Vec<Aim> = each.iter().map(|w| nodes.aim(w)).collect();
-        let squares: Vec<f64> = aims.iter().map(|aim| aim.square(&force)).collect();
-        let parts = aims.iter().map(|aim| nodes.parts(aim, &force)).collect();
-        phases.iter_mut().for_each(|p| *p += design.phase);
-        let report = report(walkers, &squares, &phases);
-        Ok(Under {
-            squares,
-            report,
-            parts,
-        })
-    }
-
-    fn assigned(self, cam: usize) -> Vec<Assigned> {
-        let both = self.report.each.into_iter().zip(self.parts);
-        let own = both.map(|(error, parts)| {
-            let parts_percent = parts.map(|x| 100.0 * x.sqrt());
-            Assigned {
-                cam,
-                error,
-                parts_percent,
-            }
-        });
-        own.collect()
-    }
-}
-
-fn one_walker() -> Error {
-    SynthError::OneWalker.at_key("gait.file")
 }
 
 /// Walkers, and what they would have alone.
@@ -215,7 +122,7 @@ impl<'a> People<'a> {
             cycles[place].push(i);
         }
         let force = ForceCurve::of_walkers(all)?;
-        let one = crate::synth::design(&Problem::resolve(scene, Some(&force))?, &fresh(search))?;
+        let one = crate::synth::design(&Problem::resolve(scene, Some(&force))?, search)?;
         let scene = of_size(scene, &one);
         Ok(People {
             problem: Problem::resolve(&scene, Some(&force))?,
@@ -378,13 +285,13 @@ impl<'a> People<'a> {
         let walkers: Vec<Walker> = cycles
             .map(|i| self.population.walkers[*i].clone())
             .collect();
-        Ok(ForceCurve::of_walkers(walkers)?)
+        ForceCurve::of_walkers(walkers)
     }
 
     /// The cam of some walkers.
     fn cam(&self, group: &[usize]) -> Result<Design> {
         let problem = Problem::resolve(&self.scene, Some(&self.force(group)?))?;
-        crate::synth::design(&problem, &fresh(self.search))
+        crate::synth::design(&problem, self.search)
     }
 
     /// The cover of a trial.
@@ -454,7 +361,7 @@ impl<'a> People<'a> {
             limits::LOADS
                 .into_iter()
                 .for_each(|kind| limited.limits[kind] = None);
-            let own = families::law(&weighed(&limited, &alone, &[1.0]), &fresh(self.search));
+            let own = families::law(&weighed(&limited, &alone, &[1.0]), self.search);
             let Some(law) = own.ok().filter(|law| law.solver.tier != Tier::Scp) else {
                 return Ok(Vec::new());
             };

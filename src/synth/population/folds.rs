@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::cover::{People, served_by};
+use super::cover::People;
+use super::served::served_by;
 use crate::error::Result;
 use crate::force::{ForceCurve, Population, Walker};
 use crate::scene::Scene;

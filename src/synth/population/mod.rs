@@ -12,11 +12,13 @@ mod folds;
 mod limits;
 mod phase;
 mod report;
+mod served;
 mod weights;
 
-pub use cover::{Assigned, Cover, covers, served_by};
+pub use cover::{Cover, covers};
 pub use folds::{Fold, folds};
 pub use report::{OfPopulation, WalkerError};
+pub use served::{Assigned, served_by};
 
 use std::sync::Arc;
 

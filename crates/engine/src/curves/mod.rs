@@ -1,5 +1,7 @@
 //! Curves of a design over the cam's angle, in the units people use: what the diagrams show.
 
+mod walkers;
+
 use serde::{Deserialize, Serialize};
 
 use gaitcam::cam::{Cam, Check, Criterion, LimitKind, Measures, ProfilePoint, Unit};
@@ -258,43 +260,8 @@ fn force(design: &Design, samples: &[Sample]) -> Panel {
             curve::target_at(high, law, s.theta)
         }));
     }
-    lines.extend(walkers(design, samples));
+    lines.extend(walkers::lines(design, samples));
     panel(design, "force", unit, lines)
-}
-
-/// What the force would be if the cam served each walker without an error: the edges over all, and that of the worst. The force of
-/// every walker's machine is linear in the one shown.
-fn walkers(design: &Design, samples: &[Sample]) -> Vec<Line> {
-    let Some((all, report)) = design
-        .problem
-        .walkers
-        .as_deref()
-        .zip(design.population.as_ref())
-    else {
-        return Vec::new();
-    };
-    let rest = design.drive.rest_force;
-    let wanted = |i: usize, theta: f64| {
-        let walker = &all.each[i];
-        let later = report.each[i].phase_rad - design.phase;
-        let force = curve::target_at(&walker.target, &design.cam.law, theta + later);
-        rest + (force - walker.drive.rest_force) / walker.factor
-    };
-    let edge = |better: fn(f64, f64) -> f64| {
-        move |s: &Sample| {
-            let each = (0..all.each.len()).map(|i| wanted(i, s.theta));
-            each.reduce(better).unwrap_or(f64::NAN)
-        }
-    };
-    let error = |i: &usize| report.each[*i].rms_error_percent;
-    let worst = (0..all.each.len()).max_by(|a, b| error(a).total_cmp(&error(b)));
-    vec![
-        line_of("low", samples, edge(f64::min)),
-        line_of("high", samples, edge(f64::max)),
-        line_of("worst", samples, |s| {
-            worst.map_or(f64::NAN, |i| wanted(i, s.theta))
-        }),
-    ]
 }
 
 fn radius(design: &Design, samples: &[Sample]) -> Panel {
@@ -453,66 +420,4 @@ fn places(design: &Design) -> Vec<Place> {
         });
     }
     out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use gaitcam::scene;
-
-    /// Trapezoidal mean square of the distance of two lines, at the angles of the page.
-    fn mean_square(curves: &Curves, a: &str, b: &str) -> f64 {
-        let line = |role: &str| {
-            &curves.panels[0]
-                .lines
-                .iter()
-                .find(|l| l.role == role)
-                .unwrap()
-                .y
-        };
-        let (a, b) = (line(a), line(b));
-        let at = |i: usize| (a[i].unwrap() - b[i].unwrap()).powi(2);
-        let theta = |i: usize| curves.theta[i].unwrap();
-        let steps = 1..curves.theta.len();
-        let sum: f64 = steps
-            .map(|i| 0.5 * (at(i) + at(i - 1)) * (theta(i) - theta(i - 1)))
-            .sum();
-        sum / curves.length
-    }
-
-    #[test]
-    fn the_force_of_the_cam_is_as_far_from_that_of_the_worst_walker_as_his_error_says() {
-        let scene = scene::built_in("footbridge").unwrap().scene().unwrap();
-        let scene = scene
-            .with("gait.step_frequency", "1.4 Hz:2.4 Hz:6")
-            .unwrap();
-        let design = scene.with("law.robust", "worst").unwrap().design().unwrap();
-        let curves = curves(&design, Colour::None);
-        let report = design.population.as_ref().unwrap();
-        let all = design.problem.walkers.as_ref().unwrap();
-        let worst = all
-            .each
-            .iter()
-            .find(|w| w.name == report.worst_walker)
-            .unwrap();
-        let distance = mean_square(&curves, "main", "worst").sqrt();
-        let percent = 100.0 * distance * worst.factor / worst.unit;
-        assert!(
-            (percent / report.worst_percent - 1.0).abs() < 0.01,
-            "{percent} {}",
-            report.worst_percent
-        );
-        // Every line of a walker is within the band.
-        let line = |role: &str| {
-            &curves.panels[0]
-                .lines
-                .iter()
-                .find(|l| l.role == role)
-                .unwrap()
-                .y
-        };
-        let inside =
-            |i: usize| line("low")[i] <= line("worst")[i] && line("worst")[i] <= line("high")[i];
-        assert!((0..curves.theta.len()).all(inside));
-    }
 }

@@ -1,0 +1,108 @@
+//! Walkers under cams that need not be designed for them.
+
+use serde::Serialize;
+
+use super::errors::{Aim, Nodes};
+use super::phase;
+use super::report::{OfPopulation, WalkerError, report};
+use crate::error::{Error, Placed, Result, SynthError};
+use crate::force::ForceCurve;
+use crate::problem::Problem;
+use crate::scene::Scene;
+use crate::synth::design::Design;
+
+/// A cycle and the cam that serves it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Assigned {
+    /// Number of the cam, from 0 on.
+    pub cam: usize,
+    /// How well it serves.
+    pub error: WalkerError,
+    /// Parts of the error, whose squares add up to its square: the mean force, the size of what varies, and its shape.
+    pub parts_percent: [f64; 3],
+}
+
+/// Which of some cams serves each walker of a force best, cycle by cycle; the machine is set as the scene says.
+///
+/// # Errors
+/// As of one cam.
+pub fn served_by(scene: &Scene, cams: &[Design], force: &ForceCurve) -> Result<Vec<Assigned>> {
+    let mut best: Vec<Assigned> = Vec::new();
+    let problem = Problem::resolve(scene, Some(force))?;
+    for (cam, design) in cams.iter().enumerate() {
+        let own = Under::of(&problem, design)?.assigned(cam);
+        if cam == 0 {
+            best = own;
+            continue;
+        }
+        for (best, own) in best.iter_mut().zip(own) {
+            if own.error.rms_error_percent < best.error.rms_error_percent {
+                *best = own;
+            }
+        }
+    }
+    Ok(best)
+}
+
+/// Cycles under a cam that need not be designed for them.
+pub(super) struct Under {
+    /// Mean square errors.
+    pub squares: Vec<f64>,
+    report: OfPopulation,
+    /// What each error consists of, as mean squares.
+    parts: Vec<[f64; 3]>,
+}
+
+impl Under {
+    /// The cycles of a problem's walkers under the cam of a design.
+    ///
+    /// # Errors
+    /// A problem of one cycle.
+    pub fn of(problem: &Problem, design: &Design) -> Result<Under> {
+        let problem = problem.at_phase(design.phase);
+        let walkers = problem.walkers.as_deref().ok_or_else(one_walker)?;
+        let law = &design.cam.law;
+        let mut phases = vec![0.0; walkers.each.len()];
+        let mut turned = None;
+        if walkers.adjust.phase {
+            let force = phase::of_law(&problem.drive, law);
+            phases = walkers
+                .each
+                .iter()
+                .map(|w| phase::best(&force, w))
+                .collect();
+            turned = Some(walkers.at_phases(&phases));
+        }
+        let nodes = Nodes::of(law);
+        let force = nodes.force(&problem.drive, law);
+        let each = &turned.as_ref().unwrap_or(walkers).each;
+        let aims: Vec<Aim> = each.iter().map(|w| nodes.aim(w)).collect();
+        let squares: Vec<f64> = aims.iter().map(|aim| aim.square(&force)).collect();
+        let parts = aims.iter().map(|aim| nodes.parts(aim, &force)).collect();
+        phases.iter_mut().for_each(|p| *p += design.phase);
+        let report = report(walkers, &squares, &phases);
+        Ok(Under {
+            squares,
+            report,
+            parts,
+        })
+    }
+
+    /// The same cycle by cycle, with the number of the cam.
+    pub fn assigned(self, cam: usize) -> Vec<Assigned> {
+        let both = self.report.each.into_iter().zip(self.parts);
+        let own = both.map(|(error, parts)| {
+            let parts_percent = parts.map(|x| 100.0 * x.sqrt());
+            Assigned {
+                cam,
+                error,
+                parts_percent,
+            }
+        });
+        own.collect()
+    }
+}
+
+pub(super) fn one_walker() -> Error {
+    SynthError::OneWalker.at_key("gait.file")
+}
