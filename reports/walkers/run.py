@@ -43,9 +43,9 @@ Mass lognormal, ln(m/kg) with mean 4.28 and deviation 0.21 (Portier, Tolson and 
 these papers and were not compared with their print.
 
 {uniform}
-
 Where the worst error equals the bound from some number of cams on, one walker decides: his own cam errs as much, because 60 mm of
 stroke are too few for a strong and slow step.
+
 ## 500 walkers, phases in order
 
 The same, with the phases of SCI P354 (0, −90°, 180°, 90°, 0) and a spread of 0.3 rad, which is ours: what one kind of step gives.
