@@ -33,7 +33,7 @@ use crate::units::{Dimension, Quantity};
 const SETTLED_AT_LIMITS: f64 = 1e-6;
 const SETTLED: f64 = 1e-4;
 const SETTLED_OF_ACCURACY: f64 = 0.1;
-/// Ripple at which the rounds surely agree.
+/// Ripple at which the rounds usually agree; the message that names an inertia for it says this number too.
 const CALM: f64 = 0.25;
 
 /// The design on its shaft.
@@ -334,7 +334,7 @@ fn rounds(
     Ok((last, layout))
 }
 
-/// The fault of rounds that do not agree, with an inertia, kg·m², at which they do.
+/// The fault of rounds that do not agree, with an inertia, kg·m², that leaves the ripple [`CALM`].
 fn diverges(shaft: &Motion, contraction: Option<f64>, inertia: f64) -> Error {
     SynthError::ShaftDiverges {
         inertia: Quantity::new(inertia, Dimension::Inertia),
