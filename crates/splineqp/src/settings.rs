@@ -116,12 +116,14 @@ settings! {
     RmsSettings {
         /// Tolerance of the limits in the program with a cone, where the search begins.
         rough: f64 = 1e-6,
-        /// First step of ln μ or ln p, in parts of the logarithm by which the limit is missed …
+        /// First step of ln p, twice as long each time.
+        peak_step: f64 = 0.2,
+        /// First step of ln μ, in parts of the logarithm by which the limit is missed …
         step: f64 = 4.0,
         /// … no shorter than this, and four times as long each time …
         least_step: f64 = 1e-6,
-        /// … so many times.
-        steps: usize = 16,
+        /// … so many times; of a peak too.
+        steps: usize = 24,
         /// The least peak that is tried is larger than the least one there is by this part.
         pinch: f64 = 2e-7,
         /// Weights tried between two.

@@ -17,6 +17,18 @@ const PARTS: usize = 5;
 const FEWEST: usize = 4;
 
 /// Errors of walkers for whom cams were designed, and of others.
+///
+/// ```
+/// use gaitcam::{scene, synth};
+///
+/// // Of ten walkers two are left out in turn; the error of others is that of a walker who comes new.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.5 Hz:2.3 Hz:10")?;
+/// let walkers = scene.model_force()?.unwrap();
+/// let folds = synth::folds(&scene, &walkers, 1, &synth::Search::default())?;
+/// assert!(folds.iter().any(|fold| fold.cams == 1 && fold.walkers == 8));
+/// assert!(folds.iter().all(|fold| fold.out_mean_percent <= fold.out_worst_percent));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Fold {
     /// Number of cams.

@@ -12,6 +12,20 @@ use crate::scene::Scene;
 use crate::synth::design::Design;
 
 /// A cycle and the cam that serves it.
+///
+/// ```
+/// use gaitcam::{scene, synth};
+///
+/// // A slow and a quick walk: one cam serves both, and the parts of each error add up to it.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.6 Hz:2.1 Hz:2")?;
+/// let walkers = scene.model_force()?.unwrap();
+/// let covers = synth::covers(&scene, &walkers, 1, &synth::Search::default())?;
+/// for served in &covers[0].each {
+///     let sum: f64 = served.parts_percent.iter().map(|part| part * part).sum();
+///     assert!((sum.sqrt() - served.error.rms_error_percent).abs() < 1e-6);
+/// }
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Assigned {
     /// Number of the cam, from 0 on.

@@ -1,7 +1,8 @@
 //! A limit on a root mean square √(2 q) to rounding, by a number at which it holds with equality.
 //!
 //! **Beginning.** As a cone of an interior-point program the limit gives the law to about 1e-6, and its multiplier. That is
-//! enough between the steps of a sequence; here it is where the search begins.
+//! enough between the steps of a sequence; here it is where the search for a weight begins. That for a peak begins at the law of
+//! the least root mean square, without which there is none.
 //!
 //! **Weight.** With weight μ on q the optimum x(μ) of J + μ q keeps the other limits, and q(x(μ)) falls as μ grows. Where
 //! √(2 q) is `most`, x(μ) is the optimum under √(2 q) ≤ `most` and μ·most the multiplier of its tangent: J's gradient and the
@@ -48,7 +49,7 @@ struct Search<'a, N: Names> {
     way: Way,
     /// Contacts of the last optimum.
     seeds: Vec<Row<N>>,
-    /// The law of the least peak under the other limits.
+    /// The law of the least peak under the other limits, once a smaller peak had none.
     least: Option<Solution<N>>,
 }
 
@@ -58,21 +59,19 @@ pub fn solve<N: Names>(
     limit: &RmsLimit<N>,
 ) -> Result<Solution<N>, Failure<N>> {
     let mut search = Search::new(program, limit);
-    let mut number = search.begin();
-    if number.is_none() || search.way == Way::Peak {
-        match search.without_limit() {
-            Ok(plain) if limit.excess(&plain.x) <= 0.0 => return Ok(plain),
-            Ok(plain) if search.way == Way::Peak => {
-                number = number.map(|n| n.max(search.lowest(&plain)));
-                search.least = Some(plain);
-            }
-            // Without the limit the objective may have no least value.
-            Ok(_) | Err(Failure::Numerical { .. }) => (),
-            Err(failure) => return Err(failure),
-        }
-    }
-    let number = number.map_or_else(|| search.beside_the_nearest(), Ok)?;
-    let first = search.at(number)?;
+    let first = match search.way {
+        // A cone beside a peak is a program of many contacts; the law of the least root mean square is none.
+        Way::Peak => search.of_the_nearest()?,
+        Way::Weight => match search.begin() {
+            Some(number) => search.at(number)?,
+            None => match search.without_limit() {
+                Ok(plain) if limit.excess(&plain.x) <= 0.0 => return Ok(plain),
+                // Without the limit the objective may have no least value.
+                Ok(_) | Err(Failure::Numerical { .. }) => search.of_the_nearest()?,
+                Err(failure) => return Err(failure),
+            },
+        },
+    };
     if let Some([inside, outside]) = search.bracket(first)? {
         return search.between(inside, outside);
     }
@@ -109,25 +108,35 @@ impl<'a, N: Names> Search<'a, N> {
         let weight = found.active.iter().find(is_tangent)?.multiplier / self.limit.most;
         self.seeds = found.active;
         self.seeds.retain(|r| r.limit.is_some());
-        Some(match self.way {
-            Way::Weight => weight.ln(),
-            Way::Peak => found.extra[PEAK].ln(),
-        })
+        Some(weight.ln())
     }
 
-    /// The number at which the objective weighs as much as the root mean square, or the peak of the law of the least.
-    fn beside_the_nearest(&self) -> Result<f64, Failure<N>> {
-        let program = self.program;
-        let near = program.of_least_rms(None).ok_or(Stop::Refused)?.solve()?;
-        if self.limit.excess(&near.x) > program.settings.tolerance {
+    /// The law of the least root mean square.
+    fn nearest(&self) -> Result<Solution<N>, Failure<N>> {
+        let near = self.program.of_least_rms(None).ok_or(Stop::Refused)?;
+        let near = near.solve()?;
+        if self.limit.excess(&near.x) > self.program.settings.tolerance {
             return Err(Failure::Infeasible);
         }
-        let square = self.limit.half.whole.hessian.largest_diagonal() * program.length.powi(2);
-        let number = match self.way {
-            Way::Weight => program.objective_unit() / square,
-            Way::Peak => program.own_peak(&near.x, &near.extra),
-        };
-        Ok(number.max(f64::MIN_POSITIVE).ln())
+        Ok(near)
+    }
+
+    /// That law with its peak, or the optimum where the objective weighs as much as the root mean square.
+    fn of_the_nearest(&mut self) -> Result<Tried<N>, Failure<N>> {
+        let mut near = self.nearest()?;
+        let program = self.program;
+        match self.way {
+            Way::Weight => {
+                let hessian = &self.limit.half.whole.hessian;
+                let square = hessian.largest_diagonal() * program.length.powi(2);
+                self.at((program.objective_unit() / square).ln())
+            }
+            Way::Peak => {
+                near.extra[PEAK] = program.own_peak(&near.x, &near.extra);
+                let peak = near.extra[PEAK].max(f64::MIN_POSITIVE);
+                Ok(self.tried(peak.ln(), 0.0, near))
+            }
+        }
     }
 
     /// The optimum without the limit.
@@ -151,7 +160,7 @@ impl<'a, N: Names> Search<'a, N> {
                 });
             }
         }
-        self.beside_the_nearest()?;
+        self.nearest()?;
         Err(Stop::NoProgress.into())
     }
 
@@ -233,7 +242,13 @@ impl<'a, N: Names> Search<'a, N> {
     fn bracket(&mut self, mut here: Tried<N>) -> Result<Option<[Tried<N>; 2]>, Failure<N>> {
         let settings = self.program.settings.rms;
         let holds = here.excess <= 0.0;
-        let mut step = (settings.step * here.excess.abs()).clamp(settings.least_step, 1.0);
+        let (mut step, growth) = match self.way {
+            Way::Peak => (settings.peak_step, 2.0),
+            Way::Weight => (
+                (settings.step * here.excess.abs()).clamp(settings.least_step, 1.0),
+                4.0,
+            ),
+        };
         for _ in 0..settings.steps {
             let mut number = here.number + if holds { -step } else { step };
             if let Some(lowest) = self.least.as_ref().map(|least| self.lowest(least)) {
@@ -243,6 +258,10 @@ impl<'a, N: Names> Search<'a, N> {
                 }
             }
             let next = match self.at(number) {
+                Err(Failure::Infeasible) if self.way == Way::Peak && self.least.is_none() => {
+                    self.least = self.without_limit().ok();
+                    continue;
+                }
                 // The other limits leave no law of so small a peak, or rounding ended the solver here.
                 Err(failure) if self.may_differ_beside(&failure) => {
                     step *= 0.25;
@@ -255,7 +274,7 @@ impl<'a, N: Names> Search<'a, N> {
                 return Ok(Some(both));
             }
             here = next;
-            step *= 4.0;
+            step *= growth;
         }
         Ok(None)
     }
