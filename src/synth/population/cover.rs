@@ -28,12 +28,12 @@ const STARTS: usize = 3;
 /// ```
 /// use gaitcam::{scene, synth};
 ///
-/// // Two cams share the cadences of a model; each alone errs by less than half of what one cam for all does.
+/// // Two cams share the cadences of a model: the worst error falls by a quarter.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.4 Hz:2.4 Hz:11")?;
 /// let scene = scene.with("law.robust", "worst")?;
 /// let walkers = scene.model_force()?.unwrap();
 /// let covers = synth::covers(&scene, &walkers, 2, &synth::Search::default())?;
-/// assert!(covers[1].worst_percent < 0.6 * covers[0].worst_percent);
+/// assert!(covers[1].worst_percent < 0.75 * covers[0].worst_percent);
 /// assert!(covers[1].bound_percent.unwrap() <= covers[1].worst_percent);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```

@@ -3,7 +3,7 @@
 //! Controllers execute polynomials between points. A quintic with lift, velocity and acceleration at both ends carries a law of
 //! degree 5 exactly. A cubic spline through positions alone has the acceleration of the law to the second order of the distance
 //! h of its points, and the rounding of their numbers divided by h²: more points are worse from some number on. Every file is
-//! therefore read back, executed in the number type of its controller ([`replay`]) and held against the law.
+//! therefore read back, executed in the number type of its controller and held against the law.
 
 mod codesys;
 mod csv;
