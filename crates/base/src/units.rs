@@ -2,7 +2,7 @@
 //!
 //! A quantity is a number, a blank (optional) and a unit expression of factors joined by `*`, a blank,
 //! `/` and `^`: `"30 psi/in^3"`, `"40 m/s^2"`, `"2 N m"`. The number may have a decimal comma or be a fraction: `"2,5 mm"`,
-//! `"3/8 in"`, `"1 3/8 in"`. Angles are a dimension of their own, so that
+//! `"3/8 in"`, `"1 3/8 in"`, `"1-3/8 in"`. Angles are a dimension of their own, so that
 //! degrees cannot be given for metres. Results are in SI and radians.
 
 use crate::error::{Error, Result, UnitsError, nearest};
@@ -39,6 +39,7 @@ const UNITS: &[(&str, f64, Exponents)] = &[
     ("kgf", 9.806_65, [1, 1, -2, 0]),
     ("Hz", 1.0, [0, 0, -1, 0]),
     ("rpm", std::f64::consts::TAU / 60.0, [0, 0, -1, 1]),
+    ("rps", std::f64::consts::TAU, [0, 0, -1, 1]),
     ("Pa", 1.0, [-1, 1, -2, 0]),
     ("kPa", 1e3, [-1, 1, -2, 0]),
     ("MPa", 1e6, [-1, 1, -2, 0]),
@@ -129,8 +130,9 @@ fn leading_number(text: &str) -> Option<(f64, &str)> {
         && number
             .bytes()
             .all(|b| b.is_ascii_digit() || b"+-".contains(&b));
-    let (upper, after) = split_number(rest.trim_start());
-    let mixed = (whole && rest.starts_with(' ')).then(|| quotient(upper.parse().ok()?, after));
+    let joined = rest.strip_prefix([' ', '-']);
+    let (upper, after) = split_number(joined.unwrap_or(rest).trim_start());
+    let mixed = (whole && joined.is_some()).then(|| quotient(upper.parse().ok()?, after));
     Some(match mixed.flatten() {
         Some((share, after)) if upper.as_bytes()[0].is_ascii_digit() => {
             let share = if number.starts_with('-') {
@@ -200,6 +202,12 @@ fn unit_factor(expression: &str, dimension: Dimension) -> Result<(f64, Exponents
     let mut factor = 1.0;
     let mut exponents = [0; 4];
     let mut sign = 1;
+    // Turns per minute as drawings and name plates write them.
+    let per_minute = matches!(expression, "1/min" | "min^-1" | "min⁻¹");
+    let expression = match dimension {
+        Dimension::AngularSpeed if per_minute => "rpm",
+        _ => expression,
+    };
     let spaced = expression
         .replace('/', " / ")
         .replace(['*', '·'], " ")
@@ -288,6 +296,16 @@ mod tests {
             assert!((got / expected - 1.0).abs() < 1e-12, "{text}: {got}");
         };
         close("3 in", Dimension::Length, 0.0762);
+        for speed in [
+            "120 1/min",
+            "120 min^-1",
+            "120min⁻¹",
+            "2 rps",
+            "2 rev/s",
+            "120 RPM",
+        ] {
+            close(speed, Dimension::AngularSpeed, 2.0 * std::f64::consts::TAU);
+        }
         close(
             "111 rpm",
             Dimension::AngularSpeed,
@@ -317,6 +335,7 @@ mod tests {
             ("3/8 in", Dimension::Length, 0.375 * inch),
             ("3/8\"", Dimension::Length, 0.375 * inch),
             ("1 3/8\"", Dimension::Length, 1.375 * inch),
+            ("1-3/8 in", Dimension::Length, 1.375 * inch),
             ("-1 1/2 in", Dimension::Length, -1.5 * inch),
             ("1 / 4 inch", Dimension::Length, 0.25 * inch),
             ("2 inches", Dimension::Length, 2.0 * inch),

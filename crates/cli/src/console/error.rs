@@ -70,6 +70,7 @@ pub enum CliError {
     },
     FieldNotNumber,
     EmptyTable,
+    NoBlocks,
     NotSweepTable {
         column: String,
     },

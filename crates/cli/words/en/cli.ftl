@@ -47,6 +47,7 @@ cli-broken-table = { $fault }
 cli-field-not-number = a field is not a number
     .help = write it again with gaitcam synth
 cli-empty-table = the table has no row
+cli-no-blocks = this folder holds no blocks of rows of a sweep; name the table that gaitcam sweep wrote, or the folder of its blocks (gaitcam sweep --shard)
 cli-not-sweep-table = is not the table of a sweep: it has no column "{ $column }"
     .help = give the file that gaitcam sweep wrote
 cli-no-parquet = this gaitcam was built without Parquet (the feature "parquet")

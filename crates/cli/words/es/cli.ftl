@@ -47,6 +47,7 @@ cli-broken-table = { $fault }
 cli-field-not-number = un campo no es un número
     .help = escríbala de nuevo con gaitcam synth
 cli-empty-table = la tabla no tiene filas
+cli-no-blocks = esta carpeta no contiene bloques de filas de un barrido; indique la tabla que escribió gaitcam sweep, o la carpeta de sus bloques (gaitcam sweep --shard)
 cli-not-sweep-table = no es la tabla de un barrido: no tiene la columna "{ $column }"
     .help = indique el archivo que escribió gaitcam sweep
 cli-no-parquet = este gaitcam se compiló sin Parquet (la opción "parquet")

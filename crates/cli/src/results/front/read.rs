@@ -100,7 +100,7 @@ pub fn each_row(path: &Path, mut each: impl FnMut(&Columns, Row) -> Result<()>) 
         for (_, block) in blocks::files(path)? {
             columns = Some(each_row_of(&block, &mut each)?);
         }
-        return columns.ok_or_else(|| CliError::EmptyTable.in_file(path));
+        return columns.ok_or_else(|| CliError::NoBlocks.in_file(path));
     }
     each_row_of(path, &mut each)
 }

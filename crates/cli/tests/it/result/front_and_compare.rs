@@ -320,3 +320,17 @@ fn the_largest_jerk_counts_by_its_magnitude() {
         stdout(&shown)
     );
 }
+
+#[test]
+fn a_front_of_a_folder_without_blocks_says_what_it_expects() {
+    let folder = tempfile::tempdir().unwrap();
+    let name = folder.path().to_str().unwrap();
+    for (language, words) in [
+        ("en", "no blocks of rows of a sweep"),
+        ("es", "no contiene bloques"),
+    ] {
+        let refused = gaitcam(&["front", name, "--lang", language]);
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(stderr(&refused).contains(words), "{}", stderr(&refused));
+    }
+}
