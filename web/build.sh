@@ -42,17 +42,23 @@ else
   export LD_LIBRARY_PATH=$tools/usr/lib/x86_64-linux-gnu:$(echo "$tools"/usr/lib/llvm-*/lib)
   export RUSTC=$tools/usr/bin/rustc RUSTC_BOOTSTRAP=1 WASM_LD=$(echo "$tools"/usr/lib/llvm-*/bin/wasm-ld)
   export PATH="$tools/usr/bin:$PATH"
-  # A page has nowhere to print a panic: it ends the worker, and the page says so.
-  export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-Zunstable-options -Cpanic=immediate-abort"
+  # A page has nowhere to print a panic: it ends the worker, and the page says so. Lints are for the compiler of the command.
+  export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-Zunstable-options -Cpanic=immediate-abort --cap-lints=allow"
   standard=(-Zbuild-std=std,panic_abort -Zbuild-std-features=)
 fi
 export CARGO_INCREMENTAL=0 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$PWD/web/link.sh
-cargo rustc --quiet --profile web -p gaitcam-engine --lib --crate-type cdylib --target wasm32-unknown-unknown \
-  --target-dir "$web/cargo" "${standard[@]}"
-module=$web/cargo/wasm32-unknown-unknown/web/gaitcam_engine.wasm
 command -v wasm-opt > /dev/null || fail "wasm-opt is needed (binaryen)"
-wasm-opt -O3 "$module" -o "$web/engine.wasm"
+rm -rf "$web/modules"
+mkdir "$web/modules"
+# The module that the page begins with, then the whole one for files, runs and recordings.
+for name in engine whole; do
+  features=()
+  [ "$name" = whole ] || features=(--no-default-features)
+  cargo rustc --quiet --profile web -p gaitcam-engine --lib --crate-type cdylib --target wasm32-unknown-unknown \
+    --target-dir "$web/cargo" "${features[@]}" "${standard[@]}"
+  wasm-opt -O3 "$web/cargo/wasm32-unknown-unknown/web/gaitcam_engine.wasm" -o "$web/modules/$name.wasm"
+done
 
 [ -x "$web/node_modules/.bin/esbuild" ] || npm install --silent --no-audit --no-fund --prefix "$web" esbuild@0.28.2 > /dev/null ||
   fail "npm cannot install esbuild"
-python3 web/page.py "$web/engine.wasm" "$web/node_modules/.bin/esbuild" web/dist
+python3 web/page.py "$web/modules" "$web/node_modules/.bin/esbuild" web/dist

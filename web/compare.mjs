@@ -26,7 +26,7 @@ let said = null;
 globalThis.postMessage = (data) => said(data);
 runInThisContext(readFileSync(join(dist, "engine/worker.js"), "utf8"));
 const tell = (data) => new Promise((resolve) => { said = resolve; globalThis.onmessage({ data }); });
-const module = new WebAssembly.Module(gunzipSync(readFileSync(join(dist, "engine/engine.wasm.gz"))));
+const module = new WebAssembly.Module(gunzipSync(readFileSync(join(dist, "engine/whole.wasm.gz"))));
 globalThis.onmessage({ data: { module } });
 await new Promise((resolve) => setTimeout(resolve, 200));
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The page as static files and as one file.
 
-    python3 web/page.py ENGINE.wasm ESBUILD OUT
+    python3 web/page.py MODULES ESBUILD OUT
 """
 
 import base64
@@ -17,6 +17,8 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "crates" / "studio" / "page"
 # The report's script of a moving cam, which the page has too.
 MOTION = ROOT / "crates" / "output" / "src" / "report" / "motion.js"
+# Most bytes, packed, before the first design.
+FIRST_LOAD = 1_500_000
 # A page in one file reaches nothing but itself.
 POLICY = (
     "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:; style-src 'unsafe-inline'; "
@@ -82,31 +84,37 @@ def one_file(out, engine):
     return page.replace("</body>", "\n".join(parts) + "\n</body>")
 
 
-def service_worker(out, files):
+def service_worker(out, files, later):
     """Keeps the files of this build, so that the page opens without a network after the first visit."""
-    version = hashlib.sha256(b"".join((out / file).read_bytes() for file in files)).hexdigest()[:16]
+    version = hashlib.sha256(b"".join((out / file).read_bytes() for file in [*files, later])).hexdigest()[:16]
     text = (ROOT / "web" / "service_worker.js").read_text()
     list_ = ", ".join(f'"{file}"' for file in ["./", *files])
-    return text.replace("{version}", version).replace("{files}", list_)
+    return text.replace("{version}", version).replace("{files}", list_).replace("{later}", later)
 
 
 def main():
-    engine, esbuild, out = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+    modules, esbuild, out = Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3])
     shutil.rmtree(out, ignore_errors=True)
     (out / "engine").mkdir(parents=True)
-    packed = gzip.compress(without_custom_sections(Path(engine).read_bytes()), 9, mtime=0)
-    (out / "engine" / "engine.wasm.gz").write_bytes(packed)
+    for name in ["engine", "whole"]:
+        module = without_custom_sections((modules / f"{name}.wasm").read_bytes())
+        (out / "engine" / f"{name}.wasm.gz").write_bytes(gzip.compress(module, 9, mtime=0))
     shutil.copy(PAGE / "engine" / "worker.js", out / "engine" / "worker.js")
     bundle(esbuild, out / "app.js")
     for style in ["style.css", "panels.css"]:
         shutil.copy(PAGE / style, out / style)
     (out / "index.html").write_text(index().replace("{base}", "./"))
     files = ["app.js", "style.css", "panels.css", "engine/worker.js", "engine/engine.wasm.gz"]
-    (out / "service_worker.js").write_text(service_worker(out, files))
-    (out / "gaitcam.html").write_text(one_file(out, packed))
-    for file in ["index.html", *files, "gaitcam.html"]:
-        size = (out / file).stat().st_size
-        print(f"{size / 1e3:9.1f} kB  {len(gzip.compress((out / file).read_bytes())) / 1e3:8.1f} kB packed  {file}")
+    later = "engine/whole.wasm.gz"
+    (out / "service_worker.js").write_text(service_worker(out, files, later))
+    (out / "gaitcam.html").write_text(one_file(out, (out / later).read_bytes()))
+    packed = {file: len(gzip.compress((out / file).read_bytes())) for file in ["index.html", *files, later, "gaitcam.html"]}
+    for file, size in packed.items():
+        print(f"{(out / file).stat().st_size / 1e3:9.1f} kB  {size / 1e3:8.1f} kB packed  {file}")
+    first = sum(packed[file] for file in ["index.html", *files])
+    print(f"{'':12}  {first / 1e3:8.1f} kB packed  before the first design")
+    if first > FIRST_LOAD:
+        sys.exit(f"web/page.py: the first load is larger than {FIRST_LOAD / 1e3:.0f} kB")
 
 
 if __name__ == "__main__":

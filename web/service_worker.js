@@ -2,6 +2,8 @@
 
 const CACHE = "gaitcam-{version}";
 const FILES = [{files}];
+// Fetched when the page says that it has what it needs.
+const LATER = "{later}";
 
 addEventListener("install", (event) => {
   event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES)).then(() => skipWaiting()));
@@ -10,6 +12,10 @@ addEventListener("install", (event) => {
 addEventListener("activate", (event) => {
   const old = (names) => Promise.all(names.filter((name) => name.startsWith("gaitcam-") && name !== CACHE).map((name) => caches.delete(name)));
   event.waitUntil(caches.keys().then(old).then(() => clients.claim()));
+});
+
+addEventListener("message", (event) => {
+  event.waitUntil(caches.match(LATER).then((found) => found ?? caches.open(CACHE).then((cache) => cache.add(LATER))));
 });
 
 addEventListener("fetch", (event) => {

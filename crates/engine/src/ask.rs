@@ -55,9 +55,17 @@ impl Engine {
             "relax" => asked(object, |q| design::relax(files, q)),
             "sensitivity" => asked(object, |q| variation::sensitivity(files, q)),
             "front" => asked(object, |q| variation::front(files, q)),
-            "simulate" => asked(object, |q| runs::simulate(files, q)),
             "sweep" => asked(object, |q| runs::sweep(files, q)),
             "force" => asked(object, |q| recording::points(files, q)),
+            _ if cfg!(feature = "whole") => self.whole(files, route, object),
+            _ => Answer::bad(route.to_string()),
+        }
+    }
+
+    /// What the page's first module leaves to the second.
+    fn whole(&self, files: &Files, route: &str, object: Map<String, Value>) -> Answer {
+        match route {
+            "simulate" => asked(object, |q| runs::simulate(files, q)),
             "recording" => asked(object, |q| recording::dropped(files, q)),
             "contacts" => asked(object, |q| recording::contacts(files, q)),
             "export" => match serde_json::from_value(object.into()) {

@@ -96,7 +96,11 @@ const fn file(
         group,
         of,
         with,
-        make,
+        make: if cfg!(feature = "makers") {
+            make
+        } else {
+            |_| none()
+        },
     }
 }
 

@@ -1,19 +1,27 @@
-// The engine inside the page: a module in workers, one for what follows the hand and one for what takes longer.
+// The engine inside the page, in workers: one for what follows the hand, one for what takes longer, and one with the whole
+// module for files, runs and recordings, loaded when the first of them is asked for.
 
 const inline = (id) => document.getElementById(id)?.textContent;
 const unpack = (stream) => stream.pipeThrough(new DecompressionStream("gzip"));
 
-// The page in one file carries the module as text; a page in a folder has it beside it, and keeps it for visits without a
-// network where the browser can.
-async function packed() {
+// The page in one file carries the whole module as text; a page in a folder has both beside it, and keeps them for visits
+// without a network where the browser can.
+async function packed(name) {
   const text = inline("engine-module");
   if (text) return new Blob([Uint8Array.from(atob(text.trim()), (c) => c.charCodeAt(0))]).stream();
-  if (location.protocol.startsWith("http")) navigator.serviceWorker?.register(new URL("service_worker.js", document.baseURI)).catch(() => {});
-  return (await fetch(new URL("engine/engine.wasm.gz", document.baseURI))).body;
+  const response = await fetch(new URL(`engine/${name}.wasm.gz`, document.baseURI));
+  if (name === "engine" && location.protocol.startsWith("http")) keepForNextVisit();
+  return response.body;
 }
 
-let compiled = null;
-const module = () => compiled ??= packed().then((stream) =>
+function keepForNextVisit() {
+  const workers = navigator.serviceWorker;
+  workers?.register(new URL("service_worker.js", document.baseURI)).catch(() => {});
+  workers?.ready.then(({ active }) => active.postMessage("later"));
+}
+
+const compiled = {};
+const module = (name) => compiled[name] ??= packed(name).then((stream) =>
   WebAssembly.compileStreaming(new Response(unpack(stream), { headers: { "Content-Type": "application/wasm" } })));
 
 function worker() {
@@ -27,6 +35,10 @@ class Lane {
   waiting = [];
   busy = null;
   worker = null;
+
+  constructor(name) {
+    this.name = name;
+  }
 
   ask(message, signal) {
     return new Promise((resolve, reject) => {
@@ -50,7 +62,7 @@ class Lane {
   }
 
   async begin() {
-    const ready = await module();
+    const ready = await module(this.name);
     if (this.worker) return;
     this.worker = worker();
     this.worker.onmessage = ({ data }) => {
@@ -79,9 +91,14 @@ class Lane {
   }
 }
 
-const lanes = { hand: new Lane(), long: new Lane() };
-const LONG = new Set(["relax", "sensitivity", "front", "export", "scene-picture", "simulate", "sweep"]);
-const lane = (route) => (LONG.has(route) ? lanes.long : lanes.hand);
+const hand = new Lane("engine");
+const long = new Lane("engine");
+const whole = new Lane("whole");
+const LANES = {
+  relax: long, sensitivity: long, front: long, "scene-picture": long, sweep: long,
+  export: whole, simulate: whole, recording: whole, contacts: whole,
+};
+const lane = (route) => LANES[route] ?? hand;
 
 // A question at which the engine fails is not asked again: it would fail again.
 const failed = (message) => ({ error: { code: "broken", message } });
