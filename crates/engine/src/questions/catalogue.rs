@@ -96,7 +96,8 @@ fn at_rest(design: &Design) -> String {
         );
     }
     for (colour, name) in palette::NAMES {
-        let plain = format!("rgb({},{},{})", colour.0, colour.1, colour.2);
+        let [r, g, b] = colour.rgb;
+        let plain = format!("rgb({r},{g},{b})");
         svg = svg.replace(&format!("var(--{name})"), &plain);
     }
     let head = "<svg xmlns=\"http://www.w3.org/2000/svg\"";

@@ -2,12 +2,9 @@
 
 use std::fmt::Write;
 
-use plotters::prelude::*;
-
 use super::palette;
-
 use super::raster;
-use super::sheet::{Canvas, Drawn, FAMILY, Ink, Recorder, Shape};
+use super::sheet::{Canvas, FAMILY, Ink, Shape, Style};
 use gaitcam::wording::Language;
 use gaitcam_base::text::escaped;
 use gaitcam_base::text::{append, append_decimal, in_language};
@@ -22,17 +19,10 @@ pub struct Picture {
 
 impl Picture {
     /// Draws on a sheet of given size in points (pixels of the PNG).
-    pub fn drawn(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Self {
-        let mut shapes = Vec::new();
-        let canvas = Recorder {
-            shapes: &mut shapes,
-            size: (width, height),
-        }
-        .into_drawing_area();
-        // The recorder takes everything; only plotters' own bookkeeping could object.
-        let drawn = draw(&canvas);
-        debug_assert!(drawn.is_ok());
-        drop(canvas);
+    pub fn drawn(width: u32, height: u32, draw: impl FnOnce(&Canvas)) -> Self {
+        let canvas = Canvas::default();
+        draw(&canvas);
+        let shapes = canvas.shapes();
         Picture {
             width,
             height,
@@ -92,36 +82,30 @@ impl Picture {
 }
 
 fn write_shape(out: &mut String, shape: &Shape, variables: bool) -> std::fmt::Result {
-    let stroke = |ink: &Ink| paint("stroke", *ink, variables);
-    let fill = |ink: &Ink| paint("fill", *ink, variables);
-    match shape {
-        Shape::Line { points, ink, width } => {
-            let paint = stroke(ink);
-            writeln!(
-                out,
-                "<path d=\"{}\" fill=\"none\" {paint} stroke-width=\"{}\" stroke-linejoin=\"round\"/>",
-                path(points),
-                short(*width)
-            )
+    let look = |style: &Style| match style.width {
+        None => paint("fill", style.ink, variables),
+        Some(width) => {
+            let stroke = paint("stroke", style.ink, variables);
+            let width = short(width);
+            format!("fill=\"none\" {stroke} stroke-width=\"{width}\" stroke-linejoin=\"round\"")
         }
-        Shape::Area { points, ink } => {
-            writeln!(out, "<path d=\"{}Z\" {}/>", path(points), fill(ink))
+    };
+    match shape {
+        Shape::Path { points, style } => {
+            let end = if style.width.is_none() { "Z" } else { "" };
+            writeln!(out, "<path d=\"{}{end}\" {}/>", path(points), look(style))
         }
         Shape::Circle {
             centre: [x, y],
             radius,
-            ink,
-            width,
+            style,
         } => {
-            let paint = match width {
-                None => fill(ink),
-                Some(w) => {
-                    let (stroke, w) = (stroke(ink), short(*w));
-                    format!("fill=\"none\" {stroke} stroke-width=\"{w}\"")
-                }
-            };
             let [x, y, r] = [x, y, radius].map(|q| short(*q));
-            writeln!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" {paint}/>")
+            writeln!(
+                out,
+                "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" {}/>",
+                look(style)
+            )
         }
         Shape::Text { line, ink } => {
             let [x, y, size] = [line.at[0], line.at[1], line.size].map(short);
@@ -139,7 +123,7 @@ fn write_shape(out: &mut String, shape: &Shape, variables: bool) -> std::fmt::Re
                 true => format!(" transform=\"rotate(-90 {x} {y})\""),
                 false => String::new(),
             };
-            let paint = fill(ink);
+            let paint = paint("fill", *ink, variables);
             writeln!(
                 out,
                 "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{anchor}{weight}{turn} {paint}>{}</text>",
@@ -175,7 +159,7 @@ fn paint(property: &str, ink: Ink, variables: bool) -> String {
     let [r, g, b] = ink.rgb;
     let name = palette::NAMES
         .iter()
-        .find(|(c, _)| variables && (c.0, c.1, c.2) == (r, g, b));
+        .find(|(c, _)| variables && c.rgb == ink.rgb);
     let colour = match name {
         Some((_, name)) => format!("var(--{name})"),
         None => format!("#{r:02x}{g:02x}{b:02x}"),
