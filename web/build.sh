@@ -42,9 +42,11 @@ else
   export LD_LIBRARY_PATH=$tools/usr/lib/x86_64-linux-gnu:$(echo "$tools"/usr/lib/llvm-*/lib)
   export RUSTC=$tools/usr/bin/rustc RUSTC_BOOTSTRAP=1 WASM_LD=$(echo "$tools"/usr/lib/llvm-*/bin/wasm-ld)
   export PATH="$tools/usr/bin:$PATH"
-  # A page has nowhere to print a panic: it ends the worker, and the page says so. Lints are for the compiler of the command.
-  export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-Zunstable-options -Cpanic=immediate-abort --cap-lints=allow"
-  standard=(-Zbuild-std=std,panic_abort -Zbuild-std-features=)
+  # A page has nowhere to print a panic: it ends the worker, and the page says so.
+  export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-Zunstable-options -Cpanic=immediate-abort"
+  standard=(-Zbuild-std=std,panic_abort -Zbuild-std-features= -Zwarnings)
+  # The lint on unused crates takes those of the standard library for ours.
+  export CARGO_BUILD_WARNINGS=allow
 fi
 export CARGO_INCREMENTAL=0 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$PWD/web/link.sh
 command -v wasm-opt > /dev/null || fail "wasm-opt is needed (binaryen)"

@@ -7,6 +7,7 @@
 
 mod console;
 mod ecam;
+#[cfg(feature = "evidence")]
 mod evidence;
 mod gait;
 mod input;
@@ -15,6 +16,7 @@ mod reference;
 mod results;
 mod scene;
 mod simulate;
+#[cfg(feature = "studio")]
 mod studio;
 mod sweep;
 pub mod synth;
@@ -33,9 +35,12 @@ use results::{compare, front};
 use scene::{doctor, init};
 use serde_json::{Value, json};
 
+/// The version, the commit and the solver of this build.
+const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("GAITCAM_BUILD"), ")");
+
 /// From a vertical walking force to the cam that reproduces it.
 #[derive(Parser, Debug)]
-#[command(name = "gaitcam", version, about, max_term_width = 100)]
+#[command(name = "gaitcam", version = VERSION, about, max_term_width = 100)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -60,12 +65,15 @@ enum Command {
     /// Pareto front of a sweep: table, pictures, and the best design as a normal result
     Front(front::FrontArgs),
     /// Recompute every number of the source papers: published, recomputed, agreement
+    #[cfg(feature = "evidence")]
     Reproduce(evidence::ReproduceArgs),
     /// Compare several results: table and overlaid diagrams
     Compare(compare::CompareArgs),
     /// Measure speed against accuracy on this machine and draw the charts
+    #[cfg(feature = "evidence")]
     Chart(evidence::ChartArgs),
     /// Open the studio: a page in the browser on which the cam changes with every number
+    #[cfg(feature = "studio")]
     Studio(studio::StudioArgs),
     /// Write a commented scene for a machine
     Init(init::InitArgs),
@@ -117,9 +125,12 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Ecam(args) => ecam::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Front(args) => front::run(&args),
+        #[cfg(feature = "evidence")]
         Command::Reproduce(args) => evidence::reproduce(&args),
         Command::Compare(args) => compare::run(&args),
+        #[cfg(feature = "evidence")]
         Command::Chart(args) => evidence::chart(&args),
+        #[cfg(feature = "studio")]
         Command::Studio(args) => studio::run(&args),
         Command::Keys(args) => keys::keys(&args),
         Command::Scenes(args) => keys::scenes(&args),
@@ -168,10 +179,11 @@ impl Command {
             Command::Laws(args) => args.json,
             Command::Keys(args) => args.json || args.schema,
             Command::Scenes(args) => args.json,
-            Command::Reproduce(_)
-            | Command::Chart(_)
-            | Command::Studio(_)
-            | Command::Init(_)
+            #[cfg(feature = "evidence")]
+            Command::Reproduce(_) | Command::Chart(_) => false,
+            #[cfg(feature = "studio")]
+            Command::Studio(_) => false,
+            Command::Init(_)
             | Command::Doctor(_)
             | Command::Man(_)
             | Command::Completions(_) => false,
