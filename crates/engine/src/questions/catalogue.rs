@@ -96,8 +96,7 @@ fn at_rest(design: &Design) -> String {
         );
     }
     for (colour, name) in palette::NAMES {
-        let [r, g, b] = colour.rgb;
-        let plain = format!("rgb({r},{g},{b})");
+        let plain = format!("rgb({},{},{})", colour.0, colour.1, colour.2);
         svg = svg.replace(&format!("var(--{name})"), &plain);
     }
     let head = "<svg xmlns=\"http://www.w3.org/2000/svg\"";

@@ -1,7 +1,10 @@
 //! Error against cost on logarithmic axes.
 
+use plotters::prelude::*;
+use plotters_backend::text_anchor::{HPos, VPos};
+
 use super::{Across, Chart, Row};
-use gaitcam_output::sheet::{Canvas, HPos, Ink, Lettering, VPos, circle, line, stroke, write};
+use gaitcam_output::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
 use gaitcam_output::{Picture, palette};
 
 const WIDTH: u32 = 900;
@@ -11,7 +14,7 @@ const FIELD: [f64; 4] = [86.0, 640.0, 62.0, 496.0];
 /// Smallest error drawn: below it everything is rounding.
 const SMALLEST: f64 = 1e-16;
 /// Methods are distinguished by colour, then by the shape of the mark.
-const COLOURS: [Ink; 6] = [
+const COLOURS: [RGBAColor; 6] = [
     palette::BLUE,
     palette::RED,
     palette::GREEN,
@@ -63,7 +66,7 @@ fn drawn_error(row: &Row) -> f64 {
     row.error.max(SMALLEST)
 }
 
-fn draw(canvas: &Canvas, chart: &Chart) {
+fn draw(canvas: &Canvas, chart: &Chart) -> Drawn {
     let [left, right, top, bottom] = FIELD;
     let shown: Vec<&Row> = chart.rows.iter().filter(|r| r.error.is_finite()).collect();
     let x = Axis::new(shown.iter().map(|r| r.across(chart.across)), left, right);
@@ -73,18 +76,18 @@ fn draw(canvas: &Canvas, chart: &Chart) {
         bottom,
         top,
     );
-    frame(canvas, chart, &x, &y);
+    frame(canvas, chart, &x, &y)?;
     for (value, name) in &chart.levels {
         let at = y.place(*value);
         line(
             canvas,
             &[[left, at], [right, at]],
             stroke(palette::AXIS, 1.4),
-        );
+        )?;
         let style = Lettering::new(11.0, palette::QUIET).anchored(HPos::Right, VPos::Bottom);
-        write(canvas, name, [right - 5.0, at - 4.0], style);
+        write(canvas, name, [right - 5.0, at - 4.0], style)?;
     }
-    front(canvas, chart, &x, &y);
+    front(canvas, chart, &x, &y)?;
     let mut methods: Vec<&str> = Vec::new();
     for row in &shown {
         if !methods.contains(&row.method.as_str()) {
@@ -92,15 +95,15 @@ fn draw(canvas: &Canvas, chart: &Chart) {
         }
         let kind = methods.iter().position(|m| *m == row.method).unwrap_or(0);
         let at = [x.place(row.across(chart.across)), y.place(drawn_error(row))];
-        mark(canvas, at, kind);
+        mark(canvas, at, kind)?;
         if row.default {
-            circle(canvas, at, 9.0, stroke(palette::INK, 1.8));
+            circle(canvas, at, 9.0, palette::INK, Some(1.8))?;
         }
     }
     legend(canvas, &methods, chart.across == Across::Spans)
 }
 
-fn front(canvas: &Canvas, chart: &Chart, x: &Axis, y: &Axis) {
+fn front(canvas: &Canvas, chart: &Chart, x: &Axis, y: &Axis) -> Drawn {
     let at: Vec<[f64; 2]> = (chart.front().iter())
         .map(|&i| &chart.rows[i])
         .map(|r| [x.place(r.across(chart.across)), y.place(drawn_error(r))])
@@ -113,34 +116,34 @@ fn front(canvas: &Canvas, chart: &Chart, x: &Axis, y: &Axis) {
         steps.push(*p);
     }
     if steps.len() < 2 {
-        return;
+        return Ok(());
     }
     line(canvas, &steps, stroke(palette::INK.mix(0.45), 1.6))
 }
 
-fn frame(canvas: &Canvas, chart: &Chart, x: &Axis, y: &Axis) {
+fn frame(canvas: &Canvas, chart: &Chart, x: &Axis, y: &Axis) -> Drawn {
     let [left, right, top, bottom] = FIELD;
     write(
         canvas,
         &chart.title,
         [left, 22.0],
         Lettering::new(16.0, palette::INK).bold(),
-    );
+    )?;
     let small = Lettering::new(11.0, palette::QUIET);
-    write(canvas, &chart.error, [left, 45.0], small);
+    write(canvas, &chart.error, [left, 45.0], small)?;
     for decade in x.low..=x.high {
         let at = x.place(10f64.powi(decade));
         line(
             canvas,
             &[[at, top], [at, bottom]],
             stroke(palette::GRID, 1.0),
-        );
+        )?;
         let style = Lettering::new(11.0, palette::INK).anchored(HPos::Center, VPos::Top);
         let text = match chart.across {
             Across::Time => time_name(decade),
             Across::Points | Across::Spans => format!("{}", 10f64.powi(decade)),
         };
-        write(canvas, &text, [at, bottom + 8.0], style);
+        write(canvas, &text, [at, bottom + 8.0], style)?;
     }
     // Labels need 13 points of height.
     let every = (f64::from(y.high - y.low) * 13.0 / (bottom - top))
@@ -152,15 +155,15 @@ fn frame(canvas: &Canvas, chart: &Chart, x: &Axis, y: &Axis) {
             canvas,
             &[[left, at], [right, at]],
             stroke(palette::GRID, 1.0),
-        );
+        )?;
         let style = Lettering::new(11.0, palette::INK).anchored(HPos::Right, VPos::Center);
-        write(canvas, &format!("1e{decade}"), [left - 8.0, at], style);
+        write(canvas, &format!("1e{decade}"), [left - 8.0, at], style)?;
     }
     line(
         canvas,
         &[[left, top], [left, bottom], [right, bottom]],
         stroke(palette::AXIS, 1.2),
-    );
+    )?;
     let across = match chart.across {
         Across::Time => "time of one run, median",
         Across::Points => "points written",
@@ -180,39 +183,46 @@ fn time_name(decade: i32) -> String {
     format!("{} {unit}", 10f64.powi(decade - power).round())
 }
 
-fn mark(canvas: &Canvas, at: [f64; 2], kind: usize) {
+fn circle(canvas: &Canvas, at: [f64; 2], r: f64, colour: RGBAColor, width: Option<f64>) -> Drawn {
+    let style = match width {
+        Some(width) => stroke(colour, width),
+        None => colour.filled(),
+    };
+    canvas.draw(&Circle::new((units(at[0]), units(at[1])), units(r), style))
+}
+
+fn mark(canvas: &Canvas, at: [f64; 2], kind: usize) -> Drawn {
     let colour = COLOURS[kind % COLOURS.len()];
     let polygon = |corners: &[[f64; 2]]| {
-        let points: Vec<[f64; 2]> = corners
-            .iter()
-            .map(|c| [at[0] + c[0], at[1] + c[1]])
+        let points: Vec<(i32, i32)> = (corners.iter())
+            .map(|c| (units(at[0] + c[0]), units(at[1] + c[1])))
             .collect();
-        line(canvas, &points, colour.filled())
+        canvas.draw(&Polygon::new(points, colour.filled()))
     };
     match kind / COLOURS.len() {
-        0 => circle(canvas, at, 4.6, colour.filled()),
+        0 => circle(canvas, at, 4.6, colour, None),
         1 => polygon(&[[-4.4, -4.4], [4.4, -4.4], [4.4, 4.4], [-4.4, 4.4]]),
         _ => polygon(&[[0.0, -5.6], [5.2, 4.2], [-5.2, 4.2]]),
     }
 }
 
-fn legend(canvas: &Canvas, methods: &[&str], marks_only: bool) {
+fn legend(canvas: &Canvas, methods: &[&str], marks_only: bool) -> Drawn {
     let left = FIELD[1] + 24.0;
     let mut at = FIELD[2] + 4.0;
     let style = Lettering::new(11.0, palette::INK);
     for (kind, method) in methods.iter().enumerate() {
-        mark(canvas, [left, at], kind);
-        write(canvas, method, [left + 13.0, at], style);
+        mark(canvas, [left, at], kind)?;
+        write(canvas, method, [left + 13.0, at], style)?;
         at += 20.0;
     }
     if marks_only {
-        return;
+        return Ok(());
     }
     at += 8.0;
-    circle(canvas, [left, at], 7.0, stroke(palette::INK, 1.8));
-    write(canvas, "the default", [left + 13.0, at], style);
+    circle(canvas, [left, at], 7.0, palette::INK, Some(1.8))?;
+    write(canvas, "the default", [left + 13.0, at], style)?;
     at += 20.0;
     let ends = [[left - 8.0, at], [left + 8.0, at]];
-    line(canvas, &ends, stroke(palette::INK.mix(0.45), 1.6));
+    line(canvas, &ends, stroke(palette::INK.mix(0.45), 1.6))?;
     write(canvas, "Pareto front", [left + 13.0, at], style)
 }

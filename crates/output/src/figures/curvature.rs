@@ -1,10 +1,12 @@
 //! The picture of curvature and contact.
 
+use plotters_backend::text_anchor::VPos;
+
 use crate::plot::axes::{Panel, padded};
 use crate::plot::layout::{Figure, Layout, strips};
 use crate::plot::palette::{BLUE, GREEN, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Frame, VPos};
+use crate::plot::sheet::{Drawn, Frame};
 use crate::pose::{largest_radius, motion};
 use crate::words::{self, Words};
 use gaitcam::cam::{Cam, LimitKind};
@@ -20,26 +22,26 @@ const CAP: f64 = 2.2;
 pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
     layout.picture(words.language(), |f| {
         let measures = synthesis.cam.follower.measures();
-        f.title(&synthesis.name, &words.text("figure-curvature"));
+        f.title(&synthesis.name, &words.text("figure-curvature"))?;
         let frames = strips(layout.frame(), &[1.0, 1.0], 1.2 * f.e);
-        radius(&f, synthesis, frames[0], words);
+        radius(&f, synthesis, frames[0], words)?;
         let place = |e: Extreme, value: f64| (measures.angle().factor * e.at, value);
         let (panel, name, [low, high]) = match synthesis.cam.contact_travel() {
             Some((low, high)) => {
                 let ends = [low, high].map(|e| place(e, 1000.0 * e.value));
-                let panel = contact(&f, synthesis, frames[1], ends);
+                let panel = contact(&f, synthesis, frames[1], ends)?;
                 (panel, "figure-contact-travel", ends)
             }
             None => {
                 let (low, high) = synthesis.pressure_angle_extremes();
                 let ends = [low, high].map(|e| place(e, e.value.to_degrees()));
-                let panel = pressure(&f, synthesis, frames[1], words, ends);
+                let panel = pressure(&f, synthesis, frames[1], words, ends)?;
                 (panel, "figure-pressure-angle", ends)
             }
         };
-        panel.mark(high, true, GREEN, true);
-        panel.mark(low, false, GREEN, true);
-        panel.quantity(&words.text(name));
+        panel.mark(high, true, GREEN, true)?;
+        panel.mark(low, false, GREEN, true)?;
+        panel.quantity(&words.text(name))?;
         panel.across(&words::across(words, measures))
     })
 }
@@ -52,7 +54,7 @@ fn over_the_angle(cam: &Cam, value: impl Fn(f64, Svaj) -> f64) -> Vec<(f64, f64)
     points.collect()
 }
 
-fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) {
+fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) -> Drawn {
     let cam = &synthesis.cam;
     let rho = over_the_angle(cam, |t, _| 1000.0 * cam.point(t).rho);
     let radii = rho.iter().map(|p| p.1.abs());
@@ -60,10 +62,10 @@ fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) {
     let sharpest = cam.curvature().convex;
     let shown = rho.iter().map(|p| p.1).filter(|r| r.abs() <= cap);
     let y = padded(shown.chain([0.0, 1000.0 * sharpest.value]), 0.18);
-    let panel = f.over_the_law(synthesis, frame, y);
+    let panel = f.over_the_law(synthesis, frame, y)?;
     // The radius passes through infinity where the flank turns from convex to concave.
     for part in rho.chunk_by(|a, b| a.1.signum() == b.1.signum() || a.1.abs() < cap) {
-        panel.curve(part, BLUE, 2.2);
+        panel.curve(part, BLUE, 2.2)?;
     }
     // A limit of 0 is the undercut's own bound: the axis.
     let limits = synthesis.checks.iter();
@@ -71,43 +73,43 @@ fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) {
         let value = millimetres(check.limit, 3);
         let name = words.fill("figure-limit", &[("value", &value)]);
         let level = 1000.0 * check.limit;
-        panel.level(level, Some((&name, VPos::Bottom)), RED, &rho);
+        panel.level(level, Some((&name, VPos::Bottom)), RED, &rho)?;
     }
     if sharpest.value.is_finite() {
         let across = cam.follower.measures().angle().factor;
         let at = (across * sharpest.at, 1000.0 * sharpest.value);
-        panel.mark(at, true, BLUE, true);
+        panel.mark(at, true, BLUE, true)?;
     }
     panel.quantity(&words.text("figure-rho"))
 }
 
 /// Where the contact lies on a flat face, mm.
-fn contact<'c>(
-    f: &Figure<'c>,
+fn contact<'a, 'c>(
+    f: &Figure<'a, 'c>,
     synthesis: &Design,
     frame: Frame,
     ends: [(f64, f64); 2],
-) -> Panel<'c> {
+) -> Drawn<Panel<'a, 'c>> {
     let y = padded(ends.into_iter().map(|e| e.1), 0.26);
-    let panel = f.over_the_law(synthesis, frame, y);
+    let panel = f.over_the_law(synthesis, frame, y)?;
     let cam = &synthesis.cam;
     let contact = over_the_angle(cam, |_, m| 1000.0 * cam.contact_along(m));
-    panel.curve(&contact, GREEN, 2.2);
-    panel
+    panel.curve(&contact, GREEN, 2.2)?;
+    Ok(panel)
 }
 
 /// The pressure angle with its limits, degrees.
-fn pressure<'c>(
-    f: &Figure<'c>,
+fn pressure<'a, 'c>(
+    f: &Figure<'a, 'c>,
     synthesis: &Design,
     frame: Frame,
     words: &Words,
     ends: [(f64, f64); 2],
-) -> Panel<'c> {
+) -> Drawn<Panel<'a, 'c>> {
     let limits = synthesis.checks.iter().filter_map(pressure_limit);
     let values = ends.into_iter().map(|e| e.1).chain(limits.clone());
     let y = padded(values.chain([0.0]), 0.2);
-    let panel = f.over_the_law(synthesis, frame, y);
+    let panel = f.over_the_law(synthesis, frame, y)?;
     let phi = over_the_angle(&synthesis.cam, |theta, _| {
         let angle = match &synthesis.groove {
             Some(groove) => groove.pressure_angle(theta, groove.depth().0),
@@ -115,14 +117,14 @@ fn pressure<'c>(
         };
         angle.to_degrees()
     });
-    panel.curve(&phi, GREEN, 2.2);
+    panel.curve(&phi, GREEN, 2.2)?;
     for limit in limits {
         let side = if limit < 0.0 { VPos::Top } else { VPos::Bottom };
         let value = format!("{}°", number(limit, 3));
         let name = words.fill("figure-limit", &[("value", &value)]);
-        panel.level(limit, Some((&name, side)), RED, &phi);
+        panel.level(limit, Some((&name, side)), RED, &phi)?;
     }
-    panel
+    Ok(panel)
 }
 
 /// The signed level of a pressure-angle limit, degrees.

@@ -1,10 +1,12 @@
 //! The force diagram: achieved on target, with the error below.
 
+use plotters::style::Color;
+
 use crate::plot::axes::{Panel, padded};
 use crate::plot::layout::{Figure, Layout, ends_of, strips};
 use crate::plot::palette::{BLUE, ORANGE, QUIET, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::Frame;
+use crate::plot::sheet::{Drawn, Frame};
 use crate::pose::motion;
 use crate::pose::{angles, target_at};
 use crate::words::{self, Words};
@@ -27,17 +29,17 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
     layout.picture(words.language(), |f| {
         let e = f.e;
         let names = Names::new(synthesis, words);
-        f.title(&synthesis.name, &names.head);
+        f.title(&synthesis.name, &names.head)?;
         let frame = force_frame(layout);
         let legend = [frame.left, frame.top - 1.1 * e];
         let achieved = Achieved::new(synthesis);
         let Some(target) = &synthesis.target else {
-            let panel = achieved.panel(&f, synthesis, frame, std::iter::empty());
-            panel.curve(&achieved.curve, BLUE, 2.6);
-            achieved.marks(&panel);
-            panel.quantity(&names.axis);
+            let panel = achieved.panel(&f, synthesis, frame, std::iter::empty())?;
+            panel.curve(&achieved.curve, BLUE, 2.6)?;
+            achieved.marks(&panel)?;
+            panel.quantity(&names.axis)?;
             let measures = synthesis.cam.follower.measures();
-            panel.across(&words::across(words, measures));
+            panel.across(&words::across(words, measures))?;
             return f.key(legend, e, &[(BLUE, 2.6, &names.curve)]);
         };
         let desired = desired(synthesis, target);
@@ -46,16 +48,16 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
         let frames = strips(frame, &[2.6, 1.0], 1.0 * e);
         let edges = band.iter().flat_map(|(u, l)| u.iter().chain(l));
         let others = desired.iter().chain(edges).map(|p| p.1);
-        let panel = achieved.panel(&f, synthesis, frames[0], others);
+        let panel = achieved.panel(&f, synthesis, frames[0], others)?;
         if let Some((upper, lower)) = &band {
-            panel.band(upper, lower, ORANGE.mix(0.22));
+            panel.band(upper, lower, ORANGE.mix(0.22))?;
         }
-        panel.curve(&desired, ORANGE.mix(0.55), 8.0);
-        panel.curve(&achieved.curve, BLUE, 2.4);
-        achieved.marks(&panel);
-        panel.quantity(&names.axis);
+        panel.curve(&desired, ORANGE.mix(0.55), 8.0)?;
+        panel.curve(&achieved.curve, BLUE, 2.4)?;
+        achieved.marks(&panel)?;
+        panel.quantity(&names.axis)?;
         let held = tolerance.as_ref().map(|band| (band, desired.as_slice()));
-        difference(&f, synthesis, target, frames[1], held, words);
+        difference(&f, synthesis, target, frames[1], held, words)?;
 
         let text = |key: &str| words.text(key);
         let error = if layout.title {
@@ -125,13 +127,13 @@ impl Achieved {
     }
 
     /// Axes that hold the force and `others`; a force that never pulls is drawn from zero.
-    fn panel<'c>(
+    fn panel<'a, 'c>(
         &self,
-        f: &Figure<'c>,
+        f: &Figure<'a, 'c>,
         synthesis: &Design,
         frame: Frame,
         others: impl Iterator<Item = f64>,
-    ) -> Panel<'c> {
+    ) -> Drawn<Panel<'a, 'c>> {
         let values = self.curve.iter().map(|p| p.1).chain(others);
         let y = padded(values.chain([0.0]), 0.12);
         let pushes = self.low.1 >= -1e-9 * self.high.1.abs();
@@ -139,11 +141,12 @@ impl Achieved {
         f.over_the_law(synthesis, frame, y)
     }
 
-    fn marks(&self, panel: &Panel) {
-        panel.mark(self.high, true, BLUE, false);
+    fn marks(&self, panel: &Panel) -> Drawn {
+        panel.mark(self.high, true, BLUE, false)?;
         if self.high.1 - self.low.1 > 1e-9 * self.high.1.abs() {
-            panel.mark(self.low, false, BLUE, false);
+            panel.mark(self.low, false, BLUE, false)?;
         }
+        Ok(())
     }
 }
 
@@ -168,7 +171,7 @@ fn difference(
     frame: Frame,
     held: Option<(&Band, &[(f64, f64)])>,
     words: &Words,
-) {
+) -> Drawn {
     let law = synthesis.pressing();
     let measures = synthesis.cam.follower.measures();
     let across = |t: f64| measures.angle().factor * t;
@@ -188,17 +191,17 @@ fn difference(
     };
     let around = bounds.iter().flatten().map(|p| p.1);
     let y = padded(error.iter().map(|p| p.1).chain(around), 0.3);
-    let panel = f.over_the_law(synthesis, frame, y);
+    let panel = f.over_the_law(synthesis, frame, y)?;
     let zero: Vec<(f64, f64)> = error.iter().map(|p| (p.0, 0.0)).collect();
-    panel.band(&error, &zero, RED.mix(0.14));
-    panel.curve(&error, RED, 1.8);
+    panel.band(&error, &zero, RED.mix(0.14))?;
+    panel.curve(&error, RED, 1.8)?;
     for bound in &bounds {
-        panel.curve(bound, QUIET, 1.2);
+        panel.curve(bound, QUIET, 1.2)?;
     }
     panel.quantity(&words.text(match measures {
         Measures::Oscillating => "figure-error-moment",
         _ => "figure-error",
-    }));
+    }))?;
     panel.across(&words::across(words, measures))
 }
 

@@ -25,7 +25,7 @@ pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Pict
         let names = ["s", "v", "a", "j"];
         let pick: [fn(&Svaj) -> f64; 4] = [|m| m.s, |m| m.v, |m| m.a, |m| m.j];
         let colours = [BLUE, GREEN, RED, PURPLE];
-        f.title(&synthesis.name, &words.text("figure-law"));
+        f.title(&synthesis.name, &words.text("figure-law"))?;
         let frames = strips(layout.frame(), &[1.0; 4], 0.9 * f.e);
         for k in 0..4 {
             let Unit { factor, name: unit } = measures.lift(k);
@@ -36,23 +36,24 @@ pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Pict
             let (low, high) = law.extremes(k);
             let ends = [low.value, high.value].map(|v| factor * v);
             let y = padded(ends.into_iter(), 0.26);
-            let panel = f.over_the_law(synthesis, frames[k], y);
-            panel.curve(&curve, colours[k], 2.4);
+            let panel = f.over_the_law(synthesis, frames[k], y)?;
+            panel.curve(&curve, colours[k], 2.4)?;
             let (lowest, highest) = synthesis.cam.derivative_extremes(k);
             if ends[1] > ends[0] && highest.value.is_finite() {
-                panel.mark((across(high.at), ends[1]), true, colours[k], false);
+                panel.mark((across(high.at), ends[1]), true, colours[k], false)?;
             }
             if ends[1] > ends[0] && lowest.value.is_finite() {
-                panel.mark((across(low.at), ends[0]), false, colours[k], false);
+                panel.mark((across(low.at), ends[0]), false, colours[k], false)?;
             }
             for (at, up) in infinities(&synthesis.cam, k) {
-                panel.infinity(across(at), up, colours[k]);
+                panel.infinity(across(at), up, colours[k])?;
             }
-            panel.quantity(&format!("{}, {unit}", names[k]));
+            panel.quantity(&format!("{}, {unit}", names[k]))?;
             if k == 3 {
-                panel.across(&words::across(words, measures));
+                panel.across(&words::across(words, measures))?;
             }
         }
+        Ok(())
     })
 }
 

@@ -1,27 +1,29 @@
 //! Several designs in one picture: diagrams over the angle, profiles on one centre.
 
+use plotters::style::RGBAColor;
+
 use crate::plot::axes::padded;
 use crate::plot::layout::{LETTERS, Layout, columns, key_width, strips};
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Frame, Ink, stroke, trace};
+use crate::plot::sheet::{Frame, stroke, trace};
 use gaitcam::cam::Measures;
 use gaitcam::wording::Language;
 
 /// One colour per design; they repeat after twelve.
-const COLOURS: [Ink; 12] = [
+const COLOURS: [RGBAColor; 12] = [
     BLUE,
     ORANGE,
     GREEN,
     RED,
     PURPLE,
     INK,
-    Ink::opaque(86, 180, 233),
-    Ink::opaque(140, 108, 0),
-    Ink::opaque(120, 200, 80),
-    Ink::opaque(240, 150, 150),
-    Ink::opaque(90, 60, 160),
-    Ink::opaque(140, 146, 155),
+    RGBAColor(86, 180, 233, 1.0),
+    RGBAColor(140, 108, 0, 1.0),
+    RGBAColor(120, 200, 80, 1.0),
+    RGBAColor(240, 150, 150, 1.0),
+    RGBAColor(90, 60, 160, 1.0),
+    RGBAColor(140, 146, 155, 1.0),
 ];
 
 /// One diagram: what is drawn upwards, and one curve of (degrees, value) per name; empty ones are left out.
@@ -53,7 +55,7 @@ pub fn diagrams_over(
             curves: row.curves.iter().map(|c| whole(c)).collect(),
         })
         .collect();
-    let entries: Vec<(Ink, f64, &str)> = names
+    let entries: Vec<(RGBAColor, f64, &str)> = names
         .iter()
         .enumerate()
         .map(|(i, n)| (COLOURS[i % COLOURS.len()], 2.6, n.as_str()))
@@ -68,10 +70,10 @@ pub fn diagrams_over(
     };
     layout.picture(Language::En, |f| {
         let e = f.e;
-        f.title(head, what);
+        f.title(head, what)?;
         let mut frame = layout.frame();
         for line in &lines {
-            f.key([frame.left, frame.top + 0.4 * e], 0.9 * e, line);
+            f.key([frame.left, frame.top + 0.4 * e], 0.9 * e, line)?;
             frame.top += 1.6 * e;
         }
         frame.top += 0.8 * e;
@@ -87,20 +89,24 @@ pub fn diagrams_over(
         };
         for (k, row) in rows.iter().enumerate() {
             let y = padded(row.curves.iter().flatten().map(|p| p.1), 0.08);
-            let panel = f.panel(frames[k], x, columns(x, across.contains('θ')), y);
+            let panel = f.panel(frames[k], x, columns(x, across.contains('θ')), y)?;
             for (i, curve) in row.curves.iter().enumerate().filter(|c| !c.1.is_empty()) {
-                panel.curve(curve, COLOURS[i % COLOURS.len()], 2.2);
+                panel.curve(curve, COLOURS[i % COLOURS.len()], 2.2)?;
             }
-            panel.quantity(&row.quantity);
+            panel.quantity(&row.quantity)?;
             if k + 1 == rows.len() {
-                panel.across(across);
+                panel.across(across)?;
             }
         }
+        Ok(())
     })
 }
 
 /// Names below one another, at most three to a line of `room` ems.
-fn lines<'a>(entries: &'a [(Ink, f64, &'a str)], room: f64) -> Vec<&'a [(Ink, f64, &'a str)]> {
+fn lines<'a>(
+    entries: &'a [(RGBAColor, f64, &'a str)],
+    room: f64,
+) -> Vec<&'a [(RGBAColor, f64, &'a str)]> {
     let mut lines = Vec::new();
     let mut rest = entries;
     while !rest.is_empty() {
@@ -134,11 +140,11 @@ pub fn profiles(head: &str, what: &str, names: &[String], curves: &[Vec<[f64; 2]
     };
     layout.picture(Language::En, |f| {
         let e = f.e;
-        f.title(head, what);
+        f.title(head, what)?;
         for (i, name) in names.iter().enumerate() {
             let entry = [(COLOURS[i % COLOURS.len()], 2.6, name.as_str())];
             let y = (5.0 + 1.6 * i as f64) * e;
-            f.key([2.0 * e, y], 0.9 * e, &entry);
+            f.key([2.0 * e, y], 0.9 * e, &entry)?;
         }
         let bounds = |k: usize| {
             let values = curves.iter().flatten().map(|p| 1e3 * p[k]);
@@ -162,11 +168,11 @@ pub fn profiles(head: &str, what: &str, names: &[String], curves: &[Vec<[f64; 2]
         let plane = frame.plane(f.canvas, spread(across, room[0]), spread(up, room[1]));
         for (i, curve) in curves.iter().enumerate() {
             let path: Vec<(f64, f64)> = curve.iter().map(|p| (1e3 * p[0], 1e3 * p[1])).collect();
-            trace(&plane, &path, stroke(COLOURS[i % COLOURS.len()], 2.2));
+            trace(&plane, path, stroke(COLOURS[i % COLOURS.len()], 2.2))?;
         }
         let cross = 0.04 * (across[1] - across[0]);
         for path in [[(-cross, 0.0), (cross, 0.0)], [(0.0, -cross), (0.0, cross)]] {
-            trace(&plane, &path, stroke(INK, 1.4));
+            trace(&plane, path, stroke(INK, 1.4))?;
         }
         f.scale_bar([2.0 * e, height - 2.0 * e], scale, 0.18 * width)
     })

@@ -1,5 +1,7 @@
 //! The picture of a simulation: force, torque and gap over the cam angle; over time where the speed of the shaft varies.
 
+use plotters::style::{Color, RGBAColor};
+
 use std::f64::consts::TAU;
 
 use super::force::force_frame;
@@ -7,7 +9,7 @@ use crate::plot::axes::{Panel, padded, ticks};
 use crate::plot::layout::{Figure, Layout, columns, strips};
 use crate::plot::palette::{BLUE, ORANGE, PURPLE, QUIET, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Frame, Ink};
+use crate::plot::sheet::{Drawn, Frame};
 use crate::pose::target_at;
 use crate::words::{self, Words};
 use gaitcam::cam::Measures;
@@ -17,7 +19,7 @@ use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
 /// A curve in the key: colour, width, name.
-type Entry = (Ink, f64, String);
+type Entry = (RGBAColor, f64, String);
 
 /// Quantities of a run over the cam angle or the time as it is shown.
 struct Shown<'a> {
@@ -55,7 +57,7 @@ impl Shown<'_> {
         (0..=total).map(point).collect()
     }
 
-    fn panel<'c>(&self, f: &Figure<'c>, frame: Frame, y: [f64; 2]) -> Panel<'c> {
+    fn panel<'a, 'c>(&self, f: &Figure<'a, 'c>, frame: Frame, y: [f64; 2]) -> Drawn<Panel<'a, 'c>> {
         let x = [0, self.outcome.rows.len()].map(|i| self.across(i));
         let columns = match self.outcome.shaft {
             Some(_) => ticks(x[0], x[1], 8.0),
@@ -65,7 +67,7 @@ impl Shown<'_> {
     }
 
     /// The force with target and rigid force behind it; returns their key.
-    fn force(&self, f: &Figure, frame: Frame, words: &Words) -> Vec<Entry> {
+    fn force(&self, f: &Figure, frame: Frame, words: &Words) -> Drawn<Vec<Entry>> {
         let law = &self.synthesis.cam.law;
         let (start, length) = law.extent();
         let within = |i: usize| start + (self.angle(i) - start) % length;
@@ -98,19 +100,19 @@ impl Shown<'_> {
         ];
         let values = curves.iter().filter_map(|c| c.0.as_ref()).flatten();
         let y = padded(values.map(|p| p.1).chain([0.0]), 0.08);
-        let panel = self.panel(f, frame, y);
+        let panel = self.panel(f, frame, y)?;
         let mut entries = Vec::new();
         for (curve, colour, width, key) in &curves {
             if let Some(curve) = curve {
-                panel.curve(curve, *colour, *width);
+                panel.curve(curve, *colour, *width)?;
                 entries.push((*colour, *width, words.text(key)));
             }
         }
         panel.quantity(&words.text(match self.measures {
             Measures::Oscillating => "figure-moment",
             _ => "figure-force",
-        }));
-        entries
+        }))?;
+        Ok(entries)
     }
 }
 
@@ -138,34 +140,34 @@ pub(crate) fn run_in(
         let more = more.iter().filter(|is_drawn| **is_drawn);
         let shares: Vec<f64> = [1.9, 1.0].into_iter().chain(more.map(|_| 0.8)).collect();
         let frames = strips(frame, &shares, 0.9 * e);
-        let entries = shown.force(&f, frames[0], words);
+        let entries = shown.force(&f, frames[0], words)?;
         let torque = shown.curve(|i| rows[i].torque);
         let y = padded(torque.iter().map(|p| p.1).chain([0.0]), 0.12);
-        let mut last = shown.panel(&f, frames[1], y);
-        last.curve(&torque, PURPLE, 2.0);
+        let mut last = shown.panel(&f, frames[1], y)?;
+        last.curve(&torque, PURPLE, 2.0)?;
         last.quantity(&words.text(match measures {
             Measures::Straight => "figure-push",
             _ => "figure-torque",
-        }));
+        }))?;
         if outcome.shaft.is_some() {
             let speed = shown.curve(|i| rows[i].speed);
             let y = padded(speed.iter().map(|p| p.1), 0.12);
-            last = shown.panel(&f, frames[2], y);
-            last.curve(&speed, RED, 2.0);
-            last.quantity(&words.text("figure-shaft-speed"));
+            last = shown.panel(&f, frames[2], y)?;
+            last.curve(&speed, RED, 2.0)?;
+            last.quantity(&words.text("figure-shaft-speed"))?;
         }
         if outcome.contact_lost {
             let lift = measures.lift(0);
             let gap = shown.curve(|i| lift.factor * rows[i].gap);
             let top = padded(gap.iter().map(|p| p.1).chain([0.0]), 0.12)[1];
-            last = shown.panel(&f, frames[frames.len() - 1], [0.0, top]);
-            last.curve(&gap, RED, 2.0);
-            last.quantity(&words.fill("figure-gap", &[("unit", lift.name)]));
+            last = shown.panel(&f, frames[frames.len() - 1], [0.0, top])?;
+            last.curve(&gap, RED, 2.0)?;
+            last.quantity(&words.fill("figure-gap", &[("unit", lift.name)]))?;
         }
         last.across(&match outcome.shaft {
             Some(_) => words.text("figure-time"),
             None => words::across(words, measures),
-        });
+        })?;
         let entries: Vec<_> = (entries.iter())
             .map(|(c, w, name)| (*c, *w, &**name))
             .collect();

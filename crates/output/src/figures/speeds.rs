@@ -2,17 +2,19 @@
 
 use std::f64::consts::PI;
 
+use plotters::style::{Color, RGBAColor};
+
 use crate::plot::axes::{Panel, padded, ticks};
 use crate::plot::layout::{Figure, Layout, strips};
 use crate::plot::palette::{BLUE, GREEN, ORANGE, PURPLE, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Frame, Ink};
+use crate::plot::sheet::{Drawn, Frame};
 use crate::words::{self, Words};
 use gaitcam::cam::Measures;
 use gaitcam::wording::Language;
 
 /// Points, colour and width of a drawn curve.
-type Curve = (Vec<(f64, f64)>, Ink, f64);
+type Curve = (Vec<(f64, f64)>, RGBAColor, f64);
 
 /// A cam at one speed.
 ///
@@ -43,7 +45,7 @@ pub struct AtSpeed {
     pub contact_lost: bool,
 }
 
-const COLOURS: [Ink; 4] = [BLUE, GREEN, PURPLE, RED];
+const COLOURS: [RGBAColor; 4] = [BLUE, GREEN, PURPLE, RED];
 
 /// What a strip shows.
 #[derive(Clone, Copy, PartialEq)]
@@ -67,7 +69,7 @@ pub fn speeds(name: &str, rows: &[AtSpeed], measures: Measures, language: Langua
         words,
     };
     layout.picture(language, |f| {
-        f.title(name, &words.text("figure-speeds"));
+        f.title(name, &words.text("figure-speeds"))?;
         let used = [
             (Strip::Error, rows.iter().any(|r| r.rms_error.is_some())),
             (
@@ -82,12 +84,12 @@ pub fn speeds(name: &str, rows: &[AtSpeed], measures: Measures, language: Langua
         let frames = strips(layout.frame(), &shares, 0.9 * f.e);
         let mut last = None;
         for (strip, frame) in used.iter().zip(frames) {
-            last = Some(shown.strip(*strip, &f, frame));
+            last = Some(shown.strip(*strip, &f, frame)?);
         }
         if let Some(panel) = last {
             let straight = measures == Measures::Straight;
             let across = ["figure-cam-rpm", "figure-cam-travel"][usize::from(straight)];
-            panel.across(&words.text(across));
+            panel.across(&words.text(across))?;
         }
         shown.key(&f, &used)
     })
@@ -141,7 +143,12 @@ impl Shown<'_> {
         }
     }
 
-    fn strip<'c>(&self, strip: Strip, f: &Figure<'c>, frame: Frame) -> Panel<'c> {
+    fn strip<'a, 'c>(
+        &self,
+        strip: Strip,
+        f: &Figure<'a, 'c>,
+        frame: Frame,
+    ) -> Drawn<Panel<'a, 'c>> {
         let curves = self.curves(strip);
         let ends = self.rows.first().zip(self.rows.last());
         let x = ends.map_or([0.0, 1.0], |(a, b)| {
@@ -149,16 +156,16 @@ impl Shown<'_> {
         });
         let values = curves.iter().flat_map(|c| &c.0).map(|p| p.1);
         let y = [0.0, padded(values.chain([0.0]), 0.12)[1]];
-        let panel = f.panel(frame, x, ticks(x[0], x[1], 10.0), y);
+        let panel = f.panel(frame, x, ticks(x[0], x[1], 10.0), y)?;
         for [from, to] in self.lost() {
             let level = |v: f64| [(from, v), (to, v)];
-            panel.band(&level(y[1]), &level(y[0]), RED.mix(0.14));
+            panel.band(&level(y[1]), &level(y[0]), RED.mix(0.14))?;
         }
         for (curve, colour, width) in &curves {
-            panel.curve(curve, *colour, *width);
+            panel.curve(curve, *colour, *width)?;
         }
-        panel.quantity(&self.words.text(strip.quantity()));
-        panel
+        panel.quantity(&self.words.text(strip.quantity()))?;
+        Ok(panel)
     }
 
     /// Ranges of the speed at which contact is lost, to the middle between the speeds that were run.
@@ -173,7 +180,7 @@ impl Shown<'_> {
         .collect()
     }
 
-    fn key(&self, f: &Figure, used: &[Strip]) {
+    fn key(&self, f: &Figure, used: &[Strip]) -> Drawn {
         let mut entries = Vec::new();
         if used.contains(&Strip::Factors) {
             if self.rows.iter().any(|r| r.target_factors.is_some()) {

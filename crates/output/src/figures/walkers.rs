@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use plotters::style::Color;
+
 use crate::plot::axes::{angle_ticks, padded};
 use crate::plot::layout::Layout;
 use crate::plot::palette::{BLUE, ORANGE};
@@ -43,17 +45,17 @@ fn walkers_in(design: &Design, layout: Layout, words: &Words) -> Picture {
         }
     }
     layout.picture(words.language(), |f| {
-        f.title(&design.name, &words.text("figure-walkers"));
+        f.title(&design.name, &words.text("figure-walkers"))?;
         let frame = layout.frame();
         let curves = [&low, &high, &given, &wanted];
         let values = curves.into_iter().flatten().map(|p| p.1);
         let y = padded(values, 0.12);
-        let panel = f.panel(frame, [0.0, 360.0], angle_ticks([0.0, 360.0]), y);
-        panel.band(&high, &low, ORANGE.mix(0.22));
-        panel.curve(&wanted, ORANGE.mix(0.8), 3.0);
-        panel.curve(&given, BLUE, 2.4);
-        panel.quantity(&words.text("figure-walkers-force"));
-        panel.across(&words.text("figure-walkers-angle"));
+        let panel = f.panel(frame, [0.0, 360.0], angle_ticks([0.0, 360.0]), y)?;
+        panel.band(&high, &low, ORANGE.mix(0.22))?;
+        panel.curve(&wanted, ORANGE.mix(0.8), 3.0)?;
+        panel.curve(&given, BLUE, 2.4)?;
+        panel.quantity(&words.text("figure-walkers-force"))?;
+        panel.across(&words.text("figure-walkers-angle"))?;
         let (name, percent) = worst.map_or(("", 0.0), |(w, e)| (w.name.as_str(), e));
         let wanted = words.fill("figure-walkers-worst", &[("name", name)]);
         let given = words.fill("figure-walkers-cam", &[("percent", &number(percent, 2))]);

@@ -1,18 +1,25 @@
 //! A diagram over the cam angle: frame, grid, curves, marked extremes.
 
+use plotters::prelude::*;
+use plotters_backend::text_anchor::{HPos, VPos};
+
 use crate::plot::palette;
 use crate::plot::sheet::{
-    Canvas, HPos, Ink, Lettering, Plane, VPos, circle, dashed, fill, line, rectangle, stroke,
-    trace, write,
+    Canvas, Drawn, Frame, Lettering, Plane, circle, dashed, fill, line, rectangle, stroke, trace,
+    write,
 };
 use crate::plot::text::text_width;
 use gaitcam_base::text::number;
 
 /// A diagram: the cam angle in degrees, or another quantity, to the right; a quantity upwards.
-pub struct Panel<'c> {
-    plane: Plane<'c>,
+pub struct Panel<'a, 'c> {
+    canvas: &'c Canvas<'a>,
+    plane: Plane<'a>,
+    frame: Frame,
+    x: [f64; 2],
     /// Places of the vertical grid lines.
     columns: Vec<f64>,
+    y: [f64; 2],
     /// Size of the lettering, points.
     size: f64,
     /// The ticks upwards show the quantity divided by this power of ten.
@@ -110,66 +117,71 @@ pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
 }
 
 /// The dashed line of a level between two places on the sheet.
-pub(crate) fn dashes(canvas: &Canvas, ends: [[f64; 2]; 2], colour: Ink) {
-    dashed(canvas, &ends, [7.0, 5.0], stroke(colour, 1.4))
+pub(crate) fn dashes(canvas: &Canvas, ends: [[f64; 2]; 2], colour: RGBAColor) -> Drawn {
+    dashed(canvas, ends, [7.0, 5.0], stroke(colour, 1.4))
 }
 
-impl<'c> Panel<'c> {
+impl<'a, 'c> Panel<'a, 'c> {
     /// Frame, grid upright at `columns`, ticks of the quantity upwards.
-    pub fn new(plane: Plane<'c>, columns: Vec<f64>, size: f64) -> Self {
-        let Plane {
-            canvas,
-            frame,
-            x,
-            y,
-        } = plane;
+    pub fn new(
+        canvas: &'c Canvas<'a>,
+        frame: Frame,
+        x: [f64; 2],
+        columns: Vec<f64>,
+        y: [f64; 2],
+        size: f64,
+    ) -> Drawn<Self> {
         let rows = ((frame.bottom - frame.top) / (2.6 * size)).clamp(2.0, 8.0);
         let values = ticks(y[0], y[1], rows);
         let step = values.get(1).map_or(1.0, |b| b - values[0]);
         let power = power(&values, step);
         let panel = Panel {
-            plane,
+            canvas,
+            plane: frame.plane(canvas, x, y),
+            frame,
+            x,
             columns,
+            y,
             size,
             power,
         };
         let grid = stroke(palette::GRID, 1.0);
         for &t in &panel.columns {
-            trace(&panel.plane, &[(t, y[0]), (t, y[1])], grid);
+            trace(&panel.plane, [(t, y[0]), (t, y[1])], grid)?;
         }
         let scale = 10f64.powi(-power);
         let lettering = Lettering::new(size, palette::QUIET).anchored(HPos::Right, VPos::Center);
         let level = |v: f64| [(x[0], v), (x[1], v)];
         for &v in &values {
-            trace(&panel.plane, &level(v), grid);
+            trace(&panel.plane, level(v), grid)?;
             let at = [frame.left - 0.6 * size, panel.place(x[0], v)[1]];
-            write(canvas, &tick_text(scale * v, scale * step), at, lettering);
+            write(canvas, &tick_text(scale * v, scale * step), at, lettering)?;
         }
         if y[0] < 0.0 && y[1] > 0.0 {
-            trace(&panel.plane, &level(0.0), stroke(palette::AXIS, 1.4));
+            trace(&panel.plane, level(0.0), stroke(palette::AXIS, 1.4))?;
         }
-        frame.border(canvas);
-        panel
+        frame.border(canvas)?;
+        Ok(panel)
     }
 
     /// Writes the quantity ("force, N") upwards, left of the ticks.
-    pub fn quantity(&self, text: &str) {
+    pub fn quantity(&self, text: &str) -> Drawn {
         let power = raised(self.power);
         let text = &match text.split_once(", ") {
             _ if self.power == 0 => text.to_string(),
             Some((name, unit)) => format!("{name}, 10{power} {unit}"),
             None => format!("{text}, 10{power}"),
         };
-        let middle = 0.5 * (self.plane.frame.top + self.plane.frame.bottom);
+        let middle = 0.5 * (self.frame.top + self.frame.bottom);
         let lettering = Lettering::new(self.size, palette::INK)
             .anchored(HPos::Center, VPos::Center)
             .upwards();
-        let at = [self.plane.frame.left - QUANTITY * self.size, middle];
-        write(self.plane.canvas, text, at, lettering)
+        let at = [self.frame.left - QUANTITY * self.size, middle];
+        write(self.canvas, text, at, lettering)
     }
 
     /// Writes the grid's values below the frame and, under them, what they are.
-    pub fn across(&self, quantity: &str) {
+    pub fn across(&self, quantity: &str) -> Drawn {
         let small = Lettering::new(self.size, palette::QUIET).anchored(HPos::Center, VPos::Top);
         let step = match self.columns[..] {
             [a, b, ..] => b - a,
@@ -177,22 +189,22 @@ impl<'c> Panel<'c> {
         };
         for &t in &self.columns {
             let at = [
-                self.place(t, self.plane.y[0])[0],
-                self.plane.frame.bottom + 0.6 * self.size,
+                self.place(t, self.y[0])[0],
+                self.frame.bottom + 0.6 * self.size,
             ];
-            write(self.plane.canvas, &tick_text(t, step), at, small);
+            write(self.canvas, &tick_text(t, step), at, small)?;
         }
-        let middle = 0.5 * (self.plane.frame.left + self.plane.frame.right);
+        let middle = 0.5 * (self.frame.left + self.frame.right);
         let name = Lettering::new(self.size, palette::INK).anchored(HPos::Center, VPos::Top);
-        let at = [middle, self.plane.frame.bottom + 2.1 * self.size];
-        write(self.plane.canvas, quantity, at, name)
+        let at = [middle, self.frame.bottom + 2.1 * self.size];
+        write(self.canvas, quantity, at, name)
     }
 
     /// A curve, cut where it leaves the frame.
-    pub fn curve(&self, points: &[(f64, f64)], colour: Ink, width: f64) {
+    pub fn curve(&self, points: &[(f64, f64)], colour: RGBAColor, width: f64) -> Drawn {
         // Points slightly outside by rounding or interpolation still belong to the curve.
-        let slack = 0.01 * (self.plane.y[1] - self.plane.y[0]);
-        let [low, high] = [self.plane.y[0] - slack, self.plane.y[1] + slack];
+        let slack = 0.01 * (self.y[1] - self.y[0]);
+        let [low, high] = [self.y[0] - slack, self.y[1] + slack];
         let mut part: Vec<(f64, f64)> = Vec::new();
         let mut parts = Vec::new();
         for (i, &(x, v)) in points.iter().enumerate() {
@@ -212,25 +224,32 @@ impl<'c> Panel<'c> {
         }
         parts.push(part);
         for part in parts.into_iter().filter(|p| p.len() > 1) {
-            trace(&self.plane, &part, stroke(colour, width));
+            trace(&self.plane, part, stroke(colour, width))?;
         }
+        Ok(())
     }
 
     /// The area between two curves given at the same angles.
-    pub fn band(&self, upper: &[(f64, f64)], lower: &[(f64, f64)], colour: Ink) {
+    pub fn band(&self, upper: &[(f64, f64)], lower: &[(f64, f64)], colour: RGBAColor) -> Drawn {
         let around: Vec<(f64, f64)> = upper.iter().chain(lower.iter().rev()).copied().collect();
         fill(&self.plane, &around, colour)
     }
 
     /// A dashed level, with its name, if any, on the side given at the end that `curve` leaves free.
-    pub fn level(&self, value: f64, name: Option<(&str, VPos)>, colour: Ink, curve: &[(f64, f64)]) {
-        if !(value > self.plane.y[0] && value < self.plane.y[1]) {
-            return;
+    pub fn level(
+        &self,
+        value: f64,
+        name: Option<(&str, VPos)>,
+        colour: RGBAColor,
+        curve: &[(f64, f64)],
+    ) -> Drawn {
+        if !(value > self.y[0] && value < self.y[1]) {
+            return Ok(());
         }
-        let [left, right] = self.plane.x.map(|x| self.place(x, value));
-        dashes(self.plane.canvas, [left, right], colour);
+        let [left, right] = self.x.map(|x| self.place(x, value));
+        dashes(self.canvas, [left, right], colour)?;
         let Some((name, side)) = name else {
-            return;
+            return Ok(());
         };
         let shift = self.size
             * match side {
@@ -254,30 +273,26 @@ impl<'c> Panel<'c> {
         };
         // Text keeps the contrast that thin coloured letters would not have.
         let lettering = Lettering::new(letters, palette::INK).anchored(end, side);
-        write(self.plane.canvas, name, [x, right[1] + shift], lettering)
+        write(self.canvas, name, [x, right[1] + shift], lettering)
     }
 
     /// An arrow to the edge of the frame, labelled ∞ or −∞: the quantity is infinite at this angle.
-    pub fn infinity(&self, degrees: f64, up: bool, colour: Ink) {
-        let level = 0.0_f64.clamp(self.plane.y[0], self.plane.y[1]);
+    pub fn infinity(&self, degrees: f64, up: bool, colour: RGBAColor) -> Drawn {
+        let level = 0.0_f64.clamp(self.y[0], self.y[1]);
         let [x, from] = self.place(degrees, level);
         let (edge, away) = if up {
-            (self.plane.frame.top, 1.0)
+            (self.frame.top, 1.0)
         } else {
-            (self.plane.frame.bottom, -1.0)
+            (self.frame.bottom, -1.0)
         };
         let tip = edge + away * 2.0;
         let head = 0.55 * self.size;
-        line(
-            self.plane.canvas,
-            &[[x, from], [x, tip]],
-            stroke(colour, 2.0),
-        );
+        line(self.canvas, &[[x, from], [x, tip]], stroke(colour, 2.0))?;
         let sides = [-1.0, 1.0].map(|side| [x + side * 0.4 * head, tip + away * head]);
         let head = [sides[0], [x, tip], sides[1]];
-        line(self.plane.canvas, &head, stroke(colour, 2.0));
+        line(self.canvas, &head, stroke(colour, 2.0))?;
         // At the right edge the sign is left of the arrow.
-        let room = self.plane.frame.right - x > 2.5 * self.size;
+        let room = self.frame.right - x > 2.5 * self.size;
         let (gap, side) = if room {
             (0.4, HPos::Left)
         } else {
@@ -286,26 +301,32 @@ impl<'c> Panel<'c> {
         let text = if up { "∞" } else { "−∞" };
         let at = [x + gap * self.size, tip + away * 0.7 * self.size];
         let letters = Lettering::new(0.88 * self.size, palette::INK).anchored(side, VPos::Center);
-        write(self.plane.canvas, text, at, letters)
+        write(self.canvas, text, at, letters)
     }
 
     /// A dot with its value above (a maximum) or below (a minimum), kept inside the frame.
     ///
     /// `ground`: draws the value on a light rectangle, for diagrams whose dashed levels would cross the number.
-    pub fn mark(&self, (x, value): (f64, f64), maximum: bool, colour: Ink, ground: bool) {
+    pub fn mark(
+        &self,
+        (x, value): (f64, f64),
+        maximum: bool,
+        colour: RGBAColor,
+        ground: bool,
+    ) -> Drawn {
         let [x, y] = self.place(x, value);
-        circle(self.plane.canvas, [x, y], 3.6, colour.filled());
+        circle(self.canvas, [x, y], 3.6, colour.filled())?;
         // Zero up to rounding is shown as 0.
-        let noise = 1e-9 * (self.plane.y[1] - self.plane.y[0]);
+        let noise = 1e-9 * (self.y[1] - self.y[0]);
         let text = number(if value.abs() < noise { 0.0 } else { value }, 4);
         let size = 0.88 * self.size;
         let half = 0.5 * size * text_width(&text) + 0.4 * size;
-        let x = x.clamp(self.plane.frame.left + half, self.plane.frame.right - half);
+        let x = x.clamp(self.frame.left + half, self.frame.right - half);
         let room = 1.5 * size;
         let above = if maximum {
-            y - room > self.plane.frame.top
+            y - room > self.frame.top
         } else {
-            y + room > self.plane.frame.bottom
+            y + room > self.frame.bottom
         };
         let (v, shift) = if above {
             (VPos::Bottom, -0.6 * size)
@@ -316,14 +337,14 @@ impl<'c> Panel<'c> {
             let middle = y + shift + if above { -0.5 } else { 0.5 } * 0.73 * size;
             let off = 0.55 * size;
             let corners = [[x - half, middle - off], [x + half, middle + off]];
-            rectangle(self.plane.canvas, corners, palette::PAPER.mix(0.8).filled());
+            rectangle(self.canvas, corners, palette::PAPER.mix(0.8).filled())?;
         }
         let lettering = Lettering::new(size, palette::INK).anchored(HPos::Center, v);
-        write(self.plane.canvas, &text, [x, y + shift], lettering)
+        write(self.canvas, &text, [x, y + shift], lettering)
     }
 
     /// A value's place on the sheet, points.
     fn place(&self, x: f64, value: f64) -> [f64; 2] {
-        self.plane.place((x, value))
+        self.frame.place(self.x, self.y, (x, value))
     }
 }

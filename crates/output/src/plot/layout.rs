@@ -1,9 +1,11 @@
 //! How a picture is laid out: alone or as a figure of the report; title, strips, key of the curves.
 
+use plotters::prelude::*;
+
 use super::axes::{Panel, angle_ticks, dashes, ticks};
 use super::palette::{INK, QUIET};
 use super::picture::Picture;
-use super::sheet::{Canvas, Frame, Ink, Lettering, line, stroke, write};
+use super::sheet::{Canvas, Drawn, Frame, Lettering, line, stroke, write};
 use super::text::text_width;
 use gaitcam::cam::Measures;
 use gaitcam::synth::Design;
@@ -43,7 +45,7 @@ impl Layout {
     }
 
     /// A picture of this layout, with the decimal sign of a language in its texts.
-    pub fn picture(self, language: Language, draw: impl FnOnce(Figure)) -> Picture {
+    pub fn picture(self, language: Language, draw: impl FnOnce(Figure) -> Drawn) -> Picture {
         let (layout, e) = (self, self.letters);
         let (width, height) = self.size;
         Picture::drawn(width, height, |canvas| draw(Figure { canvas, layout, e }))
@@ -67,9 +69,9 @@ pub const FIGURE_WIDTH: u32 = 820;
 
 /// A picture being drawn.
 #[derive(Clone, Copy)]
-pub struct Figure<'c> {
+pub struct Figure<'a, 'c> {
     /// Its sheet.
-    pub canvas: &'c Canvas,
+    pub canvas: &'c Canvas<'a>,
     /// How it is laid out.
     pub layout: Layout,
     /// Lettering, points.
@@ -118,32 +120,43 @@ pub fn key_width(name: &str) -> f64 {
     SWATCH + text_width(name) + 1.7
 }
 
-impl<'c> Figure<'c> {
+impl<'a, 'c> Figure<'a, 'c> {
     /// A diagram of `y` over `x` with grid lines at `columns`.
-    pub fn panel(&self, frame: Frame, x: [f64; 2], columns: Vec<f64>, y: [f64; 2]) -> Panel<'c> {
-        Panel::new(frame.plane(self.canvas, x, y), columns, self.e)
+    pub fn panel(
+        &self,
+        frame: Frame,
+        x: [f64; 2],
+        columns: Vec<f64>,
+        y: [f64; 2],
+    ) -> Drawn<Panel<'a, 'c>> {
+        Panel::new(self.canvas, frame, x, columns, y, self.e)
     }
 
     /// A diagram over the whole law: degrees, or mm of travel.
-    pub fn over_the_law(&self, synthesis: &Design, frame: Frame, y: [f64; 2]) -> Panel<'c> {
+    pub fn over_the_law(
+        &self,
+        synthesis: &Design,
+        frame: Frame,
+        y: [f64; 2],
+    ) -> Drawn<Panel<'a, 'c>> {
         let measures = synthesis.cam.follower.measures();
         let x = ends_of(synthesis).map(|t| measures.angle().factor * t);
         self.panel(frame, x, columns(x, measures != Measures::Straight), y)
     }
 
     /// Writes at a point of the sheet.
-    pub fn write(&self, text: &str, at: [f64; 2], lettering: Lettering) {
+    pub fn write(&self, text: &str, at: [f64; 2], lettering: Lettering) -> Drawn {
         write(self.canvas, text, at, lettering)
     }
 
     /// The design's name and what is shown.
-    pub fn title(&self, name: &str, what: &str) {
+    pub fn title(&self, name: &str, what: &str) -> Drawn {
         if !self.layout.title {
-            return;
+            return Ok(());
         }
         let [x, y] = [self.layout.frame().left, 2.2 * self.e];
         let big = Lettering::new(1.35 * self.e, INK).bold();
-        self.write(name, [x, y], big);
+        self.write(name, [x, y], big)?;
         // Bold runs about a tenth wider than regular.
         let after = x + 1.35 * self.e * 1.12 * text_width(name) + 0.9 * self.e;
         let plain = Lettering::new(1.35 * self.e, QUIET);
@@ -151,7 +164,7 @@ impl<'c> Figure<'c> {
     }
 
     /// Swatches of curves with their names, from the left.
-    pub fn key(&self, place: [f64; 2], size: f64, entries: &[(Ink, f64, &str)]) {
+    pub fn key(&self, place: [f64; 2], size: f64, entries: &[(RGBAColor, f64, &str)]) -> Drawn {
         self.key_and_levels(place, size, entries, &[])
     }
 
@@ -160,26 +173,27 @@ impl<'c> Figure<'c> {
         &self,
         [mut x, y]: [f64; 2],
         size: f64,
-        entries: &[(Ink, f64, &str)],
-        levels: &[(Ink, &str)],
-    ) {
+        entries: &[(RGBAColor, f64, &str)],
+        levels: &[(RGBAColor, &str)],
+    ) -> Drawn {
         let levels = levels.iter().map(|&(colour, name)| (colour, None, name));
         let curves = (entries.iter()).map(|&(c, width, name)| (c, Some(width), name));
         let lettering = Lettering::new(size, INK);
         for (colour, width, name) in curves.chain(levels) {
             let ends = [[x, y], [x + 2.0 * size, y]];
             match width {
-                Some(width) => line(self.canvas, &ends, stroke(colour, width)),
-                None => dashes(self.canvas, ends, colour),
+                Some(width) => line(self.canvas, &ends, stroke(colour, width))?,
+                None => dashes(self.canvas, ends, colour)?,
             }
             x += SWATCH * size;
-            self.write(name, [x, y], lettering);
+            self.write(name, [x, y], lettering)?;
             x += size * (key_width(name) - SWATCH);
         }
+        Ok(())
     }
 
     /// A bar of a round length in mm, at most `room` points long, that shows the scale of a drawing.
-    pub fn scale_bar(&self, [x, y]: [f64; 2], per_mm: f64, room: f64) {
+    pub fn scale_bar(&self, [x, y]: [f64; 2], per_mm: f64, room: f64) -> Drawn {
         let most = room / per_mm;
         let power = 10f64.powf(most.log10().floor());
         let length = [5.0, 2.0, 1.0]
@@ -189,10 +203,10 @@ impl<'c> Figure<'c> {
             .unwrap_or(power);
         let end = x + length * per_mm;
         let tick = 0.35 * self.e;
-        line(self.canvas, &[[x, y], [end, y]], stroke(INK, 2.0));
+        line(self.canvas, &[[x, y], [end, y]], stroke(INK, 2.0))?;
         for at in [x, end] {
             let ends = [[at, y - tick], [at, y + tick]];
-            line(self.canvas, &ends, stroke(INK, 2.0));
+            line(self.canvas, &ends, stroke(INK, 2.0))?;
         }
         let at = [end + 0.6 * self.e, y];
         self.write(&format!("{length} mm"), at, Lettering::new(self.e, INK))

@@ -2,21 +2,25 @@
 
 #![allow(missing_docs)] // the names are the documentation
 
-use super::sheet::Ink;
+use plotters::prelude::RGBAColor;
 
-pub const PAPER: Ink = Ink::opaque(255, 255, 255);
-pub const INK: Ink = Ink::opaque(31, 36, 43);
-pub const QUIET: Ink = Ink::opaque(96, 104, 115);
-pub const GRID: Ink = Ink::opaque(229, 232, 237);
-pub const AXIS: Ink = Ink::opaque(158, 166, 177);
-pub const BLUE: Ink = Ink::opaque(0, 114, 178);
-pub const ORANGE: Ink = Ink::opaque(230, 159, 0);
-pub const GREEN: Ink = Ink::opaque(0, 158, 115);
-pub const PURPLE: Ink = Ink::opaque(190, 95, 155);
-pub const RED: Ink = Ink::opaque(213, 94, 0);
+const fn opaque(r: u8, g: u8, b: u8) -> RGBAColor {
+    RGBAColor(r, g, b, 1.0)
+}
+
+pub const PAPER: RGBAColor = opaque(255, 255, 255);
+pub const INK: RGBAColor = opaque(31, 36, 43);
+pub const QUIET: RGBAColor = opaque(96, 104, 115);
+pub const GRID: RGBAColor = opaque(229, 232, 237);
+pub const AXIS: RGBAColor = opaque(158, 166, 177);
+pub const BLUE: RGBAColor = opaque(0, 114, 178);
+pub const ORANGE: RGBAColor = opaque(230, 159, 0);
+pub const GREEN: RGBAColor = opaque(0, 158, 115);
+pub const PURPLE: RGBAColor = opaque(190, 95, 155);
+pub const RED: RGBAColor = opaque(213, 94, 0);
 
 /// Names of the colours in the page's style sheet, which replaces them in dark mode.
-pub const NAMES: [(Ink, &str); 10] = [
+pub const NAMES: [(RGBAColor, &str); 10] = [
     (PAPER, "paper"),
     (INK, "ink"),
     (QUIET, "quiet"),

@@ -2,9 +2,12 @@
 
 use std::fmt::Write;
 
+use plotters::prelude::*;
+
 use super::palette;
+
 use super::raster;
-use super::sheet::{Canvas, FAMILY, Ink, Shape, Style};
+use super::sheet::{Canvas, Drawn, FAMILY, Ink, Recorder, Shape};
 use gaitcam::wording::Language;
 use gaitcam_base::text::escaped;
 use gaitcam_base::text::{append, append_decimal, in_language};
@@ -19,10 +22,17 @@ pub struct Picture {
 
 impl Picture {
     /// Draws on a sheet of given size in points (pixels of the PNG).
-    pub fn drawn(width: u32, height: u32, draw: impl FnOnce(&Canvas)) -> Self {
-        let canvas = Canvas::default();
-        draw(&canvas);
-        let shapes = canvas.shapes();
+    pub fn drawn(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Self {
+        let mut shapes = Vec::new();
+        let canvas = Recorder {
+            shapes: &mut shapes,
+            size: (width, height),
+        }
+        .into_drawing_area();
+        // The recorder takes everything; only plotters' own bookkeeping could object.
+        let drawn = draw(&canvas);
+        debug_assert!(drawn.is_ok());
+        drop(canvas);
         Picture {
             width,
             height,
@@ -82,30 +92,36 @@ impl Picture {
 }
 
 fn write_shape(out: &mut String, shape: &Shape, variables: bool) -> std::fmt::Result {
-    let look = |style: &Style| match style.width {
-        None => paint("fill", style.ink, variables),
-        Some(width) => {
-            let stroke = paint("stroke", style.ink, variables);
-            let width = short(width);
-            format!("fill=\"none\" {stroke} stroke-width=\"{width}\" stroke-linejoin=\"round\"")
-        }
-    };
+    let stroke = |ink: &Ink| paint("stroke", *ink, variables);
+    let fill = |ink: &Ink| paint("fill", *ink, variables);
     match shape {
-        Shape::Path { points, style } => {
-            let end = if style.width.is_none() { "Z" } else { "" };
-            writeln!(out, "<path d=\"{}{end}\" {}/>", path(points), look(style))
+        Shape::Line { points, ink, width } => {
+            let paint = stroke(ink);
+            writeln!(
+                out,
+                "<path d=\"{}\" fill=\"none\" {paint} stroke-width=\"{}\" stroke-linejoin=\"round\"/>",
+                path(points),
+                short(*width)
+            )
+        }
+        Shape::Area { points, ink } => {
+            writeln!(out, "<path d=\"{}Z\" {}/>", path(points), fill(ink))
         }
         Shape::Circle {
             centre: [x, y],
             radius,
-            style,
+            ink,
+            width,
         } => {
+            let paint = match width {
+                None => fill(ink),
+                Some(w) => {
+                    let (stroke, w) = (stroke(ink), short(*w));
+                    format!("fill=\"none\" {stroke} stroke-width=\"{w}\"")
+                }
+            };
             let [x, y, r] = [x, y, radius].map(|q| short(*q));
-            writeln!(
-                out,
-                "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" {}/>",
-                look(style)
-            )
+            writeln!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" {paint}/>")
         }
         Shape::Text { line, ink } => {
             let [x, y, size] = [line.at[0], line.at[1], line.size].map(short);
@@ -123,7 +139,7 @@ fn write_shape(out: &mut String, shape: &Shape, variables: bool) -> std::fmt::Re
                 true => format!(" transform=\"rotate(-90 {x} {y})\""),
                 false => String::new(),
             };
-            let paint = paint("fill", *ink, variables);
+            let paint = fill(ink);
             writeln!(
                 out,
                 "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{anchor}{weight}{turn} {paint}>{}</text>",
@@ -159,7 +175,7 @@ fn paint(property: &str, ink: Ink, variables: bool) -> String {
     let [r, g, b] = ink.rgb;
     let name = palette::NAMES
         .iter()
-        .find(|(c, _)| variables && c.rgb == ink.rgb);
+        .find(|(c, _)| variables && (c.0, c.1, c.2) == (r, g, b));
     let colour = match name {
         Some((_, name)) => format!("var(--{name})"),
         None => format!("#{r:02x}{g:02x}{b:02x}"),

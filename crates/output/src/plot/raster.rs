@@ -1,9 +1,9 @@
 //! Shapes to pixels: exact area coverage.
 
 use super::coverage::Coverage;
-use super::outline::{disc, outline};
+use super::outline::{disc, outline, straightened};
 use super::png;
-use super::sheet::{Ink, Shape, Style};
+use super::sheet::{Ink, Shape};
 use super::text::draw_letters;
 
 /// The shapes on a white page as an 8-bit RGB PNG.
@@ -27,26 +27,26 @@ struct Page {
 impl Page {
     fn draw(&mut self, shape: &Shape) {
         match shape {
-            Shape::Path { points, style } => self.path(points, *style),
+            Shape::Line { points, ink, width } => {
+                self.fill(&outline(&straightened(points), *width), *ink);
+            }
+            Shape::Area { points, ink } => self.fill(&[straightened(points)], *ink),
             Shape::Circle {
                 centre,
                 radius,
-                style,
+                ink,
+                width,
             } => {
                 let mut ring = disc(*centre, *radius);
+                let Some(width) = width else {
+                    return self.fill(&[ring], *ink);
+                };
                 ring.push(ring[0]);
-                self.path(&ring, *style);
+                self.fill(&outline(&ring, *width), *ink);
             }
             Shape::Text { line, ink } => {
                 draw_letters(line, |x, y, covered| self.blend(x, y, *ink, covered));
             }
-        }
-    }
-
-    fn path(&mut self, points: &[[f64; 2]], style: Style) {
-        match style.width {
-            None => self.fill(&[points.to_vec()], style.ink),
-            Some(width) => self.fill(&outline(points, width), style.ink),
         }
     }
 

@@ -1,11 +1,24 @@
-//! The sheet that pictures are drawn on: a list of shapes, from which SVG and PNG are made alike.
+//! The sheet that pictures are drawn on: a plotters backend that keeps shapes instead of pixels.
+//!
+//! One drawing then serves the SVG and the PNG alike. Plotters counts in whole units, so a sheet has
+//! [`UNITS`] of them per picture point: curves stay smooth and text is placed to a sixteenth of a point.
 
-use std::cell::RefCell;
+use std::convert::Infallible;
 
-use super::outline::straightened;
+use plotters::coord::Shift;
+use plotters::coord::types::RangedCoordf64;
+use plotters::element::DashedPathElement;
+use plotters::prelude::*;
+use plotters_backend::text_anchor::{HPos, Pos, VPos};
+use plotters_backend::{
+    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingErrorKind,
+};
+
 use super::palette;
 use super::text::Line;
 
+/// Sheet units per point.
+pub const UNITS: f64 = 16.0;
 /// The typeface, by the name the SVG asks for.
 pub const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 /// Height of the capitals in ems: text is centred on them.
@@ -20,89 +33,187 @@ pub struct Ink {
     pub alpha: f64,
 }
 
-impl Ink {
-    /// An opaque colour.
-    pub const fn opaque(r: u8, g: u8, b: u8) -> Ink {
-        let rgb = [r, g, b];
-        Ink { rgb, alpha: 1.0 }
-    }
-
-    /// The colour with a part of its opacity.
-    #[must_use]
-    pub fn mix(self, part: f64) -> Ink {
-        let alpha = part * self.alpha;
-        Ink { alpha, ..self }
-    }
-
-    /// A shape filled with the colour.
-    pub fn filled(self) -> Style {
-        let (ink, width) = (self, None);
-        Style { ink, width }
-    }
-}
-
-/// How a shape is drawn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Style {
-    /// Colour.
-    pub ink: Ink,
-    /// Width of its line, points; none fills it.
-    pub width: Option<f64>,
-}
-
-/// A line of `width` points.
-pub fn stroke(ink: Ink, width: f64) -> Style {
-    let width = Some(width);
-    Style { ink, width }
-}
-
 /// One thing on the sheet; lengths in points, y down.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(missing_docs)] // the names are the documentation
 pub enum Shape {
-    /// An open line, or a filled polygon.
-    Path { points: Vec<[f64; 2]>, style: Style },
-    /// A circle.
+    /// An open line of given width.
+    Line {
+        points: Vec<[f64; 2]>,
+        ink: Ink,
+        width: f64,
+    },
+    /// A filled polygon.
+    Area { points: Vec<[f64; 2]>, ink: Ink },
+    /// A circle: filled, or drawn with a line of given width.
     Circle {
         centre: [f64; 2],
         radius: f64,
-        style: Style,
+        ink: Ink,
+        width: Option<f64>,
     },
     /// A line of text.
     Text { line: Line, ink: Ink },
 }
 
-/// Shapes drawn so far, in order.
-#[derive(Debug, Default)]
-pub struct Canvas(RefCell<Vec<Shape>>);
+/// Collects shapes from plotters.
+pub struct Recorder<'a> {
+    /// What was drawn so far, in order.
+    pub shapes: &'a mut Vec<Shape>,
+    /// Width and height of the sheet, points.
+    pub size: (u32, u32),
+}
 
-impl Canvas {
-    fn add(&self, shape: Shape) {
-        self.0.borrow_mut().push(shape);
-    }
+/// A part of the sheet, in sheet units.
+pub type Canvas<'a> = DrawingArea<Recorder<'a>, Shift>;
+/// A part of the sheet with axes.
+pub type Plane<'a> = DrawingArea<Recorder<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+/// Drawing succeeds unless plotters itself fails.
+pub type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<Infallible>>;
 
-    /// All that was drawn.
-    pub fn shapes(self) -> Vec<Shape> {
-        self.0.into_inner()
+type Recorded = Result<(), DrawingErrorKind<Infallible>>;
+
+fn points((x, y): BackendCoord) -> [f64; 2] {
+    [f64::from(x) / UNITS, f64::from(y) / UNITS]
+}
+
+fn ink(color: BackendColor) -> Ink {
+    let (r, g, b) = color.rgb;
+    Ink {
+        rgb: [r, g, b],
+        alpha: color.alpha,
     }
 }
 
-/// Horizontal anchor of a text.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(missing_docs)] // the names are the documentation
-pub enum HPos {
-    Left,
-    Center,
-    Right,
+impl DrawingBackend for Recorder<'_> {
+    type ErrorType = Infallible;
+
+    fn get_size(&self) -> (u32, u32) {
+        let units = UNITS as u32;
+        (self.size.0 * units, self.size.1 * units)
+    }
+
+    fn ensure_prepared(&mut self) -> Recorded {
+        Ok(())
+    }
+
+    fn present(&mut self) -> Recorded {
+        Ok(())
+    }
+
+    fn draw_pixel(&mut self, _: BackendCoord, _: BackendColor) -> Recorded {
+        // A sixteenth of a point is nothing to see.
+        Ok(())
+    }
+
+    fn draw_line<S: BackendStyle>(
+        &mut self,
+        from: BackendCoord,
+        to: BackendCoord,
+        style: &S,
+    ) -> Recorded {
+        self.draw_path([from, to], style)
+    }
+
+    fn draw_rect<S: BackendStyle>(
+        &mut self,
+        (left, top): BackendCoord,
+        (right, bottom): BackendCoord,
+        style: &S,
+        fill: bool,
+    ) -> Recorded {
+        let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
+        if fill {
+            return self.fill_polygon(corners, style);
+        }
+        self.draw_path(corners.into_iter().chain([corners[0]]), style)
+    }
+
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Recorded {
+        self.shapes.push(Shape::Line {
+            points: path.into_iter().map(points).collect(),
+            ink: ink(style.color()),
+            width: f64::from(style.stroke_width()) / UNITS,
+        });
+        Ok(())
+    }
+
+    fn draw_circle<S: BackendStyle>(
+        &mut self,
+        center: BackendCoord,
+        radius: u32,
+        style: &S,
+        fill: bool,
+    ) -> Recorded {
+        self.shapes.push(Shape::Circle {
+            centre: points(center),
+            radius: f64::from(radius) / UNITS,
+            ink: ink(style.color()),
+            width: (!fill).then(|| f64::from(style.stroke_width()) / UNITS),
+        });
+        Ok(())
+    }
+
+    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        vert: I,
+        style: &S,
+    ) -> Recorded {
+        self.shapes.push(Shape::Area {
+            points: vert.into_iter().map(points).collect(),
+            ink: ink(style.color()),
+        });
+        Ok(())
+    }
+
+    fn draw_text<S: BackendTextStyle>(
+        &mut self,
+        text: &str,
+        style: &S,
+        pos: BackendCoord,
+    ) -> Recorded {
+        let size = style.size() / UNITS;
+        let upwards = matches!(style.transform(), FontTransform::Rotate270);
+        let drop = match style.anchor().v_pos {
+            VPos::Top => CAPITAL * size,
+            VPos::Center => 0.5 * CAPITAL * size,
+            VPos::Bottom => 0.0,
+        };
+        let [x, y] = points(pos);
+        let line = Line {
+            text: text.to_string(),
+            at: if upwards {
+                [x + drop, y]
+            } else {
+                [x, y + drop]
+            },
+            size,
+            anchor: match style.anchor().h_pos {
+                HPos::Left => 0.0,
+                HPos::Center => 0.5,
+                HPos::Right => 1.0,
+            },
+            bold: matches!(style.style(), FontStyle::Bold),
+            upwards,
+        };
+        let ink = ink(style.color());
+        self.shapes.push(Shape::Text { line, ink });
+        Ok(())
+    }
 }
 
-/// Vertical anchor of a text: top of the capitals, their middle, or the baseline.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(missing_docs)] // the names are the documentation
-pub enum VPos {
-    Top,
-    Center,
-    Bottom,
+/// Points to sheet units.
+pub fn units(length: f64) -> i32 {
+    (length * UNITS).round() as i32
+}
+
+/// A line style of `width` points.
+pub fn stroke(colour: RGBAColor, width: f64) -> ShapeStyle {
+    Color::stroke_width(&colour, units(width).max(1) as u32)
 }
 
 /// How a piece of text looks and which of its points is placed.
@@ -111,12 +222,12 @@ pub struct Lettering {
     /// Size of an em, points.
     pub size: f64,
     /// Colour.
-    pub colour: Ink,
+    pub colour: RGBAColor,
     /// Weight.
     pub bold: bool,
     /// Horizontal anchor.
     pub h: HPos,
-    /// Vertical anchor.
+    /// Vertical anchor: top of the capitals, their middle, or the baseline.
     pub v: VPos,
     /// Written upwards instead of to the right.
     pub upwards: bool,
@@ -124,7 +235,7 @@ pub struct Lettering {
 
 impl Lettering {
     /// Regular text that starts at its point, centred in height.
-    pub fn new(size: f64, colour: Ink) -> Self {
+    pub fn new(size: f64, colour: RGBAColor) -> Self {
         Lettering {
             size,
             colour,
@@ -136,104 +247,78 @@ impl Lettering {
     }
 
     /// The same, written upwards.
-    #[must_use]
     pub fn upwards(mut self) -> Self {
         self.upwards = true;
         self
     }
 
     /// The same, bold.
-    #[must_use]
     pub fn bold(mut self) -> Self {
         self.bold = true;
         self
     }
 
     /// The same, anchored elsewhere.
-    #[must_use]
     pub fn anchored(mut self, h: HPos, v: VPos) -> Self {
         (self.h, self.v) = (h, v);
         self
     }
+
+    fn style(self) -> TextStyle<'static> {
+        let weight = if self.bold {
+            FontStyle::Bold
+        } else {
+            FontStyle::Normal
+        };
+        let font = FontDesc::new(FontFamily::Name(FAMILY), self.size * UNITS, weight);
+        let font = if self.upwards {
+            font.transform(FontTransform::Rotate270)
+        } else {
+            font
+        };
+        TextStyle {
+            font,
+            color: self.colour.to_backend_color(),
+            pos: Pos::new(self.h, self.v),
+        }
+    }
 }
 
 /// Writes `text` at a point of the canvas.
-pub fn write(canvas: &Canvas, text: &str, [x, y]: [f64; 2], lettering: Lettering) {
-    let Lettering { size, upwards, .. } = lettering;
-    let drop = match lettering.v {
-        VPos::Top => CAPITAL * size,
-        VPos::Center => 0.5 * CAPITAL * size,
-        VPos::Bottom => 0.0,
-    };
-    let line = Line {
-        text: text.to_string(),
-        // Upwards, "below" the anchor is to its right.
-        at: match upwards {
-            true => [x + drop, y],
-            false => [x, y + drop],
-        },
-        size,
-        anchor: match lettering.h {
-            HPos::Left => 0.0,
-            HPos::Center => 0.5,
-            HPos::Right => 1.0,
-        },
-        bold: lettering.bold,
-        upwards,
-    };
-    let ink = lettering.colour;
-    canvas.add(Shape::Text { line, ink });
+pub fn write(canvas: &Canvas, text: &str, [x, y]: [f64; 2], lettering: Lettering) -> Drawn {
+    canvas.draw(&Text::new(
+        text.to_string(),
+        (units(x), units(y)),
+        lettering.style(),
+    ))
 }
 
-/// A line through points of the canvas, or the polygon that they enclose.
-pub fn line(canvas: &Canvas, through: &[[f64; 2]], style: Style) {
-    let points = straightened(through);
-    canvas.add(Shape::Path { points, style });
+/// Draws a line through points of the canvas.
+pub fn line(canvas: &Canvas, through: &[[f64; 2]], style: ShapeStyle) -> Drawn {
+    let path: Vec<(i32, i32)> = through.iter().map(|&[x, y]| (units(x), units(y))).collect();
+    canvas.draw(&PathElement::new(path, style))
 }
 
-/// A dashed line through points of the canvas; dashes and gaps in points.
-pub fn dashed(canvas: &Canvas, through: &[[f64; 2]], [on, off]: [f64; 2], style: Style) {
-    let Some((&first, rest)) = through.split_first() else {
-        return;
-    };
-    let (mut at, mut dash, mut left, mut is_on) = (first, vec![first], on, true);
-    for &end in rest {
-        loop {
-            let way = [end[0] - at[0], end[1] - at[1]];
-            let length = way[0].hypot(way[1]);
-            if length.is_nan() || length <= left {
-                left -= length;
-                at = end;
-                dash.push(at);
-                break;
-            }
-            at = [0, 1].map(|k| at[k] + left / length * way[k]);
-            dash.push(at);
-            if is_on {
-                line(canvas, &dash, style);
-            }
-            is_on = !is_on;
-            left = if is_on { on } else { off };
-            dash = vec![at];
-        }
-    }
-    if is_on {
-        line(canvas, &dash, style);
-    }
+/// A dashed line on the sheet; dashes and gaps in points.
+pub fn dashed(
+    canvas: &Canvas,
+    ends: [[f64; 2]; 2],
+    [on, off]: [f64; 2],
+    style: ShapeStyle,
+) -> Drawn {
+    let ends = ends.map(|[x, y]| (units(x), units(y)));
+    canvas.draw(&DashedPathElement::new(ends, units(on), units(off), style))
 }
 
 /// A circle about a point of the canvas.
-pub fn circle(canvas: &Canvas, centre: [f64; 2], radius: f64, style: Style) {
-    canvas.add(Shape::Circle {
-        centre,
-        radius,
-        style,
-    });
+pub fn circle(canvas: &Canvas, [x, y]: [f64; 2], radius: f64, style: ShapeStyle) -> Drawn {
+    canvas.draw(&Circle::new((units(x), units(y)), units(radius), style))
 }
 
 /// A rectangle between two corners on the canvas.
-pub fn rectangle(canvas: &Canvas, [[a, b], [c, d]]: [[f64; 2]; 2], style: Style) {
-    line(canvas, &[[a, b], [c, b], [c, d], [a, d], [a, b]], style);
+pub fn rectangle(canvas: &Canvas, corners: [[f64; 2]; 2], style: ShapeStyle) -> Drawn {
+    let corners = corners.map(|[x, y]| (units(x), units(y)));
+    canvas.draw(&Rectangle::new(corners, style))
 }
 
 /// A part of the sheet, points.
@@ -248,69 +333,35 @@ pub struct Frame {
 
 impl Frame {
     /// Draws its edges.
-    pub fn border(&self, canvas: &Canvas) {
+    pub fn border(&self, canvas: &Canvas) -> Drawn {
         let corners = [[self.left, self.top], [self.right, self.bottom]];
-        rectangle(canvas, corners, stroke(palette::AXIS, 1.0));
+        rectangle(canvas, corners, stroke(palette::AXIS, 1.0))
     }
 
     /// Axes over it: `x` and `y` are the values at left and right, at bottom and top.
-    pub fn plane<'c>(&self, canvas: &'c Canvas, x: [f64; 2], y: [f64; 2]) -> Plane<'c> {
-        let frame = *self;
-        Plane {
-            canvas,
-            frame,
-            x,
-            y,
-        }
+    pub fn plane<'a>(&self, canvas: &Canvas<'a>, x: [f64; 2], y: [f64; 2]) -> Plane<'a> {
+        let across = units(self.left)..units(self.right);
+        let up = units(self.bottom)..units(self.top);
+        let axes = Cartesian2d::new(x[0]..x[1], y[0]..y[1], (across, up));
+        canvas.apply_coord_spec(axes)
     }
-}
 
-/// A part of the sheet with axes.
-#[derive(Debug, Clone, Copy)]
-pub struct Plane<'c> {
-    /// The sheet.
-    pub canvas: &'c Canvas,
-    /// The part of it.
-    pub frame: Frame,
-    /// Values at its left and right.
-    pub x: [f64; 2],
-    /// Values at its bottom and top.
-    pub y: [f64; 2],
-}
-
-impl Plane<'_> {
-    /// The place of a value on the sheet.
-    pub fn place(&self, (u, v): (f64, f64)) -> [f64; 2] {
+    /// The place of a value on those axes.
+    pub fn place(&self, x: [f64; 2], y: [f64; 2], (u, v): (f64, f64)) -> [f64; 2] {
         let share = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
-        let Frame {
-            left,
-            right,
-            top,
-            bottom,
-        } = self.frame;
         [
-            left + share(u, self.x) * (right - left),
-            bottom + share(v, self.y) * (top - bottom),
+            self.left + share(u, x) * (self.right - self.left),
+            self.bottom + share(v, y) * (self.top - self.bottom),
         ]
-    }
-
-    /// Places of many values.
-    pub fn places(&self, points: &[(f64, f64)]) -> Vec<[f64; 2]> {
-        points.iter().map(|p| self.place(*p)).collect()
     }
 }
 
 /// A line on a plane.
-pub fn trace(plane: &Plane, points: &[(f64, f64)], style: Style) {
-    line(plane.canvas, &plane.places(points), style);
+pub fn trace(plane: &Plane, points: impl Into<Vec<(f64, f64)>>, style: ShapeStyle) -> Drawn {
+    plane.draw(&PathElement::new(points.into(), style))
 }
 
 /// A filled polygon on a plane.
-pub fn fill(plane: &Plane, corners: &[(f64, f64)], ink: Ink) {
-    trace(plane, corners, ink.filled());
-}
-
-/// A circle on a plane, its radius in points.
-pub fn ring(plane: &Plane, at: (f64, f64), radius: f64, style: Style) {
-    circle(plane.canvas, plane.place(at), radius, style);
+pub fn fill(plane: &Plane, corners: &[(f64, f64)], colour: RGBAColor) -> Drawn {
+    plane.draw(&Polygon::new(corners, colour.filled()))
 }

@@ -1,12 +1,14 @@
 //! The follower in its pose: face or roller, stem or arm, pivot.
 
+use plotters::style::Color;
+
 use super::{MM, Scene, circle, dot, part};
 use crate::plot::palette::{AXIS, INK, PAPER};
-use crate::plot::sheet::{Plane, fill, stroke, trace};
+use crate::plot::sheet::{Drawn, Plane, fill, stroke, trace};
 use crate::pose::Pose;
 
 impl Scene<'_> {
-    pub(super) fn follower(&self, plane: &Plane) {
+    pub(super) fn follower(&self, plane: &Plane) -> Drawn {
         let mut half = 0.045 * self.reach;
         if let Pose::Roller { radius, .. } = self.pose
             && radius > 0.0
@@ -18,7 +20,7 @@ impl Scene<'_> {
             return self.cap(plane, centre.map(|c| MM * c), MM * radius);
         }
         if let (Some(pivot), Pose::Roller { centre, .. }) = (self.pivot(), self.pose) {
-            self.arm(plane, pivot, centre.map(|c| MM * c));
+            self.arm(plane, pivot, centre.map(|c| MM * c))?;
         }
         let sliding = self.pivot().is_none();
         match self.pose {
@@ -29,21 +31,21 @@ impl Scene<'_> {
                 if let Some(pivot) = self.pivot() {
                     // The face starts at the foot of its pivot.
                     low = low.min(0.0);
-                    self.arm(plane, pivot, [MM * at[0], y]);
+                    self.arm(plane, pivot, [MM * at[0], y])?;
                 } else {
-                    rod(MM * at[0], y + thick, y + self.stem());
+                    rod(MM * at[0], y + thick, y + self.stem())?;
                 }
                 let (sin, cos) = angle.sin_cos();
                 let corner =
                     |u: f64, w: f64| (MM * at[0] + u * cos - w * sin, y + u * sin + w * cos);
-                let plate = [
+                let plate = vec![
                     corner(low, 0.0),
                     corner(high, 0.0),
                     corner(high, thick),
                     corner(low, thick),
                     corner(low, 0.0),
                 ];
-                part(plane, &plate, 2.2)
+                part(plane, plate, 2.2)
             }
             Pose::Roller { centre, radius } => {
                 let [x, y] = centre.map(|c| MM * c);
@@ -53,21 +55,21 @@ impl Scene<'_> {
                 }
                 if radius == 0.0 {
                     let shoulder = y + 2.5 * half;
-                    let edge = [(x - half, shoulder), (x, y), (x + half, shoulder)];
-                    rod(x, shoulder, y + self.stem());
-                    return part(plane, &edge, 1.8);
+                    let edge = vec![(x - half, shoulder), (x, y), (x + half, shoulder)];
+                    rod(x, shoulder, y + self.stem())?;
+                    return part(plane, edge, 1.8);
                 }
                 if sliding {
-                    rod(x, y, y + radius + self.stem());
+                    rod(x, y, y + radius + self.stem())?;
                 }
-                part(plane, &circle_about([x, y], radius), 2.2);
+                part(plane, circle_about([x, y], radius), 2.2)?;
                 dot(plane, (x, y), INK)
             }
         }
     }
 
     /// The part of a mushroom's arc that the contact needs, and a little more, with its chord.
-    fn cap(&self, plane: &Plane, centre: [f64; 2], radius: f64) {
+    fn cap(&self, plane: &Plane, centre: [f64; 2], radius: f64) -> Drawn {
         let cam = &self.synthesis.cam;
         let [nx, ny] = cam.motion(self.start);
         let reach = cam.contact_travel().map_or(0.0, |(low, high)| {
@@ -87,45 +89,46 @@ impl Scene<'_> {
         };
         if let Some(pivot) = self.pivot() {
             let (x, y) = at(0.0, radius);
-            self.arm(plane, pivot, [x, y]);
+            self.arm(plane, pivot, [x, y])?;
         }
         let mut rim: Vec<(f64, f64)> = (0..=60)
             .map(|i| at(half * (f64::from(i) / 30.0 - 1.0), radius))
             .collect();
         rim.push(rim[0]);
-        part(plane, &rim, 2.2);
+        part(plane, rim, 2.2)?;
         if self.pivot().is_some() {
-            return;
+            return Ok(());
         }
         let chord = radius * half.cos();
         let (x, from) = at(0.0, chord);
         let (side, to) = (0.045 * self.reach, from + self.stem());
         for x in [x - side, x + side] {
-            trace(plane, &[(x, from), (x, to)], stroke(INK, 1.8));
+            trace(plane, [(x, from), (x, to)], stroke(INK, 1.8))?;
         }
+        Ok(())
     }
 
     /// A bar from the pivot, with the pivot's bearing.
-    fn arm(&self, plane: &Plane, pivot: [f64; 2], end: [f64; 2]) {
+    fn arm(&self, plane: &Plane, pivot: [f64; 2], end: [f64; 2]) -> Drawn {
         let (dx, dy) = (end[0] - pivot[0], end[1] - pivot[1]);
         let length = dx.hypot(dy);
         let half = 0.025 * self.reach;
         if length > half {
             let (nx, ny) = (-dy / length * half, dx / length * half);
             let corner = |p: [f64; 2], side: f64| (p[0] + side * nx, p[1] + side * ny);
-            let bar = [
+            let bar = vec![
                 corner(pivot, 1.0),
                 corner(end, 1.0),
                 corner(end, -1.0),
                 corner(pivot, -1.0),
                 corner(pivot, 1.0),
             ];
-            fill(plane, &bar, AXIS.mix(0.35));
-            trace(plane, &bar, stroke(INK, 1.8));
+            fill(plane, &bar, AXIS.mix(0.35))?;
+            trace(plane, bar, stroke(INK, 1.8))?;
         }
         let bearing = circle_about(pivot, 0.045 * self.reach);
-        fill(plane, &bearing, PAPER);
-        trace(plane, &bearing, stroke(INK, 1.8));
+        fill(plane, &bearing, PAPER)?;
+        trace(plane, bearing, stroke(INK, 1.8))?;
         dot(plane, (pivot[0], pivot[1]), INK)
     }
 }
@@ -136,12 +139,12 @@ fn circle_about([x, y]: [f64; 2], radius: f64) -> Vec<(f64, f64)> {
 }
 
 /// A rod of half the width `half` along y, open at its ends.
-fn rod(plane: &Plane, half: f64, x: f64, [from, to]: [f64; 2]) {
+fn rod(plane: &Plane, half: f64, x: f64, [from, to]: [f64; 2]) -> Drawn {
     let side = |x: f64| [(x, from), (x, to)];
     let [left, right] = [side(x - half), side(x + half)];
     let corners = [left[0], left[1], right[1], right[0]];
-    fill(plane, &corners, PAPER);
-    fill(plane, &corners, AXIS.mix(0.35));
-    trace(plane, &left, stroke(INK, 1.8));
-    trace(plane, &right, stroke(INK, 1.8))
+    fill(plane, &corners, PAPER)?;
+    fill(plane, &corners, AXIS.mix(0.35))?;
+    trace(plane, left, stroke(INK, 1.8))?;
+    trace(plane, right, stroke(INK, 1.8))
 }

@@ -5,10 +5,13 @@ mod table;
 
 use std::f64::consts::TAU;
 
+use plotters::element::DashedPathElement;
+use plotters::prelude::*;
+
 use crate::plot::layout::Layout;
 use crate::plot::palette::{AXIS, BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, QUIET, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Canvas, Frame, Ink, Lettering, Plane, dashed, fill, ring, stroke, trace};
+use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, Plane, fill, stroke, trace, units};
 use crate::plot::text::wrapped;
 use crate::pose::{Bounds, Pose, face_reach, pose, turned};
 use crate::words::{self, Words};
@@ -37,7 +40,7 @@ pub fn cam(synthesis: &Design, language: Language) -> Picture {
 
 pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
     layout.picture(words.language(), |f| {
-        f.title(&synthesis.name, &words.text("figure-cam"));
+        f.title(&synthesis.name, &words.text("figure-cam"))?;
         let e = f.e;
         let (width, height) = (f64::from(layout.size.0), f64::from(layout.size.1));
         let top = if layout.title { 4.2 * e } else { e };
@@ -52,12 +55,12 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
             bottom: height - 1.5 * e,
         };
         let (plane, scale) = scene.plane(f.canvas, frame);
-        scene.draw(&plane);
-        let mut y = scene.lines(&f, [table, top + 2.0 * e], words) + 0.8 * e;
+        scene.draw(&plane)?;
+        let mut y = scene.lines(&f, [table, top + 2.0 * e], words)? + 0.8 * e;
         for (name, value) in &facts {
-            f.write(name, [table, y], Lettering::new(e, QUIET));
+            f.write(name, [table, y], Lettering::new(e, QUIET))?;
             for line in wrapped(value.split(' '), VALUES - 0.4) {
-                f.write(&line, [table + values * e, y], Lettering::new(e, INK));
+                f.write(&line, [table + values * e, y], Lettering::new(e, INK))?;
                 y += 1.75 * e;
             }
         }
@@ -197,7 +200,7 @@ impl<'a> Scene<'a> {
     }
 
     /// Axes of one scale in both directions, centred in the space given, and the points per mm.
-    fn plane<'c>(&self, canvas: &'c Canvas, frame: Frame) -> (Plane<'c>, f64) {
+    fn plane<'c>(&self, canvas: &Canvas<'c>, frame: Frame) -> (Plane<'c>, f64) {
         let Bounds { low, high } = self.bounds();
         let [w, h] = [0, 1].map(|k| high[k] - low[k]);
         let blank = MARGIN * w.max(h);
@@ -210,7 +213,7 @@ impl<'a> Scene<'a> {
         (frame.plane(canvas, x, y), scale)
     }
 
-    fn draw(&self, plane: &Plane) {
+    fn draw(&self, plane: &Plane) -> Drawn {
         let here = |x: f64, y: f64| {
             let [x, y] = turned([MM * x, MM * y], self.start);
             (x, y)
@@ -223,12 +226,12 @@ impl<'a> Scene<'a> {
                 let foot = self.foot();
                 body.extend([(last.0, foot), (first.0, foot)]);
             }
-            fill(plane, &body, BLUE.mix(0.13));
+            fill(plane, &body, BLUE.mix(0.13))?;
         } else if self.synthesis.cam.law.is_closed() {
-            fill(plane, &outline, BLUE.mix(0.13));
+            fill(plane, &outline, BLUE.mix(0.13))?;
         }
         if !self.is_straight() {
-            dashes(plane, &circle(self.base), GREEN, BASE);
+            dashed(plane, circle(self.base), GREEN, BASE)?;
         }
         if let Some(bore) = self.synthesis.bore.filter(|_| !self.is_straight()) {
             let mut angles: Vec<f64> = (0..=360).map(|i| f64::from(i).to_radians()).collect();
@@ -237,36 +240,39 @@ impl<'a> Scene<'a> {
             let rim: Vec<(f64, f64)> = (angles.iter())
                 .map(|&a| here(bore.edge(a) * a.cos(), bore.edge(a) * a.sin()))
                 .collect();
-            fill(plane, &rim, PAPER);
-            trace(plane, &rim, stroke(BLUE, 1.6));
+            fill(plane, &rim, PAPER)?;
+            trace(plane, rim, stroke(BLUE, 1.6))?;
         }
         if self.has_roller() {
             if !self.is_straight() {
-                dashes(plane, &circle(self.prime), PURPLE, PRIME);
+                dashed(plane, circle(self.prime), PURPLE, PRIME)?;
             }
             let pitch = self.rows.iter().map(|p| here(p.pitch_x, p.pitch_y));
-            dashes(plane, &self.whole(pitch.collect()), ORANGE, PITCH);
+            dashed(plane, self.whole(pitch.collect()), ORANGE, PITCH)?;
         }
-        self.other_edges(plane, here);
-        trace(plane, &self.whole(outline), stroke(BLUE, 2.6));
-        self.centre(plane);
-        self.follower(plane);
+        self.other_edges(plane, here)?;
+        trace(plane, self.whole(outline), stroke(BLUE, 2.6))?;
+        self.centre(plane)?;
+        self.follower(plane)?;
         let contact = self.synthesis.cam.point(self.start);
-        dot(plane, here(contact.x, contact.y), RED);
+        dot(plane, here(contact.x, contact.y), RED)?;
         let sharpest = self.synthesis.cam.curvature().convex;
         if sharpest.value.is_finite() {
             let p = self.synthesis.cam.point(sharpest.at);
-            ring(plane, here(p.x, p.y), 5.5, stroke(RED, 2.0));
+            let (x, y) = here(p.x, p.y);
+            let ring = EmptyElement::at((x, y)) + Circle::new((0, 0), units(5.5), stroke(RED, 2.0));
+            plane.draw(&ring)?;
         }
+        Ok(())
     }
 
     /// A groove's upper wall with the body above it, or the second cam of a pair.
-    fn other_edges(&self, plane: &Plane, here: impl Fn(f64, f64) -> (f64, f64)) {
+    fn other_edges(&self, plane: &Plane, here: impl Fn(f64, f64) -> (f64, f64)) -> Drawn {
         for other in &self.others {
             let edge: Vec<(f64, f64)> = other.iter().map(|&[x, y]| here(x, y)).collect();
             if !self.is_straight() {
-                fill(plane, &edge, PURPLE.mix(0.1));
-                trace(plane, &self.whole(edge), stroke(PURPLE, 2.2));
+                fill(plane, &edge, PURPLE.mix(0.1))?;
+                trace(plane, self.whole(edge), stroke(PURPLE, 2.2))?;
                 continue;
             }
             let top = edge.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max);
@@ -275,9 +281,10 @@ impl<'a> Scene<'a> {
                 let ceiling = top + 0.04 * self.reach;
                 body.extend([(last.0, ceiling), (first.0, ceiling)]);
             }
-            fill(plane, &body, BLUE.mix(0.13));
-            trace(plane, &edge, stroke(BLUE, 2.6));
+            fill(plane, &body, BLUE.mix(0.13))?;
+            trace(plane, edge, stroke(BLUE, 2.6))?;
         }
+        Ok(())
     }
 
     /// Height of a straight cam's foot in its drawing.
@@ -299,15 +306,15 @@ impl<'a> Scene<'a> {
     }
 
     /// Centre mark and the sense of rotation.
-    fn centre(&self, plane: &Plane) {
+    fn centre(&self, plane: &Plane) -> Drawn {
         if self.is_straight() {
-            return;
+            return Ok(());
         }
         let arm = 0.07 * self.reach;
         for path in [[(-arm, 0.0), (arm, 0.0)], [(0.0, -arm), (0.0, arm)]] {
-            trace(plane, &path, stroke(INK, 1.4));
+            trace(plane, path, stroke(INK, 1.4))?;
         }
-        dot(plane, (0.0, 0.0), INK);
+        dot(plane, (0.0, 0.0), INK)?;
         // Counter-clockwise as θ grows, on the side where the cam has most room for it.
         let r = (0.45 * self.base.min(self.reach)).max(0.22 * self.reach);
         let middle = self.bulk().unwrap_or(0.7);
@@ -323,7 +330,7 @@ impl<'a> Scene<'a> {
                 (r * a.cos(), r * a.sin())
             })
             .collect();
-        trace(plane, &arc, stroke(INK, 2.0));
+        trace(plane, arc, stroke(INK, 2.0))?;
         let head = 0.16 * r;
         let tip = to + sense * head / r;
         let corner = |rho: f64, a: f64| (rho * a.cos(), rho * a.sin());
@@ -356,17 +363,22 @@ fn circle(radius: f64) -> Vec<(f64, f64)> {
         .collect()
 }
 
-fn dashes(plane: &Plane, path: &[(f64, f64)], colour: Ink, dash: [f64; 2]) {
-    dashed(plane.canvas, &plane.places(path), dash, stroke(colour, 1.6));
+fn dashed(plane: &Plane, path: Vec<(f64, f64)>, colour: RGBAColor, [on, off]: [f64; 2]) -> Drawn {
+    plane.draw(&DashedPathElement::new(
+        path,
+        units(on),
+        units(off),
+        stroke(colour, 1.6),
+    ))
 }
 
 /// A part of the follower: opaque, with its edge; `edge` is the width of the line, points.
-fn part(plane: &Plane, outline: &[(f64, f64)], edge: f64) {
-    fill(plane, outline, PAPER);
-    fill(plane, outline, AXIS.mix(0.35));
-    trace(plane, outline, stroke(INK, edge));
+fn part(plane: &Plane, outline: Vec<(f64, f64)>, edge: f64) -> Drawn {
+    fill(plane, &outline, PAPER)?;
+    fill(plane, &outline, AXIS.mix(0.35))?;
+    trace(plane, outline, stroke(INK, edge))
 }
 
-fn dot(plane: &Plane, at: (f64, f64), colour: Ink) {
-    ring(plane, at, 4.0, colour.filled())
+fn dot(plane: &Plane, at: (f64, f64), colour: RGBAColor) -> Drawn {
+    plane.draw(&Circle::new(at, units(4.0), colour.filled()))
 }

@@ -1,22 +1,24 @@
 //! Legend and main dimensions next to the cam.
 
+use plotters::style::{Color, RGBAColor};
+
 use super::{BASE, PITCH, PRIME, Scene};
 use crate::plot::layout::Figure;
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
-use crate::plot::sheet::{Ink, Lettering, circle, dashed, line, stroke};
+use crate::plot::sheet::{Drawn, Lettering, circle, dashed, line, stroke};
 use crate::plot::text::text_width;
 use crate::words::Words;
 use gaitcam_base::text::{degrees, millimetres, number};
 
 impl Scene<'_> {
     /// The lines' names; returns the vertical position below them.
-    pub(super) fn lines(&self, f: &Figure, [x, mut y]: [f64; 2], words: &Words) -> f64 {
+    pub(super) fn lines(&self, f: &Figure, [x, mut y]: [f64; 2], words: &Words) -> Drawn<f64> {
         let e = f.e;
         let step = 1.75 * e;
-        let swatch = |colour: Ink, width: f64, dash: Option<[f64; 2]>, y: f64| {
+        let swatch = |colour: RGBAColor, width: f64, dash: Option<[f64; 2]>, y: f64| {
             let ends = [[x, y], [x + 1.8 * e, y]];
             match dash {
-                Some(dash) => dashed(f.canvas, &ends, dash, stroke(colour, width)),
+                Some(dash) => dashed(f.canvas, ends, dash, stroke(colour, width)),
                 None => line(f.canvas, &ends, stroke(colour, width)),
             }
         };
@@ -40,8 +42,8 @@ impl Scene<'_> {
             lines.push((ORANGE, 1.6, Some(PITCH), words.text("figure-pitch-curve")));
         }
         for (colour, width, dash, name) in lines {
-            swatch(colour, width, dash, y);
-            f.write(&name, [x + 2.3 * e, y], Lettering::new(e, INK));
+            swatch(colour, width, dash, y)?;
+            f.write(&name, [x + 2.3 * e, y], Lettering::new(e, INK))?;
             y += step;
         }
         let marks = [
@@ -49,12 +51,12 @@ impl Scene<'_> {
             ("figure-sharpest", 5.5, stroke(RED, 2.0)),
         ];
         for (name, radius, style) in marks {
-            circle(f.canvas, [x + 0.8 * e, y], radius, style);
+            circle(f.canvas, [x + 0.8 * e, y], radius, style)?;
             let name = words.text(name);
-            f.write(&name, [x + 2.3 * e, y], Lettering::new(e, INK));
+            f.write(&name, [x + 2.3 * e, y], Lettering::new(e, INK))?;
             y += step;
         }
-        y
+        Ok(y)
     }
 
     /// The names of the main dimensions and their values.

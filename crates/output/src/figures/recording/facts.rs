@@ -1,8 +1,10 @@
 //! Text above the picture of a recording: kind, stride, mass, counts, warnings.
 
+use plotters_backend::text_anchor::{HPos, VPos};
+
 use crate::plot::layout::Figure;
 use crate::plot::palette::{INK, QUIET, RED};
-use crate::plot::sheet::{Frame, HPos, Lettering, VPos};
+use crate::plot::sheet::{Drawn, Frame, Lettering};
 use crate::plot::text::wrapped;
 use crate::words::Words;
 use gaitcam::force::{Interpretation, Note};
@@ -19,7 +21,7 @@ pub(super) fn write_facts(
     understood: &Interpretation,
     frame: Frame,
     words: &Words,
-) -> f64 {
+) -> Drawn<f64> {
     let e = f.e;
     let room = (frame.right - frame.left) / e;
     let mut y = frame.top;
@@ -28,24 +30,24 @@ pub(super) fn write_facts(
         f.write(line, [frame.left, y], lettering)
     };
     for line in shortened(facts(understood, words).iter().map(String::as_str), room, 3) {
-        text(&line, INK, y);
+        text(&line, INK, y)?;
         y += 1.5 * e;
     }
     for note in worst(understood) {
         let line = sentence(words.language(), "note", note);
         let colour = if note.doubt().is_some() { RED } else { QUIET };
         for line in shortened(line.split(' '), room, LINES) {
-            text(&line, colour, y);
+            text(&line, colour, y)?;
             y += 1.5 * e;
         }
     }
     let more = understood.warnings.len().saturating_sub(WARNINGS);
     if more > 0 {
         let line = words.fill("figure-more-notes", &[("count", &more.to_string())]);
-        text(&line, QUIET, y);
+        text(&line, QUIET, y)?;
         y += 1.5 * e;
     }
-    y + 0.6 * e
+    Ok(y + 0.6 * e)
 }
 
 /// The notes that are shown: what is open first.

@@ -1,10 +1,12 @@
 //! The joint mean of several recordings: the cycle of each, their mean and its band.
 
+use plotters_backend::text_anchor::{HPos, VPos};
+
 use super::{closed, draw_cycle};
 use crate::plot::layout::Layout;
 use crate::plot::palette::QUIET;
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{HPos, Lettering, VPos};
+use crate::plot::sheet::Lettering;
 use crate::words;
 use gaitcam::force::JointMean;
 use gaitcam::wording::{Language, catalogue};
@@ -22,7 +24,7 @@ pub fn joint_mean(joint: &JointMean, files: &[&str], language: Language) -> Pict
         let e = f.e;
         let count = files.len().to_string();
         let head = words.fill("figure-joint-mean", &[("count", &count)]);
-        f.title(&head, &words.text("figure-vertical-force"));
+        f.title(&head, &words.text("figure-vertical-force"))?;
         let mut frame = layout.frame();
         let fixed = |x: f64, decimals| catalogue(language).fixed(x, decimals);
         let facts = [
@@ -32,7 +34,7 @@ pub fn joint_mean(joint: &JointMean, files: &[&str], language: Language) -> Pict
         ];
         let facts = words.fill("figure-joint-facts", &facts);
         let plain = Lettering::new(e, QUIET).anchored(HPos::Left, VPos::Top);
-        f.write(&facts, [frame.left, frame.top], plain);
+        f.write(&facts, [frame.left, frame.top], plain)?;
         frame.top += 4.0 * e;
         frame.right -= 3.2 * e;
         let period = joint.curve.period_s;

@@ -1,10 +1,13 @@
 //! The mean stance of each foot, apart, with its stances, band, landmarks and an axis in body weights.
 
+use plotters::style::Color;
+use plotters_backend::text_anchor::{HPos, VPos};
+
 use super::{colour, edges, foot_name, thinned};
 use crate::plot::axes::{QUANTITY, padded, tick_text, ticks};
 use crate::plot::layout::Figure;
 use crate::plot::palette::{INK, QUIET};
-use crate::plot::sheet::{Frame, HPos, Lettering, VPos, circle, line, stroke};
+use crate::plot::sheet::{Drawn, Frame, Lettering, circle, line, stroke};
 use crate::plot::text::text_width;
 use crate::words::Words;
 use gaitcam::force::{Interpretation, MeanStanceCurve, Overlay, Point};
@@ -17,7 +20,7 @@ const BAND: f64 = 0.25;
 /// Names of loading peak, valley and push-off peak.
 const LANDMARKS: [&str; 3] = ["P1", "V", "P2"];
 
-pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words: &Words) {
+pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words: &Words) -> Drawn {
     let Some(overlay) = &understood.overlay else {
         let lettering = Lettering::new(f.e, QUIET).anchored(HPos::Left, VPos::Top);
         let text = words.text("figure-no-stance");
@@ -30,8 +33,8 @@ pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words:
     let means = understood.means();
     for (k, mean) in means.iter().enumerate() {
         let place = column(frame, k, means.len(), f.e);
-        draw_foot(f, place, y, (overlay, mean), words);
-        body_weights(f, place, y, weight, words);
+        draw_foot(f, place, y, (overlay, mean), words)?;
+        body_weights(f, place, y, weight, words)?;
         if k > 0 {
             continue;
         }
@@ -40,8 +43,9 @@ pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words:
             .anchored(HPos::Center, VPos::Center)
             .upwards();
         let middle = 0.5 * (place.top + place.bottom);
-        f.write(&axis, [place.left - QUANTITY * f.e, middle], lettering);
+        f.write(&axis, [place.left - QUANTITY * f.e, middle], lettering)?;
     }
+    Ok(())
 }
 
 /// One of several frames side by side.
@@ -62,30 +66,30 @@ fn draw_foot(
     y: [f64; 2],
     (overlay, mean): (&Overlay, &MeanStanceCurve),
     words: &Words,
-) {
+) -> Drawn {
     let share = |i: usize, n: usize| 100.0 * i as f64 / (n - 1) as f64;
     let on_phase = |force: &[f64]| thinned(force, share);
-    let panel = f.panel(frame, [0.0, 100.0], ticks(0.0, 100.0, 5.0), y);
+    let panel = f.panel(frame, [0.0, 100.0], ticks(0.0, 100.0, 5.0), y)?;
     let ink = colour(mean.foot);
     let own = overlay.stances.iter().filter(|s| s.0 == mean.foot);
     for (_, force) in own.filter(|_| mean.count > 1) {
-        panel.curve(&on_phase(force), QUIET.mix(THIN), 1.0);
+        panel.curve(&on_phase(force), QUIET.mix(THIN), 1.0)?;
     }
     if let Some(spread) = &mean.spread_n {
         let [upper, lower] = edges(&mean.mean_n, spread).map(|edge| on_phase(&edge));
-        panel.band(&upper, &lower, ink.mix(BAND));
+        panel.band(&upper, &lower, ink.mix(BAND))?;
     }
-    panel.curve(&on_phase(&mean.mean_n), ink, 2.8);
+    panel.curve(&on_phase(&mean.mean_n), ink, 2.8)?;
     for (k, point) in mean.landmarks.iter().enumerate() {
         if let Some(point) = point {
             // The only peak, late in the stance, is the push-off.
             let lone = mean.landmarks[1].is_none() && point.at > 0.6;
             let name = LANDMARKS[if lone { 2 } else { k }];
-            landmark(f, frame, y, name, *point);
+            landmark(f, frame, y, name, *point)?;
         }
     }
     let seconds = format!("{:.3}", mean.duration_s);
-    panel.across(&words.fill("figure-stance-share", &[("seconds", &seconds)]));
+    panel.across(&words.fill("figure-stance-share", &[("seconds", &seconds)]))?;
     let side = foot_name(mean.foot, words);
     let count = mean.count.to_string();
     let name = match mean.count {
@@ -103,11 +107,11 @@ fn draw_foot(
 }
 
 /// A dot at a peak or valley with its name and force.
-fn landmark(f: &Figure, frame: Frame, y: [f64; 2], name: &str, point: Point) {
+fn landmark(f: &Figure, frame: Frame, y: [f64; 2], name: &str, point: Point) -> Drawn {
     let e = f.e;
     let across = frame.left + point.at * (frame.right - frame.left);
     let up = up(frame, y, point.force_n);
-    circle(f.canvas, [across, up], 3.4, INK.filled());
+    circle(f.canvas, [across, up], 3.4, INK.filled())?;
     let text = format!("{name} {:.0} N", point.force_n);
     let above = name != "V";
     let (v, shift) = if above {
@@ -127,10 +131,16 @@ fn up(frame: Frame, y: [f64; 2], force: f64) -> f64 {
 }
 
 /// An axis in body weights at the right of a frame.
-pub(super) fn body_weights(f: &Figure, frame: Frame, y: [f64; 2], weight: f64, words: &Words) {
+pub(super) fn body_weights(
+    f: &Figure,
+    frame: Frame,
+    y: [f64; 2],
+    weight: f64,
+    words: &Words,
+) -> Drawn {
     let e = f.e;
     if weight <= 0.0 {
-        return;
+        return Ok(());
     }
     let values = ticks(y[0] / weight, y[1] / weight, 5.0);
     let step = values.get(1).map_or(0.5, |b| b - values[0]);
@@ -138,8 +148,8 @@ pub(super) fn body_weights(f: &Figure, frame: Frame, y: [f64; 2], weight: f64, w
     for &v in &values {
         let at = up(frame, y, v * weight);
         let tick = [[frame.right, at], [frame.right + 0.35 * e, at]];
-        line(f.canvas, &tick, stroke(QUIET, 1.2));
-        f.write(&tick_text(v, step), [frame.right + 0.6 * e, at], small);
+        line(f.canvas, &tick, stroke(QUIET, 1.2))?;
+        f.write(&tick_text(v, step), [frame.right + 0.6 * e, at], small)?;
     }
     let unit = words.text("figure-body-weights");
     let head = Lettering::new(0.85 * e, QUIET).anchored(HPos::Left, VPos::Bottom);

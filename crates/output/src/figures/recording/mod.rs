@@ -5,13 +5,15 @@ mod joint;
 mod means;
 mod whole;
 
+use plotters::style::{Color, RGBAColor};
+
 pub use joint::joint_mean;
 
 use crate::plot::axes::padded;
 use crate::plot::layout::{Figure, Layout, columns, strips};
 use crate::plot::palette::{BLUE, GREEN, ORANGE, QUIET};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Frame, Ink};
+use crate::plot::sheet::{Drawn, Frame};
 use crate::words::{self, Words};
 use gaitcam::force::{Foot, ForceCurve, Interpretation};
 use gaitcam::units::G;
@@ -56,9 +58,9 @@ pub(crate) fn recording_in(
 ) -> Picture {
     layout.picture(words.language(), |f| {
         let e = f.e;
-        f.title(&understood.file, &words.text("figure-vertical-force"));
+        f.title(&understood.file, &words.text("figure-vertical-force"))?;
         let frame = layout.frame();
-        let top = facts::write_facts(&f, understood, frame, words);
+        let top = facts::write_facts(&f, understood, frame, words)?;
         let frame = Frame {
             top: top + 1.6 * e,
             right: frame.right - 3.2 * e,
@@ -82,16 +84,23 @@ pub(crate) fn recording_in(
             bottom: part.bottom + lanes,
             ..part
         };
-        whole::draw(&f, frames[0], understood, words);
-        means::draw(&f, below(frames[1]), understood, words);
-        if let Some(curve) = cycle {
-            draw_cycle(&f, below(frames[2]), curve, &[], words);
+        whole::draw(&f, frames[0], understood, words)?;
+        means::draw(&f, below(frames[1]), understood, words)?;
+        match cycle {
+            Some(curve) => draw_cycle(&f, below(frames[2]), curve, &[], words),
+            None => Ok(()),
         }
     })
 }
 
 /// A mean cycle with its band, over the single cycles where there are any.
-fn draw_cycle(f: &Figure, frame: Frame, curve: &ForceCurve, single: &[Curve], words: &Words) {
+fn draw_cycle(
+    f: &Figure,
+    frame: Frame,
+    curve: &ForceCurve,
+    single: &[Curve],
+    words: &Words,
+) -> Drawn {
     let closed = |force: &[f64]| closed(force, curve.period_s);
     let mean = closed(&curve.force_n);
     let band =
@@ -103,18 +112,18 @@ fn draw_cycle(f: &Figure, frame: Frame, curve: &ForceCurve, single: &[Curve], wo
     let y = padded(values, 0.1);
     let y = [y[0].max(-0.02 * y[1]), y[1]];
     let x = [0.0, curve.period_s];
-    let panel = f.panel(frame, x, columns(x, false), y);
+    let panel = f.panel(frame, x, columns(x, false), y)?;
     if let Some([upper, lower]) = &band {
-        panel.band(upper, lower, BLUE.mix(0.22));
+        panel.band(upper, lower, BLUE.mix(0.22))?;
     }
     for one in single {
-        panel.curve(one, QUIET.mix(0.5), 1.0);
+        panel.curve(one, QUIET.mix(0.5), 1.0)?;
     }
-    panel.level(weight, None, QUIET, &[]);
-    panel.curve(&mean, BLUE, 2.6);
-    means::body_weights(f, frame, y, weight, words);
-    panel.quantity(&words.text("figure-force"));
-    panel.across(&words.text("figure-time"));
+    panel.level(weight, None, QUIET, &[])?;
+    panel.curve(&mean, BLUE, 2.6)?;
+    means::body_weights(f, frame, y, weight, words)?;
+    panel.quantity(&words.text("figure-force"))?;
+    panel.across(&words.text("figure-time"))?;
     let names = [
         "figure-mean-cycle",
         "figure-step-band",
@@ -148,7 +157,7 @@ fn edges(mean: &[f64], spread: &[f64]) -> [Vec<f64>; 2] {
     })
 }
 
-fn colour(foot: Option<Foot>) -> Ink {
+fn colour(foot: Option<Foot>) -> RGBAColor {
     match foot {
         Some(Foot::Left) => BLUE,
         Some(Foot::Right) => ORANGE,

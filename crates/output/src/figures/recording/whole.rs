@@ -2,11 +2,14 @@
 
 use std::collections::BTreeMap;
 
+use plotters::style::{Color, RGBAColor};
+use plotters_backend::text_anchor::{HPos, VPos};
+
 use super::{Curve, colour, foot_name};
 use crate::plot::axes::padded;
 use crate::plot::layout::{Figure, columns};
 use crate::plot::palette::{GREEN, INK, PURPLE, QUIET, RED};
-use crate::plot::sheet::{Frame, HPos, Ink, Lettering, VPos, line, rectangle, stroke};
+use crate::plot::sheet::{Drawn, Frame, Lettering, line, rectangle, stroke};
 use crate::plot::text::text_width;
 use crate::words::Words;
 use gaitcam::force::{Column, Interpretation, RejectReason};
@@ -17,7 +20,7 @@ const LANES: usize = 8;
 /// Height of a lane, letter sizes.
 const LANE: f64 = 1.35;
 /// Colours of columns whose foot is not known.
-const PLATES: [Ink; 4] = [GREEN, PURPLE, QUIET, INK];
+const PLATES: [RGBAColor; 4] = [GREEN, PURPLE, QUIET, INK];
 
 /// Height of the lanes and of the key of reasons, points.
 pub(super) fn height(understood: &Interpretation, e: f64, words: &Words) -> f64 {
@@ -52,7 +55,7 @@ fn reasons(understood: &Interpretation, words: &Words) -> Vec<(RejectReason, Str
     counts.into_iter().map(counted).collect()
 }
 
-pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words: &Words) {
+pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words: &Words) -> Drawn {
     let clock = understood.clock;
     let x = [clock.start_s, clock.start_s + clock.duration_s];
     let shown = loaded(understood);
@@ -60,25 +63,25 @@ pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words:
         .iter()
         .flat_map(|&i| &understood.columns[i].envelope_n);
     let y = padded(all.flatten().copied().chain([0.0]), 0.06);
-    let panel = f.panel(frame, x, columns(x, false), y);
+    let panel = f.panel(frame, x, columns(x, false), y)?;
     for (k, &i) in shown.iter().enumerate() {
         let column = &understood.columns[i];
-        panel.curve(&trace(column, x), own_colour(column, k), 1.3);
+        panel.curve(&trace(column, x), own_colour(column, k), 1.3)?;
     }
-    panel.quantity(&words.text("figure-force"));
-    panel.across(&words.text("figure-time"));
+    panel.quantity(&words.text("figure-force"))?;
+    panel.across(&words.text("figure-time"))?;
     let named = |(k, &i): (usize, &usize)| {
         let column = &understood.columns[i];
         (own_colour(column, k), shortened(column, words))
     };
-    let names: Vec<(Ink, String)> = shown.iter().enumerate().map(named).collect();
+    let names: Vec<(RGBAColor, String)> = shown.iter().enumerate().map(named).collect();
     let entries = names.iter().take(4).map(|(c, n)| (*c, 2.6, n.as_str()));
     let entries: Vec<_> = entries.collect();
-    f.key([frame.left, frame.top - 1.1 * f.e], f.e, &entries);
+    f.key([frame.left, frame.top - 1.1 * f.e], f.e, &entries)?;
     draw_lanes(f, frame, understood, &shown, words)
 }
 
-fn own_colour(column: &Column, k: usize) -> Ink {
+fn own_colour(column: &Column, k: usize) -> RGBAColor {
     match column.foot {
         Some(_) => colour(column.foot),
         None => PLATES[k % PLATES.len()],
@@ -139,7 +142,7 @@ fn draw_lanes(
     understood: &Interpretation,
     shown: &[usize],
     words: &Words,
-) {
+) -> Drawn {
     let e = f.e;
     let clock = understood.clock;
     let reasons = reasons(understood, words);
@@ -151,10 +154,10 @@ fn draw_lanes(
     for (k, &i) in shown.iter().enumerate() {
         let middle = top + (k as f64 + 0.5) * LANE * e;
         let ends = [[frame.left, middle], [frame.right, middle]];
-        line(f.canvas, &ends, stroke(QUIET.mix(0.3), 1.0));
+        line(f.canvas, &ends, stroke(QUIET.mix(0.3), 1.0))?;
         let name = lane_name(&understood.columns[i], words);
         let side = Lettering::new(0.8 * e, QUIET).anchored(HPos::Right, VPos::Center);
-        f.write(&name, [frame.left - 0.6 * e, middle], side);
+        f.write(&name, [frame.left - 0.6 * e, middle], side)?;
         for c in understood.contacts.iter().filter(|c| c.column == i) {
             let (from, to) = (across(c.from_s), across(c.to_s).max(across(c.from_s) + 2.0));
             let half = 0.45 * e;
@@ -164,16 +167,16 @@ fn draw_lanes(
                     None => own_colour(&understood.columns[i], k),
                     foot => colour(foot),
                 };
-                rectangle(f.canvas, corners, fill.filled());
+                rectangle(f.canvas, corners, fill.filled())?;
                 continue;
             };
-            rectangle(f.canvas, corners, RED.mix(0.22).filled());
-            rectangle(f.canvas, corners, stroke(RED, 1.2));
+            rectangle(f.canvas, corners, RED.mix(0.22).filled())?;
+            rectangle(f.canvas, corners, stroke(RED, 1.2))?;
             let number = reasons.iter().position(|r| r.0 == reason);
             let number = number.map_or_else(String::new, |n| (n + 1).to_string());
             if to - from > 1.2 * e * text_width(&number) {
                 let small = Lettering::new(0.78 * e, INK).anchored(HPos::Center, VPos::Center);
-                f.write(&number, [0.5 * (from + to), middle], small);
+                f.write(&number, [0.5 * (from + to), middle], small)?;
             }
         }
     }
@@ -181,7 +184,8 @@ fn draw_lanes(
     for (number, (_, reason_text)) in reasons.iter().enumerate() {
         let text = format!("{}  {reason_text}", number + 1);
         let plain = Lettering::new(0.9 * e, QUIET).anchored(HPos::Left, VPos::Center);
-        f.write(&text, [frame.left, y], plain);
+        f.write(&text, [frame.left, y], plain)?;
         y += 1.6 * e;
     }
+    Ok(())
 }

@@ -1,9 +1,11 @@
 //! Axes of pictures of many designs: names, ticks, frame.
 
+use plotters_backend::text_anchor::{HPos, VPos};
+
 use super::{LETTERS, Quantity};
 use crate::plot::axes::{tick_text, ticks};
 use crate::plot::palette::{GRID, INK, QUIET};
-use crate::plot::sheet::{Canvas, Frame, HPos, Lettering, Plane, VPos, stroke, trace, write};
+use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, Plane, stroke, trace, write};
 
 /// An axis: its name, its ends, and the places that are marked, with their text.
 pub(super) struct Axis<'a> {
@@ -31,34 +33,40 @@ impl<'a> Axis<'a> {
 }
 
 /// Title, frame, ticks and names of both axes.
-pub(super) fn axes<'a>(canvas: &'a Canvas, title: &str, f: Frame, x: Axis, y: Axis) -> Plane<'a> {
+pub(super) fn axes<'a>(
+    canvas: &Canvas<'a>,
+    title: &str,
+    f: Frame,
+    x: Axis,
+    y: Axis,
+) -> Drawn<Plane<'a>> {
     let e = LETTERS;
     let bold = Lettering::new(1.25 * e, INK).bold();
-    write(canvas, title, [f.left, 2.0 * e], bold);
+    write(canvas, title, [f.left, 2.0 * e], bold)?;
     let inner = f.plane(canvas, x.range, y.range);
     let grid = stroke(GRID, 1.0);
     for (value, text) in &x.marks {
-        trace(&inner, &y.range.map(|end| (*value, end)), grid);
-        let across = inner.place((*value, y.range[0]))[0];
+        trace(&inner, y.range.map(|end| (*value, end)), grid)?;
+        let across = f.place(x.range, y.range, (*value, y.range[0]))[0];
         let at = [across, f.bottom + 0.6 * e];
         let letters = Lettering::new(e, QUIET).anchored(HPos::Center, VPos::Top);
-        write(canvas, text, at, letters);
+        write(canvas, text, at, letters)?;
     }
     for (value, text) in &y.marks {
-        trace(&inner, &x.range.map(|end| (end, *value)), grid);
-        let up = inner.place((x.range[0], *value))[1];
+        trace(&inner, x.range.map(|end| (end, *value)), grid)?;
+        let up = f.place(x.range, y.range, (x.range[0], *value))[1];
         let at = [f.left - 0.5 * e, up];
         let letters = Lettering::new(e, QUIET).anchored(HPos::Right, VPos::Center);
-        write(canvas, text, at, letters);
+        write(canvas, text, at, letters)?;
     }
     let middle = [0.5 * (f.left + f.right), 0.5 * (f.top + f.bottom)];
     let below = Lettering::new(e, INK).anchored(HPos::Center, VPos::Top);
-    write(canvas, x.label, [middle[0], f.bottom + 2.3 * e], below);
+    write(canvas, x.label, [middle[0], f.bottom + 2.3 * e], below)?;
     let left = Lettering::new(e, INK)
         .anchored(HPos::Center, VPos::Center)
         .upwards();
-    write(canvas, y.label, [1.2 * e, middle[1]], left);
-    inner
+    write(canvas, y.label, [1.2 * e, middle[1]], left)?;
+    Ok(inner)
 }
 
 /// Where an axis is marked, and with what.

@@ -1,11 +1,13 @@
 //! Designs none of which is better in everything.
 
+use plotters::prelude::*;
+
 use super::axes::{Axis, axes};
 use super::{LETTERS, Quantity, SIZE, frame, shown};
 use crate::plot::axes::padded;
 use crate::plot::palette::{AXIS, BLUE, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{ring, stroke, trace};
+use crate::plot::sheet::{stroke, trace, units};
 
 /// All designs as dots, the front as a line through its dots, the best ringed.
 pub fn front(
@@ -28,18 +30,18 @@ pub fn front(
     Picture::drawn(SIZE.0, SIZE.1, |canvas| {
         let f = frame(2.0 * LETTERS);
         let (across, up) = (Axis::across(&x, rx, f), Axis::up(&y, ry, f));
-        let inner = axes(canvas, title, f, across, up);
+        let inner = axes(canvas, title, f, across, up)?;
         for (&a, &b) in x.values.iter().zip(&y.values) {
             if a.is_finite() && b.is_finite() {
-                ring(&inner, (a, b), 2.0, AXIS.filled());
+                inner.draw(&Circle::new((a, b), units(2.0), AXIS.filled()))?;
             }
         }
-        trace(&inner, &on_front, stroke(BLUE, 1.6));
+        trace(&inner, on_front.as_slice(), stroke(BLUE, 1.6))?;
         for &p in &on_front {
-            ring(&inner, p, 3.6, BLUE.filled());
+            inner.draw(&Circle::new(p, units(3.6), BLUE.filled()))?;
         }
         if let Some(p) = best {
-            ring(&inner, p, 6.5, stroke(RED, 2.4));
+            inner.draw(&Circle::new(p, units(6.5), stroke(RED, 2.4)))?;
         }
         f.border(canvas)
     })

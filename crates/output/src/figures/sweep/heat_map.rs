@@ -1,11 +1,14 @@
 //! The best of many designs over two parameters, as colour.
 
+use plotters::prelude::*;
+use plotters_backend::text_anchor::{HPos, VPos};
+
 use super::axes::{Axis, axes};
 use super::{LETTERS, Quantity, SIZE, frame, shown};
 use crate::plot::axes::padded;
 use crate::plot::palette::{INK, QUIET};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Canvas, Frame, HPos, Ink, Lettering, VPos, fill, rectangle, write};
+use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, fill, units, write};
 use gaitcam_base::text::number;
 
 /// Bins across a heat map of scattered points.
@@ -24,7 +27,7 @@ pub enum Best {
 }
 
 /// Colours from low (dark blue) to high (yellow), in even steps of lightness: five stops of viridis.
-fn shade(u: f64) -> Ink {
+fn shade(u: f64) -> RGBAColor {
     const STOPS: [[f64; 3]; 5] = [
         [68.0, 1.0, 84.0],
         [59.0, 82.0, 139.0],
@@ -35,7 +38,7 @@ fn shade(u: f64) -> Ink {
     let x = u.clamp(0.0, 1.0) * 4.0;
     let i = (x as usize).min(3);
     let mix = |k: usize| (STOPS[i][k] + (x - i as f64) * (STOPS[i + 1][k] - STOPS[i][k])) as u8;
-    Ink::opaque(mix(0), mix(1), mix(2))
+    RGBAColor(mix(0), mix(1), mix(2), 1.0)
 }
 
 /// Edges of the cells of an axis: halfway between the values of a grid, or even bins.
@@ -87,38 +90,40 @@ pub fn heat_map(title: &str, x: &Quantity, y: &Quantity, z: &Quantity, best: Bes
         let f = frame(9.0 * LETTERS);
         let (rx, ry) = ([ex[0], ex[ex.len() - 1]], [ey[0], ey[ey.len() - 1]]);
         let (across, up) = (Axis::across(&x, rx, f), Axis::up(&y, ry, f));
-        let inner = axes(canvas, title, f, across, up);
+        let inner = axes(canvas, title, f, across, up)?;
         for (k, &c) in cells.iter().enumerate().filter(|c| c.1.is_finite()) {
             let (i, j) = (k % (ex.len() - 1), k / (ex.len() - 1));
             // A little wider than the cell, so that no ground shines through between two.
             let right = (ex[i + 1] + 0.001 * (rx[1] - rx[0])).min(rx[1]);
             let top = (ey[j + 1] + 0.001 * (ry[1] - ry[0])).min(ry[1]);
             let corners = [(ex[i], ey[j]), (right, ey[j]), (right, top), (ex[i], top)];
-            fill(&inner, &corners, shade(share(c)));
+            fill(&inner, &corners, shade(share(c)))?;
         }
-        f.border(canvas);
+        f.border(canvas)?;
         scale(canvas, f, [low, high], &z.label)
     })
 }
 
 /// The colour scale right of a picture.
-fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str) {
+fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str) -> Drawn {
     let e = LETTERS;
     let (left, width) = (f.right + 1.2 * e, 1.3 * e);
     let steps = 64;
     for i in 0..steps {
         let at = |k: usize| f.bottom + (f.top - f.bottom) * k as f64 / steps as f64;
-        // Neighbours overlap, so that no seam shows.
-        let corners = [[left, at(i + 1)], [left + width, at(i) + 0.5]];
+        let corners = [
+            (units(left), units(at(i + 1))),
+            (units(left + width), units(at(i)) + 1),
+        ];
         let colour = shade(i as f64 / (steps - 1) as f64).filled();
-        rectangle(canvas, corners, colour);
+        canvas.draw(&Rectangle::new(corners, colour))?;
     }
     for k in 0..=4 {
         let share = f64::from(k) / 4.0;
         let up = f.bottom + (f.top - f.bottom) * share;
         let at = [left + width + 0.4 * e, up];
         let text = number(range[0] + share * (range[1] - range[0]), 3);
-        write(canvas, &text, at, Lettering::new(0.9 * e, QUIET));
+        write(canvas, &text, at, Lettering::new(0.9 * e, QUIET))?;
     }
     let letters = Lettering::new(e, INK)
         .anchored(HPos::Center, VPos::Center)

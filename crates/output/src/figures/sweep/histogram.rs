@@ -1,11 +1,14 @@
 //! How often each value occurs.
 
+use plotters::style::Color;
+use plotters_backend::text_anchor::{HPos, VPos};
+
 use super::axes::{Axis, axes};
 use super::{LETTERS, Quantity, SIZE, frame};
 use crate::plot::axes::{padded, tick_text, ticks};
 use crate::plot::palette::{BLUE, INK, ORANGE};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{HPos, Lettering, VPos, fill, stroke, trace, write};
+use crate::plot::sheet::{Lettering, fill, stroke, trace, write};
 use crate::words;
 use gaitcam::wording::Language;
 
@@ -33,15 +36,15 @@ pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)], language: La
             range: [0.0, 1.08 * most],
             marks: whole.map(|v| (v, tick_text(v, 1.0))).collect(),
         };
-        let inner = axes(canvas, title, f, Axis::across(q, range, f), count);
+        let inner = axes(canvas, title, f, Axis::across(q, range, f), count)?;
         let at = |i: usize| range[0] + (range[1] - range[0]) * i as f64 / BARS as f64;
         for (i, &c) in counts.iter().enumerate() {
             let corners = [(at(i), 0.0), (at(i + 1), 0.0), (at(i + 1), c), (at(i), c)];
-            fill(&inner, &corners, BLUE.mix(0.75));
+            fill(&inner, &corners, BLUE.mix(0.75))?;
         }
         for (v, name) in levels {
             let level = [(*v, 0.0), (*v, 1.08 * most)];
-            trace(&inner, &level, stroke(ORANGE, 2.0));
+            trace(&inner, level, stroke(ORANGE, 2.0))?;
             let x = f.left + (v - range[0]) / (range[1] - range[0]) * (f.right - f.left);
             let (side, gap) = if x > 0.5 * (f.left + f.right) {
                 (HPos::Right, -0.4)
@@ -50,7 +53,7 @@ pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)], language: La
             };
             let at = [x + gap * LETTERS, f.top + LETTERS];
             let lettering = Lettering::new(LETTERS, INK).anchored(side, VPos::Center);
-            write(canvas, name, at, lettering);
+            write(canvas, name, at, lettering)?;
         }
         f.border(canvas)
     })

@@ -1,10 +1,13 @@
 //! Parallel coordinates: one line for each design.
 
+use plotters::style::{Color, WHITE};
+use plotters_backend::text_anchor::{HPos, VPos};
+
 use super::{LETTERS, Quantity, SIZE};
 use crate::plot::axes::padded;
-use crate::plot::palette::{AXIS, BLUE, INK, PAPER, QUIET, RED};
+use crate::plot::palette::{AXIS, BLUE, INK, QUIET, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Canvas, Frame, HPos, Lettering, VPos, line, rectangle, stroke, write};
+use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, line, rectangle, stroke, write};
 use crate::plot::text::text_width;
 use gaitcam_base::text::number;
 
@@ -30,7 +33,7 @@ pub fn parallel(
             bottom: f64::from(SIZE.1) - 3.0 * e,
         };
         let bold = Lettering::new(1.25 * e, INK).bold();
-        write(canvas, title, [2.0 * e, 2.0 * e], bold);
+        write(canvas, title, [2.0 * e, 2.0 * e], bold)?;
         let last = quantities.len().saturating_sub(1).max(1) as f64;
         let across = |k: usize| f.left + (f.right - f.left) * k as f64 / last;
         let up = |k: usize, v: f64| {
@@ -47,31 +50,32 @@ pub fn parallel(
         };
         let rows = quantities.first().map_or(0, |q| q.values.len());
         for points in (0..rows).filter_map(path) {
-            line(canvas, &points, stroke(AXIS.mix(0.25), 0.8));
+            line(canvas, &points, stroke(AXIS.mix(0.25), 0.8))?;
         }
         for points in on_front.iter().filter_map(|&r| path(r)) {
-            line(canvas, &points, stroke(BLUE.mix(0.8), 1.4));
+            line(canvas, &points, stroke(BLUE.mix(0.8), 1.4))?;
         }
         if let Some(points) = best.and_then(path) {
-            line(canvas, &points, stroke(RED, 2.6));
+            line(canvas, &points, stroke(RED, 2.6))?;
         }
         for (k, q) in quantities.iter().enumerate() {
             let x = across(k);
-            line(canvas, &[[x, f.bottom], [x, f.top]], stroke(INK, 1.2));
-            heading(canvas, q, x, k);
+            line(canvas, &[[x, f.bottom], [x, f.top]], stroke(INK, 1.2))?;
+            heading(canvas, q, x, k)?;
             for (v, text) in ends(q, ranges[k]) {
                 let (half, y) = (0.55 * e * text_width(&text), up(k, v));
                 let corners = [[x - half, y - 0.6 * e], [x + half, y + 0.6 * e]];
-                rectangle(canvas, corners, PAPER.mix(0.8).filled());
+                rectangle(canvas, corners, WHITE.mix(0.8).filled())?;
                 let letters = Lettering::new(0.9 * e, QUIET).anchored(HPos::Center, VPos::Center);
-                write(canvas, &text, [x, y], letters);
+                write(canvas, &text, [x, y], letters)?;
             }
         }
+        Ok(())
     })
 }
 
 /// The name of an axis, its unit below; neighbours have two heights, so that long names do not overlap.
-fn heading(canvas: &Canvas, q: &Quantity, x: f64, k: usize) {
+fn heading(canvas: &Canvas, q: &Quantity, x: f64, k: usize) -> Drawn {
     let e = LETTERS;
     let (name, unit) = q.label.rsplit_once(", ").unwrap_or((&q.label, ""));
     let y = if k.is_multiple_of(2) {
