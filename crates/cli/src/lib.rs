@@ -183,10 +183,9 @@ impl Command {
             Command::Reproduce(_) | Command::Chart(_) => false,
             #[cfg(feature = "studio")]
             Command::Studio(_) => false,
-            Command::Init(_)
-            | Command::Doctor(_)
-            | Command::Man(_)
-            | Command::Completions(_) => false,
+            Command::Init(_) | Command::Doctor(_) | Command::Man(_) | Command::Completions(_) => {
+                false
+            }
         }
     }
 
