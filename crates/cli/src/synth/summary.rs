@@ -235,7 +235,9 @@ fn shaft(design: &Design) -> Vec<String> {
     )];
     if let Some((own, before)) = on_shaft.force_time.zip(on_shaft.at_constant_speed) {
         let percent = [own, before].map(|e| fixed(e.rms_error_percent_of_mean, 3));
-        let contraction = on_shaft.contraction.map_or(String::new(), |c| fixed(c, 4));
+        let contraction = on_shaft
+            .contraction
+            .map_or(json!(0), |c| json!(fixed(c, 4)));
         out.push(filled(
             "",
             "synth-shaft-error",

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::support::{run_in, stderr};
+use crate::support::{run_in, stderr, stdout};
 
 const SCENE: &str = "[gait]\nmodel = \"young\"\nstep_frequency = \"1.85 Hz\"\nbody_weight = \"700 N\"\n\
                      [machine]\ninertia = \"0.5 kg m^2\"\n[machine.motor]\ncurve = \"motor.csv\"\n";
@@ -50,4 +50,24 @@ fn faults_of_a_motor_curve_speak_of_a_torque_curve() {
     );
     let said = refusal("hola\n", "es");
     assert!(said.contains("la curva de par de un motor"), "{said}");
+}
+
+#[test]
+fn a_law_for_constant_speed_says_nothing_of_rounds() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = SCENE.replace("curve = \"motor.csv\"", "slope = \"10 N m s/rad\"");
+    fs::write(folder.path().join("scene.toml"), scene).unwrap();
+    for (language, error, rounds) in [
+        ("en", "force error over time", "as the one before"),
+        ("es", "error de fuerza en el tiempo", "que la anterior"),
+    ] {
+        let said = |shaft: &str| {
+            let arguments = ["synth", "scene.toml", "--set", shaft, "--lang", language];
+            let said = stdout(&run_in(folder.path(), &arguments));
+            assert!(said.contains(error), "{said}");
+            said.contains(rounds)
+        };
+        assert!(said("law.shaft=motor"));
+        assert!(!said("law.shaft=constant"));
+    }
 }

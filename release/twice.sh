@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Builds this commit in two clones and compares every file that is handed out, bit for bit: release/twice.sh
+set -euo pipefail
+cd "$(dirname "$0")/.."
+root=$PWD
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+for name in one another; do
+  git clone --quiet "$root" "$work/$name"
+  mkdir -p "$work/$name/target/web"
+  # Tools are not what is compared.
+  for tool in release-tools tools web/toolchain web/node_modules; do
+    [ ! -d "target/$tool" ] || cp -a "target/$tool" "$work/$name/target/$tool"
+  done
+  "$work/$name/release/build.sh" "$work/$name.files" > "$work/$name.log" 2>&1 || { tail -n 30 "$work/$name.log"; exit 1; }
+done
+diff "$work/one.files/SHA256SUMS" "$work/another.files/SHA256SUMS"
+echo "$(wc -l < "$work/one.files/SHA256SUMS") files, equal bit for bit"
