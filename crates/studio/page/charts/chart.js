@@ -35,7 +35,9 @@ export class Chart {
   constructor(id) {
     this.id = id;
     this.value = make("output", { class: "value" });
-    this.title = make("button", { type: "button", class: "enlarge", onclick: () => this.onEnlarge?.(this.id) });
+    this.named = make("span");
+    this.unit = make("span");
+    this.title = make("button", { type: "button", class: "enlarge", onclick: () => this.onEnlarge?.(this.id) }, this.named, this.unit);
     this.heading = make("h2", {}, this.title);
     this.picture = svg("svg", { role: "group" });
     // The cursor by keyboard.
@@ -65,7 +67,8 @@ export class Chart {
   // `pinned` are designs to compare with: each has curves and a colour. The cursor follows with the clock.
   show(curves, panel, pinned) {
     Object.assign(this, { curves, panel, pinned });
-    say(this.title, `${this.name()}, ${panel.unit}`);
+    say(this.named, this.name());
+    say(this.unit, `, ${panel.unit}`);
     this.title.title = t("studio-enlarge");
     this.draw();
   }
@@ -73,6 +76,7 @@ export class Chart {
   name() {
     const alone = this.id === "force" && !this.panel.lines.some((l) => l.role === "target");
     const name = t(alone ? "studio-chart-force-alone" : `studio-chart-${this.id}`);
+    if (this.panel.isDifference) return `Δ ${name}`;
     if (this.id !== "speed") return name;
     const speeds = this.panel.lines[0].y;
     const ripple = (Math.max(...speeds) - Math.min(...speeds)) / this.panel.levels[0];
@@ -89,8 +93,9 @@ export class Chart {
       if (y < low) low = y;
       if (y > high) high = y;
     };
-    for (const line of this.panel.lines) line.y.forEach(take);
-    for (const other of this.pinned) other.panel.lines.filter((l) => l.role === "main").forEach((l) => l.y.forEach(take));
+    const seen = ({ theta, from, span }, { y }) => y.forEach((v, i) => { if (theta[i] >= from - 1e-9 && theta[i] <= from + span + 1e-9) take(v); });
+    for (const line of this.panel.lines) seen(this.curves, line);
+    for (const other of this.pinned) other.panel.lines.filter((l) => l.role === "main").forEach((l) => seen(other.curves, l));
     if (low > high) [low, high] = [0, 1];
     const span = high - low;
     // Limits far away would flatten the curve.
@@ -107,10 +112,10 @@ export class Chart {
     this.picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
     const labels = this.root.classList.contains("labelled");
     const bottom = height - (labels ? 18 : 6);
-    const { start, length } = this.curves;
+    const { from, span } = this.curves;
     const [low, high] = this.range();
     this.ends = [low, high];
-    this.x = (theta) => LEFT + (theta - start) / length * (width - LEFT - RIGHT);
+    this.x = (theta) => LEFT + (theta - from) / span * (width - LEFT - RIGHT);
     this.back = (py) => low + (bottom - py) / (bottom - TOP) * (high - low);
     this.y = (y) => bottom - (y - low) / (high - low) * (bottom - TOP);
     this.bottom = bottom;
@@ -127,12 +132,12 @@ export class Chart {
     const place = { left: LEFT, right: RIGHT, top: TOP, bottom, width };
     handles.draw(this, plot, place);
     handles.drawBorders(this, plot, place);
-    if (this.overlay) plot.append(...this.overlay(this));
+    if (this.overlay && !this.panel.isDifference) plot.append(...this.overlay(this));
     this.describe();
   }
 
   grid(plot, width, bottom, low, high, labels) {
-    const { start, length, unit } = this.curves;
+    const { from: start, span: length, unit } = this.curves;
     const rows = ticks(low, high, Math.max(3, (bottom - TOP) / 30));
     const lines = { axis: "", grid: "" };
     for (const y of rows) {
@@ -157,19 +162,21 @@ export class Chart {
   other({ curves, panel, colour }) {
     const line = panel.lines.find((l) => l.role === "main");
     const [a, b] = [LEFT, this.size[0] - LEFT - RIGHT];
-    const x = (theta) => a + (theta - curves.start) / curves.length * b;
+    const x = (theta) => a + (theta - curves.from) / curves.span * b;
     return svg("path", { class: colour ? "line pinned" : "line ghost", style: colour ? `stroke:${colour}` : null, d: this.path(curves.theta, line.y, x) });
   }
 
   path(thetas, values, x) {
     let d = "";
     let pen = "M";
+    const [first, last] = [LEFT - 0.5, this.size[0] - RIGHT + 0.5];
     for (let i = 0; i < values.length; i += 1) {
-      if (values[i] === null) {
+      const at = x(thetas[i]);
+      if (values[i] === null || at < first || at > last) {
         pen = "M";
         continue;
       }
-      d += pen + x(thetas[i]).toFixed(1) + " " + this.y(values[i]).toFixed(1);
+      d += pen + at.toFixed(1) + " " + this.y(values[i]).toFixed(1);
       pen = "L";
     }
     return d;
@@ -206,19 +213,38 @@ export class Chart {
     if (!this.panel || !this.x) return;
     const theta = clock.angle();
     const at = this.x(theta).toFixed(1);
-    this.cursor.style.transform = `translate(${at}px, ${TOP}px)`;
+    const inside = this.isSeen(theta);
+    this.cursor.style.transform = inside ? `translate(${at}px, ${TOP}px)` : "scale(0)";
     const i = this.index(theta);
     const main = this.panel.lines.find((l) => l.role === "main").y[i];
     const target = this.panel.lines.find((l) => l.role === "target")?.y[i];
-    this.dot.style.transform = main === null ? "scale(0)" : `translate(${at}px, ${this.y(main).toFixed(1)}px)`;
+    this.dot.style.transform = main === null || !inside ? "scale(0)" : `translate(${at}px, ${this.y(main).toFixed(1)}px)`;
     say(this.value, target === undefined ? number(main) : `${number(main)} / ${number(target)}`);
+  }
+
+  isSeen(theta) {
+    const { from, span } = this.curves;
+    return theta >= from - 1e-9 && theta <= from + span + 1e-9;
+  }
+
+  // The picture at a size for paper with labelled axes and without what is dragged.
+  copy() {
+    const { size } = this;
+    this.size = [340, 170];
+    this.root.classList.add("labelled");
+    this.draw();
+    this.size = size;
+    const picture = this.picture.cloneNode(true);
+    picture.removeAttribute("tabindex");
+    for (const e of picture.querySelectorAll(".grip, .knot, .border")) e.remove();
+    return picture;
   }
 
   // Angle and value under the pointer.
   under(event) {
     const box = this.picture.getBoundingClientRect();
     const part = (event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT);
-    return [this.curves.start + Math.max(0, Math.min(1, part)) * this.curves.length, this.back(event.clientY - box.top)];
+    return [this.curves.from + Math.max(0, Math.min(1, part)) * this.curves.span, this.back(event.clientY - box.top)];
   }
 
   drag() {
@@ -240,6 +266,12 @@ export class Chart {
     this.picture.addEventListener("pointerup", release);
     this.picture.addEventListener("pointercancel", release);
     this.picture.addEventListener("keydown", (event) => this.key(event));
+    this.picture.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey || !this.curves) return;
+      event.preventDefault();
+      this.onZoom(1.002 ** Math.max(-400, Math.min(400, event.deltaY)), this.under(event)[0]);
+    }, { passive: false });
+    this.picture.addEventListener("dblclick", (event) => this.onZoom(this.curves.span < this.curves.length ? null : 0.25, this.under(event)[0]));
   }
 
   move(event) {
@@ -254,7 +286,9 @@ export class Chart {
 
   key(event) {
     if (event.target !== this.picture || !this.curves) return;
-    const step = this.curves.length / (event.shiftKey ? 36 : 360);
+    const factor = { "+": 0.5, "=": 0.5, "-": 2, 0: null }[event.key];
+    if (factor !== undefined && !event.ctrlKey && !event.metaKey) this.onZoom(factor, clock.angle());
+    const step = this.curves.span / (event.shiftKey ? 36 : 360);
     const by = { ArrowRight: step, ArrowUp: step, ArrowLeft: -step, ArrowDown: -step }[event.key];
     if (!by && event.key !== "Home") return;
     event.preventDefault();

@@ -15,6 +15,10 @@ const charts = new Map();
 let shown = null;
 let fields = {};
 let pinned = [];
+// A pinned design whose curves are taken from those of the present one.
+let less = null;
+// The part of the turn that the diagrams show.
+let part = [0, 1];
 let ghost = null;
 let fading = 0;
 let large = null;
@@ -30,16 +34,18 @@ export function load(onEdit) {
 }
 
 export function show(raw, next = fields) {
+  if (shown && shown.length !== raw.length) part = [0, 1];
   shown = raw;
   fields = next;
-  const curves = { ...raw, panels: raw.panels.map(units.panel) };
+  const panels = less ? raw.panels.flatMap((p) => difference(raw, p)) : raw.panels;
+  const curves = zoomed({ ...raw, panels: panels.map(units.panel) });
   const ids = curves.panels.map((p) => p.id);
   for (const [id, chart] of charts) {
     if (ids.includes(id)) continue;
     chart.root.remove();
     charts.delete(id);
   }
-  const first = ids.includes(large) ? large : usual(curves);
+  const first = ids.includes(large) ? large : usual(raw);
   const seen = curves.panels.filter((p) => (embedded ? embedded.includes(p.id) : p.id === first || !hidden.has(p.id))).sort((a, b) => (b.id === first) - (a.id === first));
   for (const [id, chart] of charts) if (!seen.some((p) => p.id === id)) chart.root.remove();
   $("charts").style.setProperty("--rows", Math.ceil((seen.length - 1) / 2));
@@ -49,8 +55,8 @@ export function show(raw, next = fields) {
     if (at !== chart.root) $("charts").insertBefore(chart.root, at ?? null);
     chart.root.classList.toggle("large", i === 0);
     chart.root.classList.toggle("labelled", i === 0 || i >= seen.length - 2);
-    chart.fields = fields;
-    chart.show(curves, panel, [...under(panel, ghost ? [{ curves: ghost }] : []), ...under(panel, pinned)]);
+    chart.fields = less ? {} : fields;
+    chart.show(curves, panel, less ? [] : [...under(panel, ghost ? [{ curves: ghost }] : []), ...under(panel, pinned)]);
   });
 }
 
@@ -59,8 +65,40 @@ const usual = ({ panels }) => (panels[0].lines.some((l) => l.role === "target") 
 
 const under = (panel, list) => list.flatMap(({ curves, colour }) => {
   const same = curves.panels.map((p) => (p.id === panel.id ? units.panel(p) : null)).find((p) => p?.unit === panel.unit);
-  return same ? [{ curves, panel: same, colour }] : [];
+  return same ? [{ curves: zoomed(curves), panel: same, colour }] : [];
 });
+
+const zoomed = (curves) => ({ ...curves, from: curves.start + part[0] * curves.length, span: (part[1] - part[0]) * curves.length });
+
+// Zooms about an angle: by a factor, or to the whole turn.
+function zoom(factor, theta) {
+  const at = (theta - shown.start) / shown.length;
+  const [low, before] = [part[0], part[1] - part[0]];
+  const size = factor ? Math.max(0.01, Math.min(1, before * factor)) : 1;
+  const from = Math.max(0, Math.min(1 - size, at - (at - low) * size / before));
+  part = [from, from + size];
+  again();
+}
+
+// The main curve of a diagram less that of the pinned design at the same part of the turn; none where that has no such one.
+function difference(raw, panel) {
+  const other = less.curves.panels.find((p) => p.id === panel.id && p.unit === panel.unit);
+  if (!other) return [];
+  const [mine, theirs] = [panel, other].map((p) => p.lines.find((l) => l.role === "main").y);
+  const there = less.curves.theta.map((theta) => (theta - less.curves.start) / less.curves.length);
+  const same = there.length === mine.length;
+  let k = 0;
+  const y = mine.map((value, i) => {
+    const u = (raw.theta[i] - raw.start) / raw.length;
+    if (same && Math.abs(there[i] - u) < 1e-5) return value === null || theirs[i] === null ? null : value - theirs[i];
+    while (k + 2 < there.length && there[k + 1] < u) k += 1;
+    const [a, b] = [theirs[k], theirs[k + 1]];
+    if (value === null || a === null || b === null) return null;
+    const step = there[k + 1] - there[k];
+    return value - a - (step > 0 ? Math.max(0, Math.min(1, (u - there[k]) / step)) : 0) * (b - a);
+  });
+  return [{ ...panel, isDifference: true, lines: [{ role: "main", y }], levels: [] }];
+}
 
 function made(id) {
   const chart = new Chart(id);
@@ -68,6 +106,7 @@ function made(id) {
   chart.labelOf = label;
   chart.onEnlarge = enlarge;
   chart.onSay = (text) => say($("spoken"), text);
+  chart.onZoom = zoom;
   if (embedded) return chart;
   chart.onLimit = (key, value, gesture) => edit([{ set: { key, value } }], gesture, { title: label(key) });
   chart.onSegment = (edits, gesture) => edit(edits, gesture, { title: t("studio-programme") });
@@ -100,9 +139,10 @@ export function linger() {
   fading = setTimeout(() => { ghost = null; again(); }, GHOST);
 }
 
-// Designs to lie under the present one.
-export function compare(list) {
+// Designs to lie under the present one, and the one whose difference is shown instead.
+export function compare(list, taken = null) {
   pinned = list;
+  less = taken;
   again();
 }
 
@@ -126,6 +166,14 @@ export function choose() {
       body.append(make("p", {}, tick, " ", make("label", { for: tick.id }, charts.get(id)?.name() ?? t(`studio-chart-${id}`))));
     }
   });
+}
+
+// Diagrams as pictures with labelled axes, for paper: [class, name, picture].
+export function pictures(ids) {
+  const seen = ids.filter((id) => charts.get(id)?.root.isConnected).map((id) => charts.get(id));
+  const out = seen.map((chart) => [chart.id, chart.title.textContent, chart.copy()]);
+  again();
+  return out;
 }
 
 // The large diagram as a table by degree; a row sets the cursor.

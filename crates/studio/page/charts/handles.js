@@ -100,6 +100,7 @@ export function drawBorders(chart, plot, { top, bottom }) {
   const list = borders(chart.fields, chart.curves.start);
   const low = Math.min(0, ...list.map((b) => b.lift));
   for (const border of list.slice(0, -1)) {
+    if (!chart.isSeen(border.theta)) continue;
     const [x, y] = [chart.x(border.theta), chart.y(border.lift - low)];
     plot.append(svg("path", { class: "border", d: `M${x} ${top}V${bottom}` }));
     plot.append(svg("circle", { class: "knot segment", cx: x, cy: y, r: 5, "data-segment": border.number, role: "img", "aria-label": t("studio-segment-end", { number: border.number }) }));

@@ -1,24 +1,26 @@
-// Lengths as they are shown: millimetres or inches. Scenes and files keep the units they have.
+// Lengths and speeds as they are shown: millimetres or inches, rad/s or rpm. Scenes and files keep the units they have.
 
 import { number } from "./words.js";
 
-// Inches per unit.
-const INCHES = { mm: 1 / 25.4, m: 1 / 0.0254 };
-const UNIT = String.raw`(mm|m)(?=/rad[²³]?|/s[²³]?)(/rad[²³]?|/s[²³]?)|(mm)(?![\p{L}/²³])`;
+// What a unit is shown in on demand, and the factor that leads to it.
+const OTHERS = { mm: ["in", 1 / 25.4], m: ["in", 1 / 0.0254], "rad/s": ["rpm", 30 / Math.PI] };
+const UNIT = String.raw`(mm|m)(?=/rad[²³]?|/s[²³]?)(/rad[²³]?|/s[²³]?)|(mm|rad/s)(?![\p{L}/²³])`;
 const NUMBER = String.raw`[-−]?\d+(?:[.,]\d+)?`;
 const ONE = new RegExp(`(${NUMBER}(?: … ))?(${NUMBER})([\\s\\u00a0]?)(?:${UNIT})`, "gu");
 const watchers = [];
-let inch = false;
+let chosen = new Set();
 
 export function load() {
-  try { inch = localStorage.getItem("gaitcam-units") === "in"; } catch { /* private windows keep nothing */ }
+  try { chosen = new Set((localStorage.getItem("gaitcam-units") ?? "").split(" ").filter(Boolean)); } catch { /* private windows keep nothing */ }
 }
 
-export const name = () => (inch ? "in" : "mm");
+export const names = () => [...chosen].join(" ");
 
-export function choose(next) {
-  inch = next === "in";
-  try { localStorage.setItem("gaitcam-units", next); } catch { /* as above */ }
+// Shows one unit in place of the other.
+export function choose(next, before) {
+  chosen.delete(before);
+  chosen.add(next);
+  try { localStorage.setItem("gaitcam-units", names()); } catch { /* as above */ }
   for (const watcher of watchers) watcher();
 }
 
@@ -28,20 +30,21 @@ export function watch(watcher) {
 
 const parsed = (text) => Number(text.replace("−", "-").replace(",", "."));
 
-// Every length in a text, ranges "a … b mm" too.
+// Every length and speed in a text, ranges "a … b mm" too.
 export function text(whole) {
-  if (!inch) return whole;
   return whole.replace(ONE, (all, first, last, gap, per, rest, plain) => {
-    const factor = INCHES[plain ?? per];
+    const [to, factor] = unit(plain ?? per);
+    if (factor === 1) return all;
     const low = first ? `${number(factor * parsed(first.slice(0, -3)))} … ` : "";
-    return `${low}${number(factor * parsed(last))}${gap}in${rest ?? ""}`;
+    return `${low}${number(factor * parsed(last))}${gap}${to}${rest ?? ""}`;
   });
 }
 
 // A unit with the factor that leads to it.
 export function unit(of) {
-  const [, length, rest] = /^(mm|m)((?:\/.*)?)$/.exec(of) ?? [];
-  return inch && length ? [`in${rest}`, INCHES[length]] : [of, 1];
+  const [, base, rest] = /^(mm|m|rad\/s)((?:\/.*)?)$/.exec(of) ?? [];
+  const [to, factor] = OTHERS[base] ?? [];
+  return chosen.has(to) ? [to + rest, factor] : [of, 1];
 }
 
 // A diagram's panel in the units shown.

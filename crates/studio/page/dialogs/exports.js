@@ -5,6 +5,7 @@ import { t } from "../core/words.js";
 import { engine } from "../core/net.js";
 import { dialog } from "../core/view.js";
 import * as blobs from "../core/blobs.js";
+import { turning } from "./turning.js";
 import { zip } from "../core/zip.js";
 import { pack } from "../core/packing.js";
 import * as designs from "../core/designs.js";
@@ -29,6 +30,7 @@ export function open() {
         make("small", {}, t(`studio-file-${name.replaceAll(".", "-")}`))));
       body.append(make("section", {}, make("h3", {}, t(`studio-export-${group}`)), make("ul", {}, ...links)));
     }
+    if (!answer.infeasible) body.append(make("section", {}, make("h3", {}, t("studio-export-film")), make("ul", {}, make("li", {}, link("cam.gif", () => turning(answer)), make("small", {}, t("studio-file-cam-gif"))))));
     if (engine.page) body.append(page(`${answer.name}.html`));
     body.append(make("p", {}, whole(answer, make_)));
     if (!answer.infeasible) body.append(make("p", {}, make("label", { for: "tool" }, t("studio-tool")), " ", tool));

@@ -23,6 +23,8 @@ let edit = () => {};
 let openScene = () => {};
 let bars = null;
 let front = null;
+// Colour of the pinned design whose difference to the present one is shown.
+let against = null;
 
 export function load(page) {
   ({ start, edit, openScene } = page);
@@ -56,14 +58,14 @@ export async function restore() {
     try {
       await blobs.ensure(pin.files);
       const design = await engine.ask("design", { scene: pin.scene, changes: [], files: blobs.listed(pin.files), colour: "none" });
-      versions.setPins(versions.history().pins.map((p) => (p === pin ? { ...pin, ...pictured(design) } : p)));
+      versions.setPins(versions.history().pins.map((p) => (p === pin ? { ...pin, ...pictured(design), name: pin.name } : p)));
     } catch { /* its file is gone: the pin stays without a picture */ }
   }
   overlay();
 }
 
 function overlay() {
-  charts.compare(slate());
+  charts.compare(slate(), slate().find((p) => p.colour === against));
   stage.compare(slate());
   if (openTab() === "compare") table();
 }
@@ -88,20 +90,29 @@ function build() {
   age();
 }
 
+const replace = (pin, change) => versions.setPins(versions.history().pins.map((p) => (p.colour === pin.colour ? { ...p, ...change } : p)));
+
+// Name, return, difference and removal of a pinned design.
+function variant(p, i) {
+  const name = make("input", { type: "text", class: "variant", value: p.name, size: 12, "aria-label": `${t("studio-slate-name")} ${i}`, onchange: () => replace(p, { name: name.value }) });
+  const button = (label, text, onclick, more = {}) => make("button", { type: "button", class: "tiny", "aria-label": `${t(label)} ${i}`, title: t(label), onclick, ...more }, text);
+  return [name, make("span", { class: "acts" },
+    button("studio-slate-take", "↩", () => openScene(p.scene, { files: p.files, hand: p.hand, recording: p.recording })),
+    button("studio-slate-difference", "Δ", () => { against = against === p.colour ? null : p.colour; overlay(); }, { "aria-pressed": String(against === p.colour) }),
+    button("studio-slate-drop", "×", () => { versions.setPins(versions.history().pins.filter((q) => q.colour !== p.colour)); overlay(); }))];
+}
+
 function table() {
   const box = $("slate");
-  if (!box) return;
+  if (!box || box.contains(document.activeElement?.closest("input"))) return;
   clear(box);
   if (slate().length === 0) return;
   const all = [{ ...answer, inputs: inputsOf(answer.fields), colour: "var(--blue)", name: t("studio-slate-present"), present: true }, ...slate()];
-  const head = all.map((p, i) => make("th", { scope: "col" }, make("span", { class: "swatch", style: `background:${p.colour}` }), p.name,
-    p.present ? null : make("span", { class: "acts" },
-      make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-take")} ${i}`, title: t("studio-slate-take"), onclick: () => openScene(p.scene, { files: p.files, hand: p.hand, recording: p.recording }) }, "↩"),
-      make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-drop")} ${i}`, title: t("studio-slate-drop"), onclick: () => { versions.setPins(versions.history().pins.filter((q) => q !== p)); overlay(); } }, "×"))));
+  const head = all.map((p, i) => make("th", { scope: "col" }, make("span", { class: "swatch", style: `background:${p.colour}` }), ...(p.present ? [p.name] : variant(p, i))));
   const body = start.figures.filter(([name]) => ROWS.includes(name)).map(([name, [of, plain]]) => [name, units.unit(of)[0], plain * units.unit(of)[1]]).map(([name, unit, factor]) => make("tr", {}, make("th", { scope: "row" }, t(`studio-number-${name}`), make("small", {}, ` ${unit}`)),
     ...all.map((p) => make("td", { class: "n" }, number(p.numbers[name] === null || p.numbers[name] === undefined ? null : factor * p.numbers[name])))));
   const verdicts = make("tr", {}, make("th", { scope: "row" }, t("studio-verdict")), ...all.map((p) => make("td", { class: `n ${p.verdict}` }, t(`studio-verdict-${p.verdict}`))));
-  const inputs = differing(all).map(([key, values]) => make("tr", { class: "input" }, make("th", { scope: "row" }, label(key)), ...values.map((v) => make("td", { class: "n" }, v))));
+  const inputs = differing(all).map(([key, values]) => make("tr", { class: "input" }, make("th", { scope: "row" }, label(key)), ...values.map((v) => make("td", { class: "n" }, units.text(v)))));
   box.append(make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "slate" }, make("thead", {}, make("tr", {}, make("td", {}), ...head)), make("tbody", {}, ...inputs, verdicts, ...body))));
 }
 
@@ -149,7 +160,7 @@ function tornado() {
     return;
   }
   const most = Math.max(...bars.bars.flatMap((b) => [b.low, b.high]).filter((x) => x !== null).map((x) => Math.abs(x - bars.middle))) || 1;
-  box.append(make("p", {}, `${t(`studio-quantity-${bars.quantity}`)}: ${bars.shown}`));
+  box.append(make("p", {}, units.text(`${t(`studio-quantity-${bars.quantity}`)}: ${bars.shown}`)));
   const rows = bars.bars.map((bar) => {
     const part = (x) => (x === null ? 0 : (x - bars.middle) / most * 50);
     const side = (x, kind) => {
@@ -158,7 +169,7 @@ function tornado() {
     };
     return make("tr", {}, make("th", { scope: "row", title: bar.key }, label(bar.key)),
       make("td", { class: "bar" }, side(bar.low, "less"), side(bar.high, "more")),
-      make("td", { class: "n" }, `${bar.shown[0] ?? "–"} … ${bar.shown[1] ?? "–"}`));
+      make("td", { class: "n" }, units.text(`${bar.shown[0] ?? "–"} … ${bar.shown[1] ?? "–"}`)));
   });
   box.append(make("table", { class: "tornado" }, make("tbody", {}, ...rows)),
     make("p", { class: "key" }, make("i", { class: "less" }), t("studio-minus"), " ", make("i", { class: "more" }), t("studio-plus")));
@@ -202,7 +213,7 @@ function points() {
   text([50, height - 34], "0", "end");
   text([60, 14], `${t("studio-quantity-force_error")}, N`, "start");
   for (const p of list) {
-    const name = `${p.shown[0]}, ${p.shown[1]}`;
+    const name = units.text(`${p.shown[0]}, ${p.shown[1]}`);
     const take = () => edit([{ set: { key: p.key, value: p.value } }]);
     const dot = svg("circle", { class: `knot ${p.verdict}`, cx: x(p.x), cy: y(p.y), r: 6, tabindex: 0, role: "button", "aria-label": name });
     const title = svg("title");

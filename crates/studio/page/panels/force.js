@@ -5,7 +5,7 @@ import { t, number, onLanguage } from "../core/words.js";
 import { engine } from "../core/net.js";
 import * as blobs from "../core/blobs.js";
 import * as versions from "../core/versions.js";
-import { embedded, onTab, openTab, tab } from "../core/view.js";
+import { dialog, embedded, onTab, openTab, tab } from "../core/view.js";
 import { label, focus } from "./form.js";
 import * as hand from "./hand.js";
 
@@ -16,6 +16,8 @@ let openScene = () => {};
 let found = null;
 let seen = null;
 let folderFiles = [];
+// The recordings of this visit, by their names.
+const read = new Map();
 
 export function load(onEdit, onScene) {
   edit = onEdit;
@@ -151,22 +153,40 @@ function build() {
       make("option", { value: "" }, t("studio-force-folder")), ...folderFiles.map(({ path }) => make("option", { value: path }, path)));
     root.append(make("label", { class: "stack", for: "folder-recording" }, t("studio-force-folder-label")), select);
   }
-  if (found) root.append(panel());
+  if (found) {
+    read.set(found.file, found);
+    root.append(panel(found));
+    if (read.size > 1) root.append(make("button", { type: "button", id: "side-by-side", onclick: sides }, t("studio-force-sides")));
+  }
   root.append(make("h2", {}, t("studio-force-hand")), make("p", { class: "lead" }, t("studio-force-hand-lead")));
   root.append(hand.section(build));
 }
 
-function panel() {
+// What a recording holds; of the scene's own the contacts can be chosen, beside another one all is open.
+function panel(shown, isBeside = false) {
   const box = make("div", { class: "found" });
-  box.append(make("h3", {}, found.file));
-  if (found.picture) {
+  box.append(make("h3", {}, shown.file));
+  if (shown.picture) {
     const figure = make("figure", {});
-    figure.innerHTML = found.picture;
+    figure.innerHTML = shown.picture;
     box.append(figure);
   }
-  if (found.stances?.length > 0) box.append(contacts());
-  box.append(make("details", {}, make("summary", {}, t("studio-force-details")), make("pre", { tabindex: "0" }, found.table)));
+  if (!isBeside && shown.stances?.length > 0) box.append(contacts());
+  box.append(make("details", { open: isBeside }, make("summary", {}, t("studio-force-details")), make("pre", { tabindex: "0" }, shown.table)));
   return box;
+}
+
+// Two recordings of this visit side by side: the present one and one that is chosen.
+function sides() {
+  const others = [...read.values()].filter((r) => r.file !== found.file).reverse();
+  dialog("studio-force-sides", (body) => {
+    body.className = "sides";
+    const right = make("div", {});
+    const choose = make("select", { id: "other-recording", "aria-label": t("studio-force-other"), onchange: () => clear(right).append(panel(others[choose.selectedIndex], true)) },
+      ...others.map((r) => make("option", {}, r.file)));
+    right.append(panel(others[0], true));
+    body.append(panel(found, true), make("div", {}, others.length > 1 ? choose : null, right));
+  });
 }
 
 function contacts() {

@@ -186,7 +186,8 @@ function key(event, i) {
 export function overlay(chart) {
   if (!drawn) return [];
   const { start, length } = chart.curves;
-  return drawn.points.map(([time, force], i) => svg("circle", { class: "knot", cx: chart.x(start + length * time / drawn.period_s), cy: chart.y(force), r: 5, "data-knot": i,
+  const seen = drawn.points.map(([time, force], i) => [time, force, i]).filter(([time]) => chart.isSeen(start + length * time / drawn.period_s));
+  return seen.map(([time, force, i]) => svg("circle", { class: "knot", cx: chart.x(start + length * time / drawn.period_s), cy: chart.y(force), r: 5, "data-knot": i,
     role: "img", "aria-label": t("studio-point", { number: i + 1, time: number(time, 3), force: number(force, 4) }) }));
 }
 

@@ -52,7 +52,7 @@ function motion() {
   if (!box || !ran) return;
   if (ran.why) clear(box).append(make("p", {}, ran.why));
   else {
-    clear(box).append(make("pre", { class: "scroll", tabindex: "0" }, ran.table), make("div", { class: "run" }));
+    clear(box).append(make("pre", { class: "scroll", tabindex: "0" }, units.text(ran.table)), make("div", { class: "run" }));
     box.lastChild.innerHTML = ran.picture;
   }
 }
@@ -76,7 +76,7 @@ function designs(edit) {
     return make("td", { class: `n ${verdict ?? ""}`, style: x === null ? null : `--part:${high > low ? Math.round(100 * (x - low) / (high - low)) : 0}%` },
       make("button", { type: "button", class: "plain", onclick: take, title: verdict ? t(`studio-verdict-${verdict}`) : "" }, x === null ? "–" : number(x * plain * factor)));
   };
-  const head = columns ? [make("tr", {}, make("td", {}, `${label(rows.key)} / ${label(columns.key)}`), ...columns.values.map((v) => make("th", { scope: "col" }, v)))] : [];
-  const body = rows.values.map((v, i) => make("tr", {}, make("th", { scope: "row" }, v), ...Array.from({ length: width }, (_, j) => cell(i, j))));
+  const head = columns ? [make("tr", {}, make("td", {}, `${label(rows.key)} / ${label(columns.key)}`), ...columns.values.map((v) => make("th", { scope: "col" }, units.text(v))))] : [];
+  const body = rows.values.map((v, i) => make("tr", {}, make("th", { scope: "row" }, units.text(v)), ...Array.from({ length: width }, (_, j) => cell(i, j))));
   clear(box).append(make("p", {}, `${t(`studio-number-${name}`)}, ${unit}`), make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "grid" }, make("thead", {}, ...head), make("tbody", {}, ...body))));
 }

@@ -9,6 +9,7 @@ import * as units from "../core/units.js";
 import * as gallery from "../dialogs/gallery.js";
 import * as exports from "../dialogs/exports.js";
 import * as files from "../dialogs/files.js";
+import * as exercise from "../dialogs/exercise.js";
 import * as history from "../dialogs/history.js";
 import * as compare from "./compare.js";
 import * as charts from "../charts/charts.js";
@@ -39,9 +40,14 @@ export function load({ start, move, openScene }) {
   });
   $("choose-diagrams").addEventListener("click", charts.choose);
   $("show-table").addEventListener("click", charts.table);
+  $("show-exercise").addEventListener("click", exercise.open);
   presenting();
-  $("units").value = units.name();
-  $("units").addEventListener("change", () => units.choose($("units").value));
+  for (const id of ["units", "speeds"]) {
+    const select = $(id);
+    const [plain, other] = [...select.options].map((o) => o.value);
+    if (units.names().split(" ").includes(other)) select.value = other;
+    select.addEventListener("change", () => units.choose(select.value, select.value === plain ? other : plain));
+  }
   $("notice-close").addEventListener("click", () => notice(""));
   welcome();
 }

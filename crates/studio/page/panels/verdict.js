@@ -19,7 +19,7 @@ export function show(answer) {
   const state = answer.infeasible ? "infeasible" : answer.verdict;
   $("verdict").className = `verdict ${answer.infeasible ? "unacceptable" : answer.verdict}`;
   say($("verdict-name"), t(`studio-verdict-${state}`));
-  say($("verdict-reasons"), answer.reasons);
+  say($("verdict-reasons"), units.text(answer.reasons));
   $("cam-das").hidden = !answer.cam_das || !Object.keys(answer.fields).some((key) => key.startsWith("law.segment."));
   if (answer.cam_das) say($("cam-das"), `CAM-DAS: ${t(`studio-verdict-${answer.cam_das}`)}`);
   figures(answer);
@@ -32,7 +32,7 @@ export function show(answer) {
 // Fills a box anew where what it shows has changed.
 const filled = new Map();
 function renewed(box, content, fill) {
-  const seen = JSON.stringify([language(), units.name(), content]);
+  const seen = JSON.stringify([language(), units.names(), content]);
   if (filled.get(box.id) === seen) return;
   filled.set(box.id, seen);
   fill();
@@ -45,7 +45,8 @@ function figures({ figures: list }) {
   list.forEach(({ value, more }, i) => {
     const [text, small] = $("figures").children[i].lastChild.children;
     say(text, units.text(value));
-    if (small) say(small, units.text(more));
+    // A speed is given in both units; in one it is said once.
+    if (small) say(small, units.text(more) === value ? "" : units.text(more));
   });
 }
 
@@ -61,7 +62,7 @@ function relax(answer) {
       const question = { scene: answer.scene, files: blobs.listed(designs.present().files) };
       const tried = await engine.ask("relax", question, { signal: relaxing.signal });
       if (shown !== answer) return;
-      if (designs.isCurrent()) $("verdict-reasons").textContent = tried.reasons;
+      if (designs.isCurrent()) $("verdict-reasons").textContent = units.text(tried.reasons);
       conflict(answer, tried.relaxations, tried.together);
     } catch { /* the conflict alone stays */ }
   }, 120);
@@ -79,13 +80,13 @@ function conflict(answer, relaxations, together) {
   box.hidden = answer.quick || !answer.needs_relaxing || (answer.conflict.length === 0 && useful.length === 0 && together.length === 0);
   if (box.hidden) return;
   if (answer.conflict.length > 0) {
-    box.append(make("p", {}, make("strong", {}, t("studio-conflict")), " ", answer.conflict.join(" · ")));
+    box.append(make("p", {}, make("strong", {}, t("studio-conflict")), " ", units.text(answer.conflict.join(" · "))));
   }
   if (useful.length > 0) {
     box.append(make("p", {}, t("studio-relax")), make("div", { class: "buttons" }, ...useful.map(button)));
   } else if (together.length > 0 && together.every((r) => r.value)) {
     const all = together.map((r) => ({ set: { key: r.key, value: r.value } }));
-    const text = together.map((r) => local(`${r.name} ${r.from} → ${r.to}`)).join(", ");
+    const text = together.map((r) => units.text(local(`${r.name} ${r.from} → ${r.to}`))).join(", ");
     box.append(make("p", {}, t("studio-relax-together")),
       make("div", { class: "buttons" }, make("button", { type: "button", class: "relax", onclick: () => apply(all) }, text)));
   }
@@ -93,7 +94,7 @@ function conflict(answer, relaxations, together) {
 
 function button({ key, name, from, to, value }) {
   return make("button", { type: "button", class: "relax", "data-relax": key, "data-value": value,
-    onclick: () => apply([{ set: { key, value } }]) }, local(`${name}: ${from} → `), make("b", {}, local(to)));
+    onclick: () => apply([{ set: { key, value } }]) }, units.text(local(`${name}: ${from} → `)), make("b", {}, units.text(local(to))));
 }
 
 function limits(answer) {
@@ -108,7 +109,7 @@ function limits(answer) {
     box.append(make("p", {}, answer.active.length > 0 ? answer.active.join(" · ") : t("studio-active-none")));
   }
   if (answer.notes.length > 0) box.append(make("details", { class: "notes" }, make("summary", {}, t("studio-notes", { count: answer.notes.length })),
-    make("ul", {}, ...answer.notes.map((n) => make("li", {}, n)))));
+    make("ul", {}, ...answer.notes.map((n) => make("li", {}, units.text(n))))));
 }
 
 // The report's own tables; the server escapes what stands in them. They lie below the picture and follow when the

@@ -1,0 +1,38 @@
+// The turning cam as an animated picture.
+
+import { $ } from "../core/dom.js";
+import { move, partsOf } from "../core/motion.js";
+import { gif } from "./gif.js";
+
+// Pixels of the longer side, pictures of one turn, and hundredths of a second for each.
+const [SIZE, COUNT, DELAY] = [400, 48, 8];
+const COLOURS = ["--blue", "--orange", "--green", "--purple", "--red", "--quiet", "--ink", "--grid"];
+
+// One turn of the cam on the screen, without marks and other designs.
+export async function turning({ motion }) {
+  const picture = $("stage").querySelector("svg").cloneNode(true);
+  for (const e of picture.querySelectorAll("[class]")) e.remove();
+  const [, , w, h] = picture.getAttribute("viewBox").split(" ").map(Number);
+  const scale = SIZE / Math.max(w, h);
+  const [width, height] = [Math.round(w * scale), Math.round(h * scale)];
+  for (const [name, value] of Object.entries({ width, height })) picture.setAttribute(name, value);
+  // Outside the page its colours have no names.
+  const colours = getComputedStyle(document.documentElement);
+  for (const name of COLOURS) picture.style.setProperty(name, colours.getPropertyValue(name));
+  for (const e of picture.querySelectorAll("#cam-push *")) e.setAttribute("vector-effect", "non-scaling-stroke");
+  const canvas = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+  const parts = partsOf(picture);
+  const frames = [];
+  for (let i = 0; i < COUNT; i += 1) {
+    const u = i / COUNT;
+    move(parts, motion, u, motion.start + u * motion.length);
+    const image = new Image(width, height);
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(new XMLSerializer().serializeToString(picture))}`;
+    await image.decode();
+    canvas.fillStyle = colours.getPropertyValue("--card");
+    canvas.fillRect(0, 0, width, height);
+    canvas.drawImage(image, 0, 0);
+    frames.push(canvas.getImageData(0, 0, width, height));
+  }
+  return gif(motion.back ? frames.reverse() : frames, DELAY);
+}

@@ -1,0 +1,231 @@
+"""What a class and a laboratory do with the page: variants, differences, exercises, films, two recordings."""
+
+import math
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+from studio import ROOT, Pages, of_server
+
+WALK = ROOT / "data" / "recordings" / "made_walk.csv"
+# What a diagram draws at the whole of its degrees.
+MAIN = "id => document.querySelector(`.chart.${id} .line.main`).getAttribute('d')"
+
+
+class Class(Pages):
+    def page(self, **more):
+        page = super().page(**more)
+        page.page.click("#play")
+        return page
+
+    def table(self, page, diagram):
+        """The large diagram's table: value by degree."""
+        if not page.page.locator(f".chart.{diagram}.large").count():
+            page.page.click(f".chart.{diagram} .enlarge")
+        page.page.evaluate("document.querySelector('#show-table').click()")
+        rows = page.page.eval_on_selector_all(".data tbody tr", "rows => rows.map((r) => [...r.children].map((c) => c.textContent))")
+        page.page.keyboard.press("Escape")
+        number = lambda text: float(text.replace("−", "-"))
+        return {number(degree): number(value) for degree, value, *_ in rows}
+
+    def test_a_variant_has_a_name_and_the_diagrams_show_what_differs_from_it(self):
+        page = self.page()
+        before = self.table(page, "force")
+        page.page.click("#pin")
+        page.sets("gait.body_weight", "500 N")
+        after = self.table(page, "force")
+        page.page.click("#tab-compare")
+        page.page.fill(".slate .variant", "sixty")
+        page.page.keyboard.press("Tab")
+        page.page.click(".slate [aria-label^='Diagrams show']")
+        self.assertIn("Δ", page.page.inner_text(".chart.force h2"))
+        difference = self.table(page, "force")
+        self.assertEqual(len(difference), 361)
+        worst = max(abs(difference[k] - (after[k] - before[k])) for k in difference)
+        self.assertLess(worst, 1.1)
+        self.assertGreater(max(map(abs, difference.values())), 100)
+        # Nothing is dragged on a difference, and the name stays over a reload.
+        self.assertEqual(page.page.locator(".chart .grip").count(), 0)
+        page.page.click(".slate [aria-label^='Diagrams show']")
+        self.assertNotIn("Δ", page.page.inner_text(".chart.force h2"))
+        page.page.wait_for_timeout(400)
+        page.page.reload()
+        page.shown(0)
+        page.page.click("#tab-compare")
+        page.page.wait_for_selector(".slate .variant")
+        self.assertEqual(page.page.input_value(".slate .variant"), "sixty")
+        self.assertEqual(page.said, [])
+
+    def test_speeds_are_shown_in_rpm_everywhere_and_the_scene_keeps_its_own(self):
+        page = self.page()
+        page.page.click("#tab-text")
+        text = page.page.input_value("#scene-text") + '[machine]\ninertia = "2 kg m^2"\n[machine.motor]\nslope = "10 N m s/rad"\n'
+        page.page.fill("#scene-text", text)
+        page.does(lambda: page.page.click("#text .main"))
+        self.assertRegex(page.page.inner_text(".chart.speed h2"), "rad/s")
+        mean = float(re.search(r"([\d.]+) rad/s", page.page.inner_text("#figures")).group(1))
+        page.page.click(".menu summary")
+        page.does(lambda: page.page.select_option("#speeds", "rpm"))
+        page.page.wait_for_timeout(300)
+        for selector in ("#figures", "#tables", "#charts"):
+            self.assertNotRegex(page.page.inner_text(selector), r"\d\s*rad/s(?![²³])")
+        self.assertRegex(page.page.inner_text(".chart.speed h2"), "rpm")
+        shown = float(re.search(r"speed\s+([\d.]+)\srpm", page.page.inner_text("#tables")).group(1))
+        self.assertAlmostEqual(shown, mean * 30 / math.pi, delta=0.1)
+        # Once in the figures, and lengths are switched apart from it.
+        self.assertEqual(page.page.inner_text("#figures").count("rpm"), 1)
+        page.does(lambda: page.page.select_option("#units", "in"))
+        self.assertRegex(page.page.inner_text(".chart.speed h2"), "rpm")
+        page.does(lambda: page.page.select_option("#speeds", "rad/s"))
+        self.assertRegex(page.page.inner_text(".chart.speed h2"), "rad/s")
+        self.assertRegex(page.page.inner_text(".chart.s h2"), "in$")
+
+    def test_an_exercise_hides_its_answers_until_they_are_asked_for(self):
+        for scene in ("camdas_09_eight_motions", "footbridge"):
+            with self.subTest(scene):
+                page = self.page()
+                page.opens(scene)
+                figures = page.page.eval_on_selector_all("#figures dd span", "all => all.map((e) => e.textContent)")
+                page.page.click(".menu summary")
+                page.page.click("#show-exercise")
+                seen = page.page.inner_text(".sheet")
+                given = page.page.inner_text(".sheet .given") + "".join(page.page.eval_on_selector_all(".sheet table", "all => all.map((e) => e.innerText)"))
+                hidden = [f for f in figures if f not in given]
+                self.assertGreaterEqual(len(hidden), 4)
+                for figure in hidden:
+                    self.assertNotIn(figure, seen)
+                self.assertEqual(page.page.locator(".blank .line.main:visible").count(), 0)
+                self.assertGreaterEqual(page.page.locator(".blank svg:visible").count(), 4)
+                self.assertEqual(page.page.locator(".blank .target").count(), int(scene == "footbridge"))
+                page.page.click("#show-answers")
+                for figure in hidden:
+                    self.assertIn(figure, page.page.inner_text(".answers"))
+                self.assertGreaterEqual(page.page.locator(".answers .line.main:visible").count(), 4)
+                # On paper the answers begin a page of their own.
+                page.page.click("#show-answers")
+                page.page.emulate_media(media="print")
+                self.assertEqual(page.page.eval_on_selector(".answers", "e => getComputedStyle(e).breakBefore"), "page")
+                self.assertFalse(page.page.is_visible("#design"))
+                self.assertEqual(page.said, [])
+
+    def test_a_film_of_the_turning_cam_is_decoded_by_the_browser(self):
+        page = self.page()
+        page.page.click("#open-export")
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "cam.gif"
+            page.downloads("cam.gif", path)
+            data = path.read_bytes()
+        seen = page.page.evaluate(
+            """async (bytes) => {
+                const decoder = new ImageDecoder({data: Uint8Array.from(bytes), type: "image/gif"});
+                await decoder.tracks.ready;
+                await decoder.completed;
+                const count = decoder.tracks.selectedTrack.frameCount;
+                const [sums, lasting] = [[], []];
+                for (const frameIndex of [0, 12, 24]) {
+                    const {image} = await decoder.decode({frameIndex});
+                    lasting.push(image.duration);
+                    const canvas = new OffscreenCanvas(image.displayWidth, image.displayHeight).getContext("2d");
+                    canvas.drawImage(image, 0, 0);
+                    const {data} = canvas.getImageData(0, 0, image.displayWidth, image.displayHeight);
+                    let dark = 0;
+                    for (let i = 0; i < data.length; i += 4) dark += (data[i] + data[i + 1] + data[i + 2] < 600) * (1 + i % 977);
+                    sums.push(dark);
+                }
+                return {count, sums, lasting};
+            }""",
+            list(data),
+        )
+        print(f"\n  {len(data) / 1e3:.0f} kB, {seen['count']} pictures")
+        self.assertEqual(seen["count"], 48)
+        self.assertEqual(set(seen["lasting"]), {80_000})
+        self.assertEqual(len(set(seen["sums"])), 3)
+        self.assertGreater(min(seen["sums"]), 0)
+
+    @of_server
+    def test_pictures_of_any_kind_are_packed_without_loss(self):
+        """Noise fills the table of codes many times; plain areas give the longest codes."""
+        worst = self.page().page.evaluate(
+            """async () => {
+                const {gif} = await import(new URL("dialogs/gif.js", document.baseURI));
+                const worst = [];
+                for (const [width, height, colours] of [[1, 1, 1], [3, 2, 5], [64, 64, 1], [97, 61, 2], [211, 173, 256], [300, 200, 7]]) {
+                    const frames = [0, 1].map((f) => {
+                        const frame = new ImageData(width, height);
+                        let state = 12345 + f;
+                        for (let i = 0; i < frame.data.length; i += 4) {
+                            state = (state * 1103515245 + 12345) % 2147483648;
+                            const k = Math.floor(state / 65536) % colours;
+                            frame.data.set([(k & 31) * 8, (k >> 5) * 32, f * 64, 255], i);
+                        }
+                        return frame;
+                    });
+                    const decoder = new ImageDecoder({data: await gif(frames, 5).arrayBuffer(), type: "image/gif"});
+                    await decoder.tracks.ready;
+                await decoder.completed;
+                    for (const [frameIndex, frame] of colours > 128 ? [[0, frames[0]]] : frames.entries()) {
+                        const {image} = await decoder.decode({frameIndex});
+                        const canvas = new OffscreenCanvas(width, height).getContext("2d");
+                        canvas.drawImage(image, 0, 0);
+                        const {data} = canvas.getImageData(0, 0, width, height);
+                        worst.push(data.reduce((m, x, i) => Math.max(m, Math.abs(x - frame.data[i])), 0));
+                    }
+                }
+                return worst;
+            }"""
+        )
+        print(f"\n  {len(worst)} pictures")
+        self.assertEqual(len(worst), 11)
+        # Of 512 colours in two frames only the more frequent half has its own place.
+        self.assertEqual([x for k, x in enumerate(worst) if k != 8], [0] * 10)
+
+    def test_two_recordings_stand_side_by_side(self):
+        page = self.page()
+        page.sets("limits.stroke", "")
+        page.page.click("#tab-force")
+        other = WALK.read_text()
+        with tempfile.TemporaryDirectory() as folder:
+            second = Path(folder) / "second_walk.csv"
+            second.write_text(other)
+            for k, path in enumerate((WALK, second)):
+                page.does(lambda: page.page.set_input_files("#pick-file", path))
+                page.page.wait_for_selector(".found figure svg")
+                self.assertEqual(page.page.locator("#side-by-side").count(), k)
+        page.page.click("#side-by-side")
+        self.assertEqual(page.page.locator(".sides .found:visible").count(), 2)
+        self.assertEqual(page.page.locator(".sides .found figure svg:visible").count(), 2)
+        names = page.page.eval_on_selector_all(".sides h3", "all => all.map((e) => e.textContent)")
+        self.assertEqual(names, ["second_walk.csv", "made_walk.csv"])
+        boxes = [page.page.locator(".sides .found").nth(k).bounding_box() for k in range(2)]
+        self.assertAlmostEqual(boxes[0]["y"], boxes[1]["y"], delta=2)
+        self.assertGreater(boxes[1]["x"], boxes[0]["x"] + boxes[0]["width"] - 1)
+        self.assertEqual(page.said, [])
+
+    def test_all_diagrams_are_zoomed_about_the_cursor_and_back(self):
+        page = self.page()
+        page.page.focus(".chart.s svg")
+        page.page.keyboard.press("Home")
+        for _ in range(9):
+            page.page.keyboard.press("Shift+ArrowRight")
+        ticks = "all => all.map((e) => parseFloat(e.textContent)).filter(Number.isFinite)"
+        across = ".chart.force .tick[text-anchor=middle]"
+        whole, line = page.page.eval_on_selector_all(across, ticks), page.page.evaluate(MAIN, "v")
+        page.page.keyboard.press("+")
+        page.page.keyboard.press("+")
+        near = page.page.eval_on_selector_all(across, ticks)
+        self.assertLess(max(near) - min(near), 0.3 * (max(whole) - min(whole)))
+        self.assertLess(min(near), 90)
+        self.assertGreater(max(near), 90)
+        # The cursor stays under the hand's place, and the table is of the whole turn.
+        self.assertAlmostEqual(float(page.page.get_attribute("#stage", "aria-valuenow")), 90, delta=1e-6)
+        self.assertEqual(len(self.table(page, "s")), 361)
+        page.page.focus(".chart.s svg")
+        page.page.keyboard.press("0")
+        page.page.click(".chart.force .enlarge")
+        self.assertEqual(page.page.evaluate(MAIN, "v"), line)
+        self.assertEqual(page.page.eval_on_selector_all(across, ticks), whole)
+
+
+if __name__ == "__main__":
+    unittest.main()
