@@ -8,6 +8,7 @@ import * as units from "../core/units.js";
 import * as designs from "../core/designs.js";
 import * as charts from "../charts/charts.js";
 import { label } from "../panels/form.js";
+import * as stage from "../panels/stage.js";
 
 const DIAGRAMS = ["force", "s", "v", "a", "j"];
 
@@ -23,7 +24,7 @@ export function open() {
     const figures = (value) => make("dl", { class: "find-these" }, ...answer.figures.map((f) => make("div", {}, make("dt", {}, f.name), make("dd", {}, value(f)))));
     const answers = make("section", { class: "answers", hidden: true }, make("h3", {}, `${answer.name}: ${t("studio-exercise-answers")}`),
       make("p", {}, t(`studio-verdict-${answer.infeasible ? "infeasible" : answer.verdict}`), " ", units.text(answer.reasons)),
-      figures((f) => units.text([f.value, f.more].filter(Boolean).join(", "))), make("div", { class: "copies" }, drawing(answer), ...diagrams()));
+      figures((f) => units.text([f.value, f.more].filter(Boolean).join(", "))), make("div", { class: "copies" }, make("figure", { class: "copy" }, stage.picture()), ...diagrams()));
     const show = make("button", { type: "button", class: "main", id: "show-answers", "aria-pressed": "false", onclick: () => {
       answers.hidden = !answers.hidden;
       show.setAttribute("aria-pressed", String(!answers.hidden));
@@ -32,12 +33,6 @@ export function open() {
       make("section", {}, make("h3", {}, `${answer.name}: ${t("studio-exercise-given")}`), ...given(answer.fields), make("h3", {}, t("studio-exercise-find")), figures(() => ""),
         make("div", { class: "copies blank" }, ...diagrams())), answers);
   });
-}
-
-function drawing(answer) {
-  const figure = make("figure", { class: "copy" });
-  figure.innerHTML = answer.drawing;
-  return figure;
 }
 
 // The values of the scene as a list, its segments and points as tables.

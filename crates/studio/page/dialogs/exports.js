@@ -11,6 +11,8 @@ import { pack } from "../core/packing.js";
 import * as designs from "../core/designs.js";
 import * as versions from "../core/versions.js";
 
+// The file that the page itself makes.
+const FILM = "cam.gif";
 // Files that are made for a cutter.
 const CUTTER = ["cutter.csv", "cutter.nc", "cutter_second.nc"];
 
@@ -20,19 +22,19 @@ export function open() {
     return;
   }
   const { answer, files } = designs.present();
-  const make_ = (name, tool) => engine.download({ scene: answer.scene, files: blobs.listed(files), name, tool });
+  const make_ = (name, tool) => (name === FILM ? turning(answer) : engine.download({ scene: answer.scene, files: blobs.listed(files), name, tool }));
+  const groups = answer.infeasible ? answer.exports : [...answer.exports, ["film", [FILM]]];
   dialog("studio-export", (body) => {
     body.className = "exports";
     const tool = make("input", { type: "text", value: answer.cutter, id: "tool", size: 8 });
     if (!answer.infeasible) body.append(preview(() => make_("cam.svg")));
-    for (const [group, names] of answer.exports) {
+    for (const [group, names] of groups) {
       const links = names.map((name) => make("li", {}, link(name, () => make_(name, CUTTER.includes(name) ? tool.value : undefined)),
         make("small", {}, t(`studio-file-${name.replaceAll(".", "-")}`))));
       body.append(make("section", {}, make("h3", {}, t(`studio-export-${group}`)), make("ul", {}, ...links)));
     }
-    if (!answer.infeasible) body.append(make("section", {}, make("h3", {}, t("studio-export-film")), make("ul", {}, make("li", {}, link("cam.gif", () => turning(answer)), make("small", {}, t("studio-file-cam-gif"))))));
     if (engine.page) body.append(page(`${answer.name}.html`));
-    body.append(make("p", {}, whole(answer, make_)));
+    body.append(make("p", {}, whole(answer.name, groups, make_)));
     if (!answer.infeasible) body.append(make("p", {}, make("label", { for: "tool" }, t("studio-tool")), " ", tool));
     body.append(make("p", { class: "lead" }, t("studio-export-tolerance")));
   });
@@ -66,8 +68,8 @@ function page(name) {
 }
 
 // All files in one archive; one that cannot be made is left out and named.
-function whole(answer, made) {
-  const names = answer.exports.flatMap(([, list]) => list);
+function whole(title, groups, made) {
+  const names = groups.flatMap(([, list]) => list);
   const button = make("button", { type: "button", class: "main", id: "export-all", onclick: async () => {
     button.disabled = true;
     const [files, without] = [[], []];
@@ -78,7 +80,7 @@ function whole(answer, made) {
         without.push(name);
       }
     }
-    const a = make("a", { href: URL.createObjectURL(zip(files)), download: `${answer.name}.zip` });
+    const a = make("a", { href: URL.createObjectURL(zip(files)), download: `${title}.zip` });
     a.click();
     button.disabled = false;
     if (without.length > 0) notice(t("studio-export-without", { files: without.join(", ") }));

@@ -1,7 +1,7 @@
 // The turning cam as an animated picture.
 
-import { $ } from "../core/dom.js";
 import { move, partsOf } from "../core/motion.js";
+import * as stage from "../panels/stage.js";
 import { gif } from "./gif.js";
 
 // Pixels of the longer side, pictures of one turn, and hundredths of a second for each.
@@ -10,8 +10,7 @@ const COLOURS = ["--blue", "--orange", "--green", "--purple", "--red", "--quiet"
 
 // One turn of the cam on the screen, without marks and other designs.
 export async function turning({ motion }) {
-  const picture = $("stage").querySelector("svg").cloneNode(true);
-  for (const e of picture.querySelectorAll("[class]")) e.remove();
+  const picture = stage.picture();
   const [, , w, h] = picture.getAttribute("viewBox").split(" ").map(Number);
   const scale = SIZE / Math.max(w, h);
   const [width, height] = [Math.round(w * scale), Math.round(h * scale)];
@@ -19,7 +18,6 @@ export async function turning({ motion }) {
   // Outside the page its colours have no names.
   const colours = getComputedStyle(document.documentElement);
   for (const name of COLOURS) picture.style.setProperty(name, colours.getPropertyValue(name));
-  for (const e of picture.querySelectorAll("#cam-push *")) e.setAttribute("vector-effect", "non-scaling-stroke");
   const canvas = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
   const parts = partsOf(picture);
   const frames = [];

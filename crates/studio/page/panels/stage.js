@@ -97,6 +97,14 @@ export function chosen() {
   return $("colour").value;
 }
 
+// The cam as it stands, without marks and other designs.
+export function picture() {
+  const copy = $("stage").querySelector("svg").cloneNode(true);
+  for (const e of copy.querySelectorAll("[class]")) e.remove();
+  for (const e of copy.querySelectorAll("#cam-push *")) e.setAttribute("vector-effect", "non-scaling-stroke");
+  return copy;
+}
+
 // The next drawing chooses its own frame.
 export function anew() {
   renewed = true;
