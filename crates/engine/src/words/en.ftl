@@ -157,7 +157,7 @@ studio-chart-contact = Contact on the face
 studio-chart-torque = Shaft torque
 studio-chart-power = Power
 studio-chart-speed = Shaft speed
-studio-chart-ripple = { $name }, ripple { $ripple }
+studio-chart-ripple = ω, ripple { $ripple }
 studio-chart-alt = { $name }: { $low } to { $high }
 
 # Scenes and files.

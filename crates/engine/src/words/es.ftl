@@ -157,7 +157,7 @@ studio-chart-contact = Contacto en la cara
 studio-chart-torque = Par en el eje
 studio-chart-power = Potencia
 studio-chart-speed = Velocidad del eje
-studio-chart-ripple = { $name }, oscilación { $ripple }
+studio-chart-ripple = ω, oscilación { $ripple }
 studio-chart-alt = { $name }: de { $low } a { $high }
 
 # Escenas y archivos.

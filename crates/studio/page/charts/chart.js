@@ -80,7 +80,7 @@ export class Chart {
     if (this.id !== "speed") return name;
     const speeds = this.panel.lines[0].y;
     const ripple = (Math.max(...speeds) - Math.min(...speeds)) / this.panel.levels[0];
-    return t("studio-chart-ripple", { name, ripple: quantity(100 * ripple, "%") });
+    return t("studio-chart-ripple", { ripple: quantity(100 * ripple, "%", 3) });
   }
 
   range() {
