@@ -8,6 +8,10 @@ Each page has a temporary folder with copies of scenes/ and data/, in which its 
 - `sh`: every line `gaitcam …` is run; an exit code other than 0 stands behind it as `# exit code 3`;
 - `text` after `sh`: each of its lines must occur in what those commands printed; a line that ends in ` …` is the
   beginning of a printed line, a line `…` stands for lines left out;
+- `bash`, a job for Slurm (`#SBATCH --array=FIRST-LAST`): every task is run with the variables that Slurm sets, and the
+  first once more, as in an array that is submitted again;
+- after `<!-- printed -->` every number of the paragraph that has a decimal point is printed, but for rounding, by the
+  commands above or stands in them;
 - `csv` is written to the file that the line before names, `NAME.csv`: in backquotes;
 - `toml` that begins with the comment `# NAME.toml` is written to that file; any other is set, key by key, in the scene
   written last (else in the built-in footbridge), which must then be designed with exit code 0 or 3;
@@ -29,6 +33,8 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+BLOCK = re.compile(r"(?ms)(?:`(\S+)`:\n\n)?^```(\w+)\n(.*?)^```$|^<!-- printed -->\n(.*?)(?:\n\n|\Z)")
+NUMBER = re.compile(r"\d+[.,]\d+")
 PAGES = ("README.md", "docs/start.md", "docs/guide/*.md", "docs/guia/*.md", "docs/reference/*.md")
 
 
@@ -38,27 +44,28 @@ class Page:
     def __init__(self, path, binary, folder, python=None):
         self.path, self.binary, self.folder = path, binary, Path(folder)
         self.interpreter = python and Path(shutil.which(python)).absolute()
-        self.scene, self.printed, self.program = "footbridge", "", ""
+        self.scene, self.printed, self.commands, self.program = "footbridge", "", "", ""
         self.language = "es" if path.parent.name == "guia" else "en"
         for name in ("scenes", "data"):
             shutil.copytree(ROOT / name, self.folder / name)
 
     def run(self):
         before = None
-        for found in re.finditer(r"(?ms)(?:`(\S+)`:\n\n)?^```(\w+)\n(.*?)^```$", self.path.read_text(encoding="utf-8")):
-            self.named, kind, block = found.groups()
+        for found in re.finditer(BLOCK, self.path.read_text(encoding="utf-8")):
+            self.named, kind, block, prose = found.groups()
+            kind, block = ("prose", prose) if prose else (kind, block)
             if kind == "text" and before != "sh":
                 continue  # a formula or a picture in characters
             check = getattr(self, kind, lambda _: f"nothing checks blocks of kind {kind}")
             if fault := check(block):
                 line = self.path.read_text(encoding="utf-8").count("\n", 0, found.start()) + 1
                 sys.exit(f"{self.path.relative_to(ROOT)}:{line}: {fault}")
-            before = kind
+            before = before if prose else kind
         if self.program:
             self.run_python()
 
     def sh(self, block):
-        self.printed = ""
+        self.printed, self.commands = "", block
         for line in block.replace("\\\n", " ").splitlines():
             if line.startswith("gaitcam studio"):
                 self.printed += self.first_line(line)
@@ -70,6 +77,23 @@ class Page:
                 self.printed += printed
                 if code != int(expected.group(1) if expected else 0):
                     return f"exit code {code}: {line}\n{printed}"
+
+    def bash(self, block):
+        first, last = map(int, re.search(r"(?m)^#SBATCH --array=(\d+)-(\d+)$", block).groups())
+        processors = re.search(r"(?m)^#SBATCH --cpus-per-task=(\d+)$", block).group(1)
+        for task in [*range(first, last + 1), first]:
+            given = {"ARRAY_TASK_ID": task, "ARRAY_TASK_MIN": first, "ARRAY_TASK_MAX": last,
+                     "ARRAY_TASK_COUNT": last - first + 1, "CPUS_PER_TASK": processors, "SUBMIT_DIR": '"$PWD"'}
+            code, printed = self.shell("".join(f"export SLURM_{k}={v}\n" for k, v in given.items()) + block)
+            if code:
+                return f"exit code {code} of task {task}:\n{printed}"
+
+    def prose(self, paragraph):
+        printed = [float(number.replace(",", ".")) for number in NUMBER.findall(self.printed + self.commands)]
+        for number in NUMBER.findall(paragraph):
+            digits = len(re.split("[.,]", number)[1])
+            if not any(abs(p - float(number.replace(",", "."))) <= 0.5001 * 10**-digits for p in printed):
+                return f"the commands above do not print {number}\nprinted:\n{self.printed}"
 
     def shell(self, line):
         command = f'gaitcam() {{ {shlex.quote(self.binary)} --lang {self.language} "$@"; }}; set -o pipefail; {line}'
