@@ -7,6 +7,7 @@
 - `theory §n` anywhere in the repository is a section of docs/theory.md;
 - a path such as `src/law/rise.rs` in README, CONTRIBUTING and docs/ is that of a file or folder;
 - a relative link in a Markdown file leads to a file, and its #anchor to a heading;
+- every number with a decimal point in the paragraph after `<!-- from FILE -->` stands in that file;
 - nothing cites a document that is not in the repository;
 - the README installs and tests with the commands that `.ci/run` runs.
 """
@@ -52,6 +53,14 @@ def broken_links(path, text):
             yield f"link to #{anchor}, which is no heading of {file.name}"
 
 
+def changed_figures(path, text):
+    for source, paragraph in re.findall(r"(?ms)^<!-- from (\S+) -->\n(.*?)(?:\n\n|\Z)", text):
+        known = set(re.findall(r"\d+(?:\.\d+)+", (path.parent / source).read_text(encoding="utf-8")))
+        for number in re.findall(r"\d+(?:\.\d+)+", paragraph):
+            if number not in known:
+                yield f"{number}, which {source} does not have"
+
+
 def faults(path, sections):
     text = path.read_text(encoding="utf-8")
     for list_ in re.findall(r"theory((?:,? (?:and )?§\d+(?:[–-]§?\d+)?)+)", text):
@@ -63,6 +72,7 @@ def faults(path, sections):
             yield f"`{found.group()}`, which is not in the repository"
     if path.suffix == ".md":
         yield from broken_links(path, text)
+        yield from changed_figures(path, text)
     if path.suffix == ".md" and path.relative_to(ROOT).parts[0] in ("README.md", "CONTRIBUTING.md", "docs"):
         for named in re.findall(r"`((?:src|crates|tests|docs|scenes|data|fuzz|benches)/[a-z0-9_./]+)`", text):
             if not (ROOT / named).exists():

@@ -1,13 +1,19 @@
 #!/usr/bin/env python3
 """Preprocessor of the book: a link to a file of the repository that is no page of the book becomes the file's name.
 
+A picture from outside docs/ is taken into the page.
+
 mdBook calls it (docs/book.toml). On the repository's own pages such links work; in the book they would lead nowhere.
 """
 
+import base64
 import json
 import re
 import sys
+from pathlib import Path
 from posixpath import join, dirname, normpath
+
+DOCS = Path(__file__).resolve().parent
 
 
 def chapters(items):
@@ -30,6 +36,11 @@ def main():
                 return link.group()
             return f"{link.group(1)} (`{target.removeprefix('../')}`)"
 
+        def picture(link, folder=dirname(chapter["path"])):
+            data = base64.b64encode((DOCS / folder / link.group(2)).read_bytes()).decode()
+            return f"{link.group(1)}(data:image/svg+xml;base64,{data})"
+
+        chapter["content"] = re.sub(r"(!\[[^\]\n]*\])\(((?:\.\./)+reports/\S+\.svg)\)", picture, chapter["content"])
         chapter["content"] = re.sub(r"(?<!!)\[([^\]\n]+)\]\((?![a-z]+:|#)([^)#\s]+)(#[^)\s]*)?\)", inside, chapter["content"])
     json.dump(book, sys.stdout)
 
