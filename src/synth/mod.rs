@@ -208,8 +208,12 @@ fn passing_design(problem: &Problem, search: &Search) -> std::result::Result<Des
     Ok(finished(&problem, search, sized, None)?)
 }
 
-/// RMS force error of the best law of a problem, N; `None` where limits leave no law.
-fn least_error(problem: &Problem, search: &Search) -> Result<Option<f64>> {
+/// The least RMS force error of a law under the limits of a problem, N; `None` where they leave no law.
+fn least_error(mut problem: Problem, search: &Search) -> Result<Option<f64>> {
+    if problem.limited_error().is_some() && !problem.is_weighed() {
+        problem.law.minimise = Some(Minimise::ForceError);
+    }
+    let problem = &problem;
     match families::law(problem, search) {
         Ok(found) => {
             let force = limits::force_report(problem, &found.law);

@@ -16,7 +16,7 @@ use crate::problem::Problem;
 /// Phases looked at before the search.
 const VISITED: usize = 36;
 /// Tolerance of the phase, rad.
-const RESOLVED: f64 = 1e-9;
+const RESOLVED: f64 = 1e-6;
 /// Steps of the search.
 const STEPS: u64 = 60;
 
@@ -27,12 +27,12 @@ const STEPS: u64 = 60;
 /// No phase has a law, and at some the input is at fault.
 pub fn resolve(
     problem: &Problem,
-    error: impl Fn(&Problem) -> Result<Option<f64>>,
+    error: impl Fn(Problem) -> Result<Option<f64>>,
 ) -> Result<Cow<'_, Problem>> {
     if !problem.phase_is_free {
         return Ok(Cow::Borrowed(problem));
     }
-    let phases = Phases(|phase| error(&problem.at_phase(phase)));
+    let phases = Phases(|phase| error(problem.at_phase(phase)));
     let mut best: Option<(f64, f64)> = None;
     let mut failure = None;
     for i in 0..VISITED {

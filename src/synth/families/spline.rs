@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::problem::{Note, Problem};
 use crate::scene::{Family, Minimise};
 use crate::synth::optimum::{self, NoLaw, Optimum};
-use crate::synth::qp::{self, Failure};
+use crate::synth::qp;
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
@@ -27,41 +27,13 @@ const TELLING: usize = 12;
 
 /// The problem's spline with how it was found.
 pub fn spline_law(problem: &Problem, search: &Search) -> std::result::Result<SolvedLaw, NoLaw> {
-    let optimum = match problem.limited_error() {
-        Some(most) => limited_in_error(problem, search, most)?,
-        None => optimum(problem, search)?,
-    };
+    let mut optimum = fit(problem, search)?;
+    optimum::with_profile(problem, search, &mut optimum);
     let (objective, report) = (problem.objective(), optimum.report());
     Ok(SolvedLaw {
         degree: problem.spline_degree,
         ..solved_law(problem, &optimum, Family::Spline, objective, report)
     })
-}
-
-fn optimum(problem: &Problem, search: &Search) -> std::result::Result<Optimum, NoLaw> {
-    let mut optimum = fit(problem, search)?;
-    optimum::with_profile(problem, &mut optimum);
-    Ok(optimum)
-}
-
-/// The optimum with an error of at most `most` N RMS: first without that limit on as many spans, because most laws keep it by
-/// themselves and are found several times faster, and where there is none without it there is none with it. A law of the least
-/// peak of a derivative does not move without a force to follow.
-fn limited_in_error(
-    problem: &Problem,
-    search: &Search,
-    most: f64,
-) -> std::result::Result<Optimum, NoLaw> {
-    if let Minimise::Peak(_) = problem.objective() {
-        return optimum(problem, search);
-    }
-    let mut plain = problem.without_accuracy();
-    plain.law.spans = Some(spans(problem, search)?.first());
-    match optimum(&plain, search) {
-        Ok(optimum) if optimum.left_out || optimum.force_error() <= most => Ok(optimum),
-        Err(NoLaw::Refused(why)) if why.failure == Failure::Infeasible => Err(NoLaw::Refused(why)),
-        _ => self::optimum(problem, search),
-    }
 }
 
 /// How many spans a law gets.
@@ -72,14 +44,6 @@ enum Spans {
     Fewest(usize, usize),
     /// This number, which reaches the accuracy (N RMS) without limits, or more where limits ask for more.
     AtLeast(usize, f64),
-}
-
-impl Spans {
-    /// The number with which the search begins.
-    fn first(&self) -> usize {
-        let (Spans::Given(spans) | Spans::Fewest(spans, _) | Spans::AtLeast(spans, _)) = self;
-        *spans
-    }
 }
 
 /// The fit with the problem's own number of spans, or with the fewest that reach the accuracy.

@@ -118,7 +118,7 @@ pub fn solve(
         return Err(Refusal::of(optimum.formulation.program, Failure::Infeasible).into());
     }
     without_vibration(problem, &mut optimum);
-    match with_loads(problem, &mut optimum) {
+    match with_loads(problem, search, &mut optimum) {
         None => Ok(optimum),
         Some(limits) => {
             let failure = if search.halt.is_asked() {
@@ -276,7 +276,11 @@ fn misses_accuracy(problem: &Problem, optimum: &Optimum) -> bool {
 }
 
 /// Where the law breaks a limit on the loads, the sequence that keeps them; the limits where there is none.
-fn with_loads(problem: &Problem, optimum: &mut Optimum) -> Option<NonconvexLimits> {
+fn with_loads(
+    problem: &Problem,
+    search: &Search,
+    optimum: &mut Optimum,
+) -> Option<NonconvexLimits> {
     let limits = NonconvexLimits::of(problem)?;
     limits.loads.as_ref()?;
     let (program, solution) = at_level(problem, optimum, &limits);
@@ -284,11 +288,16 @@ fn with_loads(problem: &Problem, optimum: &mut Optimum) -> Option<NonconvexLimit
     if limits::loaded(&Law::of(&program.basis, &solution.x), &here) >= 0.0 {
         return None;
     }
-    (!in_sequence(problem, optimum, limits.clone())).then_some(limits)
+    (!in_sequence(problem, search, optimum, limits.clone())).then_some(limits)
 }
 
 /// Goes on with the sequence that keeps limits that are not convex; false where that has no start.
-fn in_sequence(problem: &Problem, optimum: &mut Optimum, limits: NonconvexLimits) -> bool {
+fn in_sequence(
+    problem: &Problem,
+    search: &Search,
+    optimum: &mut Optimum,
+    limits: NonconvexLimits,
+) -> bool {
     let (program, solution) = at_level(problem, optimum, &limits);
     let mut starts = Vec::new();
     // At the least radius of an arm the linearisation is singular.
@@ -296,7 +305,12 @@ fn in_sequence(problem: &Problem, optimum: &mut Optimum, limits: NonconvexLimits
         starts.push(solution.clone());
     }
     starts.extend(at_own_size(problem, &program, &solution));
-    let Some((refined, steps, ended)) = scp::refine(&program, &starts, limits) else {
+    // A law that keeps every limit passes; only its force error may be left to reach.
+    let passes = |s: &Solution| {
+        let error = || limits::force_report(problem, &Law::of(&program.basis, &s.x)).rms_error_n;
+        search.only_passing && problem.allowed_error().is_none_or(|most| error() <= most)
+    };
+    let Some((refined, steps, ended)) = scp::refine(&program, &starts, limits, passes) else {
         return false;
     };
     // The convex optimum itself, at a size of the same cost.
@@ -327,12 +341,12 @@ fn at_level(problem: &Problem, optimum: &Optimum, limits: &NonconvexLimits) -> (
 }
 
 /// Adds the nonconvex limits of the profile, by a sequence of convex programs.
-pub fn with_profile(problem: &Problem, optimum: &mut Optimum) {
+pub fn with_profile(problem: &Problem, search: &Search, optimum: &mut Optimum) {
     if optimum.sequence.is_some() {
         return;
     }
     if let Some(limits) = NonconvexLimits::of(problem).filter(|l| l.profile.is_some()) {
-        optimum.left_out = !in_sequence(problem, optimum, limits);
+        optimum.left_out = !in_sequence(problem, search, optimum, limits);
     }
 }
 

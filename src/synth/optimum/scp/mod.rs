@@ -46,7 +46,7 @@ const FOREMOST: f64 = 1e3;
 const SHORTEST: f64 = 1e-4;
 
 /// Sequence of convex programs from the best feasible point that the `starts` lead to, until no step improves the
-/// objective. Starts keep the convex limits, except those on the size. Where the size is among the variables of the
+/// objective or the law is good `enough`. Starts keep the convex limits, except those on the size. Where the size is among the variables of the
 /// program, the size in `limits` is ignored.
 ///
 /// Returns the last solution with its size, the steps taken and why no more were, or `None` where no
@@ -55,6 +55,7 @@ pub fn refine(
     program: &Program,
     starts: &[Solution],
     limits: NonconvexLimits,
+    enough: impl Fn(&Solution) -> bool,
 ) -> Option<(Solution, Vec<Step>, Ended)> {
     // Between steps limits need not hold better than the next step will change them.
     let mut program = program.clone();
@@ -73,7 +74,7 @@ pub fn refine(
                 shrunk(program, last, &at_size)
             }
         })?;
-    let (mut current, steps, ended) = descended(program, start, &at_size, |_| false);
+    let (mut current, steps, ended) = descended(program, start, &at_size, enough);
     // A start without steps needs no last program if it keeps the convex limits to rounding.
     let as_it_came = steps.is_empty() && current.violation <= TOLERANCE;
     let exact = (!as_it_came).then(|| held(program, &current, &at_size));
@@ -272,6 +273,9 @@ fn within_reach(program: &Program, current: &Solution, part: f64) -> Program {
 
 /// A solution that keeps the nonconvex limits too, from a solution of the program; `None` on failure.
 pub fn feasible(program: &Program, start: &Solution, limits: NonconvexLimits) -> Option<Solution> {
+    let mut program = program.clone();
+    program.settings.tolerance = STEP_TOLERANCE;
+    let program = &program;
     let at_size = AtSize::new(limits, program);
     start::feasible(program, start, &at_size).or_else(|| start::tightened(program, start, &at_size))
 }
