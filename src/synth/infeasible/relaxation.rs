@@ -222,8 +222,11 @@ impl<'a> Relaxing<'a> {
             return Some(to);
         }
         let free = number.away(from, self.force);
-        let design = self.tried(number, free)?;
-        // What the unlimited design needs is sufficient, and often the answer.
+        // What the best law without the limit needs is sufficient, and often the answer.
+        let mut design = self.tried(number, free)?;
+        if self.is_minimised(number) {
+            design = crate::synth::design(&number.with(self.problem, free), self.search).ok()?;
+        }
         let unit = if number.is_accuracy() {
             self.force_mean()
         } else {

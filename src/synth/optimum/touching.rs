@@ -31,6 +31,8 @@ const MOST_PROGRAMS: usize = 48;
 const MOST_DESCENTS: usize = 8;
 /// … which end when it moves by less, rad.
 const SETTLED: f64 = 1e-7;
+/// The longest secant, in ways to the lowest point.
+const FARTHEST: f64 = 20.0;
 /// Parts of the turn with which the search begins.
 const PARTS: usize = 16;
 /// Parts narrower than this are not cut again, rad.
@@ -64,8 +66,9 @@ pub fn at_best_angle(program: Program, stiffness: Option<f64>) -> Result<Touchin
             Err(failure) => Err(Refusal::of(program, failure)),
         };
     }
-    // Where the law is lowest without limits is a fair guess.
-    let first = match qp::solve_equalities(&program) {
+    // Where the law is lowest without limits is a fair guess; one whose error is limited is near that of the least error.
+    let least = program.of_least_rms(None);
+    let first = match qp::solve_equalities(least.as_ref().unwrap_or(&program)) {
         Ok(unlimited) => Law::of(&program.basis, &unlimited.x).extremes(0).0.at,
         Err(_) => 0.0,
     };
@@ -75,7 +78,13 @@ pub fn at_best_angle(program: Program, stiffness: Option<f64>) -> Result<Touchin
         programs: 0,
     };
     search.begin(first)?;
-    let bound = stiffness.and_then(|alpha| search.proved(alpha));
+    let bound = match stiffness {
+        Some(alpha) => search.proved(alpha),
+        None => {
+            search.beside();
+            None
+        }
+    };
     Ok(search.finished(bound))
 }
 
@@ -115,10 +124,14 @@ impl Node {
     }
 }
 
+/// An angle in [−π, π).
+fn signed(angle: f64) -> f64 {
+    (angle + PI).rem_euclid(TAU) - PI
+}
+
 /// Angle between two places of the turn, rad.
 fn apart(a: f64, b: f64) -> f64 {
-    let t = (a - b).rem_euclid(TAU);
-    t.min(TAU - t)
+    signed(a - b).abs()
 }
 
 /// What nodes prove of f on [a, b].
@@ -146,8 +159,8 @@ impl Search {
         let mut refused = None;
         for k in 0..angles {
             match self.visit(first + TAU * k as f64 / angles as f64) {
-                Ok(_) => {
-                    self.descend();
+                Ok(node) => {
+                    self.descend(node);
                     return Ok(());
                 }
                 Err(failure) => refused = refused.or(Some(failure)),
@@ -191,20 +204,41 @@ impl Search {
         (0..self.nodes.len()).min_by(by_value).unwrap_or(0)
     }
 
-    /// Moves the touching angle to the lowest point of the best law while that improves the objective.
-    fn descend(&mut self) {
+    /// Looks on both sides of the best angle: under a symmetric force the best may be the worst of its neighbours.
+    fn beside(&mut self) {
+        let at = self.nodes[self.best()].at;
+        let part = 0.25 * self.program.width(0);
+        for angle in [at - part, at + part] {
+            if let Ok(node) = self.visit(angle) {
+                self.descend(node);
+            }
+        }
+    }
+
+    /// Moves the touching angle of a node towards the lowest point of its law while that improves the objective: by the
+    /// way to it at first, then by the secant at which that way ends.
+    fn descend(&mut self, mut node: usize) {
+        let mut before: Option<(f64, f64)> = None;
         for _ in 0..MOST_DESCENTS {
-            let best = &self.nodes[self.best()];
-            let (value, lowest) = (best.value, best.law.extremes(0).0);
-            if apart(lowest.at, best.at) < SETTLED || best.multiplier == 0.0 {
+            let here = &self.nodes[node];
+            let (at, value) = (here.at, here.value);
+            let way = signed(here.law.extremes(0).0.at - at);
+            if way.abs() < SETTLED || here.multiplier == 0.0 {
                 return;
             }
-            let gained = match self.visit(lowest.at) {
-                Ok(node) => value - self.nodes[node].value,
-                Err(_) => return,
-            };
-            if gained <= 0.1 * GAP * value.abs() {
+            let secant = before.map(|(then, old)| -way * signed(at - then) / (way - old));
+            let ahead = secant.filter(|step| step * way > 0.0 && step.abs() < FARTHEST * way.abs());
+            before = Some((at, way));
+            let Ok(next) = self.visit(at + ahead.unwrap_or(way)) else {
                 return;
+            };
+            let gained = value - self.nodes[next].value;
+            if gained > 0.1 * GAP * value.abs() {
+                node = next;
+            } else if ahead.is_none() || gained >= 0.0 {
+                return;
+            } else {
+                before = None;
             }
         }
     }
@@ -238,7 +272,7 @@ impl Search {
             let there = bound(&self.nodes, middle, middle, alpha);
             let more = self.programs < MOST_PROGRAMS && !self.program.halt.is_asked();
             if there < allowed && more && self.visit(middle).is_ok() {
-                self.descend();
+                self.descend(self.best());
             }
             let part = |a: f64, b: f64| (a, b, bound(&self.nodes, a, b, alpha));
             parts[worst] = part(a, middle);
