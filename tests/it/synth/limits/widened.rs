@@ -225,6 +225,28 @@ fn a_wider_limit_never_worsens_a_design() {
     assert!(times() == 0 || kinds.iter().all(|n| *n > 0), "{kinds:?}");
 }
 
+/// Under a force that is symmetric in time the angle of symmetry is the worst of its neighbours for the law to touch its
+/// base circle, and no law touches there that keeps a wide accuracy best.
+#[test]
+fn a_wider_accuracy_never_takes_a_larger_cam() {
+    let radius = |by: f64| {
+        let wish = Wish {
+            minimise: 4,
+            frequency: 1.674_598_489_889_618_6,
+            spans: 10,
+            accuracy: 0.093,
+            limits: vec![(11, 0.86)],
+            widened: 1,
+            by,
+        };
+        with(&wish, by).cam.follower.prime_radius()
+    };
+    let radii: Vec<f64> = (0..10).map(|i| radius(1.0 + 0.1 * f64::from(i))).collect();
+    let falls = |pair: &[f64]| pair[1] < pair[0] * (1.0 + 1e-6);
+    assert!(radii.windows(2).all(falls), "{radii:?}");
+    assert!(radii[9] < 0.0778, "{radii:?}");
+}
+
 /// Every limit of every built-in scene that stands in numbers, 5 % wider and 5 % narrower.
 #[test]
 fn a_wider_limit_never_fails_a_built_in_scene() {
