@@ -33,7 +33,7 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-BLOCK = re.compile(r"(?ms)(?:`(\S+)`:\n\n)?^```(\w+)\n(.*?)^```$|^<!-- printed -->\n(.*?)(?:\n\n|\Z)")
+BLOCK = re.compile(r"(?ms)(?:`(\S+)`:\n\n)?^```(\w+)\n(.*?)^```$|^<!-- printed -->\n(?=(.*?)(?:\n\n|\Z))")
 NUMBER = re.compile(r"\d+[.,]\d+")
 PAGES = ("README.md", "docs/start.md", "docs/guide/*.md", "docs/guia/*.md", "docs/reference/*.md")
 
@@ -44,7 +44,7 @@ class Page:
     def __init__(self, path, binary, folder, python=None):
         self.path, self.binary, self.folder = path, binary, Path(folder)
         self.interpreter = python and Path(shutil.which(python)).absolute()
-        self.scene, self.printed, self.commands, self.program = "footbridge", "", "", ""
+        self.scene, self.printed, self.above, self.program = "footbridge", "", "", ""
         self.language = "es" if path.parent.name == "guia" else "en"
         for name in ("scenes", "data"):
             shutil.copytree(ROOT / name, self.folder / name)
@@ -65,7 +65,7 @@ class Page:
             self.run_python()
 
     def sh(self, block):
-        self.printed, self.commands = "", block
+        self.printed, self.above = "", self.above + block
         for line in block.replace("\\\n", " ").splitlines():
             if line.startswith("gaitcam studio"):
                 self.printed += self.first_line(line)
@@ -75,6 +75,7 @@ class Page:
                 expected = re.search(r"# exit code (\d+)", line)
                 code, printed = self.shell(line)
                 self.printed += printed
+                self.above += printed
                 if code != int(expected.group(1) if expected else 0):
                     return f"exit code {code}: {line}\n{printed}"
 
@@ -89,11 +90,11 @@ class Page:
                 return f"exit code {code} of task {task}:\n{printed}"
 
     def prose(self, paragraph):
-        printed = [float(number.replace(",", ".")) for number in NUMBER.findall(self.printed + self.commands)]
+        printed = [float(number.replace(",", ".")) for number in NUMBER.findall(self.above)]
         for number in NUMBER.findall(paragraph):
             digits = len(re.split("[.,]", number)[1])
             if not any(abs(p - float(number.replace(",", "."))) <= 0.5001 * 10**-digits for p in printed):
-                return f"the commands above do not print {number}\nprinted:\n{self.printed}"
+                return f"the commands above do not print {number}"
 
     def shell(self, line):
         command = f'gaitcam() {{ {shlex.quote(self.binary)} --lang {self.language} "$@"; }}; set -o pipefail; {line}'
