@@ -11,7 +11,7 @@ Each page has a temporary folder with copies of scenes/ and data/, in which its 
 - `bash`, a job for Slurm (`#SBATCH --array=FIRST-LAST`): every task is run with the variables that Slurm sets, and the
   first once more, as in an array that is submitted again;
 - after `<!-- printed -->` every number of the paragraph that has a decimal point is printed, but for rounding, by the
-  commands above or stands in them;
+  commands above (times aside) or stands in them;
 - `csv` is written to the file that the line before names, `NAME.csv`: in backquotes;
 - `toml` that begins with the comment `# NAME.toml` is written to that file; any other is set, key by key, in the scene
   written last (else in the built-in footbridge), which must then be designed with exit code 0 or 3;
@@ -90,7 +90,7 @@ class Page:
                 return f"exit code {code} of task {task}:\n{printed}"
 
     def prose(self, paragraph):
-        printed = [float(number.replace(",", ".")) for number in NUMBER.findall(self.above)]
+        printed = [float(number.replace(",", ".")) for number in NUMBER.findall(re.sub(r"[\d.,]+ ms\b", "", self.above))]
         for number in NUMBER.findall(paragraph):
             digits = len(re.split("[.,]", number)[1])
             if not any(abs(p - float(number.replace(",", "."))) <= 0.5001 * 10**-digits for p in printed):
