@@ -7,7 +7,7 @@
 - `theory §n` anywhere in the repository is a section of docs/theory.md;
 - a path such as `src/law/rise.rs` in README, CONTRIBUTING and docs/ is that of a file or folder;
 - a relative link in a Markdown file leads to a file, and its #anchor to a heading;
-- every number with a decimal point in the paragraph after `<!-- from FILE -->` stands in that file;
+- every number with a decimal point or of four digits and more in the paragraph after `<!-- from FILE -->` stands in that file;
 - nothing cites a document that is not in the repository;
 - the README installs and tests with the commands that `.ci/run` runs.
 """
@@ -21,6 +21,7 @@ from urllib.parse import unquote
 ROOT = Path(__file__).resolve().parent.parent
 TEXT = {".rs", ".md", ".toml", ".py", ".ftl", ".html", ".js", ".css"}
 SKIP = {"target", ".git", "out", "corpus", "node_modules", ".venv", "dist"}
+FIGURE = r"\d+(?:\.\d+)+|\d{4,}"
 # Short names of documents that only their writers had.
 FOREIGN = re.compile(r"\b(FACTS|INTERFACE\.md|DESIGN\.md|STYLE\.md)\b|\b[Tt]hesis 00\d|\b[Pp]aper 00\d")
 
@@ -55,8 +56,8 @@ def broken_links(path, text):
 
 def changed_figures(path, text):
     for source, paragraph in re.findall(r"(?ms)^<!-- from (\S+) -->\n(.*?)(?:\n\n|\Z)", text):
-        known = set(re.findall(r"\d+(?:\.\d+)+", (path.parent / source).read_text(encoding="utf-8")))
-        for number in re.findall(r"\d+(?:\.\d+)+", paragraph):
+        known = set(re.findall(FIGURE, (path.parent / source).read_text(encoding="utf-8")))
+        for number in re.findall(FIGURE, paragraph):
             if number not in known:
                 yield f"{number}, which {source} does not have"
 
