@@ -129,7 +129,7 @@ fn peak(law: &Law, order: usize) -> f64 {
 
 /// The least-squares law, which the tasks with limits start from.
 fn no_limits(free: &Task) -> Law {
-    let law = free.free().expect("a law").law;
+    let law = free.free().expect("a law");
     let seconds = median(|| drop(black_box(black_box(free).free())));
     tell(
         "no limits, quintic 32 spans",
@@ -152,7 +152,7 @@ fn jerk_limit(free: &Task, most: f64) {
         bounds: &bounds,
         ..*free
     };
-    let law = held.exchange().expect("feasible").law;
+    let law = held.exchange().expect("feasible");
     let seconds = median(|| drop(black_box(black_box(&held).exchange())));
     let words = format!(
         "{:.4} % RMS, limit {:+.1e}",
@@ -177,7 +177,7 @@ fn acceleration_and_jerk(free: &Task, free_law: &Law) {
         bounds: &bounds,
         ..*free
     };
-    let law = both.exchange().expect("feasible").law;
+    let law = both.exchange().expect("feasible");
     let excess = (bounds.iter())
         .map(|b| peak(&law, b.order) / b.most - 1.0)
         .fold(f64::NEG_INFINITY, f64::max);

@@ -80,7 +80,7 @@ fn equality_tier(report: &mut Report, curve: &ForceCurve, drive: Drive) {
 
 fn certified(report: &mut Report, curve: &ForceCurve, drive: Drive) {
     let task = quintic(curve, drive, 32);
-    let free = task.free().expect("a law").law;
+    let free = task.free().expect("a law");
     let at = |percent: f64| {
         let bounds = [2, 3].map(|order| {
             let (low, high) = free.extremes(order);

@@ -166,7 +166,7 @@ fn task<'a>(target: &'a ForceCurve, drive: Drive, bounds: &'a [Bound]) -> Task<'
 
 /// Acceleration and jerk at 95 % of what the law without limits has.
 fn bounds(force: &ForceCurve, drive: Drive) -> [Bound; 2] {
-    let free = task(force, drive, &[]).free().expect("a law").law;
+    let free = task(force, drive, &[]).free().expect("a law");
     [2, 3].map(|order| {
         let (low, high) = free.extremes(order);
         let most = 0.95 * high.value.max(-low.value);

@@ -6,7 +6,7 @@ mod picture;
 mod tables;
 
 pub use picture::picture;
-pub use tables::{csv, markdown};
+pub use tables::{csv, markdown, section};
 
 /// One method at one size.
 #[derive(Debug, Clone, Default, PartialEq)]

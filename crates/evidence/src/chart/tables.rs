@@ -55,42 +55,43 @@ pub fn markdown(charts: &[Chart], machine: &str, after: &str) -> String {
         let _ = writeln!(out, "- **{}** {}", chart.title, chart.advice);
     }
     for chart in charts {
-        section(&mut out, chart);
+        section(&mut out, chart, true);
     }
     out.push_str(after);
     out
 }
 
-fn section(out: &mut String, chart: &Chart) {
+/// The table of one chart with its task and advice, and its picture where one is `drawn`.
+pub fn section(out: &mut String, chart: &Chart, drawn: bool) {
     let front = chart.front();
     let verdict = match chart.ahead_of_default() {
-        None => "The default lies on the front.".to_string(),
+        _ if front.is_empty() => String::new(),
+        None => " The default lies on the front.".to_string(),
         Some((row, share)) => format!(
-            "The default does not lie on the front: {} ({}) reaches its error in {:.0} % of its cost.",
+            " The default does not lie on the front: {} ({}) reaches its error in {:.0} % of its cost.",
             row.method,
             row.size,
             100.0 * share
         ),
     };
+    // Writing to a String cannot fail.
+    let _ = write!(out, "\n## {}\n\n{}\n\n", chart.title, chart.task);
+    if drawn {
+        let _ = write!(
+            out,
+            "![{}]({}.png)\n\n{}{verdict}\n\n",
+            chart.title, chart.file, chart.advice
+        );
+    }
+    let (points, rule) = if chart.across == Across::Points {
+        (" points |", "---|")
+    } else {
+        ("", "")
+    };
     let _ = write!(
         out,
-        "\n## {}\n\n{}\n\n![{}]({}.png)\n\n{} {verdict}\n\n| | method | size | {} | time | quartiles |{}\n|---|---|---|---|---|---|{}\n",
-        chart.title,
-        chart.task,
-        chart.title,
-        chart.file,
-        chart.advice,
+        "| | method | size | {} | time | quartiles |{points} remark |\n|---|---|---|---|---|---|{rule}---|\n",
         chart.error,
-        if chart.across == Across::Points {
-            " points | remark |"
-        } else {
-            " remark |"
-        },
-        if chart.across == Across::Points {
-            "---|---|"
-        } else {
-            "---|"
-        },
     );
     for (i, r) in chart.rows.iter().enumerate() {
         let mut mark = String::new();

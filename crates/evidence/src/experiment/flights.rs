@@ -1,6 +1,5 @@
 //! Lift-off, flights and landings.
 
-use super::compliant::{Compliant, exact_chi, returned_restitution};
 use super::{POINTS, Page, cams, run_points, scene};
 use crate::thesis;
 use gaitcam::dynamics::contact::Phase;
@@ -82,28 +81,6 @@ pub(super) fn bounces(out: &mut Page) -> Result<()> {
         "Gap between plate and cam above lift-off, plastic and bouncing",
     );
     Ok(())
-}
-
-pub(super) fn restitution(out: &mut Page) {
-    out.line("## Restitution of a compliant contact\n");
-    out.line("f = Kδⁿ(1 + χ δ̇/v₀), K = 1e10 N/m^1.5, n = 1.5, 1 kg at 0.2 m/s.\n");
-    out.table("e asked | Hunt–Crossley 3(1 − e)/2 | Lankarani–Nikravesh 3(1 − e²)/4 | Flores 8(1 − e)/(5e) | exact χ | integrated with exact χ");
-    for e in [0.1, 0.3, 0.5, 0.7, 0.9] {
-        let contact = Compliant {
-            stiffness: 1e10,
-            exponent: 1.5,
-            restitution: e,
-        };
-        let back = contact.rebound(1.0, 0.2) / 0.2;
-        out.line(format_args!(
-            "| {e} | {:.3} | {:.3} | {:.3} | {:.6} | {back:.8} |",
-            returned_restitution(1.5 * (1.0 - e)),
-            returned_restitution(0.75 * (1.0 - e * e)),
-            returned_restitution(1.6 * (1.0 - e) / e),
-            exact_chi(e)
-        ));
-    }
-    out.line("");
 }
 
 pub(super) fn two_cams(out: &mut Page) -> Result<()> {

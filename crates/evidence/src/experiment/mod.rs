@@ -2,16 +2,13 @@
 //! simulation. The text of reports/dynamics.md; everything in it is computed here but the times of
 //! [`peers`], which a benchmark measured.
 
-pub(crate) mod compliant;
 mod flights;
 mod give;
 pub(crate) mod motor;
-mod outline;
 pub(crate) mod peers;
 pub(crate) mod pictures;
 pub(crate) mod ripple;
 mod running;
-mod smoothing;
 
 use crate::thesis;
 use gaitcam::cam::Cam;
@@ -37,10 +34,8 @@ pub fn report() -> Result<String> {
     ));
     running::steady_running(&mut out)?;
     running::convergence(&mut out)?;
-    running::hand_drawn(&mut out)?;
     flights::lift_off(&mut out)?;
     flights::bounces(&mut out)?;
-    flights::restitution(&mut out);
     give::vibration(&mut out)?;
     flights::two_cams(&mut out)?;
     give::motors(&mut out)?;
@@ -121,7 +116,6 @@ mod tests {
             "204.980906",
             "0.075683849",
             "198.033742",
-            "1.432751",
             "68.4 %",
         ] {
             assert!(text.contains(number), "{number}\n{text}");

@@ -1,6 +1,5 @@
-//! Steady running: force and torque, the points' error, and a contour drawn by hand.
+//! Steady running: force and torque, and the points' error.
 
-use super::outline::recover_outline;
 use super::{Page, cams, scene, worst_force_error};
 use crate::thesis;
 use gaitcam::dynamics::simulate;
@@ -85,41 +84,5 @@ pub(super) fn convergence(out: &mut Page) -> Result<()> {
         before = Some(now);
     }
     out.line("\n![Largest force error against points per turn](dynamics_convergence.png)\n\nBeyond about 1000 points rounding of the coordinates, not interpolation, sets the error.\n");
-    Ok(())
-}
-
-pub(super) fn hand_drawn(out: &mut Page) -> Result<()> {
-    out.line("## A contour drawn by hand\n");
-    out.line(
-        "Forty points of the double harmonic rounded to 0.1 mm, as a mouse would place them.\n",
-    );
-    let cam = thesis::double_harmonic();
-    let outline: Vec<[f64; 2]> = cam
-        .profile(40)
-        .iter()
-        .map(|p| [(p.x * 1e4).round() / 1e4, (p.y * 1e4).round() / 1e4])
-        .collect();
-    let drive = thesis::real(thesis::SPEED);
-    out.table("smoothing tolerance mm | answer");
-    for tolerance in [1e-6, 1e-4, 2e-4, 4e-4] {
-        let answer = match recover_outline(&outline, thesis::BASE_RADIUS, tolerance) {
-            Err(error) => format!("refused: {error}"),
-            Ok(smooth) => {
-                let errors = (0..360).map(|i| {
-                    let t = f64::from(i).to_radians();
-                    (drive.force(smooth.law.svaj(t)) - drive.force(cam.law.svaj(t))).powi(2)
-                });
-                let rms = (errors.sum::<f64>() / 360.0).sqrt();
-                format!(
-                    "{} harmonics kept, force within {rms:.3} N RMS of the law",
-                    smooth.harmonics
-                )
-            }
-        };
-        out.line(format_args!("| {} | {answer} |", 1e3 * tolerance));
-    }
-    let hop = (gaitcam::units::G / (thesis::BASE_RADIUS + thesis::LIFT)).sqrt();
-    out.line(format_args!(
-            "\nUnsmoothed, a polyline rocks from facet to facet: on a corner at height d the force is M(g − ω²d) and every facet of length L strikes with MωL. It hops above √(g/d) = {hop:.2} rad/s however fine it is; this is where the spikes of the thesis's figures 67 and 70 come from.\n"));
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! Chart (f): points written against the error of what is cut from them.
+//! Chart (e): points written against the error of what is cut from them.
 
 use super::Watch;
 use crate::chart::{Across, Chart};
@@ -66,8 +66,8 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
         rows.push(row);
     }
     Ok(Chart {
-        file: "speed_accuracy_f".to_string(),
-        title: "(f) Profile for the machine".to_string(),
+        file: "speed_accuracy_e".to_string(),
+        title: "(e) Profile for the machine".to_string(),
         task: "Roller cam of 40 mm base radius, 20 mm cycloidal rise and fall: distance between the true profile and what a machine runs through.".to_string(),
         error: "largest distance from the true profile, m".to_string(),
         across: Across::Points,

@@ -105,7 +105,7 @@ fn splines(watch: &Watch, target: &ForceCurve, drive: Drive, rows: &mut Vec<Row>
                 spans,
                 bounds: &[],
             };
-            let (answer, timing) = watch.time(|| task.free().map(|a| with_profile(a.law)));
+            let (answer, timing) = watch.time(|| task.free().map(with_profile));
             let error = force_error(&drive, &answer?.0, target);
             let method = format!("spline of degree {degree}");
             rows.push(timing.row(&method, format!("{spans} spans"), error));

@@ -1,7 +1,6 @@
 //! The rungs of the solver one by one, and their cost against the number of spans.
 
 use std::f64::consts::PI;
-use std::fmt::Write as _;
 use std::path::Path;
 
 use super::limits::{peak, violation};
@@ -28,11 +27,23 @@ fn line(tier: &str, problem: impl Into<String>, timing: Timing, error: f64, agai
 
 /// Measures the table and the picture and writes ladder.md, ladder.csv, ladder_spans.svg and .png.
 pub fn write(watch: &Watch, folder: &Folder, machine: &str) -> Result<()> {
-    let lines = [closed_forms(watch)?, programs(watch)?, scenes(watch)?].concat();
+    let rungs = Chart {
+        file: "ladder".to_string(),
+        title: "The rungs one by one".to_string(),
+        task: "Each rung on its own problems; the remark says what the error is against."
+            .to_string(),
+        error: "error".to_string(),
+        across: Across::Spans,
+        rows: [closed_forms(watch)?, programs(watch)?, scenes(watch)?].concat(),
+        ..Chart::default()
+    };
     let spans = against_spans(watch)?;
     folder.write_picture(&spans.file, &chart::picture(&spans))?;
-    folder.write("ladder.csv", csv(&lines, &spans).as_bytes())?;
-    folder.write("ladder.md", page(&lines, &spans, machine).as_bytes())
+    let mut page = format!("# The ladder of solvers\n\nMeasured by `gaitcam chart`. {machine}\n");
+    chart::section(&mut page, &rungs, false);
+    chart::section(&mut page, &spans, true);
+    folder.write("ladder.csv", chart::csv(&[rungs, spans]).as_bytes())?;
+    folder.write("ladder.md", page.as_bytes())
 }
 
 /// The spectral inverse and the closed-form prime circle.
@@ -88,7 +99,7 @@ fn programs(watch: &Watch) -> Result<Vec<Row>> {
     let (target, drive) = footbridge()?;
     let free = Task::quintic(&target, drive, SPANS);
     let (law, timing) = watch.time(|| free.free());
-    let law = law?.law;
+    let law = law?;
     let mut out = vec![line(
         "equality",
         format!("footbridge force, quintic, {SPANS} spans"),
@@ -106,10 +117,10 @@ fn programs(watch: &Watch) -> Result<Vec<Row>> {
             ..free.clone()
         };
         let (answer, timing) = watch.time(|| task.exchange());
-        let ours = answer?.law;
+        let ours = answer?;
         let (other, slower) = watch.time(|| task.interior_point());
         let error = |law: &Law| force_error(&drive, law, &target);
-        let apart = (error(&ours) / error(&other?.law) - 1.0).abs();
+        let apart = (error(&ours) / error(&other?) - 1.0).abs();
         let what = format!(
             "the same, acceleration and jerk held to {:.0} %",
             100.0 * part
@@ -197,7 +208,7 @@ fn against_spans(watch: &Watch) -> Result<Chart> {
         push("equality: one factorisation", timing);
         let bounds = [Bound {
             order: 2,
-            most: 0.8 * peak(&answer?.law, 2),
+            most: 0.8 * peak(&answer?, 2),
         }];
         let task = Task {
             bounds: &bounds,
@@ -216,68 +227,4 @@ fn against_spans(watch: &Watch) -> Result<Chart> {
         rows,
         ..Chart::default()
     })
-}
-
-fn csv(lines: &[Row], spans: &Chart) -> String {
-    let mut out =
-        String::from("tier,problem,seconds,first_quartile_s,third_quartile_s,error,against\n");
-    for l in lines {
-        let _ = writeln!(
-            out,
-            "{},\"{}\",{:e},{:e},{:e},{:e},\"{}\"",
-            l.method, l.size, l.seconds, l.quartiles.0, l.quartiles.1, l.error, l.note
-        );
-    }
-    for r in &spans.rows {
-        let _ = writeln!(
-            out,
-            "{},\"{}\",{:e},{:e},{:e},,",
-            if r.method.starts_with("qp") {
-                "qp"
-            } else {
-                "equality"
-            },
-            r.size,
-            r.seconds,
-            r.quartiles.0,
-            r.quartiles.1
-        );
-    }
-    out
-}
-
-fn page(lines: &[Row], spans: &Chart, machine: &str) -> String {
-    let mut out = format!(
-        "# The ladder of solvers\n\nEach rung on its own problems, measured by `gaitcam chart`. {machine}\n\n\
-         | tier | problem | time, median | quartiles | error | against |\n|---|---|---|---|---|---|\n"
-    );
-    let micro = |s: f64| format!("{:.1} µs", 1e6 * s);
-    for l in lines {
-        let _ = writeln!(
-            out,
-            "| {} | {} | {} | {} … {} | {:.1e} | {} |",
-            l.method,
-            l.size,
-            micro(l.seconds),
-            micro(l.quartiles.0),
-            micro(l.quartiles.1),
-            l.error,
-            l.note
-        );
-    }
-    let _ = write!(
-        out,
-        "\n## {}\n\n{} {}\n\n![{}]({}.png)\n\n| spans | rung | time, median |\n|---|---|---|\n",
-        spans.title, spans.task, spans.advice, spans.title, spans.file
-    );
-    for r in &spans.rows {
-        let _ = writeln!(
-            out,
-            "| {} | {} | {} |",
-            r.points.unwrap_or(0),
-            r.method,
-            micro(r.seconds)
-        );
-    }
-    out
 }

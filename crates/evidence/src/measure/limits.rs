@@ -2,13 +2,15 @@
 
 use super::{Watch, footbridge, force_error};
 use crate::chart::Chart;
-use crate::tiers::{Between, Bound, Settings, Task};
+use crate::tiers::{Between, Bound, Task};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
 
 /// Jerk allowed, part of what the law takes without a limit.
 const ALLOWED: f64 = 0.5;
 const SPANS: usize = 14;
+/// Tolerance of the interior point.
+const TOLERANCE: f64 = 1e-9;
 
 /// Largest |jerk| of a law beyond `most`, part of it; 0 when kept.
 pub fn violation(law: &Law, most: f64) -> f64 {
@@ -25,17 +27,13 @@ pub fn peak(law: &Law, order: usize) -> f64 {
 pub fn chart(watch: &Watch) -> Result<Chart> {
     let (target, drive) = footbridge()?;
     let free = Task::quintic(&target, drive, SPANS);
-    let most = ALLOWED * peak(&free.free()?.law, 3);
+    let most = ALLOWED * peak(&free.free()?, 3);
     let bounds = [Bound { order: 3, most }];
     let task = Task {
         bounds: &bounds,
         ..free
     };
-    let tight = Settings {
-        tolerance: 1e-10,
-        ..Settings::default()
-    };
-    let best = task.conic(Between::Cone)?.solve(tight)?.law;
+    let best = task.conic(Between::Cone)?.solve(1e-10)?;
     let truth = force_error(&drive, &best, &target);
     let mut rows = Vec::new();
     let mut push = |mut row: crate::chart::Row, law: &Law| {
@@ -46,28 +44,22 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
         rows.push(row);
     };
     for count in [1, 2, 4, 8, 16, 32] {
-        let (answer, timing) = watch.time(|| {
-            task.conic(Between::Samples(count))?
-                .solve(Settings::default())
-        });
+        let (answer, timing) = watch.time(|| task.conic(Between::Samples(count))?.solve(TOLERANCE));
         push(
             timing.row("samples on every span", format!("{count}"), 0.0),
-            &answer?.law,
+            &answer?,
         );
     }
     for (name, between) in [
         ("Bernstein rows", Between::Coefficients),
         ("exact cones", Between::Cone),
     ] {
-        let (answer, timing) = watch.time(|| task.conic(between)?.solve(Settings::default()));
-        push(
-            timing.row(name, format!("{SPANS} spans"), 0.0),
-            &answer?.law,
-        );
+        let (answer, timing) = watch.time(|| task.conic(between)?.solve(TOLERANCE));
+        push(timing.row(name, format!("{SPANS} spans"), 0.0), &answer?);
     }
     let (answer, timing) = watch.time(|| task.exchange());
     let row = timing.row("exchange at exact extrema", format!("{SPANS} spans"), 0.0);
-    push(row.by_default(), &answer?.law);
+    push(row.by_default(), &answer?);
     Ok(Chart {
         file: "speed_accuracy_b".to_string(),
         title: "(b) Limits between samples".to_string(),

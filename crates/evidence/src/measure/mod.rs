@@ -7,7 +7,6 @@ mod geometry;
 mod ladder;
 mod limits;
 mod reference;
-mod solver;
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -38,7 +37,6 @@ pub fn write(quick: bool, out: &Path, say: &mut dyn FnMut(&str)) -> Result<()> {
         geometry::chart,
         dynamics::vibration,
         dynamics::flight,
-        solver::chart,
         export::chart,
     ] {
         let chart = measure(&watch)?;

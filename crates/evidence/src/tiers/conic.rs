@@ -1,11 +1,9 @@
 //! A program with all its rows written down beforehand, for the interior-point method.
 
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{
-    DefaultSettings, DefaultSettingsBuilder, DefaultSolver, SolverStatus, SupportedConeT,
-};
+use clarabel::solver::{DefaultSettingsBuilder, SolverStatus, SupportedConeT};
 
-use super::{Answer, Between, Bound, Settings, Task, refused};
+use super::{Between, Bound, Task, refused};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
 use splineqp::{Basis, Entries, Failure, Stop, clarabel_prepared, clarabel_run};
@@ -171,15 +169,10 @@ impl Conic {
         largest * self.length * self.length
     }
 
-    fn linear(&self, gradient: &[f64]) -> Vec<f64> {
-        let factor = self.length / self.unit();
-        let mut q: Vec<f64> = gradient.iter().map(|g| g * factor).collect();
-        q.resize(self.columns, 0.0);
-        q
-    }
-
-    /// Hands the program to the solver.
-    pub fn prepare(&self, settings: Settings) -> Result<Prepared> {
+    /// Solves the program to a relative tolerance.
+    ///
+    /// Fails when the limits leave nothing or the solver gives up.
+    pub fn solve(&self, tolerance: f64) -> Result<Law> {
         let factor = self.length * self.length / self.unit();
         let (mut i, mut j, mut v) = (Vec::new(), Vec::new(), Vec::new());
         for &(row, column, value) in &self.hessian {
@@ -198,61 +191,23 @@ impl Conic {
         }
         let a = CscMatrix::new_from_triplets(self.rows.len(), self.columns, i, j, v);
         let b: Vec<f64> = self.rows.iter().map(|r| r.1).collect();
-        let q = self.linear(&self.gradient);
+        let scale = self.length / self.unit();
+        let mut q: Vec<f64> = self.gradient.iter().map(|g| g * scale).collect();
+        q.resize(self.columns, 0.0);
         let fault = |e: String| crate::fault(format!("the solver refused: {e}"));
-        let settings = chosen(settings).map_err(fault)?;
-        let solver = clarabel_prepared(&p, &q, &a, &b, &self.cones, settings)
+        let settings = DefaultSettingsBuilder::default()
+            .verbose(false)
+            .max_iter(200)
+            .max_threads(1)
+            .tol_gap_abs(tolerance)
+            .tol_gap_rel(tolerance)
+            .tol_feas(tolerance)
+            .build()
             .map_err(|e| fault(e.to_string()))?;
-        Ok(Prepared {
-            solver,
-            basis: self.basis.clone(),
-            n: self.n,
-            length: self.length,
-        })
-    }
-
-    /// Prepares and solves.
-    pub fn solve(&self, settings: Settings) -> Result<Answer> {
-        self.prepare(settings)?.solve()
-    }
-
-    /// The linear part of the objective for another target with the same mean and drive, to be handed to
-    /// [`Prepared::update`].
-    pub fn linear_part(&self, task: &Task) -> Vec<f64> {
-        self.linear(&task.distance(&task.target(), &self.basis).gradient)
-    }
-}
-
-fn chosen(s: Settings) -> std::result::Result<DefaultSettings<f64>, String> {
-    DefaultSettingsBuilder::default()
-        .verbose(false)
-        .max_iter(200)
-        .max_threads(1)
-        .tol_gap_abs(s.tolerance)
-        .tol_gap_rel(s.tolerance)
-        .tol_feas(s.tolerance)
-        .equilibrate_enable(s.equilibrate)
-        .presolve_enable(s.presolve)
-        .iterative_refinement_enable(s.refine)
-        .build()
-        .map_err(|e| e.to_string())
-}
-
-/// A program in the solver's hands: structure analysed once, data may change.
-pub struct Prepared {
-    solver: DefaultSolver<f64>,
-    basis: Basis,
-    n: usize,
-    length: f64,
-}
-
-impl Prepared {
-    /// Solves as it stands.
-    ///
-    /// Fails when the limits leave nothing or the solver gives up.
-    pub fn solve(&mut self) -> Result<Answer> {
-        clarabel_run(&mut self.solver);
-        let answer = &self.solver.solution;
+        let mut solver = clarabel_prepared(&p, &q, &a, &b, &self.cones, settings)
+            .map_err(|e| fault(e.to_string()))?;
+        clarabel_run(&mut solver);
+        let answer = &solver.solution;
         match answer.status {
             SolverStatus::Solved
             | SolverStatus::AlmostSolved
@@ -263,16 +218,6 @@ impl Prepared {
             _ => return Err(refused(&Stop::NumericalError.into())),
         }
         let x: Vec<f64> = answer.x[..self.n].iter().map(|y| y * self.length).collect();
-        Ok(Answer {
-            law: Law::of(&self.basis, &x),
-            iterations: answer.iterations as usize,
-        })
-    }
-
-    /// Exchanges the linear part of the objective (of [`Conic::linear_part`]); needs presolve off.
-    pub fn update(&mut self, linear: &[f64]) -> Result<()> {
-        self.solver
-            .update_q(&linear.to_vec())
-            .map_err(|e| crate::fault(format!("the solver refused: {e}")))
+        Ok(Law::of(&self.basis, &x))
     }
 }

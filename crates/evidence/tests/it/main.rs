@@ -1,4 +1,5 @@
-//! The papers' numbers, and the methods that fail.
+//! The papers' numbers, the methods that fail, the restitution of a compliant contact.
 
 mod reproduce;
+mod restitution;
 mod stability;

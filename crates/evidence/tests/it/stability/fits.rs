@@ -114,7 +114,7 @@ fn free(target: &ForceCurve, drive: Drive, spans: usize) -> Law {
         spans,
         bounds: &[],
     };
-    task.free().unwrap().law
+    task.free().unwrap()
 }
 
 fn worst_force(law: &Law, drive: &Drive, target: &ForceCurve) -> f64 {

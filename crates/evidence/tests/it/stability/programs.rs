@@ -6,7 +6,7 @@ use gaitcam::drive::Drive;
 use gaitcam::error::Place;
 use gaitcam::force::{Feet, model};
 use gaitcam::law::Law;
-use gaitcam_evidence::tiers::{Between, Bound, Settings, Task};
+use gaitcam_evidence::tiers::{Between, Bound, Task};
 
 use super::{design, finite};
 
@@ -81,26 +81,17 @@ fn samples_break_the_limit_that_rows_cones_and_exchange_keep() {
         let (low, high) = law.extremes(3);
         high.value.max(-low.value)
     };
-    let most = 0.6 * jerk(&free.free().unwrap().law);
+    let most = 0.6 * jerk(&free.free().unwrap());
     let bounds = [Bound { order: 3, most }];
     let task = Task {
         bounds: &bounds,
         ..free
     };
-    let conic = |b| {
-        jerk(
-            &task
-                .conic(b)
-                .unwrap()
-                .solve(Settings::default())
-                .unwrap()
-                .law,
-        ) / most
-    };
+    let conic = |b| jerk(&task.conic(b).unwrap().solve(1e-9).unwrap()) / most;
     assert!(conic(Between::Samples(1)) > 1.1);
     assert!(conic(Between::Coefficients) < 1.0 + 1e-7);
     assert!(conic(Between::Cone) < 1.0 + 1e-7);
-    assert!(jerk(&task.exchange().unwrap().law) / most <= 1.0 + 1e-9);
+    assert!(jerk(&task.exchange().unwrap()) / most <= 1.0 + 1e-9);
 }
 
 /// A dwell of 1e-9 rad between two demands leaves a singular system, which is refused as such.

@@ -9,19 +9,18 @@ const STEPS_PER_COMPRESSION: f64 = 300.0;
 const LONGEST: f64 = 40.0;
 
 /// Hunt–Crossley contact of stiffness K (N/mⁿ) and exponent n.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Compliant {
+struct Compliant {
     /// K, N/mⁿ.
-    pub stiffness: f64,
+    stiffness: f64,
     /// n: 1.5 for a Hertzian point, 1 for a linear spring.
-    pub exponent: f64,
+    exponent: f64,
     /// Restitution e of an unloaded impact, in (0, 1].
-    pub restitution: f64,
+    restitution: f64,
 }
 
 impl Compliant {
     /// Speed at which a mass (kg) that hits it at `speed` (m/s) parts again, m/s; 0 when it stays.
-    pub fn rebound(&self, mass: f64, speed: f64) -> f64 {
+    fn rebound(&self, mass: f64, speed: f64) -> f64 {
         let (n, chi) = (self.exponent, exact_chi(self.restitution));
         let energy = (n + 1.0) * mass * speed * speed;
         let deepest = (energy / (2.0 * self.stiffness)).powf(1.0 / (n + 1.0));
@@ -56,7 +55,7 @@ impl Compliant {
 /// The damping factor χ with which a Hunt–Crossley impact returns restitution `e` exactly, e in (0, 1].
 ///
 /// Root of ln[(1 + χ)/(1 − χe)] − χ(1 + e) in (0, 1/e); unique there. Source: theory §10.
-pub fn exact_chi(e: f64) -> f64 {
+fn exact_chi(e: f64) -> f64 {
     if e >= 1.0 {
         return 0.0;
     }
@@ -74,7 +73,7 @@ pub fn exact_chi(e: f64) -> f64 {
 }
 
 /// The restitution that a Hunt–Crossley impact of factor χ ≥ 0 returns: the same equation solved for e.
-pub fn returned_restitution(chi: f64) -> f64 {
+fn returned_restitution(chi: f64) -> f64 {
     if chi <= 0.0 {
         return 1.0;
     }
@@ -91,49 +90,44 @@ pub fn returned_restitution(chi: f64) -> f64 {
     0.5 * (low + high)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+#[test]
+fn exact_chi_for_one_half_is_1_432751() {
+    assert!(
+        (exact_chi(0.5) - 1.432751).abs() < 5e-7,
+        "{}",
+        exact_chi(0.5)
+    );
+}
 
-    #[test]
-    fn exact_chi_for_one_half_is_1_432751() {
-        assert!(
-            (exact_chi(0.5) - 1.432751).abs() < 5e-7,
-            "{}",
-            exact_chi(0.5)
-        );
+#[test]
+fn common_damping_formulas_miss_the_restitution_asked_for() {
+    // Hunt–Crossley 3(1 − e)/2, Lankarani–Nikravesh 3(1 − e²)/4, Flores 8(1 − e)/(5e), asked for e = 0.5.
+    for (chi, stated) in [(0.75, 0.663), (0.5625, 0.725), (1.6, 0.470)] {
+        assert!((returned_restitution(chi) - stated).abs() < 5e-4);
     }
+}
 
-    #[test]
-    fn common_damping_formulas_miss_the_restitution_asked_for() {
-        // Hunt–Crossley 3(1 − e)/2, Lankarani–Nikravesh 3(1 − e²)/4, Flores 8(1 − e)/(5e), asked for e = 0.5.
-        for (chi, stated) in [(0.75, 0.663), (0.5625, 0.725), (1.6, 0.470)] {
-            assert!((returned_restitution(chi) - stated).abs() < 5e-4);
-        }
+#[test]
+fn chi_and_restitution_are_inverse_over_the_whole_range() {
+    for e in [1e-3, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.999] {
+        let back = returned_restitution(exact_chi(e));
+        assert!((back - e).abs() < 1e-9, "{e} {back}");
     }
+    assert_eq!(returned_restitution(exact_chi(1.0)), 1.0);
+}
 
-    #[test]
-    fn chi_and_restitution_are_inverse_over_the_whole_range() {
-        for e in [1e-3, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.999] {
-            let back = returned_restitution(exact_chi(e));
-            assert!((back - e).abs() < 1e-9, "{e} {back}");
-        }
-        assert_eq!(returned_restitution(exact_chi(1.0)), 1.0);
-    }
-
-    #[test]
-    fn an_integrated_impact_returns_the_prescribed_restitution_to_1e_6() {
-        for exponent in [1.0, 1.5, 2.0] {
-            for e in [0.1, 0.3, 0.5, 0.8, 1.0] {
-                for stiffness in [1e6, 1e10] {
-                    let contact = Compliant {
-                        stiffness,
-                        exponent,
-                        restitution: e,
-                    };
-                    let rebound = contact.rebound(1.3, 0.2);
-                    assert!((rebound / 0.2 - e).abs() < 1e-6, "{exponent} {e} {rebound}");
-                }
+#[test]
+fn an_integrated_impact_returns_the_prescribed_restitution_to_1e_6() {
+    for exponent in [1.0, 1.5, 2.0] {
+        for e in [0.1, 0.3, 0.5, 0.8, 1.0] {
+            for stiffness in [1e6, 1e10] {
+                let contact = Compliant {
+                    stiffness,
+                    exponent,
+                    restitution: e,
+                };
+                let rebound = contact.rebound(1.3, 0.2);
+                assert!((rebound / 0.2 - e).abs() < 1e-6, "{exponent} {e} {rebound}");
             }
         }
     }
