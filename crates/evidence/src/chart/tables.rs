@@ -88,18 +88,24 @@ pub fn section(out: &mut String, chart: &Chart, drawn: bool) {
     } else {
         ("", "")
     };
+    // A column of marks where there are any.
+    let is_marked = !front.is_empty() || chart.rows.iter().any(|r| r.default);
+    let (marks, marks_rule) = if is_marked { ("| ", "|---") } else { ("", "") };
     let _ = write!(
         out,
-        "| | method | size | {} | time | quartiles |{points} remark |\n|---|---|---|---|---|---|{rule}---|\n",
+        "{marks}| method | size | {} | time | quartiles |{points} remark |\n{marks_rule}|---|---|---|---|---|{rule}---|\n",
         chart.error,
     );
     for (i, r) in chart.rows.iter().enumerate() {
-        let mut mark = String::new();
+        let mut mark = String::from(marks);
         if front.contains(&i) {
             mark.push('●');
         }
         if r.default {
             mark.push('★');
+        }
+        if is_marked {
+            mark.push(' ');
         }
         let points = match (chart.across, r.points) {
             (Across::Points, Some(p)) => format!(" {p} |"),
@@ -108,7 +114,7 @@ pub fn section(out: &mut String, chart: &Chart, drawn: bool) {
         };
         let _ = writeln!(
             out,
-            "| {mark} | {} | {} | {} | {} | {} … {} |{points} {} |",
+            "{mark}| {} | {} | {} | {} | {} … {} |{points} {} |",
             r.method,
             r.size,
             size_of(r.error),
