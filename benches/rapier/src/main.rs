@@ -4,7 +4,7 @@
 //! A plate of 1 kg rides on the cam: seen from the shaft block this is the moving axis of theory §1. Rapier is
 //! given the exact contour, a ball whose centre is carried round a circle; gaitcam the emitted points.
 //! The result is joined to reports/dynamics.md:
-//! `cargo run --release --manifest-path benches/rapier/Cargo.toml > benches/rapier/measured.csv`.
+//! `cargo run --release --manifest-path benches/rapier/Cargo.toml > crates/evidence/src/experiment/rapier.csv`.
 
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::Drive;

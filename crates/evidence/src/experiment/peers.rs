@@ -3,7 +3,7 @@
 use super::Page;
 
 /// What the benchmark wrote.
-const MEASURED: &str = include_str!("../../../../benches/rapier/measured.csv");
+const MEASURED: &str = include_str!("rapier.csv");
 
 /// One method at one size on the eccentric at 35 rad/s, plastic landing.
 #[derive(Debug, Clone, PartialEq)]

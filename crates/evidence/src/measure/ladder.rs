@@ -145,10 +145,10 @@ fn programs(watch: &Watch) -> Result<Vec<Row>> {
 
 /// Whole syntheses whose tier is a cone program or a sequence of programs.
 fn scenes(watch: &Watch) -> Result<Vec<Row>> {
-    let text = include_str!("../../../../scenes/heel_tester_fitted.toml");
-    let points = include_bytes!("../../../../data/gait_curves/heel_tester_critical_points.csv");
-    let name = Path::new("heel_tester_critical_points.csv");
-    let target = force::force_curve(name, points, &ReadOptions::default(), Feet::One)?;
+    let built_in = scene::built_in("heel_tester_fitted")?;
+    let points = Path::new("../data/gait_curves/heel_tester_critical_points.csv");
+    let bytes = scene::built_in_file(points).unwrap_or_default();
+    let target = force::force_curve(points, bytes, &ReadOptions::default(), Feet::One)?;
     let mut out = Vec::new();
     let cases: [(&'static str, &[&str]); 2] = [
         (
@@ -158,9 +158,7 @@ fn scenes(watch: &Watch) -> Result<Vec<Row>> {
         ("a roller of 1 in", &[]),
     ];
     for (roller, changes) in cases {
-        let mut table: toml::Table = text
-            .parse()
-            .map_err(|e| crate::fault(format!("heel_tester_fitted: {e}")))?;
+        let mut table = scene::table(built_in.toml)?;
         for change in changes {
             scene::set(&mut table, change)?;
         }

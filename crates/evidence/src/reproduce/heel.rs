@@ -133,10 +133,7 @@ fn motion(law: &Law, exact: f64) -> [Value; 11] {
 
 /// The piecewise quintic that is level at the critical points, for another objective.
 fn level(objective: &str) -> Result<Design> {
-    let text = include_str!("../../../../scenes/heel_tester_fitted.toml");
-    let mut table: toml::Table = text
-        .parse()
-        .map_err(|e: toml::de::Error| crate::fault(e.message().to_string()))?;
+    let mut table = scene::table(scene::built_in("heel_tester_fitted")?.toml)?;
     // Force points need no curve on a hydraulic drive.
     table.remove("gait");
     table.remove("limits");

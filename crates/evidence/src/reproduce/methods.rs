@@ -166,10 +166,7 @@ pub fn methods() -> Result<Vec<Method>> {
 
 /// The law that comes nearest to the force with the stroke given, on the machine of Campillo de Blas (2017).
 fn optimum(stroke: &str, target: &ForceCurve) -> Result<Law> {
-    let text = include_str!("../../../../scenes/footbridge_thesis_scale.toml");
-    let mut table: toml::Table = text
-        .parse()
-        .map_err(|e: toml::de::Error| crate::fault(e.message().to_string()))?;
+    let mut table = scene::table(scene::built_in("footbridge_thesis_scale")?.toml)?;
     scene::set(&mut table, &format!("limits.stroke=\"{stroke}\""))?;
     scene::set(&mut table, "cam.base_radius=\"auto\"")?;
     scene::set(
