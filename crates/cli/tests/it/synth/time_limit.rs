@@ -15,7 +15,7 @@ const COSTLY: [&[&str]; 4] = [
     &[
         "footbridge",
         "law.family=spline",
-        "law.spans=200",
+        "law.spans=400",
         "law.minimise=size",
     ],
     &[
