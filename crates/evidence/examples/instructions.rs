@@ -134,7 +134,7 @@ fn default_scene(changes: &[&str]) -> Scene {
     scene::read(&table(changes)).expect("a scene")
 }
 
-fn table(changes: &[&str]) -> toml::Table {
+fn table(changes: &[&str]) -> scene::toml::Table {
     let mut table = scene::DEFAULT.parse().expect("the default scene");
     for change in changes {
         scene::set(&mut table, change).expect("a key of the scene");
