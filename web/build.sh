@@ -20,8 +20,10 @@ needed() { apt-cache depends "$1" | grep -oE "$2[0-9.]+" | head -n1; }
 
 unpack() {
   command -v apt-get > /dev/null || fail "no library of Rust for WebAssembly (rustup target add wasm32-unknown-unknown) and no apt-get to fetch Debian's"
-  apt-cache show rustc-web > /dev/null 2>&1 || apt-get -qq update || true
-  apt-cache show rustc-web > /dev/null 2>&1 || fail "the Debian archive set up here has no rustc-web (bookworm-security has)"
+  # Lists kept in an image of a machine may name an older compiler only.
+  apt-get -qq update || true
+  [ "$(apt-cache show rustc-web 2> /dev/null | grep -m1 -oP '^Version: 1\.\K[0-9]+')" -ge 91 ] 2> /dev/null ||
+    fail "the Debian archive set up here has no rustc-web of 1.91 or later (bookworm-security has)"
   local std llvm
   std=$(needed libstd-rust-web-dev libstd-rust-web-)
   llvm=$(needed "$std" libllvm)
