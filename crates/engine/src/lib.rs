@@ -17,6 +17,8 @@
 
 #[cfg(target_family = "wasm")]
 mod abi;
+#[cfg(target_family = "wasm")]
+mod allocator;
 mod answer;
 mod ask;
 mod curves;

@@ -1,0 +1,35 @@
+//! The allocator of the page: that of the standard library, kept out of its callers.
+//!
+//! Inlined into a caller, the allocator reads its own word in front of a block that the optimiser knows as a block of
+//! zeros, and the optimiser writes a zero for it: a freed block then has no size, and the page ends.
+#![allow(unsafe_code)] // A global allocator is unsafe by its trait; every call goes to the standard library's.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+
+struct Apart;
+
+// SAFETY: each function hands its arguments on to the system's allocator, which keeps the trait's promises.
+unsafe impl GlobalAlloc for Apart {
+    #[inline(never)]
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        unsafe { System.alloc(layout) }
+    }
+
+    #[inline(never)]
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        unsafe { System.alloc_zeroed(layout) }
+    }
+
+    #[inline(never)]
+    unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(block, layout) }
+    }
+
+    #[inline(never)]
+    unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        unsafe { System.realloc(block, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Apart = Apart;
