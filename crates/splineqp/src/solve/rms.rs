@@ -108,7 +108,7 @@ impl<'a, N: Names> Search<'a, N> {
         let weight = found.active.iter().find(is_tangent)?.multiplier / self.limit.most;
         self.seeds = found.active;
         self.seeds.retain(|r| r.limit.is_some());
-        Some(weight.ln())
+        Some(libm::log(weight))
     }
 
     /// The law of the least root mean square.
@@ -129,12 +129,12 @@ impl<'a, N: Names> Search<'a, N> {
             Way::Weight => {
                 let hessian = &self.limit.half.whole.hessian;
                 let square = hessian.largest_diagonal() * program.length.powi(2);
-                self.at((program.objective_unit() / square).ln())
+                self.at(libm::log(program.objective_unit() / square))
             }
             Way::Peak => {
                 near.extra[PEAK] = program.own_peak(&near.x, &near.extra);
                 let peak = near.extra[PEAK].max(f64::MIN_POSITIVE);
-                Ok(self.tried(peak.ln(), 0.0, near))
+                Ok(self.tried(libm::log(peak), 0.0, near))
             }
         }
     }
@@ -166,7 +166,7 @@ impl<'a, N: Names> Search<'a, N> {
 
     /// ln of the least peak that is tried: a little above the least that the other limits leave.
     fn lowest(&self, least: &Solution<N>) -> f64 {
-        least.extra[PEAK].max(f64::MIN_POSITIVE).ln() + self.program.settings.rms.pinch
+        libm::log(least.extra[PEAK].max(f64::MIN_POSITIVE)) + self.program.settings.rms.pinch
     }
 
     fn tried(&self, number: f64, weight: f64, solution: Solution<N>) -> Tried<N> {
@@ -174,7 +174,7 @@ impl<'a, N: Names> Search<'a, N> {
             number,
             weight,
             // A law without an error is as good as a very small one.
-            excess: (1.0 + self.limit.excess(&solution.x)).max(SMALL).ln(),
+            excess: libm::log((1.0 + self.limit.excess(&solution.x)).max(SMALL)),
             solution,
         }
     }
@@ -183,7 +183,7 @@ impl<'a, N: Names> Search<'a, N> {
         if self.program.halt.is_asked() {
             return Err(Stop::OutOfTime.into());
         }
-        let value = number.exp();
+        let value = libm::exp(number);
         let tried = match self.way {
             Way::Weight => {
                 let mut program = self.program.weighing(self.limit, value);
