@@ -18,6 +18,9 @@
 //! Between two of these numbers the law is taken on the line from one optimum to the other, where q is what is allowed: all
 //! limits hold there. With weight and multipliers mixed in the same proportion t it leaves t(1 − t) Δμ Δ∇q of the gradient, which
 //! is of second order.
+//!
+//! Logarithms and exponentials come from one library on every machine, not from the system's: a law of the smallest cam is so
+//! level that their last bit moves its coefficients by a part in ten thousand, and the page is to show the command's cam.
 
 use crate::Names;
 use crate::program::{EXTRAS, Failure, PEAK, Program, RmsLimit, Row, Solution, Stop, hold};
