@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
-# Builds all that is handed out into a folder: release/build.sh [FOLDER]     (target/release-files by default)
+# Builds all that is handed out into a folder: release/build.sh [FOLDER [PART ...]]     (target/release-files by default)
+#
+# Parts are licences, command, package, page and book, in any order (the command holds the licences); all by default.
 #
 #   gaitcam-VERSION-linux-x86_64.tar.gz   the command; needs glibc 2.28 (2018) and nothing else
 #   gaitcam-VERSION-*.whl                 the Python package for 3.10 and later
@@ -13,13 +15,17 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
 out=$(realpath -m "${1:-target/release-files}")
+parts=("${@:2}")
 tools=$root/target/release-tools
 build=$root/target/release-build
 glibc=2.28
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n1)
 export SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export CARGO_INCREMENTAL=0 CARGO_TARGET_DIR=$build
-rm -rf "$out"
+if [ ${#parts[@]} = 0 ]; then
+  rm -rf "$out"
+  parts=(licences command package page book)
+fi
 mkdir -p "$out"
 
 [ -x "$tools/bin/cargo-zigbuild" ] || {
@@ -34,35 +40,52 @@ pack() {
     -C "$1" -cf - "$2" | gzip -9n > "$out/$3"
 }
 
-echo "== licences"
-python3 release/inventory.py "$out/sbom.cdx.json" "$out/licences.txt"
+licences() {
+  python3 release/inventory.py "$out/sbom.cdx.json" "$out/licences.txt"
+}
 
-echo "== the command"
 crates=${CARGO_HOME:-$HOME/.cargo}
 native="--remap-path-prefix=$root=gaitcam --remap-path-prefix=$crates=crates"
-RUSTFLAGS=$native cargo zigbuild --release --locked --quiet -p gaitcam-cli --target "x86_64-unknown-linux-gnu.$glibc"
-folder=$build/files/gaitcam-$version
-rm -rf "$build/files"
-mkdir -p "$folder"
-cp "$build/x86_64-unknown-linux-gnu/release/gaitcam" README.md LICENSE-* "$out/licences.txt" "$folder/"
-pack "$build/files" "gaitcam-$version" "gaitcam-$version-linux-x86_64.tar.gz"
 
-echo "== the Python package"
-(cd python && RUSTFLAGS=$native maturin build --release --locked --quiet --zig \
-  --target x86_64-unknown-linux-gnu --compatibility "manylinux_${glibc/./_}" --out "$out")
+command_() {
+  RUSTFLAGS=$native cargo zigbuild --release --locked --quiet -p gaitcam-cli --target "x86_64-unknown-linux-gnu.$glibc"
+  local folder=$build/files/gaitcam-$version
+  rm -rf "$build/files"
+  mkdir -p "$folder"
+  cp "$build/x86_64-unknown-linux-gnu/release/gaitcam" README.md LICENSE-* "$out/licences.txt" "$folder/"
+  pack "$build/files" "gaitcam-$version" "gaitcam-$version-linux-x86_64.tar.gz"
+}
 
-echo "== the page"
-(unset CARGO_TARGET_DIR && web/build.sh)
-cp web/dist/gaitcam.html "$out/"
-rm -rf "$build/files"
-mkdir -p "$build/files"
-cp -r web/dist "$build/files/gaitcam-page"
-rm "$build/files/gaitcam-page/gaitcam.html"
-pack "$build/files" gaitcam-page gaitcam-page.tar.gz
+package() {
+  (cd python && RUSTFLAGS=$native maturin build --release --locked --quiet --zig \
+    --target x86_64-unknown-linux-gnu --compatibility "manylinux_${glibc/./_}" --out "$out")
+}
 
-echo "== the book"
-(unset CARGO_TARGET_DIR && docs/book.sh)
-cp -r target/book "$build/files/gaitcam-book"
-pack "$build/files" gaitcam-book gaitcam-book.tar.gz
+page() {
+  (unset CARGO_TARGET_DIR && web/build.sh)
+  cp web/dist/gaitcam.html "$out/"
+  rm -rf "$build/files"
+  mkdir -p "$build/files"
+  cp -r web/dist "$build/files/gaitcam-page"
+  rm "$build/files/gaitcam-page/gaitcam.html"
+  pack "$build/files" gaitcam-page gaitcam-page.tar.gz
+}
 
-(cd "$out" && sha256sum -- * > SHA256SUMS && cat SHA256SUMS)
+book() {
+  (unset CARGO_TARGET_DIR && docs/book.sh)
+  rm -rf "$build/files"
+  mkdir -p "$build/files"
+  cp -r target/book "$build/files/gaitcam-book"
+  pack "$build/files" gaitcam-book gaitcam-book.tar.gz
+}
+
+for part in "${parts[@]}"; do
+  echo "== $part"
+  case $part in
+    command) command_ ;;
+    licences | package | page | book) "$part" ;;
+    *) echo "release/build.sh: no part $part: licences, command, package, page or book" >&2; exit 2 ;;
+  esac
+done
+
+(cd "$out" && rm -f SHA256SUMS && sha256sum -- * > SHA256SUMS && cat SHA256SUMS)

@@ -27,8 +27,9 @@ def crates():
         if key in found:
             continue
         found.add(key)
-        deps = nodes[key]["deps"]
-        open_ += [dep["pkg"] for dep in deps if any(kind["kind"] is None for kind in dep["dep_kinds"])]
+        # What our own build scripts read, such as the typeface, ends inside too.
+        kinds = (None,) if packages[key]["source"] else (None, "build")
+        open_ += [dep["pkg"] for dep in nodes[key]["deps"] if any(kind["kind"] in kinds for kind in dep["dep_kinds"])]
     return sorted((packages[key] for key in found), key=lambda package: (package["name"], package["version"]))
 
 
@@ -42,9 +43,9 @@ def component(package):
 
 
 def texts(package):
-    """The licence files that a crate carries."""
+    """The licence files that a crate carries, those of what it carries included."""
     folder = Path(package["manifest_path"]).parent
-    named = sorted(path for path in folder.iterdir() if path.is_file() and path.name.upper().startswith(TEXTS))
+    named = sorted(path for path in folder.rglob("*") if path.is_file() and path.name.upper().startswith(TEXTS))
     return [path.read_text(errors="replace").strip() for path in named]
 
 
