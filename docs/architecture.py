@@ -20,7 +20,7 @@ WIDTH = 1000
 MARGIN = 24
 BOX = 46          # height of a box
 GAP = 44          # between layers
-SPACE = 16        # least distance between neighbours in a layer
+SPACE = 12        # least distance between neighbours in a layer
 SLOT = 10         # width kept free for an arrow that passes a layer
 LIBRARY = "gaitcam"
 

@@ -4,7 +4,7 @@ use gaitcam::error::Placed;
 use gaitcam::units::{Dimension, parse};
 use gaitcam_cad::drawing::Title;
 use gaitcam_cad::dxf::{Content, Curves};
-use gaitcam_files::Contents;
+use gaitcam_files::{Contents, Workshop};
 use gaitcam_output::Language;
 use pyo3::prelude::*;
 
@@ -39,17 +39,19 @@ impl Asked<'_> {
         Ok(Contents {
             points: rows(py, self.points)?,
             png: self.png,
-            solid: self.solid,
-            tool: self.tool.map(|t| length(t, "tool")).transpose()?,
-            wire: self.wire.map(|w| length(w, "wire")).transpose()?,
-            curves: curves(py, self.dxf)?,
-            drawn: match self.cut_only {
-                true => Content::CutOnly,
-                false => Content::All,
-            },
             language: language(py, self.lang)?,
-            title,
-            ..Contents::default()
+            workshop: Workshop {
+                solid: self.solid,
+                tool: self.tool.map(|t| length(t, "tool")).transpose()?,
+                wire: self.wire.map(|w| length(w, "wire")).transpose()?,
+                curves: curves(py, self.dxf)?,
+                drawn: match self.cut_only {
+                    true => Content::CutOnly,
+                    false => Content::All,
+                },
+                title,
+                ..Workshop::default()
+            },
         })
     }
 }

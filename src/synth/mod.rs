@@ -80,6 +80,7 @@ pub use corrected::runner::{Forecast, Sensitivity};
 pub use design::{
     Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, LoadFactor, Minimised,
     Relaxation, SolverReport, Step, Tier,
+    edge::{Edge, EdgePoint},
     figures::{FIGURES, Figure, Figures},
     machine::MachineReport,
     method::{Ended, Method, PassedOver},

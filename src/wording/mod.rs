@@ -1,10 +1,13 @@
 //! The library's messages in English and Spanish, one Fluent file an area ([`gaitcam_base::wording`] says how they are made).
 
+mod words;
+
 use serde::Serialize;
 
 pub use gaitcam_base::wording::{
     Catalogue, File, Language, Messages, code, fixed, number, people, quantity,
 };
+pub use words::Words;
 
 /// The messages of the library, one file an area.
 pub const FILES: &[File] = &[

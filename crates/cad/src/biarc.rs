@@ -3,8 +3,8 @@
 //! Between two points of the profile, with their exact tangents, two arcs meet with a common tangent (a
 //! biarc). Where their distance from the profile exceeds the tolerance the interval is halved.
 
-use crate::outline::{Edge, EdgePoint};
 use gaitcam::cam::Cam;
+use gaitcam::synth::{Edge, EdgePoint};
 
 /// Widest interval that one biarc is tried on, rad.
 const WIDEST: f64 = std::f64::consts::FRAC_PI_2;

@@ -1,7 +1,7 @@
 //! A finished cam as files for CAD, printing and machining.
 //!
 //! A [`Design`](gaitcam::synth::Design) determines one or more edges to cut: the profile of a disc, both profiles
-//! of a conjugate pair, the walls of a barrel's groove ([`outline`]). Every exporter is a pure function from the
+//! of a conjugate pair, the walls of a barrel's groove ([`Edge`](gaitcam::synth::Edge)). Every exporter is a pure function from the
 //! design to the bytes of one file at true scale, in millimetres or, of DXF, drawing and programs, in [`Units`]; the same design gives the same bytes.
 //!
 //! | module | makes | accuracy |
@@ -42,7 +42,7 @@ mod spline;
 pub mod step;
 pub mod svg;
 mod units;
-pub mod words;
+mod words;
 
 pub use units::Units;
 

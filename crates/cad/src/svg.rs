@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
-use crate::outline::{Arrow, Edge, EdgePoint, id, marks, zero_mark};
+use crate::outline::{Arrow, id, marks, zero_mark};
 use gaitcam::cam::Bore;
 use gaitcam::synth::Design;
+use gaitcam::synth::{Edge, EdgePoint};
 use gaitcam_base::text::append;
 use gaitcam_base::text::escaped;
 
@@ -55,7 +56,7 @@ pub fn profile(synthesis: &Design, points: usize) -> String {
         let _ = writeln!(
             out,
             "<path id=\"{}\" d=\"{pitch}\" stroke=\"#E69F00\" stroke-dasharray=\"2 1\"/>",
-            edge.id()
+            id(edge.layer)
         );
     }
     for (edge, points) in &edges {
@@ -63,7 +64,7 @@ pub fn profile(synthesis: &Design, points: usize) -> String {
         let _ = writeln!(
             out,
             "<path id=\"{}\" d=\"{outline}\" stroke=\"#000000\" stroke-width=\"0.25\"/>",
-            edge.id()
+            id(edge.layer)
         );
     }
     let lines = marks.iter().map(|m| path(m.1.iter().copied(), false));

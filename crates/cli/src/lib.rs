@@ -6,6 +6,7 @@
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 mod console;
+#[cfg(feature = "cad")]
 mod ecam;
 #[cfg(feature = "evidence")]
 mod evidence;
@@ -59,6 +60,7 @@ enum Command {
     /// Fit measured points of a made cam to its design: deviations, and what this very cam does
     Inspect(inspect::InspectArgs),
     /// Write a design as an electronic cam for a motion controller, and say what that controller makes of it
+    #[cfg(feature = "cad")]
     Ecam(ecam::EcamArgs),
     /// Design thousands of scenes: a grid, a list or a sample of values, into one table
     Sweep(sweep::SweepArgs),
@@ -122,6 +124,7 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Gait(args) => gait::run(&args),
         Command::Cover(args) => gait::cover::run(&args),
         Command::Inspect(args) => inspect::run(&args),
+        #[cfg(feature = "cad")]
         Command::Ecam(args) => ecam::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Front(args) => front::run(&args),
@@ -172,6 +175,7 @@ impl Command {
             Command::Gait(args) => args.json,
             Command::Cover(args) => args.json,
             Command::Inspect(args) => args.json,
+            #[cfg(feature = "cad")]
             Command::Ecam(args) => args.json,
             Command::Sweep(args) => args.json,
             Command::Front(args) => args.json,

@@ -14,14 +14,21 @@ mod earlier;
 pub mod files;
 mod group;
 pub mod lock;
+mod piece;
 pub mod population;
 pub mod read;
 pub mod result_folder;
 pub mod scene;
 pub mod target;
+#[cfg(feature = "cad")]
+pub mod workshop;
+#[cfg(not(feature = "cad"))]
+#[path = "no_workshop.rs"]
+pub mod workshop;
 
-pub use contents::{Contents, ROWS, Remark};
+pub use contents::{Contents, ROWS};
 pub use files::Source;
 pub use lock::{Lock, PATIENCE};
 pub use result_folder::ResultFolder;
 pub use scene::Input;
+pub use workshop::{Remark, Workshop};

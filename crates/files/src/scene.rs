@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::UNIX_EPOCH;
 
 use toml::{Table, Value};
 
@@ -10,7 +9,6 @@ use crate::{read, target};
 use gaitcam::error::{Error, FileError, Place, Placed, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene, Source};
-use gaitcam_cad::drawing::{Title, revision};
 
 /// A scene with the folder that its paths are relative to.
 #[derive(Debug, Clone, PartialEq)]
@@ -102,10 +100,11 @@ impl Input {
     }
 
     /// Title block of a drawing of the scene.
-    pub fn title(&self) -> Title {
-        Title {
+    #[cfg(feature = "cad")]
+    pub fn title(&self) -> gaitcam_cad::drawing::Title {
+        gaitcam_cad::drawing::Title {
             date: self.file.as_deref().and_then(last_change),
-            ..title(&self.scene, &self.whole)
+            ..crate::workshop::title(&self.scene, &self.whole)
         }
     }
 
@@ -115,16 +114,6 @@ impl Input {
     /// Faults of the load model, the file or the recording.
     pub fn target(&self) -> Result<Option<ForceCurve>> {
         target::target(&self.scene, &self.folder)
-    }
-}
-
-/// Title block of a drawing of a scene that is no file; `whole` is its table with the rows of every motion.
-pub fn title(scene: &Scene, whole: &Table) -> Title {
-    let usual = Title::default();
-    Title {
-        revision: Some(revision(&toml::to_string(whole).unwrap_or_default())),
-        accuracy: scene.rms.unwrap_or(usual.accuracy),
-        ..usual
     }
 }
 
@@ -142,10 +131,11 @@ pub fn with_motions(table: &Table, folder: &Path) -> Result<Table> {
 }
 
 /// Day on which a file was last changed, counted from 1970-01-01 (UTC).
+#[cfg(feature = "cad")]
 fn last_change(file: &Path) -> Option<u64> {
     const SECONDS: u64 = 86_400;
     let time = fs::metadata(file).ok()?.modified().ok()?;
-    Some(time.duration_since(UNIX_EPOCH).ok()?.as_secs() / SECONDS)
+    Some(time.duration_since(std::time::UNIX_EPOCH).ok()?.as_secs() / SECONDS)
 }
 
 /// The folder that paths in a scene file are relative to.

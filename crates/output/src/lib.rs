@@ -20,7 +20,9 @@ pub mod report;
 pub mod simulation;
 mod words;
 
-pub use data::{csv, json, xlsx};
+#[cfg(feature = "xlsx")]
+pub use data::xlsx;
+pub use data::{csv, json};
 pub use figures::{inspection, overlay, recording, sweep as sweep_plots};
 pub use gaitcam::wording::Language;
 pub use plot::picture::{self, Picture};

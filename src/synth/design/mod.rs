@@ -1,5 +1,6 @@
 //! What a synthesis answers: plain data that emitters and sweeps read.
 
+pub mod edge;
 mod emitted;
 pub mod figures;
 mod limited;

@@ -11,7 +11,7 @@ use super::pen::{Pen, Stroke};
 use super::piece::bore_edge;
 use super::table::Table;
 use crate::step::{Sectors, barrel_ends};
-use crate::words::Words;
+use crate::words::Labels;
 
 const MM: f64 = 1000.0;
 /// Rows of the table on one sheet, and their step.
@@ -76,7 +76,7 @@ impl<'a> Barrel<'a> {
     }
 
     /// Draws the views; returns the table of heights.
-    pub fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Words) -> Table {
+    pub fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Labels) -> Table {
         let scale = MM * layout.scale.factor();
         let area = layout.views;
         let (wide, high) = (scale * TAU * self.radius(), scale * self.length());
@@ -96,7 +96,7 @@ impl<'a> Barrel<'a> {
     }
 
     /// The surface from θ = 0 at the right to 360° at the left, lower left corner at `corner`.
-    fn unrolled(&self, pen: &mut Pen, corner: [f64; 2], scale: f64, words: &Words) {
+    fn unrolled(&self, pen: &mut Pen, corner: [f64; 2], scale: f64, words: &Labels) {
         let wide = scale * TAU * self.radius();
         let (right, top) = (corner[0] + wide, corner[1] + scale * self.length());
         let x = |angle: f64| right - scale * self.radius() * angle;
@@ -158,7 +158,7 @@ impl<'a> Barrel<'a> {
     }
 
     /// The upper end, θ = 0 upwards.
-    fn end(&self, pen: &mut Pen, centre: [f64; 2], scale: f64, words: &Words) {
+    fn end(&self, pen: &mut Pen, centre: [f64; 2], scale: f64, words: &Labels) {
         let (floor, surface) = self.groove.depth();
         let [cx, cy] = centre;
         let round = scale * surface;
@@ -181,7 +181,7 @@ impl<'a> Barrel<'a> {
     }
 
     /// Diameters of surface, floor, cutter and bore at the end view.
-    fn labels(&self, pen: &mut Pen, centre: [f64; 2], scale: f64, words: &Words) {
+    fn labels(&self, pen: &mut Pen, centre: [f64; 2], scale: f64, words: &Labels) {
         let (floor, surface) = self.groove.depth();
         let [cx, cy] = centre;
         let round = scale * surface;
@@ -218,7 +218,7 @@ impl<'a> Barrel<'a> {
         }
     }
 
-    fn table(&self, words: &Words) -> Table {
+    fn table(&self, words: &Labels) -> Table {
         let start = self.groove.law().extent().0;
         let row = |k: usize| {
             let degrees = STEP * k;

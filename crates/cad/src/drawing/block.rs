@@ -7,7 +7,7 @@ use gaitcam::synth::Design;
 use super::Title;
 use super::layout::Layout;
 use super::pen::{Pen, Stroke};
-use crate::words::Words;
+use crate::words::Labels;
 use gaitcam_base::text::number;
 
 /// Letters of a field's value, of its name and of the title, mm per em.
@@ -72,7 +72,7 @@ pub fn draw(
     title: &Title,
     sheet: [usize; 2],
     layout: &Layout,
-    words: &Words,
+    words: &Labels,
 ) {
     let area = layout.title;
     let (left, right) = (area.left, area.right);
@@ -102,7 +102,7 @@ fn fields(
     title: &Title,
     [sheet, sheets]: [usize; 2],
     layout: &Layout,
-    words: &Words,
+    words: &Labels,
 ) -> Vec<Field> {
     let field = |key: &str, value: String| (words.text(key), value);
     let unit = words.units().name();
@@ -161,7 +161,7 @@ fn fields(
 }
 
 /// The tolerance of the profile and the force error that it leaves.
-fn accuracy(design: &Design, title: &Title, words: &Words) -> (String, String) {
+fn accuracy(design: &Design, title: &Title, words: &Labels) -> (String, String) {
     let making = making(design, title.accuracy);
     let error = match &making {
         Some(m) => {

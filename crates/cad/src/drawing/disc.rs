@@ -7,7 +7,7 @@ use super::piece::Piece;
 use super::radii::{Radius, radii};
 use super::table::Table;
 use super::views::{UNDER_HUB, Views};
-use crate::words::Words;
+use crate::words::Labels;
 
 /// Rows of the table: one every 5°.
 const ROWS: usize = 72;
@@ -25,7 +25,7 @@ impl Piece<'_> {
     }
 
     /// Draws the views; returns the table of radii.
-    pub fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Words) -> Table {
+    pub fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Labels) -> Table {
         Views::new(self, layout, words).draw(pen);
         let ball = words.length(BALL, 3);
         let row = |row: &Radius| {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use gaitcam::cam::{Bore, Keyway};
 
 use super::pen::{Anchor, Pen, Stroke};
-use crate::words::Words;
+use crate::words::Labels;
 
 /// Letters of dimensions, mm per em.
 const LETTERS: f64 = 3.2;
@@ -103,13 +103,13 @@ impl Pen {
 }
 
 /// Label of the hole for the shaft.
-pub fn bore(bore: &Bore, words: &Words) -> [String; 2] {
+pub fn bore(bore: &Bore, words: &Labels) -> [String; 2] {
     let size = format!("Ø {} H7", words.length(bore.diameter, 3));
     [words.text("drawing-bore"), size]
 }
 
 /// Label of its keyway: width with the fit of the key's seat, and the bore's height through it, by which it is measured.
-pub fn keyway(bore: &Bore, key: &Keyway, words: &Words) -> [String; 2] {
+pub fn keyway(bore: &Bore, key: &Keyway, words: &Labels) -> [String; 2] {
     let height = words.length(bore.diameter + key.depth, 2);
     let size = format!("{} JS9, {height}", words.length(key.width, 1));
     [words.text("drawing-keyway"), size]

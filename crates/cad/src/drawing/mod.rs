@@ -23,7 +23,7 @@ use gaitcam::wording::Language;
 use pdf_writer::{Finish, Name, Pdf, Rect, Ref, TextStr};
 
 use crate::Units;
-use crate::words::{Words, words};
+use crate::words::Labels;
 use barrel::Barrel;
 use layout::Layout;
 use pen::{HELVETICA, POINT, Pen, SYMBOL, Stroke};
@@ -95,7 +95,7 @@ impl<'a> Subject<'a> {
     }
 
     /// Draws the views; returns the table that belongs to them.
-    fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Words) -> Table {
+    fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Labels) -> Table {
         match self {
             Subject::Disc(piece) => piece.draw(pen, layout, words),
             Subject::Slide(slide) => slide.draw(pen, layout, words),
@@ -114,7 +114,7 @@ impl<'a> Subject<'a> {
 
 /// The drawing.
 pub fn pdf(design: &Design, title: &Title, language: Language) -> Vec<u8> {
-    let words = words(language, title.units);
+    let words = Labels::new(language, title.units);
     let subjects = Subject::all(design);
     let mut next = 0;
     let mut fresh = || {
@@ -166,7 +166,7 @@ fn drawn(
     title: &Title,
     number: [usize; 2],
     layout: &Layout,
-    words: &Words,
+    words: &Labels,
 ) -> pdf_writer::Buf {
     let mut pen = Pen::new();
     let frame = layout.frame;

@@ -6,7 +6,7 @@ use gaitcam::cam::{Bore, Cam, Hole, Hub};
 use gaitcam::synth::Design;
 
 use super::radii::farthest;
-use crate::outline::Edge;
+use gaitcam::synth::Edge;
 
 /// One cam to be made.
 pub struct Piece<'a> {

@@ -1,7 +1,7 @@
 //! The table of radii: where the profile lies at given polar angles, and where a probing ball that is moved
 //! towards the cam's centre comes to rest.
 
-use crate::outline::{Edge, EdgePoint};
+use gaitcam::synth::{Edge, EdgePoint};
 
 /// Points of the profile between which its crossings with a ray are looked for.
 const SAMPLES: usize = 2880;

@@ -7,8 +7,8 @@ use super::layout::Layout;
 use super::pen::{Pen, Stroke};
 use super::radii::height;
 use super::table::Table;
-use crate::outline::Edge;
-use crate::words::Words;
+use crate::words::Labels;
+use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
 /// Points of the profile.
@@ -66,7 +66,7 @@ impl<'a> Slide<'a> {
     }
 
     /// Draws the views; returns the table of heights.
-    pub fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Words) -> Table {
+    pub fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Labels) -> Table {
         let scale = MM * layout.scale.factor();
         let area = layout.views;
         let long = scale * (self.ends[1] - self.ends[0]);
@@ -105,7 +105,7 @@ impl<'a> Slide<'a> {
     }
 
     /// From the right.
-    fn side(&self, pen: &mut Pen, [left, foot]: [f64; 2], scale: f64, words: &Words) {
+    fn side(&self, pen: &mut Pen, [left, foot]: [f64; 2], scale: f64, words: &Labels) {
         let right = left + scale * self.design.thickness;
         let top = foot + scale * self.top;
         pen.frame([left, foot], [right, top], Stroke::Outline);
@@ -117,7 +117,7 @@ impl<'a> Slide<'a> {
         pen.upright(&words.length(self.top, 3), [foot, top], left, left - 8.0);
     }
 
-    fn table(&self, words: &Words) -> Table {
+    fn table(&self, words: &Labels) -> Table {
         let ball = words.length(BALL, 3);
         let [first, last] = self.ends;
         let step = step((last - first) / (ROWS - 2) as f64);

@@ -8,7 +8,7 @@ use super::pen::{Pen, Stroke};
 use super::piece::{Piece, bore_edge};
 use super::radii::farthest;
 use crate::outline::zero_mark;
-use crate::words::Words;
+use crate::words::Labels;
 
 const MM: f64 = 1000.0;
 /// Points of the outline.
@@ -59,7 +59,7 @@ enum Target {
 /// The views on the sheet.
 pub struct Views<'a> {
     piece: &'a Piece<'a>,
-    words: &'a Words,
+    words: &'a Labels,
     /// The cam's centre in the plan view, mm.
     centre: [f64; 2],
     /// Millimetres on the sheet per metre of the cam.
@@ -72,7 +72,7 @@ pub struct Views<'a> {
 
 impl<'a> Views<'a> {
     /// Places both views in the middle of their area.
-    pub fn new(piece: &'a Piece<'a>, layout: &Layout, words: &'a Words) -> Self {
+    pub fn new(piece: &'a Piece<'a>, layout: &Layout, words: &'a Labels) -> Self {
         let scale = MM * layout.scale.factor();
         let around = scale * piece.radius();
         let area = layout.views;

@@ -3,10 +3,11 @@
 mod file;
 
 use self::file::{Drawing, Shape};
-use super::outline::{Arrow, Edge, marks, zero_mark};
+use super::outline::{Arrow, marks, zero_mark};
 use super::{Units, biarc, spline};
 use gaitcam::cam::Bore;
 use gaitcam::synth::Design;
+use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
 

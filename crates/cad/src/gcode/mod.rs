@@ -11,8 +11,8 @@ use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
 use self::outside::Lead;
-use super::outline::Edge;
 use super::{Units, cutter};
+use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
 /// Feed of the point of contact along the profile, mm/min: 0.05 mm per tooth, two teeth, 2000 rpm. Operators

@@ -6,7 +6,7 @@
 
 use super::{Move, Path, feed_on};
 use crate::biarc::{self, circle};
-use crate::outline::Edge;
+use gaitcam::synth::Edge;
 
 /// Largest distance of the arcs from the profile, m: with the rounding of the program below one micrometre.
 const ARCS: f64 = 5e-7;

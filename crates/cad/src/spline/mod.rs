@@ -7,7 +7,7 @@ use interpolant::clamped;
 pub use interpolant::{FEWEST, Interpolant};
 
 use self::periodic::Spline;
-use super::outline::{Edge, EdgePoint};
+use gaitcam::synth::{Edge, EdgePoint};
 
 const MM: f64 = 1000.0;
 /// Most spans of a piece of an edge with two ends.

@@ -1,6 +1,6 @@
 //! The profile as a closed cubic B-spline.
 
-use crate::outline::Edge;
+use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
 /// Spans of the first and of the finest spline that is tried.

@@ -12,11 +12,11 @@ mod slide;
 
 pub(super) use self::barrel::Sectors;
 use self::file::{File, Piece, Rims, circle};
-use super::outline::Edge;
 use super::spline;
 use gaitcam::cam::{BarrelGroove, Bore, Hole, Hub};
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
+use gaitcam::synth::Edge;
 use gaitcam::units::Quantity;
 
 const MM: f64 = 1000.0;

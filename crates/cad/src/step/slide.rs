@@ -5,8 +5,8 @@ use gaitcam::synth::Design;
 
 use super::file::{File, Piece};
 use super::{FAITHFUL, positive};
-use crate::outline::Edge;
 use crate::spline;
+use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
 

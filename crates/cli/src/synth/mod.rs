@@ -2,14 +2,20 @@
 
 pub mod explain;
 mod front;
+#[cfg(feature = "cad")]
 mod remark;
 mod sequence;
 mod summary;
+#[cfg(feature = "cad")]
+mod workshop;
+#[cfg(not(feature = "cad"))]
+#[path = "no_workshop.rs"]
+mod workshop;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde_json::json;
 
 use crate::console::error::CliError;
@@ -17,7 +23,6 @@ use crate::console::exit_code;
 use crate::console::language;
 use crate::console::terminal::{print, print_json};
 use crate::console::words;
-use crate::ecam;
 use crate::input::searching::TimeLimit;
 use crate::input::{self, Input, SceneArgs};
 use gaitcam::Problem;
@@ -25,14 +30,11 @@ use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Place, Placed, Result, is_no_cam};
 use gaitcam::force::ForceCurve;
 use gaitcam::synth::{self, Design, Search};
-use gaitcam::units::Dimension;
-use gaitcam_cad::Units;
-use gaitcam_cad::dxf::{Content, Curves};
-use gaitcam_cad::ecam::Dialect;
 use gaitcam_files::design::{self, check_inputs_stay};
 use gaitcam_files::files::{self, Source};
 use gaitcam_files::{Contents, ResultFolder};
 use gaitcam_output::Timing;
+use workshop::WorkshopArgs;
 
 const EXAMPLES: &str = "Examples:
   gaitcam synth
@@ -73,74 +75,8 @@ pub struct SynthArgs {
     /// :torque, :power, :hertz_pressure, :liftoff_speed
     #[arg(long, value_name = "A:B")]
     pub front: Option<String>,
-    /// Also write manufacturing files: drawing (PDF), solid (STEP, STL, 3MF), arcs (DXF), workbook (XLSX)
-    #[arg(long)]
-    pub solid: bool,
-    /// Leave out of DXF drawings what is not cut: circles, marks, pitch curve (layers REF_*)
-    #[arg(long)]
-    pub cut_only: bool,
-    /// Draw the edges of profile.dxf as arcs (R12), or as splines (R2000)
-    #[arg(long, value_name = "CURVES", value_enum, default_value_t = Dxf::Arcs)]
-    pub dxf: Dxf,
-    /// Also write an electronic cam: program text or table of points for a motion controller
-    #[arg(long, value_name = "DIALECT", value_parser = ecam::dialects())]
-    pub ecam: Option<Dialect>,
-    /// Also write the path of a cutter of this radius: --tool '6 mm'
-    #[arg(long, value_name = "RADIUS")]
-    pub tool: Option<String>,
-    /// Depth of a pass of that cutter: cutter.nc with Z, spindle and feeds
-    #[arg(long, value_name = "DEPTH", requires = "tool")]
-    pub pass: Option<String>,
-    /// Also write the path of a wire that cuts at this distance from its centre: --wire '0.14 mm'
-    #[arg(long, value_name = "RADIUS")]
-    pub wire: Option<String>,
-    /// Unit of DXF, drawing and programs
-    #[arg(long, value_name = "UNIT", value_enum, default_value_t = Lengths::Mm)]
-    pub units: Lengths,
-}
-
-/// As what profile.dxf has the edges.
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-pub enum Dxf {
-    #[default]
-    Arcs,
-    Splines,
-}
-
-/// Units of the files for the workshop.
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-pub enum Lengths {
-    #[default]
-    Mm,
-    #[value(alias = "in")]
-    Inch,
-}
-
-impl SynthArgs {
-    /// The unit of DXF, drawing and programs.
-    fn units(&self) -> Units {
-        match self.units {
-            Lengths::Mm => Units::Millimetres,
-            Lengths::Inch => Units::Inches,
-        }
-    }
-
-    /// The curves of profile.dxf.
-    fn curves(&self) -> Curves {
-        match self.dxf {
-            Dxf::Arcs => Curves::Arcs,
-            Dxf::Splines => Curves::Splines,
-        }
-    }
-
-    /// What the DXF drawings show.
-    fn drawn(&self) -> Content {
-        if self.cut_only {
-            Content::CutOnly
-        } else {
-            Content::All
-        }
-    }
+    #[command(flatten)]
+    pub workshop: WorkshopArgs,
 }
 
 /// Rows of law.csv and profile.csv by default.
@@ -169,9 +105,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     }
     let start = Instant::now();
     let points = rows(args)?;
-    let tool = input::positive("--tool", args.tool.as_deref(), Dimension::Length)?;
-    let pass = input::positive("--pass", args.pass.as_deref(), Dimension::Length)?;
-    let wire = input::positive("--wire", args.wire.as_deref(), Dimension::Length)?;
+    let workshop = args.workshop.asked()?;
     let waiting = args.time.of_input(args.json);
     // A limit that was given covers the reading too.
     let limit = waiting.as_ref().map(|_| args.time.of_design());
@@ -180,16 +114,8 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
         contents: Contents {
             points,
             png: !args.no_png,
-            solid: args.solid,
-            tool,
-            pass,
-            wire,
-            ecam: args.ecam,
-            drawn: args.drawn(),
-            curves: args.curves(),
-            units: args.units(),
-            title: input.title(),
             language: language::current(),
+            workshop: workshop::titled(workshop, &input),
         },
         folder: folder(args, &input)?,
     };
@@ -287,7 +213,7 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
     }
     let measures = design.cam.follower.measures();
     for remark in &remarks {
-        print(&summary::row("note", &remark::sentence(remark, measures)));
+        print(&summary::row("note", &workshop::sentence(remark, measures)));
     }
     if let Some(place) = place {
         print(&files_in(&place, "report.html"));

@@ -11,7 +11,9 @@ use crate::{table, words};
 use gaitcam::error::{Error, Result};
 use gaitcam::units::{Dimension, parse};
 use gaitcam_files::files::{self, Source};
-use gaitcam_files::{Contents, Remark, design, scene};
+#[cfg(feature = "whole")]
+use gaitcam_files::workshop::title;
+use gaitcam_files::{Contents, Remark, Workshop, design};
 
 /// One file of a design.
 #[derive(Debug, Deserialize)]
@@ -77,14 +79,30 @@ fn bytes(kept: &Made, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
     let file = files::of(&kept.design).find(|file| file.name == name);
     let file = file.ok_or_else(none)?;
     let contents = Contents {
-        tool: tool.map(radius).transpose()?,
-        title: scene::title(&kept.scene, &kept.whole),
         language: words::current(),
+        workshop: workshop(kept, tool)?,
         ..Contents::default()
     };
     let (bytes, remarks) = file.make(&Source::new(&kept.design, kept.time, &contents))?;
     let fault = remarks.into_iter().find_map(Remark::into_fault);
     bytes.ok_or_else(|| fault.unwrap_or_else(none))
+}
+
+/// What the page asks of files for the workshop.
+#[cfg(feature = "whole")]
+fn workshop(kept: &Made, tool: Option<&str>) -> Result<Workshop> {
+    Ok(Workshop {
+        tool: tool.map(radius).transpose()?,
+        title: title(&kept.scene, &kept.whole),
+        ..Workshop::default()
+    })
+}
+
+/// The module without makers makes none.
+#[cfg(not(feature = "whole"))]
+fn workshop(_: &Made, tool: Option<&str>) -> Result<Workshop> {
+    tool.map(radius).transpose()?;
+    Ok(Workshop::default())
 }
 
 /// The radius of a cutter as typed, m.

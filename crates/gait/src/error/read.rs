@@ -155,7 +155,6 @@ pub enum FileKind {
     Pdf,
     Xml,
     Numpy,
-    Picture,
     Binary,
 }
 

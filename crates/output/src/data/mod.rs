@@ -2,4 +2,5 @@
 
 pub mod csv;
 pub mod json;
+#[cfg(feature = "xlsx")]
 pub mod xlsx;

@@ -13,6 +13,8 @@ pub struct Coverage {
     width: usize,
     /// Per row, columns with what edges add from there on.
     rows: Vec<Vec<(usize, f32)>>,
+    /// The rows that have edges.
+    touched: Range<usize>,
 }
 
 impl Coverage {
@@ -21,6 +23,7 @@ impl Coverage {
         Coverage {
             width,
             rows: vec![Vec::new(); height],
+            touched: height..0,
         }
     }
 
@@ -35,7 +38,10 @@ impl Coverage {
         let slope = (q[0] - p[0]) / (q[1] - p[1]);
         let sign = if down { 1.0 } else { -1.0 };
         let mut x = p[0] + (top - p[1]) * slope;
-        for row in top as usize..bottom.ceil() as usize {
+        let rows = top as usize..bottom.ceil() as usize;
+        self.touched.start = self.touched.start.min(rows.start);
+        self.touched.end = self.touched.end.max(rows.end);
+        for row in rows {
             let dy = bottom.min((row + 1) as f64) - top.max(row as f64);
             let next = x + slope * dy;
             self.row(row, x.min(next), x.max(next), sign * dy);
@@ -73,7 +79,9 @@ impl Coverage {
     /// Gives the parts of rows that are covered evenly, row by row and from the left: row, columns, part 0 … 1. Removes the
     /// edges.
     pub fn take(&mut self, mut give: impl FnMut(usize, Range<usize>, f32)) {
-        for (row, edges) in self.rows.iter_mut().enumerate() {
+        let touched = std::mem::replace(&mut self.touched, self.rows.len()..0);
+        for row in touched {
+            let edges = &mut self.rows[row];
             edges.sort_unstable_by_key(|(x, _)| *x);
             let (mut sum, mut at) = (0.0_f32, 0);
             for (x, part) in edges.drain(..).chain([(self.width, 0.0)]) {

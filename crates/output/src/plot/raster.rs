@@ -4,7 +4,6 @@ use super::coverage::Coverage;
 use super::outline::{disc, outline, straightened};
 use super::png;
 use super::sheet::{Ink, Shape};
-use super::text::draw_letters;
 
 /// The shapes on a white page as an 8-bit RGB PNG.
 pub fn png(width: usize, height: usize, shapes: &[Shape]) -> Vec<u8> {
@@ -44,9 +43,7 @@ impl Page {
                 ring.push(ring[0]);
                 self.fill(&outline(&ring, *width), *ink);
             }
-            Shape::Text { line, ink } => {
-                draw_letters(line, |x, y, covered| self.blend(x, y, *ink, covered));
-            }
+            Shape::Text { line, ink } => self.fill(&line.outline(), *ink),
         }
     }
 
@@ -75,20 +72,12 @@ impl Page {
             }
         });
     }
-
-    fn blend(&mut self, x: i64, y: i64, ink: Ink, covered: f32) {
-        if x < 0 || y < 0 || x >= self.width as i64 {
-            return;
-        }
-        if let Some(pixel) = (self.pixels).get_mut(y as usize * self.width + x as usize) {
-            *pixel = mixed(*pixel, ink.rgb, ink.alpha as f32 * covered.min(1.0));
-        }
-    }
 }
 
-fn mixed(under: [u8; 3], colour: [u8; 3], alpha: f32) -> [u8; 3] {
-    std::array::from_fn(|k| {
-        let below = f32::from(under[k]);
-        (below + alpha * (f32::from(colour[k]) - below) + 0.5) as u8
-    })
+fn mixed([r, g, b]: [u8; 3], [red, green, blue]: [u8; 3], alpha: f32) -> [u8; 3] {
+    let mix = |below: u8, over: u8| {
+        let below = f32::from(below);
+        (below + alpha * (f32::from(over) - below) + 0.5) as u8
+    };
+    [mix(r, red), mix(g, green), mix(b, blue)]
 }

@@ -1,24 +1,74 @@
 //! Letters as outlines on a page.
 
-use std::sync::LazyLock;
+use std::ops::Range;
 
-use ab_glyph::{Font, FontRef, PxScale, ScaleFont, point};
+/// The typeface as the build script leaves it: table of letters, then their outlines.
+static LETTERS: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/letters.bin"));
+/// Bytes of the head of the table, of one of its rows, and of a corner.
+const HEAD: usize = 4;
+const ROW: usize = 8;
+const CORNER: usize = 5;
 
-static FONT: LazyLock<Option<FontRef<'static>>> =
-    LazyLock::new(|| FontRef::try_from_slice(dejavu::sans::regular()).ok());
+/// Ems by which a bold letter is drawn again to the right: a second face would be another table of this size.
+const EMBOLDENED: f64 = 0.06;
+/// Largest distance of a curve from its chords, pixels.
+const UNSEEN: f64 = 0.1;
 
-/// Ems by which a bold letter is drawn again to the right: a second face would add 0.7 MB to the program.
-const EMBOLDENED: f32 = 0.06;
+/// A letter of the typeface.
+struct Letter {
+    /// Ems to the next letter.
+    advance: f64,
+    contours: Range<usize>,
+}
+
+fn word(at: usize) -> u16 {
+    u16::from_le_bytes([LETTERS[at], LETTERS[at + 1]])
+}
+
+/// Units of the typeface in an em.
+fn em() -> f64 {
+    f64::from(word(2))
+}
+
+/// The row of a letter in the table.
+fn row(c: char) -> Option<usize> {
+    let code = u16::try_from(u32::from(c)).ok()?;
+    let (mut low, mut high) = (0, usize::from(word(0)));
+    while low < high {
+        let middle = low.midpoint(high);
+        match word(HEAD + ROW * middle) {
+            found if found < code => low = middle + 1,
+            found if found == code => return Some(middle),
+            _ => high = middle,
+        }
+    }
+    None
+}
+
+/// The letter, or what stands for a missing one.
+fn letter(c: char) -> Letter {
+    let count = usize::from(word(0));
+    let row = row(c).unwrap_or(0);
+    let outlines = HEAD + ROW * count;
+    let start = |row: usize| {
+        let at = HEAD + ROW * row + 4;
+        let low = usize::from(word(at));
+        outlines + low + (usize::from(word(at + 2)) << 16)
+    };
+    let end = if row + 1 < count {
+        start(row + 1)
+    } else {
+        LETTERS.len()
+    };
+    Letter {
+        advance: f64::from(word(HEAD + ROW * row + 2)) / em(),
+        contours: start(row)..end,
+    }
+}
 
 /// Width of a text in ems, regular weight.
 pub fn text_width(text: &str) -> f64 {
-    let Some(font) = &*FONT else {
-        return 0.0;
-    };
-    let em = f64::from(font.units_per_em().unwrap_or(2048.0));
-    text.chars()
-        .map(|c| f64::from(font.h_advance_unscaled(font.glyph_id(c))) / em)
-        .sum()
+    text.chars().map(|c| letter(c).advance).sum()
 }
 
 /// Lines of at most `width` ems of words that stay whole; a longer word has its own line.
@@ -51,42 +101,147 @@ pub struct Line {
     pub upwards: bool,
 }
 
-/// Draws the letters of a line: gives column, row and coverage of every pixel.
-pub fn draw_letters(line: &Line, mut give: impl FnMut(i64, i64, f32)) {
-    let Some(font) = &*FONT else {
-        return;
-    };
-    let em = font.units_per_em().unwrap_or(2048.0);
-    let scale = PxScale::from(line.size as f32 * font.height_unscaled() / em);
-    let scaled = font.as_scaled(scale);
-    let shift = if line.bold {
-        EMBOLDENED * line.size as f32
-    } else {
-        0.0
-    };
-    let advance = |c: char| scaled.h_advance(scaled.glyph_id(c)) + shift;
-    let total: f32 = line.text.chars().map(advance).sum();
-    // Upright text is placed to a fraction of a pixel; turned text is turned pixel by pixel about its place.
-    let about = line.at.map(|x| x.round() as i64);
-    let [left, baseline] = if line.upwards { [0.0; 2] } else { line.at };
-    let mut pen = -total * line.anchor as f32;
-    for c in line.text.chars() {
-        for again in if line.bold { &[0.0, 1.0][..] } else { &[0.0] } {
-            let place = point(left as f32 + pen + again * shift, baseline as f32);
-            let glyph = scaled.glyph_id(c).with_scale_and_position(scale, place);
-            let Some(outline) = font.outline_glyph(glyph) else {
-                continue;
-            };
-            let corner = outline.px_bounds().min;
-            outline.draw(|x, y, covered| {
-                let x = corner.x as i64 + i64::from(x);
-                let y = corner.y as i64 + i64::from(y);
-                match line.upwards {
-                    false => give(x, y, covered),
-                    true => give(about[0] + y, about[1] - x, covered),
-                }
-            });
+impl Line {
+    /// Its letters as polygons of one orientation, points.
+    pub fn outline(&self) -> Vec<Vec<[f64; 2]>> {
+        let shift = if self.bold { EMBOLDENED } else { 0.0 };
+        let letters = || self.text.chars().map(letter);
+        let total: f64 = letters().map(|l| l.advance + shift).sum();
+        let [x, y] = self.at;
+        let mut out = Vec::new();
+        let mut pen = -total * self.anchor;
+        for letter in letters() {
+            for again in 0..1 + usize::from(self.bold) {
+                let start = pen + again as f64 * shift;
+                let on_page = |[right, up]: [f64; 2]| {
+                    let (along, up) = (self.size * (start + right), self.size * up);
+                    match self.upwards {
+                        false => [x + along, y - up],
+                        true => [x - up, y - along],
+                    }
+                };
+                contours(&LETTERS[letter.contours.clone()], on_page, &mut out);
+            }
+            pen += letter.advance + shift;
         }
-        pen += advance(c);
+        out
+    }
+}
+
+/// Adds the contours of a letter as polygons; `on_page` places a point that is given in ems.
+fn contours(
+    mut bytes: &[u8],
+    on_page: impl Fn([f64; 2]) -> [f64; 2],
+    out: &mut Vec<Vec<[f64; 2]>>,
+) {
+    let em = em();
+    while let Some((&count, rest)) = bytes.split_first() {
+        let (corners, others) = rest.split_at(CORNER * usize::from(count));
+        let mut polygon: Vec<[f64; 2]> = Vec::with_capacity(2 * usize::from(count));
+        let mut control = None;
+        for corner in corners.chunks_exact(CORNER) {
+            let ems = |k: usize| f64::from(i16::from_le_bytes([corner[k], corner[k + 1]])) / em;
+            let place = on_page([ems(1), ems(3)]);
+            match (corner[0] == 1, control.take(), polygon.last()) {
+                (false, ..) => control = Some(place),
+                (true, Some(control), Some(&from)) => curve(from, control, place, &mut polygon),
+                (true, ..) => polygon.push(place),
+            }
+        }
+        out.push(polygon);
+        bytes = others;
+    }
+}
+
+/// Adds a quadratic Bézier curve as chords, without its first point.
+fn curve(from: [f64; 2], control: [f64; 2], to: [f64; 2], polygon: &mut Vec<[f64; 2]>) {
+    // The distance of n chords is a quarter of the second difference over n².
+    let bend = |k: usize| from[k] - 2.0 * control[k] + to[k];
+    let chords = (0.25 * bend(0).hypot(bend(1)) / UNSEEN)
+        .sqrt()
+        .ceil()
+        .max(1.0) as usize;
+    polygon.extend((1..=chords).map(|i| {
+        let t = i as f64 / chords as f64;
+        let along = |k: usize| {
+            let [a, b] = [
+                from[k] + t * (control[k] - from[k]),
+                control[k] + t * (to[k] - control[k]),
+            ];
+            a + t * (b - a)
+        };
+        [along(0), along(1)]
+    }));
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::Path;
+
+    use ab_glyph::{Font, FontRef, PxScale};
+
+    use super::*;
+    use crate::plot::coverage::Coverage;
+
+    /// The characters of every text of the workspace, in both languages.
+    fn written(folder: &Path, all: &mut Vec<char>) {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() && !path.ends_with("target") && !path.ends_with("node_modules") {
+                written(&path, all);
+            } else if path.extension().is_some_and(|e| e == "ftl") {
+                all.extend(fs::read_to_string(path).unwrap().chars());
+            }
+        }
+    }
+
+    #[test]
+    fn every_character_of_the_texts_has_a_letter() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let mut all = Vec::new();
+        written(&root.join("src"), &mut all);
+        written(&root.join("crates"), &mut all);
+        assert!(all.len() > 50_000, "{}", all.len());
+        all.sort_unstable();
+        all.dedup();
+        all.retain(|&c| c != '\n' && row(c).is_none());
+        assert!(all.is_empty(), "{all:?}");
+    }
+
+    #[test]
+    fn letters_are_those_of_the_typeface() {
+        let font = FontRef::try_from_slice(dejavu::sans::regular()).unwrap();
+        let scale = PxScale::from(60.0 * font.height_unscaled() / font.units_per_em().unwrap());
+        for c in "aÁñøθω²%·−°→∞Ж".chars() {
+            let glyph = font.glyph_id(c);
+            assert!(row(c).is_some(), "{c}");
+            let ems = f64::from(font.h_advance_unscaled(glyph) / font.units_per_em().unwrap());
+            assert_eq!(text_width(&c.to_string()), ems, "{c}");
+            let mut expected = 0.0;
+            let outline = font.outline_glyph(glyph.with_scale(scale)).unwrap();
+            outline.draw(|_, _, covered| expected += f64::from(covered));
+            let line = Line {
+                text: c.to_string(),
+                at: [10.0, 80.0],
+                size: 60.0,
+                anchor: 0.0,
+                bold: false,
+                upwards: false,
+            };
+            let mut coverage = Coverage::new(100, 100);
+            for polygon in line.outline() {
+                let next = polygon.iter().cycle().skip(1);
+                (polygon.iter().zip(next)).for_each(|(p, q)| coverage.edge(*p, *q));
+            }
+            let mut found = 0.0;
+            coverage.take(|_, columns, covered| found += columns.len() as f64 * f64::from(covered));
+            assert!(
+                (found / expected - 1.0).abs() < 0.01,
+                "{c}: {found}, {expected}"
+            );
+        }
+        let missing = letter('\u{5d0}');
+        assert_eq!(missing.contours, letter('\0').contours);
     }
 }

@@ -1,8 +1,8 @@
 //! Headings, labels and captions of reports and pictures, by language: one Fluent file each.
 
 use gaitcam::cam::Measures;
+pub use gaitcam::wording::Words;
 use gaitcam::wording::{Catalogue, Language};
-pub use gaitcam_cad::words::Words;
 
 static WORDS: Catalogue = Catalogue::new(&[&[[include_str!("en.ftl"), include_str!("es.ftl")]]]);
 

@@ -17,8 +17,8 @@ use crate::pose::{Bounds, Pose, face_reach, pose, turned};
 use crate::words::{self, Words};
 use gaitcam::cam::{Follower, ProfilePoint};
 use gaitcam::synth::Design;
+use gaitcam::synth::Edge;
 use gaitcam::wording::Language;
-use gaitcam_cad::outline::Edge;
 use table::values_at;
 
 const MM: f64 = 1000.0;

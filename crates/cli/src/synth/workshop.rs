@@ -1,0 +1,113 @@
+//! Files for CAD and the workshop: what the arguments of `synth` ask for.
+
+use clap::{Args, ValueEnum};
+
+pub use super::remark::sentence;
+use crate::ecam;
+use crate::input::{self, Input};
+use gaitcam::error::Result;
+use gaitcam::units::Dimension;
+use gaitcam_cad::Units;
+use gaitcam_cad::drawing::Title;
+use gaitcam_cad::dxf::{Content, Curves};
+use gaitcam_cad::ecam::Dialect;
+use gaitcam_files::Workshop;
+
+/// What to write for CAD and the workshop.
+#[derive(Args, Debug, Default)]
+pub struct WorkshopArgs {
+    /// Also write manufacturing files: drawing (PDF), solid (STEP, STL, 3MF), arcs (DXF), workbook (XLSX)
+    #[arg(long)]
+    pub solid: bool,
+    /// Leave out of DXF drawings what is not cut: circles, marks, pitch curve (layers REF_*)
+    #[arg(long)]
+    pub cut_only: bool,
+    /// Draw the edges of profile.dxf as arcs (R12), or as splines (R2000)
+    #[arg(long, value_name = "CURVES", value_enum, default_value_t = Dxf::Arcs)]
+    pub dxf: Dxf,
+    /// Also write an electronic cam: program text or table of points for a motion controller
+    #[arg(long, value_name = "DIALECT", value_parser = ecam::dialects())]
+    pub ecam: Option<Dialect>,
+    /// Also write the path of a cutter of this radius: --tool '6 mm'
+    #[arg(long, value_name = "RADIUS")]
+    pub tool: Option<String>,
+    /// Depth of a pass of that cutter: cutter.nc with Z, spindle and feeds
+    #[arg(long, value_name = "DEPTH", requires = "tool")]
+    pub pass: Option<String>,
+    /// Also write the path of a wire that cuts at this distance from its centre: --wire '0.14 mm'
+    #[arg(long, value_name = "RADIUS")]
+    pub wire: Option<String>,
+    /// Unit of DXF, drawing and programs
+    #[arg(long, value_name = "UNIT", value_enum, default_value_t = Lengths::Mm)]
+    pub units: Lengths,
+}
+
+/// As what profile.dxf has the edges.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub enum Dxf {
+    #[default]
+    Arcs,
+    Splines,
+}
+
+/// Units of the files for the workshop.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub enum Lengths {
+    #[default]
+    Mm,
+    #[value(alias = "in")]
+    Inch,
+}
+
+impl WorkshopArgs {
+    /// The same as the functions take it that write files; the title comes with the scene.
+    pub fn asked(&self) -> Result<Workshop> {
+        let length = |name, typed: &Option<String>| {
+            input::positive(name, typed.as_deref(), Dimension::Length)
+        };
+        Ok(Workshop {
+            solid: self.solid,
+            tool: length("--tool", &self.tool)?,
+            pass: length("--pass", &self.pass)?,
+            wire: length("--wire", &self.wire)?,
+            ecam: self.ecam,
+            drawn: self.drawn(),
+            curves: self.curves(),
+            units: self.units(),
+            title: Title::default(),
+        })
+    }
+
+    /// The unit of DXF, drawing and programs.
+    fn units(&self) -> Units {
+        match self.units {
+            Lengths::Mm => Units::Millimetres,
+            Lengths::Inch => Units::Inches,
+        }
+    }
+
+    /// The curves of profile.dxf.
+    fn curves(&self) -> Curves {
+        match self.dxf {
+            Dxf::Arcs => Curves::Arcs,
+            Dxf::Splines => Curves::Splines,
+        }
+    }
+
+    /// What the DXF drawings show.
+    fn drawn(&self) -> Content {
+        if self.cut_only {
+            Content::CutOnly
+        } else {
+            Content::All
+        }
+    }
+}
+
+/// The same with the title block of a scene's drawing.
+pub fn titled(workshop: Workshop, input: &Input) -> Workshop {
+    Workshop {
+        title: input.title(),
+        ..workshop
+    }
+}

@@ -1,0 +1,268 @@
+//! Files for CAD and the workshop: what is asked of them, and what makes them.
+
+use gaitcam::cam::Wall;
+use gaitcam::error::{Error, Result};
+use gaitcam::scene::Scene;
+use gaitcam::synth::Design;
+use gaitcam_cad::cutter::{self, Gouge};
+use gaitcam_cad::drawing::{self, Title, revision};
+use gaitcam_cad::ecam::{self, Dialect, ElectronicCam};
+use gaitcam_cad::{Units, dxf, gcode, solid, step, svg};
+use gaitcam_output::{Language, Timing, xlsx};
+
+use crate::piece::{Piece, usual_cutter};
+
+/// Vertices of a solid's profile and of the polylines in the drawing with arcs.
+const VERTICES: usize = 720;
+/// Largest distance of the fitted arcs from the profile, m.
+const ARCS: f64 = 1e-6;
+/// Triangles of a groove's wall: along the groove for every turn, and through its depth.
+const WALL: [usize; 2] = [720, 8];
+
+/// The bytes of a file, if it can be made, with remarks about it.
+pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
+
+/// What the workshop asks for.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Workshop {
+    /// Solids, arcs and a workbook for manufacturing.
+    pub solid: bool,
+    /// Radius of a cutter whose path is written, m.
+    pub tool: Option<f64>,
+    /// Depth of a pass of that cutter, m; without it the operator brings the cutter to depth.
+    pub pass: Option<f64>,
+    /// Half the diameter of a wire and its spark gap, m: its path is written.
+    pub wire: Option<f64>,
+    /// For which controller an electronic cam is written.
+    pub ecam: Option<Dialect>,
+    /// Layers of the DXF drawings.
+    pub drawn: dxf::Content,
+    /// Edges of profile.dxf as arcs or splines.
+    pub curves: dxf::Curves,
+    /// Unit of the drawing, of DXF and of programs.
+    pub units: Units,
+    /// Title block of the drawing.
+    pub title: drawing::Title,
+}
+
+/// A remark on the files for manufacturing.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Remark {
+    /// There is no solid.
+    NoSolid(Error),
+    /// There is no STEP file.
+    NoStep(Error),
+    /// Arcs in profile_arcs.dxf.
+    Arcs {
+        /// How many.
+        arcs: usize,
+        /// Largest distance from the profile, m.
+        deviation: f64,
+    },
+    /// There are none.
+    NoArcs,
+    /// No hole has room to balance a cam.
+    NoBalanceHole,
+    /// The cutter damages the profile.
+    Gouge(Gouge),
+    /// What the controller makes of its electronic cam.
+    Ecam(ElectronicCam),
+    /// There is no electronic cam.
+    NoEcam(Error),
+    /// There is no program for the cutter or the wire.
+    NoProgram(Error),
+}
+
+impl Remark {
+    /// Whether there is no program for the cutter after it.
+    pub fn forbids_program(&self) -> bool {
+        matches!(self, Remark::Gouge(_) | Remark::NoProgram(_))
+    }
+
+    /// Why a file could not be made, if the remark is about that.
+    pub fn into_fault(self) -> Option<Error> {
+        match self {
+            Remark::NoSolid(fault)
+            | Remark::NoStep(fault)
+            | Remark::NoEcam(fault)
+            | Remark::NoProgram(fault) => Some(fault),
+            Remark::Arcs { .. }
+            | Remark::NoArcs
+            | Remark::NoBalanceHole
+            | Remark::Ecam(_)
+            | Remark::Gouge(_) => None,
+        }
+    }
+}
+
+fn made(bytes: impl Into<Vec<u8>>) -> Made {
+    Ok((Some(bytes.into()), Vec::new()))
+}
+
+fn or_remark(made: Result<impl Into<Vec<u8>>>, remark: fn(Error) -> Remark) -> Made {
+    Ok(match made {
+        Ok(bytes) => (Some(bytes.into()), Vec::new()),
+        Err(fault) => (None, vec![remark(fault)]),
+    })
+}
+
+impl Workshop {
+    /// Whether a file is to be written.
+    pub(crate) fn asks(&self, piece: Piece) -> bool {
+        match piece {
+            Piece::Dxf | Piece::Svg => true,
+            Piece::Sheet
+            | Piece::Stl
+            | Piece::ThreeMf
+            | Piece::Wall(_)
+            | Piece::Step
+            | Piece::Workbook
+            | Piece::Arcs => self.solid,
+            Piece::Cutter | Piece::Program(_) => self.tool.is_some(),
+            Piece::Wire => self.wire.is_some(),
+            Piece::Ecam(k) => self.ecam == Some(Dialect::ALL[k]),
+        }
+    }
+
+    /// A file of a design; `points` are the rows of its tables.
+    pub(crate) fn make(
+        &self,
+        piece: Piece,
+        design: &Design,
+        time: Timing,
+        points: usize,
+        language: Language,
+    ) -> Made {
+        let plate = || solid::Plate {
+            thickness: design.thickness,
+            bore: design.bore,
+            points: VERTICES,
+        };
+        match piece {
+            Piece::Dxf => made(dxf::profile(
+                design,
+                points,
+                self.drawn,
+                self.curves,
+                self.units,
+            )),
+            Piece::Svg => made(svg::profile(design, points)),
+            Piece::Sheet => self.sheet(design, language),
+            Piece::Stl => or_remark(solid::stl(design, plate()), Remark::NoSolid),
+            Piece::ThreeMf => or_remark(solid::threemf(design, plate()), Remark::NoSolid),
+            Piece::Wall(wall) => groove(design, wall),
+            Piece::Step => or_remark(step::solid(design), Remark::NoStep),
+            Piece::Workbook => made(xlsx::workbook(design, time, language)?),
+            Piece::Arcs => self.arcs(design),
+            Piece::Cutter => self.path(design, points),
+            Piece::Program(cam) => self.program(design, cam),
+            Piece::Wire => {
+                let radius = self.wire.unwrap_or_default();
+                or_remark(gcode::wire(design, radius, self.units), Remark::NoProgram)
+            }
+            Piece::Ecam(k) => electronic(design, Dialect::ALL[k]),
+        }
+    }
+
+    fn sheet(&self, design: &Design, language: Language) -> Made {
+        let title = Title {
+            units: self.units,
+            ..self.title
+        };
+        let bytes = drawing::pdf(design, &title, language);
+        let lacks = design.making.balance && design.balance_holes().contains(&None);
+        Ok((
+            Some(bytes),
+            lacks.then_some(Remark::NoBalanceHole).into_iter().collect(),
+        ))
+    }
+
+    fn arcs(&self, design: &Design) -> Made {
+        let options = dxf::Options {
+            points: VERTICES,
+            version: dxf::Version::R2000,
+            bore: design.bore,
+            content: self.drawn,
+            units: self.units,
+        };
+        Ok(match dxf::arcs(design, ARCS, options) {
+            Some(drawing) => {
+                let (arcs, deviation) = (drawing.arcs, drawing.deviation);
+                (Some(drawing.bytes), vec![Remark::Arcs { arcs, deviation }])
+            }
+            None => (None, vec![Remark::NoArcs]),
+        })
+    }
+
+    fn tool(&self, design: &Design) -> f64 {
+        self.tool.unwrap_or_else(|| usual_cutter(design))
+    }
+
+    fn path(&self, design: &Design, points: usize) -> Made {
+        let path = cutter::path(design, self.tool(design), points)?;
+        let bytes = cutter::csv(&path).into_bytes();
+        let gouges = path.gouges.into_iter().map(Remark::Gouge);
+        Ok((Some(bytes), gouges.collect()))
+    }
+
+    /// The program for the first or the second cam.
+    fn program(&self, design: &Design, cam: usize) -> Made {
+        let cut = gcode::Milling {
+            tool: self.tool(design),
+            pass: self.pass,
+            units: self.units,
+        };
+        match gcode::milling(design, &cut) {
+            Ok(programs) => Ok((
+                programs.into_iter().nth(cam).map(String::into_bytes),
+                Vec::new(),
+            )),
+            Err(fault) => Ok((None, vec![Remark::NoProgram(fault)])),
+        }
+    }
+}
+
+fn groove(design: &Design, wall: Wall) -> Made {
+    match &design.groove {
+        Some(groove) => made(solid::binary_stl(&solid::wall(
+            groove, wall, WALL[0], WALL[1],
+        ))?),
+        None => Ok((None, Vec::new())),
+    }
+}
+
+fn electronic(design: &Design, dialect: Dialect) -> Made {
+    Ok(match ecam::make(design, dialect, None) {
+        Ok(made) => {
+            let text = made.text.clone().into_bytes();
+            (Some(text), vec![Remark::Ecam(made)])
+        }
+        Err(fault) => (None, vec![Remark::NoEcam(fault)]),
+    })
+}
+
+/// Title block of a drawing of a scene that is no file; `whole` is its table with the rows of every motion.
+pub fn title(scene: &Scene, whole: &toml::Table) -> Title {
+    let usual = Title::default();
+    Title {
+        revision: Some(revision(&toml::to_string(whole).unwrap_or_default())),
+        accuracy: scene.rms.unwrap_or(usual.accuracy),
+        ..usual
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::ALL;
+
+    #[test]
+    fn electronic_cams_have_the_names_of_their_dialects() {
+        let names: Vec<&str> = ALL
+            .iter()
+            .filter(|f| f.name.starts_with("ecam_"))
+            .map(|f| f.name)
+            .collect();
+        assert_eq!(names, Dialect::ALL.map(Dialect::file));
+    }
+}

@@ -1,0 +1,164 @@
+//! The edges to cut, in the frame of the drawing; used by every exporter and by pictures.
+//!
+//! A disc has one closed edge, a conjugate pair one for each cam, a sliding cam one with two ends. A
+//! barrel's groove, unrolled, has two walls with two ends each, even where its law closes: there the
+//! drawing is wrapped.
+
+use super::Design;
+use crate::cam::{Cam, Wall};
+
+/// One edge to cut.
+///
+/// ```
+/// use gaitcam::scene::built_in;
+/// use gaitcam::synth::Edge;
+///
+/// let pair = built_in("camdas_07_conjugate_roller").unwrap().scene().unwrap().design().unwrap();
+/// let edges = Edge::all(&pair);
+/// assert!(edges.len() == 2 && edges.iter().all(|edge| edge.is_closed()));
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Edge<'a> {
+    /// Its layer in a DXF.
+    pub layer: &'static str,
+    cam: &'a Cam,
+    place: Place,
+}
+
+/// Where the edge lies from the cam's contact points.
+#[derive(Debug, Clone, Copy)]
+enum Place {
+    /// On them, moved up by so much, m.
+    Raised(f64),
+    /// On the roller's other side, moved up by so much, m; whether the roller cuts it away somewhere.
+    Opposite { raised: f64, undercut: bool },
+    /// Turned by half a turn: the second cam of a pair as it stands on the shaft.
+    HalfTurned,
+}
+
+/// A point of an edge with its tangent in the sense of growing θ.
+///
+/// ```
+/// use gaitcam::scene::built_in;
+/// use gaitcam::synth::{Edge, EdgePoint};
+///
+/// let design = built_in("footbridge").unwrap().scene().unwrap().design().unwrap();
+/// let EdgePoint { p, t, .. } = Edge::of(&design.cam).at(0.5);
+/// // A profile runs clockwise about its centre.
+/// assert!(p[0] * t[1] - p[1] * t[0] < 0.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EdgePoint {
+    /// Cam angle at which it touches the follower, rad (m of travel for a sliding cam).
+    pub theta: f64,
+    /// The point, m.
+    pub p: [f64; 2],
+    /// Unit tangent.
+    pub t: [f64; 2],
+    /// Centre of the roller that touches here, m (the point itself for a flat face).
+    pub pitch: [f64; 2],
+}
+
+impl<'a> Edge<'a> {
+    /// The profile of a cam alone.
+    pub fn of(cam: &'a Cam) -> Self {
+        Edge {
+            layer: "CUT_PROFILE",
+            cam,
+            place: Place::Raised(0.0),
+        }
+    }
+
+    /// Every edge of a design; the first is the profile (a barrel's lower wall).
+    pub fn all(synthesis: &'a Design) -> Vec<Self> {
+        let cam = &synthesis.cam;
+        let mut edges = vec![Edge::of(cam)];
+        if let Some(groove) = &synthesis.groove {
+            edges[0].place = Place::Raised(groove.axis_offset(Wall::Lower));
+            let bulge = groove.smallest_bulge(cam.follower.base_radius(), Wall::Upper);
+            edges.push(Edge {
+                layer: "CUT_UPPER_WALL",
+                cam,
+                place: Place::Opposite {
+                    raised: groove.axis_offset(Wall::Upper),
+                    undercut: bulge.value <= 0.0,
+                },
+            });
+        }
+        if let Some(pair) = &synthesis.conjugate {
+            edges.push(Edge {
+                layer: "CUT_SECOND_PROFILE",
+                cam: &pair.second,
+                place: Place::HalfTurned,
+            });
+        }
+        edges
+    }
+
+    /// The curves on which the centres of rollers run, each as the edge that its pitch points belong to.
+    pub fn pitch_curves(synthesis: &'a Design) -> Vec<Self> {
+        if synthesis.cam.follower.roller_radius() == 0.0 {
+            return Vec::new();
+        }
+        let first = Edge {
+            layer: "REF_PITCH_CURVE",
+            ..Edge::of(&synthesis.cam)
+        };
+        let second = synthesis.conjugate.as_ref().map(|pair| Edge {
+            layer: "REF_SECOND_PITCH_CURVE",
+            cam: &pair.second,
+            place: Place::HalfTurned,
+        });
+        [first].into_iter().chain(second).collect()
+    }
+
+    /// Whether it leads back to its first point.
+    pub fn is_closed(&self) -> bool {
+        self.cam.law.is_closed() && !self.cam.follower.is_unrolled()
+    }
+
+    /// Whether the roller cuts parts of it away: its tangent turns back in cusps.
+    pub fn is_undercut(&self) -> bool {
+        match self.place {
+            Place::Opposite { undercut, .. } => undercut,
+            _ => self.cam.curvature().undercut,
+        }
+    }
+
+    /// Angles between which the law is one piece.
+    pub fn breaks(&self) -> &[f64] {
+        self.cam.law.breaks()
+    }
+
+    /// The point at `theta`.
+    pub fn at(&self, theta: f64) -> EdgePoint {
+        let point = self.cam.point(theta);
+        let [nx, ny] = self.cam.normal(&point);
+        let (p, pitch) = ([point.x, point.y], [point.pitch_x, point.pitch_y]);
+        // A profile runs clockwise: its tangent is the outward normal turned to the right.
+        let t = [ny, -nx];
+        let up = |[x, y]: [f64; 2], by: f64| [x, y + by];
+        let (p, t, pitch) = match self.place {
+            Place::Raised(by) => (up(p, by), t, up(pitch, by)),
+            Place::Opposite { raised, .. } => {
+                let other = [2.0 * pitch[0] - p[0], 2.0 * pitch[1] - p[1]];
+                (up(other, raised), t, up(pitch, raised))
+            }
+            Place::HalfTurned => (p.map(|x| -x), t.map(|x| -x), pitch.map(|x| -x)),
+        };
+        EdgePoint { theta, p, t, pitch }
+    }
+
+    /// `n` points at equal steps of the cam angle: a closed edge does not repeat its first, an open one
+    /// ends on its last.
+    pub fn points(&self, n: usize) -> Vec<EdgePoint> {
+        let (start, length) = self.cam.law.extent();
+        let steps = if self.is_closed() {
+            n
+        } else {
+            n.saturating_sub(1).max(1)
+        };
+        let at = |i: usize| self.at(start + length * i as f64 / steps as f64);
+        (0..n).map(at).collect()
+    }
+}

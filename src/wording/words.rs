@@ -1,0 +1,75 @@
+//! The texts of one catalogue in one language.
+
+use serde_json::{Map, Value};
+
+use super::{Language, Messages, catalogue};
+
+/// The texts of a catalogue, and numbers and names in its language.
+///
+/// ```
+/// use gaitcam::wording::{Language, WORDS, Words};
+///
+/// let words = Words::new(WORDS.of(Language::Es));
+/// assert_eq!((words.fixed(1.25, 2), words.tag()), ("1,25".to_string(), "es"));
+/// ```
+#[derive(Clone, Copy)]
+pub struct Words(&'static Messages);
+
+impl Words {
+    /// The words of a catalogue.
+    pub fn new(own: &'static Messages) -> Self {
+        Words(own)
+    }
+
+    /// Its language.
+    pub fn language(&self) -> Language {
+        self.0.language()
+    }
+
+    /// The tag of the language, for `html lang`.
+    pub fn tag(&self) -> &'static str {
+        self.language().tag()
+    }
+
+    /// A number that is written already, with the decimal sign of the language.
+    pub fn decimal(&self, written: String) -> String {
+        match self.language() {
+            Language::En => written,
+            Language::Es => written.replace('.', ","),
+        }
+    }
+
+    /// A number with a fixed count of decimals, with the decimal sign of the language; zero has no sign.
+    pub fn fixed(&self, value: f64, decimals: usize) -> String {
+        self.0.fixed(value, decimals)
+    }
+
+    /// A heading or label.
+    pub fn text(&self, key: &str) -> String {
+        self.0.text(key)
+    }
+
+    /// A sentence with its arguments, inserted unchanged.
+    pub fn fill(&self, key: &str, arguments: &[(&str, &str)]) -> String {
+        let values = arguments.iter().map(|&(name, text)| {
+            // Whole numbers choose plural forms.
+            let value = text.parse::<i64>().map_or(Value::from(text), Value::from);
+            (name.to_string(), value)
+        });
+        let fields: Map<String, Value> = values.collect();
+        let (area, variant) = key.split_once('-').unwrap_or(("", key));
+        let message = Map::from_iter([(variant.to_string(), Value::from(fields))]);
+        self.0.sentence(area, &Value::from(message))
+    }
+
+    /// The name of a follower, law, limit or machine where the language has one, otherwise as it is typed but
+    /// with spaces.
+    pub fn name(&self, typed: &str) -> String {
+        let name = catalogue(self.language()).name(typed);
+        if name == typed {
+            typed.replace(['_', '-'], " ")
+        } else {
+            name
+        }
+    }
+}
