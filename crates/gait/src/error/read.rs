@@ -155,6 +155,7 @@ pub enum FileKind {
     Pdf,
     Xml,
     Numpy,
+    Picture,
     Binary,
 }
 

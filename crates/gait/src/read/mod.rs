@@ -41,10 +41,8 @@ pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recordin
     if bytes.is_empty() {
         return Err(ReadError::Empty.in_file(path));
     }
-    if c3d::is_c3d(bytes) {
-        return c3d::read(path, bytes, options);
-    }
     match foreign(bytes) {
+        None | Some(FileKind::Binary) if c3d::is_c3d(bytes) => c3d::read(path, bytes, options),
         Some(kind) => Err(ReadError::Foreign { kind }.in_file(path)),
         None => {
             let mut plates = text::parts(bytes).into_iter();
@@ -60,7 +58,7 @@ pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recordin
 
 /// What a file is that is neither text nor C3D.
 fn foreign(bytes: &[u8]) -> Option<FileKind> {
-    let known: [(&[u8], FileKind); 9] = [
+    let known: [(&[u8], FileKind); 12] = [
         (b"PK\x03\x04", FileKind::Zip),
         (b"\xD0\xCF\x11\xE0", FileKind::OldOffice),
         (b"MATLAB 5.0", FileKind::Matlab),
@@ -70,6 +68,9 @@ fn foreign(bytes: &[u8]) -> Option<FileKind> {
         (b"%PDF", FileKind::Pdf),
         (b"<?xml", FileKind::Xml),
         (b"\x93NUMPY", FileKind::Numpy),
+        (b"\x89PNG", FileKind::Picture),
+        (b"\xFF\xD8\xFF", FileKind::Picture),
+        (b"GIF8", FileKind::Picture),
     ];
     let start = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     if let Some((_, kind)) = known.iter().find(|(mark, _)| start.starts_with(mark)) {

@@ -234,6 +234,13 @@ fn what_is_no_force_is_refused_by_its_kind() {
         ("book.xlsx", &b"PK\x03\x04"[..], FileKind::Zip),
         ("walk.mat", b"MATLAB 5.0 MAT-file", FileKind::Matlab),
         ("walk.xml", b"<?xml version=\"1.0\"?>", FileKind::Xml),
+        // The second byte is that of a C3D file.
+        (
+            "photo.png",
+            &[&b"\x89PNG\r\n\x1a\n"[..], &[7; 600]].concat()[..],
+            FileKind::Picture,
+        ),
+        ("photo.jpg", b"\xFF\xD8\xFF\xE0", FileKind::Picture),
         ("raw.dat", b"\x01\x02\x03\x00\x00", FileKind::Binary),
     ] {
         let bytes = [start, &zeros[..]].concat();

@@ -80,28 +80,36 @@ export function save() {
       return;
     }
     if (v.fault) body.append(make("p", { class: "fair" }, t("studio-save-faulty", { name: v.name })));
-    if (!engine.folder) {
-      body.append(make("p", {}, download(v)));
-      return;
-    }
-    const name = make("input", { type: "text", id: "save-name", value: `${v.name || "scene"}.toml` });
+    const name = make("input", { type: "text", id: "save-name", value: named(v.name) });
     const out = make("p", { role: "status" });
+    const write = async () => {
+      if (!engine.folder) return download(v, name.value);
+      const saved = await engine.folder.save({ scene: v.scene, files: blobs.listed(v.files), name: name.value });
+      return saved.written.join(", ");
+    };
     const form = make("form", { onsubmit: async (event) => {
       event.preventDefault();
       try {
-        const saved = await engine.folder.save({ scene: v.scene, files: blobs.listed(v.files), name: name.value });
-        out.textContent = t("studio-saved", { files: saved.written.join(", ") });
+        out.textContent = t("studio-saved", { files: await write() });
       } catch (error) {
         out.textContent = said(error);
       }
     } }, make("label", { for: "save-name" }, t("studio-save-name")), name, make("button", { type: "submit", class: "main" }, t("studio-save-do")));
-    body.append(make("p", { class: "lead" }, t("studio-save-lead", { folder })), form, out, make("p", {}, download(v)));
+    if (engine.folder) body.append(make("p", { class: "lead" }, t("studio-save-lead", { folder })));
+    body.append(form, out);
+    if (engine.folder) body.append(make("p", {}, make("button", { type: "button", class: "plain", onclick: () => download(v, name.value) }, t("studio-save-download", { name: named(v.name) }))));
     name.focus();
-    name.setSelectionRange(0, v.name.length);
+    name.setSelectionRange(0, name.value.length - ENDING.length);
   });
 }
 
-function download(v) {
-  const href = URL.createObjectURL(new Blob([v.scene], { type: "application/toml" }));
-  return make("a", { href, download: `${v.name || "scene"}.toml` }, t("studio-save-download", { name: `${v.name || "scene"}.toml` }));
+const ENDING = ".toml";
+const named = (text) => `${(text ?? "").trim().replace(/\.toml$/, "") || "scene"}${ENDING}`;
+
+// Hands the scene to the browser as a file; its name.
+function download(v, name) {
+  const a = make("a", { href: URL.createObjectURL(new Blob([v.scene], { type: "application/toml" })), download: named(name) });
+  a.click();
+  setTimeout(() => URL.revokeObjectURL(a.href), 2000);
+  return a.download;
 }

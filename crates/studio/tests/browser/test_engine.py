@@ -3,6 +3,7 @@
 import time
 import unittest
 from pathlib import Path
+from zipfile import ZipFile
 
 from studio import DIST, Browser, Native, Server
 
@@ -58,6 +59,26 @@ class Engine(unittest.TestCase):
         first = page.page.evaluate("performance.now()")
         print(f"\n  one file: load {load:.0f} ms, first design at most {first:.0f} ms after the start, {took:.2f} s with the test")
         page.sets("limits.stroke", "71 mm")
+        self.assertEqual(page.said, [])
+
+    @unittest.skipUnless(DIST, "the page in one file is made by web/build.sh")
+    def test_one_file_gives_every_file_and_saves_under_a_chosen_name(self):
+        page = self.page((Path(DIST).resolve() / "gaitcam.html").as_uri())
+        page.page.click("#open-export")
+        names = page.page.eval_on_selector_all(".exports li a[download]", "all => all.map(a => a.download)")
+        with page.page.expect_download() as waiting:
+            page.page.click("#export-all")
+        files = ZipFile(waiting.value.path())
+        self.assertEqual(files.namelist(), [n for n in names if n != "footbridge.html"])
+        for name, begins in (("drawing.pdf", b"%PDF-"), ("profile.xlsx", b"PK"), ("cam.step", b"ISO-10303-21"), ("cam.png", b"\x89PNG")):
+            self.assertEqual(files.read(name)[: len(begins)], begins, name)
+        page.page.keyboard.press("Escape")
+        page.page.click("#open-save")
+        page.page.fill("#save-name", "my walk")
+        with page.page.expect_download() as waiting:
+            page.page.click("#dialog button[type=submit]")
+        self.assertEqual(waiting.value.suggested_filename, "my walk.toml")
+        self.assertIn("[gait]", Path(waiting.value.path()).read_text())
         self.assertEqual(page.said, [])
 
     @unittest.skipUnless(DIST, "the server of the studio must run")

@@ -28,6 +28,10 @@ class State(Pages):
     def drop(self, page, name, text):
         page.does(lambda: page.page.evaluate(DROP, [name, text]))
 
+    def drop_refused(self, page, name, data):
+        page.page.evaluate(DROP.replace("[text]", "[new Uint8Array(text)]"), [name, list(data)])
+        page.until("it is said", lambda: page.page.is_visible("#fault") or page.page.is_visible("#notice"))
+
     def figure(self, page, number):
         return page.page.locator("#figures dd").nth(number).inner_text()
 
@@ -145,6 +149,44 @@ class State(Pages):
         file = ROOT / "data" / "recordings" / "made_walk.csv"
         self.drop(page, file.name, file.read_text())
         self.assertNotEqual(page.verdict(), "pending")
+
+    def test_a_notice_that_lasts_is_closed_by_hand_or_by_the_next_good_file(self):
+        page = self.page()
+        page.sets("limits.stroke", "")
+        self.drop_refused(page, "photo.png", b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 40)
+        words = page.page.inner_text("#fault") if page.page.is_visible("#fault") else page.page.inner_text("#notice")
+        self.assertIn("photo.png", words)
+        self.assertRegex(words, "picture|PNG")
+        self.assertNotRegex(words, "processor|byte")
+        self.drop(page, "same.csv", cycle(900))
+        page.until("nothing is left of it", lambda: not page.page.is_visible("#fault") and not page.page.is_visible("#notice"))
+        self.assertEqual(page.verdict() == "pending", False)
+
+    def test_spanish_shows_every_number_with_a_comma(self):
+        page = self.page()
+        for scene in ("footbridge", "heel_tester", "camdas_09_eight_motions"):
+            page.opens(scene)
+            if page.page.get_attribute("html", "lang") == "en":
+                page.does(lambda: page.page.click("#language"))
+            for tab in ("values", "force", "compare"):
+                page.page.click(f"#tab-{tab}")
+                page.page.wait_for_timeout(100)
+                shown = re.findall(r"\S*\d\.\d\S*", page.page.inner_text("body"))
+                held = page.page.eval_on_selector_all("[placeholder]", "all => all.map((e) => e.placeholder)")
+                shown += [h for h in held if re.search(r"\d\.\d", h)]
+                self.assertEqual(shown, [], f"{scene} {tab}")
+
+    def test_forced_colours_keep_the_cursor_and_the_chosen_tab(self):
+        page = self.page()
+        page.page.emulate_media(forced_colors="active")
+        page.page.wait_for_timeout(100)
+        edges = page.page.eval_on_selector_all(".tabs button", "all => all.map((e) => [e.getAttribute('aria-selected'), getComputedStyle(e).borderBottomColor])")
+        chosen = {colour for selected, colour in edges if selected == "true"}
+        others = {colour for selected, colour in edges if selected != "true"}
+        self.assertEqual(len(chosen), 1)
+        self.assertFalse(chosen & others, edges)
+        paper, cursor = page.page.evaluate("[document.querySelector('.chart'), document.querySelector('.cursor')].map((e) => getComputedStyle(e).backgroundColor)")
+        self.assertNotEqual(paper, cursor)
 
     def test_a_copied_link_holds_the_scene_and_nothing_of_this_machine(self):
         page = self.page()

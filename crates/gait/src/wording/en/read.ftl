@@ -12,6 +12,7 @@ read-foreign = { $kind ->
         [pdf] this is a PDF
         [xml] this is an XML file
         [numpy] this is a NumPy file
+        [picture] this is a picture
        *[binary] this is a binary file of unknown kind
     }, which is not supported
     .help = export the trial as C3D or as text (csv, txt, mot)

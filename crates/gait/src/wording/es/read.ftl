@@ -12,6 +12,7 @@ read-foreign = { $kind ->
         [pdf] es un PDF
         [xml] es un archivo XML
         [numpy] es un archivo de NumPy
+        [picture] es una imagen
        *[binary] es un archivo binario de tipo desconocido
     }, que no se admite
     .help = exporte el ensayo como C3D o como texto (csv, txt, mot)
