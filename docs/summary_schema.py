@@ -27,6 +27,8 @@ OTHERS = [
     ["footbridge", "--set", "machine.floor.mass=10000 kg", "--set", "machine.floor.frequency=1.85 Hz", "--set", "machine.floor.damping=0.01"],
     ["thesis_barrel", "--set", "cam.depth=200 mm"],
 ]
+# A new cut for what a log shows.
+RECUT = ["recut", "footbridge", "data/recordings/made_log.csv"]
 TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "null": type(None), "integer": int}
 
 
@@ -67,10 +69,10 @@ def main(binary):
     except ImportError:
         jsonschema = None
     scenes = sorted((ROOT / "scenes").glob("*.toml"))
-    runs = [[str(s.relative_to(ROOT)), *(RECORDING if s.stem == "measured_walk" else [])] for s in scenes] + OTHERS
+    runs = [[str(s.relative_to(ROOT)), *(RECORDING if s.stem == "measured_walk" else [])] for s in scenes] + OTHERS + [RECUT]
     found = []
     for words in runs:
-        done = subprocess.run([binary, "synth", *words, "--json"], cwd=ROOT, capture_output=True, text=True, timeout=120)
+        done = subprocess.run([binary, *([] if words is RECUT else ["synth"]), *words, "--json"], cwd=ROOT, capture_output=True, text=True, timeout=120)
         if done.returncode not in (0, 3):
             sys.exit(f"{words}: exit code {done.returncode}: {done.stderr}")
         summary = json.loads(done.stdout)

@@ -80,6 +80,8 @@ pub mod problem;
 
 pub mod synth;
 
+pub mod identify;
+
 pub mod sweep;
 
 pub use cam::{Cam, Criterion, Follower, FollowerKind, LimitKind, Verdict};

@@ -40,6 +40,9 @@ pub struct Machine {
     pub motor: Option<Motor>,
     /// The floor under the mass; `None`: a stiff one.
     pub floor: Option<Floor>,
+    /// Force beyond that of the drive at the angles of the profile, N; none where nothing was learned. The rigid model adds it to
+    /// the contact force.
+    pub learned: Vec<f64>,
     /// How long a contact run may take to settle.
     pub limits: Limits,
 }

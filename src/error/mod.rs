@@ -9,6 +9,7 @@ mod cam;
 mod dynamics;
 mod file;
 mod law;
+mod log;
 mod scene;
 mod sweep;
 mod synth;
@@ -22,12 +23,14 @@ pub use file::FileError;
 pub use gaitcam_base::error::{Error, Fault, Place, Placed, Result, UnitsError, nearest};
 pub use gaitcam_gait::error::{CycleColumn, FileKind, ForceError, ReadError};
 pub use law::{JoinCure, LawError, SegmentName};
+pub use log::LogError;
 pub use scene::SceneError;
 pub use sweep::SweepError;
 pub use synth::SynthError;
 pub use write::WriteError;
 
-/// Whether an error says that no cam does what a scene asks, rather than that the scene cannot be read.
+/// Whether an error says that no cam does what a scene asks, or that no new one would be better, rather than that the input
+/// cannot be read.
 ///
 /// ```
 /// use gaitcam::error::is_no_cam;
@@ -77,7 +80,9 @@ pub fn is_no_cam(error: &Error) -> bool {
                 | S::NoDoubleHarmonic
         )
     };
+    let of_log = |fault: &LogError| matches!(fault, LogError::Noise { .. });
     error.fault().is_some_and(of_cam)
+        || error.fault().is_some_and(of_log)
         || error.fault().is_some_and(of_law)
         || error.fault().is_some_and(of_synthesis)
 }
@@ -97,6 +102,7 @@ faults! {
     "dynamics" => DynamicsError,
     "file" => FileError,
     "law" => LawError,
+    "log" => LogError,
     "scene" => SceneError,
     "sweep" => SweepError,
     "synth" => SynthError,

@@ -118,6 +118,10 @@ pub enum SceneError {
     FileAndModel,
     /// A text that is no load factor with its phase.
     NotHarmonic { typed: String },
+    /// A text of `machine.learned_force` is no force with its phase.
+    NotLearnedForce { typed: String },
+    /// More harmonics of it than are read.
+    LearnedForces { given: usize, most: usize },
     /// Load factors that are all zero, or too many of them.
     Harmonics { given: usize, most: usize },
     /// Neither a recording nor a model.

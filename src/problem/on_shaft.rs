@@ -120,6 +120,11 @@ impl Problem {
         shaft.map_or(0.0, |shaft| shaft.extra.force.eval(theta.rem_euclid(TAU)))
     }
 
+    /// What was learned of the machine at a cam angle, N (an arm: N·m).
+    pub fn learned_force(&self, theta: f64) -> f64 {
+        self.drive.lever * self.machine.learned_at(theta)
+    }
+
     /// A target over time at the cam angles.
     pub fn target_at_cam<'a>(&'a self, target: &'a ForceCurve) -> &'a ForceCurve {
         self.on_shaft.as_ref().map_or(target, |shaft| &shaft.target)

@@ -19,6 +19,7 @@ pub const FILES: &[File] = &[
     ],
     [include_str!("en/file.ftl"), include_str!("es/file.ftl")],
     [include_str!("en/law.ftl"), include_str!("es/law.ftl")],
+    [include_str!("en/log.ftl"), include_str!("es/log.ftl")],
     [include_str!("en/synth.ftl"), include_str!("es/synth.ftl")],
     [
         include_str!("en/infeasible.ftl"),

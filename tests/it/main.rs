@@ -3,6 +3,7 @@
 mod cam;
 mod dynamics;
 mod examples;
+mod identify;
 mod law;
 mod layering;
 mod public_examples;

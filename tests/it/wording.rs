@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use gaitcam::cam::{Criterion, LimitKind};
 use gaitcam::dynamics::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
 use gaitcam::error::{
-    CamError, DynamicsError, Error, FileError, JoinCure, LawError, SceneError, SegmentName,
-    SweepError, SynthError, WriteError,
+    CamError, DynamicsError, Error, FileError, JoinCure, LawError, LogError, SceneError,
+    SegmentName, SweepError, SynthError, WriteError,
 };
 use gaitcam::law::End;
 use gaitcam::problem;
@@ -33,6 +33,7 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("law", LawError::VARIANTS),
         ("law", SegmentName::VARIANTS),
         ("law", JoinCure::VARIANTS),
+        ("log", LogError::VARIANTS),
         ("scene", SceneError::VARIANTS),
         ("reason", Reason::VARIANTS),
         ("reason", Change::VARIANTS),

@@ -11,6 +11,7 @@ mod ecam;
 #[cfg(feature = "evidence")]
 mod evidence;
 mod gait;
+mod identify;
 mod input;
 mod inspect;
 mod reference;
@@ -59,6 +60,10 @@ enum Command {
     Simulate(simulate::SimulateArgs),
     /// Fit measured points of a made cam to its design: deviations, and what this very cam does
     Inspect(inspect::InspectArgs),
+    /// Identify the machine from a log of its run: mass, stiffness, damping, friction, with intervals
+    Identify(identify::IdentifyArgs),
+    /// Design the next cam for what a log shows of the machine: all that repeats in it is corrected
+    Recut(identify::RecutArgs),
     /// Write a design as an electronic cam for a motion controller, and say what that controller makes of it
     #[cfg(feature = "cad")]
     Ecam(ecam::EcamArgs),
@@ -124,6 +129,8 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Gait(args) => gait::run(&args),
         Command::Cover(args) => gait::cover::run(&args),
         Command::Inspect(args) => inspect::run(&args),
+        Command::Identify(args) => identify::identify(&args),
+        Command::Recut(args) => identify::recut(&args),
         #[cfg(feature = "cad")]
         Command::Ecam(args) => ecam::run(&args),
         Command::Sweep(args) => sweep::run(&args),
@@ -175,6 +182,8 @@ impl Command {
             Command::Gait(args) => args.json,
             Command::Cover(args) => args.json,
             Command::Inspect(args) => args.json,
+            Command::Identify(args) => args.json,
+            Command::Recut(args) => args.json,
             #[cfg(feature = "cad")]
             Command::Ecam(args) => args.json,
             Command::Sweep(args) => args.json,

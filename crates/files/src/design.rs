@@ -11,7 +11,7 @@ use gaitcam_output::{Timing, json};
 use serde_json::Value;
 
 use crate::earlier::{self, SCENE, SCENE_BESIDE_INPUT, SUMMARY};
-pub use crate::earlier::{FORCE, OF_INSPECTION, of_another_design};
+pub use crate::earlier::{FORCE, OF_IDENTIFICATION, OF_INSPECTION, of_another_design};
 use crate::result_folder::ResultFolder;
 use crate::scene::Input;
 

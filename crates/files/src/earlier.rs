@@ -30,6 +30,14 @@ pub const OF_INSPECTION: [&str; 6] = [
     "deviation_polar.png",
 ];
 
+/// What `identify` writes.
+pub const OF_IDENTIFICATION: [&str; 4] = [
+    "identified.toml",
+    "identify.json",
+    "identify.svg",
+    "identify.png",
+];
+
 /// The force that a design was made for, where it came from arrays and not from a file.
 pub const FORCE: &str = "force.csv";
 
@@ -40,7 +48,8 @@ pub(crate) const SUMMARY: &str = "summary.json";
 pub(crate) fn own() -> impl Iterator<Item = &'static str> {
     let design = files::ALL.iter().map(|file| file.name);
     let rest = [SCENE, SCENE_BESIDE_INPUT, FORCE].into_iter().chain(OF_RUN);
-    design.chain(rest).chain(OF_INSPECTION)
+    let added = OF_INSPECTION.into_iter().chain(OF_IDENTIFICATION);
+    design.chain(rest).chain(added)
 }
 
 /// Every file that `synth` may write, and so may remove.

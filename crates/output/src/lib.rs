@@ -23,6 +23,7 @@ mod words;
 #[cfg(feature = "xlsx")]
 pub use data::xlsx;
 pub use data::{csv, json};
+pub use figures::identification::identification;
 pub use figures::{inspection, overlay, recording, sweep as sweep_plots};
 pub use gaitcam::wording::Language;
 pub use plot::picture::{self, Picture};

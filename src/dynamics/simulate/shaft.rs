@@ -62,7 +62,8 @@ pub(super) fn turn(input: &Run, p: &mut Prepared, model: Model) -> Result<()> {
             neglected = Some((ripple, change));
         }
     }
-    if carrier.motor.is_none() && carrier.floor.is_none() {
+    let is_plain = input.machine.learned.is_empty();
+    if carrier.motor.is_none() && carrier.floor.is_none() && is_plain {
         return Ok(());
     }
     let motion = carrier.motion(p.start, lift.breaks(), &at, None)?;

@@ -79,6 +79,22 @@ pub(super) const HARMONICS: Access = Access {
     },
 };
 
+/// `machine.learned_force`: mean and harmonics, N.
+pub(super) const LEARNED_FORCE: Access = Access {
+    get: |s, _| {
+        let list = &s.machine.learned_force;
+        let written = |h: &Harmonic| match h.phase {
+            0.0 => format!("{} N", h.factor),
+            phase => format!("{} N at {}", h.factor, written(phase, Dimension::Angle)),
+        };
+        (!list.is_empty()).then(|| Value::Texts(list.iter().map(written).collect()))
+    },
+    set: |s, _, v| {
+        s.machine.learned_force = Harmonic::forces(&v.texts())?;
+        Ok(())
+    },
+};
+
 fn written_harmonic(harmonic: &Harmonic) -> String {
     match harmonic.phase {
         0.0 => harmonic.factor.to_string(),

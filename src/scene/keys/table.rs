@@ -8,8 +8,8 @@ use super::kind::Relax::{Down, Up};
 use super::kind::{Idle, Kind, Measure, Range};
 use super::row::Key;
 use super::special::{
-    ACCURACY, FILE, FORCE_MIN, HARMONICS, MATERIAL, MODEL, NONE, OFFSET, PRESSURE_ANGLE,
-    STEP_FREQUENCY, both_sides, limit, one_side, weigh, weights,
+    ACCURACY, FILE, FORCE_MIN, HARMONICS, LEARNED_FORCE, MATERIAL, MODEL, NONE, OFFSET,
+    PRESSURE_ANGLE, STEP_FREQUENCY, both_sides, limit, one_side, weigh, weights,
 };
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
@@ -163,6 +163,7 @@ pub static KEYS: &[Key] = &[
     row("machine.motor.efficiency",    number(Ratio, Between(0.01, 1.0)),       "1",    field!(machine.motor.efficiency)).only(turns).idle_when(no_motor),
     row("machine.inertia",             number(Inertia, Positive),               "",     field!(machine.inertia)).only(turns).idle_when(no_motor),
     row("machine.friction_torque",     number(Torque, NotNegative),             "0",    field!(machine.friction_torque)).only(turns).idle_when(no_motor),
+    row("machine.learned_force",       TEXTS,                                   "",     LEARNED_FORCE).only(turns),
 
     row("machine.floor.mass",          number(Mass, Positive),                  "",     field!(machine.floor.mass)),
     row("machine.floor.frequency",     number(Frequency, Positive),             "",     field!(machine.floor.frequency)),

@@ -1,4 +1,4 @@
-//! `gait.harmonics`: a load factor of the walking force with its phase.
+//! `gait.harmonics`, `machine.learned_force`: a harmonic of a force with its phase.
 
 use crate::error::SceneError;
 use crate::units::{Dimension, parse};
@@ -15,7 +15,7 @@ use crate::units::{Dimension, parse};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Harmonic {
-    /// Dynamic load factor, part of the weight.
+    /// Dynamic load factor, part of the weight; of `machine.learned_force` a force, N.
     pub factor: f64,
     /// Phase added to the sine, rad.
     pub phase: f64,
@@ -43,13 +43,34 @@ impl Harmonic {
         Ok(list)
     }
 
+    /// The mean and the harmonics 1, 2, … of a force by the cam angle from texts such as "3.2 N at -90 deg": factors are in N.
+    ///
+    /// # Errors
+    /// A text that is no force with its phase, and too many of them.
+    pub fn forces(texts: &[String]) -> Result<Vec<Harmonic>, SceneError> {
+        let (given, most) = (texts.len(), Harmonic::MOST);
+        if given > most {
+            return Err(SceneError::LearnedForces { given, most });
+        }
+        let force = |text: &String| {
+            let typed = text.trim().to_string();
+            let read = Harmonic::of(&typed, Dimension::Force);
+            read.ok_or(SceneError::NotLearnedForce { typed })
+        };
+        texts.iter().map(force).collect()
+    }
+
     fn read(text: &str) -> Option<Harmonic> {
+        Harmonic::of(text, Dimension::Ratio).filter(|h| h.factor >= 0.0)
+    }
+
+    fn of(text: &str, dimension: Dimension) -> Option<Harmonic> {
         let (factor, phase) = match text.split_once(" at ") {
             Some((factor, phase)) => (factor, parse(phase.trim(), Dimension::Angle).ok()?),
             None => (text, 0.0),
         };
-        let factor = parse(factor.trim(), Dimension::Ratio).ok()?;
-        let sound = factor.is_finite() && factor >= 0.0 && phase.is_finite();
+        let factor = parse(factor.trim(), dimension).ok()?;
+        let sound = factor.is_finite() && phase.is_finite();
         sound.then_some(Harmonic { factor, phase })
     }
 }

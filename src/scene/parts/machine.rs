@@ -1,6 +1,7 @@
 //! `[machine]`: what is known of the machine beyond its drive.
 
 use super::floor::{FloorSpec, WalkersSpec};
+use super::harmonic::Harmonic;
 use crate::drive::{Drive, Motor, TorqueLine};
 use crate::dynamics::Train;
 use crate::error::{Placed, SceneError};
@@ -41,6 +42,8 @@ pub struct MachineSpec {
     pub inertia: Option<f64>,
     /// Torque of friction in the bearings of the shaft, N·m.
     pub friction_torque: f64,
+    /// Force of the machine beyond its drive, learned from a log: mean and harmonics 1, 2, … by the cam angle, N.
+    pub learned_force: Vec<Harmonic>,
     /// The one mode of the structure under the feet.
     pub floor: FloorSpec,
     /// Its modes, where it has several.
@@ -167,6 +170,16 @@ impl MachineSpec {
         })
     }
 
+    /// The learned force at a cam angle, N.
+    pub fn learned_at(&self, theta: f64) -> f64 {
+        let each = (0..).zip(&self.learned_force);
+        each.map(|(n, h)| match n {
+            0 => h.factor,
+            n => h.factor * (f64::from(n) * theta + h.phase).sin(),
+        })
+        .sum()
+    }
+
     /// Compliance between cam and mass; `None` for a rigid follower.
     ///
     /// # Errors
@@ -196,6 +209,7 @@ impl Default for MachineSpec {
             motor: MotorSpec::default(),
             inertia: None,
             friction_torque: 0.0,
+            learned_force: Vec::new(),
             floor: FloorSpec::default(),
             modes: Vec::new(),
             walkers: WalkersSpec::default(),

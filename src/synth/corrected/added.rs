@@ -1,4 +1,4 @@
-//! What a varying speed and a floor add to force, velocity, acceleration and jerk of a law, as numbers that rounds of designs
+//! What a varying speed, a floor and a learned force add to force, velocity, acceleration and jerk of a law, as numbers that rounds of designs
 //! carry on.
 
 use std::f64::consts::{PI, TAU};
@@ -93,13 +93,13 @@ impl Layout {
         let mut parts: [Vec<f64>; 5] = std::array::from_fn(|_| Vec::with_capacity(count));
         for x in self.nodes() {
             let at = law(x);
-            let floor = drive.mass * motion.floor_at(x);
+            let beyond = drive.mass * motion.floor_at(x) + problem.learned_force(x);
             if !self.varies {
-                parts[0].push(floor / mean);
+                parts[0].push(beyond / mean);
                 continue;
             }
             let [w, rate, slope] = shaft.speed_at(x);
-            let added = force(drive, at, w, rate) - drive.force(at) + floor;
+            let added = force(drive, at, w, rate) - drive.force(at) + beyond;
             parts[0].push(added / mean);
             // d/dt = w d/dθ, and w w′ is the angular acceleration.
             let timed = [

@@ -82,6 +82,11 @@ pub struct OnShaft {
 }
 
 impl Problem {
+    /// Whether a force of the machine beyond its drive is known.
+    fn has_learned_force(&self) -> bool {
+        !self.machine.learned_force.is_empty()
+    }
+
     /// The motor that turns the shaft of the design, where there is one.
     fn motor(&self) -> Option<Motor> {
         let is_run = self.on_shaft.is_none() && !self.law.polydyne;
@@ -106,7 +111,7 @@ pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     let problem = &at_best_phase(problem, search)?;
     let (motor, floor) = (problem.motor(), problem.machine.floor());
     let (first, refusal) = best(problem, search)?;
-    if motor.is_some() || floor.is_some() {
+    if motor.is_some() || floor.is_some() || problem.has_learned_force() {
         let target = problem.target.as_ref().map(|t| &*t.curve);
         let cam = &first.checked.cam;
         let run = Runner::new(problem, cam, target, motor.as_ref(), floor.as_ref());
@@ -148,7 +153,8 @@ fn on_machine(
         !fixed && !matches!(problem.law.family, Family::Program | Family::Polynomial)
     };
     let varies = forecast.as_ref().is_some_and(is_designed_for);
-    let is_corrected = (varies || run.is_on_floor()) && problem.target.is_some();
+    let is_corrected =
+        (varies || run.is_on_floor() || problem.has_learned_force()) && problem.target.is_some();
     let at_speed = if varies { run.clone() } else { run.evenly() };
     let mut made = match is_corrected {
         true => Made::corrected(law, before, &at_speed, problem, search)?,

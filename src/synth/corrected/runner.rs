@@ -87,6 +87,8 @@ pub struct Runner<'a> {
     carrier: Carrier<'a>,
     wanted: Option<&'a ForceCurve>,
     target: Option<Vec<f64>>,
+    /// The learned force, N.
+    learned: Vec<f64>,
 }
 
 impl<'a> Runner<'a> {
@@ -121,6 +123,7 @@ impl<'a> Runner<'a> {
             },
             wanted: target,
             target: target.map(|curve| at(ROWS, curve)),
+            learned: (0..ROWS).map(|i| problem.learned_force(angle(i))).collect(),
         })
     }
 
@@ -204,7 +207,7 @@ impl<'a> Runner<'a> {
                 shaft.speed[i],
                 shaft.acceleration[i],
             );
-            still + drive.mass * motion.floor_at(angle(i))
+            still + drive.mass * motion.floor_at(angle(i)) + self.learned[i]
         };
         let forces: Vec<f64> = (0..ROWS).map(at).collect();
         let period = TAU / drive.speed;

@@ -30,6 +30,7 @@ impl Design {
     /// # Errors
     /// A natural frequency without a mass.
     pub fn emitted(&self, spec: &MachineSpec, drive: Drive) -> Result<Run> {
+        let angles = || (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);
         let machine = Machine {
             train: spec.train(&drive)?,
             friction: spec.friction,
@@ -44,13 +45,16 @@ impl Design {
             groove_floor: self.groove.as_ref().map(|groove| groove.depth().0),
             motor: spec.motor(),
             floor: spec.floor(),
+            learned: match spec.learned_force.is_empty() {
+                true => Vec::new(),
+                false => angles().map(|x| drive.lever * spec.learned_at(x)).collect(),
+            },
             ..Machine::default()
         };
-        let angles = (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);
         let target = self.target_in_time();
         Ok(Run {
             profile: self.cam.profile(POINTS),
-            target: target.map(|t| angles.map(|theta| t.at(theta)).collect()),
+            target: target.map(|t| angles().map(|theta| t.at(theta)).collect()),
             cam: self.cam.clone(),
             drive,
             machine,

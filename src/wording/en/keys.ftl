@@ -120,6 +120,7 @@ key-machine-motor-gear = Turns of the motor per turn of the cam.
 key-machine-motor-efficiency = Share of the torque that the gear passes on.
 key-machine-inertia = Moment of inertia of all that turns with the shaft, at the camshaft.
 key-machine-friction_torque = Torque of friction in the bearings of the shaft.
+key-machine-learned_force = Force of the machine beyond its drive, as gaitcam recut learned it from a log: the mean, then harmonics 1, 2, … of the cam's turn with the phase added to their sine; the law is designed for it.
 key-machine-floor-mass = Modal mass of the structure under the shaker; the law is corrected so that the force on the moving floor is the wanted one.
 key-machine-floor-frequency = Natural frequency of the structure.
 key-machine-floor-damping = Its damping ratio.

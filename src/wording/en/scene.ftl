@@ -74,6 +74,10 @@ scene-file-and-model = more than one of file, model and harmonics is given
     .help = keep one: file = "walk.mot", model = "young" or harmonics = ["0.4", "0.1 at -90 deg"]
 scene-not-harmonic = "{ $typed }" is not a load factor with its phase
     .help = write one text for each harmonic, the factor as a part of the weight (zero or above) and the phase added to its sine: ["0.4", "0.1 at -90 deg"]
+scene-not-learned-force = "{ $typed }" is not a force with its phase
+    .help = write the mean first, then one text for each harmonic of the cam's turn, its force and the phase added to its sine: ["0 N", "3.2 N at -90 deg"]
+scene-learned-forces = { $given } harmonics of the learned force are too many
+    .help = give the mean and the first harmonics, { $most } texts at most
 scene-harmonics = { $given ->
         [one] the one load factor is zero
        *[other] { $given } load factors: all zero or too many

@@ -120,6 +120,7 @@ key-machine-motor-gear = Vueltas del motor por vuelta de la leva.
 key-machine-motor-efficiency = Parte del par que transmite el reductor.
 key-machine-inertia = Momento de inercia de todo lo que gira con el eje, reducido al eje de la leva.
 key-machine-friction_torque = Par de rozamiento en los cojinetes del eje.
+key-machine-learned_force = Fuerza de la máquina además de la de su accionamiento, aprendida de un registro por gaitcam recut: la media y los armónicos 1, 2, … de la vuelta de la leva con la fase que se suma a su seno; la ley se diseña para ella.
 key-machine-floor-mass = Masa modal de la estructura bajo el excitador; la ley se corrige para que la fuerza sobre el suelo que se mueve sea la pedida.
 key-machine-floor-frequency = Frecuencia propia de la estructura.
 key-machine-floor-damping = Su razón de amortiguamiento.

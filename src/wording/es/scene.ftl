@@ -74,6 +74,10 @@ scene-file-and-model = se da más de uno de file, model y harmonics
     .help = conserve uno: file = "walk.mot", model = "young" o harmonics = ["0.4", "0.1 at -90 deg"]
 scene-not-harmonic = "{ $typed }" no es un factor de carga con su fase
     .help = escriba un texto por armónico, el factor como parte del peso (cero o mayor) y la fase que se suma a su seno: ["0.4", "0.1 at -90 deg"]
+scene-not-learned-force = "{ $typed }" no es una fuerza con su fase
+    .help = escriba primero la media y después un texto por armónico de la vuelta de la leva, su fuerza y la fase que se suma a su seno: ["0 N", "3.2 N at -90 deg"]
+scene-learned-forces = { $given } armónicos de la fuerza aprendida son demasiados
+    .help = dé la media y los primeros armónicos, como máximo { $most } textos
 scene-harmonics = { $given ->
         [one] el único factor de carga es cero
        *[other] { $given } factores de carga: todos cero o demasiados

@@ -60,6 +60,7 @@ pub fn typed(key: &Key, scene: &Scene, numbers: &mut Numbers) -> Option<String> 
             let factor = numbers.unit() + 0.01;
             Some(format!("{factor}, 0.1 at {} deg", numbers.below(360)))
         }
+        Kind::Texts if key.name() == "learned_force" => Some(format!("{} N", numbers.below(9))),
         Kind::Text | Kind::Texts => Some(format!("word{}", numbers.below(9))),
         _ => None,
     }

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::console::error::CliError;
 use crate::console::exit_code;
@@ -29,6 +29,7 @@ use gaitcam::Problem;
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Place, Placed, Result, is_no_cam};
 use gaitcam::force::ForceCurve;
+use gaitcam::halt::Halt;
 use gaitcam::synth::{self, Design, Search};
 use gaitcam_files::design::{self, check_inputs_stay};
 use gaitcam_files::files::{self, Source};
@@ -96,6 +97,7 @@ struct Answer {
     design: Design,
     solve_s: f64,
     start: Instant,
+    more: Option<More>,
 }
 
 /// Designs the cam and writes its files; exit code 3 when there is no such cam.
@@ -104,30 +106,48 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
         return front::run(args, pair);
     }
     let start = Instant::now();
-    let points = rows(args)?;
-    let workshop = args.workshop.asked()?;
     let waiting = args.time.of_input(args.json);
     // A limit that was given covers the reading too.
     let limit = waiting.as_ref().map(|_| args.time.of_design());
     let input = input::scene(&args.scene)?;
+    let target = input.target()?;
+    drop(waiting);
+    design_of(args, &input, target, (start, limit), None)
+}
+
+/// More for summary.json and the console: key, value, lines.
+pub type More = (&'static str, Value, Vec<String>);
+
+/// The same for a scene that is read.
+pub fn designed(args: &SynthArgs, input: &Input, start: Instant, more: Option<More>) -> Result<u8> {
+    design_of(args, input, input.target()?, (start, None), more)
+}
+
+fn design_of(
+    args: &SynthArgs,
+    input: &Input,
+    target: Option<ForceCurve>,
+    (start, limit): (Instant, Option<Halt>),
+    more: Option<More>,
+) -> Result<u8> {
+    let points = rows(args)?;
+    let workshop = args.workshop.asked()?;
     let request = Request {
         contents: Contents {
             points,
             png: !args.no_png,
             language: language::current(),
-            workshop: workshop::titled(workshop, &input),
+            workshop: workshop::titled(workshop, input),
         },
-        folder: folder(args, &input)?,
+        folder: folder(args, input)?,
     };
-    let target = input.target()?;
-    drop(waiting);
     let solving = Instant::now();
     let shown = args.time.shown();
     let search = Search::until(limit.unwrap_or_else(|| args.time.of_design()));
     let problem = Problem::resolve(&input.scene, target.as_ref())?;
     let design = match synth::design(&problem, &search) {
         Err(error) if is_no_cam(&error) => {
-            return no_cam(args.json, &input, request.folder, &error, start);
+            return no_cam(args.json, input, request.folder, &error, start);
         }
         design => design?,
     };
@@ -139,8 +159,9 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
         design,
         solve_s,
         start,
+        more,
     };
-    hand_over(args, &input, request, &answer)?;
+    hand_over(args, input, request, &answer)?;
     let design = &answer.design;
     Ok(if design.out_of_time {
         exit_code::NO_SUCH_CAM
@@ -196,6 +217,9 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
     if let Some(lines) = &explained {
         json["explain"] = explain::json(lines);
     }
+    if let Some((key, value, _)) = &answer.more {
+        json[*key] = value.clone();
+    }
     let place = match request.folder {
         Some(folder) => Some(design::finish(folder, input, &scene, &json)?),
         None => None,
@@ -210,6 +234,9 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
     }
     if let Some(lines) = &explained {
         print(&explain::text(&design.name, lines));
+    }
+    if let Some((_, _, lines)) = &answer.more {
+        print(&format!("  {}", lines.join("\n  ")));
     }
     let measures = design.cam.follower.measures();
     for remark in &remarks {

@@ -491,3 +491,14 @@ ecam-cubic = cubic spline
 ecam-force = { $file }: { $points } intervals, { $curve }, { $number }; force error with this controller { $error } N RMS, of it { $added } % of the mean by the file
 ecam-law = { $file }: { $points } intervals, { $curve }, { $number }; force off the law by { $error } N RMS with this controller, { $added } % of the largest
 ecam-acceleration = { $file }: { $points } intervals, { $curve }, { $number }; acceleration off the law by { $added } % of the largest, RMS
+
+# identify, recut.
+identify-no-cam = no cam that could have run: { $why }
+identify-head = { $name }: { $cycles } cycles at { $speed }; noise { $noise } N RMS, repeatable force that no parameter explains { $repeats } N RMS
+identify-known = { $key } { $value } (95 %: { $low } … { $high })
+identify-unknown = { $key } not identified: { $value } (95 %: { $low } … { $high })
+identify-scale = scale of the load cell and moved mass look alike in every log of one machine: the values hold for a calibrated cell
+identify-no-angle = the log has no theta_rad: its phase is the one at which the model fits best, a delay cannot be told from it
+identify-next-speed = a run at { $value } beside this one would tell { $keys }
+identify-next-mass = a run with { $value } added to the moved mass would tell { $keys }
+recut-error = force error measured before { $before } N RMS, predicted after this cut { $after } N RMS

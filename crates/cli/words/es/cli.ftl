@@ -491,3 +491,14 @@ ecam-cubic = spline cúbica
 ecam-force = { $file }: { $points } intervalos, { $curve }, { $number }; error de fuerza con este control { $error } N RMS, del archivo un { $added } % de la media
 ecam-law = { $file }: { $points } intervalos, { $curve }, { $number }; con este control la fuerza se aparta de la ley { $error } N RMS, un { $added } % de la mayor
 ecam-acceleration = { $file }: { $points } intervalos, { $curve }, { $number }; la aceleración se aparta de la ley un { $added } % de la mayor, RMS
+
+# identify, recut.
+identify-no-cam = no hay leva que haya podido funcionar: { $why }
+identify-head = { $name }: { $cycles } ciclos a { $speed }; ruido { $noise } N RMS, fuerza repetible que ningún parámetro explica { $repeats } N RMS
+identify-known = { $key } { $value } (95 %: { $low } … { $high })
+identify-unknown = { $key } no identificado: { $value } (95 %: { $low } … { $high })
+identify-scale = la escala de la célula de carga y la masa móvil se parecen en todo registro de una máquina: los valores valen para una célula calibrada
+identify-no-angle = el registro no tiene theta_rad: su fase es la que mejor ajusta el modelo, y no se distingue de un retardo
+identify-next-speed = una marcha a { $value } además de esta distinguiría { $keys }
+identify-next-mass = una marcha con { $value } añadidos a la masa móvil distinguiría { $keys }
+recut-error = error de fuerza medido antes { $before } N RMS, previsto después de este corte { $after } N RMS

@@ -4,6 +4,7 @@ pub mod cam;
 pub mod curvature;
 pub mod floor;
 pub mod force;
+pub(crate) mod identification;
 pub mod inspection;
 pub mod law;
 pub mod overlay;

@@ -355,6 +355,10 @@ laws-use-freudenstein-1-3-5 = Three harmonics: close to the smallest peak accele
 laws-use-eccentric = Half a turn of an eccentric disc: the cheapest cam to make. Followed by its own return.
 
 # The picture of a measured cam.
+figure-identification = identified machine
+figure-measured = measured
+figure-modelled = modelled
+figure-residual = residual
 figure-inspection = measured profile
 figure-deviation = deviation along the normal, µm
 figure-inspected-force = force

@@ -360,6 +360,10 @@ laws-use-freudenstein-1-3-5 = Tres armónicos: cerca de la menor aceleración de
 laws-use-eccentric = Media vuelta de un disco excéntrico: la leva más barata de hacer. Le sigue su propio retorno.
 
 # La imagen de una leva medida.
+figure-identification = máquina identificada
+figure-measured = medida
+figure-modelled = modelada
+figure-residual = residuo
 figure-inspection = perfil medido
 figure-deviation = desviación según la normal, µm
 figure-inspected-force = fuerza

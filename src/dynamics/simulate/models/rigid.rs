@@ -70,11 +70,13 @@ fn over_time(input: &Run, p: &Prepared, machine: &MachineMotion) -> Outcome {
     let forces = nodes.map(|(i, at): (usize, &Svaj)| {
         let [speed, acceleration] = motion(i);
         let floor = machine.floor_at(p.step * i as f64);
-        force(&p.drive, *at, speed, acceleration) + p.drive.mass * floor
+        let learned = input.machine.learned.get(i).copied().unwrap_or(0.0);
+        force(&p.drive, *at, speed, acceleration) + p.drive.mass * floor + learned
     });
     let forces: Vec<f64> = forces.collect();
-    let ([low, high], pulled) = match (&p.shaft, &input.machine.floor) {
-        (Some(shaft), None) => {
+    let is_smooth = input.machine.floor.is_none() && input.machine.learned.is_empty();
+    let ([low, high], pulled) = match &p.shaft {
+        Some(shaft) if is_smooth => {
             let surface = Surface::new(in_time(&p.lift, shaft), &p.drive);
             let (low, high) = surface.force.extremes();
             let pulled = surface.pulls.iter().map(|(a, b)| b - a).sum::<f64>();

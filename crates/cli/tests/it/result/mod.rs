@@ -3,4 +3,5 @@
 mod as_made;
 mod ecam;
 mod front_and_compare;
+mod identify;
 mod inspect;

@@ -250,6 +250,8 @@ fn help_in_spanish_holds_no_english_word() {
         "man",
         "completions",
         "inspect",
+        "identify",
+        "recut",
         "reproduce",
         "chart",
     ] {

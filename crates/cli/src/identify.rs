@@ -1,0 +1,255 @@
+//! `gaitcam identify` and `gaitcam recut`: the log of a running machine → its parameters, and the next cam.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::Args;
+use serde_json::{Value, json};
+use toml::Table;
+
+use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::language;
+use crate::console::terminal::{print, print_json, report};
+use crate::console::words;
+use crate::input::made::Made;
+use crate::input::searching::TimeLimit;
+use crate::input::{self, SceneArgs};
+use crate::synth::{self, SynthArgs, files_in};
+use gaitcam::error::{FileError, Placed, Result};
+use gaitcam::identify::{Change, Identified, Log, Parameter};
+use gaitcam::scene::{keys, set_value};
+use gaitcam::synth::Design;
+use gaitcam::units::{Dimension, Quantity};
+use gaitcam::wording::quantity;
+use gaitcam_files::design::OF_IDENTIFICATION;
+use gaitcam_files::read::read_bytes;
+use gaitcam_files::{Input, PATIENCE, ResultFolder};
+use gaitcam_output::identification;
+
+const IDENTIFY: &str = "Examples:
+  gaitcam identify out/footbridge log.csv
+  gaitcam identify scenes/footbridge.toml log.csv --out out/identified";
+const RECUT: &str = "Examples:
+  gaitcam recut out/footbridge log.csv
+  gaitcam recut out/footbridge log.csv --out out/second";
+
+/// Which machine, and what was logged.
+#[derive(Args, Debug)]
+#[command(after_help = IDENTIFY)]
+pub struct IdentifyArgs {
+    #[command(flatten)]
+    run: LoggedArgs,
+    /// Folder for the files (default out/NAME_identified)
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print identify.json instead of the text summary; without --out no file is written
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Which design, and what was logged.
+#[derive(Args, Debug)]
+#[command(after_help = RECUT)]
+pub struct RecutArgs {
+    #[command(flatten)]
+    run: LoggedArgs,
+    #[command(flatten)]
+    time: TimeLimit,
+    /// Folder for the files (default out/NAME_recut)
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print summary.json instead of the text summary; without --out no file is written
+    #[arg(long)]
+    pub json: bool,
+    /// Write no PNG pictures
+    #[arg(long)]
+    no_png: bool,
+}
+
+/// A machine and its log.
+#[derive(Args, Debug)]
+struct LoggedArgs {
+    /// The design: a folder or summary.json of synth, a scene file or the name of a built-in scene
+    #[arg(value_name = "RESULT")]
+    design: PathBuf,
+    /// Log of the running machine: a csv with the columns time_s or theta_rad (or both), force_n, and where there are such
+    /// speed_rad_per_s, torque_n_m
+    #[arg(value_name = "FILE")]
+    log: PathBuf,
+}
+
+impl LoggedArgs {
+    /// The scene, the design that runs and its log; `None` where the design has no cam, which is reported.
+    fn read(&self) -> Result<Option<(Input, Design, Log)>> {
+        let log = Log::read(&self.log, &read_bytes(&self.log)?)?;
+        let made = Made::read(&SceneArgs::of(self.design.clone()), &[])?;
+        let design = made.design()?.0;
+        if let Some(why) = design.no_cam(language::current()) {
+            report(words::fill("identify-no-cam", &json!({"why": why})));
+            return Ok(None);
+        }
+        Ok(Some((made.input, design, log)))
+    }
+}
+
+/// Identifies the machine and writes scene, table and picture; exit code 3 where the design has no cam.
+pub fn identify(args: &IdentifyArgs) -> Result<u8> {
+    let Some((input, design, log)) = args.run.read()? else {
+        return Ok(NO_SUCH_CAM);
+    };
+    let found = gaitcam::identify::identify(&design, &input.scene, &log)?;
+    let place = match (&args.out, args.json) {
+        (None, true) => None,
+        (out, _) => {
+            let path = input::result_folder(&input, out.as_deref(), "_identified")?;
+            Some(write(&path, &args.run.log, &input, &design, &found)?)
+        }
+    };
+    if args.json {
+        print_json(&serde_json::to_value(&found).unwrap_or_default());
+        return Ok(BUILT);
+    }
+    print(&text(&input, &found));
+    if let Some(place) = place {
+        print(&files_in(&place, "identify.svg"));
+    }
+    Ok(BUILT)
+}
+
+fn write(
+    path: &Path,
+    log: &Path,
+    input: &Input,
+    design: &Design,
+    found: &Identified,
+) -> Result<PathBuf> {
+    let inputs = [Some(log), input.file.as_deref()].map(|p| p.and_then(|p| p.canonicalize().ok()));
+    let beside = |name: &str| path.join(name).canonicalize().ok();
+    let replaced = |name: &&&str| beside(name).is_some_and(|b| inputs.contains(&Some(b)));
+    if let Some(file) = OF_IDENTIFICATION.iter().find(replaced) {
+        let file = (*file).to_string();
+        return Err(FileError::Replaced { file }.in_file(path));
+    }
+    let scene = found.scene(&input.scene)?.to_table();
+    let known = found.parameters.iter().filter(|p| p.identifiable);
+    let scene = carried(&scene, input, known.map(|p| p.key))?;
+    let folder = ResultFolder::open(path, PATIENCE)?;
+    let scene = toml::to_string(&scene).unwrap_or_default();
+    folder.write("identified.toml", scene.as_bytes())?;
+    let text = serde_json::to_string_pretty(found).unwrap_or_default();
+    folder.write("identify.json", text.as_bytes())?;
+    let picture = identification(design, found, language::current());
+    folder.write("identify.svg", picture.svg().as_bytes())?;
+    folder.write("identify.png", &picture.png())?;
+    let place = folder.path().to_path_buf();
+    folder.commit(&[])?;
+    Ok(place)
+}
+
+/// The scene of the input, whatever folder it is read from, with some keys as another scene has them.
+fn carried<'a>(from: &Table, input: &Input, keys: impl Iterator<Item = &'a str>) -> Result<Table> {
+    let mut out = input.resolved();
+    for key in keys {
+        let mut parts = key.split('.');
+        let first = parts.next().and_then(|p| from.get(p));
+        let value = parts.fold(first, |at, part| at.and_then(|t| t.get(part)));
+        if let Some(value) = value {
+            set_value(&mut out, key, value.clone())?;
+        }
+    }
+    Ok(out)
+}
+
+/// Writes the next cam as `synth` does; exit code 3 where there is none, or what repeats is noise.
+pub fn recut(args: &RecutArgs) -> Result<u8> {
+    let start = Instant::now();
+    let Some((input, design, log)) = args.run.read()? else {
+        return Ok(NO_SUCH_CAM);
+    };
+    let target = input.target()?;
+    let search = gaitcam::synth::Search::until(args.time.of_design());
+    let (scene, figures, found) =
+        gaitcam::identify::recut(&design, &input.scene, target.as_ref(), &log, &search)?;
+    let key = "machine.learned_force";
+    let table = carried(&scene.to_table(), &input, std::iter::once(key))?;
+    let next = Input::new(table, input.folder.clone(), None)?;
+    let out = match (&args.out, args.json) {
+        (None, true) => None,
+        (out, _) => Some(input::result_folder(&next, out.as_deref(), "_recut")?),
+    };
+    let synth = SynthArgs {
+        time: args.time,
+        out,
+        json: args.json,
+        no_png: args.no_png,
+        ..SynthArgs::default()
+    };
+    let number = |x: f64| words::fixed(x, 2);
+    let (before, after) = (figures.before_rms_n, figures.predicted_rms_n);
+    let line = json!({"before": number(before), "after": number(after)});
+    let mut lines = vec![words::fill("recut-error", &line)];
+    lines.extend((!found.has_angle).then(|| words::text("identify-no-angle")));
+    synth::designed(&synth, &next, start, Some(("recut", json!(figures), lines)))
+}
+
+/// A quantity with the unit of its parameter.
+fn shown(input: &Input, parameter: &Parameter, value: f64) -> String {
+    let unit = match parameter.key {
+        "log.scale" => "",
+        "log.delay" => Dimension::Time.si(),
+        "guide.damping" => Dimension::Damping.si(),
+        key => keys::find(key)
+            .and_then(|k| k.dimension(&input.scene))
+            .map_or(Dimension::Force.si(), Dimension::si),
+    };
+    quantity(language::current(), value, unit)
+        .trim_end()
+        .to_string()
+}
+
+fn text(input: &Input, found: &Identified) -> String {
+    let number = |x: f64| words::fixed(x, 2);
+    let speed = Quantity::new(found.speed_rad_per_s, Dimension::AngularSpeed);
+    let head = json!({
+        "name": input.scene.name,
+        "cycles": found.cycles.to_string(),
+        "speed": quantity(language::current(), speed.value, Dimension::AngularSpeed.si()),
+        "noise": number(found.noise_rms_n),
+        "repeats": number(found.repeatable_rms_n),
+    });
+    let mut lines = vec![words::fill("identify-head", &head)];
+    for p in &found.parameters {
+        let end = |x: Option<f64>, open: &str| x.map_or(open.to_string(), |x| shown(input, p, x));
+        let key = if p.identifiable {
+            "identify-known"
+        } else {
+            "identify-unknown"
+        };
+        let data = json!({
+            "key": format!("{:<26}", p.key),
+            "value": shown(input, p, p.value),
+            "low": end(p.low, "−∞"),
+            "high": end(p.high, "∞"),
+        });
+        lines.push(format!("  {}", words::fill(key, &data)));
+    }
+    lines.push(format!("  {}", words::text("identify-scale")));
+    if !found.has_angle {
+        lines.push(format!("  {}", words::text("identify-no-angle")));
+    }
+    if let Some(run) = &found.next_run {
+        let (key, value) = match run.change {
+            Change::Speed { rad_per_s } => (
+                "identify-next-speed",
+                quantity(language::current(), rad_per_s, Dimension::AngularSpeed.si()),
+            ),
+            Change::AddedMass { kg } => (
+                "identify-next-mass",
+                quantity(language::current(), kg, Dimension::Mass.si()),
+            ),
+        };
+        let data: Value = json!({"value": value, "keys": run.tells.join(", ")});
+        lines.push(format!("  {}", words::fill(key, &data)));
+    }
+    lines.join("\n")
+}

@@ -1,0 +1,441 @@
+//! The cycles of a log: its period, and the harmonics of every cycle.
+//!
+//! Each cycle is fitted by itself with a mean and harmonics (least squares at the times of its samples), so that the scatter
+//! of the fits is the noise of the log as it is, correlated within a cycle or not.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::log::Log;
+use crate::error::{LogError, Result};
+use crate::units::{Dimension, Quantity};
+
+/// Most harmonics of a cycle.
+pub(super) const MOST: usize = 24;
+/// Fewest samples per cycle and harmonic: fewer leave the fit to the noise.
+const PER_HARMONIC: f64 = 2.5;
+/// Fewest whole cycles from which noise and what repeats can be told apart.
+pub(super) const LEAST_CYCLES: usize = 3;
+/// Cells of a cycle in which the period is looked for, and the range about the period that is expected.
+const CELLS: usize = 64;
+const RANGE: [f64; 2] = [0.55, 1.8];
+/// Least autocorrelation of a log that repeats.
+const REPEATS: f64 = 0.5;
+/// Change of the speed over the log, part of the mean, above which it drifts: harmonic 5 then leaves its phase.
+const DRIFT: f64 = 0.01;
+/// A change of the mean cycle within the log: this part of its alternating force, and this multiple of the scatter.
+const CHANGE: f64 = 0.05;
+const SURPRISE: f64 = 8.0;
+/// Diagonal of the factor below which a cycle has a gap; 0.7 of equal steps.
+const UNSEEN: f64 = 0.2;
+/// Rounds in which the phases of the cycles correct the period.
+const ROUNDS: usize = 4;
+
+/// The harmonics of one quantity in every cycle and their mean: `[a₀, a₁, b₁, a₂, b₂ …]` of a₀ + Σ aₙ cos nφ + bₙ sin nφ.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Averaged {
+    /// Of every cycle.
+    pub each: Vec<Vec<f64>>,
+    /// Their mean.
+    pub mean: Vec<f64>,
+}
+
+/// The cycles of a log.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cycles {
+    /// Mean speed of the cam, rad/s.
+    pub speed: f64,
+    /// Whether the phase φ is the cam angle; otherwise it is the part of the period since the first sample, times 2π.
+    pub by_angle: bool,
+    /// Force, N.
+    pub force: Averaged,
+    /// Speed of the cam, rad/s.
+    pub shaft: Option<Averaged>,
+    /// Torque at the camshaft, N·m.
+    pub torque: Option<Averaged>,
+    /// Part of the period, times 2π, less the cam angle, rad, by the cam angle.
+    pub lead: Option<Averaged>,
+    /// Root mean square of the samples about the mean cycle, N.
+    pub noise_rms: f64,
+}
+
+impl Averaged {
+    fn of(each: Vec<Vec<f64>>) -> Averaged {
+        let count = each.len() as f64;
+        let mean = (0..each[0].len())
+            .map(|j| each.iter().map(|c| c[j]).sum::<f64>() / count)
+            .collect();
+        Averaged { each, mean }
+    }
+
+    /// The same with a linear map of every cycle.
+    pub fn map(&self, map: impl Fn(&[f64]) -> Vec<f64>) -> Averaged {
+        Averaged::of(self.each.iter().map(|cycle| map(cycle)).collect())
+    }
+
+    /// Variance of the mean of each entry.
+    pub fn variance(&self) -> Vec<f64> {
+        let count = self.each.len() as f64;
+        let of = |j: usize| {
+            let square = |c: &Vec<f64>| (c[j] - self.mean[j]).powi(2);
+            self.each.iter().map(square).sum::<f64>() / ((count - 1.0) * count)
+        };
+        (0..self.mean.len()).map(of).collect()
+    }
+}
+
+impl Cycles {
+    /// The cycles of a log of a machine whose cam turns at about `speed`, rad/s, with a force of `harmonics` harmonics.
+    ///
+    /// # Errors
+    /// What the log shows: too short, sampled too seldom, nothing that repeats, another speed at its end than at its start,
+    /// another cycle.
+    pub fn of(log: &Log, speed: f64, harmonics: usize) -> Result<Cycles> {
+        let (phases, speed) = phases(log, speed)?;
+        let turns = span(&phases);
+        let cycles = turns.floor() as usize;
+        if cycles < LEAST_CYCLES {
+            let least = LEAST_CYCLES;
+            return Err(log.refused(LogError::Short {
+                cycles: turns,
+                least,
+            }));
+        }
+        let samples = phases.len() as f64 / turns;
+        let carried = (samples / PER_HARMONIC) as usize;
+        if carried < harmonics {
+            let needed = (PER_HARMONIC * harmonics as f64).ceil() as usize;
+            return Err(log.refused(LogError::Aliased { samples, needed }));
+        }
+        let order = carried.min(MOST);
+        let mut out = Fitted::of(log, &phases, cycles, order)?.cycles(speed, log);
+        if log.theta.is_none() {
+            let mut phases = phases;
+            for _ in 0..ROUNDS {
+                let slope = out.slope();
+                phases.iter_mut().for_each(|p| *p *= 1.0 + slope);
+                let cycles = span(&phases).floor() as usize;
+                let speed = out.speed * (1.0 + slope);
+                out = Fitted::of(log, &phases, cycles, order)?.cycles(speed, log);
+            }
+            out.check_drift(log)?;
+        }
+        out.check_change(log)?;
+        Ok(out)
+    }
+
+    /// Phase by which every cycle is ahead of the mean, rad.
+    fn leads(&self) -> Vec<f64> {
+        let mean = &self.force.mean;
+        let slope = derivative(mean);
+        let size: f64 = slope.iter().map(|x| x * x).sum();
+        let lead = |c: &Vec<f64>| {
+            let along = c
+                .iter()
+                .zip(mean)
+                .zip(&slope)
+                .map(|((c, m), d)| (c - m) * d);
+            along.sum::<f64>() / size
+        };
+        self.force.each.iter().map(lead).collect()
+    }
+
+    /// Lead per cycle, turns: what the period is too long.
+    fn slope(&self) -> f64 {
+        let leads = self.leads();
+        let line = polynomial(&leads, 1);
+        line[1] / TAU / leads.len() as f64
+    }
+
+    /// Refuses a speed that changes over the log.
+    fn check_drift(&self, log: &Log) -> Result<()> {
+        let leads = self.leads();
+        if leads.len() < 6 {
+            return Ok(());
+        }
+        // φ = … + c x², x = 0 … 1 over the log: the speed changes by 2c/(2πK) of itself.
+        let change = 2.0 * polynomial(&leads, 2)[2] / (TAU * leads.len() as f64);
+        match change.abs() > DRIFT {
+            true => Err(log.refused(drift(self.speed, [1.0 - 0.5 * change, 1.0 + 0.5 * change]))),
+            false => Ok(()),
+        }
+    }
+
+    /// Refuses a log whose mean cycle is another one after some cycle.
+    fn check_change(&self, log: &Log) -> Result<()> {
+        let each = &self.force.each;
+        let count = each.len();
+        let mean = |of: &[Vec<f64>]| Averaged::of(of.to_vec()).mean;
+        let distance = |a: &[f64], b: &[f64]| -> f64 {
+            a.iter().zip(b).skip(1).map(|(a, b)| (a - b).powi(2)).sum()
+        };
+        let alternating: f64 = self.force.mean[1..].iter().map(|x| x * x).sum();
+        for at in 2..count.saturating_sub(1) {
+            let [before, after] = [mean(&each[..at]), mean(&each[at..])];
+            let between = distance(&before, &after);
+            let within: f64 = (each[..at].iter().map(|c| distance(c, &before)))
+                .chain(each[at..].iter().map(|c| distance(c, &after)))
+                .sum();
+            let [a, b] = [at as f64, (count - at) as f64];
+            let scatter = within / (count - 2) as f64 * (1.0 / a + 1.0 / b);
+            if between > CHANGE * CHANGE * alternating && between > SURPRISE * scatter {
+                let percent = 100.0 * (between / alternating).sqrt();
+                return Err(log.refused(LogError::Changes { cycle: at, percent }));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Turns that phases cover.
+fn span(phases: &[f64]) -> f64 {
+    let n = phases.len();
+    let step = (phases[n - 1] - phases[0]) / (n - 1) as f64;
+    (phases[n - 1] - phases[0] + step) / TAU
+}
+
+/// Phase of every sample, rad, and mean speed, rad/s.
+fn phases(log: &Log, expected: f64) -> Result<(Vec<f64>, f64)> {
+    let Some(theta) = &log.theta else {
+        let time = log.time.as_deref().unwrap_or_default();
+        let period = period(log, time, TAU / expected)?;
+        let phase = |t: &f64| TAU * (t - time[0]) / period;
+        return Ok((time.iter().map(phase).collect(), TAU / period));
+    };
+    let n = theta.len();
+    let third = |part: [usize; 2]| {
+        let [a, b] = part.map(|k| k * (n - 1) / 3);
+        let mean = |s: &Vec<f64>| s[a..b].iter().sum::<f64>() / (b - a) as f64;
+        let of_time = |t: &Vec<f64>| (theta[b] - theta[a]) / (t[b] - t[a]);
+        log.time
+            .as_ref()
+            .map(of_time)
+            .or_else(|| log.speed.as_ref().map(mean))
+    };
+    let speed = third([0, 3]).unwrap_or(expected);
+    if let (Some(early), Some(late)) = (third([0, 1]), third([2, 3]))
+        && (late - early).abs() > DRIFT * speed
+        && span(theta) >= 3.0 * LEAST_CYCLES as f64
+    {
+        return Err(log.refused(drift(1.0, [early, late])));
+    }
+    Ok((theta.clone(), speed))
+}
+
+fn drift(speed: f64, parts: [f64; 2]) -> LogError {
+    let [first, last] = parts.map(|p| Quantity::new(p * speed, Dimension::AngularSpeed));
+    LogError::Drift { first, last }
+}
+
+/// Period of a force, s, near the one that is expected.
+fn period(log: &Log, time: &[f64], expected: f64) -> Result<f64> {
+    let length = time[time.len() - 1] - time[0];
+    if length < LEAST_CYCLES as f64 * RANGE[0] * expected {
+        let (cycles, least) = (length / expected, LEAST_CYCLES);
+        return Err(log.refused(LogError::Short { cycles, least }));
+    }
+    let step = expected / CELLS as f64;
+    let cells = cells(time, &log.force, step);
+    let speed = Quantity::new(TAU / expected, Dimension::AngularSpeed);
+    let none = || log.refused(LogError::NoCycle { speed });
+    let near = |cells: &[f64]| {
+        let [least, most] = RANGE.map(|r| (r * CELLS as f64) as usize);
+        repeats(cells, least..=most.min(cells.len() * 2 / 3))
+    };
+    let whole = near(&cells).filter(|r| r.1 > REPEATS);
+    let thirds = [0, 2].map(|k| near(&cells[k * cells.len() / 3..(k + 1) * cells.len() / 3]));
+    if let [Some((early, a)), Some((late, b))] = thirds
+        && a > REPEATS
+        && b > REPEATS
+        && (late - early).abs() > 2.0 * DRIFT * early
+        && cells.len() / 3 > 2 * CELLS
+    {
+        let speeds = [early, late].map(|lag| TAU / (lag * step));
+        return Err(log.refused(drift(1.0, speeds)));
+    }
+    let (mut lag, strength) = whole.ok_or_else(none)?;
+    // Over more and more cycles the lag is known better and better.
+    let mut cycles = 1.0;
+    while 2.0 * cycles * lag < 0.8 * cells.len() as f64 {
+        let middle = (2.0 * cycles * lag).round() as usize;
+        match repeats(&cells, middle - 4..=middle + 4) {
+            Some((next, r)) if r > 0.5 * strength => lag = next / (2.0 * cycles),
+            _ => break,
+        }
+        cycles *= 2.0;
+    }
+    Ok(lag * step)
+}
+
+/// Means of a force in equal cells of time; a cell without a sample takes the one before.
+fn cells(time: &[f64], force: &[f64], step: f64) -> Vec<f64> {
+    let count = ((time[time.len() - 1] - time[0]) / step) as usize + 1;
+    let mut sums = vec![(0.0, 0.0); count];
+    for (t, f) in time.iter().zip(force) {
+        let cell = &mut sums[((t - time[0]) / step) as usize];
+        (cell.0, cell.1) = (cell.0 + f, cell.1 + 1.0);
+    }
+    let mut last = force[0];
+    let mut fill = |(sum, n): (f64, f64)| {
+        last = if n > 0.0 { sum / n } else { last };
+        last
+    };
+    sums.into_iter().map(&mut fill).collect()
+}
+
+/// The lag, in cells, at which a force repeats best, and its correlation there; of lags as good, the shortest.
+fn repeats(cells: &[f64], lags: std::ops::RangeInclusive<usize>) -> Option<(f64, f64)> {
+    let mean = cells.iter().sum::<f64>() / cells.len() as f64;
+    let correlation = |lag: usize| {
+        let pairs = cells.iter().zip(cells.get(lag..).unwrap_or_default());
+        let (mut ab, mut aa, mut bb) = (0.0, 0.0, 0.0);
+        for (a, b) in pairs {
+            let (a, b) = (a - mean, b - mean);
+            (ab, aa, bb) = (ab + a * b, aa + a * a, bb + b * b);
+        }
+        ab / (aa * bb).sqrt().max(f64::MIN_POSITIVE)
+    };
+    let (from, to) = (*lags.start(), *lags.end());
+    let all: Vec<f64> = (from..=to.max(from)).map(correlation).collect();
+    let peak = |i: &usize| all[*i] >= all[*i - 1] && all[*i] >= all[*i + 1];
+    let peaks: Vec<usize> = (1..all.len().saturating_sub(1)).filter(peak).collect();
+    let most = peaks
+        .iter()
+        .map(|i| all[*i])
+        .fold(f64::NEG_INFINITY, f64::max);
+    let i = *peaks.iter().find(|i| all[**i] > most - 0.05 * most.abs())?;
+    let [a, b, c] = [all[i - 1], all[i], all[i + 1]];
+    let curve = a - 2.0 * b + c;
+    let shift = if curve < 0.0 {
+        0.5 * (a - c) / curve
+    } else {
+        0.0
+    };
+    Some(((from + i) as f64 + shift, b))
+}
+
+/// Coefficients of the polynomial through values at equal steps of [0, 1], by least squares.
+fn polynomial(values: &[f64], degree: usize) -> Vec<f64> {
+    let n = values.len();
+    let a = DMatrix::from_fn(n, degree + 1, |i, k| (i as f64 / n as f64).powi(k as i32));
+    let b = DVector::from_column_slice(values);
+    let svd = a.svd(true, true);
+    svd.solve(&b, 1e-12)
+        .map_or_else(|_| vec![0.0; degree + 1], |x| x.as_slice().to_vec())
+}
+
+/// Derivative by the phase.
+pub(super) fn derivative(harmonics: &[f64]) -> Vec<f64> {
+    let mut out = vec![0.0; harmonics.len()];
+    for n in 1..=harmonics.len() / 2 {
+        let [a, b] = [harmonics[2 * n - 1], harmonics[2 * n]];
+        (out[2 * n - 1], out[2 * n]) = (n as f64 * b, -(n as f64) * a);
+    }
+    out
+}
+
+/// The same curve, read at φ + `shift`.
+pub(super) fn shifted(harmonics: &[f64], shift: f64) -> Vec<f64> {
+    let mut out = harmonics.to_vec();
+    for n in 1..=harmonics.len() / 2 {
+        let (sin, cos) = (n as f64 * shift).sin_cos();
+        let [a, b] = [harmonics[2 * n - 1], harmonics[2 * n]];
+        (out[2 * n - 1], out[2 * n]) = (a * cos + b * sin, b * cos - a * sin);
+    }
+    out
+}
+
+/// Value at a phase.
+pub(super) fn value(harmonics: &[f64], phase: f64) -> f64 {
+    let basis = basis(phase, harmonics.len());
+    basis.iter().zip(harmonics).map(|(a, b)| a * b).sum()
+}
+
+/// 1, cos φ, sin φ, cos 2φ …
+fn basis(phase: f64, count: usize) -> Vec<f64> {
+    let mut out = Vec::with_capacity(count);
+    out.push(1.0);
+    let (s1, c1) = phase.sin_cos();
+    let (mut s, mut c) = (s1, c1);
+    while out.len() < count {
+        out.extend([c, s]);
+        (c, s) = (c * c1 - s * s1, s * c1 + c * s1);
+    }
+    out
+}
+
+/// Time, in which a cycle is 2π, less the cam angle, where the log has both.
+fn lead(log: &Log, phases: &[f64]) -> Option<Vec<f64>> {
+    let (time, _) = log.time.as_ref().zip(log.theta.as_ref())?;
+    let last = phases.len() - 1;
+    let speed = (phases[last] - phases[0]) / (time[last] - time[0]);
+    let of = |(t, x): (&f64, &f64)| speed * (t - time[0]) - (x - phases[0]);
+    Some(time.iter().zip(phases).map(of).collect())
+}
+
+/// Harmonics of force, speed and torque in every cycle, as they are fitted.
+struct Fitted {
+    by_column: [Vec<Vec<f64>>; 4],
+    noise_rms: f64,
+}
+
+impl Fitted {
+    fn of(log: &Log, phases: &[f64], cycles: usize, order: usize) -> Result<Fitted> {
+        let count = 2 * order + 1;
+        let lead = lead(log, phases);
+        let columns = [
+            Some(&log.force),
+            log.speed.as_ref(),
+            log.torque.as_ref(),
+            lead.as_ref(),
+        ];
+        let mut by_column: [Vec<Vec<f64>>; 4] = Default::default();
+        let mut from = 0;
+        for cycle in 1..=cycles {
+            let end = phases[0] + TAU * cycle as f64;
+            let own = from..phases.partition_point(|p| *p < end);
+            from = own.end;
+            let samples = own.len() as f64;
+            let mut normal = DMatrix::zeros(count, count);
+            let mut right = DMatrix::zeros(count, 4);
+            for i in own {
+                let row = DVector::from_vec(basis(phases[i], count));
+                normal.syger(1.0, &row, &row, 1.0);
+                for (c, column) in columns.iter().enumerate() {
+                    let Some(column) = column else { continue };
+                    right.column_mut(c).axpy(column[i], &row, 1.0);
+                }
+            }
+            let factor = (normal / samples.max(1.0)).cholesky();
+            // A cycle with a gap has directions that its samples do not see.
+            let sound = factor.filter(|f| f.l_dirty().diagonal().min() > UNSEEN);
+            let factor = sound.ok_or_else(|| log.refused(LogError::Gap { cycle, samples }))?;
+            let solved = factor.solve(&(right / samples));
+            for (c, list) in by_column.iter_mut().enumerate() {
+                list.push(solved.column(c).as_slice().to_vec());
+            }
+        }
+        let force = Averaged::of(by_column[0].clone()).mean;
+        let square = |(p, f): (&f64, &f64)| (f - value(&force, *p)).powi(2);
+        let sum: f64 = phases[..from].iter().zip(&log.force).map(square).sum();
+        let noise_rms = (sum / from.saturating_sub(count).max(1) as f64).sqrt();
+        Ok(Fitted {
+            by_column,
+            noise_rms,
+        })
+    }
+
+    fn cycles(self, speed: f64, log: &Log) -> Cycles {
+        let [force, shaft, torque, lead] = self.by_column.map(Averaged::of);
+        Cycles {
+            speed,
+            by_angle: log.theta.is_some(),
+            force,
+            shaft: log.speed.as_ref().map(|_| shaft),
+            torque: log.torque.as_ref().map(|_| torque),
+            lead: log.theta.as_ref().and(log.time.as_ref()).map(|_| lead),
+            noise_rms: self.noise_rms,
+        }
+    }
+}

@@ -1,0 +1,299 @@
+//! What the machine does to the force, by parameters: columns of a linear model over the phase of the log.
+
+use std::f64::consts::TAU;
+
+use super::cycles::{Cycles, MOST, derivative, value};
+use crate::drive::DriveKind;
+use crate::dynamics::shaft::force;
+use crate::law::Svaj;
+use crate::poly::{amplitudes, samples};
+use crate::scene::Scene;
+use crate::synth::Design;
+
+/// Equal cam angles.
+pub(super) const ANGLES: usize = 720;
+/// Part of the largest speed of the follower below which it rests.
+const RESTS: f64 = 1e-6;
+
+/// The motion of the cam at equal angles.
+pub(super) struct Clock {
+    /// Phase of the log.
+    pub phase: Vec<f64>,
+    /// Part of the cycle of the log that belongs to the angle.
+    pub part: Vec<f64>,
+    /// Time since angle 0, in which a cycle is 2π.
+    pub time: Vec<f64>,
+    /// Speed, rad/s.
+    pub speed: Vec<f64>,
+    /// Angular acceleration, rad/s².
+    pub rate: Vec<f64>,
+}
+
+impl Clock {
+    /// As the log has the speed; without it as the design forecasts it, at the mean speed of the log.
+    pub fn of(design: &Design, cycles: &Cycles) -> Clock {
+        let mean = cycles.speed;
+        let angles = (0..ANGLES).map(angle);
+        let speed: Vec<f64> = match (&cycles.lead, &cycles.shaft) {
+            (Some(lead), _) => {
+                let slope = derivative(&lead.mean);
+                angles.map(|x| mean / (1.0 + value(&slope, x))).collect()
+            }
+            (None, Some(shaft)) if cycles.by_angle => {
+                angles.map(|x| value(&shaft.mean, x)).collect()
+            }
+            _ => {
+                let part = mean / design.drive.speed.abs();
+                angles.map(|x| part * design.speed_and_time(x).0).collect()
+            }
+        };
+        let slowness: f64 = speed.iter().map(|w| 1.0 / w).sum();
+        let duration: Vec<f64> = speed.iter().map(|w| 1.0 / (w * slowness)).collect();
+        let (mut sum, step) = (0.0, TAU / ANGLES as f64);
+        let time = duration.iter().enumerate().map(|(i, p)| {
+            // Parts reach from the middle between two angles to the next.
+            sum += if i == 0 {
+                0.0
+            } else {
+                0.5 * (p + duration[i - 1])
+            };
+            TAU * sum
+        });
+        let time: Vec<f64> = time.collect();
+        let around = |i: usize| [speed[(i + ANGLES - 1) % ANGLES], speed[(i + 1) % ANGLES]];
+        let rate = |i: usize| speed[i] * (around(i)[1] - around(i)[0]) / (2.0 * step);
+        let (phase, part) = match cycles.by_angle {
+            true => (
+                (0..ANGLES).map(angle).collect(),
+                vec![1.0 / ANGLES as f64; ANGLES],
+            ),
+            false => (time.clone(), duration),
+        };
+        Clock {
+            phase,
+            part,
+            time,
+            rate: (0..ANGLES).map(rate).collect(),
+            speed,
+        }
+    }
+
+    /// `[a₀, a₁, b₁ …]` by the phase, of values at equal angles.
+    pub fn harmonics(&self, values: &[f64], count: usize) -> Vec<f64> {
+        let mut out = vec![0.0; count];
+        for ((phase, part), x) in self.phase.iter().zip(&self.part).zip(values) {
+            let weight = part * x;
+            out[0] += weight;
+            for n in 1..=count / 2 {
+                let (sin, cos) = (n as f64 * phase).sin_cos();
+                out[2 * n - 1] += 2.0 * weight * cos;
+                out[2 * n] += 2.0 * weight * sin;
+            }
+        }
+        out
+    }
+
+    /// Values at equal angles.
+    pub fn at_angles(&self, harmonics: &[f64]) -> Vec<f64> {
+        self.phase.iter().map(|p| value(harmonics, *p)).collect()
+    }
+
+    /// The same at another speed.
+    pub fn faster(&self, by: f64) -> Clock {
+        Clock {
+            phase: self.phase.clone(),
+            part: self.part.clone(),
+            time: self.time.clone(),
+            speed: self.speed.iter().map(|w| by * w).collect(),
+            rate: self.rate.iter().map(|a| by * by * a).collect(),
+        }
+    }
+}
+
+pub(super) fn angle(i: usize) -> f64 {
+    TAU * i as f64 / ANGLES as f64
+}
+
+/// A parameter of the machine or of the log.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Term {
+    /// Its key in the scene, or its name.
+    pub key: &'static str,
+    /// Value in the scene, in the units of its drive.
+    pub nominal: f64,
+    /// Whether it cannot be negative.
+    pub is_positive: bool,
+    /// What it multiplies.
+    pub effect: Effect,
+}
+
+/// What a parameter multiplies in the force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Effect {
+    /// 1.
+    Constant,
+    /// g + ω²a + αv on a moving axis.
+    Weight,
+    /// ω²a + αv.
+    Mass,
+    /// s.
+    Spring,
+    /// ωv.
+    Damping,
+    /// The sign of v.
+    Coulomb,
+    /// −(k F + c ω F′ + m ω² F″), F the force of the drive: a train of compliance 1/k₁ gives way by F/k₁.
+    Compliance,
+}
+
+/// The parameters of a machine: what its scene has, the friction of its guide, and the zero of the load cell.
+pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
+    let drive = &design.drive;
+    let on_arm = design.cam.follower.is_oscillating();
+    let term = |key, nominal, effect| Term {
+        key,
+        nominal,
+        is_positive: effect != Effect::Constant,
+        effect,
+    };
+    let mass = if on_arm {
+        "drive.inertia"
+    } else {
+        "drive.mass"
+    };
+    let friction = [
+        term("guide.damping", 0.0, Effect::Damping),
+        term("guide.friction", 0.0, Effect::Coulomb),
+    ];
+    let own = match drive.kind {
+        DriveKind::MovingAxis => vec![
+            term("log.bias", 0.0, Effect::Constant),
+            term(mass, drive.mass, Effect::Weight),
+            friction[0],
+        ],
+        DriveKind::FixedAxis => vec![
+            term("drive.preload", drive.rest_force, Effect::Constant),
+            term(mass, drive.mass, Effect::Mass),
+            term("drive.spring_rate", drive.spring_rate, Effect::Spring),
+            match on_arm {
+                true => friction[0],
+                false => term("drive.damping", drive.damping, Effect::Damping),
+            },
+        ],
+        DriveKind::Hydraulic => vec![
+            term("log.bias", 0.0, Effect::Constant),
+            term(
+                "drive.pressure_per_volume",
+                scene.drive.pressure_per_volume,
+                Effect::Spring,
+            ),
+            friction[0],
+        ],
+    };
+    let stiffness = (drive.mass > 0.0).then(|| {
+        let train = design.problem.train().ok().flatten();
+        let nominal = train.map_or(0.0, |t| 1.0 / t.stiffness);
+        term("machine.stiffness", nominal, Effect::Compliance)
+    });
+    let stands = |t: &Term| t.effect != Effect::Spring || drive.spring_rate > 0.0;
+    own.into_iter()
+        .chain([friction[1]])
+        .chain(stiffness)
+        .filter(stands)
+        .collect()
+}
+
+/// A machine whose cam has a law, in motion.
+pub(super) struct Machine<'a> {
+    pub design: &'a Design,
+    pub clock: &'a Clock,
+    /// Spring rate per unit of its parameter: 1, or that of a pressure per volume.
+    spring_unit: f64,
+    /// Gravity, m/s².
+    gravity: f64,
+}
+
+impl<'a> Machine<'a> {
+    pub fn new(design: &'a Design, scene: &Scene, clock: &'a Clock) -> Machine<'a> {
+        let spec = &scene.drive;
+        let spring_unit = match design.drive.kind {
+            DriveKind::Hydraulic => design.drive.spring_rate / spec.pressure_per_volume,
+            DriveKind::MovingAxis | DriveKind::FixedAxis => 1.0,
+        };
+        Machine {
+            design,
+            clock,
+            spring_unit,
+            gravity: spec.gravity,
+        }
+    }
+
+    fn motion(&self) -> impl Iterator<Item = (Svaj, f64, f64)> {
+        let clock = self.clock;
+        (0..ANGLES).map(|i| {
+            (
+                self.design.pressing().svaj(angle(i)),
+                clock.speed[i],
+                clock.rate[i],
+            )
+        })
+    }
+
+    /// What a parameter multiplies, at equal angles.
+    pub fn effect(&self, effect: Effect) -> Vec<f64> {
+        match effect {
+            Effect::Compliance => return self.compliance(),
+            Effect::Coulomb => return self.signs(),
+            _ => {}
+        }
+        let inertia = |at: Svaj, w: f64, rate: f64| w * w * at.a + rate * at.v;
+        let value = |(at, w, rate): (Svaj, f64, f64)| match effect {
+            Effect::Constant => 1.0,
+            Effect::Weight => self.gravity + inertia(at, w, rate),
+            Effect::Mass => inertia(at, w, rate),
+            Effect::Spring => self.spring_unit * at.s,
+            Effect::Damping => w * at.v,
+            Effect::Coulomb | Effect::Compliance => 0.0,
+        };
+        self.motion().map(value).collect()
+    }
+
+    /// Mean sign of v around every angle, so that a change of sign between two angles keeps its place.
+    fn signs(&self) -> Vec<f64> {
+        let law = self.design.pressing();
+        let half = 0.5 * TAU / ANGLES as f64;
+        let edges: Vec<f64> = (0..ANGLES).map(|i| law.svaj(angle(i) - half).v).collect();
+        let rests = RESTS * edges.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let mean = |i: usize| {
+            let [a, b] = [edges[i], edges[(i + 1) % ANGLES]];
+            (a + b) / (a.abs() + b.abs()).max(rests)
+        };
+        (0..ANGLES).map(mean).collect()
+    }
+
+    /// Change of the force per compliance of the train: the mass follows s − F/k₁.
+    fn compliance(&self) -> Vec<f64> {
+        let drive = &self.design.drive;
+        let own: Vec<f64> = self
+            .motion()
+            .map(|(at, w, rate)| force(drive, at, w, rate))
+            .collect();
+        let terms = amplitudes(&own);
+        let terms = &terms[1..=MOST.min(terms.len() - 2)];
+        let [first, second] = [1, 2].map(|order| samples(terms, order, ANGLES));
+        let w = &self.clock.speed;
+        let given = |i: usize| {
+            let inertia = drive.mass * w[i] * w[i] * second[i];
+            -(drive.spring_rate * own[i] + drive.damping * w[i] * first[i] + inertia)
+        };
+        (0..ANGLES).map(given).collect()
+    }
+
+    /// The force that the design has at this speed, at equal angles: of its drive, and what was learned before.
+    pub fn nominal_force(&self) -> Vec<f64> {
+        let (drive, problem) = (&self.design.drive, &self.design.problem);
+        let learned = (0..ANGLES).map(|i| problem.learned_force(angle(i)));
+        let own = self.motion().map(|(at, w, rate)| force(drive, at, w, rate));
+        own.zip(learned).map(|(f, r)| f + r).collect()
+    }
+}

@@ -1,0 +1,67 @@
+//! Motor line and inertia of the shaft, from the energy of the cycle, where the log has the speed.
+//!
+//! T = J α + F v (+ friction): where the torque is in the log, J and the mean friction follow from it; where it is not, the line
+//! T = T₀ − d ω of the scene's motor takes its place, −F v = J α + d (ω − ω̄) − T̄.
+
+use super::cycles::derivative;
+use super::fit::{Column, fit};
+use super::model::{ANGLES, angle};
+use super::{Fitted, Parameter};
+use crate::synth::Design;
+
+/// Inertia, and slope or friction, as far as the log has them.
+pub(super) fn parameters(design: &Design, fitted: &Fitted) -> Vec<Parameter> {
+    let Some(shaft) = fitted
+        .cycles
+        .shaft
+        .as_ref()
+        .filter(|_| fitted.cycles.by_angle)
+    else {
+        return Vec::new();
+    };
+    let torque = fitted.cycles.torque.as_ref();
+    if torque.is_none() && !design.problem.machine.motor.is_given() {
+        return Vec::new();
+    }
+    let count = shaft.mean.len();
+    let clock = &fitted.clock;
+    let law = design.pressing();
+    let speed = |i: usize| clock.speed[i];
+    let columns = |effect: &dyn Fn(usize) -> f64, is_positive| Column {
+        values: clock.harmonics(&(0..ANGLES).map(effect).collect::<Vec<_>>(), count),
+        is_positive,
+    };
+    let slope = clock.at_angles(&derivative(&shaft.mean));
+    let inertia = columns(&|i| speed(i) * slope[i], true);
+    let constant = columns(&|_| 1.0, torque.is_some());
+    let line = columns(&|i| speed(i) - fitted.cycles.speed, true);
+    // The load of every cycle: what its force does along the law.
+    let load = |force: &[f64]| {
+        let force = clock.at_angles(force);
+        let power: Vec<f64> = (0..ANGLES)
+            .map(|i| force[i] * law.svaj(angle(i)).v)
+            .collect();
+        clock.harmonics(&power, count)
+    };
+    let mut left = fitted.fit.measured.map(load);
+    for (i, cycle) in left.each.iter_mut().enumerate() {
+        for (j, x) in cycle.iter_mut().enumerate() {
+            *x = torque.map_or(0.0, |t| t.each[i][j]) - *x;
+        }
+    }
+    let left = left.map(<[f64]>::to_vec);
+    let (columns, keys) = match torque {
+        Some(_) => (
+            vec![inertia, constant],
+            ["machine.inertia", "machine.friction_torque"],
+        ),
+        None => (
+            vec![inertia, line, constant],
+            ["machine.inertia", "machine.motor.slope"],
+        ),
+    };
+    let found = fit(&columns, &left, [0.0, 0.0]);
+    let each = keys.into_iter().zip(found.each);
+    each.map(|(key, found)| Parameter::of(key, found, true))
+        .collect()
+}

@@ -1,0 +1,163 @@
+//! The run that would tell what a log does not: candidates judged by their Fisher information.
+//!
+//! Of two runs with the columns J₁, J₂ and components of variance σ² the covariance of the parameters is
+//! σ² (J₁ᵀJ₁ + J₂ᵀJ₂)⁻¹. The scale of the load cell is one parameter more: its column is the whole force.
+
+use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
+
+use super::cycles::derivative;
+use super::fit::t95;
+use super::model::{Clock, Effect, Machine};
+use super::{Fitted, Parameter, WIDEST};
+use crate::scene::Scene;
+use crate::synth::Design;
+
+/// Speeds as parts of that of the log, and mass that is added as a part of the moved one.
+const SPEEDS: [f64; 2] = [0.8, 1.25];
+const MASS: f64 = 0.2;
+
+/// What is to be changed.
+///
+/// ```
+/// use gaitcam::identify::Change;
+///
+/// assert_eq!(serde_json::to_value(Change::AddedMass { kg: 7.0 }).unwrap()["added-mass"]["kg"], 7.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Change {
+    /// Another speed, rad/s.
+    Speed {
+        /// The speed.
+        rad_per_s: f64,
+    },
+    /// A mass that was weighed, on the moved one.
+    AddedMass {
+        /// The mass, kg.
+        kg: f64,
+    },
+}
+
+/// A run of the same cam beside the one of the log.
+///
+/// ```
+/// use gaitcam::identify::{Change, NextRun};
+///
+/// let run = NextRun { change: Change::Speed { rad_per_s: 9.3 }, tells: vec!["log.scale"] };
+/// assert_eq!(serde_json::to_value(&run).unwrap()["tells"][0], "log.scale");
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct NextRun {
+    /// What differs from the run of the log.
+    pub change: Change,
+    /// Parameters that both runs together tell.
+    pub tells: Vec<&'static str>,
+}
+
+/// The candidate that tells most, `None` where none tells more than the log.
+pub(super) fn next_run(
+    design: &Design,
+    scene: &Scene,
+    fitted: &Fitted,
+    parameters: &[Parameter],
+) -> Option<NextRun> {
+    let open: Vec<&Parameter> = parameters.iter().filter(|p| !p.identifiable).collect();
+    let own = jacobian(design, scene, fitted, &fitted.clock, 0.0);
+    let noise = fitted
+        .fit
+        .measured
+        .variance()
+        .iter()
+        .fold(0.0_f64, |m, v| m.max(*v));
+    let variance = noise + fitted.fit.component;
+    let mass = design.drive.mass;
+    let faster = SPEEDS.map(|by| {
+        (
+            Change::Speed {
+                rad_per_s: by * fitted.cycles.speed,
+            },
+            by,
+            0.0,
+        )
+    });
+    let heavier = (Change::AddedMass { kg: MASS * mass }, 1.0, MASS * mass);
+    let is_carried = mass > 0.0 && !design.cam.follower.is_oscillating();
+    let candidates = faster.into_iter().chain(is_carried.then_some(heavier));
+    let told = candidates.map(|(change, by, added)| {
+        let clock = fitted.clock.faster(by);
+        let other = jacobian(design, scene, fitted, &clock, added);
+        let information = own.tr_mul(&own) + other.tr_mul(&other);
+        let tells = tells(fitted, &information, variance, &open);
+        NextRun { change, tells }
+    });
+    told.max_by_key(|run| run.tells.len())
+        .filter(|run| !run.tells.is_empty())
+}
+
+/// Columns of the terms, the delay and the scale in a run.
+fn jacobian(
+    design: &Design,
+    scene: &Scene,
+    fitted: &Fitted,
+    clock: &Clock,
+    added: f64,
+) -> DMatrix<f64> {
+    let machine = Machine::new(design, scene, clock);
+    let count = fitted.cycles.force.mean.len();
+    let column = |effect| clock.harmonics(&machine.effect(effect), count);
+    let mut columns: Vec<Vec<f64>> = fitted.terms.iter().map(|t| column(t.effect)).collect();
+    let mut force = vec![0.0; count];
+    let mut add = |factor: f64, column: &[f64]| {
+        force
+            .iter_mut()
+            .zip(column)
+            .for_each(|(f, c)| *f += factor * c);
+    };
+    for ((term, values), found) in fitted.terms.iter().zip(&columns).zip(&fitted.fit.each) {
+        if term.key != "log.bias" {
+            add(found.value, values);
+        }
+    }
+    if added > 0.0 {
+        add(added, &column(Effect::Weight));
+    }
+    let mean = clock.speed.iter().sum::<f64>() / clock.speed.len() as f64;
+    columns.push(derivative(&force).iter().map(|x| -mean * x).collect());
+    columns.push(force);
+    DMatrix::from_fn(count, columns.len(), |i, j| columns[j][i])
+}
+
+/// Open parameters whose intervals become narrow.
+fn tells(
+    fitted: &Fitted,
+    information: &DMatrix<f64>,
+    variance: f64,
+    open: &[&Parameter],
+) -> Vec<&'static str> {
+    let scale = DVector::from_iterator(
+        information.ncols(),
+        information
+            .diagonal()
+            .iter()
+            .map(|x| 1.0 / x.sqrt().max(f64::MIN_POSITIVE)),
+    );
+    let scaled = DMatrix::from_diagonal(&scale) * information * DMatrix::from_diagonal(&scale);
+    let Some(inverse) = scaled.cholesky().map(|c| c.inverse()) else {
+        return Vec::new();
+    };
+    let names = fitted
+        .terms
+        .iter()
+        .map(|t| t.key)
+        .chain(["log.delay", "log.scale"]);
+    let told = names.enumerate().filter_map(|(j, key)| {
+        let parameter = open.iter().find(|p| p.key == key)?;
+        let half = t95(fitted.cycles.force.each.len() - 1)
+            * (variance * inverse[(j, j)]).sqrt()
+            * scale[j];
+        let is_told = 2.0 * half <= WIDEST * parameter.value.abs();
+        (is_told && half.is_finite()).then_some(parameter.key)
+    });
+    told.collect()
+}

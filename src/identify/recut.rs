@@ -1,0 +1,186 @@
+//! The next cam: what the log has beyond the design, less its noise, is the machine's own and is designed for.
+
+use serde::Serialize;
+
+use super::fit::{difference, dot};
+use super::log::Log;
+use super::model::{ANGLES, Machine, Term, angle};
+use super::{Fitted, Identified, held, identified};
+use crate::drive::DriveKind;
+use crate::error::{LogError, Result};
+use crate::force::ForceCurve;
+use crate::poly::amplitudes;
+use crate::problem::Problem;
+use crate::scene::{Harmonic, Scene};
+use crate::synth::{self, Design, Search};
+use crate::units::Quantity;
+
+/// A harmonic is learned where its amplitude is this multiple of its noise.
+const ABOVE_NOISE: f64 = 2.0;
+/// Harmonics that are learned, as a multiple of those of the target: above, the machine is not the rigid one of the scene, and
+/// its resonances would turn a correction into its contrary.
+const IN_BAND: usize = 3;
+/// Rounds in which what the parameters change of the force follows the law.
+const ROUNDS: usize = 2;
+
+/// Force error before and after, N.
+///
+/// ```
+/// use gaitcam::identify::Recut;
+///
+/// let recut = Recut { before_rms_n: 12.0, predicted_rms_n: 2.0 };
+/// assert_eq!(serde_json::to_value(&recut).unwrap()["predicted_rms_n"], 2.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Recut {
+    /// RMS of what repeats in the log less the target; on a moving axis without its mean, which is the weight.
+    pub before_rms_n: f64,
+    /// The same as it is expected of the new cam: what is left of the noise, what the limits leave, what was not learned.
+    pub predicted_rms_n: f64,
+}
+
+/// The scene of the next cam, with what was learned of the machine as `machine.learned_force`, and the error it will have.
+///
+/// `force` is the target of the scene. The scene keeps the nominal machine: what an identified parameter changes is part of
+/// the learned force, taken for the new law.
+///
+/// # Errors
+/// As [`identify`]; a design without target; a residual that is noise; faults of the new design.
+pub fn recut(
+    design: &Design,
+    scene: &Scene,
+    force: Option<&ForceCurve>,
+    log: &Log,
+    search: &Search,
+) -> Result<(Scene, Recut, Identified)> {
+    let Some(target) = &design.target else {
+        return Err(log.refused(LogError::NoTarget));
+    };
+    let fitted = Fitted::of(design, scene, log)?;
+    let found = identified(design, scene, &fitted);
+    let clock = &fitted.clock;
+    let (measured, count) = (&fitted.fit.measured, fitted.cycles.force.mean.len());
+    let noise = measured.variance();
+    let from = usize::from(design.drive.kind == DriveKind::MovingAxis);
+    // The wanted force is one over time: by the cam angle it is another where the speed varies than the design took it for.
+    let in_time = design.target_in_time().unwrap_or(target);
+    let wanted: Vec<f64> = clock.time.iter().map(|t| in_time.at(*t)).collect();
+    let taken = (0..ANGLES).map(|i| target.at(angle(i)));
+    let moved: Vec<f64> = wanted.iter().zip(taken).map(|(w, t)| w - t).collect();
+    let wanted = clock.harmonics(&wanted, count);
+    let before = repeated(&difference(&measured.mean, &wanted), &noise, from);
+    let nominal = (0..ANGLES).map(|i| design.force_at(angle(i)) + moved[i]);
+    let nominal: Vec<f64> = nominal.collect();
+    let news = difference(&measured.mean, &clock.harmonics(&nominal, count));
+    let band = IN_BAND * held(&wanted);
+    let (learned, left) = shrunk(&news, &noise, from, band);
+    if learned.iter().all(|x| *x == 0.0) {
+        let newtons = |x: f64| Quantity::force(design.drive.newtons(x));
+        let scatter: f64 = noise[1..].iter().sum();
+        let (residual, noise) = (newtons(rms(&news, from)), newtons((0.5 * scatter).sqrt()));
+        return Err(log.refused(LogError::Noise { residual, noise }));
+    }
+    let is_used = |(i, _): &(usize, &Term)| found.parameters[*i].identifiable;
+    let used: Vec<(f64, &Term)> = (fitted.terms.iter().enumerate().filter(is_used))
+        .filter(|(_, t)| t.key != "log.bias" && t.key != "drive.preload")
+        .map(|(i, t)| (fitted.fit.each[i].value - t.nominal, t))
+        .collect();
+    // What identified parameters change under a design's law.
+    let changed = |of: &Design| -> Vec<f64> {
+        let machine = Machine::new(of, scene, clock);
+        let mut sum = vec![0.0; ANGLES];
+        for (by, term) in &used {
+            let effect = machine.effect(term.effect);
+            sum.iter_mut().zip(effect).for_each(|(x, e)| *x += by * e);
+        }
+        sum
+    };
+    let own: Vec<f64> = clock.at_angles(&learned);
+    let first = changed(design);
+    let mut next = scene.clone();
+    let mut made = design.clone();
+    for round in 0..=ROUNDS {
+        let now = if round == 0 {
+            first.clone()
+        } else {
+            changed(&made)
+        };
+        let sum = (0..ANGLES).map(|i| own[i] + now[i] - first[i]);
+        next.machine.learned_force = joined(design, &sum.collect::<Vec<_>>(), band, from);
+        if used.is_empty() && round > 0 {
+            break;
+        }
+        made = synth::design(&Problem::resolve(&next, force)?, search)?;
+    }
+    let after = design
+        .drive
+        .newtons(left)
+        .hypot(design.drive.newtons(made.force.rms_error_n));
+    let recut = Recut {
+        before_rms_n: design.drive.newtons(before),
+        predicted_rms_n: after,
+    };
+    Ok((next, recut, found))
+}
+
+/// What was learned before and now, as harmonics of the cam angle, N at the lever.
+fn joined(design: &Design, news: &[f64], band: usize, from: usize) -> Vec<Harmonic> {
+    let problem = &design.problem;
+    let sum: Vec<f64> = (0..ANGLES)
+        .map(|i| problem.learned_force(angle(i)) + news[i])
+        .map(|f| design.drive.newtons(f))
+        .collect();
+    let terms = amplitudes(&sum);
+    let mean = if from == 0 { terms[0].0 } else { 0.0 };
+    let constant = Harmonic {
+        factor: (1e6 * mean).round() / 1e6,
+        phase: 0.0,
+    };
+    let short = |x: f64| (1e6 * x).round() / 1e6;
+    let harmonic = |(a, b): &(f64, f64)| Harmonic {
+        factor: short(a.hypot(*b)),
+        phase: short(a.atan2(*b)),
+    };
+    let all = terms[1..=band].iter().map(harmonic);
+    std::iter::once(constant).chain(all).collect()
+}
+
+/// RMS of harmonics from the mean (`from` 0) or without it.
+fn rms(harmonics: &[f64], from: usize) -> f64 {
+    let mean = if from == 0 { harmonics[0].powi(2) } else { 0.0 };
+    (mean + 0.5 * dot(&harmonics[1..], &harmonics[1..])).sqrt()
+}
+
+/// RMS without the noise that is in it.
+fn repeated(harmonics: &[f64], noise: &[f64], from: usize) -> f64 {
+    let scatter = 0.5 * noise[1..].iter().sum::<f64>() + if from == 0 { noise[0] } else { 0.0 };
+    (rms(harmonics, from).powi(2) - scatter).max(0.0).sqrt()
+}
+
+/// Harmonics above their noise, each less the part of it that noise is likely to be, and the RMS of what is left in the others
+/// and in the noise; all zero where the whole is noise.
+fn shrunk(news: &[f64], noise: &[f64], from: usize, band: usize) -> (Vec<f64>, f64) {
+    let mut out = vec![0.0; news.len()];
+    let mut left = 0.0;
+    let groups = (1..=news.len() / 2).map(|n| (2 * n - 1..2 * n + 1, 0.5, n <= band));
+    let mean = (from == 0).then_some((0..1, 1.0, true));
+    for (own, part, is_in_band) in mean.into_iter().chain(groups) {
+        let energy = dot(&news[own.clone()], &news[own.clone()]);
+        let scatter: f64 = noise[own.clone()].iter().sum();
+        if !is_in_band || energy <= ABOVE_NOISE * ABOVE_NOISE * scatter {
+            left += part * (energy - scatter).max(0.0);
+            continue;
+        }
+        let kept = 1.0 - scatter / energy;
+        left += part * kept * scatter;
+        own.for_each(|j| out[j] = kept * news[j]);
+    }
+    let [all, scatter] = [dot(&news[1..], &news[1..]), noise[1..].iter().sum::<f64>()];
+    let spread = noise[1..].iter().map(|v| v * v).sum::<f64>();
+    let is_noise = all <= scatter + super::fit::EXCESS * (2.0 * spread).sqrt();
+    let has_mean = from == 0 && out[0] != 0.0;
+    if is_noise && !has_mean {
+        return (vec![0.0; news.len()], 0.0);
+    }
+    (out, left.sqrt())
+}

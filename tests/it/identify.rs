@@ -1,0 +1,403 @@
+//! Identification: logs that are no steady run of the machine are refused with what they show; what a log holds is found, what it
+//! does not hold is not told; the next cam cancels what repeats.
+
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+use gaitcam::error::Error;
+use gaitcam::identify::{Log, Parameter, identify, recut};
+use gaitcam::scene::{self, Scene};
+use gaitcam::synth::{Design, Search, synthesise};
+
+/// The footbridge shaker and its design.
+fn shaker() -> (Scene, Design) {
+    let scene = scene::built_in("footbridge").unwrap().scene().unwrap();
+    let force = scene.model_force().unwrap();
+    let design = synthesise(&scene, force.as_ref()).unwrap();
+    (scene, design)
+}
+
+/// Scatter between -1 and 1 without pattern.
+fn scatter(i: usize) -> f64 {
+    let mixed = (i as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let mixed = (mixed ^ (mixed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    (mixed >> 40) as f64 / (1_u64 << 23) as f64 - 1.0
+}
+
+/// How a log differs from a faithful one: 20 cycles at 1 kHz, ±3 N of scatter.
+#[derive(Clone, Copy)]
+struct Made {
+    mass: f64,
+    cycles: f64,
+    rate: f64,
+    factor: f64,
+    /// Change of the speed over the log, part of it.
+    drift: f64,
+    /// Force above which the cell is at its end.
+    end: f64,
+    /// Mass from the middle of the log on.
+    second_mass: f64,
+    has_angle: bool,
+    /// Force that repeats, N by cam angle.
+    extra: fn(f64) -> f64,
+}
+
+const FAITHFUL: Made = Made {
+    mass: 700.0 / 9.81,
+    cycles: 20.0,
+    rate: 1000.0,
+    factor: 1.0,
+    drift: 0.0,
+    end: f64::INFINITY,
+    second_mass: 700.0 / 9.81,
+    has_angle: false,
+    extra: |_| 0.0,
+};
+
+fn text(design: &Design, made: Made) -> String {
+    let speed = design.drive.speed;
+    let length = made.cycles * TAU / speed;
+    let mut out = String::from("time_s,force_n");
+    out += if made.has_angle { ",theta_rad\n" } else { "\n" };
+    for i in 0..(length * made.rate) as usize {
+        let t = i as f64 / made.rate;
+        let theta = 0.7 + speed * t * (1.0 + 0.5 * made.drift * t / length);
+        let w = speed * (1.0 + made.drift * t / length);
+        let mass = if t < 0.5 * length {
+            made.mass
+        } else {
+            made.second_mass
+        };
+        let force = mass * (9.81 + w * w * design.cam.law.svaj(theta).a) + (made.extra)(theta);
+        let force = made.factor * (force + 3.0 * scatter(i)).min(made.end);
+        let _ = write!(out, "{t:.6},{force:.9}");
+        if made.has_angle {
+            let _ = write!(out, ",{theta:.6}");
+        }
+        out.push('\n');
+    }
+    out
+}
+
+fn found(made: &str, (scene, design): &(Scene, Design)) -> Result<Vec<Parameter>, Error> {
+    let log = Log::read("log.csv".as_ref(), made.as_bytes())?;
+    Ok(identify(design, scene, &log)?.parameters)
+}
+
+fn parameter(list: &[Parameter], key: &str) -> Parameter {
+    *list.iter().find(|p| p.key == key).unwrap()
+}
+
+#[test]
+fn every_kind_of_bad_log_is_refused_with_what_it_shows() {
+    let shaker = shaker();
+    let log = |made: Made| text(&shaker.1, made);
+    let whole = log(FAITHFUL);
+    let rows: Vec<&str> = whole.lines().collect();
+    let swapped = [&rows[..50], &[rows[51], rows[50]], &rows[52..]]
+        .concat()
+        .join("\n");
+    let repeated = [&rows[..50], &rows[49..]].concat().join("\n");
+    let two = |other: Made| {
+        let more = log(other);
+        let last: f64 = rows[rows.len() - 1]
+            .split(',')
+            .next()
+            .unwrap()
+            .parse()
+            .unwrap();
+        let later = more.lines().skip(1).map(|row| {
+            let (t, f) = row.split_once(',').unwrap();
+            format!("{:.6},{f}", t.parse::<f64>().unwrap() + last + 0.001)
+        });
+        format!("{whole}{}", later.collect::<Vec<_>>().join("\n"))
+    };
+    let cases = [
+        (
+            "log-short",
+            log(Made {
+                cycles: 0.6,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-short",
+            log(Made {
+                cycles: 2.4,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-short",
+            log(Made {
+                cycles: 2.4,
+                has_angle: true,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-aliased",
+            log(Made {
+                rate: 11.0,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-aliased",
+            log(Made {
+                rate: 11.0,
+                has_angle: true,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-clipped",
+            log(Made {
+                end: 850.0,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-clipped",
+            log(Made {
+                end: 900.0,
+                factor: -1.0,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-drift",
+            log(Made {
+                drift: 0.02,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-drift",
+            log(Made {
+                drift: -0.1,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-drift",
+            log(Made {
+                drift: 0.05,
+                has_angle: true,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-wrong-sign",
+            log(Made {
+                factor: -1.0,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-wrong-unit",
+            log(Made {
+                factor: 1e-3,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-wrong-unit",
+            log(Made {
+                factor: 0.2248,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-wrong-unit",
+            log(Made {
+                factor: -0.102,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-other-size",
+            log(Made {
+                factor: 3.1,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-changes",
+            log(Made {
+                second_mass: 90.0,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-changes",
+            log(Made {
+                second_mass: 90.0,
+                has_angle: true,
+                ..FAITHFUL
+            }),
+        ),
+        (
+            "log-changes",
+            two(Made {
+                extra: |x| 80.0 * (3.0 * x).sin(),
+                ..FAITHFUL
+            }),
+        ),
+        ("log-order", swapped),
+        ("log-order", repeated),
+        ("log-no-column", whole.replacen("force_n", "force", 1)),
+        ("log-no-column", whole.replacen("time_s", "t", 1)),
+        ("log-few-rows", rows[..4].join("\n")),
+        ("log-value", whole.replacen(rows[40], "0.04,NaN", 1)),
+        ("log-value", whole.replacen(rows[40], "0.04,", 1)),
+        (
+            "log-no-force",
+            (0..999).fold("time_s,force_n\n".into(), |s: String, i| {
+                s + &format!("0.{i:03},0\n")
+            }),
+        ),
+        (
+            "log-no-cycle",
+            (0..9999).fold("time_s,force_n\n".into(), |s, i| {
+                s + &format!("{i}e-3,{}\n", scatter(i))
+            }),
+        ),
+        (
+            "log-gap",
+            [&rows[..1200], &rows[1600..]].concat().join("\n"),
+        ),
+    ];
+    for (code, made) in cases {
+        match found(&made, &shaker) {
+            Ok(_) => panic!("{code} is accepted"),
+            Err(error) => {
+                assert_eq!(error.code(), code, "{error}");
+                let sentence = error.to_string();
+                assert!(sentence.starts_with("log.csv"), "{sentence}");
+            }
+        }
+    }
+}
+
+#[test]
+fn faithful_logs_at_any_rate_and_start_are_accepted() {
+    let shaker = shaker();
+    for rate in [60.0, 333.0, 1000.0, 5000.0] {
+        for has_angle in [false, true] {
+            let made = Made {
+                rate,
+                mass: 74.0,
+                second_mass: 74.0,
+                has_angle,
+                ..FAITHFUL
+            };
+            let list = found(&text(&shaker.1, made), &shaker).unwrap();
+            let mass = parameter(&list, "drive.mass");
+            assert!(mass.identifiable, "{mass:?}");
+            assert!(
+                mass.low.unwrap() < 74.0 && 74.0 < mass.high.unwrap(),
+                "{rate} {mass:?}"
+            );
+            for key in ["guide.damping", "guide.friction", "log.scale"] {
+                assert!(!parameter(&list, key).identifiable, "{key}");
+            }
+        }
+    }
+}
+
+#[test]
+fn force_in_two_harmonics_is_not_told_as_a_delay_or_a_damping() {
+    // The sine and cosine of harmonics that the walker has: alone, each looks like a delay or a damping.
+    let shaker = shaker();
+    let forces: [fn(f64) -> f64; 4] = [
+        |x| 8.0 * x.cos() + 5.0 * (2.0 * x).cos(),
+        |x| 8.0 * x.sin() - 6.0 * (2.0 * x).cos(),
+        |x| -7.0 * x.cos() + 6.0 * (3.0 * x).sin(),
+        |x| 6.0 * (2.0 * x).sin() + 6.0 * (4.0 * x).cos(),
+    ];
+    for extra in forces {
+        let made = Made {
+            extra,
+            has_angle: true,
+            ..FAITHFUL
+        };
+        let list = found(&text(&shaker.1, made), &shaker).unwrap();
+        for key in ["log.delay", "guide.damping", "guide.friction"] {
+            let p = parameter(&list, key);
+            assert!(!p.identifiable && p.low == Some(0.0), "{p:?}");
+        }
+        let mass = parameter(&list, "drive.mass");
+        assert!(mass.low.unwrap() <= FAITHFUL.mass && FAITHFUL.mass <= mass.high.unwrap());
+    }
+}
+
+#[test]
+fn next_cam_cancels_what_repeats_and_noise_is_no_reason_for_one() {
+    let (scene, design) = shaker();
+    let force = scene.model_force().unwrap();
+    let extra: fn(f64) -> f64 = |x| 9.0 * (2.0 * x).sin() + 6.0 * (5.0 * x).cos();
+    for has_angle in [false, true] {
+        let made = Made {
+            extra,
+            has_angle,
+            ..FAITHFUL
+        };
+        let log = Log::read("log.csv".as_ref(), text(&design, made).as_bytes()).unwrap();
+        let (next, figures, _) =
+            recut(&design, &scene, force.as_ref(), &log, &Search::default()).unwrap();
+        let cut = synthesise(&next, force.as_ref()).unwrap();
+        // The true force of the new cam, by the law and the force that was hidden.
+        let error = |of: &Design, shift: f64| {
+            let w = of.drive.speed;
+            let square = |i: usize| {
+                let x = TAU * i as f64 / 720.0;
+                let given = FAITHFUL.mass * (9.81 + w * w * of.cam.law.svaj(x).a) + extra(x);
+                (given - force.as_ref().unwrap().at(x + shift)).powi(2)
+            };
+            ((0..720).map(square).sum::<f64>() / 720.0).sqrt()
+        };
+        let best = |of: &Design| {
+            let tried = (-50..=50).map(|k| error(of, 0.001 * f64::from(k)));
+            tried.fold(f64::INFINITY, f64::min)
+        };
+        let (before, after) = (best(&design), best(&cut));
+        assert!(
+            (figures.before_rms_n / before - 1.0).abs() < 0.1,
+            "{before} {figures:?}"
+        );
+        assert!(
+            after < 0.006 * 700.0 && before > 0.01 * 700.0,
+            "{before} {after}"
+        );
+        assert!(after < 1.3 * figures.predicted_rms_n, "{after} {figures:?}");
+    }
+    let log = Log::read("log.csv".as_ref(), text(&design, FAITHFUL).as_bytes()).unwrap();
+    let refused = recut(&design, &scene, force.as_ref(), &log, &Search::default());
+    assert_eq!(refused.unwrap_err().code(), "log-noise");
+}
+
+#[test]
+fn learned_force_is_part_of_the_force_of_a_design_and_of_its_run() {
+    let (scene, _) = shaker();
+    let scene = scene
+        .with("machine.learned_force", "[\"0 N\", \"10 N at 30 deg\"]")
+        .unwrap();
+    let design = scene.design().unwrap();
+    let added = |x: f64| 10.0 * (x + TAU / 12.0).sin();
+    for i in 0..24 {
+        let x = TAU * f64::from(i) / 24.0;
+        let own = design.drive.force(design.cam.law.svaj(x)) + added(x);
+        assert!((design.force_at(x) - own).abs() < 0.01);
+    }
+    assert!(design.force.rms_error_percent_of_mean <= 0.5);
+    let run = design.emitted(&scene.machine, design.drive).unwrap();
+    let outcome = gaitcam::simulate(&run, gaitcam::dynamics::Model::Rigid).unwrap();
+    let percent = 100.0 * outcome.force.rms_error.unwrap() / 700.0;
+    assert!(
+        (percent - design.force.rms_error_percent_of_mean).abs() < 0.02,
+        "{percent}"
+    );
+    // Read back as written.
+    assert_eq!(scene::read(&scene.to_table()).unwrap(), scene);
+}
