@@ -13,6 +13,7 @@ pub mod measure;
 pub mod reproduce;
 pub mod thesis;
 pub mod tiers;
+pub mod twins;
 
 /// An internal error of this crate.
 pub(crate) fn fault(what: impl Into<String>) -> gaitcam::error::Error {

@@ -3,3 +3,4 @@
 mod reproduce;
 mod restitution;
 mod stability;
+mod twins;
