@@ -65,7 +65,7 @@ pub fn markdown(charts: &[Chart], machine: &str, after: &str) -> String {
 pub fn section(out: &mut String, chart: &Chart, drawn: bool) {
     let front = chart.front();
     let verdict = match chart.ahead_of_default() {
-        _ if front.is_empty() => String::new(),
+        _ if front.is_empty() || !chart.rows.iter().any(|r| r.default) => String::new(),
         None => " The default lies on the front.".to_string(),
         Some((row, share)) => format!(
             " The default does not lie on the front: {} ({}) reaches its error in {:.0} % of its cost.",

@@ -1,12 +1,15 @@
 //! `gaitcam chart`: speed against accuracy, measured now on this machine.
 
+mod controllers;
 mod dynamics;
 mod export;
 mod force;
 mod geometry;
 mod ladder;
 mod limits;
+mod motor;
 mod reference;
+mod walkers;
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -38,6 +41,9 @@ pub fn write(quick: bool, out: &Path, say: &mut dyn FnMut(&str)) -> Result<()> {
         dynamics::vibration,
         dynamics::flight,
         export::chart,
+        motor::chart,
+        walkers::chart,
+        controllers::chart,
     ] {
         let chart = measure(&watch)?;
         let place = if chart.default_on_front() {

@@ -1,0 +1,43 @@
+//! Chart (h): points of an electronic cam against the error of the controller that executes it.
+
+use super::Watch;
+use crate::chart::{Across, Chart};
+use gaitcam::error::Result;
+use gaitcam::scene::built_in;
+use gaitcam_cad::ecam::{Dialect, make};
+
+/// Every dialect with few and many points.
+pub fn chart(watch: &Watch) -> Result<Chart> {
+    let design = built_in("footbridge")?.scene()?.design()?;
+    let chosen = Dialect::ALL.map(|dialect| make(&design, dialect, None).map(|cam| cam.intervals));
+    let mut rows = Vec::new();
+    for (dialect, chosen) in Dialect::ALL.into_iter().zip(chosen) {
+        let chosen = chosen?;
+        let mut counts = vec![12, 24, 48, 96, 192, 384, 768, 1536, chosen];
+        counts.sort_unstable();
+        counts.dedup();
+        for count in counts {
+            let (cam, timing) = watch.time(|| make(&design, dialect, Some(count)));
+            // Too few points, or so many that rounded numbers spoil the force, are refused.
+            let Ok(cam) = cam else { continue };
+            let mut row = timing.row(
+                dialect.name(),
+                format!("{count} intervals"),
+                cam.replayed.share,
+            );
+            row.points = Some(count);
+            row.default = count == chosen;
+            rows.push(row);
+        }
+    }
+    Ok(Chart {
+        file: "speed_accuracy_h".to_string(),
+        title: "(h) Electronic cams".to_string(),
+        task: "The law of the default design as a file for five controllers, read back and executed in the controller's own numbers; points that miss the force are refused and not drawn.".to_string(),
+        error: "RMS force added by the controller, part of the mean".to_string(),
+        across: Across::Points,
+        levels: vec![(1e-4, "0.01 %".to_string())],
+        advice: "Leave the number of points to the program: a controller with quintics carries this law exactly with the eight spans that it has, one with cubic splines to 0.01 % with 128; more points are worse wherever numbers are rounded, and points that are not the ends of spans cost accuracy.".to_string(),
+        rows,
+    })
+}

@@ -1,0 +1,48 @@
+//! Chart (f): what a law knows of the motor that turns it.
+
+use super::Watch;
+use crate::chart::Chart;
+use gaitcam::error::Result;
+use gaitcam::scene::built_in;
+
+/// Inertia of the flywheel, kg m².
+const WHEELS: [&str; 4] = ["0.5", "1", "2", "8"];
+
+/// Laws for constant speed and for the motor, both run by the motor, with lighter and heavier wheels.
+pub fn chart(watch: &Watch) -> Result<Chart> {
+    let mut rows = Vec::new();
+    for (method, shaft) in [
+        ("law for constant speed", "constant"),
+        ("law for its motor", "motor"),
+    ] {
+        for wheel in WHEELS {
+            let scene = (built_in("footbridge")?.scene()?)
+                .with("machine.inertia", &format!("{wheel} kg m^2"))?
+                .with("machine.motor.slope", "10 N m s/rad")?
+                .with("law.shaft", shaft)?;
+            let (design, timing) = watch.time(|| scene.design());
+            let shaft_of = design?.shaft;
+            let error = shaft_of.as_ref().and_then(|s| s.force_time);
+            let mut row = timing.row(
+                method,
+                format!("{wheel} kg m²"),
+                error.map_or(f64::NAN, |e| 0.01 * e.rms_error_percent_of_mean),
+            );
+            row.default = shaft == "motor";
+            if let Some(s) = shaft_of {
+                row.note = format!("speed ripples by {:.0} %", 100.0 * s.shaft.ripple);
+            }
+            rows.push(row);
+        }
+    }
+    Ok(Chart {
+        file: "speed_accuracy_f".to_string(),
+        title: "(f) A shaft with its motor".to_string(),
+        task: "Footbridge force, a motor that loses 10 N·m per rad/s, wheels of 0.5 to 8 kg m²: force of the law on the shaft as its motor turns it.".to_string(),
+        error: "RMS force error over time, part of the mean".to_string(),
+        levels: vec![(0.005, "0.5 %".to_string())],
+        advice: "Give motor and inertia wherever the speed ripples: the law for its motor keeps the force error below 0.4 % under every wheel; the law for constant speed errs by 1 % even with a wheel of 8 kg m², and by 6 % with one of 0.5.".to_string(),
+        rows,
+        ..Chart::default()
+    })
+}
