@@ -19,11 +19,11 @@ pub(super) struct Column {
     pub is_positive: bool,
 }
 
-/// A parameter with the half width of its 95 % interval, which is infinite where the columns do not see it.
+/// A parameter with the ends of its 95 % interval, which are infinite where the columns do not see it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Estimate {
     pub value: f64,
-    pub half: f64,
+    pub ends: [f64; 2],
 }
 
 /// A fitted model.
@@ -71,8 +71,7 @@ pub(super) fn fit(columns: &[Column], cycles: &Averaged, shifts: Shifts) -> Fit 
     intervals(&solver, &values, slope, measured, shift)
 }
 
-/// The intervals of the least squares without signs: what is at its bound is there because of the force that repeats as likely as
-/// by itself.
+/// The intervals count all columns, those at their bound too: the force that repeats put them there as likely as the machine.
 fn intervals(
     solver: &Bounded,
     values: &[f64],
@@ -106,17 +105,26 @@ fn intervals(
             f64::INFINITY
         }
     };
-    let estimate = |i: usize| Estimate {
-        value: values[i] / solver.scales[i],
-        half: half(&operator[i]) / solver.scales[i],
+    // About the least squares without signs, whose scatter this is; the value within the signs is one of the possible ones.
+    let estimate = |value: f64, row: Option<&Vec<f64>>, scale: f64| {
+        let known = row.map(|row| (value + dot(row, &left), half(row)));
+        let (centre, half) = known
+            .filter(|k| k.1.is_finite())
+            .unwrap_or((value, f64::INFINITY));
+        Estimate {
+            value: value / scale,
+            ends: [
+                (centre - half).min(value) / scale,
+                (centre + half).max(value) / scale,
+            ],
+        }
     };
-    let shift = Estimate {
-        value: shift,
-        half: operator.get(values.len()).map_or(f64::INFINITY, half),
-    };
+    let count = values.len();
+    let each = (0..count).map(|i| estimate(values[i], operator.get(i), solver.scales[i]));
+    let shift = estimate(shift, operator.get(count), 1.0);
     Fit {
         shift,
-        each: (0..values.len()).map(estimate).collect(),
+        each: each.collect(),
         measured,
         repeats,
         component,

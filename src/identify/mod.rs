@@ -84,16 +84,15 @@ pub struct Parameter {
 
 impl Parameter {
     fn of(key: &'static str, found: Estimate, is_positive: bool) -> Parameter {
-        let Estimate { value, half } = found;
-        let [low, high] = [value - half, value + half];
-        let low = if is_positive { low.max(0.0) } else { low };
+        let Estimate { value, ends } = found;
+        let [low, high] = ends.map(|x| if is_positive { x.max(0.0) } else { x });
         let end = |x: f64| x.is_finite().then_some(x);
         Parameter {
             key,
             value,
             low: end(low),
             high: end(high),
-            identifiable: half < value.abs() && high - low <= WIDEST * value.abs(),
+            identifiable: low * high > 0.0 && high - low <= WIDEST * value.abs(),
         }
     }
 
@@ -217,7 +216,7 @@ fn identified(design: &Design, scene: &Scene, fitted: &Fitted) -> Identified {
         .collect();
     let delay = Estimate {
         value: fit.shift.value / cycles.speed,
-        half: fit.shift.half / cycles.speed,
+        ends: fit.shift.ends.map(|x| x / cycles.speed),
     };
     parameters.push(match cycles.by_angle {
         true => Parameter::of("log.delay", delay, true),

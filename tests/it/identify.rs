@@ -401,3 +401,61 @@ fn learned_force_is_part_of_the_force_of_a_design_and_of_its_run() {
     // Read back as written.
     assert_eq!(scene::read(&scene.to_table()).unwrap(), scene);
 }
+
+#[test]
+fn inertia_and_motor_line_follow_from_the_energy_of_a_cycle_whose_speed_was_logged() {
+    let (scene, _) = shaker();
+    let mut table = scene.to_table();
+    scene::set(&mut table, "machine.inertia=0.5 kg m^2").unwrap();
+    scene::set(&mut table, "machine.motor.slope=10 N m s/rad").unwrap();
+    let scene = scene::read(&table).unwrap();
+    let design = scene.design().unwrap();
+    let step = TAU / 7200.0;
+    let speed = |x: f64| design.speed_and_time(x.rem_euclid(TAU)).0;
+    let period = TAU / design.drive.speed;
+    let times: Vec<f64> = (0..=7200)
+        .map(|i| match i {
+            7200 => period,
+            i => design.speed_and_time(step * f64::from(i)).1,
+        })
+        .collect();
+    for has_torque in [false, true] {
+        let mut text = String::from("time_s,theta_rad,force_n,speed_rad_per_s");
+        text += if has_torque { ",torque_n_m\n" } else { "\n" };
+        for i in 0..16_000 {
+            let t = f64::from(i) * 6e-4;
+            let (turn, part) = ((t / period).floor(), t % period);
+            let k = times.partition_point(|x| *x <= part).clamp(1, 7200);
+            let u = (part - times[k - 1]) / (times[k] - times[k - 1]);
+            let x = step * ((k - 1) as f64 + u);
+            let (w, h) = (speed(x), 0.02);
+            let rate = w * (speed(x + h) - speed(x - h)) / (2.0 * h);
+            let at = design.cam.law.svaj(x);
+            let force = design.drive.mass * (9.81 + w * w * at.a + rate * at.v);
+            let torque = 0.5 * rate + force * at.v + 1.5;
+            let force = force + scatter(i as usize);
+            let w = w + 0.01 * scatter(i as usize + 50_000);
+            write!(text, "{t:.6},{:.6},{force:.4},{w:.5}", TAU * turn + x).unwrap();
+            if has_torque {
+                write!(text, ",{:.4}", torque + 0.05 * scatter(i as usize + 90_000)).unwrap();
+            }
+            text.push('\n');
+        }
+        let list = found(&text, &(scene.clone(), design.clone())).unwrap();
+        let inertia = parameter(&list, "machine.inertia");
+        assert!((inertia.value / 0.5 - 1.0).abs() < 0.03, "{inertia:?}");
+        assert!(inertia.identifiable);
+        if has_torque {
+            let friction = parameter(&list, "machine.friction_torque");
+            assert!((friction.value / 1.5 - 1.0).abs() < 0.05, "{friction:?}");
+        } else {
+            let slope = parameter(&list, "machine.motor.slope");
+            assert!((slope.value / 10.0 - 1.0).abs() < 0.05, "{slope:?}");
+        }
+        let mass = parameter(&list, "drive.mass");
+        assert!(
+            (mass.value / design.drive.mass - 1.0).abs() < 0.01,
+            "{mass:?}"
+        );
+    }
+}
