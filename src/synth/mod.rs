@@ -147,6 +147,39 @@ pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
     corrected::on_machine::designed(problem, search)
 }
 
+/// A design that keeps every limit, not the best of them: soon enough to follow a hand. `None` where none is found.
+///
+/// ```
+/// use gaitcam::synth::{Search, passing};
+/// use gaitcam::{Problem, scene};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let at = |stroke| -> gaitcam::error::Result<_> {
+///     let scene = scene.with("limits.stroke", stroke)?;
+///     passing(&Problem::resolve(&scene, scene.model_force()?.as_ref())?, &Search::default())
+/// };
+/// assert!(at("60 mm")?.is_some());
+/// assert!(at("1 mm")?.is_none());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Faults of the input.
+pub fn passing(problem: &Problem, search: &Search) -> Result<Option<Design>> {
+    let search = &search.for_passing_designs();
+    let is_plain = problem.machine.motor().is_none() && problem.machine.floor().is_none();
+    let found = if is_plain {
+        passing_design(problem, search)
+    } else {
+        design(problem, search).map_err(NoLaw::Fault)
+    };
+    match found {
+        Ok(design) => Ok(Some(design).filter(|d| d.verdict != Verdict::Unacceptable)),
+        Err(NoLaw::Refused(_)) => Ok(None),
+        Err(NoLaw::Fault(fault)) => Err(fault),
+    }
+}
+
 /// The problem at its phase, the best one where that is free.
 fn at_best_phase(problem: &Problem, search: &Search) -> Result<Problem> {
     sizing::check_arm(problem)?;

@@ -36,14 +36,14 @@ pub struct Ask {
     /// By what the contour is coloured.
     #[serde(default)]
     pub colour: Colour,
-    /// Prime radius and offset (m) of the design before, while a value is moved: where the size is what is sought, a law
-    /// for about that size is an answer soon enough.
+    /// Prime radius and offset (m) of the last design of the smallest size, while a value is moved: where the size is what
+    /// is sought, a law for about that size is an answer soon enough.
     #[serde(default)]
     pub quick: Option<[f64; 2]>,
 }
 
-/// Sizes tried for a quick answer, as multiples of the one before.
-const NEAR: [f64; 3] = [1.0, 1.1, 1.25];
+/// Sizes tried for a quick answer, as multiples of the last smallest one: at that one itself few laws are left to be found.
+const NEAR: [f64; 2] = [1.03, 1.25];
 
 /// Everything that the page shows of a design.
 #[derive(Serialize)]
@@ -191,8 +191,8 @@ pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
     Ok(made)
 }
 
-/// The design of a scene whose size is sought, for about the size of another design: one convex program in place of a
-/// sequence. `None` where no size is sought.
+/// A design of a scene whose size is sought that keeps the limits at about the size of another design; `None` where no size
+/// is sought or none near it keeps them.
 fn near(files: &Files, table: &Table, [prime, offset]: [f64; 2]) -> Result<Option<Made>> {
     let start = files.host.seconds();
     let (scene, whole) = files.scene(table)?;
@@ -204,19 +204,21 @@ fn near(files: &Files, table: &Table, [prime, offset]: [f64; 2]) -> Result<Optio
     }
     let (target, force) = files.target(&scene)?.unzip();
     let search = Search::until(files.host.halt());
-    let design = |factor: f64| {
+    let at = |factor: f64| {
         let mut sized = scene.clone();
         sized.cam.prime_radius = Some(factor * prime);
         sized.cam.offset = scene.cam.offset.or(Some(offset));
-        synth::design(&Problem::resolve(&sized, target.as_ref())?, &search)
+        Problem::resolve(&sized, target.as_ref())
     };
-    let mut found = design(NEAR[0])?;
-    for factor in &NEAR[1..] {
-        if found.verdict != Verdict::Unacceptable {
-            break;
+    let mut found = None;
+    for factor in NEAR {
+        if found.is_none() {
+            found = synth::passing(&at(factor)?, &search)?;
         }
-        found = design(*factor)?;
     }
+    let Some(found) = found else {
+        return Ok(None);
+    };
     let total_s = files.host.seconds() - start;
     Ok(Some(Made {
         table: table.clone(),

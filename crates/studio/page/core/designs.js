@@ -16,6 +16,8 @@ let refining = false;
 let running = null;
 let waiting = null;
 let shown = null;
+// Prime radius and offset of the last whole design, m.
+let size = null;
 let retry = 0;
 const handlers = { show: () => {}, state: () => {}, working: () => {}, lost: () => {}, colour: () => "none" };
 
@@ -64,7 +66,7 @@ export function cancel() {
 }
 
 async function run(since) {
-  const quick = slow && !whole && versions.now().gesture !== null && Boolean(shown?.answer.numbers.prime_radius_m);
+  const quick = slow && !whole && versions.now().gesture !== null && size !== null;
   refining = whole && slow;
   let rests = false;
   const control = new AbortController();
@@ -80,8 +82,10 @@ async function run(since) {
     // The next answer is on its way while this one is drawn.
     if (more) next();
     if (outcome.answer) {
-      slow = outcome.answer.quick || outcome.answer.server_ms > LONG;
-      rests = outcome.answer.quick && !more;
+      const { quick: held, numbers } = outcome.answer;
+      if (!held) size = numbers.prime_radius_m ? [numbers.prime_radius_m, numbers.offset_m ?? 0] : null;
+      slow = held || outcome.answer.server_ms > LONG;
+      rests = held && !more;
       if (rests) retry = setTimeout(refine, REST);
       shown = { version: v.id, answer: outcome.answer, files: v.files };
       await handlers.show(outcome.answer, since, more);
@@ -118,7 +122,7 @@ async function tried(route, v, groups, signal, quick = false) {
   try {
     const question = { scene: v.scene, changes, files: blobs.listed(v.files) };
     if (route === "design") question.colour = handlers.colour();
-    if (quick) question.quick = [shown.answer.numbers.prime_radius_m, shown.answer.numbers.offset_m ?? 0];
+    if (quick) question.quick = size;
     return { answer: await engine.ask(route, question, { signal }) };
   } catch (error) {
     if (route === "read" && error.code === "http") return {};
