@@ -56,7 +56,7 @@ pub fn write(out: &Path, errors: &[Vec<f64>], found: &[(Class, Vec<Found>)]) -> 
          3 %, 30 % and 2 % off the scene. Each log is of 15 to 40 cycles at 500 to 2000 samples a second with 1 to 5 N of noise, seven \
          of ten with the cam angle. The whole machine has a contact of 4 to 22 MN/m, Coulomb, viscous and Stribeck friction (1 to 9 N, \
          5 to 40 N s/m), a motor whose speed ripples, play (up to 5 µm of lift), a lag of 0.2 to 2 ms, a delay of up to 2 ms, every \
-         second a floor of 10 to 60 t at 5 to 15 Hz, and two harmonics of 2 to 8 N from nowhere.\n\n\
+         second a floor of 10 to 60 t at 5 to 15 Hz, and two harmonics of 2 to 8 N of unknown origin.\n\n\
          ## Force error\n\nRMS over time of the true force less the wanted one, at the best phase, percent of the weight; on a \
          carried mass without the mean, which no cam changes.\n\n\
          | new cuts | median | nine of ten below | largest | within what was asked |\n|---|---|---|---|---|\n",
