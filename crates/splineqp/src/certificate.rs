@@ -49,9 +49,9 @@ pub struct Certificate {
     pub duality_gap: f64,
     /// The same as a part of the objective's size.
     pub relative_gap: f64,
-    /// Objective less the best lower bound known, as a part of the objective's size: larger than the relative gap
-    /// where a sequence of convex programs proves a local optimum only.
-    pub global_gap: f64,
+    /// Objective less a lower bound of all laws, as a part of the objective's size: larger than the relative gap where a
+    /// sequence of convex programs proves a local optimum only; `None` where no such bound is known.
+    pub global_gap: Option<f64>,
     /// Size of the objective: its value, or a millionth of the terms that it is the sum of, which rounding leaves.
     pub size: f64,
     /// Largest entry of the Lagrangian's gradient, as a part of the largest term in it.
@@ -78,12 +78,12 @@ impl Certificate {
     pub fn widen(&mut self, gap: f64) {
         self.duality_gap = self.duality_gap.max(gap);
         self.relative_gap = self.duality_gap / self.size;
-        self.global_gap = self.relative_gap;
+        self.global_gap = Some(self.relative_gap);
     }
 
-    /// A local optimum with this distance to a lower bound of all.
-    pub fn bounded_by(&mut self, gap: f64) {
-        self.global_gap = self.relative_gap.max(gap / self.size);
+    /// A local optimum with this distance to a lower bound of all, where one is known.
+    pub fn bounded_by(&mut self, gap: Option<f64>) {
+        self.global_gap = gap.map(|gap| self.relative_gap.max(gap / self.size));
     }
 }
 
@@ -115,7 +115,7 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
     Certificate {
         duality_gap: gap,
         relative_gap: gap / size,
-        global_gap: gap / size,
+        global_gap: Some(gap / size),
         size,
         stationarity: left,
         violation: solution.violation,
@@ -275,7 +275,7 @@ mod tests {
     const EXACT: Certificate = Certificate {
         duality_gap: 2e-8,
         relative_gap: 1e-8,
-        global_gap: 1e-8,
+        global_gap: Some(1e-8),
         size: 2.0,
         stationarity: 0.0,
         violation: 0.0,
@@ -306,14 +306,16 @@ mod tests {
         wide.widen(1e-3);
         assert_eq!(
             (wide.duality_gap, wide.relative_gap, wide.global_gap),
-            (1e-3, 5e-4, 5e-4)
+            (1e-3, 5e-4, Some(5e-4))
         );
         wide.widen(1e-4);
         assert_eq!(wide.duality_gap, 1e-3);
         let mut local = EXACT;
-        local.bounded_by(1e-3);
-        assert_eq!((local.relative_gap, local.global_gap), (1e-8, 5e-4));
-        local.bounded_by(0.0);
-        assert_eq!(local.global_gap, 1e-8);
+        local.bounded_by(Some(1e-3));
+        assert_eq!((local.relative_gap, local.global_gap), (1e-8, Some(5e-4)));
+        local.bounded_by(Some(0.0));
+        assert_eq!(local.global_gap, Some(1e-8));
+        local.bounded_by(None);
+        assert_eq!((local.relative_gap, local.global_gap), (1e-8, None));
     }
 }

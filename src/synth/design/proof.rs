@@ -60,7 +60,7 @@ mod tests {
             doubt(&Certificate {
                 duality_gap: relative_gap,
                 relative_gap,
-                global_gap: relative_gap,
+                global_gap: Some(relative_gap),
                 size: 1.0,
                 stationarity,
                 violation,

@@ -17,6 +17,8 @@ use crate::synth::qp::{Basis, Entries, Row, TOLERANCE, apply};
 
 /// A limit counts as kept within this part of it.
 const SLACK: f64 = 1e-6;
+/// An excess counts in parts of the limit, or of this part of the deflections whose difference the vibration is: they round.
+const CANCELLED: f64 = 1e-4;
 
 /// The vibration of the finished cam: of a polydyne follower's end, what it misses of its law.
 pub fn check(design: &Finished) -> Option<Check> {
@@ -140,7 +142,9 @@ impl Vibrations {
         for (k, [q, p]) in self.rows.iter().enumerate() {
             let state = [sum(q), sum(p)];
             let length = state[0].hypot(state[1]);
-            if length <= self.limit * (1.0 + TOLERANCE) {
+            let size = |row: &[f64]| row.iter().zip(x).map(|(a, x)| (a * x).abs()).sum::<f64>();
+            let scale = self.limit.max(CANCELLED * size(q).max(size(p)));
+            if length <= self.limit + TOLERANCE * scale {
                 continue;
             }
             let normal = state.map(|s| s / length);
@@ -153,7 +157,10 @@ impl Vibrations {
                 LimitKind::Residual.into(),
                 Peak::place(0, 0.0, self.rests[k].0),
             );
-            out.push(Row::of_no_limit(name, place, entries, self.limit));
+            out.push(Row {
+                scale,
+                ..Row::of_no_limit(name, place, entries, self.limit)
+            });
         }
         out
     }

@@ -80,9 +80,7 @@ struct Sequence {
     steps: Vec<Step>,
     ended: Ended,
     /// Lower bound of the objective from the convex limits.
-    least: f64,
-    /// … proved for every touching angle.
-    least_is_proved: bool,
+    least: Option<f64>,
 }
 
 /// The optimum under the convex limits alone.
@@ -167,27 +165,34 @@ impl Optimum {
         };
         let program = &self.formulation.program;
         let mut evidence = qp::certificate(program, &self.solution);
-        evidence.bounded_by(program.merit(&self.solution) - sequence.least);
+        let merit = program.merit(&self.solution);
+        evidence.bounded_by(sequence.least.map(|least| merit - least));
         // Where the limits that are not convex cost nothing, no law that keeps the others is better.
-        let global = sequence.least_is_proved && evidence.global_gap <= PROVED;
-        (evidence, (!global).then_some(Doubt::Local))
+        let is_global = evidence.global_gap.is_some_and(|gap| gap <= PROVED);
+        (evidence, (!is_global).then_some(Doubt::Local))
     }
 
     /// The same of the convex program alone, over all touching angles.
     fn of_convex(&self) -> (Certificate, Option<Doubt>) {
         let program = &self.formulation.program;
         let mut evidence = qp::certificate(program, &self.solution);
-        let Some(bound) = self.bound else {
-            return (evidence, self.at.map(|_| Doubt::TouchingAngle));
-        };
-        evidence.widen(program.merit(&self.solution) - bound);
+        match (self.bound, self.at) {
+            (Some(bound), _) => evidence.widen(program.merit(&self.solution) - bound),
+            (None, Some(_)) => {
+                // The multipliers speak of laws that touch at this angle.
+                evidence.bounded_by(None);
+                return (evidence, Some(Doubt::TouchingAngle));
+            }
+            (None, None) => (),
+        }
         (evidence, None)
     }
 
-    /// A lower bound of the objective over all laws that keep the convex limits.
-    fn least(&self) -> f64 {
+    /// A lower bound of the objective over all laws that keep the convex limits, where one is known.
+    fn least(&self) -> Option<f64> {
+        let (evidence, doubt) = self.of_convex();
         let value = self.formulation.program.merit(&self.solution);
-        value - self.of_convex().0.duality_gap
+        doubt.is_none().then_some(value - evidence.duality_gap)
     }
 
     /// Which tier answered, how, and what is proved.
@@ -271,8 +276,8 @@ fn misses_accuracy(problem: &Problem, optimum: &Optimum) -> bool {
         && problem.objective() == Minimise::ForceError
         && !problem.is_weighed();
     let allowed = problem.allowed_error().filter(|_| is_objective);
-    allowed
-        .is_some_and(|most| (2.0 * optimum.least()).max(0.0).sqrt() > (1.0 + BOUND_ROUNDING) * most)
+    (allowed.zip(optimum.least()))
+        .is_some_and(|(most, least)| (2.0 * least).max(0.0).sqrt() > (1.0 + BOUND_ROUNDING) * most)
 }
 
 /// Where the law breaks a limit on the loads, the sequence that keeps them; the limits where there is none.
@@ -322,7 +327,6 @@ fn in_sequence(
         steps,
         ended,
         least: optimum.least(),
-        least_is_proved: optimum.of_convex().1.is_none(),
     });
     optimum.formulation.program = program;
     optimum.solution = refined;

@@ -33,7 +33,7 @@ use crate::synth::design::proof::Doubt;
 use crate::synth::design::{Design, Tier};
 use crate::synth::families::{self, SolvedLaw};
 use crate::synth::optimum::NoLaw;
-use crate::synth::qp::PROVED;
+use crate::synth::qp::{Certificate, PROVED};
 use crate::synth::search::Search;
 use crate::synth::{SizedLaw, at_best_phase, finished, solved};
 use errors::{Aim, Nodes};
@@ -258,7 +258,7 @@ impl Found {
             let solver = &mut sized.law.solver;
             if let Some(proof) = &mut solver.certificate {
                 proof.relative_gap = proof.relative_gap.max(report.gap);
-                proof.global_gap = proof.global_gap.max(report.gap);
+                proof.global_gap = proof.global_gap.map(|gap| gap.max(report.gap));
             }
             if report.gap > PROVED || is_tightened || is_free {
                 solver.certified = false;
@@ -342,10 +342,12 @@ fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) {
     }
 }
 
-/// What the half mean square of a law may be above the least, N².
+/// What the half mean square of a law may be above the least, N²; infinite where nothing is known of it.
 fn gap(law: &SolvedLaw) -> f64 {
-    let certificate = law.solver.certificate.as_ref();
-    certificate.map_or(0.0, |c| c.duality_gap.max(c.global_gap * c.size))
+    let of = |c: &Certificate| {
+        (c.global_gap).map_or(f64::INFINITY, |gap| c.duality_gap.max(gap * c.size))
+    };
+    law.solver.certificate.as_ref().map_or(0.0, of)
 }
 
 /// The problem of one curve whose mean square error is, but for factor and constant, the weighed sum of the walkers':

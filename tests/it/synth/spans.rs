@@ -107,7 +107,7 @@ fn every_objective_has_a_proof_in_numbers_on_few_spans_and_on_many() {
             let numbers = [
                 proof.duality_gap,
                 proof.relative_gap,
-                proof.global_gap,
+                proof.global_gap.unwrap(),
                 proof.size,
                 proof.stationarity,
                 proof.violation,

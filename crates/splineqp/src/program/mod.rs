@@ -97,7 +97,7 @@ pub struct Row<N: Names> {
 }
 
 impl<N: Names> Row<N> {
-    /// A row of no limit: Σ entries·x ≤ bound.
+    /// A row of no limit: Σ entries·x ≤ bound. An excess counts where the row is given a scale.
     pub fn of_no_limit(name: N::Limit, peak: Peak, entries: Entries, bound: f64) -> Self {
         Row {
             limit: None,

@@ -44,14 +44,21 @@ impl<N: Names> Program<N> {
         broken.copied().collect()
     }
 
-    /// Largest excess of these maxima over their limits, relative to the limits' scale.
+    /// Largest excess of these maxima over their limits and of the rows that are always kept, relative to the limits' scale.
     pub fn worst(&self, peaks: &[(usize, Peak)], x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
         let excess = peaks.iter().map(|(index, peak)| {
             let limit = &self.limits[*index];
             let bound = self.room(limit, x, extra);
             (peak.value - bound) / limit.size(bound)
         });
-        excess.fold(0.0, f64::max)
+        excess.fold(self.excess_of_rows(x, extra), f64::max)
+    }
+
+    /// Largest excess of the rows of no limit that have a scale, as a part of it.
+    pub fn excess_of_rows(&self, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
+        let rows = self.fixed.iter().filter(|row| row.scale > 0.0);
+        rows.map(|row| -row.slack(x, extra) / row.scale)
+            .fold(0.0, f64::max)
     }
 
     /// The minimised peak, raised to what the law itself attains: its excess over the variable then counts in the objective,

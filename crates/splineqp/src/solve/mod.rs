@@ -71,7 +71,28 @@ impl<N: Names> Program<N> {
         if let Some(solution) = self.without_rows(&unlimited.x) {
             return Ok(solution);
         }
-        active_set::solve(self, &unlimited).or_else(|rows| exchange::from_rows(self, rows))
+        match active_set::solve(self, &unlimited) {
+            Ok(solution) => Ok(self.or_by_exchange(solution)),
+            Err(rows) => exchange::from_rows(self, rows),
+        }
+    }
+
+    /// A law of the active set, or where its progress ended above the tolerance the one that exchange finds, if that is better.
+    fn or_by_exchange(&self, solution: Solution<N>) -> Solution<N> {
+        if refine::keeps_limits(self, &solution) {
+            return solution;
+        }
+        let solution = refine::refined(self, solution);
+        if refine::keeps_limits(self, &solution) {
+            return solution;
+        }
+        let other = exchange::solve(self).map(|other| refine::refined(self, other));
+        match other {
+            Ok(other) if refine::openness(self, &other) < refine::openness(self, &solution) => {
+                other
+            }
+            _ => solution,
+        }
     }
 
     /// The optimum without limits as the solution, where it satisfies them all.

@@ -1,5 +1,6 @@
 //! What a scene of the guard asks for, in SI units, and its scene file.
 
+use super::swing::Train;
 use gaitcam::force::ForceCurve;
 use std::fmt::Write;
 
@@ -91,6 +92,8 @@ pub struct Asked {
     pub ranges: Vec<Range>,
     /// Half the width of the band in which the force stays, N.
     pub band: Option<f64>,
+    /// A compliant follower whose vibration in rests is limited.
+    pub train: Option<Train>,
     /// `[gait]` and `[drive]` of the scene file.
     pub machine: String,
 }
@@ -159,6 +162,11 @@ impl Asked {
             None => "[gait]\n".to_string(),
         };
         write!(out, "{}", self.machine.replacen("[gait]\n", &gait, 1))?;
+        if let Some(train) = &self.train {
+            let hertz = train.own / std::f64::consts::TAU;
+            writeln!(out, "[machine]\nnatural_frequency = \"{hertz} Hz\"")?;
+            writeln!(out, "damping_ratio = {}", train.ratio)?;
+        }
         self.write_follower(out)?;
         self.write_limits(out)?;
         self.write_law(out)?;
@@ -194,6 +202,7 @@ impl Asked {
             ("force_max", limits.force_max, "N"),
             ("curvature", limits.curvature, "m"),
             ("prime_radius", limits.prime_radius, "m"),
+            ("residual", self.train.map(|t| t.most), "m"),
             ("pressure_angle_rise", limits.pressure_angle[0], "rad"),
             ("pressure_angle_fall", limits.pressure_angle[1], "rad"),
         ] {

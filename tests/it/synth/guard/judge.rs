@@ -2,6 +2,7 @@
 
 use super::reference::{Place, Reference};
 use super::rows::Limit;
+use super::swing;
 
 /// What a law is, whoever made it: variables beside it at their best, and its largest excess.
 pub struct Judged {
@@ -118,6 +119,14 @@ pub fn judge(reference: &Reference, x: &[f64]) -> Judged {
         let part = (top + taken) / limit.scale;
         if part > excess {
             (excess, worst) = (part, limit.name);
+        }
+    }
+    let most = reference.asked.train.map_or(0.0, |t| t.most);
+    for swing in &reference.swings {
+        let size = most.max(swing::PART * reference.asked.length());
+        let part = (reference.amplitude(swing, x).0 - most) / size;
+        if part > excess {
+            (excess, worst) = (part, "residual");
         }
     }
     let costs: f64 = (reference.extras.iter().zip(&extras))

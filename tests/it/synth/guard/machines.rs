@@ -63,6 +63,7 @@ pub fn bare(r: &mut Random) -> Asked {
         limits: Limits::default(),
         ranges: Vec::new(),
         band: None,
+        train: None,
         machine: String::new(),
     }
 }

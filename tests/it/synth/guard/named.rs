@@ -33,6 +33,7 @@ fn fixed(name: &str, frequency: f64, [mass, spring, preload, damping]: [f64; 4])
         limits: Limits::default(),
         ranges: Vec::new(),
         band: None,
+        train: None,
         machine: format!(
             "[gait]\nmodel = \"{name}\"\nstep_frequency = \"{frequency} Hz\"\nbody_weight = \"700 N\"\nfeet = \"both\"\n[drive]\nkind = \"fixed-axis\"\nmass = \"{mass} kg\"\nspring_rate = \"{spring} N/m\"\npreload = \"{preload} N\"\ndamping = \"{damping} N s/m\"\n"
         ),
@@ -55,6 +56,7 @@ fn light(speed: f64, points: Vec<Point>) -> Asked {
         limits: Limits::default(),
         ranges: Vec::new(),
         band: None,
+        train: None,
         machine: format!(
             "[drive]\nkind = \"fixed-axis\"\nspeed = \"{speed} rad/s\"\nmass = \"2 kg\"\n"
         ),
@@ -128,6 +130,7 @@ fn the_touching_angle_is_the_best_of_all() {
         },
         ranges: Vec::new(),
         band: None,
+        train: None,
         machine: "[gait]\nmodel = \"kerr\"\nstep_frequency = \"1.986 Hz\"\nbody_weight = \"700 N\"\nfeet = \"both\"\n[drive]\nkind = \"moving-axis\"\nmass = \"auto\"\n".to_string(),
     };
     certified(&asked);

@@ -4,6 +4,7 @@
 use super::asked::{Asked, Objective, Point};
 use super::rows::{Extra, Limit, limits, only};
 use super::splines::{ORDERS, Splines, gauss};
+use super::swing::{Swing, swings};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
@@ -44,6 +45,7 @@ pub struct Reference<'a> {
     pub splines: Splines,
     pub limits: Vec<Limit>,
     pub extras: Vec<Extra>,
+    pub swings: Vec<Swing>,
     pub scan: Vec<Place>,
     nodes: Vec<Node>,
 }
@@ -74,6 +76,7 @@ impl<'a> Reference<'a> {
         }
         let nodes = nodes(asked, &splines);
         Reference {
+            swings: swings(asked, &splines),
             asked,
             splines,
             limits,
@@ -93,6 +96,14 @@ impl<'a> Reference<'a> {
     fn at(&self, node: &Node, x: &[f64]) -> f64 {
         let columns = self.splines.columns(node.span);
         columns.zip(&node.row).map(|(i, b)| b * x[i]).sum()
+    }
+
+    /// Amplitude of a vibration, and the row along it.
+    pub fn amplitude(&self, [q, p]: &Swing, x: &[f64]) -> (f64, DVector<f64>) {
+        let x = DVector::from_column_slice(x);
+        let state = [q.dot(&x), p.dot(&x)];
+        let length = state[0].hypot(state[1]).max(f64::MIN_POSITIVE);
+        (length, q * (state[0] / length) + p * (state[1] / length))
     }
 
     /// The gradient of the square part and, where asked, its matrix.

@@ -5,6 +5,7 @@ use super::asked::{Asked, Dwell, Follower, Limits, Objective, Point, Range};
 use super::machines::{Random, fixed, hydraulic, light, moving};
 use super::reference::Reference;
 use super::splines::ORDERS;
+use super::swing::{Train, swings};
 use std::f64::consts::TAU;
 
 /// Kinds of scenes.
@@ -38,9 +39,11 @@ pub enum Kind {
     Long,
     /// The force inside a band about the target.
     Bands,
+    /// Vibration of a compliant follower in its rests, also where there are none.
+    Residual,
 }
 
-pub const KINDS: [Kind; 14] = [
+pub const KINDS: [Kind; 15] = [
     Kind::Moving,
     Kind::Fixed,
     Kind::Hydraulic,
@@ -55,6 +58,7 @@ pub const KINDS: [Kind; 14] = [
     Kind::Many,
     Kind::Long,
     Kind::Bands,
+    Kind::Residual,
 ];
 
 /// The scene of a kind and seed.
@@ -83,6 +87,7 @@ pub fn scene(kind: Kind, seed: usize) -> Asked {
         Kind::Bands => bands(r),
         Kind::Weighed => weighed(r),
         Kind::Many => many(r),
+        Kind::Residual => residual(r),
         Kind::Long => match r.below(8) {
             0 => limited(moving(r), r),
             1 => limited(fixed(r), r),
@@ -146,6 +151,38 @@ fn bands(r: &mut Random) -> Asked {
         2 => Objective::Energy(2),
         _ => Objective::Energy(3),
     };
+    asked
+}
+
+/// The limit is a part of what the law without it leaves.
+fn residual(r: &mut Random) -> Asked {
+    let mut asked = if r.chance(0.85) { dwells(r) } else { points(r) };
+    let (speed, mass) = (asked.speed, 2.0);
+    let own = r.within(4.0, 14.0) * speed;
+    let stiff = mass * own * own;
+    let (spring, damping) = (r.within(0.0, 1.5) * stiff, r.within(0.0, 0.1) * mass * own);
+    let spring = r.maybe(0.7, spring).unwrap_or(0.0);
+    let damping = r.maybe(0.7, damping).unwrap_or(0.0);
+    asked.weights = [spring, damping * speed, mass * speed * speed];
+    asked.machine += &format!("spring_rate = \"{spring} N/m\"\ndamping = \"{damping} N s/m\"\n");
+    asked.train = Some(Train {
+        own,
+        ratio: r.within(0.03, 0.13),
+        mass,
+        most: 1.0,
+    });
+    let limits = r.chance(0.3);
+    if limits {
+        asked = limited(asked, r);
+    }
+    let part = 10f64.powf(r.within(-2.0, 0.05));
+    if let (Some(free), Some(mut train)) = (free(&asked), asked.train) {
+        let reference = Reference::new(&asked);
+        let each = swings(&asked, &reference.splines).into_iter();
+        let left = each.map(|swing| reference.amplitude(&swing, &free.x).0);
+        train.most = part * left.fold(1e-6, f64::max);
+        asked.train = Some(train);
+    }
     asked
 }
 

@@ -169,19 +169,44 @@ impl Exchange<'_> {
             return;
         }
         let row = DVector::from_vec(self.reference.splines.row(span, theta, limit.weights));
-        let bound = self.reference.bound(limit, theta) + self.room * limit.scale
-            - row.dot(&self.space.origin);
-        let own = self.space.free.tr_mul(&row);
+        self.push_row(
+            &row,
+            self.reference.bound(limit, theta),
+            limit.extra,
+            limit.scale,
+        );
+    }
+
+    fn push_row(
+        &mut self,
+        row: &DVector<f64>,
+        bound: f64,
+        extra: Option<(usize, f64)>,
+        scale: f64,
+    ) {
+        let bound = bound + self.room * scale - row.dot(&self.space.origin);
+        let own = self.space.free.tr_mul(row);
         // In a dwell and at the touching angle no law moves it.
         let moved = own.norm() > 1e-11 * row.norm() * self.space.free.norm();
-        if moved || limit.extra.is_some() {
-            let mut beside: Vec<(usize, f64)> = limit.extra.into_iter().collect();
+        if moved || extra.is_some() {
+            let mut beside: Vec<(usize, f64)> = extra.into_iter().collect();
             if self.seeks_room {
-                beside.push((self.reference.extras.len(), -limit.scale));
+                beside.push((self.reference.extras.len(), -scale));
             }
             self.rows.push(Row { own, beside, bound });
-        } else if bound < -HELD * limit.scale {
+        } else if bound < -HELD * scale {
             self.hopeless = true;
+        }
+    }
+
+    /// Tangents of the vibrations whose amplitude exceeds this part of what is allowed.
+    fn tangents(&mut self, x: &[f64], part: f64) {
+        let (reference, most) = (self.reference, self.reference.asked.train.map(|t| t.most));
+        for (swing, most) in reference.swings.iter().zip(most.into_iter().cycle()) {
+            let (length, row) = reference.amplitude(swing, x);
+            if length > part * most {
+                self.push_row(&row, most, None, most);
+            }
         }
     }
 
@@ -215,6 +240,13 @@ impl Exchange<'_> {
 
     fn coarse(&mut self) {
         let splines = &self.reference.splines;
+        let sides = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
+        let most = self.reference.asked.train.map_or(0.0, |t| t.most);
+        for [q, p] in &self.reference.swings {
+            for [of_q, of_p] in sides {
+                self.push_row(&(q * of_q + p * of_p), most, None, most);
+            }
+        }
         for limit in &self.reference.limits {
             for span in 0..splines.spans() {
                 let (a, b) = (splines.breaks()[span], splines.breaks()[span + 1]);
@@ -229,6 +261,7 @@ impl Exchange<'_> {
     fn contacts(&mut self, law: &[f64]) {
         let reference = self.reference;
         let extras = judge(reference, law).extras;
+        self.tangents(law, 1.0 - NEAR);
         for limit in &reference.limits {
             let taken = limit.extra.map_or(0.0, |(k, e)| e * extras[k]);
             for (span, theta, _) in crests(reference, limit, law, -taken - NEAR * limit.scale) {
@@ -299,6 +332,7 @@ impl Exchange<'_> {
     /// Rows where a law exceeds its limits; whether there were any.
     fn add_crests(&mut self, x: &[f64], extras: &[f64]) -> bool {
         let (reference, before) = (self.reference, self.rows.len());
+        self.tangents(x, 1.0 + self.room + 0.1 * HELD);
         for limit in &reference.limits {
             let taken = limit.extra.map_or(0.0, |(k, e)| e * extras[k]);
             let above = self.room * limit.scale - taken + 0.1 * HELD * limit.scale;

@@ -39,11 +39,11 @@ fn objective(design: &Design, minimise: Minimise) -> (f64, f64) {
         }
         _ => design.cam.follower.prime_radius(),
     };
-    // A local optimum is as far from the best one as its lower bound leaves open.
-    let gap = design
-        .solver
-        .certificate
-        .map_or(f64::INFINITY, |c| c.global_gap * c.size);
+    // A local optimum is as far from the best one as its lower bound leaves open; a touching angle that was searched for has
+    // to be found as well.
+    let gap = design.solver.certificate.map_or(f64::INFINITY, |c| {
+        c.global_gap.unwrap_or(c.relative_gap) * c.size
+    });
     (value, gap)
 }
 

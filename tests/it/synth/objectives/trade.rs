@@ -426,3 +426,40 @@ fn a_size_that_follows_the_law_is_no_objective() {
         assert!(refused.contains("law.minimise"), "{refused}");
     }
 }
+
+/// The radius of a roller cam beside a given offset is R ≥ ‖(D, e)‖: the sum of its parts is what laws on given prime circles
+/// cost, and no other circle costs less.
+#[test]
+fn a_weighed_radius_beside_an_offset_is_certified_and_the_best_of_all_circles() {
+    let text = "name = \"w\"\n[gait]\nmodel = \"young\"\nstep_frequency = \"1.9 Hz\"\nbody_weight = \"700 N\"\nfeet = \"both\"\n[drive]\nkind = \"fixed-axis\"\nmass = \"3 kg\"\nspring_rate = \"9000 N/m\"\npreload = \"50 N\"\ndamping = \"60 N s/m\"\n[cam]\nfollower = \"roller-translating\"\nroller_radius = \"4 mm\"\n[accuracy]\nrms = \"none\"\n[limits]\npressure_angle = \"25 deg\"\n[law]\nfamily = \"spline\"\ndegree = 5\nspans = 12\n";
+    let weighed = format!("{text}[law.weigh]\nforce_error = \"5 %\"\nprime_radius = \"60 mm\"\n");
+    for offset in [-20, -12, -6, 0, 6, 12, 20] {
+        let offset = format!("cam.offset={offset} mm");
+        let design = gaitcam_test_support::design(&weighed, &[offset.as_str()]).unwrap();
+        assert!(design.solver.certified, "{offset}: {:?}", design.solver);
+        let cost = |error_percent: f64, radius: f64| (error_percent / 5.0).powi(2) + radius / 0.06;
+        let radius = design.cam.follower.prime_radius();
+        let own = cost(design.force.rms_error_percent_of_mean, radius);
+        for part in [0.99, 1.0, 1.01] {
+            // Smaller than the roller no circle is.
+            if part * radius < 4e-3 {
+                continue;
+            }
+            let circle = format!("cam.prime_radius={} m", part * radius);
+            let given = gaitcam_test_support::design(text, &[offset.as_str(), &circle]).unwrap();
+            if given.infeasible.is_some() {
+                continue;
+            }
+            let other = cost(given.force.rms_error_percent_of_mean, part * radius);
+            let least = if part == 1.0 { -1e-6 } else { 1e-7 };
+            assert!(
+                other > own * (1.0 + least),
+                "{offset} {part}: {other} {own}"
+            );
+            assert!(
+                part != 1.0 || other < own * (1.0 + 1e-6),
+                "{offset}: {other} {own}"
+            );
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! The proof that comes with a law says what a second solve confirms.
 
 use gaitcam::scene;
-use gaitcam::synth::Design;
+use gaitcam::synth::{Design, Doubt};
 
 fn solved(changes: &[&str]) -> Design {
     gaitcam_test_support::design(scene::DEFAULT, changes).unwrap()
@@ -61,4 +61,48 @@ fn a_certificate_closes_the_gap() {
     assert!(proof.relative_gap < 1e-8, "{proof:?}");
     assert!(proof.stationarity < 1e-9, "{proof:?}");
     assert!(proof.violation <= 1e-9, "{proof:?}");
+}
+
+/// A law of open level under limits that count its lift: where each touching angle is bounded the gap holds for all laws,
+/// where the angle was searched for it is that of one angle and no gap of all is known, a sequence behind it or not.
+#[test]
+fn a_gap_of_all_laws_is_stated_only_where_every_touching_angle_is_bounded() {
+    let face = [
+        "law.spans=12",
+        "law.family=spline",
+        "cam.follower=flat-translating",
+        "cam.base_radius=20 mm",
+        "limits.curvature=40 mm",
+        "accuracy.rms=8 %",
+    ];
+    let mut counts = [0; 2];
+    for (objective, torque) in [
+        ("force-error", None),
+        ("acceleration", None),
+        ("jerk", None),
+        ("peak-acceleration", None),
+        ("peak-jerk", None),
+        ("peak-force-error", None),
+        ("force-error", Some("limits.torque=15 N m")),
+        ("peak-force-error", Some("limits.torque=15 N m")),
+    ] {
+        let minimise = format!("law.minimise={objective}");
+        let changes: Vec<&str> = face.into_iter().chain([&*minimise]).chain(torque).collect();
+        let design = solved(&changes);
+        let proof = design.solver.certificate.unwrap();
+        let is_searched = objective.starts_with("peak");
+        if torque.is_none() {
+            let doubt = design.solver.doubt == Some(Doubt::TouchingAngle);
+            assert_eq!(doubt, is_searched, "{changes:?}: {:?}", design.solver);
+        }
+        assert_eq!(
+            proof.global_gap.is_none(),
+            is_searched,
+            "{changes:?}: {proof:?}"
+        );
+        let written = serde_json::to_value(proof).unwrap();
+        assert_eq!(written["global_gap"].is_null(), is_searched, "{written}");
+        counts[usize::from(is_searched)] += 1;
+    }
+    assert!(counts.iter().all(|n| *n > 2), "{counts:?}");
 }

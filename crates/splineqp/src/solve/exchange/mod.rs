@@ -81,7 +81,8 @@ pub fn from_rows<N: Names>(
             rounds: round,
             violation,
         };
-        if broken.is_empty() {
+        let rows_hold = program.excess_of_rows(&solution.x, &extra) <= program.settings.tolerance;
+        if broken.is_empty() && rows_hold {
             return Ok(solution);
         }
         let near = violation < program.settings.refinement.from;

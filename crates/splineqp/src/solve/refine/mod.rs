@@ -27,10 +27,10 @@ pub use band::on_band;
 use step::Local;
 
 use crate::band::ArrowMatrix;
-use crate::basis::{Basis, apply, row_unit};
+use crate::basis::{Basis, Entries, apply, row_unit};
 use crate::certificate::certificate;
 use crate::poly::{Peak, PiecewisePoly};
-use crate::program::{Limit, PEAK, Program, Row, Solution};
+use crate::program::{Limit, OFFSET, PEAK, Program, RADIUS, RISE, Row, Solution};
 use crate::solve::active_set::dual::with_rounding;
 
 struct Contacts<'a, N: Names> {
@@ -62,14 +62,25 @@ pub fn refined<N: Names>(program: &Program<N>, solution: Solution<N>) -> Solutio
     if before <= 1.0 {
         return solution;
     }
-    match on_contacts(program, &solution) {
+    let closer = if program.cone {
+        on_cone(program, &solution)
+    } else {
+        on_contacts(program, &solution)
+    };
+    match closer {
         Some(closer) if openness(program, &closer) < before => closer,
         _ => solution,
     }
 }
 
+/// Whether a solution satisfies its limits as well as the program asks, or as its rows' rounding permits.
+pub fn keeps_limits<N: Names>(program: &Program<N>, solution: &Solution<N>) -> bool {
+    let tolerance = program.settings.tolerance;
+    solution.violation <= tolerance || solution.violation <= rounding(program, solution)
+}
+
 /// Gap, stationarity and violation of a solution relative to what needs no refinement; at most 1 where none is needed.
-fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
+pub fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let settings = &program.settings.refinement;
     let proof = certificate(program, solution);
     (proof.relative_gap / settings.gap)
@@ -80,11 +91,54 @@ fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
 /// Rounding of the active rows' values, as a part of their limits' size: no step brings a violation below it.
 fn rounding<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let of_row = |row: &Row<N>| {
-        let limit = row.limit.map(|i| &program.limits[i])?;
-        let size = limit.size(limit.room(&solution.extra));
-        Some(with_rounding(&row.entries, &solution.x).1 / size)
+        let of_limit = |i: usize| {
+            let limit = &program.limits[i];
+            limit.size(limit.room(&solution.extra))
+        };
+        let size = row.limit.map_or(row.scale, of_limit);
+        (size > 0.0).then(|| with_rounding(&row.entries, &solution.x).1 / size)
     };
     (solution.active.iter().filter_map(of_row)).fold(0.0, f64::max)
+}
+
+/// The optimum of a program with a cone near a solution, by tangents R ≥ (D, e)·(D₀, e₀)/R₀, which all sizes of the cone keep:
+/// each is taken where the sizes of the last optimum lie, and R is at last what the cone asks for. `None` at its tip.
+fn on_cone<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
+    let settings = &program.settings.refinement;
+    let name = program.limits.iter().find(|l| l.extra[RADIUS] != 0.0)?.name;
+    let mut flat = program.clone();
+    flat.cone = false;
+    let mut current = start.clone();
+    let mut multiplier = program.cost[RADIUS];
+    for _ in 0..settings.steps {
+        let least = current.extra[RISE].hypot(current.extra[OFFSET]);
+        if least <= 0.0 {
+            return None;
+        }
+        let is_tangent = |r: &Row<N>| r.limit.is_none() && r.entries.is_empty();
+        let is_last = (least - current.extra[RADIUS]).abs() <= settings.resolved * least;
+        if is_last && current.active.iter().any(is_tangent) {
+            current.active.retain(|r| !is_tangent(r));
+            current.extra[RADIUS] = current.extra[RADIUS].max(least);
+            current.violation = program.violation(&current.x, &current.extra);
+            return Some(current);
+        }
+        let mut tangent = Row {
+            multiplier,
+            ..Row::of_no_limit(name, Peak::default(), Entries::new(), 0.0)
+        };
+        tangent.extra[RADIUS] = -1.0;
+        for k in [RISE, OFFSET] {
+            tangent.extra[k] = current.extra[k] / least;
+        }
+        current.active.retain(|r| !is_tangent(r));
+        current.active.push(tangent.clone());
+        flat.fixed.push(tangent);
+        current = on_contacts(&flat, &current)?;
+        let tangents = current.active.iter().filter(|r| is_tangent(r));
+        multiplier = tangents.map(|r| r.multiplier).sum();
+    }
+    None
 }
 
 /// The optimum near a solution that nearly satisfies its limits, with a closed certificate; `None` where no search reaches it.
@@ -322,7 +376,10 @@ impl<'a, N: Names> Contacts<'a, N> {
             }
         }
         for row in &program.fixed {
-            let known = |r: &Row<N>| r.limit.is_none() && r.peak == row.peak && r.name == row.name;
+            let known = |r: &Row<N>| {
+                let same = r.peak == row.peak && r.extra == row.extra;
+                r.limit.is_none() && same && r.name == row.name
+            };
             if !rows.iter().any(known) {
                 rows.push(row.clone());
             }
