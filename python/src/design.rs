@@ -7,9 +7,12 @@ use std::sync::Arc;
 use gaitcam::Problem;
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Result, is_no_cam};
+use gaitcam::identify::{Log, Recut, identify, recut};
+use gaitcam::scene::set_value;
 use gaitcam::synth::Search;
 use gaitcam_files::design::{self, check_inputs_stay, finish};
 use gaitcam_files::files::{self, Source};
+use gaitcam_files::read::read_bytes;
 use gaitcam_files::{Contents, Input, PATIENCE, ROWS, ResultFolder};
 use gaitcam_output::{self as output, Language, Timing};
 use pyo3::exceptions::PyTypeError;
@@ -38,6 +41,8 @@ pub struct Design {
     force: Option<Force>,
     time: Timing,
     time_limit: f64,
+    /// Of a new cut.
+    recut: Option<Recut>,
 }
 
 /// Designs a cam.
@@ -106,6 +111,7 @@ fn answer(py: Python<'_>, asked: Scene, force: Option<Force>, time_limit: f64) -
         force,
         time,
         time_limit,
+        recut: None,
     })
 }
 
@@ -151,7 +157,13 @@ impl Design {
 
     fn summarised(&self, scene: &toml::Table) -> Value {
         match &self.made {
-            Ok(made) => design::summary(made, scene, self.time),
+            Ok(made) => {
+                let mut summary = design::summary(made, scene, self.time);
+                if let Some(recut) = self.recut {
+                    summary["recut"] = serde_json::json!(recut);
+                }
+                summary
+            }
             Err(why) => {
                 design::summary_without_cam(&self.input.scene.name, why, scene, self.time.total_s)
             }
@@ -261,6 +273,78 @@ impl Design {
     #[getter]
     fn name(&self) -> &str {
         &self.input.scene.name
+    }
+
+    /// What a log of the running machine shows of it, as ``gaitcam identify --json`` prints it.
+    ///
+    /// Parameters
+    /// ----------
+    /// log : path
+    ///     A csv with ``force_n`` and ``time_s`` or ``theta_rad`` (or both), and where there are such ``speed_rad_per_s`` and
+    ///     ``torque_n_m``.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    ///     ``parameters`` (each ``key``, ``value``, ``low``, ``high``, ``identifiable``), ``noise_rms_n``,
+    ///     ``repeatable_rms_n``, ``next_run``.
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     The log is no steady run of this machine.
+    fn identify<'py>(&self, py: Python<'py>, log: PathBuf) -> PyResult<Bound<'py, PyAny>> {
+        let design = self.cam(py)?;
+        let found = py.detach(|| {
+            let log = Log::read(&log, &read_bytes(&log)?)?;
+            identify(design, &self.input.scene, &log)
+        });
+        let found = serde_json::json!(found.raise(py)?);
+        convert::json(py, &found)
+    }
+
+    /// The next cam, for all that repeats in a log of the running machine beyond this design; ``summary["recut"]`` has the force
+    /// error before and the one that is predicted.
+    ///
+    /// Parameters
+    /// ----------
+    /// log : path
+    ///     As for :meth:`identify`.
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     The log is no steady run of this machine.
+    /// NoSuchCam
+    ///     What the log has beyond the design is noise.
+    fn recut(&self, py: Python<'_>, log: PathBuf) -> PyResult<Design> {
+        let design = self.cam(py)?;
+        let interrupt = Interrupt::after(interrupt::limit(py, self.time_limit)?);
+        let found = py.detach(|| {
+            let log = Log::read(&log, &read_bytes(&log)?)?;
+            let named = match &self.force {
+                Some(_) => None,
+                None => self.input.target()?,
+            };
+            let target = self.force.as_ref().map(|f| &f.curve).or(named.as_ref());
+            let search = Search::until(interrupt.halt());
+            recut(design, &self.input.scene, target, &log, &search)
+        });
+        interrupt.result()?;
+        let (next, figures, _) = match found {
+            Err(why) if is_no_cam(&why) => {
+                return Err(NoSuchCam::new_err(why.sentence(Language::En)));
+            }
+            found => found.raise(py)?,
+        };
+        let asked = &self.asked.input;
+        let mut table = asked.table.clone();
+        let learned = next.to_table()["machine"]["learned_force"].clone();
+        set_value(&mut table, "machine.learned_force", learned).raise(py)?;
+        let scene = Scene::of_table(py, table, asked.folder.clone(), asked.file.clone())?;
+        let mut cut = answer(py, scene, self.force.clone(), self.time_limit)?;
+        cut.recut = Some(figures);
+        Ok(cut)
     }
 
     /// Writes what ``gaitcam synth --out DIR`` writes and returns the folder.

@@ -22,6 +22,35 @@ def test_the_default_scene_is_acceptable_and_meets_its_accuracy(design):
     assert design.reason("es") != design.reason()
 
 
+def test_a_log_gives_the_machine_and_the_next_cam(tmp_path):
+    scene = gaitcam.Scene.builtin("footbridge")
+    design = gaitcam.synth(scene)
+    law = design.law
+    theta = 2 * np.pi * 1.85 * np.arange(6000) / 600
+    mean = np.interp(theta % (2 * np.pi), law["theta_rad"], law["force_n"], period=2 * np.pi)
+    scatter = np.random.default_rng(1).normal(0, 2, theta.size)
+
+    def log(repeats):
+        force = mean + repeats * np.sin(2 * theta) + scatter
+        rows = np.column_stack([np.arange(6000) / 600, theta % (2 * np.pi), force])
+        path = tmp_path / f"log{repeats}.csv"
+        np.savetxt(path, rows, fmt="%.5f", delimiter=",", header="time_s,theta_rad,force_n", comments="")
+        return path
+
+    found = design.identify(log(9))
+    mass = next(p for p in found["parameters"] if p["key"] == "drive.mass")
+    assert mass["low"] <= 700 / 9.81 <= mass["high"] and found["noise_rms_n"] == pytest.approx(2, rel=0.1)
+    cut = design.recut(log(9))
+    assert cut.summary["recut"]["predicted_rms_n"] < 3.6 < 6 < cut.summary["recut"]["before_rms_n"]
+    assert cut.verdict == "acceptable" and "recut" not in design.summary
+    with pytest.raises(gaitcam.NoSuchCam, match="noise"):
+        design.recut(log(0))
+    (tmp_path / "bad.csv").write_text("time_s,force_n\n0,1\n")
+    with pytest.raises(gaitcam.InputError) as fault:
+        design.identify(tmp_path / "bad.csv")
+    assert fault.value.code == "log-few-rows"
+
+
 def test_tables_are_the_law_and_the_profile(design):
     law, profile = design.law, design.profile
     assert law.column_names == [
