@@ -11,7 +11,7 @@ pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 
 /// Nothing is asked for.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Workshop;
+pub struct Workshop {}
 
 /// There are no files to remark on.
 #[derive(Debug, Clone, PartialEq)]

@@ -14,7 +14,7 @@ pub struct WorkshopArgs {}
 impl WorkshopArgs {
     /// Nothing is asked for.
     pub fn asked(&self) -> Result<Workshop> {
-        Ok(Workshop)
+        Ok(Workshop {})
     }
 }
 
