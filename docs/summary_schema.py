@@ -28,7 +28,7 @@ OTHERS = [
     ["thesis_barrel", "--set", "cam.depth=200 mm"],
 ]
 # A new cut for what a log shows.
-RECUT = ["recut", "footbridge", "data/recordings/made_log.csv"]
+RECUT = ["recut", "footbridge", "data/logs/made_log.csv"]
 TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "null": type(None), "integer": int}
 
 

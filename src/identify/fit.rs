@@ -312,7 +312,7 @@ pub(super) fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
 
 /// Quantile 0.975 of Student's t: tabulated for few degrees of freedom, beyond them the expansion of Cornish and Fisher.
 pub(super) fn t95(degrees: usize) -> f64 {
-    const FEW: [f64; 4] = [12.706, 4.303, 3.182, 2.776];
+    const FEW: [f64; 6] = [12.706, 4.303, 3.182, 2.776, 2.571, 2.447];
     if let Some(known) = FEW.get(degrees.max(1) - 1) {
         return *known;
     }
@@ -333,6 +333,7 @@ mod tests {
             (1, 12.706),
             (4, 2.776),
             (5, 2.571),
+            (7, 2.365),
             (10, 2.228),
             (30, 2.042),
             (120, 1.980),

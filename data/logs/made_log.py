@@ -2,7 +2,7 @@
 """Writes made_log.csv: a log of a footbridge shaker that is not quite the one of its scene, made by a computer, so that its truth
 is known.
 
-    gaitcam synth footbridge --out out/bridge && python3 data/recordings/made_log.py out/bridge
+    gaitcam synth footbridge --out out/bridge && python3 data/logs/made_log.py out/bridge
 
 The moved mass is 73 kg (the scene: 71.4 kg), the guide rubs with 20 N s/m and 3 N, a bearing that runs out adds 6 N twice and
 3 N five times per turn; the load cell is 1 ms late, reads 4 N too much and scatters by 2 N. 20 cycles, 250 samples a second.
