@@ -110,8 +110,11 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     // A limit that was given covers the reading too.
     let limit = waiting.as_ref().map(|_| args.time.of_design());
     let input = input::scene(&args.scene)?;
-    let target = input.target()?;
-    drop(waiting);
+    let target = || {
+        let target = input.target();
+        drop(waiting);
+        target
+    };
     design_of(args, &input, target, (start, limit), None)
 }
 
@@ -120,13 +123,13 @@ pub type More = (&'static str, Value, Vec<String>);
 
 /// The same for a scene that is read.
 pub fn designed(args: &SynthArgs, input: &Input, start: Instant, more: Option<More>) -> Result<u8> {
-    design_of(args, input, input.target()?, (start, None), more)
+    design_of(args, input, || input.target(), (start, None), more)
 }
 
 fn design_of(
     args: &SynthArgs,
     input: &Input,
-    target: Option<ForceCurve>,
+    target: impl FnOnce() -> Result<Option<ForceCurve>>,
     (start, limit): (Instant, Option<Halt>),
     more: Option<More>,
 ) -> Result<u8> {
@@ -141,6 +144,8 @@ fn design_of(
         },
         folder: folder(args, input)?,
     };
+    // Arguments and folder are checked before a recording is read.
+    let target = target()?;
     let solving = Instant::now();
     let shown = args.time.shown();
     let search = Search::until(limit.unwrap_or_else(|| args.time.of_design()));

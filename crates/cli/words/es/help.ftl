@@ -82,7 +82,7 @@ all-json = Escribe JSON
 all-out = Carpeta de los archivos (por defecto out/NOMBRE)
 
 synth-json = Escribe summary.json en lugar del resumen; sin --out no se escribe ningún archivo
-synth-no_png = No escribe figuras PNG
+all-no_png = No escribe figuras PNG
 synth-verbose = Muestra cada paso de una sucesión de programas convexos con su mérito
 synth-explain = Explica la elección del modelo: criterio, y coste y efecto del modelo siguiente
 synth-points = Filas de law.csv y profile.csv (por defecto 1440), o puntos del frente (por defecto 20)
