@@ -45,7 +45,7 @@ pub struct Recut {
 /// the learned force, taken for the new law.
 ///
 /// # Errors
-/// As [`identify`]; a design without target; a residual that is noise; faults of the new design.
+/// As [`super::identify`]; a design without target; a residual that is noise; faults of the new design.
 pub fn recut(
     design: &Design,
     scene: &Scene,
