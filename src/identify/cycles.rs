@@ -20,6 +20,8 @@ pub(super) const LEAST_CYCLES: usize = 3;
 /// Cells of a cycle in which the period is looked for, and the range about the period that is expected.
 const CELLS: usize = 64;
 const RANGE: [f64; 2] = [0.55, 1.8];
+/// Speed of a log by its angle, as a part of the one that is expected: outside, the unit of a column is another.
+const SPEEDS: [f64; 2] = [1e-3, 1e3];
 /// Least autocorrelation of a log that repeats.
 const REPEATS: f64 = 0.5;
 /// Change of the speed over the log, part of the mean, above which it drifts: harmonic 5 then leaves its phase.
@@ -29,6 +31,8 @@ const CHANGE: f64 = 0.05;
 const SURPRISE: f64 = 8.0;
 /// Diagonal of the factor below which a cycle has a gap; 0.7 of equal steps.
 const UNSEEN: f64 = 0.2;
+/// A step of time this many times the others is a pause of the recorder.
+const PAUSE: f64 = 20.0;
 /// Rounds in which the phases of the cycles correct the period.
 const ROUNDS: usize = 4;
 
@@ -214,6 +218,9 @@ fn phases(log: &Log, expected: f64) -> Result<(Vec<f64>, f64)> {
             .or_else(|| log.speed.as_ref().map(mean))
     };
     let speed = third([0, 3]).unwrap_or(expected);
+    if !(SPEEDS[0]..=SPEEDS[1]).contains(&(speed / expected)) {
+        return Err(log.refused(no_cycle(expected)));
+    }
     if let (Some(early), Some(late)) = (third([0, 1]), third([2, 3]))
         && (late - early).abs() > DRIFT * speed
         && span(theta) >= 3.0 * LEAST_CYCLES as f64
@@ -221,6 +228,12 @@ fn phases(log: &Log, expected: f64) -> Result<(Vec<f64>, f64)> {
         return Err(log.refused(drift(1.0, [early, late])));
     }
     Ok((theta.clone(), speed))
+}
+
+/// Nothing repeats near this speed, rad/s.
+pub(super) fn no_cycle(speed: f64) -> LogError {
+    let speed = Quantity::new(speed, Dimension::AngularSpeed);
+    LogError::NoCycle { speed }
 }
 
 fn drift(speed: f64, parts: [f64; 2]) -> LogError {
@@ -235,10 +248,14 @@ fn period(log: &Log, time: &[f64], expected: f64) -> Result<f64> {
         let (cycles, least) = (length / expected, LEAST_CYCLES);
         return Err(log.refused(LogError::Short { cycles, least }));
     }
+    check_gaps(log, time, expected)?;
+    let none = || log.refused(no_cycle(TAU / expected));
+    // Fewer samples than two per cycle show no cycle, and would be spread over cells without end.
+    if length / expected > 0.5 * time.len() as f64 {
+        return Err(none());
+    }
     let step = expected / CELLS as f64;
     let cells = cells(time, &log.force, step);
-    let speed = Quantity::new(TAU / expected, Dimension::AngularSpeed);
-    let none = || log.refused(LogError::NoCycle { speed });
     let near = |cells: &[f64]| {
         let [least, most] = RANGE.map(|r| (r * CELLS as f64) as usize);
         repeats(cells, least..=most.min(cells.len() * 2 / 3))
@@ -266,6 +283,26 @@ fn period(log: &Log, time: &[f64], expected: f64) -> Result<f64> {
         cycles *= 2.0;
     }
     Ok(lag * step)
+}
+
+/// Refuses a log that pauses for longer than a cycle while its samples are much denser.
+fn check_gaps(log: &Log, time: &[f64], cycle: f64) -> Result<()> {
+    let length = time[time.len() - 1] - time[0];
+    let steps = time.windows(2).map(|t| t[1] - t[0]);
+    let longest = (steps.enumerate()).max_by(|a, b| a.1.total_cmp(&b.1));
+    let pause = longest.filter(|(_, step)| *step > cycle);
+    let Some((at, step)) = pause else {
+        return Ok(());
+    };
+    let others = (length - step) / (time.len() - 2) as f64;
+    if step < PAUSE * others {
+        return Ok(());
+    }
+    let cycle = 1 + ((time[at] - time[0]) / cycle) as usize;
+    Err(log.refused(LogError::Gap {
+        cycle,
+        samples: 0.0,
+    }))
 }
 
 /// Means of a force in equal cells of time; a cell without a sample takes the one before.

@@ -16,6 +16,8 @@ const NAMES: [&str; 5] = [
 ];
 /// Fewest rows from which a cycle could be seen.
 const LEAST_ROWS: usize = 32;
+/// Largest size of a number of a log, SI: 30 years, 1 GN. Beyond it there is no machine, and no square of it must be.
+const LARGEST: f64 = 1e9;
 /// Share of the samples at exactly the largest or smallest force from which on the force is clipped.
 const CLIPPED: f64 = 0.02;
 
@@ -69,7 +71,8 @@ impl Log {
             for (which, place) in places.iter().enumerate() {
                 let Some(place) = place else { continue };
                 let cell = row.get(*place);
-                let Some(mut x) = cell.and_then(|c| c.number) else {
+                let number = cell.and_then(|c| c.number);
+                let Some(mut x) = number.filter(|x| x.abs() <= LARGEST) else {
                     let typed = cell.map_or(String::new(), |c| c.text.clone());
                     let column = NAMES[which].to_string();
                     return Err(LogError::Value { column, typed }.at_line(path, line));

@@ -263,6 +263,9 @@ impl Fitted {
             cycles.noise_rms *= lever;
         }
         let clock = Clock::of(design, &cycles);
+        if !clock.speed.iter().all(|w| *w > 0.0) {
+            return Err(log.refused(cycles::no_cycle(speed)));
+        }
         let machine = Machine::new(design, scene, &clock);
         let count = cycles.force.mean.len();
         let wanted = clock.harmonics(&machine.nominal_force(), count);

@@ -280,6 +280,81 @@ fn every_kind_of_bad_log_is_refused_with_what_it_shows() {
     }
 }
 
+/// A text of a log with one damage of many kinds: a cell, a column, or rows.
+fn damaged(rows: &[Vec<String>], k: usize) -> String {
+    const CELLS: [&str; 11] = [
+        "1e12", "-1e12", "1e300", "1e-300", "0", "", "inf", "1e9", "-1e9", "1e6", "x",
+    ];
+    let pick = |n: usize, of: usize| ((0.5 + 0.5 * scatter(7 * k + n)) * of as f64) as usize % of;
+    let mut rows = rows.to_vec();
+    let (count, columns) = (rows.len(), rows[0].len());
+    let (at, column) = (1 + pick(1, count - 1), pick(2, columns));
+    match k % 6 {
+        0 => rows[at][column] = CELLS[pick(3, CELLS.len())].to_string(),
+        1 => {
+            let factor = 10_f64.powi(pick(3, 41) as i32 - 20);
+            for row in &mut rows[1..] {
+                row[column] = (factor * row[column].parse::<f64>().unwrap()).to_string();
+            }
+        }
+        2 => drop(rows.drain(at..(at + pick(3, count)).min(count))),
+        3 => {
+            let same = rows[at][column].clone();
+            rows[1..]
+                .iter_mut()
+                .for_each(|row| row[column] = same.clone());
+        }
+        4 => {
+            // The recorder paused for up to 30 years.
+            let pause = 10_f64.powf(f64::from(pick(3, 10) as u8) - 1.0);
+            for row in &mut rows[at..] {
+                row[0] = (pause + row[0].parse::<f64>().unwrap()).to_string();
+            }
+        }
+        _ => {
+            let other = rows[1 + pick(3, count - 1)].clone();
+            rows[at] = other;
+        }
+    }
+    rows.iter().map(|row| row.join(",") + "\n").collect()
+}
+
+#[test]
+fn damaged_logs_are_read_or_refused_by_what_they_show() {
+    let shaker = shaker();
+    let (mut read, mut refused) = (0, 0);
+    for has_angle in [false, true] {
+        let made = Made {
+            cycles: 6.0,
+            rate: 120.0,
+            has_angle,
+            ..FAITHFUL
+        };
+        let whole = text(&shaker.1, made);
+        let mut rows: Vec<Vec<String>> = (whole.lines())
+            .map(|row| row.split(',').map(str::to_string).collect())
+            .collect();
+        rows[0].push("speed_rad_per_s".to_string());
+        for row in &mut rows[1..] {
+            row.push(shaker.1.drive.speed.to_string());
+        }
+        for k in 0..300 {
+            match found(&damaged(&rows, k), &shaker) {
+                Ok(list) => {
+                    read += 1;
+                    assert!(list.iter().all(|p| p.value.is_finite()), "{k}: {list:?}");
+                }
+                Err(error) => {
+                    refused += 1;
+                    assert!(error.code().starts_with("log-"), "{k}: {error}");
+                }
+            }
+        }
+    }
+    println!("{read} read, {refused} refused");
+    assert!(read > 100 && refused > 200);
+}
+
 #[test]
 fn faithful_logs_at_any_rate_and_start_are_accepted() {
     let shaker = shaker();

@@ -1,7 +1,7 @@
 # What a log shows instead of a steady run of the machine.
 log-no-column = the log needs the column force_n and one of time_s and theta_rad; its columns are { $columns }
     .help = name the columns force_n (N), time_s (s) or theta_rad (rad), and speed_rad_per_s and torque_n_m where they were recorded
-log-value = "{ $typed }" in the column { $column } is not a number
+log-value = "{ $typed }" in the column { $column } is not a number between −10⁹ and 10⁹
     .help = remove the row, or cut the log before it
 log-order = { $column } does not increase: { $value } after { $before }
     .help = sort the rows, and keep one of rows of the same time

@@ -1,7 +1,7 @@
 # Lo que muestra un registro en lugar de una marcha estable de la máquina.
 log-no-column = el registro necesita la columna force_n y una de time_s y theta_rad; sus columnas son { $columns }
     .help = nombre las columnas force_n (N), time_s (s) o theta_rad (rad), y speed_rad_per_s y torque_n_m si se registraron
-log-value = "{ $typed }" en la columna { $column } no es un número
+log-value = "{ $typed }" en la columna { $column } no es un número entre −10⁹ y 10⁹
     .help = quite la fila o corte el registro antes de ella
 log-order = { $column } no aumenta: { $value } después de { $before }
     .help = ordene las filas y conserve una de las que tienen el mismo tiempo
