@@ -2,9 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use gaitcam::Problem;
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Result, is_no_cam};
 use gaitcam::identify::{Log, Recut, identify, recut};
@@ -15,7 +13,6 @@ use gaitcam_files::files::{self, Source};
 use gaitcam_files::read::read_bytes;
 use gaitcam_files::{Contents, Input, PATIENCE, ROWS, ResultFolder};
 use gaitcam_output::{self as output, Language, Timing};
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyBytes, PyDict};
 use serde_json::Value;
@@ -28,116 +25,26 @@ use crate::html;
 use crate::interrupt::{self, Interrupt};
 use crate::law::Law;
 use crate::scene::Scene;
+use crate::synth::answer;
 use crate::table::Table;
 
 /// A finished design: law, cam, checks and verdict.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Design {
     /// The design itself; where there is none to show, why.
-    made: Result<gaitcam::Design>,
+    pub(crate) made: Result<gaitcam::Design>,
     /// The scene that it answers, with the force that was given in its `[gait]`.
     pub input: Input,
-    asked: Scene,
-    force: Option<Force>,
-    time: Timing,
-    time_limit: f64,
+    pub(crate) asked: Scene,
+    pub(crate) force: Option<Force>,
+    pub(crate) time: Timing,
+    pub(crate) time_limit: f64,
     /// Of a new cut.
-    recut: Option<Recut>,
-}
-
-/// Designs a cam.
-///
-/// Parameters
-/// ----------
-/// scene : Scene, optional
-///     What to design; the built-in footbridge by default.
-/// force : Force, optional
-///     The target force, in place of the one that the scene names.
-/// forces : sequence of Force, optional
-///     The cycles of several walkers, whom one cam is to serve as ``law.robust`` and ``gait.adjust`` say; forces of one
-///     name are cycles of one walker. ``summary["population"]`` says how well it does.
-/// time_limit : float
-///     Seconds after which searches end with the best that they have.
-///
-/// Returns
-/// -------
-/// Design
-///     Also where no cam keeps the limits, or none can be shown at all: its ``verdict`` and ``summary["reasons"]`` say
-///     so.
-///
-/// Raises
-/// ------
-/// InputError
-///     The scene, its recording or the force is wrong.
-#[pyfunction]
-#[pyo3(signature = (scene = None, *, force = None, forces = None, time_limit = 60.0))]
-pub fn synth(
-    py: Python<'_>,
-    scene: Option<&Bound<'_, PyAny>>,
-    force: Option<&Bound<'_, PyAny>>,
-    forces: Option<Vec<PyRef<'_, Force>>>,
-    time_limit: f64,
-) -> PyResult<Design> {
-    let scene = scene.map(|s| Scene::given(s, "scene")).transpose()?;
-    let scene = Scene::or_default(py, scene.map(Bound::get))?;
-    let force = match forces {
-        Some(_) if force.is_some() => {
-            return Err(PyTypeError::new_err("give force or forces, not both"));
-        }
-        Some(forces) => Some(Force::of_walkers(py, &forces)?),
-        None => Force::of_argument(force)?,
-    };
-    answer(py, scene, force, time_limit)
-}
-
-/// The design of a scene, with a force in place of its own.
-fn answer(py: Python<'_>, asked: Scene, force: Option<Force>, time_limit: f64) -> PyResult<Design> {
-    let input = match &force {
-        Some(force) => force.named_in(&asked.input).raise(py)?,
-        None => asked.whole(py)?.clone(),
-    };
-    let interrupt = Interrupt::after(interrupt::limit(py, time_limit)?);
-    let made = py.detach(|| made(&input, force.as_ref(), &interrupt));
-    interrupt.result()?;
-    let (made, solve_s) = made.raise(py)?;
-    let time = Timing {
-        solve_s,
-        total_s: interrupt.elapsed_s(),
-    };
-    Ok(Design {
-        made,
-        input,
-        asked,
-        force,
-        time,
-        time_limit,
-        recut: None,
-    })
+    pub(crate) recut: Option<Recut>,
 }
 
 impl Argument for Design {
     const MADE: &'static str = "synth(scene) makes one";
-}
-
-fn made(
-    input: &Input,
-    force: Option<&Force>,
-    interrupt: &Arc<Interrupt>,
-) -> Result<(Result<gaitcam::Design>, f64)> {
-    let named = match force {
-        Some(_) => None,
-        None => input.target()?,
-    };
-    let target = force.map(|f| &f.curve).or(named.as_ref());
-    let search = Search::until(interrupt.halt());
-    let problem = Problem::resolve(&input.scene, target)?;
-    let begun = interrupt.elapsed_s();
-    let design = gaitcam::synth::design(&problem, &search);
-    let solve_s = interrupt.elapsed_s() - begun;
-    Ok(match design {
-        Err(why) if is_no_cam(&why) => (Err(why), solve_s),
-        design => (Ok(design?.relaxed_with(&search)), solve_s),
-    })
 }
 
 impl Design {

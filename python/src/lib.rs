@@ -15,6 +15,7 @@ mod law;
 mod run;
 mod scene;
 mod sweep;
+mod synth;
 mod table;
 
 use pyo3::prelude::*;
@@ -22,7 +23,7 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _native {
     #[pymodule_export]
-    use crate::design::{Design, synth};
+    use crate::design::Design;
     #[pymodule_export]
     use crate::error::{InputError, NoSuchCam};
     #[pymodule_export]
@@ -37,6 +38,8 @@ mod _native {
     use crate::scene::{Scene, keys};
     #[pymodule_export]
     use crate::sweep::Sweep;
+    #[pymodule_export]
+    use crate::synth::synth;
     #[pymodule_export]
     use crate::table::Table;
 

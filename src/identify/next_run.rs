@@ -1,4 +1,4 @@
-//! The run that would tell what a log does not: candidates judged by their Fisher information.
+//! The run that would identify what a log does not: candidates judged by their Fisher information.
 //!
 //! Of two runs with the columns J₁, J₂ and components of variance σ² the covariance of the parameters is
 //! σ² (J₁ᵀJ₁ + J₂ᵀJ₂)⁻¹. The scale of the load cell is one parameter more: its column is the whole force.
@@ -44,18 +44,18 @@ pub enum Change {
 /// ```
 /// use gaitcam::identify::{Change, NextRun};
 ///
-/// let run = NextRun { change: Change::Speed { rad_per_s: 9.3 }, tells: vec!["log.scale"] };
-/// assert_eq!(serde_json::to_value(&run).unwrap()["tells"][0], "log.scale");
+/// let run = NextRun { change: Change::Speed { rad_per_s: 9.3 }, identifies: vec!["log.scale"] };
+/// assert_eq!(serde_json::to_value(&run).unwrap()["identifies"][0], "log.scale");
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct NextRun {
     /// What differs from the run of the log.
     pub change: Change,
-    /// Parameters that both runs together tell.
-    pub tells: Vec<&'static str>,
+    /// Parameters that both runs together identify.
+    pub identifies: Vec<&'static str>,
 }
 
-/// The candidate that tells most, `None` where none tells more than the log.
+/// The candidate run that identifies most parameters, `None` where none identifies more than the log.
 pub(super) fn next_run(
     design: &Design,
     scene: &Scene,
@@ -84,15 +84,15 @@ pub(super) fn next_run(
     let heavier = (Change::AddedMass { kg: MASS * mass }, 1.0, MASS * mass);
     let is_carried = mass > 0.0 && !design.cam.follower.is_oscillating();
     let candidates = faster.into_iter().chain(is_carried.then_some(heavier));
-    let told = candidates.map(|(change, by, added)| {
+    let runs = candidates.map(|(change, by, added)| {
         let clock = fitted.clock.faster(by);
         let other = jacobian(design, scene, fitted, &clock, added);
         let information = own.tr_mul(&own) + other.tr_mul(&other);
-        let tells = tells(fitted, &information, variance, &open);
-        NextRun { change, tells }
+        let identifies = narrowed(fitted, &information, variance, &open);
+        NextRun { change, identifies }
     });
-    told.max_by_key(|run| run.tells.len())
-        .filter(|run| !run.tells.is_empty())
+    runs.max_by_key(|run| run.identifies.len())
+        .filter(|run| !run.identifies.is_empty())
 }
 
 /// Columns of the terms, the delay and the scale in a run.
@@ -129,7 +129,7 @@ fn jacobian(
 }
 
 /// Open parameters whose intervals become narrow.
-fn tells(
+fn narrowed(
     fitted: &Fitted,
     information: &DMatrix<f64>,
     variance: f64,
@@ -151,13 +151,13 @@ fn tells(
         .iter()
         .map(|t| t.key)
         .chain(["log.delay", "log.scale"]);
-    let told = names.enumerate().filter_map(|(j, key)| {
+    let narrow = names.enumerate().filter_map(|(j, key)| {
         let parameter = open.iter().find(|p| p.key == key)?;
         let half = t95(fitted.cycles.force.each.len() - 1)
             * (variance * inverse[(j, j)]).sqrt()
             * scale[j];
-        let is_told = 2.0 * half <= WIDEST * parameter.value.abs();
-        (is_told && half.is_finite()).then_some(parameter.key)
+        let is_narrow = 2.0 * half <= WIDEST * parameter.value.abs();
+        (is_narrow && half.is_finite()).then_some(parameter.key)
     });
-    told.collect()
+    narrow.collect()
 }

@@ -248,7 +248,7 @@ fn text(input: &Input, found: &Identified) -> String {
                 quantity(language::current(), kg, Dimension::Mass.si()),
             ),
         };
-        let data: Value = json!({"value": value, "keys": run.tells.join(", ")});
+        let data: Value = json!({"value": value, "keys": run.identifies.join(", ")});
         lines.push(format!("  {}", words::fill(key, &data)));
     }
     lines.join("\n")

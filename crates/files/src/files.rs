@@ -9,8 +9,8 @@ use gaitcam_output::{Picture, Timing, csv, plots, report};
 
 use crate::contents::Contents;
 pub use crate::group::Group;
-use crate::piece::Piece;
-pub use crate::piece::usual_cutter;
+use crate::workshop::Piece;
+pub use crate::workshop::usual_cutter;
 use crate::workshop::{Made, Remark};
 
 /// Which designs have a file.

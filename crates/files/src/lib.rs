@@ -14,16 +14,11 @@ mod earlier;
 pub mod files;
 mod group;
 pub mod lock;
-mod piece;
 pub mod population;
 pub mod read;
 pub mod result_folder;
 pub mod scene;
 pub mod target;
-#[cfg(feature = "cad")]
-pub mod workshop;
-#[cfg(not(feature = "cad"))]
-#[path = "no_workshop.rs"]
 pub mod workshop;
 
 pub use contents::{Contents, ROWS};

@@ -20,6 +20,7 @@
 
 use crate::Names;
 mod band;
+mod cone;
 mod step;
 
 pub use band::on_band;
@@ -27,10 +28,10 @@ pub use band::on_band;
 use step::Local;
 
 use crate::band::ArrowMatrix;
-use crate::basis::{Basis, Entries, apply, row_unit};
+use crate::basis::{Basis, apply, row_unit};
 use crate::certificate::certificate;
 use crate::poly::{Peak, PiecewisePoly};
-use crate::program::{Limit, OFFSET, PEAK, Program, RADIUS, RISE, Row, Solution};
+use crate::program::{Limit, PEAK, Program, Row, Solution};
 use crate::solve::active_set::dual::with_rounding;
 
 struct Contacts<'a, N: Names> {
@@ -63,7 +64,7 @@ pub fn refined<N: Names>(program: &Program<N>, solution: Solution<N>) -> Solutio
         return solution;
     }
     let closer = if program.cone {
-        on_cone(program, &solution)
+        cone::on_cone(program, &solution)
     } else {
         on_contacts(program, &solution)
     };
@@ -99,46 +100,6 @@ fn rounding<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
         (size > 0.0).then(|| with_rounding(&row.entries, &solution.x).1 / size)
     };
     (solution.active.iter().filter_map(of_row)).fold(0.0, f64::max)
-}
-
-/// The optimum of a program with a cone near a solution, by tangents R ≥ (D, e)·(D₀, e₀)/R₀, which all sizes of the cone keep:
-/// each is taken where the sizes of the last optimum lie, and R is at last what the cone asks for. `None` at its tip.
-fn on_cone<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
-    let settings = &program.settings.refinement;
-    let name = program.limits.iter().find(|l| l.extra[RADIUS] != 0.0)?.name;
-    let mut flat = program.clone();
-    flat.cone = false;
-    let mut current = start.clone();
-    let mut multiplier = program.cost[RADIUS];
-    for _ in 0..settings.steps {
-        let least = current.extra[RISE].hypot(current.extra[OFFSET]);
-        if least <= 0.0 {
-            return None;
-        }
-        let is_tangent = |r: &Row<N>| r.limit.is_none() && r.entries.is_empty();
-        let is_last = (least - current.extra[RADIUS]).abs() <= settings.resolved * least;
-        if is_last && current.active.iter().any(is_tangent) {
-            current.active.retain(|r| !is_tangent(r));
-            current.extra[RADIUS] = current.extra[RADIUS].max(least);
-            current.violation = program.violation(&current.x, &current.extra);
-            return Some(current);
-        }
-        let mut tangent = Row {
-            multiplier,
-            ..Row::of_no_limit(name, Peak::default(), Entries::new(), 0.0)
-        };
-        tangent.extra[RADIUS] = -1.0;
-        for k in [RISE, OFFSET] {
-            tangent.extra[k] = current.extra[k] / least;
-        }
-        current.active.retain(|r| !is_tangent(r));
-        current.active.push(tangent.clone());
-        flat.fixed.push(tangent);
-        current = on_contacts(&flat, &current)?;
-        let tangents = current.active.iter().filter(|r| is_tangent(r));
-        multiplier = tangents.map(|r| r.multiplier).sum();
-    }
-    None
 }
 
 /// The optimum near a solution that nearly satisfies its limits, with a closed certificate; `None` where no search reaches it.

@@ -10,7 +10,7 @@ use gaitcam_cad::ecam::{self, Dialect, ElectronicCam};
 use gaitcam_cad::{Units, dxf, gcode, solid, step, svg};
 use gaitcam_output::{Language, Timing, xlsx};
 
-use crate::piece::{Piece, usual_cutter};
+use super::piece::{Piece, usual_cutter};
 
 /// Vertices of a solid's profile and of the polylines in the drawing with arcs.
 const VERTICES: usize = 720;

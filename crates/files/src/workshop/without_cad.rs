@@ -4,7 +4,7 @@ use gaitcam::error::{Error, Result};
 use gaitcam::synth::Design;
 use gaitcam_output::{Language, Timing};
 
-use crate::piece::Piece;
+use super::piece::Piece;
 
 /// The bytes of a file, if it can be made, with remarks about it.
 pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
