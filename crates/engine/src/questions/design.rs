@@ -43,7 +43,7 @@ pub struct Ask {
 }
 
 /// Sizes tried for a quick answer, as multiples of the last smallest one: at that one itself few laws are left to be found.
-const NEAR: [f64; 2] = [1.03, 1.25];
+const NEAR: [f64; 2] = [1.08, 1.3];
 
 /// Everything that the page shows of a design.
 #[derive(Serialize)]
