@@ -6,7 +6,7 @@ use super::fit::{difference, dot};
 use super::log::Log;
 use super::model::{ANGLES, Machine, Term, angle};
 use super::{Fitted, Identified, held, identified};
-use crate::drive::DriveKind;
+use crate::drive::{Drive, DriveKind};
 use crate::error::{LogError, Result};
 use crate::force::ForceCurve;
 use crate::poly::amplitudes;
@@ -20,6 +20,11 @@ const ABOVE_NOISE: f64 = 2.0;
 /// Harmonics that are learned, as a multiple of those of the target: above, the machine is not the rigid one of the scene, and
 /// its resonances would turn a correction into its contrary.
 const IN_BAND: usize = 3;
+/// Part by which stiffness and mass of a machine are taken to be off its scene, and damping ratio that its guide may add.
+const UNSURE: f64 = 0.05;
+/// Part of a correction that is made where one was made before: Coulomb friction changes its sign with the velocity, and where
+/// the lift hardly changes every whole correction would turn it round.
+const AGAIN: f64 = 0.5;
 /// Rounds in which what the parameters change of the force follows the law.
 const ROUNDS: usize = 2;
 
@@ -73,7 +78,12 @@ pub fn recut(
     let nominal: Vec<f64> = nominal.collect();
     let news = difference(&measured.mean, &clock.harmonics(&nominal, count));
     let band = IN_BAND * held(&wanted);
-    let (learned, left) = shrunk(&news, &noise, from, band);
+    let is_first = scene.machine.learned_force.is_empty();
+    let trust = |n: usize| {
+        let at = trust(&design.drive, n as f64 * fitted.cycles.speed);
+        if is_first { at } else { AGAIN * at }
+    };
+    let (learned, left) = shrunk(&news, &noise, from, band, trust);
     if learned.iter().all(|x| *x == 0.0) {
         let newtons = |x: f64| Quantity::force(design.drive.newtons(x));
         let scatter: f64 = noise[1..].iter().sum();
@@ -157,23 +167,41 @@ fn repeated(harmonics: &[f64], noise: &[f64], from: usize) -> f64 {
     (rms(harmonics, from).powi(2) - scatter).max(0.0).sqrt()
 }
 
-/// Harmonics above their noise, each less the part of it that noise is likely to be, and the RMS of what is left in the others
-/// and in the noise; all zero where the whole is noise.
-fn shrunk(news: &[f64], noise: &[f64], from: usize, band: usize) -> (Vec<f64>, f64) {
+/// Part of a correction at an angular frequency that is made at once. A cut changes the force by the machine's own gain per lift,
+/// k − m ω² + i c ω, which is uncertain by as much as `UNSURE` says; cuts converge while the part times true over nominal gain is
+/// below 2, which is far from sure near the resonance of a spring (Bristow, Tharayil and Alleyne 2006).
+fn trust(drive: &Drive, frequency: f64) -> f64 {
+    let inertia = drive.mass * frequency * frequency;
+    let gain = (drive.spring_rate - inertia).hypot(drive.damping * frequency);
+    let critical = 2.0 * (drive.spring_rate * drive.mass).sqrt();
+    let unsure = UNSURE * (drive.spring_rate + inertia + critical * frequency);
+    let sum = gain + unsure;
+    if sum > 0.0 { gain / sum } else { 1.0 }
+}
+
+/// Harmonics above their noise, each less the part of it that noise is likely to be, as far as they are corrected at once, and the
+/// RMS of what is left in the others and in the noise; all zero where the whole is noise.
+fn shrunk(
+    news: &[f64],
+    noise: &[f64],
+    from: usize,
+    band: usize,
+    trust: impl Fn(usize) -> f64,
+) -> (Vec<f64>, f64) {
     let mut out = vec![0.0; news.len()];
     let mut left = 0.0;
-    let groups = (1..=news.len() / 2).map(|n| (2 * n - 1..2 * n + 1, 0.5, n <= band));
-    let mean = (from == 0).then_some((0..1, 1.0, true));
-    for (own, part, is_in_band) in mean.into_iter().chain(groups) {
+    let groups = (1..=news.len() / 2).map(|n| (n, 2 * n - 1..2 * n + 1, 0.5));
+    let mean = (from == 0).then_some((0, 0..1, 1.0));
+    for (n, own, part) in mean.into_iter().chain(groups) {
         let energy = dot(&news[own.clone()], &news[own.clone()]);
         let scatter: f64 = noise[own.clone()].iter().sum();
-        if !is_in_band || energy <= ABOVE_NOISE * ABOVE_NOISE * scatter {
+        if n > band || energy <= ABOVE_NOISE * ABOVE_NOISE * scatter {
             left += part * (energy - scatter).max(0.0);
             continue;
         }
-        let kept = 1.0 - scatter / energy;
-        left += part * kept * scatter;
-        own.for_each(|j| out[j] = kept * news[j]);
+        let (kept, trust) = (1.0 - scatter / energy, trust(n));
+        left += part * kept * (scatter + (1.0 - trust).powi(2) * energy);
+        own.for_each(|j| out[j] = trust * kept * news[j]);
     }
     let [all, scatter] = [dot(&news[1..], &news[1..]), noise[1..].iter().sum::<f64>()];
     let spread = noise[1..].iter().map(|v| v * v).sum::<f64>();

@@ -7,7 +7,7 @@ use gaitcam_evidence::twins::report::{CUTS, INTERVALS, errors, parameters, write
 use rayon::prelude::*;
 
 fn main() -> Result<(), gaitcam::error::Error> {
-    let cut: Result<Vec<_>, _> = (0..CUTS).into_par_iter().map(errors).collect();
+    let cut: Result<Vec<_>, _> = CUTS.into_par_iter().map(errors).collect();
     let classes = [Class::Model, Class::TwoHarmonics, Class::Whole];
     let all = classes.map(|class| (0..INTERVALS).map(move |i| (class, i)));
     let all: Vec<(Class, u64)> = all.into_iter().flatten().collect();

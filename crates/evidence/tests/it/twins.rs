@@ -49,3 +49,12 @@ fn two_new_cuts_bring_machines_with_everything_to_their_force() {
         );
     }
 }
+
+#[test]
+fn a_third_cut_of_a_sprung_machine_with_friction_stays_near_its_force() {
+    for number in [1007, 1016, 1034] {
+        let mut case = Case::new(Class::Whole, number).unwrap();
+        let (errors, _) = case.cuts(3).unwrap();
+        assert!(errors[3] < 0.55, "{number}: {errors:.3?} % of the weight");
+    }
+}
