@@ -14,10 +14,11 @@ pub mod exchange;
 mod refine;
 mod rms;
 
+use crate::Names;
 use crate::basis::apply;
+use crate::equality::{self, Unlimited};
 use crate::program::{EXTRAS, FACE_END, Failure, LOWEST, PEAK, Program, Solution, Stop};
 use crate::settings::TOLERANCE;
-use crate::{Names, equality};
 use active_set::proximal;
 
 impl<N: Names> Program<N> {
@@ -57,10 +58,10 @@ impl<N: Names> Program<N> {
     /// The solution of the first method that has one.
     fn by_the_first_method(&self) -> Result<Solution<N>, Failure<N>> {
         if proximal::suits(self) && self.hessian.largest_diagonal() == 0.0 {
-            match proximal::solve(self) {
-                Ok(solution) => return Ok(solution),
-                Err(_) if self.halt.is_asked() => return Err(Stop::OutOfTime.into()),
-                Err(_) => (),
+            match proximal::solve(self)? {
+                Some(solution) => return Ok(self.or_by_exchange(solution)),
+                None if self.halt.is_asked() => return Err(Stop::OutOfTime.into()),
+                None => (),
             }
         }
         if self.present().contains(&true) {
@@ -72,12 +73,16 @@ impl<N: Names> Program<N> {
             return Ok(solution);
         }
         match active_set::solve(self, &unlimited) {
-            Ok(solution) => Ok(self.or_by_exchange(solution)),
+            Ok(solution) => {
+                let solution = self.or_by_exchange(solution);
+                Ok(self.inside(&unlimited, &solution).unwrap_or(solution))
+            }
             Err(rows) => exchange::from_rows(self, rows),
         }
     }
 
-    /// A law of the active set, or where its progress ended above the tolerance the one that exchange finds, if that is better.
+    /// A law of the active set, or where its progress ended above the tolerance the one that exchange finds, if that is better:
+    /// keeping the limits counts for more than a proof.
     fn or_by_exchange(&self, solution: Solution<N>) -> Solution<N> {
         if refine::keeps_limits(self, &solution) {
             return solution;
@@ -88,11 +93,35 @@ impl<N: Names> Program<N> {
         }
         let other = exchange::solve(self).map(|other| refine::refined(self, other));
         match other {
-            Ok(other) if refine::openness(self, &other) < refine::openness(self, &solution) => {
+            Ok(other)
+                if refine::keeps_limits(self, &other)
+                    || refine::openness(self, &other) < refine::openness(self, &solution) =>
+            {
                 other
             }
             _ => solution,
         }
+    }
+
+    /// Of a solution that exceeds limits by the rounding of their rows, the one under limits narrower by twice as much, where that
+    /// keeps these: the proof counts what it costs.
+    fn inside(&self, unlimited: &Unlimited, solution: &Solution<N>) -> Option<Solution<N>> {
+        if solution.violation <= self.settings.tolerance || !refine::keeps_limits(self, solution) {
+            return None;
+        }
+        let part = 2.0 * solution.violation;
+        let mut narrow = self.clone();
+        narrow.seeds.clear();
+        for limit in &mut narrow.limits {
+            limit.bound -= part * limit.size(limit.bound);
+        }
+        let mut inside = active_set::solve(&narrow, unlimited).ok()?;
+        for row in &mut inside.active {
+            let limit = row.limit.map(|i| &self.limits[i]);
+            row.bound += limit.map_or(0.0, |limit| part * limit.size(limit.bound));
+        }
+        inside.violation = self.violation(&inside.x, &inside.extra);
+        (inside.violation <= self.settings.tolerance).then_some(inside)
     }
 
     /// The optimum without limits as the solution, where it satisfies them all.

@@ -149,7 +149,8 @@ impl List {
                 } else if let (Some(base), Some(rho)) =
                     (base.or(limits.prime_radius), limits.curvature)
                 {
-                    self.plain("curvature", bend, base - rho, base);
+                    // The law brings ρ − Rb: where that is the larger, an excess is a part of it, and less than that of ρ.
+                    self.plain("curvature", bend, base - rho, base.max(rho - base));
                 }
             }
             Follower::Knife { prime, offset } => {

@@ -147,6 +147,7 @@ fn bands(r: &mut Random) -> Asked {
     // No energy sees the level of a lift that a spring makes a force of: the reference's matrix would be singular.
     asked.objective = match r.below(4) {
         0 => Objective::ForceError,
+        1 if asked.degree > 3 => Objective::Peak(2),
         _ if asked.weights[0] != 0.0 => Objective::ForceError,
         2 => Objective::Energy(2),
         _ => Objective::Energy(3),

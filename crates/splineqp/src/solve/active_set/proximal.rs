@@ -18,12 +18,15 @@ use crate::certificate::certificate;
 use crate::equality;
 use crate::objective::Quadratic;
 use crate::poly::Peak;
-use crate::program::{EXTRAS, Limit, PEAK, Program, Row, Solution};
+use crate::program::{EXTRAS, Failure, Limit, PEAK, Program, Row, Solution};
 
-/// The law of the least peak; `Err` with the rows gathered where none was found.
-pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Vec<Row<N>>> {
-    let start = start(program).ok_or_else(Vec::new)?;
-    Search::new(program, start).run()
+/// The law of the least peak; `None` where the steps end before it.
+///
+/// # Errors
+/// The other limits leave no law.
+pub fn solve<N: Names>(program: &Program<N>) -> Result<Option<Solution<N>>, Failure<N>> {
+    let start = start(program)?;
+    Ok(start.and_then(|start| Search::new(program, start).run()))
 }
 
 /// Whether it serves a program.
@@ -33,8 +36,10 @@ pub fn suits<N: Names>(program: &Program<N>) -> bool {
 }
 
 /// Where the search begins, and its metric.
-struct Start {
+struct Start<N: Names> {
     centre: Vec<f64>,
+    /// Contacts there.
+    contacts: Vec<Row<N>>,
     /// mean (w·s)², regular where the demands settle what it leaves open: along what keeps them it is no other.
     square: ArrowMatrix,
     /// Columns of the further variables.
@@ -43,12 +48,15 @@ struct Start {
     peak: f64,
 }
 
-/// The law of least mean square of what the peak is of.
-fn start<N: Names>(program: &Program<N>) -> Option<Start> {
-    let limit = program.limits.iter().find(|l| l.is_peak())?;
+/// The law of least mean square of what the peak is of. Without demands that is a constant, which says nothing of the size of a
+/// peak: then it is sought under the other limits, such as a band, and where they leave none there is no least peak.
+fn start<N: Names>(program: &Program<N>) -> Result<Option<Start<N>>, Failure<N>> {
+    let Some(limit) = program.limits.iter().find(|l| l.is_peak()) else {
+        return Ok(None);
+    };
     let basis = &program.basis;
     let Basis::Spline { space, .. } = basis else {
-        return None;
+        return Ok(None);
     };
     let mut square = Quadratic::zero(basis);
     let wanted = |start: f64, width: f64, rule: &[(f64, f64)], out: &mut [f64]| {
@@ -61,27 +69,47 @@ fn start<N: Names>(program: &Program<N>) -> Option<Start> {
     let mut least = program.clone();
     least.hessian.clone_from(&square.hessian);
     least.gradient = square.gradient;
-    let unlimited = equality::solve(&least).ok()?;
-    let mut centre = unlimited.x;
-    let peak = program.own_peak(&centre, &[0.0; EXTRAS]);
+    let Ok(unlimited) = equality::solve(&least) else {
+        return Ok(None);
+    };
+    let (mut centre, mut contacts) = (unlimited.x, Vec::new());
+    let own_peak = |x: &[f64]| program.own_peak(x, &[0.0; EXTRAS]);
+    if own_peak(&centre) <= program.settings.certificate.least_objective * limit.scale {
+        least.cost[PEAK] = 0.0;
+        least.seeds.clear();
+        let peaks = least.limits.iter_mut().filter(|l| l.is_peak());
+        peaks.for_each(|l| *l = l.idle());
+        match least.solved() {
+            Ok(limited) => (centre, contacts) = (limited.x, limited.active),
+            Err(Failure::Infeasible) => return Err(Failure::Infeasible),
+            Err(_) => return Ok(None),
+        }
+    }
+    let peak = own_peak(&centre);
     if !(peak > 0.0 && peak.is_finite()) {
-        return None;
+        return Ok(None);
     }
     let free = program.free_variables();
     let mut windows = program.windows(&centre);
     windows[PEAK] = peak;
     centre.extend(free.iter().map(|&k| windows[k]));
-    Some(Start {
+    let mut square = unlimited.hessian;
+    if let Some((at, _)) = unlimited.pin {
+        // Beside a pin that is light, rows that see the level would seem to depend on each other.
+        square.add(at, at, (peak / program.length).powi(2));
+    }
+    Ok(Some(Start {
         centre,
-        square: unlimited.hessian,
+        contacts,
+        square,
         free,
         peak,
-    })
+    }))
 }
 
 struct Search<'a, N: Names> {
     program: &'a Program<N>,
-    start: Start,
+    start: Start<N>,
     rows: Vec<Row<N>>,
     /// The rows over coefficients and further variables.
     entries: Vec<Entries>,
@@ -92,7 +120,8 @@ struct Search<'a, N: Names> {
 }
 
 impl<'a, N: Names> Search<'a, N> {
-    fn new(program: &'a Program<N>, start: Start) -> Self {
+    fn new(program: &'a Program<N>, mut start: Start<N>) -> Self {
+        let contacts = std::mem::take(&mut start.contacts);
         let mut search = Search {
             program,
             start,
@@ -104,6 +133,7 @@ impl<'a, N: Names> Search<'a, N> {
         };
         let mut first: Vec<Row<N>> = program.fixed.clone();
         first.extend(program.seeds.iter().cloned());
+        first.extend(contacts.into_iter().filter(|row| row.limit.is_some()));
         program.seed_rows(&mut first);
         first.into_iter().for_each(|row| search.push(row));
         search
@@ -149,7 +179,7 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    fn run(mut self) -> Result<Solution<N>, Vec<Row<N>>> {
+    fn run(mut self) -> Option<Solution<N>> {
         let settings = &self.program.settings;
         let own = &settings.proximal;
         let mut best: Option<(f64, Solution<N>)> = None;
@@ -203,9 +233,9 @@ impl<'a, N: Names> Search<'a, N> {
         }
         let halted = self.program.halt.is_asked();
         match best {
-            Some((open, solution)) if open < own.accepted => Ok(solution),
-            Some((_, solution)) if halted && solution.violation < own.compared => Ok(solution),
-            _ => Err(self.rows),
+            Some((open, solution)) if open < own.accepted => Some(solution),
+            Some((_, solution)) if halted && solution.violation < own.compared => Some(solution),
+            _ => None,
         }
     }
 
