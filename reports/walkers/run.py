@@ -39,8 +39,10 @@ each walker, with his weight on it.
 Mass lognormal, ln(m/kg) with mean 4.28 and deviation 0.21 (Portier, Tolson and Roberts 2007); step frequency normal, 1.87 Hz and
 0.186 Hz, held within 1.4 to 2.4 Hz, and harmonics 2 to 5 normal with means 0.07, 0.05, 0.05, 0.03 and deviations 0.03, 0.02, 0.02,
 0.015, phases uniform (Živanović, Pavić and Reynolds 2007, Engineering Structures 29, 942–954); the first harmonic is that of Kerr
-(1998) with a deviation of 16 %. For harmonics 6 to 8 no published coefficients were found. The numbers are quoted from memory of
-these papers and were not compared with their print.
+(1998) with a deviation of 16 %. The two numbers of the mass are also those of PyHSI (MonashSmartStructures/pyhsi, `pyhsi/crowd.py`).
+Those of step frequency and harmonics are quoted from memory of these papers and were not compared with their print; of Živanović et
+al. only title and abstract were read. Harmonics 6 to 8 are zero: Chen, Ding and Živanović (2019, Int. J. Struct. Stab. Dyn. 19,
+1950029) have distributions of weight, frequency and eight harmonics of one foot, but of this paper too only the abstract was read.
 
 {uniform}
 Where the worst error equals the bound from some number of cams on, one walker decides: his own cam errs as much, because 60 mm of
@@ -167,10 +169,11 @@ def recordings(gaitcam, folder, place):
     for _ in range(5):
         settings = ["--set", f"gait.leave_out={json.dumps(left)}", "--set", "law.robust=worst"]
         done = subprocess.run([gaitcam, "cover", place, "--cams", "1:6", "--out", folder / "try", *settings], capture_output=True, text=True)
-        names = re.findall(r"(?:No cycle in|the weight:|of force:|reverse:|movement:) (.*?)\.(?= |;)", done.stderr)
+        left += re.findall(r"([\w.-]+\.[a-z0-9]{2,5})(?: line \d+)?: ", "".join(re.findall(r"No cycle in (.*)", done.stderr)))
+        names = re.findall(r"(?:the weight:|of force:|reverse:|movement:) (.*?)\.(?= |;)", done.stderr)
         if done.returncode in (0, 3):
             break
-        for name in re.split(r", ", ", ".join(names)):
+        for name in filter(None, re.split(r", ", ", ".join(names))):
             left.append(re.sub(r" \(\d+ %\)$", "", name.strip()))
     text = cover(gaitcam, folder, place, "recordings", *settings)
     return f"{len(left)} files are left out: {', '.join(f'`{n}`' for n in left)}.\n\n{text}"

@@ -64,8 +64,6 @@ pub enum SynthError {
     NotOfPopulation,
     /// Several cams for one walker.
     OneWalker,
-    /// An objective that is not that of single walkers.
-    NotOfCover,
     /// No law even without the limits; a [`Reason`](crate::synth::Reason) as it serialises.
     /// No law exists, with the reason as data.
     NoLaw { reason: Value },

@@ -24,7 +24,7 @@ mod words;
 pub use data::xlsx;
 pub use data::{csv, json};
 pub use figures::identification::identification;
-pub use figures::{inspection, overlay, recording, sweep as sweep_plots};
+pub use figures::{cover, inspection, overlay, recording, sweep as sweep_plots};
 pub use gaitcam::wording::Language;
 pub use plot::picture::{self, Picture};
 pub use plot::{palette, sheet};

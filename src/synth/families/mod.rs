@@ -12,7 +12,7 @@ mod solved;
 mod spline;
 
 pub use solved::SolvedLaw;
-pub use spline::stopped_at_noise;
+pub use spline::{TELLING, WORTHWHILE, larger, stopped_at_noise};
 
 use super::optimum::NoLaw;
 use super::search::Search;

@@ -21,9 +21,9 @@ const MOST_IN_BAND: usize = 120;
 /// A limit that is broken may want more spans; they grow by this factor while the error still falls.
 const GROWTH: f64 = 1.5;
 /// … by at least this part.
-const WORTHWHILE: f64 = 0.02;
+pub const WORTHWHILE: f64 = 0.02;
 /// Below this number of spans the error is not monotone in it where limits are active, and there may be no law at all.
-const TELLING: usize = 12;
+pub const TELLING: usize = 12;
 
 /// The problem's spline with how it was found.
 pub fn spline_law(problem: &Problem, search: &Search) -> std::result::Result<SolvedLaw, NoLaw> {
@@ -93,6 +93,12 @@ fn fewest_without_limits(problem: &Problem, search: &Search, wanted: f64) -> Res
     Ok(spans)
 }
 
+/// The number of spans, or harmonics, tried after one.
+pub fn larger(size: usize) -> usize {
+    let next = (size as f64 * GROWTH) as usize;
+    next.max(size + 1).min(MOST_AUTO_SPANS)
+}
+
 /// Limits that bind may want more spans: more are tried while the error falls for them.
 fn while_worthwhile(
     problem: &Problem,
@@ -128,7 +134,7 @@ fn while_worthwhile(
             return Ok(better.1);
         }
         best = Some(better);
-        spans = ((spans as f64 * GROWTH) as usize).min(MOST_AUTO_SPANS);
+        spans = larger(spans);
     }
 }
 

@@ -1,27 +1,24 @@
 //! Several cams for many walkers: which cams, and who is served by which.
 //!
 //! Cams and walkers are sought in turn from several starts: every cam is the design for its walkers, then every walker goes to
-//! the cam that serves him best, until nobody changes (Lloyd, 1982). What is found need not be the best; [`super::bound`] says
-//! how far it can be from it.
+//! the cam that serves him best, until nobody changes (Lloyd, 1982). Where the worst part of all walkers counts, every cam counts
+//! of its own walkers the part that belongs to it. What is found need not be the best; [`super::bound`] says how far it can be
+//! from it.
 
 use std::collections::HashMap;
 
+use super::alternation::{Columns, Trial};
 use super::bound::{self, Point};
-use super::errors::{Aim, Nodes, measure};
+use super::errors::{Aim, Nodes, in_tail, tail};
 use super::served::{Assigned, Under, one_walker};
 use super::{bare, gap, hold, limits, phase, weighed};
-use crate::error::{Placed, Result, SynthError};
+use crate::error::Result;
 use crate::force::{ForceCurve, Population, Walker};
 use crate::problem::{Problem, Walkers};
 use crate::scene::{Family, Robust, Scene};
 use crate::synth::design::{Design, Tier};
 use crate::synth::families;
 use crate::synth::search::Search;
-
-/// Turns of cams and walkers at most.
-const TURNS: usize = 30;
-/// Starts from walkers who are far from each other, beside that from the cams one fewer.
-const STARTS: usize = 3;
 
 /// So many cams with the walkers whom they serve.
 ///
@@ -49,8 +46,9 @@ pub struct Cover {
     pub mean_percent: f64,
     /// Largest of them.
     pub worst_percent: f64,
-    /// No cams of this number and kind have a smaller objective: the worst error, or the root of the mean square; `None`
-    /// where limits are not convex.
+    /// What is minimised: the worst error, or the root of the mean square of all or of the worst part.
+    pub objective_percent: f64,
+    /// No cams of this number and kind have a smaller objective; `None` where limits are not convex.
     pub bound_percent: Option<f64>,
 }
 
@@ -58,7 +56,7 @@ pub struct Cover {
 /// gives the cam of all.
 ///
 /// # Errors
-/// As of one cam; a force of one walker; an objective that does not belong to single walkers.
+/// As of one cam; a force of one walker.
 pub fn covers(
     scene: &Scene,
     force: &ForceCurve,
@@ -76,31 +74,18 @@ pub fn covers(
 /// Walkers, and what they would have alone.
 pub(super) struct People<'a> {
     /// The scene with the law's family and size.
-    scene: Scene,
-    population: &'a Population,
-    problem: Problem,
-    search: &'a Search,
+    pub(super) scene: Scene,
+    pub(super) population: &'a Population,
+    pub(super) problem: Problem,
+    pub(super) search: &'a Search,
     /// Cycles of each walker.
-    cycles: Vec<Vec<usize>>,
-    shares: Vec<f64>,
+    pub(super) cycles: Vec<Vec<usize>>,
+    pub(super) shares: Vec<f64>,
     /// The cam for all.
     one: Design,
     /// The cam of each cycle alone; empty where no bound is sought.
-    points: Vec<Point>,
+    pub(super) points: Vec<Point>,
 }
-
-/// Cams with their walkers on the way.
-struct Trial {
-    /// Cam of each walker.
-    owner: Vec<usize>,
-    /// Mean square error of each cycle under its cam.
-    squares: Vec<f64>,
-    /// Cams without a law under their limits, and the objective.
-    value: (usize, f64),
-}
-
-/// The errors of all cycles under a cam; whether it keeps its limits.
-type Column = (bool, Vec<f64>);
 
 impl<'a> People<'a> {
     pub(super) fn of(
@@ -108,9 +93,6 @@ impl<'a> People<'a> {
         population: &'a Population,
         search: &'a Search,
     ) -> Result<Self> {
-        if let Robust::Tail(_) = scene.law.robust {
-            return Err(SynthError::NotOfCover.at_key("law.robust"));
-        }
         let all = population.walkers.clone();
         let mut places: HashMap<&str, usize> = HashMap::new();
         let mut cycles: Vec<Vec<usize>> = Vec::new();
@@ -137,7 +119,7 @@ impl<'a> People<'a> {
     }
 
     pub(super) fn covers(&self, cams: usize) -> Result<Vec<Cover>> {
-        let mut columns = HashMap::new();
+        let mut columns = Columns::new();
         let mut out: Vec<(Vec<usize>, Cover)> = Vec::new();
         for count in 1..=cams.min(self.cycles.len()) {
             let best = match out.last() {
@@ -159,127 +141,6 @@ impl<'a> People<'a> {
         Ok(out)
     }
 
-    /// The best of all starts.
-    fn best_of(
-        &self,
-        count: usize,
-        owner: &[usize],
-        before: &Cover,
-        columns: &mut HashMap<Vec<usize>, Column>,
-    ) -> Result<Trial> {
-        let error = |w: &usize| {
-            let each = self.cycles[*w]
-                .iter()
-                .map(|i| before.each[*i].error.rms_error_percent);
-            each.fold(0.0, f64::max)
-        };
-        let split = filled(owner.to_vec(), count, &|w, _| error(&w));
-        let badly = split.iter().position(|cam| *cam == count - 1);
-        let badly = badly.unwrap_or_default();
-        let mut best = self.alternated(split, count, columns)?;
-        let starts = if self.points.is_empty() { 0 } else { STARTS };
-        for start in 0..starts {
-            let first = (badly + start * owner.len() / STARTS) % owner.len();
-            let trial = self.alternated(self.far_apart(first, count), count, columns)?;
-            if trial.value < best.value {
-                best = trial;
-            }
-        }
-        Ok(best)
-    }
-
-    /// Every walker with the nearest of walkers who are far from each other.
-    fn far_apart(&self, first: usize, count: usize) -> Vec<usize> {
-        let own = |w: usize| &self.points[self.cycles[w][0]];
-        let distance = |a: usize, b: usize| {
-            let off = own(a)
-                .at
-                .iter()
-                .zip(&own(b).at)
-                .map(|(x, y)| (x - y).powi(2));
-            own(b).scale.powi(2) * off.sum::<f64>()
-        };
-        let mut owner = vec![0; self.cycles.len()];
-        let mut nearest: Vec<f64> = (0..owner.len()).map(|w| distance(first, w)).collect();
-        for cam in 1..count {
-            let next = (0..owner.len()).max_by(|a, b| nearest[*a].total_cmp(&nearest[*b]));
-            let next = next.unwrap_or(first);
-            for w in 0..owner.len() {
-                let own = distance(next, w);
-                if own < nearest[w] || w == next {
-                    (nearest[w], owner[w]) = (own, cam);
-                }
-            }
-        }
-        // Walkers alike are no seeds of their own.
-        filled(owner, count, &|_, _| 0.0)
-    }
-
-    /// Cams and walkers in turn.
-    fn alternated(
-        &self,
-        mut owner: Vec<usize>,
-        count: usize,
-        columns: &mut HashMap<Vec<usize>, Column>,
-    ) -> Result<Trial> {
-        let mut best: Option<Trial> = None;
-        for _ in 0..TURNS {
-            let mut of_cams: Vec<Column> = Vec::new();
-            for cam in 0..count {
-                let group: Vec<usize> = (0..owner.len()).filter(|w| owner[*w] == cam).collect();
-                if !columns.contains_key(&group) {
-                    let design = self.cam(&group)?;
-                    let errors = Under::of(&self.problem, &design)?.squares;
-                    columns.insert(group.clone(), (design.infeasible.is_none(), errors));
-                }
-                of_cams.push(columns[&group].clone());
-            }
-            let mut squares = vec![0.0; self.shares.len()];
-            for (walker, cam) in owner.iter().enumerate() {
-                self.cycles[walker]
-                    .iter()
-                    .for_each(|i| squares[*i] = of_cams[*cam].1[*i]);
-            }
-            let impossible = of_cams.iter().filter(|c| !c.0).count();
-            let value = (
-                impossible,
-                measure(self.scene.law.robust, &squares, &self.shares),
-            );
-            if best.as_ref().is_none_or(|b| value < b.value) {
-                best = Some(Trial {
-                    owner: owner.clone(),
-                    squares,
-                    value,
-                });
-            }
-            let next = self.nearest(&of_cams);
-            if next == owner || self.search.halt.is_asked() {
-                break;
-            }
-            owner = next;
-        }
-        best.ok_or_else(one_walker)
-    }
-
-    /// The cam that serves each walker best.
-    fn nearest(&self, of_cams: &[Column]) -> Vec<usize> {
-        let error = |walker: usize, cam: usize| {
-            let each = self.cycles[walker]
-                .iter()
-                .map(|i| (of_cams[cam].1[*i], self.shares[*i]));
-            match self.scene.law.robust {
-                Robust::Worst => each.fold(0.0, |m: f64, e| m.max(e.0)),
-                Robust::Mean | Robust::Tail(_) => each.map(|e| e.0 * e.1).sum(),
-            }
-        };
-        let count = of_cams.len();
-        let best = |w: usize| (0..count).min_by(|a, b| error(w, *a).total_cmp(&error(w, *b)));
-        let owner: Vec<usize> = (0..self.cycles.len())
-            .map(|w| best(w).unwrap_or_default())
-            .collect();
-        filled(owner, count, &error)
-    }
-
     fn force(&self, group: &[usize]) -> Result<ForceCurve> {
         let cycles = group.iter().flat_map(|w| &self.cycles[*w]);
         let walkers: Vec<Walker> = cycles
@@ -289,8 +150,10 @@ impl<'a> People<'a> {
     }
 
     /// The cam of some walkers.
-    fn cam(&self, group: &[usize]) -> Result<Design> {
-        let problem = Problem::resolve(&self.scene, Some(&self.force(group)?))?;
+    pub(super) fn cam(&self, group: &[usize], objective: Robust) -> Result<Design> {
+        let mut scene = self.scene.clone();
+        scene.law.robust = objective;
+        let problem = Problem::resolve(&scene, Some(&self.force(group)?))?;
         crate::synth::design(&problem, self.search)
     }
 
@@ -301,7 +164,7 @@ impl<'a> People<'a> {
         for cam in 0..count {
             let of = |w: &usize| trial.owner[*w] == cam;
             let group: Vec<usize> = (0..trial.owner.len()).filter(of).collect();
-            let design = self.cam(&group)?;
+            let design = self.cam(&group, trial.objectives[cam])?;
             let own = Under::of(&self.problem, &design)?.assigned(cam);
             for i in group.iter().flat_map(|w| &self.cycles[*w]) {
                 each[*i] = Some(own[*i].clone());
@@ -316,22 +179,31 @@ impl<'a> People<'a> {
             each: each.into_iter().flatten().collect(),
             mean_percent: both.map(|(e, share)| e * share).sum(),
             worst_percent: errors.fold(0.0, f64::max),
-            bound_percent: self.bound(count, trial.value.1),
+            objective_percent: 100.0 * trial.value.1.sqrt(),
+            bound_percent: self.bound(count, trial),
         })
     }
 
     /// Percent that no such cams beat; the cam of all has a proof of its own.
-    fn bound(&self, cams: usize, value: f64) -> Option<f64> {
+    fn bound(&self, cams: usize, trial: &Trial) -> Option<f64> {
         if self.points.is_empty() {
             return None;
         }
         let square = match self.scene.law.robust {
             Robust::Mean => bound::mean(&self.points, &self.shares, cams),
-            Robust::Worst | Robust::Tail(_) => bound::worst(&self.points, cams),
+            Robust::Worst => bound::worst(&self.points, cams),
+            // Any weights of the worst part are a bound: those of all, and those of whom the cams found serve worst.
+            Robust::Tail(part) => {
+                let least: Vec<f64> = self.points.iter().map(|p| p.least).collect();
+                let worst = in_tail(part, &trial.squares, &self.shares);
+                let of = |weights: &[f64]| bound::mean(&self.points, weights, cams);
+                let both = of(&self.shares).max(of(&worst));
+                both.max(tail(part, &least, &self.shares))
+            }
         };
         let is_proved = cams == 1 && self.one.solver.certified;
         let own = self.one.population.as_ref().filter(|_| is_proved);
-        let of_one = own.map_or(0.0, |p| value * (1.0 - p.gap));
+        let of_one = own.map_or(0.0, |p| trial.value.1 * (1.0 - p.gap));
         Some(100.0 * square.max(of_one).sqrt())
     }
 
@@ -378,20 +250,6 @@ impl<'a> People<'a> {
         }
         Ok(out)
     }
-}
-
-/// The same where every cam serves somebody: one that would serve nobody takes the walker who is served worst by a cam of several.
-fn filled(mut owner: Vec<usize>, count: usize, error: &dyn Fn(usize, usize) -> f64) -> Vec<usize> {
-    let size = |owner: &[usize], cam: usize| owner.iter().filter(|o| **o == cam).count();
-    for cam in 0..count {
-        if size(&owner, cam) == 0 {
-            let own = |w: &usize| error(*w, owner[*w]);
-            let free = (0..owner.len()).filter(|w| size(&owner, owner[*w]) > 1);
-            let badly = free.max_by(|a, b| own(a).total_cmp(&own(b)));
-            owner[badly.unwrap_or_default()] = cam;
-        }
-    }
-    owner
 }
 
 /// The scene whose laws have family and size of a design.

@@ -140,18 +140,23 @@ pub fn measure(robust: Robust, squares: &[f64], shares: &[f64]) -> f64 {
 
 /// Mean of the largest values, those of the last 1 − `part` of the shares.
 pub fn tail(part: f64, values: &[f64], shares: &[f64]) -> f64 {
+    dot(&in_tail(part, values, shares), values)
+}
+
+/// What each value counts in the mean of the largest.
+pub fn in_tail(part: f64, values: &[f64], shares: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
-    let (mut left, mut sum) = (1.0 - part, 0.0);
+    let (mut left, mut out) = (1.0 - part, vec![0.0; values.len()]);
     for i in order {
         let taken = shares[i].min(left);
-        sum += taken * values[i];
+        out[i] = taken / (1.0 - part);
         left -= taken;
         if left <= 0.0 {
             break;
         }
     }
-    sum / (1.0 - part)
+    out
 }
 
 #[cfg(test)]

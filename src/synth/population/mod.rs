@@ -5,6 +5,7 @@
 //! design for another mean curve, with weights that the search finds ([`weights`]). Families, limits, proofs and checks are
 //! those of one walker (theory §8).
 
+mod alternation;
 mod bound;
 mod cover;
 mod errors;
@@ -151,7 +152,8 @@ impl Found {
     /// The law and, where they are set for each walker, the phases: each in turn best for the other.
     fn at_best_phases(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
         let mut phases = vec![0.0; walkers.each.len()];
-        let mut found = Found::of(limited, search, walkers)?;
+        let mut found = Found::of_best_size(limited, search, walkers)?;
+        let limited = &found.held(limited);
         let is_free = walkers.adjust.phase && walkers.each.len() > 1;
         let turns = if is_free { PHASE_ROUNDS } else { 0 };
         for _ in 0..turns {
@@ -178,6 +180,44 @@ impl Found {
             }
         }
         Ok(found)
+    }
+
+    /// The law for the walkers. Where the scene leaves its size open, it is that which serves their mean, or more where the worst
+    /// count and gain by it.
+    fn of_best_size(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
+        let mut best = Found::of(limited, search, walkers)?;
+        let is_open = limited.law.spans.is_none() && limited.law.harmonics.is_none();
+        if !is_open || walkers.robust == Robust::Mean {
+            return Ok(best);
+        }
+        let mut larger = best.held(limited);
+        while best.infeasible.is_none() && !search.halt.is_asked() {
+            let law = &mut larger.law;
+            let sizes = [&mut law.spans, &mut law.harmonics];
+            let Some(size) = sizes.into_iter().flatten().next() else {
+                break;
+            };
+            *size = families::larger(*size);
+            let is_telling = *size >= families::TELLING;
+            let next = Found::of(&larger, search, walkers)?;
+            let gains = next.upper.sqrt() < (1.0 - families::WORTHWHILE) * best.upper.sqrt();
+            if next.infeasible.is_some() || is_telling && !gains {
+                break;
+            }
+            if gains {
+                best = next;
+            }
+        }
+        Ok(best)
+    }
+
+    /// The problem whose laws have family and size of this one, where it is one of a size.
+    fn held(&self, limited: &Problem) -> Problem {
+        let (mut out, law) = (limited.clone(), &self.sized.law);
+        if matches!(law.family, Family::Spline | Family::Harmonic) {
+            hold(&mut out.law, law.family, &law.law, law.coefficients.len());
+        }
+        out
     }
 
     fn of(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {

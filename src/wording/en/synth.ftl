@@ -69,8 +69,6 @@ synth-not-of-population = this setting is not available for several walkers
     .help = give one cycle, or leave the setting out; law.robust needs law.family = "spline", "harmonic" or none, and the force error as objective
 synth-one-walker = one walker alone has no choice of cams
     .help = give a folder, a list or a table of several walkers
-synth-not-of-cover = several cams are sought for the mean or for the worst walker
-    .help = law.robust = "mean" or "worst"
 synth-force-not-read = the force curve was not read
 synth-no-lift-changes-force = no lift changes the force: spring rate, damping and mass are all zero
     .help = give at least one of spring_rate, damping, mass

@@ -69,8 +69,6 @@ synth-not-of-population = este ajuste no está disponible para varios caminantes
     .help = dé un solo ciclo u omita el ajuste; law.robust necesita law.family = "spline", "harmonic" o ninguna, y el error de fuerza como objetivo
 synth-one-walker = un solo caminante no elige entre levas
     .help = dé una carpeta, una lista o una tabla de varios caminantes
-synth-not-of-cover = varias levas se buscan para la media o para el peor caminante
-    .help = law.robust = "mean" o "worst"
 synth-force-not-read = no se leyó la curva de fuerza
 synth-no-lift-changes-force = ninguna elevación cambia la fuerza: la rigidez, el amortiguamiento y la masa son cero
     .help = indique al menos spring_rate, damping o mass

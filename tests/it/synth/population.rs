@@ -368,3 +368,85 @@ fn rows_of_a_sweep_over_a_table_of_walkers_are_their_designs_and_a_walker_in_kil
     let error = records.words("error").unwrap().at(0).unwrap().to_string();
     assert!(error.contains("W002") && error.contains("unit"), "{error}");
 }
+
+/// Of three walkers one has an eighth harmonic, of which the mean has a third: little enough for the few spans that the mean needs.
+#[test]
+fn spans_left_open_are_those_that_the_worst_walker_needs() {
+    let person = |i: usize| {
+        let high = if i == 2 { 0.02 } else { 0.0 };
+        let at = |j: usize| {
+            let x = TAU * j as f64 / 1024.0;
+            700.0 * (1.0 + 0.3 * x.sin() + high * (8.0 * x).sin())
+        };
+        let curve = ForceCurve::from_samples("", 0.5, (0..1024).map(at).collect()).unwrap();
+        Walker::new(&format!("W{i}"), curve)
+    };
+    let force = ForceCurve::of_walkers((0..3).map(person).collect()).unwrap();
+    let usual = [("law.family", "spline"), ("accuracy.rms", "none")];
+    let size = |robust: &str, spans: &str| {
+        let scene = with(&usual).with("law.robust", robust).unwrap();
+        let design = scene
+            .with("law.spans", spans)
+            .unwrap()
+            .design_for(&force)
+            .unwrap();
+        let own = design.population.unwrap();
+        (design.cam.law.breaks().len() - 1, own.worst_percent)
+    };
+    let (of_mean, _) = size("mean", "auto");
+    let (few, many) = (size("worst", &of_mean.to_string()).1, size("worst", "60").1);
+    assert!(many < 0.8 * few, "{many} {few}");
+    let (of_worst, error) = size("worst", "auto");
+    assert!(
+        of_worst > of_mean && error < 1.05 * many,
+        "{of_worst} {of_mean}: {error} {many}"
+    );
+}
+
+#[test]
+fn a_sweep_carries_every_file_of_a_list_of_walkers() {
+    use gaitcam::halt::Halt;
+    use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
+
+    let people = people(4, 4, 0.5);
+    let all: Vec<Walker> = people.iter().map(|p| p.0.clone()).collect();
+    let table = |walkers: &[Walker]| gaitcam::force::population_csv(walkers).into_bytes();
+    let mut scene = scene::built_in("footbridge").unwrap().toml.parse().unwrap();
+    for change in [
+        "gait.file=[\"a.csv\", \"b.csv\"]",
+        "law.robust=worst",
+        "law.spans=12",
+    ] {
+        scene::set(&mut scene, change).unwrap();
+    }
+    let name = "walkers".to_string();
+    let axes = vec![Axis::parse("limits.stroke=30 mm:40 mm:2", false).unwrap()];
+    let scenes = vec![NamedScene { name, table: scene }];
+    let plan = Plan {
+        scenes,
+        list: None,
+        axes,
+        sampling: Sampling::Grid,
+    };
+    let study = Study::new(Subject::Designs(plan), |_, path| {
+        Ok(if path.ends_with("a.csv") {
+            table(&all[..2])
+        } else {
+            table(&all[2..])
+        })
+    })
+    .unwrap();
+    assert_eq!(study.files().len(), 2);
+    let records = study
+        .run(0..2, 1, &Halt::never, &|| false)
+        .unwrap()
+        .unwrap();
+    let strokes = records.numbers("stroke_m").unwrap();
+    let changes = [
+        ("law.spans", "12"),
+        ("law.robust", "worst"),
+        ("limits.stroke", "40 mm"),
+    ];
+    let design = with(&changes).design_for(&force(&people)).unwrap();
+    assert!((strokes[1] / design.cam.law.stroke() - 1.0).abs() < 1e-6);
+}

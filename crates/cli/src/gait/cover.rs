@@ -22,8 +22,8 @@ use gaitcam::sweep::table::text_cell;
 use gaitcam::synth::{Assigned, Cover, Fold, Search, covers, folds};
 use gaitcam_files::Input;
 use gaitcam_output::Picture;
+use gaitcam_output::cover::{CoverWords, Curve, cover as cover_picture};
 use gaitcam_output::folder::Folder;
-use gaitcam_output::overlay::{Strip, diagrams_over};
 
 const EXAMPLES: &str = "Examples:
   gaitcam cover recordings/ --cams 1:6 --out out/cover
@@ -48,7 +48,7 @@ pub struct CoverArgs {
     /// Numbers of cams, first and last, or one number: all from 1 on are sought
     #[arg(long, value_name = "LIST", default_value = "1:6")]
     cams: String,
-    /// Scene with the machine, its limits and law.robust (mean or worst); default footbridge
+    /// Scene with the machine, its limits and law.robust; default footbridge
     #[arg(long, value_name = "SCENE")]
     scene: Option<PathBuf>,
     /// Change a value: --set 'limits.stroke=40 mm' (may be repeated)
@@ -165,7 +165,8 @@ fn refuse_inside(out: &Path, walkers: &Path) -> Result<()> {
 fn write_scenes(place: &Path, input: &mut Input, cover: &Cover, walkers: &[Walker]) -> Result<()> {
     let folder = Folder::open(&place.join(folder_of(cover.cams.len())))?;
     let law = &cover.scene.law;
-    for cam in 0..cover.cams.len() {
+    for (cam, design) in cover.cams.iter().enumerate() {
+        let objective = design.population.as_ref().map(|p| p.robust.clone());
         let mut table = input.whole.clone();
         let served = |w: &&Walker| {
             cover
@@ -195,6 +196,7 @@ fn write_scenes(place: &Path, input: &mut Input, cover: &Cover, walkers: &[Walke
                 "gait.leave_out",
                 Some(Value::Array(out.into_iter().map(Value::String).collect())),
             ),
+            ("law.robust", objective.map(Value::String)),
             (
                 "law.family",
                 Some(Value::String(law.family.name().to_string())),
@@ -231,15 +233,16 @@ pub fn scene_of(cam: usize) -> String {
 }
 
 fn cover_csv(covers: &[Cover]) -> String {
-    let mut out = String::from("cams,mean_percent,worst_percent,bound_percent\n");
+    let mut out = String::from("cams,mean_percent,worst_percent,bound_percent,objective_percent\n");
     for c in covers {
         let bound = c.bound_percent.map_or(String::new(), |b| b.to_string());
         let _ = writeln!(
             out,
-            "{},{},{},{bound}",
+            "{},{},{},{bound},{}",
             c.cams.len(),
             c.mean_percent,
-            c.worst_percent
+            c.worst_percent,
+            c.objective_percent
         );
     }
     out
@@ -281,7 +284,7 @@ fn folds_csv(folds: &[Fold]) -> String {
 
 fn object(cover: &Cover) -> serde_json::Value {
     json!({"cams": cover.cams.len(), "mean_percent": cover.mean_percent, "worst_percent": cover.worst_percent,
-        "bound_percent": cover.bound_percent, "assignment": cover.each})
+        "bound_percent": cover.bound_percent, "objective_percent": cover.objective_percent, "assignment": cover.each})
 }
 
 /// The largest part of an error, in words.
@@ -298,6 +301,7 @@ fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
             "cams",
             "mean",
             "worst",
+            "objective",
             "bound",
             "others-mean",
             "others-worst",
@@ -317,6 +321,7 @@ fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
             cover.cams.len().to_string(),
             fixed(cover.mean_percent, 3),
             fixed(cover.worst_percent, 3),
+            fixed(cover.objective_percent, 3),
             percent(cover.bound_percent),
             percent(most.map(|f| f.out_mean_percent)),
             percent(most.map(|f| f.out_worst_percent)),
@@ -327,7 +332,8 @@ fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
     }
     let of = match input.scene.law.robust {
         Robust::Worst => "cover-bound-worst",
-        Robust::Mean | Robust::Tail(_) => "cover-bound-mean",
+        Robust::Mean => "cover-bound-mean",
+        Robust::Tail(_) => "cover-bound-tail",
     };
     let walkers = covers.first().map_or(0, |c| c.each.len());
     let head = words::fill(
@@ -355,34 +361,41 @@ pub fn aligned<const N: usize>(rows: &[[String; N]]) -> String {
     out
 }
 
-/// Error against the number of cams, and against the number of walkers for whom they are designed.
+/// Error against the number of cams, of the walkers of the cams and of others.
 fn picture(input: &Input, covers: &[Cover], folds: &[Fold]) -> Picture {
-    let of = |value: &dyn Fn(&Cover) -> Option<f64>| -> Vec<(f64, f64)> {
-        covers
-            .iter()
-            .filter_map(|c| Some((c.cams.len() as f64, value(c)?)))
-            .collect()
+    let of = |value: fn(&Cover) -> Option<f64>| -> Vec<(f64, f64)> {
+        let point = |c: &Cover| Some((c.cams.len() as f64, value(c)?));
+        covers.iter().filter_map(point).collect()
     };
     let most = folds.iter().map(|f| f.walkers).max();
     let others = |value: fn(&Fold) -> f64| -> Vec<(f64, f64)> {
         let whole = folds.iter().filter(|f| Some(f.walkers) == most);
         whole.map(|f| (f.cams as f64, value(f))).collect()
     };
-    let curves = vec![
-        of(&|c| Some(c.mean_percent)),
-        of(&|c| Some(c.worst_percent)),
-        of(&|c| c.bound_percent),
-        others(|f| f.out_mean_percent),
-        others(|f| f.out_worst_percent),
-    ];
-    let names = ["mean", "worst", "bound", "others-mean", "others-worst"]
-        .map(|n| words::text(&format!("cover-{n}")));
-    let strip = Strip {
-        quantity: words::text("cover-error"),
-        curves,
+    let curve = |name: &str, points| Curve {
+        name: words::text(&format!("cover-{name}")),
+        points,
     };
-    let across = words::text("cover-number");
-    let what = words::text("cover-what");
-    diagrams_over(&across, &input.scene.name, &what, &names, &[strip])
-        .in_language(language::current())
+    // The worst error has a curve of its own.
+    let objective = match input.scene.law.robust {
+        Robust::Worst => Vec::new(),
+        Robust::Mean | Robust::Tail(_) => of(|c| Some(c.objective_percent)),
+    };
+    let curves = [
+        curve("bound", of(|c| c.bound_percent)),
+        curve("objective", objective),
+        curve("others-mean", others(|f| f.out_mean_percent)),
+        curve("others-worst", others(|f| f.out_worst_percent)),
+        curve("mean", of(|c| Some(c.mean_percent))),
+        curve("worst", of(|c| Some(c.worst_percent))),
+    ];
+    let [error, number, what] =
+        ["error", "number", "what"].map(|name| words::text(&format!("cover-{name}")));
+    let words = CoverWords {
+        name: &input.scene.name,
+        what: &what,
+        error: &error,
+        number: &number,
+    };
+    cover_picture(&words, &curves, language::current())
 }

@@ -1,6 +1,7 @@
 //! What is drawn: the pictures of a design, a recording, a run, many designs.
 
 pub mod cam;
+pub mod cover;
 pub mod curvature;
 pub mod floor;
 pub mod force;

@@ -229,6 +229,12 @@ impl<'a, 'c> Panel<'a, 'c> {
         Ok(())
     }
 
+    /// A dot at each point.
+    pub fn dots(&self, points: &[(f64, f64)], colour: RGBAColor, radius: f64) -> Drawn {
+        let mut each = points.iter().map(|p| self.place(p.0, p.1));
+        each.try_for_each(|at| circle(self.canvas, at, radius, colour.filled()))
+    }
+
     /// The area between two curves given at the same angles.
     pub fn band(&self, upper: &[(f64, f64)], lower: &[(f64, f64)], colour: RGBAColor) -> Drawn {
         let around: Vec<(f64, f64)> = upper.iter().chain(lower.iter().rev()).copied().collect();

@@ -1,0 +1,81 @@
+//! The picture of a cover: error against the number of cams.
+
+use plotters::style::{Color, RGBAColor};
+
+use crate::plot::axes::padded;
+use crate::plot::layout::Layout;
+use crate::plot::palette::{BLUE, GREEN, ORANGE};
+use crate::plot::picture::Picture;
+use gaitcam::wording::Language;
+
+/// Radius of a point: half the width of the bound.
+const DOT: f64 = 4.5;
+
+/// Errors by number of cams; a curve may be empty.
+#[derive(Debug, Clone)]
+pub struct Curve {
+    /// What it shows.
+    pub name: String,
+    /// Number of cams and error, percent.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// The words of the picture.
+#[derive(Debug, Clone)]
+pub struct CoverWords<'a> {
+    /// Of what.
+    pub name: &'a str,
+    /// What it shows.
+    pub what: &'a str,
+    /// Upwards.
+    pub error: &'a str,
+    /// To the right.
+    pub number: &'a str,
+}
+
+/// Bound and what it bounds, errors of walkers left out, and mean and worst error.
+pub fn cover(words: &CoverWords, curves: &[Curve; 6], language: Language) -> Picture {
+    let layout = Layout {
+        size: (1200, 560),
+        ..Layout::ALONE
+    };
+    let styles = styles();
+    layout.picture(language, |f| {
+        f.title(words.name, words.what)?;
+        let mut frame = layout.frame();
+        let entries: Vec<(RGBAColor, f64, &str)> = (styles.iter().zip(curves))
+            .filter(|(_, curve)| !curve.points.is_empty())
+            .map(|((colour, width), curve)| (*colour, *width, curve.name.as_str()))
+            .collect();
+        for line in entries.chunks(3) {
+            f.key([frame.left, frame.top + 0.4 * f.e], 0.9 * f.e, line)?;
+            frame.top += 1.6 * f.e;
+        }
+        frame.top += 0.8 * f.e;
+        let all = || curves.iter().flat_map(|c| &c.points);
+        let (low, high) = all().fold((f64::INFINITY, 0.0_f64), |(l, h), p| {
+            (l.min(p.0), h.max(p.0))
+        });
+        let numbers = (low as usize..=high as usize).map(|n| n as f64).collect();
+        let y = padded(all().map(|p| p.1).chain([0.0]), 0.06);
+        let panel = f.panel(frame, [low - 0.3, high + 0.3], numbers, [0.0, y[1]])?;
+        for ((colour, width), curve) in styles.iter().zip(curves) {
+            panel.curve(&curve.points, *colour, *width)?;
+            panel.dots(&curve.points, *colour, DOT)?;
+        }
+        panel.quantity(words.error)?;
+        panel.across(words.number)
+    })
+}
+
+/// Colour and width of each curve. The bound is broad and light under the errors, which may agree with it.
+fn styles() -> [(RGBAColor, f64); 6] {
+    [
+        (GREEN.mix(0.35), 9.0),
+        (GREEN, 2.6),
+        (BLUE.mix(0.45), 2.0),
+        (ORANGE.mix(0.45), 2.0),
+        (BLUE, 2.6),
+        (ORANGE, 2.6),
+    ]
+}

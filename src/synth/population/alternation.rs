@@ -1,0 +1,208 @@
+//! Cams and walkers in turn.
+
+use std::collections::HashMap;
+
+use super::cover::{Cover, People};
+use super::errors::{in_tail, measure};
+use super::served::{Under, one_walker};
+use crate::error::Result;
+use crate::scene::Robust;
+
+/// Turns of cams and walkers at most.
+const TURNS: usize = 30;
+/// Turns at most that bring nothing while the parts of the worst still move.
+const IDLE: usize = 4;
+/// Change of the part of a cam's walkers who are among the worst that is none.
+const SETTLED: f64 = 1e-4;
+/// Starts from walkers who are far from each other, beside that from the cams one fewer.
+const STARTS: usize = 3;
+
+/// Cams with their walkers on the way.
+pub struct Trial {
+    /// Cam of each walker.
+    pub owner: Vec<usize>,
+    /// What the design of each cam minimises.
+    pub objectives: Vec<Robust>,
+    /// Mean square error of each cycle under its cam.
+    pub squares: Vec<f64>,
+    /// Cams without a law under their limits, and the objective.
+    pub value: (usize, f64),
+}
+
+/// The errors of all cycles under a cam; whether it keeps its limits.
+pub type Column = (bool, Vec<f64>);
+/// Columns by the walkers of their cam and what its design minimises.
+pub type Columns = HashMap<(Vec<usize>, String), Column>;
+
+impl People<'_> {
+    /// The best of all starts.
+    pub fn best_of(
+        &self,
+        count: usize,
+        owner: &[usize],
+        before: &Cover,
+        columns: &mut Columns,
+    ) -> Result<Trial> {
+        let error = |w: &usize| {
+            let each = self.cycles[*w]
+                .iter()
+                .map(|i| before.each[*i].error.rms_error_percent);
+            each.fold(0.0, f64::max)
+        };
+        let split = filled(owner.to_vec(), count, &|w, _| error(&w));
+        let badly = split.iter().position(|cam| *cam == count - 1);
+        let badly = badly.unwrap_or_default();
+        let mut best = self.alternated(split, count, columns)?;
+        let starts = if self.points.is_empty() { 0 } else { STARTS };
+        for start in 0..starts {
+            let first = (badly + start * owner.len() / STARTS) % owner.len();
+            let trial = self.alternated(self.far_apart(first, count), count, columns)?;
+            if trial.value < best.value {
+                best = trial;
+            }
+        }
+        Ok(best)
+    }
+
+    /// Every walker with the nearest of walkers who are far from each other.
+    fn far_apart(&self, first: usize, count: usize) -> Vec<usize> {
+        let own = |w: usize| &self.points[self.cycles[w][0]];
+        let distance = |a: usize, b: usize| {
+            let off = own(a)
+                .at
+                .iter()
+                .zip(&own(b).at)
+                .map(|(x, y)| (x - y).powi(2));
+            own(b).scale.powi(2) * off.sum::<f64>()
+        };
+        let mut owner = vec![0; self.cycles.len()];
+        let mut nearest: Vec<f64> = (0..owner.len()).map(|w| distance(first, w)).collect();
+        for cam in 1..count {
+            let next = (0..owner.len()).max_by(|a, b| nearest[*a].total_cmp(&nearest[*b]));
+            let next = next.unwrap_or(first);
+            for w in 0..owner.len() {
+                let own = distance(next, w);
+                if own < nearest[w] || w == next {
+                    (nearest[w], owner[w]) = (own, cam);
+                }
+            }
+        }
+        // Walkers alike are no seeds of their own.
+        filled(owner, count, &|_, _| 0.0)
+    }
+
+    /// Cams and walkers in turn.
+    pub fn alternated(
+        &self,
+        mut owner: Vec<usize>,
+        count: usize,
+        columns: &mut Columns,
+    ) -> Result<Trial> {
+        let mut best: Option<Trial> = None;
+        let mut objectives = vec![self.scene.law.robust; count];
+        let mut idle = 0;
+        for _ in 0..TURNS {
+            let mut of_cams: Vec<Column> = Vec::new();
+            for (cam, objective) in objectives.iter().enumerate() {
+                let group: Vec<usize> = (0..owner.len()).filter(|w| owner[*w] == cam).collect();
+                let name = (group, objective.to_string());
+                if !columns.contains_key(&name) {
+                    let design = self.cam(&name.0, *objective)?;
+                    let errors = Under::of(&self.problem, &design)?.squares;
+                    columns.insert(name.clone(), (design.infeasible.is_none(), errors));
+                }
+                of_cams.push(columns[&name].clone());
+            }
+            let mut squares = vec![0.0; self.shares.len()];
+            for (walker, cam) in owner.iter().enumerate() {
+                self.cycles[walker]
+                    .iter()
+                    .for_each(|i| squares[*i] = of_cams[*cam].1[*i]);
+            }
+            let impossible = of_cams.iter().filter(|c| !c.0).count();
+            let value = (
+                impossible,
+                measure(self.scene.law.robust, &squares, &self.shares),
+            );
+            let settled = self.objectives(&owner, &objectives, &squares);
+            idle += 1;
+            if best.as_ref().is_none_or(|b| value < b.value) {
+                idle = 0;
+                best = Some(Trial {
+                    owner: owner.clone(),
+                    objectives: objectives.clone(),
+                    squares,
+                    value,
+                });
+            }
+            let next = self.nearest(&of_cams);
+            let is_last = next == owner && (settled == objectives || idle >= IDLE);
+            if is_last || self.search.halt.is_asked() {
+                break;
+            }
+            (owner, objectives) = (next, settled);
+        }
+        best.ok_or_else(one_walker)
+    }
+
+    /// What each cam is to minimise after these errors: where the worst part of all counts, half way to what of the worst are
+    /// its own walkers.
+    fn objectives(&self, owner: &[usize], now: &[Robust], squares: &[f64]) -> Vec<Robust> {
+        let Robust::Tail(part) = self.scene.law.robust else {
+            return now.to_vec();
+        };
+        let worst = in_tail(part, squares, &self.shares);
+        let of = |(cam, now): (usize, &Robust)| {
+            let own = (0..owner.len()).filter(|w| owner[*w] == cam);
+            let own: Vec<usize> = own.flat_map(|w| self.cycles[w].clone()).collect();
+            let sum = |all: &[f64]| own.iter().map(|i| all[*i]).sum::<f64>();
+            let target = (1.0 - part) * sum(&worst) / sum(&self.shares);
+            let before = match now {
+                Robust::Mean => 1.0,
+                Robust::Worst => 0.0,
+                Robust::Tail(part) => 1.0 - part,
+            };
+            let next = 0.5 * (before + target);
+            match next {
+                _ if (next - before).abs() < SETTLED => *now,
+                next if next < SETTLED => Robust::Worst,
+                next if next > 1.0 - SETTLED => Robust::Mean,
+                next => Robust::Tail(1.0 - next),
+            }
+        };
+        now.iter().enumerate().map(of).collect()
+    }
+
+    /// The cam that serves each walker best.
+    fn nearest(&self, of_cams: &[Column]) -> Vec<usize> {
+        let error = |walker: usize, cam: usize| {
+            let each = self.cycles[walker]
+                .iter()
+                .map(|i| (of_cams[cam].1[*i], self.shares[*i]));
+            match self.scene.law.robust {
+                Robust::Worst => each.fold(0.0, |m: f64, e| m.max(e.0)),
+                Robust::Mean | Robust::Tail(_) => each.map(|e| e.0 * e.1).sum(),
+            }
+        };
+        let count = of_cams.len();
+        let best = |w: usize| (0..count).min_by(|a, b| error(w, *a).total_cmp(&error(w, *b)));
+        let owner: Vec<usize> = (0..self.cycles.len())
+            .map(|w| best(w).unwrap_or_default())
+            .collect();
+        filled(owner, count, &error)
+    }
+}
+
+/// The same where every cam serves somebody: one that would serve nobody takes the walker who is served worst by a cam of several.
+fn filled(mut owner: Vec<usize>, count: usize, error: &dyn Fn(usize, usize) -> f64) -> Vec<usize> {
+    let size = |owner: &[usize], cam: usize| owner.iter().filter(|o| **o == cam).count();
+    for cam in 0..count {
+        if size(&owner, cam) == 0 {
+            let own = |w: &usize| error(*w, owner[*w]);
+            let free = (0..owner.len()).filter(|w| size(&owner, owner[*w]) > 1);
+            let badly = free.max_by(|a, b| own(a).total_cmp(&own(b)));
+            owner[badly.unwrap_or_default()] = cam;
+        }
+    }
+    owner
+}
