@@ -374,6 +374,7 @@ studio-key-law-family = Family
 studio-key-law-degree = Degree
 studio-key-law-spans = Spans
 studio-key-law-harmonics = Harmonics
+studio-key-law-robust = Over walkers
 studio-key-law-minimise = Minimise
 studio-key-law-weigh-force_error = Weight: force error
 studio-key-law-weigh-prime_radius = Weight: prime radius

@@ -246,10 +246,19 @@ fn force_cards(synthesis: &Design, words: &Words) -> Vec<Card> {
     let force = &synthesis.force;
     let measures = synthesis.cam.follower.measures();
     let unit = measures.force().name;
-    let mut all = Vec::new();
-    if synthesis.target.is_some() {
+    let mut cards = Vec::new();
+    let population = synthesis.population.as_ref().filter(|p| p.cycles > 1);
+    if let Some(all) = population {
+        let mean = number(all.mean_percent, 3);
+        let who = [("walker", all.worst_walker.as_str()), ("mean", &mean)];
+        cards.push((
+            words.text("report-force-error-worst"),
+            format!("{}\u{a0}%", number(all.worst_percent, 3)),
+            words.fill("report-worst-walker", &who),
+        ));
+    } else if synthesis.target.is_some() {
         let percent = number(force.rms_error_percent_of_mean, 3);
-        all.push((
+        cards.push((
             words.text("report-force-error-rms"),
             format!("{}\u{a0}{unit}", number(force.rms_error_n, 3)),
             words.fill("report-of-mean", &[("percent", &percent)]),
@@ -261,11 +270,11 @@ fn force_cards(synthesis: &Design, words: &Words) -> Vec<Card> {
             _ => "report-force",
         };
         let mean = format!("{}\u{a0}{unit}", number(force.mean_n, 4));
-        all.push((
+        cards.push((
             words.text(name),
             format!("{}\u{a0}{unit}", range(force.min_n, force.max_n, 4)),
             words.fill("report-mean", &[("value", &mean)]),
         ));
     }
-    all
+    cards
 }

@@ -14,6 +14,8 @@ report-not-alone = { $limit }, { $from }: not sufficient alone
 
 # Figures at the top.
 report-force-error-rms = Force error, RMS
+report-force-error-worst = Largest force error
+report-worst-walker = { $walker }; mean { $mean } %
 report-of-mean = { $percent } % of mean
 report-force = Force
 report-moment = Moment

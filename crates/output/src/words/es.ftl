@@ -14,6 +14,8 @@ report-not-alone = { $limit }, { $from }: no basta por sí solo
 
 # Cifras del encabezado.
 report-force-error-rms = Error de fuerza, RMS
+report-force-error-worst = Mayor error de fuerza
+report-worst-walker = { $walker }; media { $mean } %
 report-of-mean = { $percent } % de la media
 report-force = Fuerza
 report-moment = Momento
