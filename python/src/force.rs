@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use gaitcam::force::{self, ForceCurve, Walker};
-use gaitcam::scene;
-use gaitcam_files::population::{self, Content};
+use gaitcam::scene::{self, PopulationReader, is_table_of_walkers};
 use gaitcam_files::{Input, target};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -105,17 +104,10 @@ impl Force {
                 scene::Source::Model(name) => PathBuf::from(name),
                 scene::Source::Harmonics(_) => PathBuf::new(),
             };
-            if population::is_table(&path, &bytes) {
-                let bytes = Arc::new(bytes.to_vec());
-                let (path, metadata) = (path, None);
-                return population::population_of(
-                    &gait,
-                    &[Content {
-                        path,
-                        bytes,
-                        metadata,
-                    }],
-                );
+            if is_table_of_walkers(&path, &bytes) {
+                let mut reader = PopulationReader::new(&gait);
+                reader.take(&path, &bytes, || None);
+                return reader.mean(&path);
             }
             let options = gait.read_options(metadata.clone())?;
             force::force_curve(&path, &bytes, &options, gait.feet)

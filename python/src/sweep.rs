@@ -108,6 +108,7 @@ impl Sweep {
         question.recordings(py, recordings)?;
         question.tolerances(tolerance)?;
         question.check_scenes(py)?;
+        question.list_folders(py)?;
         let study = py.detach(|| question.study(None)).raise(py)?;
         Ok(Sweep {
             question,

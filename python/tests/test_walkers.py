@@ -1,6 +1,7 @@
 """One cam for several walkers: forces=[...]."""
 
 import pickle
+import shutil
 
 import numpy as np
 import pytest
@@ -78,3 +79,23 @@ def test_a_force_in_another_unit_is_named(scene):
         gaitcam.synth(scene, forces=[*FORCES, other])
     with pytest.raises(gaitcam.InputError):
         gaitcam.synth(scene, forces=[])
+
+
+def test_a_folder_of_walkers_travels_with_a_sweep(scene, tmp_path):
+    """What Ray and Dask send to their workers is the pickled plan: it is computed here after the folder is gone."""
+    people = tmp_path / "people"
+    people.mkdir()
+    head = "walker,period_s," + ",".join(f"f_{i:03d}" for i in range(257))
+    for force in FORCES:
+        row = ",".join(f"{f!r}" for f in [*force.force_n.tolist(), force.force_n[0].item()])
+        (people / f"{force.name}.csv").write_text(f"{head}\n{force.name},{force.period_s!r},{row}\n")
+    scene = scene.set({"gait.file": str(people)})
+    plan = gaitcam.Sweep(scene, vary={"limits.stroke": ["30 mm", "40 mm", 2]})
+    whole, state = plan.run(jobs=1), pickle.dumps(plan)
+    design = gaitcam.synth(scene.set({"limits.stroke": "40 mm"}))
+    assert design.summary["population"]["walkers"] == 3
+    shutil.rmtree(people)
+    again = pickle.loads(state).run(jobs=1)
+    assert again["stroke_m"].tolist() == whole["stroke_m"].tolist()
+    assert whole["stroke_m"][1] == pytest.approx(design.summary["law"]["stroke_m"], rel=1e-9)
+    assert not any(again["error"])

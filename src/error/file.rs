@@ -1,5 +1,6 @@
 //! Faults in reading scenes, recordings and tables of motion from files and in putting results into folders.
 
+use gaitcam_base::wording::InLanguages;
 use serde::Serialize;
 use strum::VariantNames;
 
@@ -46,15 +47,15 @@ pub enum FileError {
     AnotherSweep { differences: String },
     /// The folder holds files that are no block of a sweep.
     NotSweepFolder { file: String },
-    /// Cycles that cannot be those of a population, by file or walker; `none` where there is none of a kind.
+    /// Cycles that cannot be those of a population, by file or walker.
     Walkers {
         count: usize,
-        unreadable: String,
-        weight: String,
-        unit: String,
-        feet: String,
-        kind: String,
-        cycle: String,
+        unreadable: Option<InLanguages>,
+        weight: Option<String>,
+        unit: Option<String>,
+        feet: Option<String>,
+        kind: Option<String>,
+        cycle: Option<String>,
     },
     /// No table of numbers where the curve of a motor, or the rows of a motion, are to be; `start` is the start of the file.
     NoTable { start: String, purpose: String },

@@ -11,6 +11,7 @@ mod parts;
 mod read;
 mod rules;
 mod set;
+mod walkers;
 mod write;
 
 pub use crate::cam::LimitKind;
@@ -25,6 +26,7 @@ pub use parts::{
 pub use read::{parse, read, read_keys, table};
 pub use rules::check;
 pub use set::{set, set_value};
+pub use walkers::{PopulationReader, is_table_of_walkers, may_be_table};
 pub use {serde_json, toml};
 
 use crate::error::Result;

@@ -15,9 +15,9 @@ use super::plan::axis::Values as AxisValues;
 use super::plan::{Plan, row_count};
 use super::runner::Runner;
 use super::table::records::Records;
-use crate::error::{Error, Place, Placed, Result, SweepError, SynthError};
+use crate::error::{Placed, Result, SweepError};
 use crate::force::{self, ForceCurve};
-use crate::scene::{Scene, Source};
+use crate::scene::{PopulationReader, Scene, Source, is_table_of_walkers};
 
 /// A file that rows name: index of the base scene, and the path as the scene writes it.
 pub type Named = (usize, String);
@@ -202,20 +202,23 @@ impl Study {
         };
         let content = |path: &Path| {
             let name = path.to_string_lossy().into_owned();
-            self.files.get(&(index, name))
+            self.files.get(&(index, name)).map(|b| &b[..])
         };
-        let bytes = content(path)
-            .ok_or_else(|| Error::from(SweepError::NotCarried).at(Place::File(path.clone())))?;
-        if !gait.more_files.is_empty() {
-            return Err(SynthError::NotOfPopulation.at_key("gait.file"));
+        let carried = |path: &Path| {
+            let missing = || SweepError::NotCarried.in_file(path);
+            content(path).ok_or_else(missing)
+        };
+        let metadata = |path: &Path| Some(content(&force::metadata_name(path)?)?.to_vec());
+        let bytes = carried(path)?;
+        if !gait.more_files.is_empty() || is_table_of_walkers(path, bytes) {
+            let mut reader = PopulationReader::new(gait);
+            for path in std::iter::once(path).chain(&gait.more_files) {
+                reader.take(path, carried(path)?, || metadata(path));
+            }
+            return reader.mean(path);
         }
-        if force::is_population(bytes) {
-            let all = force::read_population(path, bytes)?;
-            let walkers = gait.walkers(all, &[]).map_err(|e| e.in_file(path))?;
-            return ForceCurve::of_walkers(walkers);
-        }
-        let metadata = force::metadata_name(path).and_then(|p| content(&p).map(|b| b.to_vec()));
-        force::force_curve(path, bytes, &gait.read_options(metadata)?, gait.feet)
+        let options = gait.read_options(metadata(path))?;
+        force::force_curve(path, bytes, &options, gait.feet)
     }
 }
 
@@ -225,7 +228,7 @@ impl Subject {
         let plan = match self {
             Subject::Designs(plan) => plan,
             Subject::Scatter(scatter) => {
-                let own = file_of(&scatter.scene.table);
+                let own = files_of(&scatter.scene.table);
                 return own.into_iter().map(|name| (0, name)).collect();
             }
         };
@@ -239,7 +242,7 @@ impl Subject {
                 Some(AxisValues::Words(names)) => {
                     out.extend(names.iter().map(|name| (scene, name.to_string())));
                 }
-                _ => out.extend(file_of(&named.table).map(|name| (scene, name))),
+                _ => out.extend(files_of(&named.table).into_iter().map(|name| (scene, name))),
             }
         }
         out.sort();
@@ -248,9 +251,15 @@ impl Subject {
     }
 }
 
-fn file_of(table: &toml::Table) -> Option<String> {
-    let name = table.get("gait")?.get("file")?.as_str()?;
-    Some(name.to_string())
+/// The files that a scene names.
+fn files_of(table: &toml::Table) -> Vec<String> {
+    let file = table.get("gait").and_then(|gait| gait.get("file"));
+    let names = match file {
+        Some(toml::Value::Array(all)) => all.iter().collect(),
+        one => Vec::from_iter(one),
+    };
+    let names = names.into_iter().filter_map(toml::Value::as_str);
+    names.map(str::to_string).collect()
 }
 
 /// FNV-1a, 64 bits (Fowler, Noll, Vo).

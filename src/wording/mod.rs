@@ -5,7 +5,7 @@ mod words;
 use serde::Serialize;
 
 pub use gaitcam_base::wording::{
-    Catalogue, File, Language, Messages, code, fixed, number, people, quantity,
+    Catalogue, File, InLanguages, Language, Messages, code, fixed, number, people, quantity,
 };
 pub use words::Words;
 

@@ -13,8 +13,7 @@ use crate::kept::{Engine, Host};
 use crate::lock;
 use gaitcam::error::Result;
 use gaitcam::force::{self, ForceCurve, ReadOptions};
-use gaitcam::scene::{self, Gait, Scene, Source};
-use gaitcam_files::population::{self, Content};
+use gaitcam::scene::{self, Gait, PopulationReader, Scene, Source, is_table_of_walkers};
 
 /// A file by the name that the scene gives it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -92,7 +91,7 @@ impl<'a> Files<'a> {
             (None, Source::File(path)) => path,
         };
         let (hash, bytes) = self.bytes(path)?;
-        if !gait.more_files.is_empty() || population::is_table(path, &bytes) {
+        if !gait.more_files.is_empty() || is_table_of_walkers(path, &bytes) {
             return self.population(gait, path).map(Some);
         }
         let (options, subjects) = self.options(gait, path)?;
@@ -110,19 +109,15 @@ impl<'a> Files<'a> {
     /// The mean cycle of the walkers that a scene names, with the hash of their files.
     fn population(&self, gait: &Gait, path: &Path) -> Result<(ForceCurve, Hash)> {
         let paths = std::iter::once(path).chain(gait.more_files.iter().map(PathBuf::as_path));
-        let content = |path: &Path| {
+        let mut reader = PopulationReader::new(gait);
+        let mut hashes = Vec::new();
+        for path in paths {
             let (hash, bytes) = self.bytes(path)?;
             let subjects = force::metadata_name(path).and_then(|p| self.bytes(&p).ok());
-            let content = Content {
-                path: path.to_path_buf(),
-                bytes,
-                metadata: subjects.map(|(_, bytes)| bytes.to_vec()),
-            };
-            Ok((hash.to_string(), content))
-        };
-        let read: Result<Vec<(String, Content)>> = paths.map(content).collect();
-        let (hashes, files): (Vec<String>, Vec<Content>) = read?.into_iter().unzip();
-        let curve = population::population_of(gait, &files)?;
+            reader.take(path, &bytes, || subjects.map(|(_, bytes)| bytes.to_vec()));
+            hashes.push(hash.to_string());
+        }
+        let curve = reader.mean(path)?;
         Ok((curve, Hash::of(hashes.join(" ").as_bytes())))
     }
 

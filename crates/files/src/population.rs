@@ -1,11 +1,11 @@
 //! Populations of walkers from folders, lists of files, and tables.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use gaitcam::error::{Place, Result};
-use gaitcam::force::{self, ForceCurve, Walker};
-use gaitcam::scene::Gait;
+use gaitcam::error::Result;
+use gaitcam::force::ForceCurve;
+use gaitcam::scene::{Gait, PopulationReader, is_table_of_walkers, may_be_table};
+use toml::{Table, Value};
 
 use crate::read::{cannot_be_read, find, metadata, read_bytes};
 
@@ -83,137 +83,64 @@ fn is_called_a_recording(name: &str) -> bool {
 /// Every walker who cannot be taken, with the reason; only those that the scene leaves out are.
 pub fn population(gait: &Gait, folder: &Path, path: &Path) -> Result<Option<ForceCurve>> {
     let place = find(folder, path);
-    let is_folder = place.is_dir();
-    if !is_folder && gait.more_files.is_empty() {
-        let is_table = place.is_file() && is_text(&place) && is_table(&place, &read_bytes(&place)?);
+    if !place.is_dir() && gait.more_files.is_empty() {
+        let is_table = place.is_file()
+            && may_be_table(&place)
+            && is_table_of_walkers(&place, &read_bytes(&place)?);
         if !is_table {
             return Ok(None);
         }
     }
-    let mut read = Read::default();
+    let mut reader = PopulationReader::new(gait);
     for path in std::iter::once(path).chain(gait.more_files.iter().map(PathBuf::as_path)) {
         let place = find(folder, path);
-        if place.is_dir() {
-            for file in inside(&place)?.recordings {
-                read.take(gait, &file);
+        let files = match place.is_dir() {
+            true => inside(&place)?.recordings,
+            false => vec![place],
+        };
+        for file in files
+            .iter()
+            .filter(|f| !reader.leaves_out(f))
+            .collect::<Vec<_>>()
+        {
+            match read_bytes(file) {
+                Ok(bytes) => reader.take(file, &bytes, || metadata(file)),
+                Err(why) => reader.refuse(file, why),
             }
-        } else {
-            read.take(gait, &place);
         }
     }
-    read.mean(gait, place).map(Some)
+    reader.mean(&place).map(Some)
 }
 
-/// The content of a file, and of the table of subjects beside it.
-pub struct Content {
-    /// Its name.
-    pub path: PathBuf,
-    /// Its bytes.
-    pub bytes: Arc<Vec<u8>>,
-    /// The table of subjects.
-    pub metadata: Option<Vec<u8>>,
-}
-
-/// The same of files that are read already.
+/// The recordings of each folder in place of the folder, in the `gait.file` of a scene: what another machine is to read.
 ///
 /// # Errors
-/// As [`population`].
-pub fn population_of(gait: &Gait, files: &[Content]) -> Result<ForceCurve> {
-    let mut read = Read::default();
-    let kept = |path: &Path| {
-        !leaves_out(gait, &file_name(path)) && !leaves_out(gait, &path.display().to_string())
+/// A folder that cannot be read.
+pub fn list_folders(table: &mut Table, folder: &Path) -> Result<()> {
+    let Some(file) = table.get_mut("gait").and_then(|gait| gait.get_mut("file")) else {
+        return Ok(());
     };
-    for file in files.iter().filter(|f| kept(&f.path)) {
-        read.take_content(gait, &file.path, &file.bytes, || file.metadata.clone());
-    }
-    let first = files.first().map(|f| f.path.clone());
-    read.mean(gait, first.unwrap_or_default())
-}
-
-/// Whether a file is a table of walkers.
-pub fn is_table(path: &Path, bytes: &[u8]) -> bool {
-    is_text(path) && force::is_population(bytes)
-}
-
-/// Endings of tables; a recording of gigabytes is not read to find out.
-fn is_text(path: &Path) -> bool {
-    let ending = path
-        .extension()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .to_lowercase();
-    ["csv", "tsv", "txt"].contains(&ending.as_str())
-}
-
-/// Walkers as they were read.
-#[derive(Default)]
-struct Read {
-    walkers: Vec<Walker>,
-    /// Files that hold no cycle.
-    unreadable: Vec<String>,
-}
-
-impl Read {
-    /// The cycle of a recording, or every row of a table.
-    fn take(&mut self, gait: &Gait, path: &Path) {
-        if leaves_out(gait, &file_name(path)) || leaves_out(gait, &path.display().to_string()) {
-            return;
+    let names = match &*file {
+        Value::Array(all) => all.clone(),
+        one => vec![one.clone()],
+    };
+    let mut listed = Vec::new();
+    for name in &names {
+        let path = Path::new(name.as_str().unwrap_or_default());
+        let place = find(folder, path);
+        if !place.is_dir() {
+            listed.push(name.clone());
+            continue;
         }
-        match read_bytes(path) {
-            Ok(bytes) => self.take_content(gait, path, &bytes, || metadata(path)),
-            Err(_) => self.unreadable.push(file_name(path)),
+        for file in inside(&place)?.recordings {
+            let rest = file.strip_prefix(&place).unwrap_or(&file);
+            listed.push(Value::String(path.join(rest).display().to_string()));
         }
     }
-
-    fn take_content(
-        &mut self,
-        gait: &Gait,
-        path: &Path,
-        bytes: &[u8],
-        metadata: impl FnOnce() -> Option<Vec<u8>>,
-    ) {
-        match cycles(gait, path, bytes, metadata) {
-            Ok(walkers) => self.walkers.extend(walkers),
-            Err(_) => self.unreadable.push(file_name(path)),
-        }
+    if listed != names {
+        *file = Value::Array(listed);
     }
-
-    /// Their mean, with the file at fault where there is one.
-    fn mean(self, gait: &Gait, first: PathBuf) -> Result<ForceCurve> {
-        let walkers = gait.walkers(self.walkers, &self.unreadable);
-        let mean = walkers.and_then(ForceCurve::of_walkers);
-        mean.map_err(|e| match e.place {
-            Place::File(_) | Place::Line { .. } => e,
-            _ => e.at(Place::File(first)),
-        })
-    }
-}
-
-/// The walkers of a file.
-fn cycles(
-    gait: &Gait,
-    path: &Path,
-    bytes: &[u8],
-    metadata: impl FnOnce() -> Option<Vec<u8>>,
-) -> Result<Vec<Walker>> {
-    if is_table(path, bytes) {
-        return force::read_population(path, bytes);
-    }
-    let options = gait.read_options(metadata())?;
-    let curve = force::force_curve(path, bytes, &options, gait.feet)?;
-    let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    Ok(vec![Walker::new(&name, curve)])
-}
-
-fn file_name(path: &Path) -> String {
-    path.file_name()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned()
-}
-
-fn leaves_out(gait: &Gait, name: &str) -> bool {
-    gait.leave_out.iter().any(|out| out == name)
+    Ok(())
 }
 
 #[cfg(all(test, unix))]

@@ -40,7 +40,7 @@ pub use interpretation::{
 };
 pub use models::{ModelInfo, Status, catalogue, fourier, model, of_harmonics, waves};
 pub use population::{
-    Population, Walker, WalkerFault, fault as walker_fault, is_table as is_population,
+    Population, Walker, WalkerFault, faults as walker_faults, is_table as is_population,
     read_table as read_population, write_table as population_csv,
 };
 pub use read::{

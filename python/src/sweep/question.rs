@@ -9,7 +9,7 @@ use gaitcam::scene;
 use gaitcam::sweep::{
     Axis, Files, Key, List, Method, NamedScene, Plan, Sampling, Scattered, Study, Subject, Values,
 };
-use gaitcam_files::{Input, target};
+use gaitcam_files::{Input, population, target};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyString};
@@ -225,6 +225,23 @@ impl Question {
         }
         self.vary
             .insert(0, Asked::Listed(("gait.file".to_string(), names)));
+        Ok(())
+    }
+
+    /// Names the files of each folder of walkers: their content travels with the plan.
+    pub fn list_folders(&mut self, py: Python<'_>) -> PyResult<()> {
+        for scene in &mut self.scenes {
+            let Input {
+                mut table,
+                folder,
+                file,
+                ..
+            } = scene.input.clone();
+            population::list_folders(&mut table, &folder).raise(py)?;
+            if table != scene.input.table {
+                *scene = Scene::of_table(py, table, folder, file)?;
+            }
+        }
         Ok(())
     }
 

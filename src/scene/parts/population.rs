@@ -2,9 +2,7 @@
 
 use std::str::FromStr;
 
-use super::Gait;
-use crate::error::{Error, FileError, SceneError, nearest};
-use crate::force::{Walker, WalkerFault, walker_fault};
+use crate::error::{Error, SceneError, nearest};
 use crate::units::{Dimension, parse};
 
 /// What is minimised over the force errors of several walkers.
@@ -78,57 +76,6 @@ pub struct Adjust {
     pub speed: bool,
     /// The phase of the walker's cycle at cam angle 0.
     pub phase: bool,
-}
-
-impl Gait {
-    /// The walkers of a population that the scene does not leave out, if all can be taken; `unreadable` names files without a cycle.
-    ///
-    /// # Errors
-    /// Those who cannot be taken, by the reason.
-    pub fn walkers(
-        &self,
-        mut all: Vec<Walker>,
-        unreadable: &[String],
-    ) -> Result<Vec<Walker>, Error> {
-        all.retain(|w| !self.leave_out.contains(&w.name));
-        let mut names: [Vec<String>; 5] = Default::default();
-        for walker in &all {
-            let name = walker.name.clone();
-            let (kind, shown) = match walker_fault(walker, &all) {
-                None => continue,
-                Some(WalkerFault::MeanNotWeight { percent }) => {
-                    (0, format!("{name} ({percent:.0} %)"))
-                }
-                Some(WalkerFault::NoMeanForce) => (0, name),
-                Some(WalkerFault::OtherUnit) => (1, name),
-                Some(WalkerFault::OtherFeet) => (2, name),
-                Some(WalkerFault::OtherKind) => (3, name),
-                Some(WalkerFault::OtherCycle) => (4, name),
-            };
-            names[kind].push(shown);
-        }
-        let count = unreadable.len() + names.iter().map(Vec::len).sum::<usize>();
-        if count == 0 {
-            return Ok(all);
-        }
-        let text = |list: &[String]| {
-            if list.is_empty() {
-                "none".to_string()
-            } else {
-                list.join(", ")
-            }
-        };
-        Err(FileError::Walkers {
-            count,
-            unreadable: text(unreadable),
-            weight: text(&names[0]),
-            unit: text(&names[1]),
-            feet: text(&names[2]),
-            kind: text(&names[3]),
-            cycle: text(&names[4]),
-        }
-        .into())
-    }
 }
 
 /// The words of what can be adjusted.

@@ -53,7 +53,10 @@ file-motion-many-rows = more than { $most } rows
     .help = give every second row or fewer
 file-motion-differs = column { $column } covers { $covered }, but { $key } is { $typed }
     .help = correct one of them, or leave { $key } out: it is then taken from the file
-file-walkers = { $count } cycles cannot be taken into the population.{ $unreadable ->
+file-walkers = { $count ->
+        [one] 1 cycle
+       *[other] { $count } cycles
+    } cannot be taken into the population.{ $unreadable ->
         [none] {""}
        *[other] {" "}No cycle in { $unreadable }.
     }{ $weight ->
@@ -72,4 +75,4 @@ file-walkers = { $count } cycles cannot be taken into the population.{ $unreadab
         [none] {""}
        *[other] {" "}Another kind of movement: { $kind }.
     }
-    .help = correct them, or leave them out by name: gait.leave_out = ["NAME", …]; gaitcam gait FILE says why a file has no cycle
+    .help = correct them, or leave them out by name: gait.leave_out = ["NAME", …]

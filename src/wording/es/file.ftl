@@ -53,7 +53,10 @@ file-motion-many-rows = más de { $most } filas
     .help = dé una de cada dos filas o menos
 file-motion-differs = la columna { $column } abarca { $covered }, pero { $key } es { $typed }
     .help = corrija uno de los dos, u omita { $key }: entonces se toma del archivo
-file-walkers = { $count } ciclos no pueden tomarse en la población.{ $unreadable ->
+file-walkers = { $count ->
+        [one] 1 ciclo no puede
+       *[other] { $count } ciclos no pueden
+    } tomarse en la población.{ $unreadable ->
         [none] {""}
        *[other] {" "}Sin ciclo en { $unreadable }.
     }{ $weight ->
@@ -72,4 +75,4 @@ file-walkers = { $count } ciclos no pueden tomarse en la población.{ $unreadabl
         [none] {""}
        *[other] {" "}Otro tipo de movimiento: { $kind }.
     }
-    .help = corríjalos o exclúyalos por su nombre: gait.leave_out = ["NOMBRE", …]; gaitcam gait ARCHIVO dice por qué un archivo no tiene ciclo
+    .help = corríjalos o exclúyalos por su nombre: gait.leave_out = ["NOMBRE", …]

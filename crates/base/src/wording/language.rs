@@ -43,3 +43,29 @@ impl Language {
         self.into()
     }
 }
+
+/// A text in every language, as a field of a message.
+///
+/// ```
+/// use gaitcam_base::wording::{InLanguages, Language};
+///
+/// let text = InLanguages::of(|language| format!("in {language}"));
+/// assert_eq!((text.en.as_str(), text.es.as_str()), ("in en", "in es"));
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct InLanguages {
+    /// In English.
+    pub en: String,
+    /// In Spanish.
+    pub es: String,
+}
+
+impl InLanguages {
+    /// The text that a function has for each language.
+    pub fn of(text: impl Fn(Language) -> String) -> InLanguages {
+        InLanguages {
+            en: text(Language::En),
+            es: text(Language::Es),
+        }
+    }
+}

@@ -265,6 +265,10 @@ impl Messages {
                     items.iter().map(|i| self.shown(area, i, digits)).collect();
                 items.join(", ")
             }
+            Value::Object(fields) if fields.contains_key(self.language.tag()) => {
+                let text = fields[self.language.tag()].as_str();
+                text.unwrap_or_default().to_string()
+            }
             Value::Object(fields) => match (fields.get("value"), fields.get("unit")) {
                 (Some(value), Some(Value::String(unit))) => {
                     quantity_to_digits(self.language, finite(value), unit, digits)

@@ -19,7 +19,7 @@ mod messages;
 mod number;
 
 pub use catalogue::{Catalogue, File};
-pub use language::Language;
+pub use language::{InLanguages, Language};
 pub use messages::{Messages, code};
 pub use number::{fixed, number, people, quantity};
 

@@ -1,5 +1,7 @@
 //! What keeps a cycle out of a population.
 
+use std::collections::HashMap;
+
 use serde::Serialize;
 
 use super::Walker;
@@ -11,17 +13,21 @@ const BOTH: std::ops::RangeInclusive<f64> = 0.85..=1.15;
 const UNIT: f64 = 6.0;
 /// The same of one foot.
 const ONE: std::ops::RangeInclusive<f64> = 0.4..=0.65;
+/// Part of the mean force below which a foot is lifted.
+const LIFTED: f64 = 0.02;
+/// Periods of steps differ by less than this factor from their median; a stride is two steps.
+const STEPS: f64 = 1.45;
 
 /// Why a cycle cannot be one of a population.
 ///
 /// ```
-/// use gaitcam_gait::{ForceCurve, Walker, WalkerFault, walker_fault};
+/// use gaitcam_gait::{ForceCurve, Walker, WalkerFault, walker_faults};
 ///
 /// // 700 N on average are no force of a walker of 90 kg.
 /// let mut cycle = ForceCurve::from_samples("W01", 0.5, vec![700.0, 800.0, 700.0, 600.0])?;
 /// cycle.mass_kg = Some(90.0);
 /// let walkers = [Walker::new("W01", cycle)];
-/// assert!(matches!(walker_fault(&walkers[0], &walkers), Some(WalkerFault::MeanNotWeight { .. })));
+/// assert!(matches!(walker_faults(&walkers)[0], Some(WalkerFault::MeanNotWeight { .. })));
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -44,37 +50,100 @@ pub enum WalkerFault {
     OtherKind,
 }
 
-/// What is wrong with a walker among others; `None` where nothing is.
-pub fn fault(walker: &Walker, all: &[Walker]) -> Option<WalkerFault> {
-    let mean = walker.curve.mean_n();
-    if !(mean.is_finite() && mean > 0.0) {
-        return Some(WalkerFault::NoMeanForce);
-    }
-    let median = median(all.iter().map(|w| w.curve.mean_n().abs()));
-    if mean * UNIT < median || mean > UNIT * median {
-        return Some(WalkerFault::OtherUnit);
-    }
-    if let Some(share) = share(walker) {
-        if !BOTH.contains(&share) && !ONE.contains(&share) {
-            let percent = 100.0 * share;
-            return Some(WalkerFault::MeanNotWeight { percent });
+/// What is wrong with each walker among all; `None` where nothing is.
+pub fn faults(all: &[Walker]) -> Vec<Option<WalkerFault>> {
+    let crowd = Crowd::of(all);
+    all.iter().map(|walker| crowd.fault(walker)).collect()
+}
+
+/// What most walkers have in common.
+struct Crowd {
+    /// Median of the mean forces, N.
+    force: f64,
+    /// Median period of the cycles that are like most, s.
+    period: f64,
+    /// Whether most of those with a mass stand on both feet.
+    both_feet: bool,
+    /// Whether most of the written cycles without a mass touch zero.
+    lifts: bool,
+    /// Whether most cycles are of two halves.
+    halves: bool,
+    /// Number of walkers of each kind of movement, where it is known.
+    kinds: HashMap<&'static str, usize>,
+}
+
+impl Crowd {
+    fn of(all: &[Walker]) -> Crowd {
+        let shares: Vec<f64> = all.iter().filter_map(share).collect();
+        let both = shares.iter().filter(|s| BOTH.contains(s)).count();
+        let written: Vec<&Walker> = all.iter().filter(|w| is_written(w)).collect();
+        let lifting = written.iter().filter(|w| lifts(w)).count();
+        let of_halves = all.iter().filter(|w| is_of_halves(w)).count();
+        let halves = 2 * of_halves >= all.len();
+        let alike = all.iter().filter(|w| is_of_halves(w) == halves);
+        let mut kinds = HashMap::new();
+        for kind in all.iter().filter_map(kind) {
+            *kinds.entry(kind).or_default() += 1;
         }
-        let alike = |w: &&Walker| {
-            self::share(w).is_some_and(|s| BOTH.contains(&s) == BOTH.contains(&share))
-        };
-        let judged = all.iter().filter(|w| self::share(w).is_some()).count();
-        if 2 * all.iter().filter(alike).count() < judged {
+        Crowd {
+            force: median(all.iter().map(|w| w.curve.mean_n().abs())),
+            period: median(alike.map(|w| w.curve.period_s)),
+            both_feet: 2 * both >= shares.len(),
+            lifts: 2 * lifting > written.len(),
+            halves,
+            kinds,
+        }
+    }
+
+    fn fault(&self, walker: &Walker) -> Option<WalkerFault> {
+        let (mean, period) = (walker.curve.mean_n(), walker.curve.period_s);
+        if !(mean.is_finite() && mean > 0.0) {
+            return Some(WalkerFault::NoMeanForce);
+        }
+        if mean * UNIT < self.force || mean > UNIT * self.force {
+            return Some(WalkerFault::OtherUnit);
+        }
+        if let Some(share) = share(walker) {
+            let is_both = BOTH.contains(&share);
+            if !is_both && !ONE.contains(&share) {
+                let percent = 100.0 * share;
+                return Some(WalkerFault::MeanNotWeight { percent });
+            }
+            if is_both != self.both_feet {
+                return Some(WalkerFault::OtherFeet);
+            }
+        }
+        if is_written(walker) && lifts(walker) != self.lifts {
             return Some(WalkerFault::OtherFeet);
         }
+        let is_other = if self.halves {
+            period * STEPS < self.period
+        } else {
+            period > STEPS * self.period
+        };
+        if is_other && is_of_halves(walker) != self.halves {
+            return Some(WalkerFault::OtherCycle);
+        }
+        let alike = self.kinds.get(kind(walker)?)?;
+        let judged: usize = self.kinds.values().sum();
+        (2 * alike < judged).then_some(WalkerFault::OtherKind)
     }
-    let halves = is_of_halves(walker);
-    if 2 * all.iter().filter(|w| is_of_halves(w) == halves).count() < all.len() {
-        return Some(WalkerFault::OtherCycle);
-    }
-    let kind = kind(walker)?;
-    let alike = all.iter().filter(|w| self::kind(w) == Some(kind)).count();
-    let judged = all.iter().filter(|w| self::kind(w).is_some()).count();
-    (2 * alike < judged).then_some(WalkerFault::OtherKind)
+}
+
+/// Whether neither mass nor movement is known: a cycle that was written by hand or by a program.
+fn is_written(walker: &Walker) -> bool {
+    walker.curve.mass_kg.is_none() && kind(walker).is_none()
+}
+
+/// Whether the force touches zero, as that of one foot does.
+fn lifts(walker: &Walker) -> bool {
+    let least = walker
+        .curve
+        .force_n
+        .iter()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
+    least < LIFTED * walker.curve.mean_n()
 }
 
 fn median(values: impl Iterator<Item = f64>) -> f64 {
@@ -129,20 +198,46 @@ mod tests {
                     let strides = [1.4, 1.8, 2.2].map(|f| walker(model, f, Some(0.1)));
                     let mut all = strides.to_vec();
                     all.push(walker(model, f, Some(uneven)));
-                    assert!(all.iter().all(|w| fault(w, &all).is_none()), "{model} {f}");
+                    assert!(faults(&all).iter().all(Option::is_none), "{model} {f}");
                     all[3] = walker(model, f, None);
-                    let of = |w: &Walker, all: &[Walker]| fault(w, all);
                     assert_eq!(
-                        of(&all[3], &all),
-                        Some(WalkerFault::OtherCycle),
+                        faults(&all),
+                        [None, None, None, Some(WalkerFault::OtherCycle)],
                         "{model} {f}"
                     );
                     let mut steps = [1.4, 1.8, 2.2].map(|f| walker(model, f, None)).to_vec();
                     steps.push(walker(model, f, Some(uneven)));
-                    assert_eq!(of(&steps[3], &steps), Some(WalkerFault::OtherCycle));
-                    assert_eq!(of(&steps[0], &steps), None);
+                    assert_eq!(
+                        faults(&steps),
+                        [None, None, None, Some(WalkerFault::OtherCycle)]
+                    );
                 }
             }
         }
+    }
+
+    #[test]
+    fn one_foot_among_both_is_noticed_without_a_mass() {
+        let mut all = [1.4, 1.8, 2.2].map(|f| walker("young", f, None)).to_vec();
+        let one = crate::model("li-2010", Some(1.9), 700.0, crate::Feet::One).unwrap();
+        all.push(Walker::new("one", one));
+        assert_eq!(
+            faults(&all),
+            [None, None, None, Some(WalkerFault::OtherFeet)]
+        );
+    }
+
+    /// A slow step whose second harmonic is the largest has two peaks as a stride has, but not its period.
+    #[test]
+    fn a_step_of_two_peaks_is_no_stride() {
+        let mut all = [1.4, 1.8, 2.2].map(|f| walker("young", f, None)).to_vec();
+        let force = (0..100).map(|i| {
+            let x = std::f64::consts::TAU * f64::from(i) / 100.0;
+            700.0 * (1.0 + 0.1 * x.sin() + 0.14 * (2.0 * x).sin())
+        });
+        let curve = ForceCurve::from_samples("", 1.0 / 1.4, force.collect()).unwrap();
+        all.push(Walker::new("slow", curve));
+        assert!(is_of_halves(&all[3]));
+        assert_eq!(faults(&all), [None, None, None, None]);
     }
 }

@@ -6,7 +6,7 @@ mod table;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-pub use fault::{WalkerFault, fault};
+pub use fault::{WalkerFault, faults};
 pub use table::{is_table, read_table, write_table};
 
 use crate::curve::ForceCurve;

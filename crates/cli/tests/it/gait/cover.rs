@@ -155,13 +155,16 @@ fn recordings_of_a_folder_are_covered_and_results_never_lie_among_them() {
     assert_eq!(rows(&at.join("out/cover.csv")).len(), 3);
     assert!(rows(&at.join("out/folds.csv")).is_empty());
     fs::write(at.join("walks/nothing.csv"), "no recording\n").unwrap();
-    let refused = run_in(at, &["cover", "walks", "--out", "out"]);
-    assert_eq!(refused.status.code(), Some(2));
-    assert!(
-        stderr(&refused).contains("nothing.csv") && stderr(&refused).contains("gait.leave_out"),
-        "{}",
-        stderr(&refused)
-    );
+    for (language, why) in [("en", "no column of"), ("es", "ninguna columna de")] {
+        let refused = run_in(at, &["--lang", language, "cover", "walks", "--out", "out"]);
+        assert_eq!(refused.status.code(), Some(2));
+        let told = stderr(&refused);
+        for part in ["nothing.csv: ", why, "gait.leave_out"] {
+            assert!(told.contains(part), "{part}: {told}");
+        }
+        // Reasons of which there is no case are not listed.
+        assert!(!told.contains("weight") && !told.contains("peso"), "{told}");
+    }
     let told = run_in(
         at,
         &[
@@ -176,6 +179,41 @@ fn recordings_of_a_folder_are_covered_and_results_never_lie_among_them() {
         ],
     );
     assert!(told.status.success(), "{}", stderr(&told));
+}
+
+/// The part of the worst that belongs to each cam is in its scene.
+#[test]
+fn the_scenes_of_a_cover_of_the_worst_part_make_its_cams() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    table(&at.join("walkers.csv"), 12);
+    let settings = ["--set", "law.robust=cvar 0.5", "--set", "law.spans=6"];
+    let cover = ["cover", "walkers.csv", "--cams", "2", "--out", "out"];
+    let answer = run_in(at, &[&cover[..], &settings[..]].concat());
+    assert!(answer.status.success(), "{}", stderr(&answer));
+    let served = rows(&at.join("out/assignment.csv"));
+    assert_eq!(served.len(), 12);
+    let mut compared = 0;
+    for cam in ["1", "2"] {
+        let scene = format!("out/cams_2/cam_{cam}.toml");
+        let again = run_in(at, &["synth", &scene, "--out", "again", "--no-png"]);
+        assert!(
+            again.status.code().is_some_and(|c| c != 2),
+            "{}",
+            stderr(&again)
+        );
+        for own in rows(&at.join("again/walkers.csv")) {
+            let row = served.iter().find(|r| r[1] == own[0]).unwrap();
+            assert_eq!(row[2], cam);
+            let error = |text: &str| text.parse::<f64>().unwrap();
+            assert!(
+                (error(&own[4]) / error(&row[3]) - 1.0).abs() < 1e-6,
+                "{own:?} {row:?}"
+            );
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 12);
 }
 
 #[test]

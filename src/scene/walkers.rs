@@ -1,0 +1,165 @@
+//! The walkers whom a scene names, from the content of their files.
+
+use std::path::Path;
+
+use super::Gait;
+use crate::error::{Error, FileError, Placed, Result};
+use crate::force::{self, ForceCurve, Walker, WalkerFault, walker_faults};
+use crate::wording::InLanguages;
+
+/// Endings of tables; a recording of gigabytes is not read to find out.
+const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
+
+/// Reads a population file by file; what cannot be taken is named at the end.
+///
+/// ```
+/// use gaitcam::force::{ForceCurve, Walker, population_csv};
+/// use gaitcam::scene::{Gait, PopulationReader};
+///
+/// let cycle = |g: f64| ForceCurve::from_samples("", 0.5, vec![g, 1.2 * g, g, 0.8 * g]);
+/// let table = population_csv(&[Walker::new("A", cycle(600.0)?), Walker::new("B", cycle(800.0)?)]);
+/// let gait = Gait::default();
+/// let mut reader = PopulationReader::new(&gait);
+/// reader.take("walkers.csv".as_ref(), table.as_bytes(), || None);
+/// assert_eq!(reader.mean("walkers.csv".as_ref())?.population.unwrap().count(), 2);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+pub struct PopulationReader<'a> {
+    gait: &'a Gait,
+    walkers: Vec<Walker>,
+    /// Why files hold no cycle.
+    unreadable: Vec<Error>,
+}
+
+impl<'a> PopulationReader<'a> {
+    /// A population without walkers.
+    pub fn new(gait: &'a Gait) -> Self {
+        PopulationReader {
+            gait,
+            walkers: Vec::new(),
+            unreadable: Vec::new(),
+        }
+    }
+
+    /// Whether the scene leaves a file out.
+    pub fn leaves_out(&self, path: &Path) -> bool {
+        let names = [file_name(path), path.display().to_string()];
+        names.iter().any(|name| self.gait.leave_out.contains(name))
+    }
+
+    /// Takes the cycle of a recording, or every row of a table; `metadata` gives the table of subjects beside it.
+    pub fn take(&mut self, path: &Path, bytes: &[u8], metadata: impl FnOnce() -> Option<Vec<u8>>) {
+        if self.leaves_out(path) {
+            return;
+        }
+        match cycles(self.gait, path, bytes, metadata) {
+            Ok(walkers) => self.walkers.extend(walkers),
+            Err(why) => self.refuse(path, why),
+        }
+    }
+
+    /// Notes that a file cannot be read.
+    pub fn refuse(&mut self, path: &Path, why: Error) {
+        if !self.leaves_out(path) {
+            self.unreadable.push(why.in_file(path));
+        }
+    }
+
+    /// The mean of the walkers.
+    ///
+    /// # Errors
+    /// Those who cannot be taken, by the reason; placed at `first` where no other file is at fault.
+    pub fn mean(self, first: &Path) -> Result<ForceCurve> {
+        let walkers = self.gait.walkers(self.walkers, &self.unreadable);
+        let mean = walkers.and_then(ForceCurve::of_walkers);
+        mean.map_err(|e| e.in_file(first))
+    }
+}
+
+/// Whether a file is a table of walkers.
+///
+/// ```
+/// assert!(gaitcam::scene::is_table_of_walkers("w.csv".as_ref(), b"walker,period_s,f_000\n"));
+/// ```
+pub fn is_table_of_walkers(path: &Path, bytes: &[u8]) -> bool {
+    may_be_table(path) && force::is_population(bytes)
+}
+
+/// Whether a file is called as tables of walkers are.
+///
+/// ```
+/// assert!(!gaitcam::scene::may_be_table("walk.c3d".as_ref()));
+/// ```
+pub fn may_be_table(path: &Path) -> bool {
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    TABLES.contains(&ending.to_lowercase().as_str())
+}
+
+/// The walkers of a file.
+fn cycles(
+    gait: &Gait,
+    path: &Path,
+    bytes: &[u8],
+    metadata: impl FnOnce() -> Option<Vec<u8>>,
+) -> Result<Vec<Walker>> {
+    if is_table_of_walkers(path, bytes) {
+        return force::read_population(path, bytes);
+    }
+    let options = gait.read_options(metadata())?;
+    let curve = force::force_curve(path, bytes, &options, gait.feet)?;
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    Ok(vec![Walker::new(&name, curve)])
+}
+
+impl Gait {
+    /// The walkers of a population that the scene does not leave out, if all can be taken; `unreadable` says why
+    /// files have no cycle.
+    ///
+    /// # Errors
+    /// Those who cannot be taken, by the reason.
+    pub fn walkers(&self, mut all: Vec<Walker>, unreadable: &[Error]) -> Result<Vec<Walker>> {
+        all.retain(|w| !self.leave_out.contains(&w.name));
+        let mut names: [Vec<String>; 5] = Default::default();
+        for (walker, fault) in all.iter().zip(walker_faults(&all)) {
+            let name = walker.name.clone();
+            let (kind, shown) = match fault {
+                None => continue,
+                Some(WalkerFault::MeanNotWeight { percent }) => {
+                    (0, format!("{name} ({percent:.0} %)"))
+                }
+                Some(WalkerFault::NoMeanForce) => (0, name),
+                Some(WalkerFault::OtherUnit) => (1, name),
+                Some(WalkerFault::OtherFeet) => (2, name),
+                Some(WalkerFault::OtherKind) => (3, name),
+                Some(WalkerFault::OtherCycle) => (4, name),
+            };
+            names[kind].push(shown);
+        }
+        let count = unreadable.len() + names.iter().map(Vec::len).sum::<usize>();
+        if count == 0 {
+            return Ok(all);
+        }
+        let text = |list: &[String]| (!list.is_empty()).then(|| list.join(", "));
+        let reasons = || {
+            InLanguages::of(|language| {
+                let of = |e: &Error| format!("{}{}", e.place.before(language), e.what(language));
+                unreadable.iter().map(of).collect::<Vec<_>>().join("; ")
+            })
+        };
+        Err(FileError::Walkers {
+            count,
+            unreadable: (!unreadable.is_empty()).then(reasons),
+            weight: text(&names[0]),
+            unit: text(&names[1]),
+            feet: text(&names[2]),
+            kind: text(&names[3]),
+            cycle: text(&names[4]),
+        }
+        .into())
+    }
+}
+
+fn file_name(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default();
+    name.to_string_lossy().into_owned()
+}
