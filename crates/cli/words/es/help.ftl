@@ -147,7 +147,7 @@ front-out = Carpeta de front.csv, figuras y report.html (por defecto out/NOMBRE-
 
 cover-walkers = Carpeta de registros, o una tabla de caminantes (por defecto, los de la escena)
 cover-cams = Números de levas, primero y último, o un solo número: se buscan todos desde 1
-cover-scene = Escena con la máquina, sus límites y law.robust (mean o worst); por defecto footbridge
+cover-scene = Escena con la máquina, sus límites y law.robust; por defecto footbridge
 cover-out = Carpeta de tablas, figuras y escenas de las levas (por defecto out/NOMBRE_cover)
 
 compare-folders = Carpetas que escribió gaitcam synth
