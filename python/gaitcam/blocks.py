@@ -2,7 +2,7 @@
 
 import os
 import uuid
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from importlib import import_module
 from os import PathLike
 from typing import Any
@@ -33,6 +33,21 @@ def write(plan: Sweep, start: int, stop: int, file: str | PathLike[str]) -> int:
     return stop - start
 
 
+def counted(
+    results: Iterable[int],
+    missing: Sequence[tuple[int, int, str]],
+    progress: Callable[[int, int], object] | None,
+) -> int:
+    """Sum of the numbers of rows of blocks as they end; ``progress(done, rows)`` is called after each."""
+    rows = sum(stop - start for start, stop, _ in missing)
+    done = 0
+    for result in results:
+        done += int(result)
+        if progress is not None:
+            progress(done, rows)
+    return done
+
+
 def sweep(
     plan: Sweep,
     path: str | PathLike[str],
@@ -45,10 +60,4 @@ def sweep(
     ``progress(done, rows)`` is called after each block.
     """
     missing = plan.begin(path, block_rows)
-    rows = sum(stop - start for start, stop, _ in missing)
-    done = 0
-    for block in missing:
-        done += write(plan, *block)
-        if progress is not None:
-            progress(done, rows)
-    return done
+    return counted((write(plan, *block) for block in missing), missing, progress)

@@ -1,5 +1,6 @@
 """Sweeps on dask.distributed: ``pip install 'gaitcam[dask]'``."""
 
+from collections.abc import Callable
 from importlib import import_module
 from os import PathLike
 from typing import Any
@@ -14,15 +15,18 @@ def sweep(
     client: Any = None,
     block_rows: int = blocks.BLOCK_ROWS,
     retries: int = 5,
+    progress: Callable[[int, int], object] | None = None,
 ) -> int:
     """Computes the blocks that the folder ``path`` lacks, one task each, and returns the number of rows computed.
 
     ``path`` is a folder that every worker sees; ``client`` a ``distributed.Client``, by default the current one. A task
     whose worker dies is computed again elsewhere; a driver that is started again does only what is missing.
+    ``progress(done, rows)`` is called after each block.
     """
     distributed: Any = import_module("distributed")
     client = client or distributed.Client.current()
     missing = plan.begin(path, block_rows)
     shared = client.scatter(plan, broadcast=True, hash=False)  # once to each worker, recordings included
     tasks = [client.submit(blocks.write, shared, *block, pure=False, retries=retries) for block in missing]
-    return sum(task.result() for task in distributed.as_completed(tasks))
+    results = (task.result() for task in distributed.as_completed(tasks))
+    return blocks.counted(results, missing, progress)

@@ -1,6 +1,7 @@
 """Sweeps on Ray Data: ``pip install 'gaitcam[ray]'``."""
 
 import sys
+from collections.abc import Callable
 from importlib import import_module
 from os import PathLike
 from typing import Any
@@ -8,11 +9,19 @@ from typing import Any
 from gaitcam import Sweep, blocks
 
 
-def sweep(plan: Sweep, path: str | PathLike[str], *, block_rows: int = blocks.BLOCK_ROWS, **options: Any) -> int:
+def sweep(
+    plan: Sweep,
+    path: str | PathLike[str],
+    *,
+    block_rows: int = blocks.BLOCK_ROWS,
+    progress: Callable[[int, int], object] | None = None,
+    **options: Any,
+) -> int:
     """Computes the blocks that the folder ``path`` lacks, one core each, and returns the number of rows computed.
 
     ``path`` is a folder that every node sees. A task that dies with its node is computed again elsewhere; a driver that
-    is started again does only what is missing. ``options`` go to ``map_batches``.
+    is started again does only what is missing. ``progress(done, rows)`` is called after each block; ``options`` go to
+    ``map_batches``.
     """
     ray: Any = import_module("ray")
     missing = plan.begin(path, block_rows)
@@ -30,6 +39,7 @@ def sweep(plan: Sweep, path: str | PathLike[str], *, block_rows: int = blocks.BL
     context.enable_progress_bars = shown and sys.stdout.isatty()
     try:
         numbers = data.range(len(missing), override_num_blocks=len(missing))
-        return int(numbers.map_batches(compute, batch_size=1, **options).sum("rows"))
+        results = numbers.map_batches(compute, batch_size=1, **options).iter_rows()
+        return blocks.counted((row["rows"] for row in results), missing, progress)
     finally:
         context.enable_progress_bars = shown

@@ -97,7 +97,9 @@ def test_ray_loses_nothing_when_a_node_dies(ray_cluster, whole, tmp_path):
     killer = threading.Thread(target=kill)
     killer.start()
     begun = time.monotonic()
-    assert gaitcam.ray.sweep(plan(), tmp_path, block_rows=BLOCK) == ROWS
+    seen = []
+    assert gaitcam.ray.sweep(plan(), tmp_path, block_rows=BLOCK, progress=lambda *rows: seen.append(rows)) == ROWS
+    assert seen == [(done, ROWS) for done in range(BLOCK, ROWS + 1, BLOCK)]
     killer.join()
     print(f"\nRay, two workers, one killed: {ROWS / (time.monotonic() - begun):.0f} designs/s")
     agree(tmp_path, whole)
@@ -157,7 +159,10 @@ def test_dask_loses_nothing_when_a_worker_dies(dask_cluster, whole, tmp_path):
         killer = threading.Thread(target=kill)
         killer.start()
         begun = time.monotonic()
-        assert gaitcam.dask.sweep(plan(), out, client=client, block_rows=BLOCK) == ROWS
+        seen = []
+        progress = lambda *rows: seen.append(rows)  # noqa: E731
+        assert gaitcam.dask.sweep(plan(), out, client=client, block_rows=BLOCK, progress=progress) == ROWS
+        assert seen == [(done, ROWS) for done in range(BLOCK, ROWS + 1, BLOCK)]
         killer.join()
         print(f"\nDask, two workers, one killed and restarted: {ROWS / (time.monotonic() - begun):.0f} designs/s")
         agree(out, whole)

@@ -13,6 +13,8 @@ const COARSEST: usize = 4;
 const AGREED: f64 = 1e-14;
 /// Wall that a hole leaves to the bore and to the profile, m.
 pub const LEAST_WALL: f64 = 0.003;
+/// A centre of area closer to the centre of rotation is rounding of the profile, m.
+const BALANCED: f64 = 1e-9;
 /// Places tried for a hole between bore and profile, and profile points that it must stay clear of.
 const PLACES: usize = 400;
 const PROFILE: usize = 1440;
@@ -65,7 +67,17 @@ impl PlanArea {
     /// Static moment of the area about the centre of rotation, m³: times thickness and density it is the
     /// unbalance.
     pub fn moment(&self) -> f64 {
-        self.area * self.centroid[0].hypot(self.centroid[1])
+        self.area * self.eccentricity()
+    }
+
+    /// Distance of the centre of area from the centre of rotation, m.
+    fn eccentricity(&self) -> f64 {
+        self.centroid[0].hypot(self.centroid[1])
+    }
+
+    /// Whether it turns without unbalance.
+    pub fn is_balanced(&self) -> bool {
+        self.eccentricity() < BALANCED
     }
 }
 
@@ -129,12 +141,11 @@ impl Cam {
     /// As above, with the hole outside a circle of radius `inner` m about the centre.
     pub(super) fn balance_hole_outside(&self, bore: Option<Bore>, inner: f64) -> Option<Hole> {
         let body = self.body(bore)?;
-        let moment = body.moment();
-        let far = body.centroid[0].hypot(body.centroid[1]);
-        if far < 1e-12 {
+        if body.is_balanced() {
             return None;
         }
-        let along = body.centroid.map(|x| x / far);
+        let moment = body.moment();
+        let along = body.centroid.map(|x| x / body.eccentricity());
         let profile: Vec<[f64; 2]> = self.profile(PROFILE).iter().map(|p| [p.x, p.y]).collect();
         let squares: Vec<f64> = profile.iter().map(|p| p[0] * p[0] + p[1] * p[1]).collect();
         let reach = squares.iter().fold(0.0_f64, |m, s| m.max(*s)).sqrt();

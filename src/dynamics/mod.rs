@@ -30,7 +30,7 @@ pub use contact::{Impact, Limits as ContactLimits};
 pub use flexible::Train;
 pub use flexible::polydyne::Miss;
 pub use floor::{Floor, FloorMode, FloorMotion};
-pub use outcome::{Difference, Force, Model, Outcome, Pressure, Row, Torque};
+pub use outcome::{Difference, Force, Loads, Model, Outcome, Pressure, Row, Torque};
 pub use reason::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
 pub use recover::{Emitted, recover};
 pub use rigid::hertz;

@@ -172,6 +172,29 @@ pub struct Difference {
     pub failed: Option<Error>,
 }
 
+/// What the bearings carry at most, impacts excluded: true extremes where the force follows from the angle (rigid or in
+/// contact all the way round, at constant speed), those of the rows otherwise.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::{Model, Run, simulate};
+/// use gaitcam::law::Law;
+///
+/// // M (g + ω²e) under a flat face, highest between two of 90 rows.
+/// let cam = Cam::new(Law::harmonic(0.01, &[(0.006, 0.008)]), Follower::FlatTranslating { base_radius: 0.02 })?;
+/// let loads = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 90), Model::Rigid)?.loads;
+/// assert!((loads.normal_force - 99.0).abs() < 1e-4 && loads.side_thrust == 0.0);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Loads {
+    /// Force normal to the surfaces, N.
+    pub normal_force: f64,
+    /// Thrust across the guides, N.
+    pub side_thrust: f64,
+}
+
 /// The highest line pressure and where it acts.
 ///
 /// ```
@@ -228,6 +251,8 @@ pub struct Outcome {
     pub lost_fraction: f64,
     /// Contact force.
     pub force: Force,
+    /// Largest loads of the bearings.
+    pub loads: Loads,
     /// Shaft torque.
     pub torque: Torque,
     /// Speed at which contact is first lost, rad/s; `None`: at no speed.
@@ -244,7 +269,7 @@ pub struct Outcome {
     pub force_time: Option<InTime>,
     /// Landings of the whole run, settling included.
     pub impacts: Vec<Impact>,
-    /// Highest line pressure of the rows, where the surfaces are known; impacts excluded.
+    /// Highest line pressure, where the surfaces are known; impacts excluded, between rows as `loads`.
     pub hertz: Option<Pressure>,
     /// Differences to the next finer model, if the model was chosen automatically.
     pub next: Option<Difference>,

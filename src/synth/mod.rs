@@ -407,7 +407,11 @@ fn notes(
         out.push(Note::OutOfTime);
     }
     out.extend(families::stopped_at_noise(problem, found.family));
-    out.extend(sizing::notes(problem, &checked.cam, checked.pressing()));
+    let cams = (
+        &checked.cam,
+        checked.conjugate.as_ref().map(|pair| &pair.second),
+    );
+    out.extend(sizing::notes(problem, cams, checked.pressing()));
     out.extend(end.map_or_else(Vec::new, |e| e.notes(problem.drive.speed)));
     out
 }

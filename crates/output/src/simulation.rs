@@ -189,13 +189,10 @@ fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static 
         let error = format!("{} {force} RMS", number(error, 4));
         lines.push(("simulation-error", error));
     }
-    let largest = |of: fn(&Row) -> f64| {
-        let rows = outcome.rows.iter().map(|row| of(row).abs());
-        number(rows.fold(0.0, f64::max), 1)
-    };
+    let loads = outcome.loads;
     let bearings = [
-        ("normal", &*largest(|row| row.normal_force)),
-        ("side", &*largest(|row| row.side_thrust)),
+        ("normal", &*number(loads.normal_force, 1)),
+        ("side", &*number(loads.side_thrust, 1)),
     ];
     let bearings = words.fill("simulation-bearings-values", &bearings);
     lines.push(("simulation-bearings", bearings));

@@ -77,4 +77,10 @@ impl Making {
         let inner = reach(hub).max(reach(bore));
         cam.balance_hole_outside(bore, inner)
     }
+
+    /// Whether the plate is to be balanced and is not, for want of room.
+    pub fn leaves_unbalanced(&self, cam: &Cam, bore: Option<Bore>) -> bool {
+        let is_balanced = || cam.body(bore).is_some_and(|body| body.is_balanced());
+        self.balance && self.balance_hole(cam, bore).is_none() && !is_balanced()
+    }
 }

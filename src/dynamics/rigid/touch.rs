@@ -59,7 +59,8 @@ struct Place {
 }
 
 /// The contact at one point of the motion of `follower`, under `force` on the follower's freedom (N; for
-/// an arm the moment about its pivot, N·m), the cam turning at `speed` rad/s ≥ 0.
+/// an arm the moment about its pivot, N·m), the cam turning at `speed` rad/s; backwards speed and friction
+/// are negative.
 ///
 /// A roller rolls: its own friction is in its bearing and is left out. Where friction locks the follower
 /// the normal force is infinite.

@@ -163,3 +163,82 @@ fn slides_and_grooves_run_rigid_and_say_why_not_in_contact() {
         assert!(refused.contains(word), "{refused}");
     }
 }
+
+/// Largest normal force and side thrust over the true law, of one of two cams or of the one.
+fn true_loads(input: &Run) -> [f64; 2] {
+    const POINTS: usize = 100_000;
+    let follower = |cam: &Cam, at, force| {
+        let friction = input.machine.friction * input.drive.speed.signum();
+        crate::dynamics::touch(&cam.follower, input.drive.speed, friction, at, force)
+    };
+    let length = input.cam.law.extent().1;
+    let loads = (0..POINTS).map(|i| {
+        let theta = length * i as f64 / POINTS as f64;
+        let at = input.cam.law.svaj(theta);
+        let force = input.drive.force(at);
+        match &input.machine.conjugate {
+            Some(second) if force < 0.0 => follower(second, second.law.svaj(theta), -force),
+            _ => follower(&input.cam, at, force),
+        }
+    });
+    loads.fold([0.0; 2], |[normal, side], touch| {
+        [
+            touch.normal.abs().max(normal),
+            touch.side_thrust.abs().max(side),
+        ]
+    })
+}
+
+#[test]
+fn the_largest_loads_are_those_between_the_rows_whatever_the_follower() {
+    let mut inputs: Vec<Run> = everything()
+        .into_iter()
+        .map(|(follower, stroke)| {
+            // Peaks of the force beside every row.
+            let half = 0.5 * stroke;
+            let law = Law::harmonic(half, &[(-0.8 * half, 0.31 * half), (0.1 * half, 0.0)]);
+            let mut input = run(Cam { law, follower }, 5.0);
+            input.profile = input.cam.profile(720);
+            input.machine.friction = 0.1;
+            input
+        })
+        .collect();
+    let first = Cam {
+        law: law(0.02),
+        follower: Follower::RollerTranslating {
+            prime_radius: 0.06,
+            offset: 0.004,
+            roller_radius: 0.01,
+        },
+    };
+    let pair = Conjugate::new(&first, Closure::SecondBaseRadius(0.06), None).unwrap();
+    let mut both = run(first, 60.0);
+    both.drive.spring_rate = 0.0;
+    both.machine.conjugate = Some(pair.second);
+    inputs.push(both);
+    let mut missed = 0;
+    for input in &inputs {
+        for speed in [1.0, -1.0] {
+            let mut input = input.clone();
+            input.drive.speed *= speed;
+            let what = input.cam.follower.name();
+            let out = simulate(&input, Model::Rigid).unwrap();
+            let told = [out.loads.normal_force, out.loads.side_thrust];
+            let of_rows = out.rows.iter().fold([0.0_f64; 2], |[normal, side], row| {
+                [
+                    row.normal_force.abs().max(normal),
+                    row.side_thrust.abs().max(side),
+                ]
+            });
+            for ((told, truth), row) in told.into_iter().zip(true_loads(&input)).zip(of_rows) {
+                let scale = truth.max(1e-6);
+                assert!(
+                    (told - truth).abs() < 1e-6 * scale,
+                    "{what} {speed}: {told} {truth} {row}"
+                );
+                missed += usize::from((row - truth).abs() > 2e-6 * scale);
+            }
+        }
+    }
+    assert!(missed > 4, "rows alone are right in all but {missed}");
+}

@@ -1,6 +1,7 @@
 //! Runs an emitted cam under one model.
 
 mod choose;
+mod largest;
 mod models;
 mod prepared;
 mod rows;

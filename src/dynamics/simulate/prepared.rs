@@ -8,7 +8,7 @@ use crate::dynamics::machine_motion::MachineMotion;
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::recover::{Cycle, recover_cam};
 use crate::dynamics::rigid::hertz::Material;
-use crate::dynamics::rigid::touch::{held, rubs, touch};
+use crate::dynamics::rigid::touch::{Touch, held, rubs, touch};
 use crate::dynamics::run::Run;
 use crate::dynamics::shaft::{Motion, Shaft};
 use crate::error::{DynamicsError, Result};
@@ -25,8 +25,8 @@ pub(super) struct Prepared {
     pub lift: Law,
     /// Motion at the angles of the rows.
     pub nodes: Vec<Svaj>,
-    /// Motion of the conjugate cam's follower at the angles of the rows.
-    pub second: Option<Vec<Svaj>>,
+    /// Lift of the conjugate cam.
+    pub second: Option<Law>,
     pub start: f64,
     pub cycle: Cycle,
     pub step: f64,
@@ -79,7 +79,13 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         .map(|t| target_at(t, parts))
         .transpose()?;
     let second = match &input.machine.conjugate {
-        Some(cam) => Some(conjugate_nodes(cam, n, reversed, &nodes, &mut notes)?),
+        Some(cam) => Some(conjugate_lift(
+            cam,
+            reversed,
+            (start, step),
+            &nodes,
+            &mut notes,
+        )?),
         None => None,
     };
     let follower = &input.cam.follower;
@@ -198,31 +204,29 @@ fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
     Ok(())
 }
 
-/// Motion of the second follower at the angles of the rows, from its own emitted profile, and a note on
-/// how well both cams keep their distance.
-fn conjugate_nodes(
+/// Lift of the second cam, from its own emitted profile, and a note on how well both cams keep their distance at the
+/// rows.
+fn conjugate_lift(
     cam: &Cam,
-    n: usize,
     reversed: bool,
+    (start, step): (f64, f64),
     first: &[Svaj],
     notes: &mut Vec<RunNote>,
-) -> Result<Vec<Svaj>> {
-    let cycle = Cycle::of(&cam.law);
-    let emitted = recover_cam(cam, &cam.profile(n), cycle)?;
-    let nodes: Vec<Svaj> = if reversed {
-        let law = emitted.law.reversed();
-        let (start, step) = (law.extent().0, cycle.step(n));
-        (0..n).map(|i| law.svaj(start + step * i as f64)).collect()
-    } else {
-        emitted.nodes
+) -> Result<Law> {
+    let profile = cam.profile(first.len());
+    let emitted = recover_cam(cam, &profile, Cycle::of(&cam.law))?;
+    let law = match reversed {
+        true => emitted.law.reversed(),
+        false => emitted.law,
     };
-    let sums = first.iter().zip(&nodes).map(|(a, b)| a.s + b.s);
+    let second = |i: usize| law.svaj(start + step * i as f64).s;
+    let sums = first.iter().enumerate().map(|(i, a)| a.s + second(i));
     let (low, high) = sums.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| {
         (l.min(x), h.max(x))
     });
     let deviation = high - low;
     notes.push(RunNote::PairDistance { deviation });
-    Ok(nodes)
+    Ok(law)
 }
 
 impl Prepared {
@@ -234,7 +238,35 @@ impl Prepared {
     /// Torque in the sense of turning for force and motion, N·m.
     pub fn torque(&self, input: &Run, force: f64, at: Svaj) -> f64 {
         let (follower, friction) = (&input.cam.follower, input.machine.friction);
-        touch(follower, self.drive.speed, friction, at, force).torque
+        self.seen(follower, self.drive.speed, friction, at, force)
+            .torque
+    }
+
+    /// The contact in the sense of turning. A cam that turns backwards touches at the same angles as one that turns forwards:
+    /// only what moves along it changes sign.
+    pub fn seen(
+        &self,
+        follower: &Follower,
+        speed: f64,
+        friction: f64,
+        at: Svaj,
+        force: f64,
+    ) -> Touch {
+        if !self.reversed {
+            return touch(follower, speed, friction, at, force);
+        }
+        let forwards = Svaj {
+            v: -at.v,
+            j: -at.j,
+            ..at
+        };
+        let seen = touch(follower, -speed, -friction, forwards, force);
+        Touch {
+            torque: -seen.torque,
+            sliding: -seen.sliding,
+            entraining: -seen.entraining,
+            ..seen
+        }
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::prepared::Prepared;
 use crate::cam::Measures;
-use crate::dynamics::outcome::{Force, Model, Outcome, Pressure, Row, Torque};
+use crate::dynamics::outcome::{Force, Loads, Model, Outcome, Row, Torque};
 use crate::dynamics::reason::ModelReason;
-use crate::dynamics::rigid::touch::{Touch, touch};
-use crate::dynamics::rigid::{self, hertz};
+use crate::dynamics::rigid;
+use crate::dynamics::rigid::touch::Touch;
 use crate::dynamics::run::Run;
 use crate::dynamics::shaft::{InTime, error_in_time};
 use crate::law::Svaj;
@@ -63,13 +63,10 @@ impl Prepared {
         for i in 0..total {
             let at = self.nodes[i % n];
             let speed = self.speed(i % n);
-            let touch = self.touch(input, i % n, at, forces[i]);
+            let angle = self.start + self.step * i as f64;
+            let touch = self.touch(input, speed, angle, at, forces[i]);
             let torque = self.torque(input, forces[i], at);
-            let place = if self.reversed {
-                (total - i) % total
-            } else {
-                i
-            };
+            let place = self.place(i, total);
             let time = match &self.shaft {
                 Some(shaft) => shaft.time[i % n],
                 None => self.step * i as f64 / speed,
@@ -96,14 +93,23 @@ impl Prepared {
         rows
     }
 
+    /// Row of a sample in the order of turning.
+    pub fn place(&self, sample: usize, rows: usize) -> usize {
+        if self.reversed {
+            (rows - sample) % rows
+        } else {
+            sample
+        }
+    }
+
     /// The contact that bears: the second cam's where a conjugate pair's first one would have to pull.
-    pub fn touch(&self, input: &Run, row: usize, at: Svaj, force: f64) -> Touch {
-        let (speed, friction) = (self.speed(row), input.machine.friction);
+    pub fn touch(&self, input: &Run, speed: f64, angle: f64, at: Svaj, force: f64) -> Touch {
+        let friction = input.machine.friction;
         match (&input.machine.conjugate, &self.second) {
-            (Some(cam), Some(nodes)) if force < 0.0 => {
-                touch(&cam.follower, speed, friction, nodes[row], -force)
+            (Some(cam), Some(law)) if force < 0.0 => {
+                self.seen(&cam.follower, speed, friction, law.svaj(angle), -force)
             }
-            _ => touch(&self.bearing, speed, friction, at, force),
+            _ => self.seen(&self.bearing, speed, friction, at, force),
         }
     }
 
@@ -131,30 +137,6 @@ impl Prepared {
         }
     }
 
-    /// Highest line pressure over the rows; curvatures of both bodies added, the flat face has none.
-    pub fn hertz(&self, input: &Run, rows: &[Row]) -> Option<Pressure> {
-        let face = input.machine.face?;
-        let modulus = hertz::modulus(face.cam, face.follower);
-        let n = self.nodes.len();
-        rows.iter()
-            .enumerate()
-            .map(|(i, row)| {
-                let place = if self.reversed {
-                    (rows.len() - i) % n
-                } else {
-                    i % n
-                };
-                // A positive normal force, whichever cam bears it.
-                let bearing = self.touch(input, place, self.nodes[place], row.contact_force);
-                let press = bearing.normal.abs();
-                Pressure {
-                    theta: row.theta,
-                    contact: hertz::line(press, face.length, bearing.curvature.abs(), modulus),
-                }
-            })
-            .max_by(|a, b| a.contact.pressure.total_cmp(&b.contact.pressure))
-    }
-
     pub fn liftoff(&self) -> Option<f64> {
         if self.held {
             return None;
@@ -179,6 +161,7 @@ impl Prepared {
             floor: None,
             force_time: None,
             impacts: Vec::new(),
+            loads: Loads::default(),
             hertz: None,
             next: None,
             profile_mismatch: self.mismatch,

@@ -34,6 +34,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam gait walk.c3d
   gaitcam gait walk.mot --out curve.csv
   gaitcam gait trials/ --out mean.csv
+  gaitcam gait walk.c3d --stances
   gaitcam gait left.csv right.csv --out curves/ --feet both --rate '1000 Hz'
   gaitcam gait press.csv --period '0.5 s' --out curve.csv
   gaitcam gait plate.csv --force Fz --unit kN --mass '72.6 kg' --json";
@@ -83,6 +84,9 @@ pub struct GaitArgs {
     /// Take a recording into the joint mean although this is open about it: kind, clock, mass
     #[arg(long, value_name = "LIST", default_value = "")]
     accept: String,
+    /// List every stance and every rejected contact of a recording
+    #[arg(long)]
+    stances: bool,
     /// Which cam of a folder that gaitcam cover wrote serves the walker, and how well
     #[arg(long, value_name = "DIR")]
     against: Option<PathBuf>,
@@ -123,7 +127,7 @@ pub fn run(args: &GaitArgs) -> Result<u8> {
         return one(args, options, &trials[0], &places, feet);
     }
     let reads = trials.iter().map(|paths| {
-        read(options.clone(), paths, feet).unwrap_or_else(|fault| Read::failed(paths, fault))
+        read(options.clone(), paths, feet, false).unwrap_or_else(|fault| Read::failed(paths, fault))
     });
     let is_named = |read: &Read| read.paths.iter().any(|p| args.files.contains(p));
     let against = args.against.as_deref();
@@ -155,7 +159,7 @@ fn one(
     places: &Places,
     feet: Feet,
 ) -> Result<u8> {
-    let mut read = read(options, paths, feet)?;
+    let mut read = read(options, paths, feet, args.stances)?;
     if let Some(folder) = &args.against {
         let (text, object) = held_against(folder, std::slice::from_ref(&read))?;
         read.text = format!("{}\n{text}", read.text.trim_end());
@@ -195,8 +199,8 @@ fn held_against(folder: &Path, reads: &[Read]) -> Result<(String, Value)> {
     against::against(folder, walkers)
 }
 
-/// Reads one recording: a file, or the files of its plates.
-fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet) -> Result<Read> {
+/// Reads one recording: a file, or the files of its plates; its table lists every stance if `all` is set.
+fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: bool) -> Result<Read> {
     let path = paths[0].as_path();
     if path.extension().is_some_and(|e| e == "toml") {
         return Err(CliError::SceneNotRecording.in_file(path));
@@ -234,6 +238,7 @@ fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet) -> Result<Read> {
         &recording,
         &stances,
         cycle.as_ref().map_err(|_| ""),
+        all,
         language::current(),
     );
     let table = table.trim_end().trim_end_matches(':');

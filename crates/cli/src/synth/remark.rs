@@ -19,7 +19,6 @@ pub fn sentence(remark: &Remark, measures: Measures) -> String {
         }
         Remark::Ecam(made) => ecam::sentence(made),
         Remark::NoEcam(fault) => words::fill("synth-no-ecam", &arguments(fault)),
-        Remark::NoBalanceHole => words::text("synth-no-balance-hole"),
         Remark::NoArcs => words::text("synth-no-arcs"),
         Remark::NoProgram(fault) => words::fill("synth-no-program", &arguments(fault)),
         Remark::Gouge(gouge) => self::gouge(gouge, measures),

@@ -193,7 +193,6 @@ synth-no-solid = no solid: { $fault }
 synth-no-step = no STEP file: { $fault }
 synth-no-program = no program for the machine: { $fault }
 synth-arcs = profile_arcs.dxf: { $arcs } arcs, at most { $deviation } mm from the profile
-synth-no-balance-hole = no balance hole: no round hole that leaves walls of 3 mm balances the cam
 synth-no-arcs = no arcs: the profile is not smooth enough for them
 synth-gouge-hollow = the cutter radius is too large for the concave profile at { $at }: { $radius } mm maximum
 synth-gouge-elsewhere = at { $at } the cutter gouges the profile by { $depth } mm at { $damaged }

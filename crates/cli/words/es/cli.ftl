@@ -193,7 +193,6 @@ synth-no-solid = sin sólido: { $fault }
 synth-no-step = sin archivo STEP: { $fault }
 synth-no-program = sin programa para la máquina: { $fault }
 synth-arcs = profile_arcs.dxf: { $arcs } arcos, a lo sumo a { $deviation } mm del perfil
-synth-no-balance-hole = sin agujero de equilibrado: ningún agujero redondo que deje paredes de 3 mm equilibra la leva
 synth-no-arcs = sin arcos: el perfil no es bastante suave
 synth-gouge-hollow = la fresa es demasiado grande para el perfil cóncavo en { $at }: radio máximo { $radius } mm
 synth-gouge-elsewhere = al cortar en { $at }, la fresa penetra { $depth } mm en el perfil en { $damaged }

@@ -107,6 +107,7 @@ gait-mass = Masa de quien camina: "72.6 kg"
 gait-kind = Qué se registró, si no se reconoce: walking, running
 gait-period = El archivo es exactamente un ciclo de esta duración, de cualquier máquina: "0.5 s"
 gait-span = El archivo cubre esta parte de la vuelta; en el resto la fuerza es cero: "256 deg"
+gait-stances = Enumera cada apoyo y cada contacto rechazado de un registro
 gait-against = Qué leva de una carpeta que escribió gaitcam cover sirve al caminante, y con qué error
 gait-accept = Incluye en la media conjunta un registro aunque esto quede abierto: kind, clock, mass
 

@@ -145,7 +145,15 @@ fn described(bytes: &[u8], asked: &Contacts) -> Result<Value> {
     let mut found = tables::json(&understood, &recording, &all, Some(&cycle));
     found["file"] = name.into();
     found["use"] = name.into();
-    found["table"] = tables::table(&understood, &recording, &stances, Ok(&cycle), language).into();
+    found["table"] = tables::table(
+        &understood,
+        &recording,
+        &stances,
+        Ok(&cycle),
+        false,
+        language,
+    )
+    .into();
     found["without"] = json!(without);
     let picture = recording::recording(&understood, Some(&cycle.curve), language);
     found["picture"] = picture.svg().into();

@@ -61,8 +61,6 @@ pub enum Remark {
     },
     /// There are none.
     NoArcs,
-    /// No hole has room to balance a cam.
-    NoBalanceHole,
     /// The cutter damages the profile.
     Gouge(Gouge),
     /// What the controller makes of its electronic cam.
@@ -86,11 +84,7 @@ impl Remark {
             | Remark::NoStep(fault)
             | Remark::NoEcam(fault)
             | Remark::NoProgram(fault) => Some(fault),
-            Remark::Arcs { .. }
-            | Remark::NoArcs
-            | Remark::NoBalanceHole
-            | Remark::Ecam(_)
-            | Remark::Gouge(_) => None,
+            Remark::Arcs { .. } | Remark::NoArcs | Remark::Ecam(_) | Remark::Gouge(_) => None,
         }
     }
 }
@@ -169,12 +163,7 @@ impl Workshop {
             units: self.units,
             ..self.title
         };
-        let bytes = drawing::pdf(design, &title, language);
-        let lacks = design.making.balance && design.balance_holes().contains(&None);
-        Ok((
-            Some(bytes),
-            lacks.then_some(Remark::NoBalanceHole).into_iter().collect(),
-        ))
+        made(drawing::pdf(design, &title, language))
     }
 
     fn arcs(&self, design: &Design) -> Made {

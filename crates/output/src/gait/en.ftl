@@ -14,7 +14,6 @@ gait-feet-columns = foot       n          P1 BW           V BW          P2 BW  s
 gait-double-support = double support
 gait-cadence = cadence
 gait-symmetry = symmetry index of the impulse
-gait-more = … and { $count } more
 gait-no-cycle = no mean cycle
 gait-cycle = cycle
 gait-period = period

@@ -14,7 +14,6 @@ gait-feet-columns = pie        n          P1 BW           V BW          P2 BW  a
 gait-double-support = doble apoyo
 gait-cadence = cadencia
 gait-symmetry = índice de simetría del impulso
-gait-more = … y { $count } más
 gait-no-cycle = sin ciclo medio
 gait-cycle = ciclo
 gait-period = período

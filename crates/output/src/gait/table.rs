@@ -6,31 +6,37 @@ use serde_json::json;
 
 use super::WORDS;
 use gaitcam::force::{
-    Cycle, Foot, ForceCurve, Format, Interpretation, Note, OpenQuestion, Point, Recording, Stances,
+    Contact, Cycle, Foot, ForceCurve, Format, Interpretation, Note, OpenQuestion, Point, Recording,
+    Stances,
 };
 use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
 
-/// Most stances, and most rejected contacts, that the table lists.
-const LISTED: usize = 30;
-
-/// Table of a recording. `cycle` is the text of an error if there is no mean cycle.
+/// Table of a recording. `cycle` is the text of an error if there is no mean cycle. Stances and rejected contacts are
+/// listed one by one if `all` is set, and where the feet have no means.
 pub fn table(
     understood: &Interpretation,
     recording: &Recording,
     stances: &Stances,
     cycle: Result<&Cycle, &str>,
+    all: bool,
     language: Language,
 ) -> String {
     let mut out = Lines::new(language);
+    let mut feet = Lines::new(language);
+    if let Ok(cycle) = cycle {
+        feet.feet(stances, cycle);
+    }
     out.head(understood, recording);
     out.channels(recording, stances);
-    out.stances(recording, stances);
-    out.rejected(understood);
-    out.cycle(cycle);
-    if let Ok(cycle) = cycle {
-        out.feet(stances, cycle);
+    if all || feet.text.is_empty() {
+        out.stances(recording, stances);
+        out.rejected(understood);
+    } else {
+        out.reasons(understood);
     }
+    out.cycle(cycle);
+    out.text += &feet.text;
     out.open_questions(understood);
     out.text
 }
@@ -141,7 +147,7 @@ impl Lines {
             return;
         }
         self.line(format_args!("\n{}", self.words.text("gait-stance-columns")));
-        for s in stances.used.iter().take(LISTED) {
+        for s in &stances.used {
             let foot = self.foot(s.foot);
             let [start, end] = [s.start_s, s.end_s].map(|t| self.words.fixed(r.start_s + t, 3));
             // A single peak late in the stance is the push-off.
@@ -151,25 +157,47 @@ impl Lines {
                 "{foot:<9} {start:>8} {end:>8}  {p1}  {valley}  {p2}"
             ));
         }
-        self.more(stances.used.len());
     }
 
     fn rejected(&mut self, understood: &Interpretation) {
-        let contacts = understood.contacts.iter();
-        let rejected = contacts.filter_map(|c| Some((c, c.rejected?)));
-        let all: Vec<_> = rejected.collect();
-        if all.is_empty() {
+        let rejected = self.rejections(understood);
+        if rejected.is_empty() {
             return;
         }
         self.line(format_args!("\n{}", self.words.text("gait-rejected")));
-        for (c, reason) in all.iter().take(LISTED) {
+        for (c, reason) in rejected {
+            let [from, to] = [c.from_s, c.to_s].map(|t| self.words.fixed(t, 3));
+            self.line(format_args!("{from:>8} {to:>8}  {reason}"));
+        }
+    }
+
+    /// How many contacts are rejected for each reason.
+    fn reasons(&mut self, understood: &Interpretation) {
+        let mut counts: Vec<(String, usize)> = Vec::new();
+        for (_, reason) in self.rejections(understood) {
+            match counts.iter_mut().find(|(known, _)| *known == reason) {
+                Some((_, count)) => *count += 1,
+                None => counts.push((reason, 1)),
+            }
+        }
+        if counts.is_empty() {
+            return;
+        }
+        self.line(format_args!("\n{}", self.words.text("gait-rejected")));
+        for (reason, count) in counts {
+            self.line(format_args!("{count:>8}  {reason}"));
+        }
+    }
+
+    /// Rejected contacts, each with its column and the reason.
+    fn rejections<'a>(&self, understood: &'a Interpretation) -> Vec<(&'a Contact, String)> {
+        let sentence = |c: &'a Contact| {
             let column = understood.columns.get(c.column);
             let name = column.map_or("", |c| c.name.as_str());
-            let reason = self.words.sentence("contact", reason);
-            let [from, to] = [c.from_s, c.to_s].map(|t| self.words.fixed(t, 3));
-            self.line(format_args!("{from:>8} {to:>8}  {name}: {reason}"));
-        }
-        self.more(all.len());
+            let reason = self.words.sentence("contact", &c.rejected?);
+            Some((c, format!("{name}: {reason}")))
+        };
+        understood.contacts.iter().filter_map(sentence).collect()
     }
 
     fn cycle(&mut self, cycle: Result<&Cycle, &str>) {
@@ -228,17 +256,6 @@ impl Lines {
 
     pub fn foot(&self, foot: Option<Foot>) -> String {
         foot.map_or("-".to_string(), |f| self.words.name(f.name()))
-    }
-
-    /// How many of `all` are not listed.
-    fn more(&mut self, all: usize) {
-        if all > LISTED {
-            let count = all - LISTED;
-            self.line(
-                self.words
-                    .sentence("gait", &json!({"more": {"count": count}})),
-            );
-        }
     }
 
     /// Duration of a cycle, with its standard deviation over several cycles.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use gaitcam::cam::{Bore, Hole, LEAST_WALL};
+use gaitcam::cam::{Bore, Hole, LEAST_WALL, Making};
 use gaitcam::synth::Design;
 
 use super::heading;
@@ -80,7 +80,11 @@ fn balance(design: &Design, words: &Words) -> Rows {
     rows.push(("report-unbalance", format!("{} g·mm", number(unbalance, 4))));
     let push = per_area * body.moment() * design.drive.speed * design.drive.speed;
     rows.push(("report-unbalance-force", format!("{} N", number(push, 3))));
-    let hole = match design.cam.balance_hole(design.bore) {
+    let making = Making {
+        balance: true,
+        ..design.making.clone()
+    };
+    let hole = match making.balance_hole(&design.cam, design.bore) {
         Some(Hole { centre, diameter }) => {
             let (diameter, place) = (millimetres(diameter, 4), polar(centre));
             words.fill(

@@ -66,8 +66,7 @@ pub fn steady_outcome(input: &Run, p: &Prepared, surfaces: &[Surface], run: Cont
     });
     out.settle_cycles = run.settle;
     out.period_turns = run.period;
-    out.rows = p.rows(input, &forces, &heights);
-    out.hertz = p.hertz(input, &out.rows);
+    p.fill(input, &mut out, &forces, &heights);
     if run.escaped {
         out.notes.push(RunNote::Escapes);
     } else if run.settle.is_none() {

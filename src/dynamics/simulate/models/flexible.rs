@@ -52,7 +52,6 @@ pub fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     if out.contact_lost {
         out.notes.push(RunNote::FlexiblePulls);
     }
-    out.rows = p.rows(input, &forces, &heights);
-    out.hertz = p.hertz(input, &out.rows);
+    p.fill(input, &mut out, &forces, &heights);
     Ok(out)
 }

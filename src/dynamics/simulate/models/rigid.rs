@@ -54,8 +54,7 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     if p.laws.len() > 1 {
         out.notes.push(RunNote::RigidWithoutImpacts);
     }
-    out.rows = p.rows(input, &forces, &vec![0.0; forces.len()]);
-    out.hertz = p.hertz(input, &out.rows);
+    p.fill(input, &mut out, &forces, &vec![0.0; forces.len()]);
     Ok(out)
 }
 
@@ -113,7 +112,6 @@ fn over_time(input: &Run, p: &Prepared, machine: &MachineMotion) -> Outcome {
         // It is that of a stiff floor.
         out.liftoff_speed = None;
     }
-    out.rows = p.rows(input, &forces, &vec![0.0; forces.len()]);
-    out.hertz = p.hertz(input, &out.rows);
+    p.fill(input, &mut out, &forces, &vec![0.0; forces.len()]);
     out
 }

@@ -371,3 +371,45 @@ fn base_circle_and_hole_are_judged_by_the_shaft_that_carries_the_torque() {
         assert!(shafts.iter().all(|s| (s - 1.0).abs() < 1e-6), "{shafts:?}");
     }
 }
+
+#[test]
+fn a_hole_that_cannot_balance_the_cam_is_a_note_of_the_design() {
+    let eccentric = |lift: &str| ECCENTRIC.replace("20 mm", lift);
+    let twice = |lift: &str| {
+        let (rises, cam) = eccentric(lift)
+            .split_once("[cam]")
+            .map(|(a, b)| (a.to_string(), b.to_string()))
+            .unwrap();
+        let quarter = rises.replace("180 deg", "90 deg");
+        let (head, segments) = quarter.split_once("[[law.segment]]").unwrap();
+        format!("{head}[[law.segment]]{segments}[[law.segment]]{segments}[cam]{cam}")
+    };
+    let (room, none) = (eccentric("2 mm"), eccentric("20 mm"));
+    for (text, changes, told) in [
+        // Of a disc of 51 mm about 1 mm the hole has some 16 mm; of one of 60 mm about 10 mm no wall is left.
+        (&room, vec!["cam.balance=true"], false),
+        (&none, vec!["cam.balance=true"], true),
+        (&none, vec![], false),
+        (
+            &room,
+            vec!["cam.balance=true", "cam.hub.diameter=95 mm"],
+            true,
+        ),
+        // Two equal lobes need no hole.
+        (&twice("5 mm"), vec!["cam.balance=true"], false),
+    ] {
+        let all = [vec!["cam.prime_radius=60 mm", "cam.bore=12 mm"], changes].concat();
+        let design = design(text, &all);
+        let walls = design.notes.iter().filter_map(|note| match note {
+            Note::NoBalanceHole { wall } => Some(wall.value),
+            _ => None,
+        });
+        let expected = if told { vec![0.003] } else { Vec::new() };
+        assert_eq!(walls.collect::<Vec<_>>(), expected, "{all:?}");
+        assert!(
+            told || all.len() == 2
+                || text.matches("segment").count() == 4
+                || design.balance_holes()[0].is_some()
+        );
+    }
+}

@@ -203,3 +203,48 @@ fn a_missing_row_is_mentioned() {
     // (n − 1)/duration.
     assert!((found["rate_hz"].as_f64().unwrap() - 1598.0 / 7.995).abs() < 1e-6);
 }
+
+#[test]
+fn stances_are_listed_one_by_one_where_asked_and_summed_up_by_foot_otherwise() {
+    let folder = tempfile::tempdir().unwrap();
+    // 40 stances of each foot; the record begins and ends in the middle of one.
+    let row = |i: i32| {
+        let t = f64::from(i) / 100.0;
+        format!(
+            "{t:.2},{:.2},{:.2}\n",
+            foot(t + 0.3),
+            foot(t + 0.3 - 0.5 * STRIDE)
+        )
+    };
+    let text: String = (0..4450).map(row).collect();
+    let path = folder.path().join("long.csv");
+    fs::write(&path, format!("time_s,left Fz [N],right Fz [N]\n{text}")).unwrap();
+    let path = path.to_str().unwrap();
+    let read = json(&[path]);
+    let used = read["stances"].as_array().unwrap().len();
+    let channels = read["channels"].as_array().unwrap().iter();
+    let rejected: usize = channels
+        .map(|c| c["rejected"].as_array().unwrap().len())
+        .sum();
+    assert!(used > 60 && rejected > 1, "{used} {rejected}");
+    let lines = |options: &[&str]| {
+        let output = gait(&[&[path], options].concat());
+        assert!(output.status.success(), "{output:?}");
+        let text = String::from_utf8(output.stdout).unwrap();
+        let of = |start: &str| {
+            let after = text
+                .lines()
+                .skip_while(|line| !line.starts_with(start))
+                .skip(1);
+            after.take_while(|line| !line.is_empty()).count()
+        };
+        [of("foot       start"), of("rejected"), of("foot       n ")]
+    };
+    let [listed, refused, by_foot] = lines(&["--stances"]);
+    assert_eq!([listed, refused], [used, rejected]);
+    assert!(by_foot >= 2);
+    let [listed, reasons, by_foot] = lines(&[]);
+    assert!(listed == 0 && (1..=rejected).contains(&reasons) && by_foot >= 2);
+    // Two columns, each cut at both ends at most.
+    assert!(reasons <= 4, "{reasons}");
+}

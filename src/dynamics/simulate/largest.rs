@@ -1,0 +1,135 @@
+//! Largest loads of a run: true ones, between the rows too, where the force follows from the angle.
+
+use super::prepared::Prepared;
+use crate::dynamics::outcome::{Loads, Model, Outcome, Pressure, Row};
+use crate::dynamics::rigid::hertz;
+use crate::dynamics::rigid::touch::Touch;
+use crate::dynamics::run::Run;
+use crate::poly::{Extreme, stand_in};
+
+/// A peak of the rows below this part of the highest is not the highest between them.
+const NEAR: f64 = 0.99;
+/// A row that is higher than its neighbour by less, as a part of the highest, is no peak but rounding.
+const LEVEL: f64 = 1e-9;
+/// Relative accuracy of the stand-ins whose extremes are taken.
+const STAND_IN: f64 = 1e-12;
+
+impl Prepared {
+    /// Rows from forces and heights, and the largest loads.
+    pub fn fill(&self, input: &Run, out: &mut Outcome, forces: &[f64], heights: &[f64]) {
+        out.rows = self.rows(input, forces, heights);
+        let touched = |i: usize| {
+            let angle = self.start + self.step * i as f64;
+            let at = self.nodes[i % self.nodes.len()];
+            self.touch(
+                input,
+                self.speed(i % self.nodes.len()),
+                angle,
+                at,
+                forces[i],
+            )
+        };
+        let follows = match out.model {
+            Model::Rigid => self.shaft.is_none() && self.machine.is_none(),
+            Model::Contact => self.shaft.is_none() && out.lost_fraction == 0.0,
+            Model::Flexible | Model::Auto => false,
+        };
+        let largest = |row: fn(&Row) -> f64, load: fn(&Touch) -> f64| {
+            let values: Vec<f64> = (0..forces.len())
+                .map(|i| row(&out.rows[self.place(i, forces.len())]).abs())
+                .collect();
+            self.largest(input, &values, follows, load)
+        };
+        out.loads = Loads {
+            normal_force: largest(|r| r.normal_force, |t| t.normal.abs()).value,
+            side_thrust: largest(|r| r.side_thrust, |t| t.side_thrust.abs()).value,
+        };
+        let Some(face) = input.machine.face else {
+            return;
+        };
+        // The pressure grows with the product of force and curvature.
+        let product = |t: &Touch| (t.normal * t.curvature).abs();
+        let values: Vec<f64> = (0..forces.len()).map(|i| product(&touched(i))).collect();
+        let highest = self.largest(input, &values, follows, product);
+        let modulus = hertz::modulus(face.cam, face.follower);
+        out.hertz = Some(Pressure {
+            theta: self.theta(highest.at, forces.len()),
+            contact: hertz::line(highest.value, face.length, 1.0, modulus),
+        });
+    }
+
+    /// Cam angle at an angle in the sense of turning, in the range of so many rows.
+    fn theta(&self, angle: f64, rows: usize) -> f64 {
+        let turns = (rows / self.nodes.len()) as f64;
+        let wrapped = |x: f64, from: f64| match self.cycle.closed {
+            true => from + (x - from).rem_euclid(turns * self.cycle.length),
+            false => x,
+        };
+        match self.reversed {
+            true => wrapped(-angle, -(self.start + self.cycle.length)),
+            false => wrapped(angle, self.start),
+        }
+    }
+
+    /// The largest of a load with these values at the rows, in the order of turning.
+    fn largest(
+        &self,
+        input: &Run,
+        values: &[f64],
+        follows: bool,
+        load: impl Fn(&Touch) -> f64,
+    ) -> Extreme {
+        let n = values.len();
+        let at = |i: usize| self.start + self.step * i as f64;
+        let highest = (0..n).max_by(|i, j| values[*i].total_cmp(&values[*j]));
+        let highest = highest.unwrap_or_default();
+        let mut best = Extreme {
+            at: at(highest),
+            value: values[highest],
+        };
+        if !follows || !best.value.is_finite() {
+            return best;
+        }
+        let is_peak = |i: &usize| {
+            let beside = [(i + n - 1) % n, (i + 1) % n].map(|k| values[*i] - values[k]);
+            let rises = beside.iter().any(|rise| *rise > LEVEL * best.value);
+            values[*i] >= NEAR * best.value && beside.iter().all(|rise| *rise >= 0.0) && rises
+        };
+        let (first, last) = (self.start, self.start + self.cycle.length);
+        for i in (0..n).filter(is_peak).collect::<Vec<_>>() {
+            let mut ends = [at(i) - self.step, at(i) + self.step];
+            if !self.cycle.closed {
+                ends = [ends[0].max(first), ends[1].min(last)];
+            }
+            let breaks = self.cut(ends);
+            let value = |x: f64| {
+                let motion = self.lift.svaj(x);
+                let force = self.drive.force(motion);
+                load(&self.touch(input, self.drive.speed, x, motion, force))
+            };
+            let (_, high) = stand_in(&breaks, STAND_IN, |_, x| value(x)).extremes();
+            if high.value > best.value {
+                best = high;
+            }
+        }
+        best
+    }
+
+    /// A range of angles with the breaks of the lift in it.
+    fn cut(&self, [from, to]: [f64; 2]) -> Vec<f64> {
+        let turns = [-1.0, 0.0, 1.0].map(|k| k * self.cycle.length);
+        let breaks = turns
+            .iter()
+            .flat_map(|turn| self.lift.breaks().iter().map(move |b| b + turn));
+        // A break within rounding of another would leave an interval of no length.
+        let room = 1e-9 * (to - from);
+        let mut cut = vec![from];
+        for b in breaks.filter(|b| *b < to - room) {
+            if b > cut[cut.len() - 1] + room {
+                cut.push(b);
+            }
+        }
+        cut.push(to);
+        cut
+    }
+}
