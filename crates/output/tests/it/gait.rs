@@ -58,7 +58,7 @@ fn json_has_the_promised_keys_and_the_table_the_same_numbers() {
     assert_eq!(v["cycle"]["period_s"], c.curve.period_s);
     assert_eq!(v["cycle"]["mean_n"], c.curve.mean_n());
     assert_eq!(v["stances"].as_array().unwrap().len(), s.used.len());
-    let t = table(&understood, &r, &s, Ok(&c), Language::En);
+    let t = table(&understood, &r, &s, Ok(&c), true, Language::En);
     for part in [
         "100.00 Hz",
         "Right Fz",
@@ -67,7 +67,7 @@ fn json_has_the_promised_keys_and_the_table_the_same_numbers() {
         assert!(t.contains(part), "{part} is not in\n{t}");
     }
     let refused = Interpretation::of("walk.csv", &r, &s, None, Feet::Both);
-    assert!(table(&refused, &r, &s, Err("none"), Language::En).ends_with(": none\n"));
+    assert!(table(&refused, &r, &s, Err("none"), true, Language::En).ends_with(": none\n"));
 }
 
 /// Force of a stance of 0.7 s and amplitude 1 N at a part `x` of it.
@@ -128,7 +128,7 @@ fn means_of_each_foot_are_those_of_the_stances_that_were_made() {
     let s = stances(&r);
     let c = cycle(&r, &s, Feet::Both).unwrap();
     let understood = Interpretation::of("made.csv", &r, &s, Some(&c), Feet::Both);
-    let t = table(&understood, &r, &s, Ok(&c), Language::En);
+    let t = table(&understood, &r, &s, Ok(&c), true, Language::En);
     let feet = t.split("stance %\n").nth(1).expect("means of the feet");
     let numbers = |line: &str| -> Vec<f64> {
         let words = line.split(|c: char| c.is_whitespace() || c == '%' || c == '/');
@@ -195,7 +195,7 @@ fn clipped(columns: [bool; 2], options: &ReadOptions) -> String {
     let s = stances(&r);
     let c = cycle(&r, &s, Feet::Both).unwrap();
     let understood = Interpretation::of("walk.csv", &r, &s, Some(&c), Feet::Both);
-    table(&understood, &r, &s, Ok(&c), Language::En)
+    table(&understood, &r, &s, Ok(&c), true, Language::En)
 }
 
 #[test]
