@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use serde_json::{Value, json};
+use serde_json::json;
 use toml::Table;
 
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
@@ -16,15 +16,13 @@ use crate::input::searching::TimeLimit;
 use crate::input::{self, SceneArgs};
 use crate::synth::{self, SynthArgs, files_in};
 use gaitcam::error::{FileError, Placed, Result};
-use gaitcam::identify::{Change, Identified, Log, Parameter};
-use gaitcam::scene::{keys, set_value};
+use gaitcam::identify::{Identified, Log};
+use gaitcam::scene::set_value;
 use gaitcam::synth::Design;
-use gaitcam::units::{Dimension, Quantity};
-use gaitcam::wording::quantity;
 use gaitcam_files::design::OF_IDENTIFICATION;
 use gaitcam_files::read::read_bytes;
 use gaitcam_files::{Input, PATIENCE, ResultFolder};
-use gaitcam_output::identification;
+use gaitcam_output::{identification, identified};
 
 const IDENTIFY: &str = "Examples:
   gaitcam identify out/footbridge log.csv
@@ -109,7 +107,8 @@ pub fn identify(args: &IdentifyArgs) -> Result<u8> {
         print_json(&serde_json::to_value(&found).unwrap_or_default());
         return Ok(BUILT);
     }
-    print(&text(&input, &found));
+    let lines = identified::lines(&input.scene, &found, language::current());
+    print(&lines.join("\n  "));
     if let Some(place) = place {
         print(&files_in(&place, "identify.svg"));
     }
@@ -188,68 +187,6 @@ pub fn recut(args: &RecutArgs) -> Result<u8> {
     let (before, after) = (figures.before_rms_n, figures.predicted_rms_n);
     let line = json!({"before": number(before), "after": number(after)});
     let mut lines = vec![words::fill("recut-error", &line)];
-    lines.extend((!found.has_angle).then(|| words::text("identify-no-angle")));
+    lines.extend(identified::no_angle(&found, language::current()));
     synth::designed(&synth, &next, start, Some(("recut", json!(figures), lines)))
-}
-
-/// A quantity with the unit of its parameter.
-fn shown(input: &Input, parameter: &Parameter, value: f64) -> String {
-    let unit = match parameter.key {
-        "log.scale" => "",
-        "log.delay" => Dimension::Time.si(),
-        "guide.damping" => Dimension::Damping.si(),
-        key => keys::find(key)
-            .and_then(|k| k.dimension(&input.scene))
-            .map_or(Dimension::Force.si(), Dimension::si),
-    };
-    quantity(language::current(), value, unit)
-        .trim_end()
-        .to_string()
-}
-
-fn text(input: &Input, found: &Identified) -> String {
-    let number = |x: f64| words::fixed(x, 2);
-    let speed = Quantity::new(found.speed_rad_per_s, Dimension::AngularSpeed);
-    let head = json!({
-        "name": input.scene.name,
-        "cycles": found.cycles.to_string(),
-        "speed": quantity(language::current(), speed.value, Dimension::AngularSpeed.si()),
-        "noise": number(found.noise_rms_n),
-        "repeats": number(found.repeatable_rms_n),
-    });
-    let mut lines = vec![words::fill("identify-head", &head)];
-    for p in &found.parameters {
-        let end = |x: Option<f64>, open: &str| x.map_or(open.to_string(), |x| shown(input, p, x));
-        let key = if p.identifiable {
-            "identify-known"
-        } else {
-            "identify-unknown"
-        };
-        let data = json!({
-            "key": format!("{:<26}", p.key),
-            "value": shown(input, p, p.value),
-            "low": end(p.low, "−∞"),
-            "high": end(p.high, "∞"),
-        });
-        lines.push(format!("  {}", words::fill(key, &data)));
-    }
-    lines.push(format!("  {}", words::text("identify-scale")));
-    if !found.has_angle {
-        lines.push(format!("  {}", words::text("identify-no-angle")));
-    }
-    if let Some(run) = &found.next_run {
-        let (key, value) = match run.change {
-            Change::Speed { rad_per_s } => (
-                "identify-next-speed",
-                quantity(language::current(), rad_per_s, Dimension::AngularSpeed.si()),
-            ),
-            Change::AddedMass { kg } => (
-                "identify-next-mass",
-                quantity(language::current(), kg, Dimension::Mass.si()),
-            ),
-        };
-        let data: Value = json!({"value": value, "keys": run.identifies.join(", ")});
-        lines.push(format!("  {}", words::fill(key, &data)));
-    }
-    lines.join("\n")
 }

@@ -66,6 +66,7 @@ impl Engine {
     fn whole(&self, files: &Files, route: &str, object: Map<String, Value>) -> Answer {
         match route {
             "simulate" => asked(object, |q| runs::simulate(files, q)),
+            "identify" => asked(object, |q| runs::identify(files, q)),
             "recording" => asked(object, |q| recording::dropped(files, q)),
             "contacts" => asked(object, |q| recording::contacts(files, q)),
             "export" => match serde_json::from_value(object.into()) {

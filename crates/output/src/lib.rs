@@ -12,6 +12,7 @@ mod data;
 mod figures;
 pub mod folder;
 pub mod gait;
+pub mod identified;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 mod plot;

@@ -495,11 +495,4 @@ ecam-acceleration = { $file }: { $points } intervals, { $curve }, { $number }; a
 
 # identify, recut.
 identify-no-cam = no cam that could have run: { $why }
-identify-head = { $name }: { $cycles } cycles at { $speed }; noise { $noise } N RMS, repeatable force that no parameter explains { $repeats } N RMS
-identify-known = { $key } { $value } (95 %: { $low } … { $high })
-identify-unknown = { $key } not identified: { $value } (95 %: { $low } … { $high })
-identify-scale = scale of the load cell and moved mass cannot be separated by one log: the values hold for a calibrated load cell
-identify-no-angle = the log has no theta_rad: its phase is the one at which the model fits best, a delay cannot be separated from it
-identify-next-speed = a run at { $value } beside this one would identify { $keys }
-identify-next-mass = a run with { $value } added to the moved mass would identify { $keys }
 recut-error = force error measured before { $before } N RMS, predicted after this cut { $after } N RMS

@@ -495,11 +495,4 @@ ecam-acceleration = { $file }: { $points } intervalos, { $curve }, { $number }; 
 
 # identify, recut.
 identify-no-cam = no hay leva que haya podido funcionar: { $why }
-identify-head = { $name }: { $cycles } ciclos a { $speed }; ruido { $noise } N RMS, fuerza repetible que ningún parámetro explica { $repeats } N RMS
-identify-known = { $key } { $value } (95 %: { $low } … { $high })
-identify-unknown = { $key } no identificado: { $value } (95 %: { $low } … { $high })
-identify-scale = la escala de la célula de carga y la masa móvil no se pueden separar con un solo registro: los valores valen para una célula calibrada
-identify-no-angle = el registro no tiene theta_rad: su fase es la que mejor ajusta el modelo, y no se distingue de un retardo
-identify-next-speed = una marcha a { $value } además de esta identificaría { $keys }
-identify-next-mass = una marcha con { $value } añadidos a la masa móvil identificaría { $keys }
 recut-error = error de fuerza medido antes { $before } N RMS, previsto después de este corte { $after } N RMS

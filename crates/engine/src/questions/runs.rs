@@ -1,18 +1,25 @@
-//! The finished cam in motion, and a grid of designs.
+//! The finished cam in motion, what a log of it shows, and a grid of designs.
 
+use std::path::Path;
 use std::thread::available_parallelism;
 
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::fault::StudioError;
+use crate::hash::Hash;
+use crate::kept::Made;
 use crate::questions::design::{Which, made};
 use crate::sources::Files;
 use crate::{table, words};
 use gaitcam::dynamics::{self, Model};
 use gaitcam::error::Result;
+use gaitcam::identify::{self, Log};
+use gaitcam::scene::set_value;
 use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
-use gaitcam_output::{plots, simulation};
+use gaitcam::synth::Search;
+use gaitcam::wording::fixed;
+use gaitcam_output::{identification, identified, plots, simulation};
 
 /// Most designs of a sweep.
 const MOST: u64 = 900;
@@ -35,6 +42,59 @@ pub fn simulate(files: &Files, which: &Which) -> Result<Value> {
         "simulation": simulation::json(&outcome),
         "table": simulation::table(&outcome, measures, language),
         "picture": plots::run(design, &outcome, language).svg(),
+    }))
+}
+
+/// The log of a running machine.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Logged {
+    /// The scene of its cam.
+    pub scene: String,
+    /// Name of the log.
+    pub log: String,
+    /// Hash of its bytes.
+    pub hash: Hash,
+}
+
+/// What a log shows of the machine, in words and as a picture, and the scene of the next cam; `why` alone where there is no
+/// cam.
+///
+/// # Errors
+/// Faults of the scene and of the log.
+pub fn identify(files: &Files, asked: &Logged) -> Result<Value> {
+    let log = Log::read(
+        Path::new(&asked.log),
+        &files.engine.kept(&asked.hash).unwrap_or_default(),
+    )?;
+    let made = made(files, table(&asked.scene)?)?;
+    let (design, language) = (&made.design, words::current());
+    if let Some(why) = design.no_cam(language) {
+        return Ok(json!({"why": why}));
+    }
+    let found = identify::identify(design, &made.scene, &log)?;
+    let next = next(files, &made, &log);
+    Ok(json!({
+        "lines": identified::lines(&made.scene, &found, language),
+        "picture": identification(design, &found, language).svg(),
+        "next": next.unwrap_or_else(|e| json!({"why": e.what(language)})),
+    }))
+}
+
+/// The scene of the next cam with the force error measured and that predicted.
+fn next(files: &Files, made: &Made, log: &Log) -> Result<Value> {
+    let force = files.target(&made.scene)?.map(|(force, _)| force);
+    let search = Search::default();
+    let (scene, figures, _) =
+        identify::recut(&made.design, &made.scene, force.as_ref(), log, &search)?;
+    let mut table = made.table.clone();
+    let learned = scene.to_table()["machine"]["learned_force"].clone();
+    set_value(&mut table, "machine.learned_force", learned)?;
+    let number = |x: f64| fixed(words::current(), x, 2);
+    Ok(json!({
+        "scene": toml::to_string(&table).unwrap_or_default(),
+        "before": number(figures.before_rms_n),
+        "after": number(figures.predicted_rms_n),
     }))
 }
 
@@ -69,7 +129,7 @@ pub fn sweep(files: &Files, asked: &Grid) -> Result<Value> {
         .iter()
         .map(|key| key.column())
         .collect::<Vec<_>>();
-    let read = |_: usize, path: &std::path::Path| Ok(files.bytes(path)?.1.to_vec());
+    let read = |_: usize, path: &Path| Ok(files.bytes(path)?.1.to_vec());
     let study = Study::new(Subject::Designs(plan), read)?;
     let rows = study.rows()?;
     if rows > MOST {

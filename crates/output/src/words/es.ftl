@@ -444,3 +444,12 @@ simulation-next-rms = , el error RMS en { $rms } N
 simulation-next-same = { $model } da lo mismo con cuatro decimales
 simulation-next-changes = { $model } cambiaría la fuerza mínima en { $least } N, la máxima en { $most } N{ $error }, la parte sin contacto en { $lost } %
 simulation-note = nota
+
+# Lo que un registro muestra de una máquina.
+identify-head = { $name }: { $cycles } ciclos a { $speed }; ruido { $noise } N RMS, fuerza repetible que ningún parámetro explica { $repeats } N RMS
+identify-known = { $key } { $value } (95 %: { $low } … { $high })
+identify-unknown = { $key } no identificado: { $value } (95 %: { $low } … { $high })
+identify-scale = la escala de la célula de carga y la masa móvil no se pueden separar con un solo registro: los valores valen para una célula calibrada
+identify-no-angle = el registro no tiene theta_rad: su fase es la que mejor ajusta el modelo, y no se distingue de un retardo
+identify-next-speed = una marcha a { $value } además de esta identificaría { $keys }
+identify-next-mass = una marcha con { $value } añadidos a la masa móvil identificaría { $keys }

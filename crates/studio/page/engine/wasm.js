@@ -96,7 +96,7 @@ const long = new Lane("engine");
 const whole = new Lane("whole");
 const LANES = {
   relax: long, sensitivity: long, front: long, "scene-picture": long, sweep: long,
-  export: whole, simulate: whole, recording: whole, contacts: whole,
+  export: whole, simulate: whole, identify: whole, recording: whole, contacts: whole,
 };
 const lane = (route) => LANES[route] ?? hand;
 

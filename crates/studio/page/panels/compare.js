@@ -83,7 +83,7 @@ function build() {
   const against = make("select", { id: "against", "aria-label": t("studio-front-against") }, ...start.trades.map((q) => make("option", { value: q }, t(`studio-quantity-${q}`))));
   root.append(make("div", { class: "buttons" }, against, make("button", { type: "button", id: "trade", onclick: () => trade(against.value) }, t("studio-compute"))), make("div", { id: "front" }));
   const figures = start.figures.filter(([name]) => ROWS.includes(name));
-  if (answer) root.append(...runs.sections({ ask, fields: answer.fields, figures, edit }));
+  if (answer) root.append(...runs.sections({ ask, fields: answer.fields, figures, edit, take: next }));
   table();
   if (bars) tornado();
   if (front) points();
@@ -138,6 +138,12 @@ async function ask(route, box, question = {}) {
   computed.set(box, JSON.stringify(of));
   age();
   return found;
+}
+
+// A scene with the files of the present version.
+function next(scene) {
+  const { files, hand, recording } = versions.now();
+  openScene(scene, { files, hand, recording });
 }
 
 function age() {

@@ -1,7 +1,8 @@
-// The finished cam in motion, and a table of designs over one or two values.
+// The finished cam in motion, what a log of it shows, and a table of designs over one or two values.
 
 import { $, make, clear, notice } from "../core/dom.js";
 import { t, number } from "../core/words.js";
+import { engine } from "../core/net.js";
 import * as units from "../core/units.js";
 import { label } from "./form.js";
 
@@ -9,10 +10,12 @@ import { label } from "./form.js";
 const [ALONE, BOTH] = [13, 7];
 const said = (error) => notice([error.place, error.message, error.help].filter(Boolean).join(" – "));
 let ran = null;
+let logged = null;
 let grid = null;
 
 // `ask` sends a question about the design on the screen for a box, `fields` are its fields, `figures` the columns with units.
-export function sections({ ask, fields, figures, edit }) {
+// `take` opens a scene with the files of the present one.
+export function sections({ ask, fields, figures, edit, take }) {
   const keys = Object.keys(fields).filter((key) => fields[key].slider && fields[key].text);
   const choice = (id, first) => make("select", { id, "aria-label": t(`studio-${id}`) }, ...first, ...keys.map((key) => make("option", { value: key }, label(key))));
   const across = choice("sweep-across", []);
@@ -35,9 +38,18 @@ export function sections({ ask, fields, figures, edit }) {
     grid = { ...answer, axes, figure: figures.find(([name]) => name === figure.value) };
     designs(edit);
   };
+  const log = make("input", { type: "file", id: "log", accept: ".csv,.txt", "aria-label": t("studio-log"), onchange: () => identify().catch(said) });
+  const identify = async () => {
+    const file = log.files[0];
+    if (!file) return;
+    const hash = await engine.keep(file);
+    logged = await ask("identify", "logged", { log: file.name, hash });
+    machine(take);
+  };
   const out = [make("h2", {}, t("studio-simulate")), make("p", { class: "lead" }, t("studio-simulate-lead")), make("div", { class: "buttons" }, button("simulate", run)), make("div", { id: "motion" }),
+    make("h2", {}, t("studio-log")), make("p", { class: "lead" }, t("studio-log-lead")), make("div", { class: "buttons" }, log), make("div", { id: "logged" }),
     make("h2", {}, t("studio-sweep")), make("p", { class: "lead" }, t("studio-sweep-lead")), make("div", { class: "buttons" }, across, down, figure, button("sweep", sweep)), make("div", { id: "grid" })];
-  queueMicrotask(() => { motion(); designs(edit); });
+  queueMicrotask(() => { motion(); machine(take); designs(edit); });
   return out;
 }
 
@@ -55,6 +67,21 @@ function motion() {
     clear(box).append(make("pre", { class: "scroll", tabindex: "0" }, units.text(ran.table)), make("div", { class: "run" }));
     box.lastChild.innerHTML = ran.picture;
   }
+}
+
+// What the log shows, and the button that opens the scene of the next cam.
+function machine(take) {
+  const box = $("logged");
+  if (!box || !logged) return;
+  if (logged.why) {
+    clear(box).append(make("p", {}, logged.why));
+    return;
+  }
+  const { lines, picture, next } = logged;
+  const offer = next.why ? [make("p", {}, next.why)] : [make("p", {}, t("studio-log-next", { before: next.before, after: next.after })),
+    make("div", { class: "buttons" }, make("button", { type: "button", id: "take-next", onclick: () => take(next.scene) }, t("studio-log-take")))];
+  clear(box).append(make("ul", {}, ...lines.map((line) => make("li", {}, line.replace(/ +/g, " ")))), make("div", { class: "run" }), ...offer);
+  box.querySelector(".run").innerHTML = picture;
 }
 
 // A table coloured by the figure: rows over the first key, columns over the second; a click takes the values.

@@ -289,6 +289,20 @@ class Studio(Pages):
         page.does(lambda: page.page.locator("#grid td button").first.click())
         self.quiet(page)
 
+    def test_a_log_of_the_machine_gives_its_parameters_and_the_next_cam(self):
+        page = self.page()
+        page.page.click("#tab-compare")
+        page.page.set_input_files("#log", {"name": "short.csv", "mimeType": "text/csv", "buffer": b"time_s,force_n\n0,1\n"})
+        page.until("the log is refused", lambda: "short.csv" in page.page.inner_text("#notice"))
+        page.page.click("#notice-close")
+        page.page.set_input_files("#log", ROOT / "data/logs/made_log.csv")
+        page.page.wait_for_selector("#logged svg", timeout=30000)
+        self.assertIn("drive.mass", page.page.inner_text("#logged ul"))
+        page.does(lambda: page.page.click("#take-next"))
+        page.page.click("#tab-text")
+        self.assertIn("learned_force", page.page.input_value("#text textarea"))
+        self.quiet(page)
+
     def test_the_keyboard_reaches_everything(self):
         page = self.page()
         page.page.reload()

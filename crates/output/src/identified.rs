@@ -1,0 +1,71 @@
+//! What a log shows of a machine, in words.
+
+use gaitcam::identify::{Change, Identified, Parameter};
+use gaitcam::scene::{Scene, keys};
+use gaitcam::units::Dimension;
+use gaitcam::wording::{Language, fixed, quantity};
+
+use crate::words;
+
+/// A quantity with the unit of its parameter.
+fn shown(scene: &Scene, parameter: &Parameter, value: f64, language: Language) -> String {
+    let unit = match parameter.key {
+        "log.scale" => "",
+        "log.delay" => Dimension::Time.si(),
+        "guide.damping" => Dimension::Damping.si(),
+        key => keys::find(key)
+            .and_then(|k| k.dimension(scene))
+            .map_or(Dimension::Force.si(), Dimension::si),
+    };
+    quantity(language, value, unit).trim_end().to_string()
+}
+
+/// That the log has no angle, where it has none.
+pub fn no_angle(found: &Identified, language: Language) -> Option<String> {
+    (!found.has_angle).then(|| words::words(language).text("identify-no-angle"))
+}
+
+/// Noise and residual, each parameter with its interval, what this log cannot identify and the run that would.
+pub fn lines(scene: &Scene, found: &Identified, language: Language) -> Vec<String> {
+    let words = words::words(language);
+    let number = |x: f64| fixed(language, x, 2);
+    let speed = |x: f64| quantity(language, x, Dimension::AngularSpeed.si());
+    let head = [
+        ("name", &*scene.name),
+        ("cycles", &found.cycles.to_string()),
+        ("speed", &speed(found.speed_rad_per_s)),
+        ("noise", &number(found.noise_rms_n)),
+        ("repeats", &number(found.repeatable_rms_n)),
+    ];
+    let mut lines = vec![words.fill("identify-head", &head)];
+    for p in &found.parameters {
+        let shown = |x: f64| shown(scene, p, x, language);
+        let end = |x: Option<f64>, open: &str| x.map_or(open.to_string(), shown);
+        let key = if p.identifiable {
+            "identify-known"
+        } else {
+            "identify-unknown"
+        };
+        let data = [
+            ("key", &*format!("{:<26}", p.key)),
+            ("value", &shown(p.value)),
+            ("low", &end(p.low, "−∞")),
+            ("high", &end(p.high, "∞")),
+        ];
+        lines.push(words.fill(key, &data));
+    }
+    lines.push(words.text("identify-scale"));
+    lines.extend(no_angle(found, language));
+    if let Some(run) = &found.next_run {
+        let (key, value) = match run.change {
+            Change::Speed { rad_per_s } => ("identify-next-speed", speed(rad_per_s)),
+            Change::AddedMass { kg } => (
+                "identify-next-mass",
+                quantity(language, kg, Dimension::Mass.si()),
+            ),
+        };
+        let data = [("value", &*value), ("keys", &run.identifies.join(", "))];
+        lines.push(words.fill(key, &data));
+    }
+    lines
+}
