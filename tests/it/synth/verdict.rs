@@ -439,4 +439,7 @@ fn a_roller_larger_than_its_cam_is_noted() {
     };
     assert!(noted("10 m"));
     assert!(!noted("10 mm"));
+    // The arc of a mushroom follower may be as large as it likes: it does not roll.
+    let mushroom = walking(&["cam.follower=mushroom-translating", "cam.arc_radius=10 m"]);
+    assert!(!(mushroom.notes.iter()).any(|note| matches!(note, Note::LargeRoller { .. })));
 }

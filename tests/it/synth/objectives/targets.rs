@@ -136,16 +136,16 @@ fn the_band_of_a_recording_is_its_spread() {
 #[test]
 fn a_band_too_narrow_says_how_much_wider() {
     let target = young();
-    let narrow = solved(&["law.spans=6", "gait.band=0.5 N"], &target);
+    let narrow = solved(&["law.spans=6", "gait.band=0.4 N"], &target);
     let conflict = narrow
         .infeasible
-        .expect("six spans cannot follow within half a newton");
+        .expect("six spans cannot follow within 0.4 N");
     let wider = conflict
         .relaxations
         .iter()
         .find(|r| r.limit.name() == "band")
         .unwrap();
-    assert!((wider.from - 0.5).abs() < 1e-9, "{wider:?}");
+    assert!((wider.from - 0.4).abs() < 1e-9, "{wider:?}");
     let to = wider.to.unwrap();
     let enough = format!("gait.band={} N", to * (1.0 + 1e-6));
     let less = format!("gait.band={} N", to * (1.0 - 1e-3));

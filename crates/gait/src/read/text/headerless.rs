@@ -251,6 +251,12 @@ mod tests {
     }
 
     #[test]
+    fn a_first_column_that_grows_by_one_counts_samples() {
+        let of = |step: f64| counts_samples(&[0.0, step, 2.0 * step]);
+        assert!(of(1.0) && !of(0.5) && !of(2.0));
+    }
+
+    #[test]
     fn a_total_is_looked_for_among_four_to_sixty_four_columns() {
         let z: Vec<f64> = (0..400).map(|i| -stance(i, 0)).collect();
         for (parts, found) in [(2, false), (3, true), (63, true), (64, false)] {
