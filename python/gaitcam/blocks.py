@@ -35,7 +35,7 @@ def write(plan: Sweep, start: int, stop: int, file: str | PathLike[str]) -> int:
 
 def counted(
     results: Iterable[int],
-    missing: Sequence[tuple[int, int, str]],
+    missing: Sequence[tuple[int, int, str | PathLike[str]]],
     progress: Callable[[int, int], object] | None,
 ) -> int:
     """Sum of the numbers of rows of blocks as they end; ``progress(done, rows)`` is called after each."""

@@ -224,14 +224,15 @@ class State(Pages):
 
     def test_a_reload_that_began_before_the_address_was_written_keeps_the_versions(self):
         page = self.page()
-        page.page.wait_for_timeout(400)
-        page.page.evaluate("window.before = location.hash")
+        address = lambda: page.page.evaluate("location.hash")
+        page.until("the address is written", address)
+        before = address()
         page.sets("limits.stroke", "61 mm")
-        page.page.wait_for_timeout(400)
-        with page.page.expect_navigation():
-            page.page.evaluate("() => { history.replaceState(null, '', window.before); setTimeout(() => location.reload(), 50); }")
+        page.until("the address is written again", lambda: address() != before)
+        page.page.evaluate("before => history.replaceState(null, '', before)", before)
+        page.page.reload()
         page.shown(0)
-        self.assertEqual(page.value("limits.stroke"), "61 mm")
+        page.until("the stroke is back", lambda: page.value("limits.stroke") == "61 mm")
         self.assertTrue(page.page.is_enabled("#undo"))
 
     def test_numbers_are_taken_in_the_unit_shown_and_with_a_decimal_comma(self):
