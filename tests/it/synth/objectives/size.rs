@@ -128,8 +128,6 @@ fn a_pressure_angle_that_is_asked_on_one_side_is_no_habit() {
     assert!(habit(&[]));
     assert!(!habit(&["limits.pressure_angle_rise=30 deg"]));
     assert!(!habit(&["limits.pressure_angle_fall=30 deg"]));
-    // A given size is nobody's habit, however steep.
-    assert!(!habit(&["cam.prime_radius=15 mm"]));
 }
 
 #[test]
