@@ -233,16 +233,15 @@ pub fn scene_of(cam: usize) -> String {
 }
 
 fn cover_csv(covers: &[Cover]) -> String {
-    let mut out = String::from("cams,mean_percent,worst_percent,bound_percent,objective_percent\n");
+    let mut out = String::from("cams,mean_percent,worst_percent,bound_percent\n");
     for c in covers {
         let bound = c.bound_percent.map_or(String::new(), |b| b.to_string());
         let _ = writeln!(
             out,
-            "{},{},{},{bound},{}",
+            "{},{},{},{bound}",
             c.cams.len(),
             c.mean_percent,
-            c.worst_percent,
-            c.objective_percent
+            c.worst_percent
         );
     }
     out
