@@ -21,6 +21,7 @@ mod log;
 mod model;
 mod motor;
 mod next_run;
+mod period;
 mod recut;
 
 pub use log::Log;
@@ -264,7 +265,7 @@ impl Fitted {
         }
         let clock = Clock::of(design, &cycles);
         if !clock.speed.iter().all(|w| *w > 0.0) {
-            return Err(log.refused(cycles::no_cycle(speed)));
+            return Err(log.refused(period::no_cycle(speed)));
         }
         let machine = Machine::new(design, scene, &clock);
         let count = cycles.force.mean.len();

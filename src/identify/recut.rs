@@ -78,12 +78,13 @@ pub fn recut(
     let nominal: Vec<f64> = nominal.collect();
     let news = difference(&measured.mean, &clock.harmonics(&nominal, count));
     let band = IN_BAND * held(&wanted);
-    let is_first = scene.machine.learned_force.is_empty();
-    let trust = |n: usize| {
-        let at = trust(&design.drive, n as f64 * fitted.cycles.speed);
-        if is_first { at } else { AGAIN * at }
+    let whole = match scene.machine.learned_force.is_empty() {
+        true => 1.0,
+        false => AGAIN,
     };
-    let (learned, left) = shrunk(&news, &noise, from, band, trust);
+    let speed = fitted.cycles.speed;
+    let part = |n: usize| whole * convergent(&design.drive, n as f64 * speed);
+    let (learned, left) = shrunk(&news, &noise, from, band, part);
     if learned.iter().all(|x| *x == 0.0) {
         let newtons = |x: f64| Quantity::force(design.drive.newtons(x));
         let scatter: f64 = noise[1..].iter().sum();
@@ -167,10 +168,10 @@ fn repeated(harmonics: &[f64], noise: &[f64], from: usize) -> f64 {
     (rms(harmonics, from).powi(2) - scatter).max(0.0).sqrt()
 }
 
-/// Part of a correction at an angular frequency that is made at once. A cut changes the force by the machine's own gain per lift,
-/// k − m ω² + i c ω, which is uncertain by as much as `UNSURE` says; cuts converge while the part times true over nominal gain is
-/// below 2, which is far from sure near the resonance of a spring (Bristow, Tharayil and Alleyne 2006).
-fn trust(drive: &Drive, frequency: f64) -> f64 {
+/// Part of a correction at an angular frequency with which cuts converge. A cut changes the force by the machine's own gain per lift,
+/// k − m ω² + i c ω, which is uncertain by as much as `UNSURE` says; they do while the part times true over nominal gain is below 2,
+/// which is far from sure near the resonance of a spring (Bristow, Tharayil and Alleyne 2006).
+fn convergent(drive: &Drive, frequency: f64) -> f64 {
     let inertia = drive.mass * frequency * frequency;
     let gain = (drive.spring_rate - inertia).hypot(drive.damping * frequency);
     let critical = 2.0 * (drive.spring_rate * drive.mass).sqrt();
@@ -179,14 +180,14 @@ fn trust(drive: &Drive, frequency: f64) -> f64 {
     if sum > 0.0 { gain / sum } else { 1.0 }
 }
 
-/// Harmonics above their noise, each less the part of it that noise is likely to be, as far as they are corrected at once, and the
-/// RMS of what is left in the others and in the noise; all zero where the whole is noise.
+/// Harmonics above their noise, each less the part of it that noise is likely to be, as far as a correction of each is `made`,
+/// and the RMS of what is left in the others and in the noise; all zero where the whole is noise.
 fn shrunk(
     news: &[f64],
     noise: &[f64],
     from: usize,
     band: usize,
-    trust: impl Fn(usize) -> f64,
+    made: impl Fn(usize) -> f64,
 ) -> (Vec<f64>, f64) {
     let mut out = vec![0.0; news.len()];
     let mut left = 0.0;
@@ -199,9 +200,9 @@ fn shrunk(
             left += part * (energy - scatter).max(0.0);
             continue;
         }
-        let (kept, trust) = (1.0 - scatter / energy, trust(n));
-        left += part * kept * (scatter + (1.0 - trust).powi(2) * energy);
-        own.for_each(|j| out[j] = trust * kept * news[j]);
+        let (kept, made) = (1.0 - scatter / energy, made(n));
+        left += part * kept * (scatter + (1.0 - made).powi(2) * energy);
+        own.for_each(|j| out[j] = made * kept * news[j]);
     }
     let [all, scatter] = [dot(&news[1..], &news[1..]), noise[1..].iter().sum::<f64>()];
     let spread = noise[1..].iter().map(|v| v * v).sum::<f64>();
