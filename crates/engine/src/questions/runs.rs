@@ -84,7 +84,7 @@ pub fn identify(files: &Files, asked: &Logged) -> Result<Value> {
 /// The scene of the next cam with the force error measured and that predicted.
 fn next(files: &Files, made: &Made, log: &Log) -> Result<Value> {
     let force = files.target(&made.scene)?.map(|(force, _)| force);
-    let search = Search::default();
+    let search = Search::until(files.host.halt());
     let (scene, figures, _) =
         identify::recut(&made.design, &made.scene, force.as_ref(), log, &search)?;
     let mut table = made.table.clone();

@@ -52,6 +52,7 @@ fn two_new_cuts_bring_machines_with_everything_to_their_force() {
 
 #[test]
 fn a_third_cut_of_a_sprung_machine_with_friction_stays_near_its_force() {
+    // Machines that whole corrections drove away from it: 0.60 to 0.64 % after three cuts.
     for number in [1007, 1016, 1034] {
         let mut case = Case::new(Class::Whole, number).unwrap();
         let (errors, _) = case.cuts(3).unwrap();
