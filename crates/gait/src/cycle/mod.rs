@@ -182,7 +182,10 @@ fn crossed(recording: &Recording, stances: &Stances, whole: usize) -> Option<Ave
     let both = |r: &Rejected| {
         matches!(
             r.reason,
-            RejectReason::TwoPlates | RejectReason::CrossOver | RejectReason::Standing
+            RejectReason::TwoPlates
+                | RejectReason::CrossOver
+                | RejectReason::Standing
+                | RejectReason::Unlike
         )
     };
     if recording.is_insole() || !stances.rejected.iter().any(both) {

@@ -167,9 +167,11 @@ const OTHER_SPEED: f64 = 0.15;
 /// force unseen or are irregular.
 fn other_speeds(steps: &[f64], usual: f64, duration_s: f64) -> Option<Note> {
     let regular = || steps.iter().filter(|s| (*s / usual - 1.0).abs() < ODD_STEP);
+    // Two steps at once are of this speed too: the rise between them was too small.
+    let doubled = (steps.iter()).filter(|s| (0.5 * *s / usual - 1.0).abs() < ODD_STEP);
     let used = regular().count();
     let stances = (duration_s / usual) as usize;
-    let changes = (used + 2) as f64 <= (1.0 - OTHER_SPEED) * stances as f64;
+    let changes = (used + 2 * doubled.count() + 2) as f64 <= (1.0 - OTHER_SPEED) * stances as f64;
     changes.then(|| Note::SpeedChanges {
         used,
         stances,
@@ -246,4 +248,17 @@ fn rises(force: &[f64], half: usize, level: f64, margin: f64) -> Vec<f64> {
         }
     }
     places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rise_is_placed_between_the_samples_that_it_crosses() {
+        // Means over three samples: 0 … 0, 1, 2, 3 … 3, and back; 0.5 is crossed halfway from sample 4 to 5, 11 to 12.
+        let low = [0.0; 6];
+        let force = [&low[..], &[3.0; 4], &low[..3], &[3.0; 5]].concat();
+        assert_eq!(rises(&force, 2, 0.5, 0.4), [4.5, 11.5]);
+    }
 }

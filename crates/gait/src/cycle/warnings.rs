@@ -6,7 +6,7 @@ use crate::cycle::plausibility::{ADULT_KG, out_of_range, ranges};
 use crate::error::{ForceError, Result};
 use crate::quantity::{kilograms, seconds, share};
 use crate::recording::{CycleSource, Kind, Note, PeriodSource, Recording, UnitSource};
-use crate::stance::{Stance, Stances};
+use crate::stance::{RejectReason, Rejected, Stance, Stances};
 use crate::statistics::median;
 use crate::units::G;
 
@@ -59,9 +59,18 @@ pub(super) fn warnings(
             plates => Note::PlatesSummed { plates },
         });
     }
+    notes.extend(few_alike(stances).filter(|_| !total));
     notes.extend(differ(recording, &used, cycle));
     notes.extend(mass_is_guessed(recording, cycle));
     notes
+}
+
+/// Stances of a steady walk of which those that are alike are fewer than two of three: nothing says that these are whole.
+fn few_alike(stances: &Stances) -> Option<Note> {
+    let unlike = |r: &&Rejected| r.reason == RejectReason::Unlike;
+    let used = stances.used.len();
+    let stances = used + stances.rejected.iter().filter(unlike).count();
+    (3 * used < 2 * stances).then_some(Note::FewAlike { used, stances })
 }
 
 /// Coefficient of variation of the strides of one speed; steady walkers have 0.01 to 0.03.

@@ -156,6 +156,8 @@ pub enum Note {
         low: Quantity,
         high: Quantity,
     },
+    /// Most contacts of a steady walk are partial, or of both feet.
+    FewAlike { used: usize, stances: usize },
     /// Stances or feet differ more than those of one walker on whole plates.
     StancesDiffer { share: Quantity, most: Quantity },
     /// The mean is of the total of both feet in one column.
@@ -388,7 +390,9 @@ impl Note {
             Note::PeakImplausible { .. } => (Mass, &["gait.mass", "gait.unit", "gait.kind"]),
             Note::MeanForceNotWeight { .. } => (Mass, &["gait.mass", "gait.unit", "gait.feet"]),
             Note::MassImplausible { .. } => (Mass, &["gait.unit", "gait.feet"]),
-            Note::StancesDiffer { .. } => (Mass, &["gait.force", "gait.feet"]),
+            Note::StancesDiffer { .. } | Note::FewAlike { .. } => {
+                (Mass, &["gait.force", "gait.feet"])
+            }
             Note::InsoleMass { .. } => (Mass, &["gait.mass"]),
             _ => return None,
         })

@@ -22,7 +22,11 @@ const MEASURES: [(Measure, f64); 3] = [
 /// Fewest stances of a channel that show an outlier: three must agree.
 const COMPARABLE: usize = 4;
 
-/// Keeps the stances of the speed that most of them have, if the speed changes, and notes it.
+/// Times from strike to strike whose median is the stride at that place: a foot that crosses plates spoils two of them.
+const IN_A_ROW: usize = 5;
+
+/// Keeps the stances that last as long as most of them, and notes it if the others are of another speed. Where the strides are
+/// of one speed they carry a part of a foot, or both.
 pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     let count = out.used.len();
     if recording.has_rows() || count < FEWEST {
@@ -34,6 +38,12 @@ pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     if (count - inside) as f64 <= OUTSIDE * count as f64 {
         return;
     }
+    let steady = keeps_rhythm(out, recording.channels.len());
+    let reason = if steady {
+        RejectReason::Unlike
+    } else {
+        RejectReason::OtherSpeed
+    };
     let of_group = |s: &Stance| (low..=high).contains(&s.duration_s());
     let (kept, others): (Vec<Stance>, Vec<Stance>) = std::mem::take(&mut out.used)
         .into_iter()
@@ -43,15 +53,37 @@ pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
         channel: s.channel,
         from_s: s.start_s,
         to_s: s.end_s,
-        reason: RejectReason::OtherSpeed,
+        reason,
     }));
     out.rejected.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));
-    out.notes.push(Note::SpeedChanges {
+    let changes = || Note::SpeedChanges {
         used: inside,
         stances: count,
         low: seconds(low),
         high: seconds(high),
-    });
+    };
+    out.notes.extend((!steady).then(changes));
+}
+
+/// Whether the strides are of one speed throughout, however long the contacts last.
+fn keeps_rhythm(out: &Stances, channels: usize) -> bool {
+    let mut strides: Vec<f64> = (0..channels).flat_map(|k| usual_strides(out, k)).collect();
+    strides.sort_by(f64::total_cmp);
+    let (.., inside) = largest_group(&strides);
+    2 * strides.len() > out.used.len()
+        && (strides.len() - inside) as f64 <= OUTSIDE * strides.len() as f64
+}
+
+/// Medians of the times between the strikes of a channel, of some in a row.
+fn usual_strides(out: &Stances, channel: usize) -> Vec<f64> {
+    let used = out.used.iter().map(|s| (s.channel, s.start_s));
+    let other = out.rejected.iter().map(|r| (r.channel, r.from_s));
+    let own = used.chain(other).filter(|(k, _)| *k == channel);
+    let mut strikes: Vec<f64> = own.map(|(_, start_s)| start_s).collect();
+    strikes.sort_by(f64::total_cmp);
+    let times: Vec<f64> = strikes.windows(2).map(|w| w[1] - w[0]).collect();
+    let in_a_row = times.windows(IN_A_ROW);
+    in_a_row.filter_map(|w| median(w.to_vec())).collect()
 }
 
 /// First and last of the sorted values in the fullest window, and how many lie in it.

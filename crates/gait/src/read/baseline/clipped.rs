@@ -28,6 +28,15 @@ pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f6
     let top = force.iter().copied().fold(0.0, f64::max);
     let noise = unloaded_n.max(noise(force, UPPER * top));
     let half = (WIDTH.0 * top).max(WIDTH.1 * noise);
+    // A level just below the peaks has many readings within that width below it, but is exact where nothing came after it.
+    [half, 0.5 * resolution(force, UPPER * top)]
+        .into_iter()
+        .filter(|half| half.is_finite())
+        .find_map(|half| stops_at(force, rate_hz, top, half))
+}
+
+/// The level, of the given half width, at which readings stop.
+fn stops_at(force: &[f64], rate_hz: f64, top: f64, half: f64) -> Option<f64> {
     let (level, at) = crowd(force, UPPER * top, top, 2.0 * half);
     let within = |low: f64, high: f64| force.iter().filter(|x| **x > low && **x <= high).count();
     let below = within(level - 3.0 * half, level - half).max(1);
@@ -39,6 +48,17 @@ pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f6
     let stops = above as f64 <= ABOVE * at as f64 && at as f64 > crowded * below as f64;
     let held_s = at as f64 / rate_hz / contacts as f64;
     (stops && at >= FEWEST && held_s > HELD_S).then_some(level)
+}
+
+/// Smallest difference of readings above a level that are not equal.
+fn resolution(force: &[f64], least: f64) -> f64 {
+    let mut upper: Vec<f64> = force.iter().copied().filter(|x| *x > least).collect();
+    upper.sort_unstable_by(f64::total_cmp);
+    let steps = upper.windows(2).map(|w| w[1] - w[0]);
+    let rounding = least * 1e-12;
+    steps
+        .filter(|s| *s > rounding)
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// Standard deviation of white noise, N, in readings above a level: from second differences, of which that of the force is

@@ -70,7 +70,9 @@ pub(super) fn with_header(start: Position, width: usize, head: &[&[u8]], layout:
         let line = head[above - 1];
         let blank = line.trim_ascii().is_empty();
         let row = cells(line, layout, width);
-        if units.is_empty() && rows.is_empty() && is_unit_row(&row) && row.len() <= width + 1 {
+        let over = || above.checked_sub(2).map(|k| cells(head[k], layout, width));
+        let of_units = || is_unit_row(&row) || is_below_names(&row, over(), width, layout);
+        if units.is_empty() && rows.is_empty() && row.len() <= width + 1 && of_units() {
             units = row;
         } else if match rows.last() {
             None => is_name_row(&row, width, layout),
@@ -128,9 +130,10 @@ fn is_group_row(row: &[String], below: &[String], width: usize, layout: Layout) 
 /// Whether a word is the name of a unit.
 pub(super) fn is_unit(word: &str) -> bool {
     const UNITS: &str = " s sec secs seconds ms min n kn dan newton newtons kilonewton kilonewtons lbf lb lbs kgf kp kg mm cm m nmm n.mm n*mm nm n.m n*m n-m \
-        n·m n·mm v mv uv µv volt volts deg ° deg/s rad hz - % bw %bw n/kg ns kip dyn ozf gf mn n/bw adc bits a.u. g mm/s m/s m/s^2 m/s² n/cm² pa hpa kpa mpa bar mbar psi mv/v count counts digits lsb \
+        n·m n·mm v mv uv µv volt volts deg ° deg/s rad hz - % bw %bw n/kg ns kip dyn ozf gf mn n/bw adc bits a.u. g mm/s m/s m/s2 n/cm2 pa hpa kpa mpa bar mbar psi mv/v count counts digits lsb \
         frame frames ";
     let bare = word.trim_matches(['[', ']', '(', ')', ' ']).to_lowercase();
+    let bare = bare.replace('²', "2").replace("^2", "2");
     !bare.is_empty() && UNITS.contains(&format!(" {bare} "))
 }
 
@@ -138,6 +141,24 @@ pub(super) fn is_unit(word: &str) -> bool {
 fn is_unit_row(row: &[String]) -> bool {
     let named = filled(row);
     named > 0 && row.iter().filter(|c| is_unit(c)).count() * 4 >= named * 3
+}
+
+/// Whether a row of words that begins with a unit of time stands below names: it holds units, known or not.
+fn is_below_names(row: &[String], over: Option<Vec<String>>, width: usize, layout: Layout) -> bool {
+    let first = |row: &[String]| row.iter().find(|c| !c.is_empty()).cloned();
+    let timed = first(row).is_some_and(|c| is_time_unit(&c));
+    let named = |over: &[String]| {
+        is_name_row(over, width, layout)
+            && filled(over) == filled(row)
+            && first(over).is_some_and(|c| !is_unit(&c))
+    };
+    timed && filled(row) > 1 && is_wordy(row, layout) && over.is_some_and(|over| named(&over))
+}
+
+/// Whether a word is the name of a unit of time.
+fn is_time_unit(word: &str) -> bool {
+    let bare = word.trim_matches(['[', ']', '(', ')', ' ']).to_lowercase();
+    ["s", "sec", "secs", "seconds", "ms", "min"].contains(&bare.as_str())
 }
 
 /// Joins the rows of a header column by column; a group name holds until the next one.

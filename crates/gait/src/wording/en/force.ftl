@@ -118,6 +118,7 @@ note-kind-differs = kind { $typed } is given, but the contacts are those of { $m
        *[other] { kind-other }
     }
 note-speed-changes = the speed changes during the recording; the mean is of the { $used } of { $stances } stances or steps that last { $low } to { $high }, the largest group of one speed
+note-few-alike = only { $used } of { $stances } contacts of a steady walk last alike; the others carry a part of a foot, or of the other one too, and are left out
 note-stances-differ = the stances differ by { $share } of the body weight, or of the mean impulse between the feet, where at most { $most } is expected: partial contacts, cross-talk or two feet on one plate
 note-total-column = the column is taken as the total force of both feet
 note-plates-summed = feet cross from plate to plate: the mean cycle is of the sum of { $plates } plates, which carry the walker all the time

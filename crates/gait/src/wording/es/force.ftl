@@ -118,6 +118,7 @@ note-kind-differs = se indica kind { $typed }, pero los contactos son de { $move
        *[other] { kind-other }
     }
 note-speed-changes = la velocidad cambia durante el registro; la media es de los { $used } de { $stances } apoyos o pasos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
+note-few-alike = solo { $used } de { $stances } contactos de una marcha regular duran lo mismo; los demás llevan parte de un pie, o también del otro, y no se usan
 note-stances-differ = los apoyos difieren en { $share } del peso corporal, o del impulso medio entre los pies, cuando se espera como máximo { $most }: contactos parciales, diafonía o dos pies en una plataforma
 note-total-column = la columna se toma como la fuerza total de ambos pies
 note-plates-summed = los pies pasan de una plataforma a otra: el ciclo medio es de la suma de { $plates } plataformas, que llevan a la persona todo el tiempo
