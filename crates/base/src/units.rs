@@ -259,11 +259,14 @@ fn lookup(unit: &str, dimension: Dimension) -> Option<(f64, Exponents)> {
 fn unknown_unit(unit: &str, dimension: Dimension) -> Error {
     let fits = |u: &&(&'static str, f64, Exponents)| u.2 == dimension.exponents();
     let shouted = |u: &&(&'static str, f64, Exponents)| u.0.eq_ignore_ascii_case(unit);
+    // A second number has no unit that it resembles.
+    let worded = !unit.starts_with(|c: char| c.is_ascii_digit());
     // Preference: same dimension and same letters; same dimension; same letters; any unit.
     let meant = (UNITS.iter().filter(fits).find(shouted).map(|u| u.0))
         .or_else(|| nearest(unit, UNITS.iter().filter(fits).map(|u| u.0)))
         .or_else(|| UNITS.iter().find(shouted).map(|u| u.0))
-        .or_else(|| nearest(unit, UNITS.iter().map(|u| u.0)));
+        .or_else(|| nearest(unit, UNITS.iter().map(|u| u.0)))
+        .filter(|_| worded);
     let (unit, nearest) = (unit.to_string(), meant.map(str::to_string));
     UnitsError::UnknownUnit { unit, nearest }.into()
 }
@@ -371,6 +374,7 @@ mod tests {
         assert!(message("3", Dimension::Length).contains("has no unit"));
         assert!(message("3 deg", Dimension::Length).contains("not a unit of length"));
         assert!(message("3 nm", Dimension::Length).contains("did you mean"));
+        assert!(!message("4 0 mm", Dimension::Length).contains("did you mean"));
         assert!(message("abc", Dimension::Length).contains("does not start with a number"));
         assert!(message("1e999 mm", Dimension::Length).contains("not a finite"));
         assert_eq!(parse("0", Dimension::Length), Ok(0.0));

@@ -58,7 +58,7 @@ scene-needed-by-drive = missing; this drive ({ $drive }) requires it
     .help = write for example { $example }
 scene-needed-in-entry = missing; every entry of the list requires it
     .help = write for example { $example }
-scene-no-assignment = "{ $typed }" contains no =
+scene-no-assignment = "{ $typed }" is not a key, = and a value
     .help = write KEY=VALUE, for example limits.stroke=40 mm
 scene-no-entry = there is no { $list }.{ $number }; { $given ->
         [0] none is given

@@ -1,5 +1,5 @@
 # Faults in a sweep: its axes, its plan, its tolerances and its tables.
-sweep-no-assignment = "{ $typed }" contains no =
+sweep-no-assignment = "{ $typed }" is not a key, = and a value
     .help = write KEY=VALUES, for example limits.stroke=20 mm:60 mm:5 or law.family=spline,harmonic
 sweep-no-values = an empty grid: no value is given
     .help = write at least one value between commas, or START:STOP:COUNT
@@ -30,7 +30,7 @@ sweep-nothing-to-sample = no key varies, so there is nothing to sample
 sweep-sobol-axes = Sobol sequences are available for up to { $most } keys
     .help = use Latin hypercube sampling (latin)
 sweep-no-scene = there is no base scene { $scene }
-sweep-no-tolerance-value = "{ $typed }" contains no =
+sweep-no-tolerance-value = "{ $typed }" is not a part, = and a value
     .help = write PART=VALUE, for example profile=0.02 mm
 sweep-no-tolerance = "{ $typed }" takes no tolerance
     .help = parts with a tolerance: profile, base_radius, mass, speed

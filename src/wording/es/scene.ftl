@@ -58,7 +58,7 @@ scene-needed-by-drive = falta; este accionamiento ({ $drive }) la requiere
     .help = escriba por ejemplo { $example }
 scene-needed-in-entry = falta; cada entrada de la lista la requiere
     .help = escriba por ejemplo { $example }
-scene-no-assignment = «{ $typed }» no contiene =
+scene-no-assignment = «{ $typed }» no es una clave, = y un valor
     .help = escriba CLAVE=VALOR, por ejemplo limits.stroke=40 mm
 scene-no-entry = no existe { $list }.{ $number }; { $given ->
         [0] no se da ninguna

@@ -1,5 +1,5 @@
 # Errores de un barrido: sus ejes, su plan, sus tolerancias y sus tablas.
-sweep-no-assignment = "{ $typed }" no tiene =
+sweep-no-assignment = «{ $typed }» no es una clave, = y un valor
     .help = escriba CLAVE=VALORES, por ejemplo limits.stroke=20 mm:60 mm:5 o law.family=spline,harmonic
 sweep-no-values = rejilla vacía: no se da ningún valor
     .help = escriba al menos un valor entre comas, o INICIO:FIN:CANTIDAD
@@ -30,7 +30,7 @@ sweep-nothing-to-sample = no varía ninguna clave, así que no hay nada que mues
 sweep-sobol-axes = las sucesiones de Sobol están disponibles hasta { $most } claves
     .help = use el hipercubo latino (latin)
 sweep-no-scene = no hay escena base { $scene }
-sweep-no-tolerance-value = "{ $typed }" no tiene =
+sweep-no-tolerance-value = «{ $typed }» no es una parte, = y un valor
     .help = escriba PARTE=VALOR, por ejemplo profile=0.02 mm
 sweep-no-tolerance = "{ $typed }" no admite tolerancia
     .help = partes con tolerancia: profile, base_radius, mass, speed

@@ -241,7 +241,7 @@ fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: bool) -> Resul
         all,
         language::current(),
     );
-    let table = table.trim_end().trim_end_matches(':');
+    let table = table.trim_end();
     let object = tables::json(&understood, &recording, &stances, mean);
     let (cycle, fault) = match cycle {
         Ok(cycle) => (Some(cycle), None),

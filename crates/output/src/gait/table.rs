@@ -12,7 +12,7 @@ use gaitcam::force::{
 use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
 
-/// Table of a recording. `cycle` is the text of an error if there is no mean cycle. Stances and rejected contacts are
+/// Table of a recording. `cycle` is the text of an error, or nothing, if there is no mean cycle. Stances and rejected contacts are
 /// listed one by one if `all` is set, and where the feet have no means.
 pub fn table(
     understood: &Interpretation,
@@ -205,6 +205,7 @@ impl Lines {
         self.line("");
         let c = match cycle {
             Ok(c) => c,
+            Err("") => return self.line(words.text("gait-no-cycle")),
             Err(why) => return self.line(format_args!("{}: {why}", words.text("gait-no-cycle"))),
         };
         self.row("gait-cycle", words.sentence("cycle", &c.source));

@@ -89,12 +89,18 @@ fn a_refused_recording_is_told_why_once() {
         .chain(rows)
         .collect();
     fs::write(&recording, text).unwrap();
-    let run = gaitcam(&["gait", recording.to_str().unwrap()]);
-    assert_eq!(run.status.code(), Some(2));
-    let (said, fault) = (stdout(&run), stderr(&run));
+    let told = |more: &[&str]| {
+        let run = gaitcam(&[&["gait", recording.to_str().unwrap()], more].concat());
+        assert_eq!(run.status.code(), Some(2));
+        (stdout(&run), stderr(&run))
+    };
+    let (said, fault) = told(&[]);
     let reason = "a person stands";
     assert!(!said.contains(reason), "{said}");
     assert_eq!(fault.matches(reason).count(), 1, "{fault}");
+    // What is open follows the line that says that there is no cycle.
+    let (said, _) = told(&["--kind", "walking"]);
+    assert!(said.lines().any(|line| line == "no mean cycle"), "{said}");
 }
 
 #[cfg(unix)]

@@ -340,7 +340,10 @@ fn a_negative_number_after_a_flag_is_its_value() {
             "--time-limit: invalid value \"-1\"",
         ),
         (&["synth", "--points", "-3"], "--points: invalid value -3"),
-        (&["synth", "--set", "-3"], "--set: \"-3\" contains no ="),
+        (
+            &["synth", "--set", "-3"],
+            "--set: \"-3\" is not a key, = and a value",
+        ),
         (
             &["sweep", "footbridge", "--jobs", "-1"],
             "--jobs: invalid value -1",
