@@ -282,4 +282,19 @@ mod tests {
         };
         assert_eq!(reason, expected);
     }
+
+    #[test]
+    fn a_radius_of_nothing_is_too_sharp_and_a_smaller_one_is_undercut() {
+        let reason = |rho: f64| {
+            let radius = crate::poly::Extreme {
+                at: 1.0,
+                value: rho,
+            };
+            let check = Check::at_least(LimitKind::Curvature, radius, 0.005, 0.0);
+            let [at, radius, allowed] = [check.at, rho, check.limit].map(Quantity::length);
+            too_sharp(&check, at, radius, allowed)
+        };
+        assert!(matches!(reason(0.0), Reason::TooSharp { .. }));
+        assert!(matches!(reason(-1e-9), Reason::Undercut { .. }));
+    }
 }

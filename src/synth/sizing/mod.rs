@@ -21,8 +21,9 @@ const SHEAR: f64 = 40e6;
 const WIDE_HOLE: f64 = 8.0;
 /// Relative accuracy of a prime radius found by bisection.
 const BISECTION: f64 = 1e-12;
-/// A prime circle this many times the first guess without success is no cam.
-const LARGEST_GROWTH: f64 = 1e6;
+/// Steps by which a prime circle grows from the first guess until it holds the limits, and how often.
+const GROWTH: f64 = 1.5;
+const GROWTHS: i32 = 35;
 /// A size found by halving is enlarged by this share, so that its own limits hold in spite of rounding.
 const ROUNDING: f64 = 1e-9;
 /// Part of the follower's travel that is next to nothing.
@@ -279,13 +280,10 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
         return make(lift.hypot(offset), offset);
     }
     let first = lift.max(least);
-    let mut high = first;
-    while !holds(high) {
-        high *= 1.5;
-        if high > LARGEST_GROWTH * first {
-            return Err(SynthError::NoPrimeCircle.at_key("limits.curvature"));
-        }
-    }
+    let high = (0..GROWTHS)
+        .map(|k| first * GROWTH.powi(k))
+        .find(|&d| holds(d))
+        .ok_or_else(|| SynthError::NoPrimeCircle.at_key("limits.curvature"))?;
     let distance = least_between(lift, high, BISECTION, holds);
     make(distance.hypot(offset), offset)
 }

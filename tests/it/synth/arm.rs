@@ -1,11 +1,14 @@
 //! A target force on a follower that swings: F·L is the moment about the pivot, s an angle.
 
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use gaitcam::force::ForceCurve;
+use gaitcam::halt::Halt;
 use gaitcam::scene::{self, Gait, Scene};
-use gaitcam::synth::Figures;
-use gaitcam::{Design, synthesise};
+use gaitcam::synth::{self, Figures, Search};
+use gaitcam::{Design, Problem, synthesise};
 
 const MEAN: f64 = 60.0;
 const SWING: f64 = 25.0;
@@ -105,4 +108,21 @@ fn a_point_that_gives_a_force_on_an_arm_gives_it_at_its_lever() {
     let lift = |theta| design.cam.law.svaj(theta).s;
     assert!((lift(0.0) - 30.0 * 0.1 / 40.0).abs() < 1e-9);
     assert!((lift(PI) - 90.0 * 0.1 / 40.0).abs() < 1e-9);
+}
+
+#[test]
+fn an_arm_too_short_is_refused_before_any_law_is_sought() {
+    let toml = format!(
+        "[drive]\nkind = \"fixed-axis\"\nspeed = \"1 rad/s\"\nspring_rate = \"40 N m/rad\"\n[law]\nfamily = \"spline\"\n\
+         point = [{{ angle = \"0 deg\", lift = \"0 rad\" }}, {{ angle = \"180 deg\", lift = \"0.1 rad\" }}]\n\
+         [cam]\n{}prime_radius = \"15 mm\"\n",
+        ROLLER.replace("100 mm", "60 mm")
+    );
+    let asked = Arc::new(AtomicUsize::new(0));
+    let count = Arc::clone(&asked);
+    let halt = Halt::when(move || count.fetch_add(1, Relaxed) > 0);
+    let problem = Problem::resolve(&scene::parse(&toml).unwrap(), None).unwrap();
+    let fault = synth::design(&problem, &Search::until(halt)).unwrap_err();
+    assert!(fault.to_string().starts_with("cam: the arm of"), "{fault}");
+    assert_eq!(asked.load(Relaxed), 0, "{fault}");
 }

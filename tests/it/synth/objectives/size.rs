@@ -138,3 +138,29 @@ fn a_roller_is_thinner_than_the_floor_of_its_groove() {
     let floor = design.cam.follower.base_radius() - 0.006;
     assert!(floor > 0.04 && floor < 0.0401, "{floor}");
 }
+
+#[test]
+fn a_given_size_is_no_habit() {
+    let notes = |changes: &[&str]| {
+        let design = programme(EVEN, ROLLER, changes).unwrap();
+        let steepest = design.cam.pressure_angle_extremes().1.value;
+        let habit = |n: &Note| matches!(n, Note::UsualPressureAngle { .. });
+        (steepest.to_degrees(), design.notes.iter().any(habit))
+    };
+    let (open, habit) = notes(&[]);
+    near(open, 30.0, 1e-6);
+    assert!(habit);
+    let (given, habit) = notes(&["cam.prime_radius=8 mm"]);
+    assert!(given > 31.0 && !habit, "{given}");
+}
+
+#[test]
+fn a_roller_runs_around_the_hub_of_a_wide_hole() {
+    for motion in ["roller", "knife"] {
+        let cam = format!("follower = \"{motion}-translating\"\nbore = \"60 mm\"\noffset = \"0\"");
+        let roller = ["cam.roller_radius=5 mm"];
+        let changes = if motion == "roller" { &roller[..] } else { &[] };
+        let design = programme(EVEN, &cam, changes).unwrap();
+        near(design.cam.follower.base_radius(), 0.045, 1e-12);
+    }
+}

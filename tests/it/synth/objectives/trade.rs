@@ -448,6 +448,7 @@ fn a_weighed_radius_beside_an_offset_is_certified_and_the_best_of_all_circles() 
             let circle = format!("cam.prime_radius={} m", part * radius);
             let given = gaitcam_test_support::design(text, &[offset.as_str(), &circle]).unwrap();
             if given.infeasible.is_some() {
+                assert!(part < 1.01, "{offset}: a larger circle is refused");
                 continue;
             }
             let other = cost(given.force.rms_error_percent_of_mean, part * radius);
