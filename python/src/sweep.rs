@@ -35,7 +35,8 @@ use question::Question;
 ///     Axes by dotted key: ``["1.5 Hz", "2.4 Hz", 10]`` is a range with its count, any other list its values,
 ///     ``"20 mm:60 mm:5"`` and ``"spline,harmonic"`` are what ``gaitcam sweep --vary`` takes. With ``sample`` a range has no
 ///     count: ``["1.5 Hz", "2.4 Hz"]``. Numbers under a key with its SI unit are values, or the two ends of a sampled
-///     range: ``{"limits.stroke_m": np.linspace(0.03, 0.06, 4)}``.
+///     range: ``{"limits.stroke_m": np.linspace(0.03, 0.06, 4)}``. Under ``gait.file`` a value may be a folder of walkers or a
+///     list of files.
 /// rows : mapping, optional
 ///     Values of several keys together, one list for each key; a column of a table of gaitcam by its own name
 ///     (``limits.stroke_m``) has numbers in SI.
@@ -108,7 +109,6 @@ impl Sweep {
         question.recordings(py, recordings)?;
         question.tolerances(tolerance)?;
         question.check_scenes(py)?;
-        question.list_folders(py)?;
         let study = py.detach(|| question.study(None)).raise(py)?;
         Ok(Sweep {
             question,

@@ -2,9 +2,9 @@
 //!
 //! Row i follows from the study and from i alone: recordings are part of it by their content, not by their path.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use serde_json::{Value, json};
@@ -15,7 +15,7 @@ use super::plan::axis::Values as AxisValues;
 use super::plan::{Plan, row_count};
 use super::runner::Runner;
 use super::table::records::Records;
-use crate::error::{Placed, Result, SweepError};
+use crate::error::{ForceError, Placed, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::scene::{PopulationReader, Scene, Source, is_table_of_walkers};
 
@@ -77,31 +77,34 @@ pub struct Study {
 }
 
 impl Study {
-    /// A study; `read` gives the content of a file that a base scene names, `None` where there is none.
+    /// A study; `read` gives the files that a name in a base scene stands for, by their names: one, or those of a folder.
     ///
     /// # Errors
-    /// A recording that is not there, and as [`Plan::validate`].
+    /// A recording that is not there, a folder without one, and as [`Plan::validate`].
     pub fn new(
         subject: Subject,
-        mut read: impl FnMut(usize, &Path) -> Result<Vec<u8>>,
+        mut read: impl FnMut(usize, &Path) -> Result<Vec<(PathBuf, Vec<u8>)>>,
     ) -> Result<Study> {
         let mut files = Files::new();
         let mut contents: HashMap<(usize, u64), Arc<[u8]>> = HashMap::new();
-        for (scene, name) in subject.recordings() {
-            let path = Path::new(&name);
-            let beside = force::metadata_name(path);
-            let bytes = read(scene, path)?;
-            let subjects = beside.and_then(|p| Some((read(scene, &p).ok()?, p)));
-            let mut keep = |name: String, bytes: Vec<u8>| {
+        for (scene, name) in subject.recordings()? {
+            let own = read(scene, Path::new(&name))?;
+            if own.is_empty() {
+                return Err(ForceError::NoWalkers.in_file(Path::new(&name)));
+            }
+            let beside: BTreeSet<PathBuf> = own
+                .iter()
+                .filter_map(|file| force::metadata_name(&file.0))
+                .collect();
+            let subjects = beside.iter().filter_map(|path| read(scene, path).ok());
+            let all: Vec<(PathBuf, Vec<u8>)> = own.into_iter().chain(subjects.flatten()).collect();
+            for (path, bytes) in all {
                 // Equal files are held once.
                 let shared = contents
                     .entry((bytes.len(), checksum(&bytes)))
                     .or_insert_with(|| bytes.into());
+                let name = path.to_string_lossy().into_owned();
                 files.insert((scene, name), Arc::clone(shared));
-            };
-            keep(name, bytes);
-            if let Some((bytes, path)) = subjects {
-                keep(path.to_string_lossy().into_owned(), bytes);
             }
         }
         Study::with_files(subject, files)
@@ -209,27 +212,54 @@ impl Study {
             content(path).ok_or_else(missing)
         };
         let metadata = |path: &Path| Some(content(&force::metadata_name(path)?)?.to_vec());
-        let bytes = carried(path)?;
-        if !gait.more_files.is_empty() || is_table_of_walkers(path, bytes) {
+        let named = std::iter::once(path).chain(&gait.more_files);
+        let all: Vec<PathBuf> = named.flat_map(|path| self.files_at(index, path)).collect();
+        let is_one = matches!(&all[..], [one] if one == path);
+        if !is_one || is_table_of_walkers(path, carried(path)?) {
             let mut reader = PopulationReader::new(gait);
-            for path in std::iter::once(path).chain(&gait.more_files) {
-                reader.take(path, carried(path)?, || metadata(path));
+            for path in &all {
+                match carried(path) {
+                    Ok(bytes) => reader.take(path, bytes, || metadata(path)),
+                    Err(why) => reader.refuse(path, why),
+                }
             }
             return reader.mean(path);
         }
         let options = gait.read_options(metadata(path))?;
-        force::force_curve(path, bytes, &options, gait.feet)
+        force::force_curve(path, carried(path)?, &options, gait.feet)
+    }
+
+    /// The files that a name stands for: itself, or those that are carried of a folder.
+    fn files_at(&self, scene: usize, path: &Path) -> Vec<PathBuf> {
+        let of_scene = self.files.keys().filter(|key| key.0 == scene);
+        let own = of_scene.map(|key| PathBuf::from(&key.1));
+        let inside = own.filter(|file| file.starts_with(path) && !is_about_subjects(file));
+        let mut inside: Vec<PathBuf> = inside.collect();
+        inside.sort();
+        if inside.is_empty() {
+            inside.push(path.to_path_buf());
+        }
+        inside
     }
 }
 
+/// Whether a file is a table of subjects, which stands beside recordings and is none.
+fn is_about_subjects(file: &Path) -> bool {
+    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+    stem.to_lowercase().ends_with("metadata")
+}
+
 impl Subject {
-    /// The recordings that rows name, each with its base scene.
-    fn recordings(&self) -> Vec<Named> {
+    /// The names of recordings in rows, each with its base scene.
+    ///
+    /// # Errors
+    /// A value of `gait.file` that is none.
+    fn recordings(&self) -> Result<Vec<Named>> {
         let plan = match self {
             Subject::Designs(plan) => plan,
             Subject::Scatter(scatter) => {
                 let own = files_of(&scatter.scene.table);
-                return own.into_iter().map(|name| (0, name)).collect();
+                return Ok(own.into_iter().map(|name| (0, name)).collect());
             }
         };
         let lists = plan.list.iter().flat_map(|l| l.columns.iter());
@@ -238,16 +268,20 @@ impl Subject {
             .find(|a| a.key.name() == "gait.file");
         let mut out = Vec::new();
         for (scene, named) in plan.scenes.iter().enumerate() {
-            match varied.map(|axis| &axis.values) {
-                Some(AxisValues::Words(names)) => {
-                    out.extend(names.iter().map(|name| (scene, name.to_string())));
-                }
-                _ => out.extend(files_of(&named.table).into_iter().map(|name| (scene, name))),
+            let Some((axis, AxisValues::Words(values))) = varied.map(|axis| (axis, &axis.values))
+            else {
+                out.extend(files_of(&named.table).into_iter().map(|name| (scene, name)));
+                continue;
+            };
+            for value in values {
+                let mut table = toml::Table::new();
+                axis.key.write_words(&mut table, value)?;
+                out.extend(files_of(&table).into_iter().map(|name| (scene, name)));
             }
         }
         out.sort();
         out.dedup();
-        out
+        Ok(out)
     }
 }
 

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{Gait, PopulationReader, is_table_of_walkers, may_be_table};
-use toml::{Table, Value};
 
 use crate::read::{cannot_be_read, find, metadata, read_bytes};
 
@@ -110,37 +109,6 @@ pub fn population(gait: &Gait, folder: &Path, path: &Path) -> Result<Option<Forc
         }
     }
     reader.mean(&place).map(Some)
-}
-
-/// The recordings of each folder in place of the folder, in the `gait.file` of a scene: what another machine is to read.
-///
-/// # Errors
-/// A folder that cannot be read.
-pub fn list_folders(table: &mut Table, folder: &Path) -> Result<()> {
-    let Some(file) = table.get_mut("gait").and_then(|gait| gait.get_mut("file")) else {
-        return Ok(());
-    };
-    let names = match &*file {
-        Value::Array(all) => all.clone(),
-        one => vec![one.clone()],
-    };
-    let mut listed = Vec::new();
-    for name in &names {
-        let path = Path::new(name.as_str().unwrap_or_default());
-        let place = find(folder, path);
-        if !place.is_dir() {
-            listed.push(name.clone());
-            continue;
-        }
-        for file in inside(&place)?.recordings {
-            let rest = file.strip_prefix(&place).unwrap_or(&file);
-            listed.push(Value::String(path.join(rest).display().to_string()));
-        }
-    }
-    if listed != names {
-        *file = Value::Array(listed);
-    }
-    Ok(())
 }
 
 #[cfg(all(test, unix))]

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::population::population;
+use crate::population::{inside, population};
 use crate::read::read_bytes;
 pub use crate::read::{find, metadata};
 use gaitcam::error::{Placed, ReadError, Result};
@@ -47,6 +47,22 @@ pub fn content(folder: &Path, path: &Path) -> Result<Vec<u8>> {
         Some(files) => joined(&files),
         None => read_bytes(&place),
     }
+}
+
+/// The files that a name in a scene stands for, by their names: one, or the recordings of a folder.
+///
+/// # Errors
+/// A file or folder that cannot be read.
+pub fn contents(folder: &Path, path: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>> {
+    let place = find(folder, path);
+    if !place.is_dir() {
+        return Ok(vec![(path.to_path_buf(), content(folder, path)?)]);
+    }
+    let named = |file: &PathBuf| {
+        let rest = file.strip_prefix(&place).unwrap_or(file);
+        Ok((path.join(rest), read_bytes(file)?))
+    };
+    inside(&place)?.recordings.iter().map(named).collect()
 }
 
 /// Stands between the files of the plates of one trial, in a scene as on the screen.

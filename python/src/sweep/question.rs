@@ -9,10 +9,10 @@ use gaitcam::scene;
 use gaitcam::sweep::{
     Axis, Files, Key, List, Method, NamedScene, Plan, Sampling, Scattered, Study, Subject, Values,
 };
-use gaitcam_files::{Input, population, target};
+use gaitcam_files::{Input, target};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyString};
+use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyList, PyString};
 
 use crate::convert::{self, Argument};
 use crate::error::{Raise, argument};
@@ -136,6 +136,10 @@ fn written(value: &Bound<'_, PyAny>, key: &str) -> PyResult<String> {
     if value.is_instance_of::<PyString>() || value.hasattr("__fspath__")? {
         return Ok(value.str()?.to_string());
     }
+    if let Ok(list) = value.cast::<PyList>() {
+        let each: PyResult<Vec<String>> = list.iter().map(|v| written(&v, key)).collect();
+        return Ok(toml::Value::from(each?).to_string());
+    }
     let number = value.is_instance_of::<PyInt>() || value.is_instance_of::<PyFloat>();
     if number || value.hasattr("__index__")? || value.hasattr("__float__")? {
         return Ok(value.str()?.to_string().to_lowercase());
@@ -228,23 +232,6 @@ impl Question {
         Ok(())
     }
 
-    /// Names the files of each folder of walkers: their content travels with the plan.
-    pub fn list_folders(&mut self, py: Python<'_>) -> PyResult<()> {
-        for scene in &mut self.scenes {
-            let Input {
-                mut table,
-                folder,
-                file,
-                ..
-            } = scene.input.clone();
-            population::list_folders(&mut table, &folder).raise(py)?;
-            if table != scene.input.table {
-                *scene = Scene::of_table(py, table, folder, file)?;
-            }
-        }
-        Ok(())
-    }
-
     /// Refuses scenes that leave the force open.
     pub fn check_scenes(&self, py: Python<'_>) -> PyResult<()> {
         self.scenes.iter().try_for_each(|s| s.whole(py).map(|_| ()))
@@ -272,11 +259,11 @@ impl Question {
         Study::new(subject, |index, path| {
             let given = self.force.as_ref().and_then(|force| force.content(path));
             if let Some(content) = given {
-                return Ok(content);
+                return Ok(vec![(path.to_path_buf(), content)]);
             }
             let scene = self.scenes.get(index);
             let folder = scene.map_or(Path::new("."), |s| &s.input.folder);
-            target::content(folder, path)
+            target::contents(folder, path)
         })
     }
 

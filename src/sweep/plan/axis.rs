@@ -87,7 +87,7 @@ impl Axis {
         if matches!(parts.len(), 2 | 3) && parts[..2].iter().all(|t| starts_a_number(t)) {
             return range(name, &parts, sampled);
         }
-        Axis::list(name, values.split(',').map(str::trim))
+        Axis::list(name, parts_of(values).into_iter().map(str::trim))
     }
 
     /// An axis of listed values.
@@ -182,6 +182,28 @@ impl Axis {
     }
 }
 
+/// The parts between commas; those inside brackets and quotes are of a value, which is a list itself.
+fn parts_of(values: &str) -> Vec<&str> {
+    let (mut out, mut begin) = (Vec::new(), 0);
+    let (mut depth, mut quote) = (0_usize, None);
+    for (at, c) in values.char_indices() {
+        match (c, quote) {
+            (_, Some(open)) if c == open => quote = None,
+            (_, Some(_)) => {}
+            ('"' | '\'', None) if depth > 0 => quote = Some(c),
+            ('[', None) => depth += 1,
+            (']', None) => depth = depth.saturating_sub(1),
+            (',', None) if depth == 0 => {
+                out.push(&values[begin..at]);
+                begin = at + 1;
+            }
+            _ => {}
+        }
+    }
+    out.push(&values[begin..]);
+    out
+}
+
 fn pick(u: f64, length: usize) -> usize {
     ((u * length as f64) as usize).min(length - 1)
 }
@@ -253,6 +275,19 @@ mod tests {
         assert_eq!(axis.key.column(), "limits.stroke_m");
         let axis = Axis::parse("law.spans=8:32:4", false).unwrap();
         assert_eq!(axis.value(1), AxisValue::Words("16".into()));
+    }
+
+    #[test]
+    fn a_value_may_be_a_list_itself() {
+        let typed = r#"gait.file=[ "a, b.csv", 'c].csv' ], people/ ,d.csv"#;
+        let axis = Axis::parse(typed, false).unwrap();
+        let value = |i| match axis.value(i) {
+            AxisValue::Words(words) => words.to_string(),
+            AxisValue::Number(_) => panic!(),
+        };
+        assert_eq!(axis.count(), Some(3));
+        assert_eq!(value(0), r#"[ "a, b.csv", 'c].csv' ]"#);
+        assert_eq!((value(1).as_str(), value(2).as_str()), ("people/", "d.csv"));
     }
 
     #[test]

@@ -11,8 +11,7 @@ use crate::console::terminal::{self, print, print_json};
 use crate::{console::language, console::words};
 use gaitcam::sweep::{Plan, Study, Subject};
 use gaitcam_files::blocks::{BLOCK_ROWS, SharedBlocks};
-use gaitcam_files::population::list_folders;
-use gaitcam_files::target::content;
+use gaitcam_files::target::contents;
 
 /// A share of equal shares. They may be counted from 0 or from 1: share 0 of N is share N.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,18 +37,14 @@ pub fn shard(typed: &str) -> Result<Shard, String> {
 /// # Errors
 /// As a sweep into one table; a folder that holds another sweep.
 pub fn run(args: &SweepArgs, shard: Shard) -> gaitcam::error::Result<u8> {
-    let mut sweep = arguments::plan(args)?;
-    // What a folder holds travels with the plan, as any recording does.
-    for (scene, folder) in sweep.plan.scenes.iter_mut().zip(&sweep.folders) {
-        list_folders(&mut scene.table, folder)?;
-    }
+    let sweep = arguments::plan(args)?;
     check_size(args, &sweep.plan)?;
     check_values(args, &sweep.plan)?;
     let folders = sweep.folders;
     let subject = Subject::Designs(named_by_scene(sweep.plan));
     let study = Study::new(subject, |index, path| {
         let folder = folders.get(index).map_or(".".as_ref(), |f| f.as_path());
-        content(folder, path)
+        contents(folder, path)
     })?;
     let rows = args.block_rows.unwrap_or(BLOCK_ROWS);
     let blocks = SharedBlocks::open(

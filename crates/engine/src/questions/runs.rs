@@ -129,7 +129,10 @@ pub fn sweep(files: &Files, asked: &Grid) -> Result<Value> {
         .iter()
         .map(|key| key.column())
         .collect::<Vec<_>>();
-    let read = |_: usize, path: &Path| Ok(files.bytes(path)?.1.to_vec());
+    let read = |_: usize, path: &Path| {
+        let bytes = files.bytes(path)?.1.to_vec();
+        Ok(vec![(path.to_path_buf(), bytes)])
+    };
     let study = Study::new(Subject::Designs(plan), read)?;
     let rows = study.rows()?;
     if rows > MOST {
