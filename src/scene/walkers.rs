@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::Gait;
 use crate::error::{Error, FileError, Placed, Result};
-use crate::force::{self, ForceCurve, Walker, WalkerFault, walker_faults};
+use crate::force::{self, ForceCurve, Walker, WalkerFault, WalkerRow, walker_faults};
 use crate::wording::InLanguages;
 
 /// Endings of tables; a recording of gigabytes is not read to find out.
@@ -47,14 +47,39 @@ impl<'a> PopulationReader<'a> {
         names.iter().any(|name| self.gait.leave_out.contains(name))
     }
 
-    /// Takes the cycle of a recording, or every row of a table; `metadata` gives the table of subjects beside it.
+    /// Whether the scene leaves a row of a table out: by the walker's name, or by file and line.
+    fn leaves_row_out(&self, path: &Path, row: &WalkerRow) -> bool {
+        let place = format!("{}:{}", file_name(path), row.line);
+        let names = [&row.name, &place];
+        names.iter().any(|name| self.gait.leave_out.contains(name))
+    }
+
+    /// Takes the cycle of a recording, or every row of a table; `metadata` gives the table of subjects beside it. Files and rows
+    /// without a cycle are kept for the list of those that cannot be taken.
     pub fn take(&mut self, path: &Path, bytes: &[u8], metadata: impl FnOnce() -> Option<Vec<u8>>) {
         if self.leaves_out(path) {
             return;
         }
-        match cycles(self.gait, path, bytes, metadata) {
-            Ok(walkers) => self.walkers.extend(walkers),
+        if !is_table_of_walkers(path, bytes) {
+            match cycle(self.gait, path, bytes, metadata) {
+                Ok(walker) => self.walkers.push(walker),
+                Err(why) => self.refuse(path, why),
+            }
+            return;
+        }
+        match force::population_rows(path, bytes) {
+            Ok(rows) => rows.into_iter().for_each(|row| self.take_row(path, row)),
             Err(why) => self.refuse(path, why),
+        }
+    }
+
+    fn take_row(&mut self, path: &Path, row: WalkerRow) {
+        if self.leaves_row_out(path, &row) {
+            return;
+        }
+        match row.walker {
+            Ok(walker) => self.walkers.push(walker),
+            Err(why) => self.unreadable.push(why),
         }
     }
 
@@ -95,20 +120,17 @@ pub fn may_be_table(path: &Path) -> bool {
     TABLES.contains(&ending.to_lowercase().as_str())
 }
 
-/// The walkers of a file.
-fn cycles(
+/// The walker of a recording.
+fn cycle(
     gait: &Gait,
     path: &Path,
     bytes: &[u8],
     metadata: impl FnOnce() -> Option<Vec<u8>>,
-) -> Result<Vec<Walker>> {
-    if is_table_of_walkers(path, bytes) {
-        return force::read_population(path, bytes);
-    }
+) -> Result<Walker> {
     let options = gait.read_options(metadata())?;
     let curve = force::force_curve(path, bytes, &options, gait.feet)?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    Ok(vec![Walker::new(&name, curve)])
+    Ok(Walker::new(&name, curve))
 }
 
 impl Gait {

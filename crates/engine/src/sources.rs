@@ -90,8 +90,11 @@ impl<'a> Files<'a> {
             (None, Source::Model(_) | Source::Harmonics(_)) => return Ok(None),
             (None, Source::File(path)) => path,
         };
+        if !gait.more_files.is_empty() {
+            return self.population(gait, path).map(Some);
+        }
         let (hash, bytes) = self.bytes(path)?;
-        if !gait.more_files.is_empty() || is_table_of_walkers(path, &bytes) {
+        if is_table_of_walkers(path, &bytes) {
             return self.population(gait, path).map(Some);
         }
         let (options, subjects) = self.options(gait, path)?;
@@ -112,7 +115,13 @@ impl<'a> Files<'a> {
         let mut reader = PopulationReader::new(gait);
         let mut hashes = Vec::new();
         for path in paths {
-            let (hash, bytes) = self.bytes(path)?;
+            let (hash, bytes) = match self.bytes(path) {
+                Ok(both) => both,
+                Err(why) => {
+                    reader.refuse(path, why);
+                    continue;
+                }
+            };
             let subjects = force::metadata_name(path).and_then(|p| self.bytes(&p).ok());
             reader.take(path, &bytes, || subjects.map(|(_, bytes)| bytes.to_vec()));
             hashes.push(hash.to_string());

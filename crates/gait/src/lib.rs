@@ -40,8 +40,8 @@ pub use interpretation::{
 };
 pub use models::{ModelInfo, Status, catalogue, fourier, model, of_harmonics, waves};
 pub use population::{
-    Population, Walker, WalkerFault, faults as walker_faults, is_table as is_population,
-    read_table as read_population, write_table as population_csv,
+    Population, Walker, WalkerFault, WalkerRow, faults as walker_faults, is_table as is_population,
+    read_rows as population_rows, read_table as read_population, write_table as population_csv,
 };
 pub use read::{
     Cell, NumberTable, PlateFile, joined_plates, metadata_name, of_arrays, one_cycle, plate_of,

@@ -75,4 +75,4 @@ file-walkers = { $count ->
         [none] {""}
        *[other] {" "}Another kind of movement: { $kind }.
     }
-    .help = correct them, or leave them out by name: gait.leave_out = ["NAME", …]
+    .help = correct them, or leave them out by name, a row of a table also by its line: gait.leave_out = ["NAME", "FILE:LINE", …]

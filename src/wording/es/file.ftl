@@ -75,4 +75,4 @@ file-walkers = { $count ->
         [none] {""}
        *[other] {" "}Otro tipo de movimiento: { $kind }.
     }
-    .help = corríjalos o exclúyalos por su nombre: gait.leave_out = ["NOMBRE", …]
+    .help = corríjalos o exclúyalos por su nombre, una fila de una tabla también por su línea: gait.leave_out = ["NOMBRE", "ARCHIVO:LÍNEA", …]

@@ -64,8 +64,8 @@ struct Crowd {
     period: f64,
     /// Whether most of those with a mass stand on both feet.
     both_feet: bool,
-    /// Whether most of the written cycles without a mass touch zero.
-    lifts: bool,
+    /// Whether most are of one foot, by their mean force or, without a mass, by touching zero.
+    one_foot: bool,
     /// Whether most cycles are of two halves.
     halves: bool,
     /// Number of walkers of each kind of movement, where it is known.
@@ -77,7 +77,8 @@ impl Crowd {
         let shares: Vec<f64> = all.iter().filter_map(share).collect();
         let both = shares.iter().filter(|s| BOTH.contains(s)).count();
         let written: Vec<&Walker> = all.iter().filter(|w| is_written(w)).collect();
-        let lifting = written.iter().filter(|w| lifts(w)).count();
+        let single = shares.iter().filter(|s| ONE.contains(s)).count();
+        let single = single + written.iter().filter(|w| lifts(w)).count();
         let of_halves = all.iter().filter(|w| is_of_halves(w)).count();
         let halves = 2 * of_halves >= all.len();
         let alike = all.iter().filter(|w| is_of_halves(w) == halves);
@@ -89,7 +90,7 @@ impl Crowd {
             force: median(all.iter().map(|w| w.curve.mean_n().abs())),
             period: median(alike.map(|w| w.curve.period_s)),
             both_feet: 2 * both >= shares.len(),
-            lifts: 2 * lifting > written.len(),
+            one_foot: 2 * single > shares.len() + written.len(),
             halves,
             kinds,
         }
@@ -113,7 +114,7 @@ impl Crowd {
                 return Some(WalkerFault::OtherFeet);
             }
         }
-        if is_written(walker) && lifts(walker) != self.lifts {
+        if is_written(walker) && lifts(walker) != self.one_foot {
             return Some(WalkerFault::OtherFeet);
         }
         let is_other = if self.halves {
@@ -225,6 +226,23 @@ mod tests {
             faults(&all),
             [None, None, None, Some(WalkerFault::OtherFeet)]
         );
+    }
+
+    /// A new walker whose file says no mass, among walkers of known masses.
+    #[test]
+    fn one_foot_without_a_mass_among_walkers_with_masses_is_noticed() {
+        let known = |f| {
+            let mut both = walker("young", f, None);
+            both.curve.mass_kg = Some(700.0 / G);
+            both
+        };
+        let mut all = [1.4, 1.8, 2.2].map(known).to_vec();
+        let one = crate::model("li-2010", Some(1.9), 700.0, crate::Feet::One).unwrap();
+        all.push(Walker::new("one", one));
+        let other = Some(WalkerFault::OtherFeet);
+        assert_eq!(faults(&all), [None, None, None, other]);
+        all[3] = walker("young", 1.9, None);
+        assert!(faults(&all).iter().all(Option::is_none));
     }
 
     /// A slow step whose second harmonic is the largest has two peaks as a stride has, but not its period.

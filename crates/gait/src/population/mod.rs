@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 pub use fault::{WalkerFault, faults};
-pub use table::{is_table, read_table, write_table};
+pub use table::{WalkerRow, is_table, read_rows, read_table, write_table};
 
 use crate::curve::ForceCurve;
 use crate::error::{ForceError, Result};

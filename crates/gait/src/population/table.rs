@@ -35,11 +35,44 @@ pub fn is_table(bytes: &[u8]) -> bool {
     names.contains(&"walker") && names.iter().any(|n| n.starts_with("f_"))
 }
 
-/// Reads a table of walkers.
+/// A row of a table of walkers.
+///
+/// ```
+/// use gaitcam_gait::population_rows;
+///
+/// let table = "walker,period_s,f_0,f_1,f_2,f_3,f_4,f_5,f_6,f_7,f_8\nA,0.5,1,2,3,4,5,4,3,2,1\nB,soon,1,2,3,4,5,4,3,2,1\n";
+/// let rows = population_rows("w.csv".as_ref(), table.as_bytes())?;
+/// assert_eq!((rows[1].name.as_str(), rows[1].line), ("B", 3));
+/// assert!(rows[0].walker.is_ok() && rows[1].walker.is_err());
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct WalkerRow {
+    /// The name in it.
+    pub name: String,
+    /// Its line, counted from 1.
+    pub line: usize,
+    /// Its cycle.
+    ///
+    /// # Errors
+    /// With the line: a value that is no number, a cycle that is none.
+    pub walker: Result<Walker>,
+}
+
+/// Reads a table of walkers of which every row has a cycle.
 ///
 /// # Errors
-/// With the line: a column that is missing, a value that is no number, a cycle that is none.
+/// The first row without one; as [`read_rows`].
 pub fn read_table(path: &Path, bytes: &[u8]) -> Result<Vec<Walker>> {
+    let rows = read_rows(path, bytes)?;
+    rows.into_iter().map(|row| row.walker).collect()
+}
+
+/// Reads a table of walkers row by row.
+///
+/// # Errors
+/// A column that is missing, a table without rows.
+pub fn read_rows(path: &Path, bytes: &[u8]) -> Result<Vec<WalkerRow>> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
     let mut lines = (1..).zip(text.lines());
@@ -52,7 +85,11 @@ pub fn read_table(path: &Path, bytes: &[u8]) -> Result<Vec<Walker>> {
     for (line, row) in lines.filter(|(_, l)| !l.trim().is_empty() && !l.starts_with('#')) {
         let cells: Vec<&str> = row.split(separator).map(str::trim).collect();
         let walker = walker(&columns, &cells, separator == ';');
-        out.push(walker.map_err(|e| e.at_line(path, line))?);
+        out.push(WalkerRow {
+            name: cell_text(cells.get(columns.walker).copied().unwrap_or_default()).to_string(),
+            line,
+            walker: walker.map_err(|e| e.at_line(path, line)),
+        });
     }
     if out.is_empty() {
         return Err(ForceError::NoWalkers.in_file(path));
@@ -113,8 +150,13 @@ fn walker(columns: &Columns, cells: &[&str], comma: bool) -> Result<Walker> {
     let name = cell_text(cell(columns.walker));
     let mut curve = ForceCurve::from_samples(name, number(columns.period)?, force?)?;
     curve.mass_kg = given(columns.mass)?;
+    let weight = given(columns.weight)?.unwrap_or(1.0);
+    if weight <= 0.0 {
+        let (column, value) = ("weight".to_string(), weight.to_string());
+        return Err(ForceError::WalkerValue { column, value }.into());
+    }
     Ok(Walker {
-        weight: given(columns.weight)?.unwrap_or(1.0),
+        weight,
         speed_m_per_s: given(columns.speed)?,
         ..Walker::new(name, curve)
     })

@@ -268,4 +268,4 @@ force-walker-impossible = the walker { $walker } has no positive weight or mean 
 force-walker-column-missing = the table of walkers has no column { $column }
     .help = give walker, period_s and f_000 to f_100 (N at equal steps of the cycle); speed_m_per_s, mass_kg and weight as known
 force-walker-value = invalid value "{ $value }" in column { $column }
-    .help = give a number; only speed_m_per_s, mass_kg and weight may be empty
+    .help = give a number, of period_s and weight a positive one; only speed_m_per_s, mass_kg and weight may be empty

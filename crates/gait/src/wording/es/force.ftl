@@ -286,4 +286,4 @@ force-walker-impossible = el caminante { $walker } no tiene un peso o una fuerza
 force-walker-column-missing = la tabla de caminantes no tiene la columna { $column }
     .help = dé walker, period_s y f_000 a f_100 (N en pasos iguales del ciclo); speed_m_per_s, mass_kg y weight si se conocen
 force-walker-value = valor no válido «{ $value }» en la columna { $column }
-    .help = dé un número; solo speed_m_per_s, mass_kg y weight pueden estar vacías
+    .help = dé un número, positivo en period_s y weight; solo speed_m_per_s, mass_kg y weight pueden estar vacías
