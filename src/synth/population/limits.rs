@@ -49,7 +49,7 @@ pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
 /// A law on its cam, every limit checked at the machine of the walker for whom it is nearest to its bound.
 pub fn checked(problem: &Problem, walkers: &Walkers, law: &Law) -> Result<CheckedCam> {
     let mut out = checked_cam(problem, law, None)?;
-    for walker in extremes(walkers) {
+    for walker in extremes(problem, walkers) {
         let mut own = problem.clone();
         own.required.drive = walker.drive;
         let of_walker = checked_cam(&own, law, None)?;
@@ -77,42 +77,78 @@ pub fn less_loaded(checks: &[Check]) -> Option<f64> {
     parts.reduce(f64::min)
 }
 
-/// The walkers one of whom is the worst in every quantity that grows with speed, mass and force: force and torque are linear in
-/// (M, M ω²), so that their largest values stand at the corners of the hull of these.
-fn extremes(walkers: &Walkers) -> Vec<&Served> {
-    const DIRECTIONS: usize = 32;
+/// The walkers one of whom is the worst in every checked quantity. Force, torque and its rate are linear in the force at rest R
+/// and in β, power in ωR and ωβ; pressure grows with the force, motion with ω. Each is linear in a pair of numbers, so
+/// that its largest value over all walkers, at any θ, stands at a corner of the convex hull of their pairs. Vibration in a dwell has
+/// no such form: all are checked.
+fn extremes<'w>(problem: &Problem, walkers: &'w Walkers) -> Vec<&'w Served> {
     let each = &walkers.each;
-    let of = |walker: &Served| {
-        let speed = walker.drive.speed;
-        let mass = if walker.drive.rest_force == 0.0 {
-            walker.drive.mass
-        } else {
-            walker.drive.rest_force
-        };
-        [
-            mass,
-            mass * speed * speed,
-            mass * speed,
-            mass * speed.powi(3),
-            speed,
-        ]
-    };
-    let all: Vec<[f64; 5]> = each.iter().map(of).collect();
-    let mut places: Vec<usize> = Vec::new();
-    for (x, y) in [(0, 1), (2, 3), (4, 0)] {
-        let span = |k: usize| {
-            let values = all.iter().map(|v| v[k]);
-            values.fold(f64::MIN_POSITIVE, |m, v| m.max(v.abs()))
-        };
-        let (wide, high) = (span(x), span(y));
-        for step in 0..DIRECTIONS {
-            let (sin, cos) = (std::f64::consts::TAU * step as f64 / DIRECTIONS as f64).sin_cos();
-            let along = |v: &[f64; 5]| cos * v[x] / wide + sin * v[y] / high;
-            let best = (0..all.len()).max_by(|i, j| along(&all[*i]).total_cmp(&along(&all[*j])));
-            places.extend(best);
-        }
+    if problem.limits[LimitKind::Residual].is_some() {
+        return each.iter().collect();
     }
+    let of = |pair: fn(&Served) -> [f64; 2]| corners(&each.iter().map(pair).collect::<Vec<_>>());
+    let mut places = of(|w| [w.drive.rest_force, w.factor]);
+    places.extend(of(|w| {
+        [w.drive.rest_force, w.factor].map(|x| x * w.drive.speed)
+    }));
+    places.extend(of(|w| [w.drive.speed, 0.0]));
     places.sort_unstable();
     places.dedup();
     places.into_iter().map(|i| &each[i]).collect()
+}
+
+/// Places of the corners of the convex hull of points (Andrew 1979): lower and upper chain from left to right.
+fn corners(points: &[[f64; 2]]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    let key = |i: &usize| points[*i];
+    order.sort_by(|i, j| {
+        let [[a, b], [c, d]] = [key(i), key(j)];
+        a.total_cmp(&c).then(b.total_cmp(&d))
+    });
+    let mut out = Vec::new();
+    for sign in [1.0, -1.0] {
+        let mut chain: Vec<usize> = Vec::new();
+        for &next in &order {
+            while let [.., a, b] = chain[..] {
+                let [a, b, c] = [points[a], points[b], points[next]];
+                let turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+                if sign * turn > 0.0 {
+                    break;
+                }
+                chain.pop();
+            }
+            chain.push(next);
+        }
+        out.extend(chain);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_corners_hold_the_largest_of_every_linear_function() {
+        let mut seed = 7_u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 33) as f64 / f64::from(u32::MAX >> 1)
+        };
+        for count in [1, 2, 3, 50] {
+            let mut points: Vec<[f64; 2]> = (0..count).map(|_| [random(), random()]).collect();
+            // Points alike and points on a line.
+            points.push(points[0]);
+            points.push(points[0].map(|x| 2.0 * x));
+            let corners = corners(&points);
+            for step in 0..720 {
+                let (sin, cos) = f64::from(step).to_radians().sin_cos();
+                let along = |p: &[f64; 2]| cos * p[0] + sin * p[1];
+                let most = points.iter().map(along).fold(f64::NEG_INFINITY, f64::max);
+                let own = corners.iter().map(|i| along(&points[*i]));
+                let own = own.fold(f64::NEG_INFINITY, f64::max);
+                assert!((most - own).abs() < 1e-12, "{count}: {most} {own}");
+            }
+        }
+    }
 }

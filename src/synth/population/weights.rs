@@ -122,12 +122,12 @@ impl<'a> Weights<'a> {
     }
 }
 
-fn less(a: &[f64], b: &[f64]) -> Vec<f64> {
+pub fn less(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
 /// Orthonormal axes of the differences from a centre.
-fn axes(laws: &[Vec<f64>], centre: &[f64]) -> Vec<Vec<f64>> {
+pub fn axes(laws: &[Vec<f64>], centre: &[f64]) -> Vec<Vec<f64>> {
     let mut out: Vec<Vec<f64>> = Vec::new();
     for law in laws {
         let mut rest = less(law, centre);
