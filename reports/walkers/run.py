@@ -41,8 +41,10 @@ Mass lognormal, ln(m/kg) with mean 4.28 and deviation 0.21 (Portier, Tolson and 
 0.015, phases uniform (Živanović, Pavić and Reynolds 2007, Engineering Structures 29, 942–954); the first harmonic is that of Kerr
 (1998) with a deviation of 16 %. The two numbers of the mass are also those of PyHSI (MonashSmartStructures/pyhsi, `pyhsi/crowd.py`).
 Those of step frequency and harmonics are quoted from memory of these papers and were not compared with their print; of Živanović et
-al. only title and abstract were read. Harmonics 6 to 8 are zero: Chen, Ding and Živanović (2019, Int. J. Struct. Stab. Dyn. 19,
-1950029) have distributions of weight, frequency and eight harmonics of one foot, but of this paper too only the abstract was read.
+al. only the first page was read (studylib.net/doc/12918114), which names five harmonics and the subharmonics. Harmonics 6 to 8 are
+zero: the one source found that has distributions of eight is Chen, Ding and Živanović (2019, Int. J. Struct. Stab. Dyn. 19, 1950029;
+scribd.com/document/634571012), of one foot and in tables beyond the first page, which could not be read. Guides and load models (Rainer,
+Kerr, Young, SETRA, SCI P354, Synpex) end at the fourth or fifth, and no public program of pedestrian loads was found with more.
 
 {uniform}
 Where the worst error equals the bound from some number of cams on, one walker decides: his own cam errs as much, because 60 mm of
