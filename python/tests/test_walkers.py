@@ -81,21 +81,49 @@ def test_a_force_in_another_unit_is_named(scene):
         gaitcam.synth(scene, forces=[])
 
 
-def test_a_folder_of_walkers_travels_with_a_sweep(scene, tmp_path):
-    """What Ray and Dask send to their workers is the pickled plan: it is computed here after the folder is gone."""
-    people = tmp_path / "people"
-    people.mkdir()
+@pytest.fixture
+def people(tmp_path):
+    folder = tmp_path / "people"
+    folder.mkdir()
     head = "walker,period_s," + ",".join(f"f_{i:03d}" for i in range(257))
     for force in FORCES:
         row = ",".join(f"{f!r}" for f in [*force.force_n.tolist(), force.force_n[0].item()])
-        (people / f"{force.name}.csv").write_text(f"{head}\n{force.name},{force.period_s!r},{row}\n")
-    scene = scene.set({"gait.file": str(people)})
-    plan = gaitcam.Sweep(scene, vary={"limits.stroke": ["30 mm", "40 mm", 2]})
+        (folder / f"{force.name}.csv").write_text(f"{head}\n{force.name},{force.period_s!r},{row}\n")
+    return folder
+
+
+def test_walkers_of_folders_lists_and_files_are_an_axis_that_travels(scene, people):
+    """What Ray and Dask send to their workers is the pickled plan: it is computed here after the folder is gone."""
+    groups = [str(people), [people / "A.csv", people / "C.csv"], people / "B.csv"]
+    scene = scene.set({"gait.file": str(people / "A.csv")})
+    plan = gaitcam.Sweep(scene, vary={"gait.file": groups, "limits.stroke": ["30 mm", "40 mm", 2]})
     whole, state = plan.run(jobs=1), pickle.dumps(plan)
-    design = gaitcam.synth(scene.set({"limits.stroke": "40 mm"}))
-    assert design.summary["population"]["walkers"] == 3
+    for row, forces in zip((1, 3, 5), (FORCES, [FORCES[0], FORCES[2]], FORCES[1:2])):
+        design = gaitcam.synth(scene.set({"limits.stroke": "40 mm"}), forces=forces)
+        assert design.summary["population"]["walkers"] == len(forces)
+        assert whole["stroke_m"][row] == pytest.approx(design.summary["law"]["stroke_m"], rel=1e-6)
     shutil.rmtree(people)
     again = pickle.loads(state).run(jobs=1)
     assert again["stroke_m"].tolist() == whole["stroke_m"].tolist()
-    assert whole["stroke_m"][1] == pytest.approx(design.summary["law"]["stroke_m"], rel=1e-9)
     assert not any(again["error"])
+
+
+def test_errors_in_newtons_are_those_of_a_grid_about_the_optimum(scene):
+    """A heavy walker counts more: the worst of weight times ‖γ ψ − y‖."""
+    design = gaitcam.synth(scene.set({"law.error": "absolute"}), forces=FORCES)
+    population = design.summary["population"]
+    weights = np.array([700.0, 700.0, 900.0])
+    rows = [(2 * np.pi * f) ** 2 / 100 for f in (1.6, 2.0, 1.8)]
+    targets = [np.array([0, a, 0.08 * np.sin(0.3), 0.08 * np.cos(0.3)]) for a in (0.3, 0.45, 0.25)]
+
+    def worst(x):
+        return max(u * np.linalg.norm(w * x - y) for u, w, y in zip(weights, rows, targets)) / np.sqrt(2)
+
+    rng = np.random.default_rng(1)
+    start = targets[1] / rows[1]
+    for size in np.repeat(10.0 ** -np.arange(1, 7), 2000):
+        trial = start + size * rng.normal(size=4)
+        if worst(trial) < worst(start):
+            start = trial
+    assert population["worst_n"] == pytest.approx(worst(start), rel=1e-4)
+    assert population["worst_n"] <= worst(start) * (1 + 1e-6)

@@ -9,7 +9,7 @@ use super::{MeanForce, Requirements, Target};
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Placed, Result, SynthError};
 use crate::force::{ForceCurve, Walker};
-use crate::scene::{Adjust, Robust, Scene};
+use crate::scene::{Adjust, ErrorMeasure, Robust, Scene};
 
 /// Part by which weights of drives that are multiples of each other may differ.
 const SAME: f64 = 1e-12;
@@ -36,7 +36,7 @@ pub struct Served {
     pub drive: Drive,
     /// β.
     pub factor: f64,
-    /// Force in whose parts the error counts, N: the mean of the target.
+    /// Force in whose parts the error counts, N: the mean of the target, or one force for all where errors count in newtons.
     pub unit: f64,
     /// The target, scaled as the scene says, N, at the phase of the cam.
     pub target: ForceCurve,
@@ -64,6 +64,8 @@ pub struct Walkers {
     pub count: usize,
     /// What is minimised over their errors.
     pub robust: Robust,
+    /// In what these errors are compared.
+    pub error: ErrorMeasure,
     /// What the machine is set to for each.
     pub adjust: Adjust,
 }
@@ -97,7 +99,10 @@ impl Walkers {
                 share,
                 factor: factor(&own.drive, &required.drive)?,
                 drive: own.drive,
-                unit: target.mean_n().abs(),
+                unit: match scene.law.error {
+                    ErrorMeasure::Relative => target.mean_n().abs(),
+                    ErrorMeasure::Absolute => required.target_mean(),
+                },
                 target,
                 speed_m_per_s: walker.speed_m_per_s,
             })
@@ -107,6 +112,7 @@ impl Walkers {
             each: each?,
             count: population.count(),
             robust: scene.law.robust,
+            error: scene.law.error,
             adjust,
         }))
     }

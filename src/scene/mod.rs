@@ -19,9 +19,10 @@ pub use builtin::{BuiltIn, DEFAULT, SCENES, built_in, built_in_file};
 pub use keys::schema;
 pub use motion_file::{LARGEST_MOTION, motion_files, with_motions};
 pub use parts::{
-    Adjust, Band, CamSpec, ConjugateSpec, DriveSpec, Dwell, Family, FloorSpec, ForceScale, Gait,
-    Harmonic, KeywaySpec, LawPoint, LawSpec, Limits, MachineSpec, Minimise, MotorSpec, Phase,
-    PhaseWeight, Robust, SegmentSpec, ShaftSpeed, Source, StepFrequencies, WalkersSpec, Weigh,
+    Adjust, Band, CamSpec, ConjugateSpec, DriveSpec, Dwell, ErrorMeasure, Family, FloorSpec,
+    ForceScale, Gait, Harmonic, KeywaySpec, LawPoint, LawSpec, Limits, MachineSpec, Minimise,
+    MotorSpec, Phase, PhaseWeight, Robust, SegmentSpec, ShaftSpeed, Source, StepFrequencies,
+    WalkersSpec, Weigh,
 };
 pub use read::{parse, read, read_keys, table};
 pub use rules::check;

@@ -43,13 +43,20 @@ pub struct Slider {
 /// The fields that a scene has, by their keys; a list's entries under their own numbers.
 pub fn fields(table: &Table, scene: &Scene, design: Option<&Design>) -> BTreeMap<String, Field> {
     let figures = design.map(Figures::of);
+    let several = design
+        .and_then(|d| d.population.as_ref())
+        .filter(|p| p.cycles > 1);
     let mut out = BTreeMap::new();
     for key in KEYS.iter().filter(|k| k.exists(scene)) {
         let count = key.list().map_or(1, |list| length(table, list));
         for index in 0..count {
             let path = key.path_at(index);
             let text = typed(table, &path);
-            let in_design = value_in_design(key.path, scene, figures.as_ref());
+            let in_design = match several.filter(|_| key.path == "accuracy.rms") {
+                // What is judged of several walkers is what is minimised over them.
+                Some(all) => Some(all.objective_percent / 100.0),
+                None => value_in_design(key.path, scene, figures.as_ref()),
+            };
             let slider = slider(key, scene, index, &text, in_design);
             let placeholder = match in_design.zip(key.dimension(scene)) {
                 Some((value, dimension)) if text.is_empty() || text == "auto" => {
@@ -233,5 +240,44 @@ fn unit_of(text: &str, dimension: Dimension) -> String {
         "" => String::new(),
         "°" => " deg".to_string(),
         name => format!(" {name}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gaitcam::scene::{built_in, read, set};
+
+    /// Of several walkers it is what is minimised over them, not the error of their mean curve.
+    #[test]
+    fn an_accuracy_that_is_left_open_shows_the_error_that_would_be_judged() {
+        for robust in ["mean", "worst", "cvar 0.5"] {
+            let mut table = built_in("footbridge").unwrap().toml.parse().unwrap();
+            set(&mut table, "gait.step_frequency=1.4 Hz:2.4 Hz:4").unwrap();
+            set(&mut table, &format!("law.robust={robust}")).unwrap();
+            set(&mut table, "accuracy.rms=auto").unwrap();
+            let scene = read(&table).unwrap();
+            let design = scene.design().unwrap();
+            let each = &design.population.as_ref().unwrap().each;
+            let mut squares: Vec<f64> = each.iter().map(|e| e.rms_error_percent.powi(2)).collect();
+            squares.sort_by(|a, b| b.total_cmp(a));
+            let counted = match robust {
+                "mean" => 4,
+                "worst" => 1,
+                _ => 2,
+            };
+            let judged = (squares[..counted].iter().sum::<f64>() / counted as f64).sqrt();
+            let field = &fields(&table, &scene, Some(&design))["accuracy.rms"];
+            let shown: f64 = field
+                .placeholder
+                .trim_end_matches('%')
+                .trim()
+                .parse()
+                .unwrap();
+            assert!(
+                (shown / judged - 1.0).abs() < 1e-3,
+                "{robust}: {shown} {judged}"
+            );
+        }
     }
 }

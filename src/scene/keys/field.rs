@@ -7,7 +7,8 @@ use crate::error::{Result, SceneError, nearest};
 use crate::force::{Feet, Kind as Movement, OpenQuestion};
 use crate::law::Rise;
 use crate::scene::{
-    Adjust, Band, Family, ForceScale, KeywaySpec, Minimise, Phase, Robust, Scene, ShaftSpeed,
+    Adjust, Band, ErrorMeasure, Family, ForceScale, KeywaySpec, Minimise, Phase, Robust, Scene,
+    ShaftSpeed,
 };
 
 /// Getter and setter of a key; the number counts entries of a list from 0.
@@ -160,6 +161,7 @@ impl_words! {
     Feet: named_all(&Feet::ALL, Feet::name);
     ForceScale: named_all(ForceScale::ALL, ForceScale::name);
     Family: named_all(Family::ALL, Family::name);
+    ErrorMeasure: named_all(&ErrorMeasure::ALL, ErrorMeasure::name);
     ShaftSpeed: named_all(ShaftSpeed::ALL, ShaftSpeed::name);
     Minimise: Minimise::NAMES.to_vec();
 }

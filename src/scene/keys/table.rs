@@ -15,7 +15,9 @@ use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
 use crate::force::{self, Feet, Kind as Movement};
 use crate::law::Rise;
-use crate::scene::{Family, ForceScale, Gait, LimitKind, Minimise, Scene, ShaftSpeed};
+use crate::scene::{
+    ErrorMeasure, Family, ForceScale, Gait, LimitKind, Minimise, Scene, ShaftSpeed,
+};
 use crate::units::Dimension::{self, *};
 
 /// Most spans of a spline: beyond this a certified optimum is not assured in reasonable time.
@@ -114,6 +116,7 @@ pub static KEYS: &[Key] = &[
     row("law.weigh.prime_radius",   number(Length, Positive),            "",      weigh!(prime_radius)).read_again().idle_when(not_fitted),
     row("law.weigh.jerk",           by_arm(Jerk, AngularJerk, Positive), "",      weigh!(jerk)).read_again().idle_when(not_fitted),
     row("law.robust",               TEXT,                                "mean",  field!(law.robust)).idle_when(no_force),
+    row("law.error",                words::<ErrorMeasure>(),             "relative", field!(law.error)).idle_when(no_force),
     row("law.monotone",             FLAG,                                "false", field!(law.monotone)).idle_when(not_fitted),
     row("law.polydyne",             FLAG,                                "false", field!(law.polydyne)),
     row("law.shaft",                words::<ShaftSpeed>(),               "motor", field!(law.shaft)).only(turns).idle_when(no_motor),

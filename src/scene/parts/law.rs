@@ -1,6 +1,6 @@
 //! `[law]`: family, resolution and exact conditions of the law.
 
-use super::{Gait, Robust};
+use super::{ErrorMeasure, Gait, Robust};
 use crate::law::Rise;
 
 /// Family of laws.
@@ -274,6 +274,8 @@ pub struct LawSpec {
     pub minimise: Option<Minimise>,
     /// What is minimised over the force errors of several walkers.
     pub robust: Robust,
+    /// In what these errors are compared.
+    pub error: ErrorMeasure,
     /// Whether the law is monotone between neighbouring points.
     pub monotone: bool,
     /// Whether the law is that of the output of a compliant follower (polydyne cam).

@@ -18,4 +18,4 @@ pub use harmonic::Harmonic;
 pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, ShaftSpeed, Weigh};
 pub use limits::Limits;
 pub use machine::{MachineSpec, MotorSpec};
-pub use population::{Adjust, Robust, StepFrequencies};
+pub use population::{Adjust, ErrorMeasure, Robust, StepFrequencies};

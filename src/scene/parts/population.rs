@@ -59,6 +59,42 @@ impl FromStr for Robust {
     }
 }
 
+/// In what the force errors of several walkers are compared.
+///
+/// ```
+/// use gaitcam::scene::ErrorMeasure;
+///
+/// assert_eq!(ErrorMeasure::ALL.map(ErrorMeasure::name), ["relative", "absolute"]);
+/// assert_eq!(ErrorMeasure::Absolute.suffix(), "n");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ErrorMeasure {
+    /// In per cent of each walker's mean force.
+    #[default]
+    Relative,
+    /// In newtons: heavy walkers count more.
+    Absolute,
+}
+
+impl ErrorMeasure {
+    /// Both.
+    pub const ALL: [ErrorMeasure; 2] = [ErrorMeasure::Relative, ErrorMeasure::Absolute];
+
+    /// The name used in scenes.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    /// How the names of its columns end.
+    pub fn suffix(self) -> &'static str {
+        match self {
+            ErrorMeasure::Relative => "percent",
+            ErrorMeasure::Absolute => "n",
+        }
+    }
+}
+
 /// What of the machine is set anew for each walker.
 ///
 /// ```

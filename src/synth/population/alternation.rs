@@ -46,7 +46,7 @@ impl People<'_> {
         let error = |w: &usize| {
             let each = self.cycles[*w]
                 .iter()
-                .map(|i| before.each[*i].error.rms_error_percent);
+                .map(|i| before.each[*i].error.measured(self.scene.law.error));
             each.fold(0.0, f64::max)
         };
         let split = filled(owner.to_vec(), count, &|w, _| error(&w));

@@ -15,7 +15,7 @@ use super::{bare, gap, hold, limits, phase, weighed};
 use crate::error::Result;
 use crate::force::{ForceCurve, Population, Walker};
 use crate::problem::{Problem, Walkers};
-use crate::scene::{Family, Robust, Scene};
+use crate::scene::{ErrorMeasure, Family, Robust, Scene};
 use crate::synth::design::{Design, Tier};
 use crate::synth::families;
 use crate::synth::search::Search;
@@ -30,8 +30,8 @@ use crate::synth::search::Search;
 /// let scene = scene.with("law.robust", "worst")?;
 /// let walkers = scene.model_force()?.unwrap();
 /// let covers = synth::covers(&scene, &walkers, 2, &synth::Search::default())?;
-/// assert!(covers[1].worst_percent < 0.75 * covers[0].worst_percent);
-/// assert!(covers[1].bound_percent.unwrap() <= covers[1].worst_percent);
+/// assert!(covers[1].worst < 0.75 * covers[0].worst);
+/// assert!(covers[1].bound.unwrap() <= covers[1].worst);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -42,14 +42,15 @@ pub struct Cover {
     pub cams: Vec<Design>,
     /// Who is served by which, cycle by cycle.
     pub each: Vec<Assigned>,
-    /// Mean of the RMS force errors, by weight.
-    pub mean_percent: f64,
+    /// Mean of the RMS force errors, by weight: in percent of each walker's mean force, or in newtons, as the scene's `law.error`
+    /// says, like all that follows.
+    pub mean: f64,
     /// Largest of them.
-    pub worst_percent: f64,
+    pub worst: f64,
     /// What is minimised: the worst error, or the root of the mean square of all or of the worst part.
-    pub objective_percent: f64,
+    pub objective: f64,
     /// No cams of this number and kind have a smaller objective; `None` where limits are not convex.
-    pub bound_percent: Option<f64>,
+    pub bound: Option<f64>,
 }
 
 /// The covers of 1 to so many cams, as many as there are walkers at most. Every cam has the family and size of law that the scene
@@ -67,7 +68,7 @@ pub fn covers(
         return Err(one_walker());
     };
     let mut people = People::of(scene, population, search)?;
-    people.points = people.points_of_all()?;
+    people.points = bound::compressed(people.points_of_all()?);
     people.covers(cams)
 }
 
@@ -135,8 +136,8 @@ impl<'a> People<'a> {
         // What so many cams cannot do, fewer cannot.
         let mut least = 0.0_f64;
         for cover in out.iter_mut().rev() {
-            cover.bound_percent = cover.bound_percent.map(|b| b.max(least));
-            least = cover.bound_percent.unwrap_or_default();
+            cover.bound = cover.bound.map(|b| b.max(least));
+            least = cover.bound.unwrap_or_default();
         }
         Ok(out)
     }
@@ -171,20 +172,30 @@ impl<'a> People<'a> {
             }
             cams.push(design);
         }
-        let errors = trial.squares.iter().map(|x| 100.0 * x.sqrt());
+        let each: Vec<Assigned> = each.into_iter().flatten().collect();
+        let errors = each.iter().map(|a| a.error.measured(self.scene.law.error));
         let both = errors.clone().zip(&self.shares);
+        let unit = self.unit();
         Ok(Cover {
             scene: self.scene.clone(),
             cams,
-            each: each.into_iter().flatten().collect(),
-            mean_percent: both.map(|(e, share)| e * share).sum(),
-            worst_percent: errors.fold(0.0, f64::max),
-            objective_percent: 100.0 * trial.value.1.sqrt(),
-            bound_percent: self.bound(count, trial),
+            mean: both.map(|(e, share)| e * share).sum(),
+            worst: errors.fold(0.0, f64::max),
+            objective: unit * trial.value.1.sqrt(),
+            bound: self.bound(count, trial).map(|square| unit * square.sqrt()),
+            each,
         })
     }
 
-    /// Percent that no such cams beat; the cam of all has a proof of its own.
+    /// What the root of a mean square counts as: percent, or newtons.
+    fn unit(&self) -> f64 {
+        match self.scene.law.error {
+            ErrorMeasure::Relative => 100.0,
+            ErrorMeasure::Absolute => self.problem.target_mean(),
+        }
+    }
+
+    /// The mean square that no such cams beat; the cam of all has a proof of its own.
     fn bound(&self, cams: usize, trial: &Trial) -> Option<f64> {
         if self.points.is_empty() {
             return None;
@@ -192,19 +203,17 @@ impl<'a> People<'a> {
         let square = match self.scene.law.robust {
             Robust::Mean => bound::mean(&self.points, &self.shares, cams),
             Robust::Worst => bound::worst(&self.points, cams),
-            // Any weights of the worst part are a bound: those of all, and those of whom the cams found serve worst.
             Robust::Tail(part) => {
-                let least: Vec<f64> = self.points.iter().map(|p| p.least).collect();
                 let worst = in_tail(part, &trial.squares, &self.shares);
-                let of = |weights: &[f64]| bound::mean(&self.points, weights, cams);
-                let both = of(&self.shares).max(of(&worst));
-                both.max(tail(part, &least, &self.shares))
+                let least: Vec<f64> = self.points.iter().map(|p| p.least).collect();
+                let bound = bound::tail(&self.points, part, &self.shares, cams, &worst);
+                bound.max(tail(part, &least, &self.shares))
             }
         };
         let is_proved = cams == 1 && self.one.solver.certified;
         let own = self.one.population.as_ref().filter(|_| is_proved);
         let of_one = own.map_or(0.0, |p| trial.value.1 * (1.0 - p.gap));
-        Some(100.0 * square.max(of_one).sqrt())
+        Some(square.max(of_one))
     }
 
     /// The cam of each cycle alone; none where the sets of laws are not convex.

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
-
 use super::cover::People;
 use super::served::served_by;
 use crate::error::Result;
@@ -26,23 +24,23 @@ const FEWEST: usize = 4;
 /// let walkers = scene.model_force()?.unwrap();
 /// let folds = synth::folds(&scene, &walkers, 1, &synth::Search::default())?;
 /// assert!(folds.iter().any(|fold| fold.cams == 1 && fold.walkers == 8));
-/// assert!(folds.iter().all(|fold| fold.out_mean_percent <= fold.out_worst_percent));
+/// assert!(folds.iter().all(|fold| fold.out_mean <= fold.out_worst));
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Fold {
     /// Number of cams.
     pub cams: usize,
     /// Number of walkers for whom they were designed.
     pub walkers: usize,
-    /// Mean RMS force error of these, percent of the mean force.
-    pub in_mean_percent: f64,
+    /// Mean RMS force error of these, in percent of each mean force or in newtons, as the scene's `law.error` says.
+    pub in_mean: f64,
     /// Largest error of these.
-    pub in_worst_percent: f64,
+    pub in_worst: f64,
     /// Mean error of the others, each under the cam that serves him best.
-    pub out_mean_percent: f64,
+    pub out_mean: f64,
     /// Largest error of the others.
-    pub out_worst_percent: f64,
+    pub out_worst: f64,
 }
 
 /// Mean and largest of errors.
@@ -104,20 +102,20 @@ pub fn folds(scene: &Scene, force: &ForceCurve, cams: usize, search: &Search) ->
                 cover
                     .each
                     .iter()
-                    .for_each(|a| errors[0].add(a.error.rms_error_percent));
+                    .for_each(|a| errors[0].add(a.error.measured(scene.law.error)));
                 let each = served_by(&cover.scene, &cover.cams, &others)?;
                 each.iter()
-                    .for_each(|a| errors[1].add(a.error.rms_error_percent));
+                    .for_each(|a| errors[1].add(a.error.measured(scene.law.error)));
             }
         }
     }
     let row = |((cams, walkers), [own, other]): ((usize, usize), [Errors; 2])| Fold {
         cams,
         walkers,
-        in_mean_percent: own.mean(),
-        in_worst_percent: own.worst,
-        out_mean_percent: other.mean(),
-        out_worst_percent: other.worst,
+        in_mean: own.mean(),
+        in_worst: own.worst,
+        out_mean: other.mean(),
+        out_worst: other.worst,
     };
     Ok(out.into_iter().map(row).collect())
 }

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use super::errors::{dot, tail};
+use super::errors::{dot, measure, tail};
 use crate::problem::Walkers;
-use crate::scene::Robust;
+use crate::scene::{ErrorMeasure, Robust};
 
 /// Part of the walkers beside whom the worst are averaged where the objective names none.
 const USUAL_TAIL: f64 = 0.9;
@@ -30,20 +30,34 @@ pub struct OfPopulation {
     pub cycles: usize,
     /// What was minimised.
     pub robust: String,
+    /// In what errors were compared: relative, absolute.
+    pub error: &'static str,
+    /// Root of what was minimised, in percent of each walker's mean force, or of the mean of all where errors are absolute: what
+    /// `accuracy.rms` is compared with.
+    pub objective_percent: f64,
     /// Largest RMS force error, percent of the walker's mean force.
     pub worst_percent: f64,
     /// Mean of the RMS force errors, by weight.
     pub mean_percent: f64,
     /// Mean of the largest of them: of the last tenth, or of what the objective names.
     pub cvar_percent: f64,
-    /// Whose error is the largest.
+    /// The same in newtons: largest,
+    pub worst_n: f64,
+    /// mean,
+    pub mean_n: f64,
+    /// and mean of the largest.
+    pub cvar_n: f64,
+    /// Whose error is the largest, as errors are compared.
     pub worst_walker: String,
     /// The objective less its proved lower bound, part of the objective (a mean square).
     pub gap: f64,
-    /// No law at any phases of the walkers has a smaller objective than this, percent; `None` where the phases are given.
+    /// No law at any phases of the walkers has a smaller `objective_percent` than this; `None` where the phases are given.
     pub bound_percent: Option<f64>,
     /// Designs that were computed.
     pub rounds: usize,
+    /// Place of the cycle with the largest error.
+    #[serde(skip)]
+    pub worst: usize,
     /// Each cycle.
     #[serde(skip)]
     pub each: Vec<WalkerError>,
@@ -72,44 +86,70 @@ pub struct WalkerError {
     pub phase_rad: f64,
     /// RMS force error, percent of the mean force.
     pub rms_error_percent: f64,
+    /// RMS force error, N.
+    pub rms_error_n: f64,
     /// What the walker counts in a mean.
     pub share: f64,
     /// Walking speed, m/s, where it is known.
     pub speed_m_per_s: Option<f64>,
 }
 
+impl WalkerError {
+    /// The RMS force error in percent or in newtons, as errors are compared.
+    pub fn measured(&self, error: ErrorMeasure) -> f64 {
+        match error {
+            ErrorMeasure::Relative => self.rms_error_percent,
+            ErrorMeasure::Absolute => self.rms_error_n,
+        }
+    }
+}
+
 /// The report of mean square errors.
 pub fn report(walkers: &Walkers, squares: &[f64], phases: &[f64]) -> OfPopulation {
     let each = walkers.each.iter().zip(squares).zip(phases);
-    let each = each.map(|((walker, square), phase)| WalkerError {
-        walker: walker.name.clone(),
-        mass_kg: walker.drive.mass,
-        speed_rad_per_s: walker.drive.speed,
-        phase_rad: phase.rem_euclid(std::f64::consts::TAU),
-        rms_error_percent: 100.0 * square.sqrt(),
-        share: walker.share,
-        speed_m_per_s: walker.speed_m_per_s,
+    let each = each.map(|((walker, square), phase)| {
+        let error = walker.unit * square.sqrt();
+        WalkerError {
+            walker: walker.name.clone(),
+            mass_kg: walker.drive.mass,
+            speed_rad_per_s: walker.drive.speed,
+            phase_rad: phase.rem_euclid(std::f64::consts::TAU),
+            rms_error_percent: 100.0 * error / walker.target.mean_n().abs(),
+            rms_error_n: error,
+            share: walker.share,
+            speed_m_per_s: walker.speed_m_per_s,
+        }
     });
     let each: Vec<WalkerError> = each.collect();
-    let errors: Vec<f64> = each.iter().map(|e| e.rms_error_percent).collect();
     let shares: Vec<f64> = each.iter().map(|e| e.share).collect();
-    let worst = (0..each.len()).max_by(|i, j| errors[*i].total_cmp(&errors[*j]));
-    let worst = worst.unwrap_or_default();
     let part = match walkers.robust {
         Robust::Tail(part) => part,
         Robust::Mean | Robust::Worst => USUAL_TAIL,
     };
+    let [percent, newtons] = [ErrorMeasure::Relative, ErrorMeasure::Absolute].map(|measure| {
+        let errors: Vec<f64> = each.iter().map(|e| e.measured(measure)).collect();
+        let worst = errors.iter().fold(0.0_f64, |m, e| m.max(*e));
+        [worst, dot(&errors, &shares), tail(part, &errors, &shares)]
+    });
+    let worst = (0..squares.len()).max_by(|i, j| squares[*i].total_cmp(&squares[*j]));
+    let worst = worst.unwrap_or_default();
     OfPopulation {
         walkers: walkers.count,
         cycles: each.len(),
         robust: walkers.robust.to_string(),
-        worst_percent: errors[worst],
-        mean_percent: dot(&errors, &shares),
-        cvar_percent: tail(part, &errors, &shares),
+        error: walkers.error.name(),
+        objective_percent: 100.0 * measure(walkers.robust, squares, &shares).sqrt(),
+        worst_percent: percent[0],
+        mean_percent: percent[1],
+        cvar_percent: percent[2],
+        worst_n: newtons[0],
+        mean_n: newtons[1],
+        cvar_n: newtons[2],
         worst_walker: each[worst].walker.clone(),
         gap: 0.0,
         bound_percent: None,
         rounds: 0,
+        worst,
         each,
     }
 }

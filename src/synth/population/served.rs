@@ -32,7 +32,8 @@ pub struct Assigned {
     pub cam: usize,
     /// How well it serves.
     pub error: WalkerError,
-    /// Parts of the error, whose squares add up to its square: the mean force, the size of what varies, and its shape.
+    /// Parts of the error in percent of the mean force, whose squares add up to its square: the mean force, the size of what
+    /// varies, and its shape.
     pub parts_percent: [f64; 3],
 }
 
@@ -50,7 +51,8 @@ pub fn served_by(scene: &Scene, cams: &[Design], force: &ForceCurve) -> Result<V
             continue;
         }
         for (best, own) in best.iter_mut().zip(own) {
-            if own.error.rms_error_percent < best.error.rms_error_percent {
+            // Of one walker the smaller error is smaller in percent and in newtons.
+            if own.error.rms_error_n < best.error.rms_error_n {
                 *best = own;
             }
         }
@@ -106,7 +108,9 @@ impl Under {
     pub fn assigned(self, cam: usize) -> Vec<Assigned> {
         let both = self.report.each.into_iter().zip(self.parts);
         let own = both.map(|(error, parts)| {
-            let parts_percent = parts.map(|x| 100.0 * x.sqrt());
+            let whole: f64 = parts.iter().sum();
+            let percent = error.rms_error_percent / whole.sqrt().max(f64::MIN_POSITIVE);
+            let parts_percent = parts.map(|x| percent * x.sqrt());
             Assigned {
                 cam,
                 error,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::cover::{aligned, folder_of, reason, scene_of};
+use super::cover::{aligned, folder_of, of_unit, reason, scene_of};
 use crate::console::error::CliError;
 use crate::console::words::{self, fixed};
 use gaitcam::Problem;
@@ -39,16 +39,17 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
         .iter()
         .try_for_each(|g| g.walkers(all.clone(), &[]).map(drop))?;
     let force = ForceCurve::of_walkers(walkers)?;
-    let mut rows = vec![
-        ["walker", "cams", "cam", "error", "reason"].map(|c| words::text(&format!("against-{c}"))),
-    ];
+    let measure = first.scene.law.error;
+    let error = of_unit("error", measure);
+    let names = ["walker", "cams", "cam", &error, "reason"];
+    let mut rows = vec![names.map(|c| words::text(&format!("against-{c}")))];
     let mut objects = Vec::new();
     for cams in numbers {
         for served in serving(&folder.join(folder_of(cams)), cams, &force)? {
             let file = format!("{}/{}", folder_of(cams), scene_of(served.cam));
             objects.push(json!({"walker": served.error.walker, "cams": cams, "cam": served.cam + 1, "scene": file,
-                "rms_error_percent": served.error.rms_error_percent}));
-            let error = fixed(served.error.rms_error_percent, 3);
+                "rms_error_percent": served.error.rms_error_percent, "rms_error_n": served.error.rms_error_n}));
+            let error = fixed(served.error.measured(measure), 3);
             rows.push([
                 served.error.walker.clone(),
                 cams.to_string(),

@@ -4,8 +4,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use serde_json::json;
-use toml::Value;
+use serde_json::{Value, json};
 
 use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
@@ -17,7 +16,7 @@ use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
 use gaitcam::error::{Placed, Result, SynthError};
 use gaitcam::force::{ForceCurve, Walker, population_csv, read_population};
-use gaitcam::scene::{Family, Robust, set_value};
+use gaitcam::scene::{ErrorMeasure, Family, Robust, set_value};
 use gaitcam::sweep::table::text_cell;
 use gaitcam::synth::{Assigned, Cover, Fold, Search, covers, folds};
 use gaitcam_files::Input;
@@ -91,14 +90,15 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
     for cover in &found {
         write_scenes(&place, &mut input, cover, &walkers)?;
     }
-    folder.write("cover.csv", cover_csv(&found).as_bytes())?;
-    folder.write("assignment.csv", assignment_csv(&found).as_bytes())?;
-    folder.write("folds.csv", folds_csv(&other).as_bytes())?;
+    let error = input.scene.law.error;
+    folder.write("cover.csv", cover_csv(&found, error).as_bytes())?;
+    folder.write("assignment.csv", assignment_csv(&found, error).as_bytes())?;
+    folder.write("folds.csv", folds_csv(&other, error).as_bytes())?;
     folder.write_picture("cover", &picture(&input, &found, &other))?;
     if args.json {
-        print_json(
-            &json!({"covers": found.iter().map(object).collect::<Vec<_>>(), "folds": other}),
-        );
+        let covers: Vec<Value> = found.iter().map(|c| object(c, error)).collect();
+        let folds: Vec<Value> = other.iter().map(|f| fold_object(f, error)).collect();
+        print_json(&json!({"covers": covers, "folds": folds}));
     } else {
         print(&text(&input, &found, &other));
         print(&files_in(&place, "cover.png"));
@@ -134,7 +134,7 @@ fn scene(args: &CoverArgs) -> Result<Input> {
     let (mut table, folder, file) = input::written(&scene)?;
     if let Some(walkers) = &args.walkers {
         let walkers = std::path::absolute(walkers).unwrap_or_else(|_| walkers.clone());
-        let walkers = Value::String(walkers.display().to_string());
+        let walkers = toml::Value::String(walkers.display().to_string());
         set_value(&mut table, "gait.file", walkers)?;
     }
     for change in &args.set {
@@ -180,26 +180,31 @@ fn write_scenes(place: &Path, input: &mut Input, cover: &Cover, walkers: &[Walke
             .map(|w| w.name.clone())
             .collect();
         out.dedup();
-        let size = |x: Option<usize>| x.map(|x| Value::Integer(x as i64));
+        let size = |x: Option<usize>| x.map(|x| toml::Value::Integer(x as i64));
         let values = [
             (
                 "name",
-                Some(Value::String(format!(
+                Some(toml::Value::String(format!(
                     "{}_{}_{}",
                     input.scene.name,
                     cover.cams.len(),
                     cam + 1
                 ))),
             ),
-            ("gait.file", Some(Value::String(format!("../{CYCLES}")))),
+            (
+                "gait.file",
+                Some(toml::Value::String(format!("../{CYCLES}"))),
+            ),
             (
                 "gait.leave_out",
-                Some(Value::Array(out.into_iter().map(Value::String).collect())),
+                Some(toml::Value::Array(
+                    out.into_iter().map(toml::Value::String).collect(),
+                )),
             ),
-            ("law.robust", objective.map(Value::String)),
+            ("law.robust", objective.map(toml::Value::String)),
             (
                 "law.family",
-                Some(Value::String(law.family.name().to_string())),
+                Some(toml::Value::String(law.family.name().to_string())),
             ),
             (
                 "law.spans",
@@ -232,46 +237,47 @@ pub fn scene_of(cam: usize) -> String {
     format!("cam_{}.toml", cam + 1)
 }
 
-fn cover_csv(covers: &[Cover]) -> String {
-    let mut out = String::from("cams,mean_percent,worst_percent,bound_percent\n");
+fn cover_csv(covers: &[Cover], error: ErrorMeasure) -> String {
+    let unit = error.suffix();
+    let mut out = format!("cams,mean_{unit},worst_{unit},bound_{unit}\n");
     for c in covers {
-        let bound = c.bound_percent.map_or(String::new(), |b| b.to_string());
-        let _ = writeln!(
-            out,
-            "{},{},{},{bound}",
-            c.cams.len(),
-            c.mean_percent,
-            c.worst_percent
-        );
+        let bound = c.bound.map_or(String::new(), |b| b.to_string());
+        let _ = writeln!(out, "{},{},{},{bound}", c.cams.len(), c.mean, c.worst);
     }
     out
 }
 
-fn assignment_csv(covers: &[Cover]) -> String {
-    let mut out = String::from(
-        "cams,walker,cam,rms_error_percent,weight_percent,speed_percent,shape_percent\n",
-    );
+fn assignment_csv(covers: &[Cover], error: ErrorMeasure) -> String {
+    let unit = error.suffix();
+    let mut out = format!("cams,walker,cam,rms_error_{unit}");
+    PARTS
+        .iter()
+        .for_each(|part| out.push_str(&format!(",{part}_{unit}")));
+    out.push('\n');
     for cover in covers {
         for a in &cover.each {
             let name = a.error.walker.replace([',', '\n', '\r', '"'], " ");
             let name = text_cell(&name);
-            let [weight, speed, shape] = a.parts_percent;
-            let (cams, cam, error) = (cover.cams.len(), a.cam + 1, a.error.rms_error_percent);
-            let _ = writeln!(out, "{cams},{name},{cam},{error},{weight},{speed},{shape}");
+            let own = a.error.measured(error);
+            let [weight, speed, shape] = a
+                .parts_percent
+                .map(|part| part * own / a.error.rms_error_percent.max(f64::MIN_POSITIVE));
+            let (cams, cam) = (cover.cams.len(), a.cam + 1);
+            let _ = writeln!(out, "{cams},{name},{cam},{own},{weight},{speed},{shape}");
         }
     }
     out
 }
 
-fn folds_csv(folds: &[Fold]) -> String {
-    let mut out = String::from(
-        "cams,walkers,in_mean_percent,in_worst_percent,out_mean_percent,out_worst_percent\n",
+fn folds_csv(folds: &[Fold], error: ErrorMeasure) -> String {
+    let unit = error.suffix();
+    let names = ["in_mean", "in_worst", "out_mean", "out_worst"];
+    let mut out = format!(
+        "cams,walkers,{}\n",
+        names.map(|n| format!("{n}_{unit}")).join(",")
     );
     for f in folds {
-        let (own, other) = (
-            [f.in_mean_percent, f.in_worst_percent],
-            [f.out_mean_percent, f.out_worst_percent],
-        );
+        let (own, other) = ([f.in_mean, f.in_worst], [f.out_mean, f.out_worst]);
         let _ = writeln!(
             out,
             "{},{},{},{},{},{}",
@@ -281,9 +287,34 @@ fn folds_csv(folds: &[Fold]) -> String {
     out
 }
 
-fn object(cover: &Cover) -> serde_json::Value {
-    json!({"cams": cover.cams.len(), "mean_percent": cover.mean_percent, "worst_percent": cover.worst_percent,
-        "bound_percent": cover.bound_percent, "objective_percent": cover.objective_percent, "assignment": cover.each})
+fn object(cover: &Cover, error: ErrorMeasure) -> Value {
+    let out = json!({"cams": cover.cams.len(), "assignment": cover.each});
+    let values = [
+        ("mean", Some(cover.mean)),
+        ("worst", Some(cover.worst)),
+        ("bound", cover.bound),
+        ("objective", Some(cover.objective)),
+    ];
+    in_unit(out, &values, error)
+}
+
+fn fold_object(fold: &Fold, error: ErrorMeasure) -> Value {
+    let out = json!({"cams": fold.cams, "walkers": fold.walkers});
+    let values = [
+        ("in_mean", Some(fold.in_mean)),
+        ("in_worst", Some(fold.in_worst)),
+        ("out_mean", Some(fold.out_mean)),
+        ("out_worst", Some(fold.out_worst)),
+    ];
+    in_unit(out, &values, error)
+}
+
+/// An object with errors under names that end with their unit.
+fn in_unit(mut object: Value, values: &[(&str, Option<f64>)], error: ErrorMeasure) -> Value {
+    for (name, value) in values {
+        object[format!("{name}_{}", error.suffix())] = json!(value);
+    }
+    object
 }
 
 /// The largest part of an error, in words.
@@ -308,22 +339,22 @@ fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
         ]
         .map(|c| words::text(&format!("cover-{c}"))),
     ];
-    let percent = |x: Option<f64>| x.map_or("–".to_string(), |x| fixed(x, 3));
+    let error = input.scene.law.error;
+    let shown = |x: Option<f64>| x.map_or("–".to_string(), |x| fixed(x, 3));
     for cover in covers {
-        let worst = cover.each.iter().max_by(|a, b| {
-            a.error
-                .rms_error_percent
-                .total_cmp(&b.error.rms_error_percent)
-        });
+        let worst = cover
+            .each
+            .iter()
+            .max_by(|a, b| a.error.measured(error).total_cmp(&b.error.measured(error)));
         let most = folds.iter().rfind(|f| f.cams == cover.cams.len());
         rows.push([
             cover.cams.len().to_string(),
-            fixed(cover.mean_percent, 3),
-            fixed(cover.worst_percent, 3),
-            fixed(cover.objective_percent, 3),
-            percent(cover.bound_percent),
-            percent(most.map(|f| f.out_mean_percent)),
-            percent(most.map(|f| f.out_worst_percent)),
+            fixed(cover.mean, 3),
+            fixed(cover.worst, 3),
+            fixed(cover.objective, 3),
+            shown(cover.bound),
+            shown(most.map(|f| f.out_mean)),
+            shown(most.map(|f| f.out_worst)),
             worst.map_or(String::new(), |w| {
                 format!("{} ({})", w.error.walker, reason(w))
             }),
@@ -336,10 +367,18 @@ fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
     };
     let walkers = covers.first().map_or(0, |c| c.each.len());
     let head = words::fill(
-        "cover-head",
+        &of_unit("cover-head", error),
         &json!({"name": input.scene.name, "cycles": walkers}),
     );
     format!("{head}\n{}{}", aligned(&rows), words::text(of))
+}
+
+/// The message of a measure of errors.
+pub fn of_unit(message: &str, error: ErrorMeasure) -> String {
+    match error {
+        ErrorMeasure::Relative => message.to_string(),
+        ErrorMeasure::Absolute => format!("{message}-n"),
+    }
 }
 
 /// Rows with columns as wide as their longest cell.
@@ -378,18 +417,18 @@ fn picture(input: &Input, covers: &[Cover], folds: &[Fold]) -> Picture {
     // The worst error has a curve of its own.
     let objective = match input.scene.law.robust {
         Robust::Worst => Vec::new(),
-        Robust::Mean | Robust::Tail(_) => of(|c| Some(c.objective_percent)),
+        Robust::Mean | Robust::Tail(_) => of(|c| Some(c.objective)),
     };
     let curves = [
-        curve("bound", of(|c| c.bound_percent)),
+        curve("bound", of(|c| c.bound)),
         curve("objective", objective),
-        curve("others-mean", others(|f| f.out_mean_percent)),
-        curve("others-worst", others(|f| f.out_worst_percent)),
-        curve("mean", of(|c| Some(c.mean_percent))),
-        curve("worst", of(|c| Some(c.worst_percent))),
+        curve("others-mean", others(|f| f.out_mean)),
+        curve("others-worst", others(|f| f.out_worst)),
+        curve("mean", of(|c| Some(c.mean))),
+        curve("worst", of(|c| Some(c.worst))),
     ];
-    let [error, number, what] =
-        ["error", "number", "what"].map(|name| words::text(&format!("cover-{name}")));
+    let [number, what] = ["number", "what"].map(|name| words::text(&format!("cover-{name}")));
+    let error = words::text(&of_unit("cover-error", input.scene.law.error));
     let words = CoverWords {
         name: &input.scene.name,
         what: &what,

@@ -1,6 +1,7 @@
 //! The summary of a design on the console: verdict, reasons, numbers; at most 25 lines.
 
 use gaitcam::cam::{Check, Criterion, Hardness, Measures};
+use gaitcam::scene::{ErrorMeasure, Robust};
 use gaitcam::synth::{Design, SolverReport, in_units, sentences};
 use gaitcam_output::{ActiveLimit, Timing, simulation};
 use serde_json::{Value, json};
@@ -269,11 +270,22 @@ fn shaft(design: &Design) -> Vec<String> {
 /// Force errors of several walkers.
 fn population(design: &Design) -> Option<String> {
     let p = design.population.as_ref()?;
+    let (id, [mean, worst, cvar]) = match design.problem.law.error {
+        ErrorMeasure::Relative => (
+            "synth-walkers",
+            [p.mean_percent, p.worst_percent, p.cvar_percent],
+        ),
+        ErrorMeasure::Absolute => ("synth-walkers-n", [p.mean_n, p.worst_n, p.cvar_n]),
+    };
+    let tail = match design.problem.law.robust {
+        Robust::Tail(part) if part != 0.9 => fixed(100.0 * (1.0 - part), 0),
+        Robust::Tail(_) | Robust::Mean | Robust::Worst => "tenth".to_string(),
+    };
     Some(filled(
         "walkers",
-        "synth-walkers",
-        json!({"count": p.walkers, "mean": fixed(p.mean_percent, 3), "worst": fixed(p.worst_percent, 3),
-                "who": p.worst_walker, "cvar": fixed(p.cvar_percent, 3)}),
+        id,
+        json!({"count": p.walkers, "mean": fixed(mean, 3), "worst": fixed(worst, 3), "who": p.worst_walker,
+            "cvar": fixed(cvar, 3), "tail": tail}),
     ))
 }
 

@@ -160,7 +160,14 @@ synth-law = { $family }{ $degree ->
 synth-offset = {" "}offset { $offset } mm,
 synth-cam = { $follower }, base radius { $base } mm, prime radius { $prime } mm,{ $offset } smallest convex radius { $convex } mm
 synth-load-factors = dynamic load factors 1 to 4: { $list }
-synth-walkers = { $count }: force error { $mean } % of the mean force on average, { $cvar } % for the worst tenth, { $worst } % for the worst ({ $who })
+synth-walkers = { $count }: force error { $mean } % of the mean force on average, { $cvar } % for the worst { $tail ->
+        [tenth] tenth
+       *[other] { $tail } %
+    }, { $worst } % for the worst ({ $who })
+synth-walkers-n = { $count }: force error { $mean } N on average, { $cvar } N for the worst { $tail ->
+        [tenth] tenth
+       *[other] { $tail } %
+    }, { $worst } N for the worst ({ $who })
 synth-shaft = { $low } … { $high } rad/s, ripple { $ripple } %; motor: no-load speed { $noload } rad/s, torque { $rms } N·m RMS, { $most } N·m peak
 synth-shaft-error = force error over time { $own } % of the mean; of the law for constant speed { $before } %{ $rounds ->
         [0] {""}
@@ -332,6 +339,7 @@ column-row = row
 
 # cover and gait --against.
 cover-head = { $name }: { $cycles } cycles; force error in % of each mean force
+cover-head-n = { $name }: { $cycles } cycles; force error in N
 cover-cams = cams
 cover-mean = mean
 cover-worst = worst
@@ -348,6 +356,7 @@ cover-bound-mean = minimised: the root mean square of the errors; bound: no cams
 cover-bound-tail = minimised: the root mean square of the errors of the worst part of the walkers; bound: no cams of this number have a smaller one. others: walkers left out of the design (five parts in turn)
 cover-stopped = The time limit ended the search: numbers of cams are missing. Give a longer --time-limit.
 cover-error = RMS force error, % of the mean force
+cover-error-n = RMS force error, N
 cover-number = number of cams
 cover-what = Error against the number of cams
 against-head = Cams of { $folder }
@@ -355,6 +364,7 @@ against-walker = walker
 against-cams = cams
 against-cam = served by
 against-error = error %
+against-error-n = error, N
 against-reason = largest part of the error
 
 # compare.

@@ -160,7 +160,14 @@ synth-law = { $family }{ $degree ->
 synth-offset = {" "}excentricidad { $offset } mm,
 synth-cam = { $follower }, radio base { $base } mm, radio primario { $prime } mm,{ $offset } menor radio convexo { $convex } mm
 synth-load-factors = factores de carga dinámica 1 a 4: { $list }
-synth-walkers = { $count }: error de fuerza del { $mean } % de la fuerza media en promedio, { $cvar } % en la peor décima parte, { $worst } % en el peor ({ $who })
+synth-walkers = { $count }: error de fuerza del { $mean } % de la fuerza media en promedio, { $cvar } % en { $tail ->
+        [tenth] la peor décima parte
+       *[other] el peor { $tail } %
+    }, { $worst } % en el peor ({ $who })
+synth-walkers-n = { $count }: error de fuerza de { $mean } N en promedio, { $cvar } N en { $tail ->
+        [tenth] la peor décima parte
+       *[other] el peor { $tail } %
+    }, { $worst } N en el peor ({ $who })
 synth-shaft = { $low } … { $high } rad/s, oscilación { $ripple } %; motor: velocidad en vacío { $noload } rad/s, par { $rms } N·m RMS, máximo { $most } N·m
 synth-shaft-error = error de fuerza en el tiempo { $own } % de la media; de la ley para velocidad constante { $before } %{ $rounds ->
         [0] {""}
@@ -332,6 +339,7 @@ column-row = fila
 
 # cover y gait --against.
 cover-head = { $name }: { $cycles } ciclos; error de fuerza en % de cada fuerza media
+cover-head-n = { $name }: { $cycles } ciclos; error de fuerza en N
 cover-cams = levas
 cover-mean = media
 cover-worst = peor
@@ -348,6 +356,7 @@ cover-bound-mean = minimizado: la media cuadrática de los errores; cota: ningú
 cover-bound-tail = minimizado: la media cuadrática de los errores de la peor parte de los caminantes; cota: ningún conjunto de este número de levas tiene una menor. otros: caminantes excluidos del diseño (cinco partes por turno)
 cover-stopped = El límite de tiempo terminó la búsqueda: faltan números de levas. Dé un --time-limit mayor.
 cover-error = error de fuerza RMS, % de la fuerza media
+cover-error-n = error de fuerza RMS, N
 cover-number = número de levas
 cover-what = Error según el número de levas
 against-head = Levas de { $folder }
@@ -355,6 +364,7 @@ against-walker = caminante
 against-cams = levas
 against-cam = servido por
 against-error = error %
+against-error-n = error, N
 against-reason = mayor parte del error
 
 # compare.

@@ -29,14 +29,10 @@ pub fn lines(design: &Design, samples: &[Sample]) -> Vec<Line> {
             each.reduce(better).unwrap_or(f64::NAN)
         }
     };
-    let error = |i: &usize| report.each[*i].rms_error_percent;
-    let worst = (0..all.each.len()).max_by(|a, b| error(a).total_cmp(&error(b)));
     vec![
         line_of("low", samples, edge(f64::min)),
         line_of("high", samples, edge(f64::max)),
-        line_of("worst", samples, |s| {
-            worst.map_or(f64::NAN, |i| wanted(i, s.theta))
-        }),
+        line_of("worst", samples, |s| wanted(report.worst, s.theta)),
     ]
 }
 

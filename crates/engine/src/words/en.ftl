@@ -379,6 +379,7 @@ studio-key-law-degree = Degree
 studio-key-law-spans = Spans
 studio-key-law-harmonics = Harmonics
 studio-key-law-robust = Over walkers
+studio-key-law-error = Errors of walkers
 studio-key-law-minimise = Minimise
 studio-key-law-weigh-force_error = Weight: force error
 studio-key-law-weigh-prime_radius = Weight: prime radius

@@ -379,6 +379,7 @@ studio-key-law-degree = Grado
 studio-key-law-spans = Tramos
 studio-key-law-harmonics = Armónicos
 studio-key-law-robust = Entre caminantes
+studio-key-law-error = Errores de caminantes
 studio-key-law-minimise = Minimizar
 studio-key-law-weigh-force_error = Peso: error de fuerza
 studio-key-law-weigh-prime_radius = Peso: radio primario

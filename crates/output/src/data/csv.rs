@@ -67,9 +67,10 @@ pub fn walkers(design: &Design) -> Option<String> {
         let name = w.walker.replace([',', '\n', '\r', '"'], " ");
         let name = text_cell(&name);
         let (mass, speed, phase) = (w.mass_kg, w.speed_rad_per_s, w.phase_rad);
-        format!("{name},{mass},{speed},{phase},{}\n", w.rms_error_percent)
+        let (percent, newtons) = (w.rms_error_percent, w.rms_error_n);
+        format!("{name},{mass},{speed},{phase},{percent},{newtons}\n")
     });
-    let names = "walker,mass_kg,speed_rad_per_s,phase_rad,rms_error_percent\n";
+    let names = "walker,mass_kg,speed_rad_per_s,phase_rad,rms_error_percent,rms_error_n\n";
     Some([names.to_string()].into_iter().chain(rows).collect())
 }
 

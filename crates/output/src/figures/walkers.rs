@@ -9,6 +9,8 @@ use crate::plot::layout::Layout;
 use crate::plot::palette::{BLUE, ORANGE};
 use crate::plot::picture::Picture;
 use crate::words::{self, Words};
+use gaitcam::problem::Served;
+use gaitcam::scene::ErrorMeasure;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 use gaitcam_base::text::number;
@@ -24,24 +26,23 @@ pub fn walkers(design: &Design, language: Language) -> Picture {
 fn walkers_in(design: &Design, layout: Layout, words: &Words) -> Picture {
     let walkers = design.problem.walkers.as_deref();
     let each = walkers.map_or(&[][..], |w| &w.each);
-    let errors = design.population.as_ref().map_or(&[][..], |p| &p.each);
-    let error = |i: usize| errors.get(i).map_or(0.0, |e| e.rms_error_percent);
-    let worst = (0..each.len()).max_by(|i, j| error(*i).total_cmp(&error(*j)));
-    let worst = worst.map(|i| (&each[i], error(i)));
+    let report = design.population.as_ref();
+    let worst = report.and_then(|p| Some((each.get(p.worst)?, &p.each[p.worst])));
+    let part = |walker: &Served, force: f64| 100.0 * force / walker.target.mean_n().abs();
     let places = (0..=STEPS).map(|i| TAU * i as f64 / STEPS as f64);
     let degrees = |x: f64| x.to_degrees();
     let (mut low, mut high, mut wanted, mut given) = (vec![], vec![], vec![], vec![]);
     for x in places {
-        let forces = each.iter().map(|w| 100.0 * w.target.at(x) / w.unit);
+        let forces = each.iter().map(|w| part(w, w.target.at(x)));
         let ends = forces.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], f| {
             [a.min(f), b.max(f)]
         });
         low.push((degrees(x), ends[0]));
         high.push((degrees(x), ends[1]));
         if let Some((walker, _)) = worst {
-            wanted.push((degrees(x), 100.0 * walker.target.at(x) / walker.unit));
+            wanted.push((degrees(x), part(walker, walker.target.at(x))));
             let force = walker.drive.force(design.pressing().svaj(x));
-            given.push((degrees(x), 100.0 * force / walker.unit));
+            given.push((degrees(x), part(walker, force)));
         }
     }
     layout.picture(words.language(), |f| {
@@ -56,9 +57,13 @@ fn walkers_in(design: &Design, layout: Layout, words: &Words) -> Picture {
         panel.curve(&given, BLUE, 2.4)?;
         panel.quantity(&words.text("figure-walkers-force"))?;
         panel.across(&words.text("figure-walkers-angle"))?;
-        let (name, percent) = worst.map_or(("", 0.0), |(w, e)| (w.name.as_str(), e));
+        let name = worst.map_or("", |(w, _)| w.name.as_str());
+        let error = worst.map_or(String::new(), |(_, e)| match walkers.map(|w| w.error) {
+            Some(ErrorMeasure::Absolute) => format!("{} N", number(e.rms_error_n, 4)),
+            _ => format!("{} %", number(e.rms_error_percent, 2)),
+        });
         let wanted = words.fill("figure-walkers-worst", &[("name", name)]);
-        let given = words.fill("figure-walkers-cam", &[("percent", &number(percent, 2))]);
+        let given = words.fill("figure-walkers-cam", &[("error", &error)]);
         let band = words.text("figure-walkers-band");
         let legend = [frame.left, frame.top - 1.1 * f.e];
         f.key(

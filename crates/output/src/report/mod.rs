@@ -18,6 +18,7 @@ use crate::Timing;
 use crate::words::{self, Words};
 use gaitcam::cam::{Follower, Measures, Verdict};
 use gaitcam::dynamics::Outcome;
+use gaitcam::scene::ErrorMeasure;
 use gaitcam::synth::{Conflicting, Design};
 use gaitcam::wording::Language;
 use gaitcam_base::text::escaped;
@@ -249,11 +250,19 @@ fn force_cards(synthesis: &Design, words: &Words) -> Vec<Card> {
     let mut cards = Vec::new();
     let population = synthesis.population.as_ref().filter(|p| p.cycles > 1);
     if let Some(all) = population {
-        let mean = number(all.mean_percent, 3);
+        let measure = synthesis.problem.law.error;
+        let [mean, worst] = match measure {
+            ErrorMeasure::Relative => {
+                [all.mean_percent, all.worst_percent].map(|x| format!("{}\u{a0}%", number(x, 3)))
+            }
+            ErrorMeasure::Absolute => {
+                [all.mean_n, all.worst_n].map(|x| format!("{}\u{a0}{unit}", number(x, 4)))
+            }
+        };
         let who = [("walker", all.worst_walker.as_str()), ("mean", &mean)];
         cards.push((
             words.text("report-force-error-worst"),
-            format!("{}\u{a0}%", number(all.worst_percent, 3)),
+            worst,
             words.fill("report-worst-walker", &who),
         ));
     } else if synthesis.target.is_some() {

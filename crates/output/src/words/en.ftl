@@ -15,7 +15,7 @@ report-not-alone = { $limit }, { $from }: not sufficient alone
 # Figures at the top.
 report-force-error-rms = Force error, RMS
 report-force-error-worst = Largest force error
-report-worst-walker = { $walker }; mean { $mean } %
+report-worst-walker = { $walker }; mean { $mean }
 report-of-mean = { $percent } % of mean
 report-force = Force
 report-moment = Moment
@@ -230,7 +230,7 @@ figure-walkers-force = force, % of the mean force
 figure-walkers-angle = cam angle, °
 figure-walkers-band = all walkers
 figure-walkers-worst = worst: { $name }
-figure-walkers-cam = cam, error { $percent } % RMS
+figure-walkers-cam = cam, error { $error } RMS
 figure-floor = Peak acceleration of the floor, comfort classes
 figure-floor-wanted = under the wanted force
 figure-floor-cam = under this cam at other speeds

@@ -15,7 +15,7 @@ report-not-alone = { $limit }, { $from }: no basta por sí solo
 # Cifras del encabezado.
 report-force-error-rms = Error de fuerza, RMS
 report-force-error-worst = Mayor error de fuerza
-report-worst-walker = { $walker }; media { $mean } %
+report-worst-walker = { $walker }; media { $mean }
 report-of-mean = { $percent } % de la media
 report-force = Fuerza
 report-moment = Momento
@@ -235,7 +235,7 @@ figure-walkers-force = fuerza, % de la fuerza media
 figure-walkers-angle = ángulo de leva, °
 figure-walkers-band = todos los caminantes
 figure-walkers-worst = peor: { $name }
-figure-walkers-cam = leva, error { $percent } % RMS
+figure-walkers-cam = leva, error { $error } RMS
 figure-floor = Aceleración máxima del suelo, clases de confort
 figure-floor-wanted = bajo la fuerza pedida
 figure-floor-cam = bajo esta leva a otras velocidades

@@ -216,6 +216,119 @@ fn the_scenes_of_a_cover_of_the_worst_part_make_its_cams() {
     assert_eq!(compared, 12);
 }
 
+/// Rows that have no cycle are listed with their lines, all at once; they are left out by name or by line, and only then.
+#[test]
+fn rows_of_a_table_without_a_cycle_are_listed_by_line_and_left_out_when_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    table(&at.join("walkers.csv"), 12);
+    let text = fs::read_to_string(at.join("walkers.csv")).unwrap();
+    let mut lines: Vec<String> = text.lines().map(str::to_string).collect();
+    let spoil = |line: &str, column: usize, cell: &str| {
+        let mut cells: Vec<&str> = line.split(',').collect();
+        cells[column] = cell;
+        cells.join(",")
+    };
+    lines[3] = spoil(&lines[3], 3, "-0.5");
+    lines[5] = spoil(&lines[5], 20, "soon");
+    lines[8] = lines[8].split(',').take(40).collect::<Vec<_>>().join(",");
+    fs::write(at.join("walkers.csv"), lines.join("\n")).unwrap();
+    let run = |language: &str, out: &str| {
+        let setting = format!("gait.leave_out={out}");
+        let cover = [
+            "--lang",
+            language,
+            "cover",
+            "walkers.csv",
+            "--cams",
+            "1",
+            "--out",
+            "out",
+        ];
+        run_in(at, &[&cover[..], &["--set", &setting]].concat())
+    };
+    for (language, line) in [("en", "line"), ("es", "línea")] {
+        let refused = run(language, "[]");
+        assert_eq!(refused.status.code(), Some(2));
+        let told = stderr(&refused);
+        for part in [4, 6, 9].map(|n| format!("walkers.csv {line} {n}: ")) {
+            assert!(told.contains(&part), "{part}: {told}");
+        }
+        assert!(
+            told.contains("soon") && told.contains("f_016") && told.contains("3 "),
+            "{told}"
+        );
+    }
+    let some = run("en", r#"["W02", "W04"]"#);
+    let told = stderr(&some);
+    assert!(
+        told.contains("line 9") && !told.contains("line 4") && !told.contains("line 6"),
+        "{told}"
+    );
+    let all = run("en", r#"["W02", "walkers.csv:6", "W07"]"#);
+    assert!(all.status.success(), "{}", stderr(&all));
+    assert_eq!(rows(&at.join("out/assignment.csv")).len(), 9);
+}
+
+/// Errors in newtons: the tables say so, add up to the same errors, and a new walker is judged so.
+#[test]
+fn a_cover_of_errors_in_newtons_has_its_tables_in_newtons() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    table(&at.join("walkers.csv"), 12);
+    let settings = [
+        "--set",
+        "law.robust=worst",
+        "--set",
+        "law.error=absolute",
+        "--json",
+    ];
+    let cover = ["cover", "walkers.csv", "--cams", "1:2", "--out", "out"];
+    let answer = object(&run_in(at, &[&cover[..], &settings[..]].concat()));
+    let head = |name: &str| {
+        let text = fs::read_to_string(at.join("out").join(name)).unwrap();
+        text.lines().next().unwrap().to_string()
+    };
+    assert_eq!(head("cover.csv"), "cams,mean_n,worst_n,bound_n");
+    assert_eq!(
+        head("assignment.csv"),
+        "cams,walker,cam,rms_error_n,weight_n,speed_n,shape_n"
+    );
+    assert_eq!(
+        head("folds.csv"),
+        "cams,walkers,in_mean_n,in_worst_n,out_mean_n,out_worst_n"
+    );
+    let number = |text: &str| text.parse::<f64>().unwrap();
+    let covers = rows(&at.join("out/cover.csv"));
+    for (i, cover) in covers.iter().enumerate() {
+        let own = rows(&at.join("out/assignment.csv"));
+        let own = own.iter().filter(|r| r[0] == cover[0]);
+        let worst = own.map(|r| {
+            let sum: f64 = r[4..7].iter().map(|x| number(x).powi(2)).sum();
+            assert!((sum.sqrt() / number(&r[3]) - 1.0).abs() < 1e-9, "{r:?}");
+            number(&r[3])
+        });
+        let worst = worst.fold(0.0, f64::max);
+        assert!((worst / number(&cover[2]) - 1.0).abs() < 1e-9);
+        assert_eq!(answer["covers"][i]["worst_n"], number(&cover[2]));
+        let scene = format!("out/cams_{}/cam_1.toml", cover[0]);
+        let again = object(&run_in(at, &["synth", &scene, "--json"]));
+        assert_eq!(again["population"]["error"], "absolute");
+        if i == 0 {
+            let own = again["population"]["worst_n"].as_f64().unwrap();
+            assert!((own / worst - 1.0).abs() < 1e-9, "{own} {worst}");
+        }
+    }
+    let told = stdout(&run_in(
+        at,
+        &["synth", "out/cams_1/cam_1.toml", "--no-png", "--out", "one"],
+    ));
+    assert!(told.contains(" N on average"), "{told}");
+    let page = fs::read_to_string(at.join("one/report.html")).unwrap();
+    let shown = format!("{:.1}", number(&covers[0][2]));
+    assert!(page.contains(&shown) && page.contains("\u{a0}N"), "{shown}");
+}
+
 #[test]
 fn numbers_of_cams_and_folders_that_are_none_are_named() {
     let folder = tempfile::tempdir().unwrap();

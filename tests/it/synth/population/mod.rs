@@ -1,11 +1,12 @@
 //! One cam for many walkers, against closed forms and an independent conic program.
 
+mod cones;
+mod sweep;
+
 use std::f64::consts::TAU;
 
-use clarabel::algebra::CscMatrix;
-use clarabel::solver::{DefaultSettingsBuilder, SupportedConeT};
 use gaitcam::force::{ForceCurve, Walker};
-use gaitcam::{LimitKind, Scene, scene};
+use gaitcam::{Scene, scene};
 
 /// A generator of numbers in [0, 1), Marsaglia's xorshift.
 struct Random(u64);
@@ -115,62 +116,6 @@ fn the_cam_of_the_mean_error_is_the_cam_of_the_weighted_mean_curve() {
     }
 }
 
-/// One cone for each walker over the harmonics of the force: ‖(γ c − y, rest)‖ ≤ t.
-fn least_worst_by_cones(people: &[(Walker, Vec<(f64, f64)>)], harmonics: usize) -> f64 {
-    let (columns, t) = (2 * harmonics + 1, 2 * harmonics);
-    let (mut entries, mut b, mut cones) = (Vec::new(), Vec::new(), Vec::new());
-    for (walker, waves) in people {
-        let gamma = (TAU / walker.curve.period_s).powi(2) / 100.0;
-        entries.push((b.len(), t, -1.0));
-        b.push(0.0);
-        for (n, (c, s)) in waves.iter().enumerate() {
-            for (k, y) in [(0, c), (1, s)] {
-                if n < harmonics {
-                    entries.push((b.len(), 2 * n + k, -gamma));
-                }
-                b.push(-y);
-            }
-        }
-        cones.push(SupportedConeT::SecondOrderConeT(1 + 2 * waves.len()));
-    }
-    let (i, j, values) = entries.into_iter().collect();
-    let a = CscMatrix::new_from_triplets(b.len(), columns, i, j, values);
-    let mut q = vec![0.0; columns];
-    q[t] = 1.0;
-    let settings = DefaultSettingsBuilder::default()
-        .verbose(false)
-        .tol_gap_abs(1e-12)
-        .tol_gap_rel(1e-12)
-        .tol_feas(1e-12)
-        .build()
-        .unwrap();
-    let p = CscMatrix::zeros((columns, columns));
-    let mut solver = splineqp::clarabel_prepared(&p, &q, &a, &b, &cones, settings).unwrap();
-    splineqp::clarabel_run(&mut solver);
-    solver.solution.x[t] / 2.0_f64.sqrt()
-}
-
-#[test]
-fn the_least_worst_error_is_that_of_a_conic_program_of_its_own() {
-    for (count, spread) in [(12, 1.0), (60, 0.4), (200, 0.15)] {
-        let people = people(count, 6, spread);
-        let scene = with(&[
-            ("law.family", "harmonic"),
-            ("law.harmonics", "4"),
-            ("law.robust", "worst"),
-        ]);
-        let design = scene.design_for(&force(&people)).unwrap();
-        let own = design.population.unwrap();
-        let other = 100.0 * least_worst_by_cones(&people, 4);
-        assert!(own.gap <= 1e-6, "{count}: gap {}", own.gap);
-        assert!(
-            (own.worst_percent / other - 1.0).abs() < 1e-6,
-            "{} {other}",
-            own.worst_percent
-        );
-    }
-}
-
 #[test]
 fn two_hundred_walkers_under_limits_have_a_proved_worst_error_and_limits_that_hold_for_all() {
     let people = people(200, 8, 0.3);
@@ -209,28 +154,77 @@ fn two_hundred_walkers_under_limits_have_a_proved_worst_error_and_limits_that_ho
     }
 }
 
+/// Torque, power, rate of the torque and contact force of every walker's machine at 3600 angles, from law, mass and speed alone.
 #[test]
-fn the_torque_is_within_its_limit_for_every_walker() {
-    let people = people(20, 4, 0.3);
-    let scene = with(&[
-        ("law.spans", "16"),
-        ("limits.torque", "20 N m"),
-        ("accuracy.rms", "none"),
-    ]);
-    let design = scene.design_for(&force(&people)).unwrap();
-    let law = &design.cam.law;
-    let mut most = 0.0_f64;
-    for walker in &design.population.as_ref().unwrap().each {
-        let (mass, speed) = (walker.mass_kg, walker.speed_rad_per_s);
-        for i in 0..3600 {
-            let at = law.svaj(TAU * f64::from(i) / 3600.0);
-            most = most.max((mass * (9.81 + speed * speed * at.a) * at.v).abs());
+fn limits_on_loads_and_force_hold_for_every_walker_of_random_populations() {
+    let mut built = 0;
+    for (count, seed) in [(20, 1), (40, 2), (80, 3), (300, 4)] {
+        let mut people = people(count, 4, 0.3);
+        // Weight has nothing to do with speed: light ones walk fast, too.
+        let mut random = Random(seed * 0x9e37_79b9_7f4a_7c15);
+        for (walker, _) in &mut people {
+            let factor = 0.5 + 1.5 * random.next();
+            let force = walker.curve.force_n.iter().map(|f| factor * f).collect();
+            walker.curve = walker.curve.with_forces(force);
+        }
+        for (key, bound, robust) in [
+            ("limits.torque", "24 N m", "mean"),
+            ("limits.power", "220 W", "worst"),
+            ("limits.torque_rate", "90 N m/rad", "mean"),
+            ("limits.force_min", "150 N", "worst"),
+        ] {
+            let scene = with(&[
+                ("law.spans", "16"),
+                (key, bound),
+                ("law.robust", robust),
+                ("accuracy.rms", "none"),
+            ]);
+            let design = scene.design_for(&force(&people)).unwrap();
+            let law = &design.cam.law;
+            let (mut most, mut least) = (0.0_f64, f64::INFINITY);
+            for walker in &design.population.as_ref().unwrap().each {
+                let (mass, speed) = (walker.mass_kg, walker.speed_rad_per_s);
+                for i in 0..3600 {
+                    let at = law.svaj(TAU * f64::from(i) / 3600.0);
+                    let force = mass * (9.81 + speed * speed * at.a);
+                    let load = match key {
+                        "limits.torque" => force * at.v,
+                        "limits.power" => force * at.v * speed,
+                        "limits.torque_rate" => mass * speed * speed * at.j * at.v + force * at.a,
+                        _ => 0.0,
+                    };
+                    most = most.max(load.abs());
+                    least = least.min(force);
+                }
+            }
+            assert!(least >= -1e-6, "{key} {count}: contact force {least} N");
+            let name = key.trim_start_matches("limits.");
+            let check = design
+                .checks
+                .iter()
+                .find(|c| c.name.name() == name)
+                .unwrap();
+            let own = if key == "limits.force_min" {
+                least
+            } else {
+                most
+            };
+            // The extreme lies between the angles, and not far from one.
+            let above = match key {
+                "limits.force_min" => own - check.worst,
+                _ => check.worst.abs() - own,
+            };
+            assert!(
+                above >= -1e-9 * own && above < 1e-3 * own,
+                "{key} {count}: {own} {check:?}"
+            );
+            if design.infeasible.is_none() {
+                assert!(check.pass, "{key} {count}: {check:?}");
+                built += 1;
+            }
         }
     }
-    assert!(most <= 20.0 * (1.0 + 1e-6), "{most}");
-    assert!(most > 19.5, "{most}");
-    let check = design.checks.iter().find(|c| c.name == LimitKind::Torque);
-    assert!(check.unwrap().pass && (check.unwrap().worst / most - 1.0).abs() < 1e-3);
+    assert!(built >= 12, "{built} of 16 were built");
 }
 
 #[test]
@@ -318,57 +312,6 @@ fn what_would_help_several_walkers_is_their_own_error() {
     );
 }
 
-#[test]
-fn rows_of_a_sweep_over_a_table_of_walkers_are_their_designs_and_a_walker_in_kilonewtons_is_named()
-{
-    use gaitcam::halt::Halt;
-    use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
-
-    let people = people(6, 4, 0.5);
-    let all: Vec<Walker> = people.iter().map(|p| p.0.clone()).collect();
-    let table = |walkers: &[Walker]| gaitcam::force::population_csv(walkers).into_bytes();
-    let study = |bytes: Vec<u8>| {
-        let mut table = scene::built_in("footbridge").unwrap().toml.parse().unwrap();
-        for change in ["gait.file=walkers.csv", "law.robust=worst", "law.spans=12"] {
-            scene::set(&mut table, change).unwrap();
-        }
-        let name = "walkers".to_string();
-        let axis = Axis::parse("limits.stroke=30 mm:50 mm:3", false).unwrap();
-        let plan = Plan {
-            scenes: vec![NamedScene { name, table }],
-            list: None,
-            axes: vec![axis],
-            sampling: Sampling::Grid,
-        };
-        Study::new(Subject::Designs(plan), |_, _| Ok(bytes.clone())).unwrap()
-    };
-    let run = |study: &Study| {
-        study
-            .run(0..3, 1, &Halt::never, &|| false)
-            .unwrap()
-            .unwrap()
-    };
-    let records = run(&study(table(&all)));
-    let strokes = records.numbers("stroke_m").unwrap();
-    for (row, stroke) in [30, 40, 50].into_iter().enumerate() {
-        let limit = format!("{stroke} mm");
-        let scene = with(&[
-            ("law.spans", "12"),
-            ("law.robust", "worst"),
-            ("limits.stroke", &limit),
-        ]);
-        let design = scene.design_for(&force(&people)).unwrap();
-        assert!((strokes[row] / design.cam.law.stroke() - 1.0).abs() < 1e-6);
-    }
-    let mut mixed = all;
-    mixed[2].curve = mixed[2]
-        .curve
-        .with_forces(mixed[2].curve.force_n.iter().map(|f| f / 1000.0).collect());
-    let records = run(&study(table(&mixed)));
-    let error = records.words("error").unwrap().at(0).unwrap().to_string();
-    assert!(error.contains("W002") && error.contains("unit"), "{error}");
-}
-
 /// Of three walkers one has an eighth harmonic, of which the mean has a third: little enough for the few spans that the mean needs.
 #[test]
 fn spans_left_open_are_those_that_the_worst_walker_needs() {
@@ -401,52 +344,4 @@ fn spans_left_open_are_those_that_the_worst_walker_needs() {
         of_worst > of_mean && error < 1.05 * many,
         "{of_worst} {of_mean}: {error} {many}"
     );
-}
-
-#[test]
-fn a_sweep_carries_every_file_of_a_list_of_walkers() {
-    use gaitcam::halt::Halt;
-    use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
-
-    let people = people(4, 4, 0.5);
-    let all: Vec<Walker> = people.iter().map(|p| p.0.clone()).collect();
-    let table = |walkers: &[Walker]| gaitcam::force::population_csv(walkers).into_bytes();
-    let mut scene = scene::built_in("footbridge").unwrap().toml.parse().unwrap();
-    for change in [
-        "gait.file=[\"a.csv\", \"b.csv\"]",
-        "law.robust=worst",
-        "law.spans=12",
-    ] {
-        scene::set(&mut scene, change).unwrap();
-    }
-    let name = "walkers".to_string();
-    let axes = vec![Axis::parse("limits.stroke=30 mm:40 mm:2", false).unwrap()];
-    let scenes = vec![NamedScene { name, table: scene }];
-    let plan = Plan {
-        scenes,
-        list: None,
-        axes,
-        sampling: Sampling::Grid,
-    };
-    let study = Study::new(Subject::Designs(plan), |_, path| {
-        Ok(if path.ends_with("a.csv") {
-            table(&all[..2])
-        } else {
-            table(&all[2..])
-        })
-    })
-    .unwrap();
-    assert_eq!(study.files().len(), 2);
-    let records = study
-        .run(0..2, 1, &Halt::never, &|| false)
-        .unwrap()
-        .unwrap();
-    let strokes = records.numbers("stroke_m").unwrap();
-    let changes = [
-        ("law.spans", "12"),
-        ("law.robust", "worst"),
-        ("limits.stroke", "40 mm"),
-    ];
-    let design = with(&changes).design_for(&force(&people)).unwrap();
-    assert!((strokes[1] / design.cam.law.stroke() - 1.0).abs() < 1e-6);
 }
