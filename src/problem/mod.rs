@@ -205,6 +205,14 @@ impl Problem {
         out
     }
 
+    /// The same with another objective.
+    #[must_use]
+    pub fn minimising(&self, objective: Minimise) -> Problem {
+        let mut out = self.clone();
+        out.law.minimise = Some(objective);
+        out
+    }
+
     /// The same with its force and demands, but without a limit, an accuracy and a band.
     #[must_use]
     pub fn without_limits(&self) -> Problem {

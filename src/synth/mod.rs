@@ -280,7 +280,7 @@ fn sized(
         return corrected::polydyne::design(problem, limited, search, &train);
     }
     let mut law = families::law(limited, search)?;
-    let checked = checked_cam(problem, &law.law, None)?;
+    let checked = checked_cam(problem, &law.law, law.circle, None)?;
     law.functions.raise(&mut law.coefficients, checked.raised);
     Ok(SizedLaw {
         law,

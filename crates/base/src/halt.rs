@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Polled by every iterative computation between its steps; once true, the computation returns its best result so far.
 ///
@@ -29,6 +30,24 @@ impl Halt {
     /// Computations end once `asked` returns true; it is called often, from any thread.
     pub fn when(asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Halt(Some(Arc::new(asked)))
+    }
+
+    /// The same, and at the latest after this many looks at it: an end that is the same on every machine.
+    ///
+    /// ```
+    /// use gaitcam_base::halt::Halt;
+    ///
+    /// let halt = Halt::never().or_after(2);
+    /// assert_eq!([(); 4].map(|()| halt.is_asked()), [false, false, true, true]);
+    /// ```
+    #[must_use]
+    pub fn or_after(self, looks: usize) -> Self {
+        let left = AtomicUsize::new(looks);
+        let one_less = |n: usize| Some(n.saturating_sub(1));
+        Halt::when(move || {
+            let before = left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, one_less);
+            before == Ok(0) || self.is_asked()
+        })
     }
 
     /// Whether the computation should end.

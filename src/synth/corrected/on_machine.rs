@@ -258,7 +258,7 @@ fn judged(
     } = last.design;
     let (phases, extra) = layout.extra(problem, &last.state);
     let made = problem.on_shaft(&phases, extra);
-    let checked = checked_cam(&made, &law.law, None)?;
+    let checked = checked_cam(&made, &law.law, law.circle, None)?;
     let why = refusal.map(|refusal| infeasible::explain(&own, &refusal));
     if why.is_none() {
         law.functions.raise(&mut law.coefficients, checked.raised);

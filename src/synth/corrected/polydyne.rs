@@ -67,7 +67,7 @@ fn one(
     let law = families::law(moved, search)?;
     let key = |e: Error| e.at_key("law.polydyne");
     let whole = polydyne(&law.law, &problem.drive, train).map_err(key)?;
-    let checked = checked_cam(problem, &whole, Some(&law.law))?;
+    let checked = checked_cam(problem, &whole, None, Some(&law.law))?;
     Ok(SizedLaw {
         law,
         checked,

@@ -39,7 +39,7 @@ pub fn simpler(problem: &Problem, search: &Search) -> Result<Simpler, NoLaw> {
                 continue;
             }
         };
-        let checked = checked_cam(problem, &law.law, None)?;
+        let checked = checked_cam(problem, &law.law, law.circle, None)?;
         // Without a required accuracy the usual one applies.
         let excess = checked.force.rms_error_n - problem.wanted_error();
         if problem.target.is_some() && problem.accuracy.is_none() && excess > 0.0 {

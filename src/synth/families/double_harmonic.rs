@@ -72,6 +72,7 @@ pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
         degree: 0,
         functions: Functions::DoubleHarmonic,
         coefficients: vec![lift, start, rise, fall],
+        circle: None,
         binding: Vec::new(),
         easing: Vec::new(),
         solver: SolverReport {

@@ -10,7 +10,7 @@ use crate::problem::{Problem, Size, Target};
 use crate::scene::{Dwell, Minimise, Weigh};
 use crate::synth::limits;
 use crate::synth::optimum::Formulation;
-use crate::synth::qp::{Basis, MeanSquare, PEAK, Program, Quadratic};
+use crate::synth::qp::{self, Basis, MeanSquare, PEAK, Program, Quadratic};
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
@@ -19,10 +19,6 @@ use crate::units::Quantity;
 const JERK_TERM: f64 = 1e-12;
 /// Exact demands on one law: their dense system costs the cube of their number.
 const MOST_DEMANDS: usize = 2000;
-/// Jerk, in typical lifts per rad³, whose mean square weighs as much as one typical lift of radius when
-/// size is minimised: large enough to leave the size alone, small enough to keep the law smooth.
-const SIZE_JERK: f64 = 1e3;
-
 /// Quadrature nodes on half a wave of the highest harmonic.
 const HARMONIC_NODES: usize = 8;
 /// Edges of a weight nearer to a break than this stand there, rad.
@@ -137,10 +133,8 @@ fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadr
         Minimise::Energy(order) => whole.add_energy(&basis, order, 1.0),
         Minimise::Peak(_) | Minimise::PeakForceError | Minimise::Weighed(_) => {}
         Minimise::Size => {
-            // ½ μ mean(j²) with μ such that a jerk of SIZE_JERK lengths costs as much as one length of radius.
-            let unit = SIZE_JERK * problem.length;
             let length = problem.length * problem.lever();
-            whole.add_energy(&basis, 3, length / (unit * unit));
+            whole.add_energy(&basis, 3, length * qp::smoothing(problem.length));
         }
         Minimise::ForceError => {
             let scale = whole.hessian.largest_diagonal();
@@ -260,9 +254,12 @@ fn weighed(problem: &Problem, basis: &Basis, force: &Quadratic, weigh: Weigh) ->
         sum.add_energy(basis, 3, 2.0 / (by_angle * by_angle));
     } else {
         // What force and size leave open, as where size alone is minimised.
-        let unit = SIZE_JERK * problem.length;
         let radius = weigh.prime_radius.unwrap_or(problem.length);
-        sum.add_energy(basis, 3, problem.length / radius / (unit * unit));
+        sum.add_energy(
+            basis,
+            3,
+            problem.length / radius * qp::smoothing(problem.length),
+        );
     }
     sum
 }

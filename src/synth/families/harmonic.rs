@@ -29,6 +29,7 @@ pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<
         degree: 0,
         functions: Functions::Fourier,
         coefficients: spectral.x.clone(),
+        circle: None,
         binding: Vec::new(),
         easing: Vec::new(),
         solver,

@@ -57,6 +57,7 @@ pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
             range: [start, end],
         },
         coefficients: bernstein::to_power(&piece),
+        circle: None,
         binding: Vec::new(),
         easing: Vec::new(),
         solver: SolverReport::of(Tier::Equality, Method::Interpolation, 0),

@@ -37,6 +37,7 @@ pub fn program_law(problem: &Problem) -> Result<SolvedLaw> {
         },
         functions: Functions::Segments,
         coefficients: segments.iter().map(|s| s.lift).collect(),
+        circle: None,
         law,
         binding: Vec::new(),
         easing: Vec::new(),

@@ -3,13 +3,14 @@
 use std::collections::HashMap;
 
 use super::easing;
+use crate::cam::PrimeCircle;
 use crate::law::Law;
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
 use crate::synth::design::parameters::Functions;
 use crate::synth::design::{Binding, Easing, Minimised, SolverReport};
 use crate::synth::optimum::Optimum;
-use crate::synth::qp::{Program, Row, Solution};
+use crate::synth::qp::{OFFSET, Program, RISE, Row, Solution};
 
 /// A law with how it was found, before it has a cam.
 #[derive(Clone)]
@@ -24,6 +25,8 @@ pub struct SolvedLaw {
     pub functions: Functions,
     /// Parameters as `summary.json` lists them.
     pub coefficients: Vec<f64>,
+    /// Prime circle and offset on which the program found it, where they are among its variables.
+    pub circle: Option<PrimeCircle>,
     /// Limits that shape it.
     pub binding: Vec<Binding>,
     /// What relaxing them would buy.
@@ -55,9 +58,19 @@ pub fn solved_law(
         degree: 0,
         functions: Functions::of(&program.basis),
         coefficients: solution.x.clone(),
+        circle: program.cone.then(|| circle(solution)),
         binding,
         easing,
         solver,
+    }
+}
+
+/// The smallest prime circle of a solution's distance and offset.
+fn circle(solution: &Solution) -> PrimeCircle {
+    let offset = solution.extra[OFFSET];
+    PrimeCircle {
+        radius: solution.extra[RISE].hypot(offset),
+        offset,
     }
 }
 

@@ -5,6 +5,7 @@
 //! nothing, and is reported as what it is.
 
 mod beside;
+mod by_size;
 mod iis;
 mod reasons;
 mod relaxable;

@@ -8,9 +8,10 @@
 use std::sync::Arc;
 
 use super::beside::beside;
+use super::by_size::BySize;
 use super::reasons::{changes, smallest_relaxations};
 use super::relaxable::{Relaxable, relaxables};
-use crate::cam::{Criterion, LimitKind, Verdict};
+use crate::cam::{Criterion, Verdict};
 use crate::halt::Halt;
 use crate::problem::{Note, Problem};
 use crate::scene::{Family, Minimise};
@@ -123,9 +124,13 @@ fn changed(problem: &Problem, values: &Values) -> Problem {
     })
 }
 
-/// The whole design, where it passes.
+/// A whole design that passes: where the accuracy is a limit, that of the least force error keeps it or none does, and is found
+/// soonest.
 fn passing(problem: &Problem, search: &Search) -> Option<Design> {
     let search = search.for_passing_designs();
+    let nearest = (problem.limited_error().is_some() && problem.law.family == Family::Spline)
+        .then(|| problem.minimising(Minimise::ForceError));
+    let problem = nearest.as_ref().unwrap_or(problem);
     let design = crate::synth::passing_design(problem, &search).ok()?;
     passes(&design).then_some(design)
 }
@@ -156,6 +161,9 @@ impl<'a> Relaxing<'a> {
     /// The smallest change of each number that is sufficient alone.
     fn each(&self, numbers: &Values, design: &Design) -> Vec<Relaxation> {
         let known = || design.infeasible.iter().flat_map(|i| &i.relaxations);
+        let is_hinted = known().any(|r| r.to.is_some());
+        let by_size = (!is_hinted).then(|| BySize::of(self.problem, self.search));
+        let by_size = by_size.flatten();
         let relaxation = |&(number, from): &(Relaxable, f64), halt: &Halt| {
             if halt.is_asked() {
                 return None;
@@ -166,8 +174,16 @@ impl<'a> Relaxing<'a> {
                 search: &self.search.ended_by(halt),
                 ..*self
             };
-            let own = relaxing.own_accuracy(number, design);
-            let to = own.unwrap_or_else(|| relaxing.smallest(number, from, hint));
+            let to = match (relaxing.own_accuracy(number, design), &by_size) {
+                (Some(own), _) => own,
+                (None, None) => relaxing.smallest(number, from, hint),
+                (None, Some(by_size)) => {
+                    let precise = |works: f64| self.precision * works.abs().max(from.abs());
+                    let free = number.away(from, self.force);
+                    let edge = by_size.value(number, [from, free], precise);
+                    edge.and_then(|edge| relaxing.rounded(number, edge))
+                }
+            };
             Some(Relaxation::of(number.criterion(), from, Some(to?)))
         };
         let tried = beside(numbers, &self.search.halt, relaxation);
@@ -189,16 +205,6 @@ impl<'a> Relaxing<'a> {
         passing(&number.with(self.problem, value), self.search)
     }
 
-    /// Whether a design passes with one value changed: where the accuracy is a limit, the law of the least force error keeps it
-    /// or none does, and is found sooner.
-    fn may_pass(&self, number: Relaxable, value: f64) -> bool {
-        let mut problem = number.with(self.problem, value);
-        if problem.limited_error().is_some() && self.problem.law.family == Family::Spline {
-            problem.law.minimise = Some(Minimise::ForceError);
-        }
-        passing(&problem, self.search).is_some()
-    }
-
     /// The value of the convex program, or a little more, where the design passes with it and not with less.
     fn near(&self, number: Relaxable, hint: f64) -> Option<f64> {
         // Next to the edge of what exists a program is hard to solve: where a little room does not help, nothing does.
@@ -211,7 +217,7 @@ impl<'a> Relaxing<'a> {
                 continue;
             }
             let back = to - BACK * to.abs() * number.sign();
-            return (room > 0.0 || !self.may_pass(number, back)).then_some(to);
+            return (room > 0.0 || self.tried(number, back).is_none()).then_some(to);
         }
         Some(weakest)
     }
@@ -223,10 +229,7 @@ impl<'a> Relaxing<'a> {
         }
         let free = number.away(from, self.force);
         // What the best law without the limit needs is sufficient, and often the answer.
-        let mut design = self.tried(number, free)?;
-        if self.is_minimised(number) {
-            design = crate::synth::design(&number.with(self.problem, free), self.search).ok()?;
-        }
+        let design = self.tried(number, free)?;
         let unit = if number.is_accuracy() {
             self.force_mean()
         } else {
@@ -246,14 +249,15 @@ impl<'a> Relaxing<'a> {
             }
             fails = value;
         }
-        // No law needs less than one that was found to need the least.
-        if let Some(least) = needed.filter(|_| self.is_minimised(number)) {
-            fails = least;
-        }
         let size = from.abs().max(1e-3 * works.abs());
         let precise = |works: f64| self.precision * works.abs().max(size);
-        let holds = |value: f64| self.may_pass(number, value);
+        let holds = |value: f64| self.tried(number, value).is_some();
         let works = self.bisected(works, fails, precise, holds);
+        self.rounded(number, works)
+    }
+
+    /// A value at which the design passes, rounded to the weak side.
+    fn rounded(&self, number: Relaxable, works: f64) -> Option<f64> {
         // At the boundary of feasibility a program may fail numerically; a slightly weaker one is solved.
         // Next to its own edge a limited accuracy makes every program of a sequence slow.
         let least = if self.problem.limited_error().is_some() {
@@ -288,12 +292,6 @@ impl<'a> Relaxing<'a> {
             }
         }
         works
-    }
-
-    /// Whether the law is chosen to make it small.
-    fn is_minimised(&self, number: Relaxable) -> bool {
-        let is_size = number.key.limit == Some(LimitKind::PrimeRadius);
-        is_size && self.problem.objective() == Minimise::Size
     }
 
     /// With given spans the error that is minimised does not depend on the accuracy: then only the accuracy of the design

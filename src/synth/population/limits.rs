@@ -2,8 +2,8 @@
 
 use crate::cam::{Check, Criterion, LimitKind};
 use crate::error::Result;
-use crate::law::Law;
 use crate::problem::{Problem, Served, Walkers};
+use crate::synth::families::SolvedLaw;
 use crate::synth::sizing::checked_cam::{CheckedCam, checked_cam};
 
 /// Limits that no factor carries from one machine to another.
@@ -47,12 +47,13 @@ pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
 }
 
 /// A law on its cam, every limit checked at the machine of the walker for whom it is nearest to its bound.
-pub fn checked(problem: &Problem, walkers: &Walkers, law: &Law) -> Result<CheckedCam> {
-    let mut out = checked_cam(problem, law, None)?;
+pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Result<CheckedCam> {
+    let (law, circle) = (&solved.law, solved.circle);
+    let mut out = checked_cam(problem, law, circle, None)?;
     for walker in extremes(problem, walkers) {
         let mut own = problem.clone();
         own.required.drive = walker.drive;
-        let of_walker = checked_cam(&own, law, None)?;
+        let of_walker = checked_cam(&own, law, circle, None)?;
         for (worst, check) in out.checks.iter_mut().zip(of_walker.checks) {
             if worst.name == check.name && is_nearer(&check, worst) {
                 *worst = check;

@@ -64,8 +64,7 @@ pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result
     for round in 0.. {
         let limited = limits::for_all(&bare(problem), walkers, loads);
         let found = Found::at_best_phases(&limited, search, walkers)?;
-        let law = &found.sized.law.law;
-        let checked = limits::checked(&unjudged(problem), walkers, law)?;
+        let checked = limits::checked(&unjudged(problem), walkers, &found.sized.law)?;
         if let Some(part) = limits::less_loaded(&checked.checks).filter(|_| round < LOAD_ROUNDS)
             && found.infeasible.is_none()
         {
@@ -351,7 +350,7 @@ fn combined(parts: &[f64], laws: Vec<SolvedLaw>) -> SolvedLaw {
             .map(|(part, law)| part * law.coefficients[i])
             .sum()
     };
-    out.coefficients = each.map(sum).collect();
+    (out.coefficients, out.circle) = (each.map(sum).collect(), None);
     let terms: Vec<(f64, &Law)> = bearing
         .iter()
         .map(|(part, law)| (*part, &law.law))

@@ -27,3 +27,12 @@ pub type Row = splineqp::Row<OfScene>;
 pub type Equality = splineqp::Equality<OfScene>;
 pub type Solution = splineqp::Solution<OfScene>;
 pub type Failure = splineqp::Failure<OfScene>;
+
+/// Jerk, in typical lifts per rad³, whose mean square weighs as much as one typical lift of radius when
+/// size is minimised: large enough to leave the size alone, small enough to keep the law smooth.
+const SIZE_JERK: f64 = 1e3;
+
+/// μ, rad⁶/m²: with ½ μ mean(j²) per unit of the cost of a typical lift the law of the smallest cam is smooth.
+pub fn smoothing(length: f64) -> f64 {
+    1.0 / (SIZE_JERK * length).powi(2)
+}

@@ -1,7 +1,7 @@
 //! A law on its cam with its force and its checks: one step for every family, for every round of a polydyne cam and for
 //! the finished design.
 
-use crate::cam::{BarrelGroove, Cam, Check, Conjugate};
+use crate::cam::{BarrelGroove, Cam, Check, Conjugate, PrimeCircle};
 use crate::error::Result;
 use crate::law::Law;
 use crate::problem::Problem;
@@ -28,16 +28,22 @@ pub struct CheckedCam {
     pub checks: Vec<Check>,
 }
 
-/// The cam of a law; `end` is the law of the end of a compliant follower that it moves.
+/// The cam of a law; `end` is the law of the end of a compliant follower that it moves, `circle` one on which the law is known to
+/// keep its limits.
 ///
 /// # Errors
 /// Lengths that fix no cam.
-pub fn checked_cam(problem: &Problem, law: &Law, end: Option<&Law>) -> Result<CheckedCam> {
+pub fn checked_cam(
+    problem: &Problem,
+    law: &Law,
+    circle: Option<PrimeCircle>,
+    end: Option<&Law>,
+) -> Result<CheckedCam> {
     let own = on_base_circle(problem, law);
     let start = law.extent().0;
     let raised = own.svaj(start).s - law.svaj(start).s;
     let end = end.map(|end| end.raised(raised));
-    let cam = sizing::cam(problem, own.clone(), end.as_ref().unwrap_or(&own))?;
+    let cam = sizing::cam_about(problem, own.clone(), end.as_ref().unwrap_or(&own), circle)?;
     let conjugate = sizing::conjugate(problem, &cam)?;
     let groove = sizing::groove(problem, &cam)?;
     let pressing = end.as_ref().unwrap_or(&cam.law);

@@ -51,6 +51,29 @@ pub fn cam(problem: &Problem, law: Law, pressing: &Law) -> Result<Cam> {
     Ok(Cam { law, follower })
 }
 
+/// The cam of a law that is known to keep its limits at about a circle: its offset is tried too, because the one that is chosen
+/// for the pressure angle alone may not be the best for the curvature.
+///
+/// # Errors
+/// As of [`cam`].
+pub fn cam_about(
+    problem: &Problem,
+    law: Law,
+    pressing: &Law,
+    circle: Option<PrimeCircle>,
+) -> Result<Cam> {
+    let own = cam(problem, law.clone(), pressing)?;
+    let radius = |cam: &Cam| cam.follower.prime_radius();
+    let Some(circle) = circle.filter(|circle| circle.radius < radius(&own)) else {
+        return Ok(own);
+    };
+    let mut at_offset = problem.clone();
+    at_offset.cam.offset = Some(circle.offset);
+    let other = cam(&at_offset, law, pressing)?;
+    let is_smaller = radius(&other) < radius(&own);
+    Ok(if is_smaller { other } else { own })
+}
+
 /// The second cam of a conjugate pair, where the scene has one.
 pub fn conjugate(problem: &Problem, cam: &Cam) -> Result<Option<Conjugate>> {
     problem

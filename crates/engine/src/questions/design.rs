@@ -17,6 +17,7 @@ use crate::{lock, table, words};
 use gaitcam::Problem;
 use gaitcam::cam::{Continuity, Verdict};
 use gaitcam::error::Result;
+use gaitcam::halt::Halt;
 use gaitcam::scene::{Minimise, Scene, keys};
 use gaitcam::synth::{self, Design, FIGURES, Relaxation, Search};
 use gaitcam::wording::Language;
@@ -36,14 +37,16 @@ pub struct Ask {
     /// By what the contour is coloured.
     #[serde(default)]
     pub colour: Colour,
-    /// Prime radius and offset (m) of the last design of the smallest size, while a value is moved: where the size is what
-    /// is sought, a law for about that size is an answer soon enough.
+    /// Prime radius and offset (m) of the last design, while a value is moved: a law that keeps the limits, of about that size where
+    /// the size is what is sought, is an answer soon enough.
     #[serde(default)]
     pub quick: Option<[f64; 2]>,
 }
 
 /// Sizes tried for a quick answer, as multiples of the last smallest one: at that one itself few laws are left to be found.
 const NEAR: [f64; 2] = [1.08, 1.3];
+/// Looks at the halt of a search for a quick answer: most laws that keep the limits are found within 400.
+const LOOKS: usize = 500;
 
 /// Everything that the page shows of a design.
 #[derive(Serialize)]
@@ -116,7 +119,7 @@ pub fn design(files: &Files, ask: &Ask) -> Result<Answer> {
     let start = files.host.seconds();
     let table = changed(files, ask)?;
     let quick = match ask.quick {
-        Some(size) => near(files, &table, size)?,
+        Some(size) => soon(files, &table, size)?,
         None => None,
     };
     let is_quick = quick.is_some();
@@ -191,32 +194,37 @@ pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
     Ok(made)
 }
 
-/// A design of a scene whose size is sought that keeps the limits at about the size of another design; `None` where no size
-/// is sought or none near it keeps them.
-fn near(files: &Files, table: &Table, [prime, offset]: [f64; 2]) -> Result<Option<Made>> {
+/// A design that follows a hand: one that keeps the limits, not the best; `None` where none of about the size is found that is
+/// sought.
+fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     let start = files.host.seconds();
     let (scene, whole) = files.scene(table)?;
+    let (target, force) = files.target(&scene)?.unzip();
+    let problem = |scene: &Scene| Problem::resolve(scene, target.as_ref());
     let is_sought = scene.law.minimise == Some(Minimise::Size)
         && scene.cam.roller_radius > 0.0
         && scene.cam.given_radii().is_none();
-    if !is_sought {
-        return Ok(None);
-    }
-    let (target, force) = files.target(&scene)?.unzip();
-    let search = Search::until(files.host.halt());
-    let at = |factor: f64| {
-        let mut sized = scene.clone();
-        sized.cam.prime_radius = Some(factor * prime);
-        sized.cam.offset = scene.cam.offset.or(Some(offset));
-        Problem::resolve(&sized, target.as_ref())
-    };
-    let mut found = None;
-    for factor in NEAR {
-        if found.is_none() {
-            found = synth::passing(&at(factor)?, &search)?;
+    let found = if is_sought {
+        let search = Search::until(files.host.halt());
+        let mut found = None;
+        for factor in NEAR {
+            if found.is_none() {
+                found = synth::passing(&problem(&of_size(&scene, factor, size))?, &search)?;
+            }
         }
-    }
-    let Some(found) = found else {
+        found
+    } else {
+        let problem = problem(&scene)?;
+        match synth::passing(&problem, &Search::until(files.host.halt().or_after(LOOKS)))? {
+            Some(found) => Some(found),
+            // The law without limits is what is shown where they leave none.
+            None => Some(synth::design(
+                &problem,
+                &Search::until(Halt::when(|| true)),
+            )?),
+        }
+    };
+    let Some(design) = found else {
         return Ok(None);
     };
     let total_s = files.host.seconds() - start;
@@ -224,7 +232,7 @@ fn near(files: &Files, table: &Table, [prime, offset]: [f64; 2]) -> Result<Optio
         table: table.clone(),
         whole,
         scene,
-        design: found,
+        design,
         time: Timing {
             solve_s: total_s,
             total_s,
@@ -232,6 +240,14 @@ fn near(files: &Files, table: &Table, [prime, offset]: [f64; 2]) -> Result<Optio
         hash: files.of_scene(&toml::to_string(table).unwrap_or_default()),
         force,
     }))
+}
+
+/// The scene with its size held near a prime radius and offset, m.
+fn of_size(scene: &Scene, factor: f64, [prime, offset]: [f64; 2]) -> Scene {
+    let mut sized = scene.clone();
+    sized.cam.prime_radius = Some(factor * prime);
+    sized.cam.offset = scene.cam.offset.or(Some(offset));
+    sized
 }
 
 fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {

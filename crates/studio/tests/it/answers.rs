@@ -44,6 +44,27 @@ fn every_scene_but_the_one_without_a_recording_is_designed_and_drawn() {
     }
 }
 
+/// While a radius is dragged a law that keeps the limits is shown, or at once that none does; the answer at rest agrees.
+#[test]
+fn a_radius_under_the_hand_is_answered_soon_and_alike() {
+    let studio = Running::new();
+    let scene = SCENES.iter().find(|s| s.name == "heel_tester_fitted");
+    let scene = scene.unwrap().toml;
+    for (radius, verdict) in [("45 mm", "unacceptable"), ("60 mm", "acceptable")] {
+        let changes = [json!({"set": {"key": "cam.prime_radius", "value": radius}})];
+        let ask = |quick: Value| {
+            let ask = json!({"scene": scene, "changes": changes, "quick": quick});
+            design(&studio, &ask)
+        };
+        let (quick, whole) = (ask(json!([0.0501, 0.0008])), ask(Value::Null));
+        assert_eq!(quick["quick"], true, "{radius}");
+        assert_eq!(quick["verdict"], verdict, "{radius}: {}", quick["reasons"]);
+        assert_eq!(whole["quick"], false);
+        assert_eq!(whole["verdict"], verdict, "{radius}: {}", whole["reasons"]);
+        assert_eq!(quick["scene"], whole["scene"]);
+    }
+}
+
 #[test]
 fn the_speed_of_a_shaft_under_its_motor_is_a_diagram_of_its_own() {
     let studio = Running::new();

@@ -26,7 +26,10 @@ use crate::cam::LimitKind;
 use crate::synth::design::Step;
 use crate::synth::design::method::Ended;
 use crate::synth::limits::{ENLARGED, NonconvexLimits};
-use crate::synth::qp::{Limit, Program, RADIUS, RISE, Row, SIZES, Solution, TOLERANCE};
+use crate::synth::qp::{
+    EXTRAS, Limit, PEAK, Program, Quadratic, RADIUS, RISE, Row, SIZES, Solution, TOLERANCE,
+    smoothing,
+};
 
 /// Steps before the sequence is called finished as it is.
 const MOST_STEPS: usize = 40;
@@ -40,8 +43,6 @@ const HELD_ROUNDS: usize = 6;
 const CORRECTIONS: usize = 5;
 /// A corrected step that gains less than this part of the predicted gain is compared with shorter steps.
 const WORTH_MENDING: f64 = 0.5;
-/// Weight of a size that has to shrink, relative to the objective.
-const FOREMOST: f64 = 1e3;
 /// Steps are shortened to no less than this.
 const SHORTEST: f64 = 1e-4;
 
@@ -241,19 +242,33 @@ fn reach_shrinks(program: &Program, reach: f64) -> bool {
     reach > SHORTEST && SIZES.iter().any(|&k| program.cost[k] != 0.0)
 }
 
-/// A start by shrinking a cam that is larger than allowed: the sequence with the size as the dominant objective.
+/// A start by shrinking a cam that is larger than allowed: on the way to the smallest one, until it is small enough.
 fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<Solution> {
-    let size = SIZES.iter().fold(0.0_f64, |m, &k| m.max(large.extra[k]));
-    let rest = (program.objective(&large.x) + program.constant).abs();
-    let priced = program.with_sizes_priced(&large.extra, FOREMOST * rest / size);
-    let start = start::feasible(&priced, large, at_size)
-        .or_else(|| start::tightened(&priced, large, at_size))?;
+    let smallest = of_least_size(program, &large.extra);
+    let convex = solved(&smallest);
+    let start = (convex.iter().chain([large]))
+        .find_map(|from| start::feasible(&smallest, from, at_size))
+        .or_else(|| start::tightened(&smallest, large, at_size))?;
     let small = |s: &Solution| program.keeps_sizes(&s.extra);
-    let (found, ..) = descended(&priced, start, at_size, small);
-    small(&found).then_some(Solution {
-        active: Vec::new(),
-        ..found
-    })
+    let (mut found, ..) = descended(&smallest, start, at_size, small);
+    found.active.clear();
+    found.extra[PEAK] = program.own_peak(&found.x, &found.extra);
+    small(&found).then_some(found)
+}
+
+/// The program of the smallest cam that keeps the limits, those on its size left out where these sizes exceed them.
+fn of_least_size(program: &Program, sizes: &[f64; EXTRAS]) -> Program {
+    let mut smallest = program.clone();
+    smallest.limits.retain(|limit| !limit.is_peak());
+    let mut smooth = Quadratic::zero(&program.basis);
+    smooth.add_energy(
+        &program.basis,
+        3,
+        program.length * smoothing(program.length),
+    );
+    (smallest.hessian, smallest.gradient) = (smooth.hessian, smooth.gradient);
+    (smallest.constant, smallest.cost) = (0.0, [0.0; EXTRAS]);
+    smallest.with_sizes_priced(sizes, 1.0)
 }
 
 /// The program with the sizes that it prices held above the present ones less this part.

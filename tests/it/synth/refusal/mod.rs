@@ -3,3 +3,4 @@
 mod interruption;
 mod out_of_reach;
 pub mod relaxations;
+mod smallest;

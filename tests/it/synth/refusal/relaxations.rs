@@ -60,7 +60,7 @@ pub fn assignment(limit: &str, value: f64) -> String {
 }
 
 /// Every stated relaxation works, and a hundredth less of the way back does not. Returns their names.
-fn proved(text: &str, target: Option<&ForceCurve>, changes: &[&str]) -> Vec<String> {
+pub fn proved(text: &str, target: Option<&ForceCurve>, changes: &[&str]) -> Vec<String> {
     let scene = scene_of(text, changes);
     let design = synthesise(&scene, target).unwrap();
     assert!(!good(&design), "{changes:?} was built");

@@ -1,0 +1,127 @@
+//! Relaxations of a scene whose smallest cam is too large: each trial is the smallest cam with another value, which says by how much
+//! it exceeds the limit on the prime radius, and not only that it does.
+
+use super::relaxable::Relaxable;
+use crate::cam::{LimitKind, Verdict};
+use crate::problem::{Problem, Size};
+use crate::scene::{Family, Minimise};
+use crate::synth::design::Design;
+use crate::synth::search::Search;
+
+/// Trials of one value.
+const TRIALS: usize = 12;
+/// The limit on the prime radius, times this, is none.
+const NO_LIMIT: f64 = 10.0;
+/// A step goes this part further than the slope says, so that it ends inside the limit.
+const BEYOND: f64 = 0.02;
+/// A first step where nothing says how much a limit is worth, part of its value.
+const FIRST_STEP: f64 = 0.05;
+
+/// The smallest cam of a scene that asks for a smaller one.
+pub struct BySize<'a> {
+    /// The problem of the smallest cam.
+    open: Problem,
+    search: &'a Search,
+    /// The limit on the prime radius, m.
+    most: f64,
+    smallest: Design,
+}
+
+impl<'a> BySize<'a> {
+    /// `None` where law and size are not variables of one program, or the smallest cam keeps the limit.
+    pub fn of(problem: &Problem, search: &'a Search) -> Option<Self> {
+        let kind = LimitKind::PrimeRadius;
+        let most = problem.limits[kind]?;
+        if problem.size() != Size::Sought || problem.law.family != Family::Spline {
+            return None;
+        }
+        let open = problem.with(kind.into(), NO_LIMIT * most);
+        let open = open.minimising(Minimise::Size);
+        let smallest = passing(&open, search)?;
+        (radius(&smallest) > most).then_some(BySize {
+            open,
+            search,
+            most,
+            smallest,
+        })
+    }
+
+    /// The value of a number, of a range from one that leaves the smallest cam too large to one that limits nothing, at which that
+    /// cam is as small as it has to be: by regula falsi, begun with what the multipliers say. `None` where none helps.
+    pub fn value(
+        &self,
+        number: Relaxable,
+        range: [f64; 2],
+        precise: impl Fn(f64) -> f64,
+    ) -> Option<f64> {
+        if number.key.limit == Some(LimitKind::PrimeRadius) {
+            return Some(radius(&self.smallest));
+        }
+        let binds = |limit| number.is_measured_by(limit);
+        if !self.smallest.binding.iter().any(|b| binds(b.limit)) {
+            return None;
+        }
+        let [mut fails, free] = range;
+        let mut outside = radius(&self.smallest) - self.most;
+        let mut step = match self.worth(number) {
+            worth if worth > 0.0 => outside / worth,
+            _ => FIRST_STEP * fails.abs(),
+        };
+        let mut works: Option<(f64, f64)> = None;
+        for _ in 0..TRIALS {
+            let value = match works {
+                None => fails + number.sign() * ((1.0 + BEYOND) * step).min((free - fails).abs()),
+                Some((inner, inside)) => {
+                    let room = 0.5 * precise(inner) / (inner - fails).abs();
+                    if room >= 0.5 {
+                        return Some(inner);
+                    }
+                    let part = (outside / (outside - inside)).clamp(room, 1.0 - room);
+                    fails + part * (inner - fails)
+                }
+            };
+            let smallest = passing(&number.with(&self.open, value), self.search)?;
+            let found = radius(&smallest) - self.most;
+            if found > 0.0 && value == free {
+                return None;
+            }
+            let slope = (outside - found) / (value - fails).abs();
+            if found > 0.0 {
+                step = if slope > 0.0 {
+                    found / slope
+                } else {
+                    f64::INFINITY
+                };
+                (fails, outside) = (value, found);
+                // The end that stays loses half its weight (Illinois), so that it moves too.
+                if let Some((_, inside)) = &mut works {
+                    *inside *= 0.5;
+                }
+            } else {
+                if -found <= slope * precise(value) {
+                    return Some(value);
+                }
+                works = Some((value, found));
+            }
+        }
+        works.map(|(value, _)| value)
+    }
+
+    /// By how much the prime radius of the smallest cam shrinks per unit of a number's relaxation.
+    fn worth(&self, number: Relaxable) -> f64 {
+        let all = self.smallest.easing.iter();
+        let own = all.filter(|easing| number.is_measured_by(easing.limit));
+        own.map(|e| (e.before - e.after) / (e.to - e.from).abs())
+            .sum()
+    }
+}
+
+fn radius(design: &Design) -> f64 {
+    design.cam.follower.prime_radius()
+}
+
+/// The smallest cam of a problem, where it keeps every limit.
+fn passing(problem: &Problem, search: &Search) -> Option<Design> {
+    let design = crate::synth::passing_design(problem, search).ok()?;
+    (design.verdict != Verdict::Unacceptable).then_some(design)
+}
