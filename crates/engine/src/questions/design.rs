@@ -194,8 +194,8 @@ pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
     Ok(made)
 }
 
-/// A design that follows a hand: one that keeps the limits, not the best; `None` where none of about the size is found that is
-/// sought.
+/// A design that follows a hand: one that keeps the limits, not the best, or the law without limits where none is found soon;
+/// `None` where neither is, and the whole design says why.
 fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     let start = files.host.seconds();
     let (scene, whole) = files.scene(table)?;
@@ -215,14 +215,10 @@ fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
         found
     } else {
         let problem = problem(&scene)?;
-        match synth::passing(&problem, &Search::until(files.host.halt().or_after(LOOKS)))? {
-            Some(found) => Some(found),
-            // The law without limits is what is shown where they leave none.
-            None => Some(synth::design(
-                &problem,
-                &Search::until(Halt::when(|| true)),
-            )?),
-        }
+        let search = Search::until(files.host.halt().or_after(LOOKS));
+        let found = synth::passing(&problem, &search);
+        let at_once = || synth::design(&problem, &Search::until(Halt::when(|| true))).ok();
+        found.ok().flatten().or_else(at_once)
     };
     let Some(design) = found else {
         return Ok(None);
