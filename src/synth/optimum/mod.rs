@@ -12,7 +12,7 @@ use super::design::proof::{self, Doubt};
 use super::design::{SolverReport, Step, Tier};
 use super::limits::{self, ENLARGED, NonconvexLimits};
 use super::qp::{
-    self, Certificate, Demand, Equality, Failure, Limit, OFFSET, PROVED, Program, Quadratic,
+    self, Certificate, Demand, Equality, Failure, Limit, OFFSET, PEAK, PROVED, Program, Quadratic,
     RADIUS, RISE, Solution, Stop, apply,
 };
 use super::search::Search;
@@ -304,12 +304,11 @@ fn in_sequence(
     limits: NonconvexLimits,
 ) -> bool {
     let (program, solution) = at_level(problem, optimum, &limits);
-    let mut starts = Vec::new();
-    // At the least radius of an arm the linearisation is singular.
-    if problem.reach_of_arm().is_none() || problem.size() != Size::Sought {
-        starts.push(solution.clone());
+    let mut starts = starts(problem, &program, &solution);
+    if problem.objective() == Minimise::PeakForceError {
+        let near = nearest_to_force(problem, &program, &optimum.formulation.force, &limits);
+        starts.extend(near);
     }
-    starts.extend(at_own_size(problem, &program, &solution));
     // A law that keeps every limit passes; only its force error may be left to reach.
     let passes = |s: &Solution| {
         let error = || limits::force_report(problem, &Law::of(&program.basis, &s.x)).rms_error_n;
@@ -331,6 +330,43 @@ fn in_sequence(
     optimum.formulation.program = program;
     optimum.solution = refined;
     true
+}
+
+/// Where a sequence may begin: at a solution of its program, and at the size that the law of that needs.
+fn starts(problem: &Problem, program: &Program, solution: &Solution) -> Vec<Solution> {
+    let mut out = Vec::new();
+    // At the least radius of an arm the linearisation is singular.
+    if problem.reach_of_arm().is_none() || problem.size() != Size::Sought {
+        out.push(solution.clone());
+    }
+    out.extend(at_own_size(problem, program, solution));
+    out
+}
+
+/// The law of the least mean square of the force error under the same limits, where the largest error is minimised: its programs
+/// are the easier ones.
+fn nearest_to_force(
+    problem: &Problem,
+    program: &Program,
+    force: &Quadratic,
+    limits: &NonconvexLimits,
+) -> Option<Solution> {
+    let mut near = program.clone();
+    near.limits.retain(|limit| !limit.is_peak());
+    (near.hessian, near.gradient) = (force.hessian.clone(), force.gradient.clone());
+    (near.constant, near.cost[PEAK], near.rms) = (force.constant, 0.0, None);
+    let solution = near.solve().ok()?;
+    let starts = starts(problem, &near, &solution);
+    let keeps = |s: &Solution| {
+        program
+            .rms
+            .as_ref()
+            .is_none_or(|limit| limit.excess(&s.x) <= 0.0)
+    };
+    let (mut found, ..) = scp::refine(&near, &starts, limits.clone(), keeps)?;
+    found.active.clear();
+    found.extra[PEAK] = program.own_peak(&found.x, &found.extra);
+    Some(found)
 }
 
 /// The law as the sequence counts its lift: on its base circle, where the limits see the level.
