@@ -134,7 +134,7 @@ fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadr
         Minimise::Peak(_) | Minimise::PeakForceError | Minimise::Weighed(_) => {}
         Minimise::Size => {
             let length = problem.length * problem.lever();
-            whole.add_energy(&basis, 3, length * qp::smoothing(problem.length));
+            whole.add_energy(&basis, 3, qp::smoothing(length, problem.length));
         }
         Minimise::ForceError => {
             let scale = whole.hessian.largest_diagonal();
@@ -258,7 +258,7 @@ fn weighed(problem: &Problem, basis: &Basis, force: &Quadratic, weigh: Weigh) ->
         sum.add_energy(
             basis,
             3,
-            problem.length / radius * qp::smoothing(problem.length),
+            qp::smoothing(problem.length / radius, problem.length),
         );
     }
     sum

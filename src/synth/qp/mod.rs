@@ -32,7 +32,8 @@ pub type Failure = splineqp::Failure<OfScene>;
 /// size is minimised: large enough to leave the size alone, small enough to keep the law smooth.
 const SIZE_JERK: f64 = 1e3;
 
-/// μ, rad⁶/m²: with ½ μ mean(j²) per unit of the cost of a typical lift the law of the smallest cam is smooth.
-pub fn smoothing(length: f64) -> f64 {
-    1.0 / (SIZE_JERK * length).powi(2)
+/// μ of ½ μ mean(j²), which makes the law of the smallest cam smooth where a typical lift of radius costs so much.
+pub fn smoothing(cost: f64, length: f64) -> f64 {
+    let unit = SIZE_JERK * length;
+    cost / (unit * unit)
 }

@@ -149,7 +149,8 @@ impl<'a, N: Names> Search<'a, N> {
         plain.solve()
     }
 
-    /// The optimum without the limit where that keeps it, or the law of the least peak that the other limits leave, with its proof.
+    /// The optimum without the limit where that keeps it, or the law of the least peak that the other limits leave, with its proof;
+    /// where the search found neither, the law of the least root mean square.
     fn held_up(&mut self, least: Solution<N>) -> Result<Solution<N>, Failure<N>> {
         if self.limit.excess(&least.x) <= self.program.settings.tolerance {
             return Ok(least);
@@ -163,8 +164,12 @@ impl<'a, N: Names> Search<'a, N> {
                 });
             }
         }
-        self.nearest()?;
-        Err(Stop::NoProgress.into())
+        // A law that keeps all limits, without a proof, is more than none.
+        let mut near = self.nearest()?;
+        near.active.clear();
+        near.extra[PEAK] = self.program.own_peak(&near.x, &near.extra);
+        near.violation = self.program.violation(&near.x, &near.extra);
+        Ok(near)
     }
 
     /// ln of the least peak that is tried: a little above the least that the other limits leave.

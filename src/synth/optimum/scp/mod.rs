@@ -261,11 +261,7 @@ fn of_least_size(program: &Program, sizes: &[f64; EXTRAS]) -> Program {
     let mut smallest = program.clone();
     smallest.limits.retain(|limit| !limit.is_peak());
     let mut smooth = Quadratic::zero(&program.basis);
-    smooth.add_energy(
-        &program.basis,
-        3,
-        program.length * smoothing(program.length),
-    );
+    smooth.add_energy(&program.basis, 3, smoothing(program.length, program.length));
     (smallest.hessian, smallest.gradient) = (smooth.hessian, smooth.gradient);
     (smallest.constant, smallest.cost) = (0.0, [0.0; EXTRAS]);
     smallest.with_sizes_priced(sizes, 1.0)
