@@ -181,7 +181,7 @@ impl<'a> Relaxing<'a> {
                     let precise = |works: f64| self.precision * works.abs().max(from.abs());
                     let free = number.away(from, self.force);
                     let edge = by_size.value(number, [from, free], precise);
-                    edge.and_then(|edge| relaxing.rounded(number, edge))
+                    edge.and_then(|edge| relaxing.passing_from(number, edge))
                 }
             };
             Some(Relaxation::of(number.criterion(), from, Some(to?)))
@@ -253,11 +253,11 @@ impl<'a> Relaxing<'a> {
         let precise = |works: f64| self.precision * works.abs().max(size);
         let holds = |value: f64| self.tried(number, value).is_some();
         let works = self.bisected(works, fails, precise, holds);
-        self.rounded(number, works)
+        self.passing_from(number, works)
     }
 
-    /// A value at which the design passes, rounded to the weak side.
-    fn rounded(&self, number: Relaxable, works: f64) -> Option<f64> {
+    /// A value at which the design passes, from one at its edge: rounded to the weak side, with as much room as it takes.
+    fn passing_from(&self, number: Relaxable, works: f64) -> Option<f64> {
         // At the boundary of feasibility a program may fail numerically; a slightly weaker one is solved.
         // Next to its own edge a limited accuracy makes every program of a sequence slow.
         let least = if self.problem.limited_error().is_some() {

@@ -9,6 +9,9 @@ use crate::synth::design::ForceReport;
 use crate::synth::limits::{Finished, force_report};
 use crate::synth::sizing;
 
+/// A radius smaller by no more than this part is the same.
+const SAME_SIZE: f64 = 1e-5;
+
 /// A law on its cam, with the force that it gives and every check.
 #[derive(Clone)]
 pub struct CheckedCam {
@@ -43,7 +46,7 @@ pub fn checked_cam(
     let start = law.extent().0;
     let raised = own.svaj(start).s - law.svaj(start).s;
     let end = end.map(|end| end.raised(raised));
-    let cam = sizing::cam_about(problem, own.clone(), end.as_ref().unwrap_or(&own), circle)?;
+    let cam = cam_about(problem, own.clone(), end.as_ref().unwrap_or(&own), circle)?;
     let conjugate = sizing::conjugate(problem, &cam)?;
     let groove = sizing::groove(problem, &cam)?;
     let pressing = end.as_ref().unwrap_or(&cam.law);
@@ -78,6 +81,26 @@ impl CheckedCam {
     pub fn broken(&self) -> Option<&Check> {
         self.checks.iter().find(|check| !check.pass)
     }
+}
+
+/// The cam of a law that is known to keep its limits at about a circle: its offset is tried too, because the one that is chosen
+/// for the pressure angle alone may not be the best for the curvature.
+fn cam_about(
+    problem: &Problem,
+    law: Law,
+    pressing: &Law,
+    circle: Option<PrimeCircle>,
+) -> Result<Cam> {
+    let own = sizing::cam(problem, law.clone(), pressing)?;
+    let radius = |cam: &Cam| cam.follower.prime_radius();
+    let smaller = (1.0 - SAME_SIZE) * radius(&own);
+    let Some(circle) = circle.filter(|circle| circle.radius < smaller) else {
+        return Ok(own);
+    };
+    let mut at_offset = problem.clone();
+    at_offset.cam.offset = Some(circle.offset);
+    let other = sizing::cam(&at_offset, law, pressing)?;
+    Ok(if radius(&other) < smaller { other } else { own })
 }
 
 /// Where nothing fixes the lift, the lowest point of the law stands on the base circle.

@@ -26,8 +26,6 @@ const GROWTH: f64 = 1.5;
 const GROWTHS: i32 = 35;
 /// A size found by halving is enlarged by this share, so that its own limits hold in spite of rounding.
 const ROUNDING: f64 = 1e-9;
-/// A radius smaller by no more than this part is the same.
-const SAME_SIZE: f64 = 1e-5;
 /// Part of the follower's travel that is next to nothing.
 const NOTHING: f64 = 1e-4;
 /// s(θ) + s(θ + π) may vary by this share of the stroke and still be constant.
@@ -51,29 +49,6 @@ pub fn cam(problem: &Problem, law: Law, pressing: &Law) -> Result<Cam> {
         (_, Some(breadth)) => return constant_breadth(problem, law, breadth),
     };
     Ok(Cam { law, follower })
-}
-
-/// The cam of a law that is known to keep its limits at about a circle: its offset is tried too, because the one that is chosen
-/// for the pressure angle alone may not be the best for the curvature.
-///
-/// # Errors
-/// As of [`cam`].
-pub fn cam_about(
-    problem: &Problem,
-    law: Law,
-    pressing: &Law,
-    circle: Option<PrimeCircle>,
-) -> Result<Cam> {
-    let own = cam(problem, law.clone(), pressing)?;
-    let radius = |cam: &Cam| cam.follower.prime_radius();
-    let smaller = (1.0 - SAME_SIZE) * radius(&own);
-    let Some(circle) = circle.filter(|circle| circle.radius < smaller) else {
-        return Ok(own);
-    };
-    let mut at_offset = problem.clone();
-    at_offset.cam.offset = Some(circle.offset);
-    let other = cam(&at_offset, law, pressing)?;
-    Ok(if radius(&other) < smaller { other } else { own })
 }
 
 /// The second cam of a conjugate pair, where the scene has one.

@@ -6,7 +6,7 @@ import * as blobs from "./blobs.js";
 import * as versions from "./versions.js";
 
 const AGAIN = 2000;
-// Where a design takes longer, one of about the same size is asked for while a value is moved, and the whole when the
+// Where a design takes longer, a first law that keeps the limits is asked for while a value is moved, and the best when the
 // hand has rested, ms.
 const LONG = 100;
 const REST = 250;
