@@ -23,8 +23,8 @@ pub struct Round<D> {
 pub struct Settled<D> {
     /// The design.
     pub design: D,
-    /// The state that it is judged in: what it was made for, or what it makes where the rounds do not agree.
-    pub state: Vec<f64>,
+    /// The state that it makes, where the rounds do not agree.
+    pub made: Option<Vec<f64>>,
     /// Designs made.
     pub rounds: usize,
     /// Factor between the last two differences of what was given and what was made.
@@ -49,18 +49,17 @@ pub fn settled<D>(
     loop {
         let next = round(&given)?;
         let off = difference(&next.made, &given);
-        let size = off.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let size = largest_difference(&next.made, &given);
         contraction = before.map(|before| size / before).or(contraction);
         before = Some(size);
         let rounds = path.len() + 1;
         if size <= allowed {
-            let (design, state, difference) = (next.design, given, size);
             return Ok(Settled {
-                design,
-                state,
+                design: next.design,
+                made: None,
                 rounds,
                 contraction,
-                difference,
+                difference: size,
             });
         }
         path.push([next.made.clone(), off]);
@@ -71,7 +70,7 @@ pub fn settled<D>(
         if let Some((difference, best)) = best.take_if(|_| !has_law || rounds == ROUNDS) {
             return Ok(Settled {
                 design: best.design,
-                state: best.made,
+                made: Some(best.made),
                 rounds,
                 contraction,
                 difference,
@@ -79,6 +78,12 @@ pub fn settled<D>(
         }
         given = accelerated(&path[path.len().saturating_sub(MEMORY + 1)..]);
     }
+}
+
+/// The largest difference of two states.
+pub fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    let pairs = a.iter().zip(b);
+    pairs.fold(0.0, |most, (a, b)| (a - b).abs().max(most))
 }
 
 fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
@@ -133,16 +138,15 @@ mod tests {
         let mut count = 0;
         let found = settled(vec![5.0, -7.0], 1e-12, |x| {
             count += 1;
-            let (design, made, has_law) = ((), map(x), true);
             Ok(Round {
-                design,
-                made,
-                has_law,
+                design: x.to_vec(),
+                made: map(x),
+                has_law: true,
             })
         });
         let found = found.unwrap();
         // x = 1/4, y = 2 (2/4 − 1) = −1.
-        assert!((found.state[0] - 0.25).abs() < 1e-12 && (found.state[1] + 1.0).abs() < 1e-12);
+        assert!((found.design[0] - 0.25).abs() < 1e-12 && (found.design[1] + 1.0).abs() < 1e-12);
         assert!(count <= 5 && found.rounds == count, "{count}");
     }
 

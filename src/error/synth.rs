@@ -52,6 +52,7 @@ pub enum SynthError {
     ShaftDiverges {
         inertia: Quantity,
         ripple: Quantity,
+        calm: Quantity,
         contraction: f64,
     },
     /// What is given is to be set anew for each walker.

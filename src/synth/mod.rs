@@ -200,7 +200,8 @@ fn best_law(problem: &Problem, search: &Search) -> Result<(SolvedLaw, Option<Box
         Err(NoLaw::Fault(fault)) => Err(fault),
         Err(NoLaw::Refused(refusal)) => {
             let (sized, refusal) = refused(problem, search, refusal)?;
-            Ok((sized.law, refusal))
+            let law = sized.checked.cam.law;
+            Ok((SolvedLaw { law, ..sized.law }, refusal))
         }
     }
 }
@@ -279,7 +280,11 @@ fn sized(
     {
         return corrected::polydyne::design(problem, limited, search, &train);
     }
-    let mut law = families::law(limited, search)?;
+    Ok(on_cam(problem, families::law(limited, search)?)?)
+}
+
+/// A law on the smallest or the given cam of the problem.
+fn on_cam(problem: &Problem, mut law: SolvedLaw) -> Result<SizedLaw> {
     let checked = checked_cam(problem, &law.law, law.circle, None)?;
     law.functions.raise(&mut law.coefficients, checked.raised);
     Ok(SizedLaw {

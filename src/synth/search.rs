@@ -22,6 +22,8 @@ pub struct Search {
     pub(super) halt: Halt,
     /// Only a design that passes is of use: one that cannot reach the accuracy need not be finished.
     pub(super) only_passing: bool,
+    /// Spans with which a search for their number begins: those of a design for nearly the same problem.
+    pub(super) least_spans: usize,
 }
 
 impl Search {

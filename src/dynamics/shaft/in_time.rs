@@ -32,7 +32,7 @@ pub struct InTime {
 
 /// Rounds of the phase at most, and its change, parts of the period, at which they end: the error is stationary in it.
 const ROUNDS: usize = 20;
-const SAME: f64 = 1e-7;
+const SAME: f64 = 1e-6;
 
 /// The distance of forces at equal angles, with speed, rad/s, and time, s, from a target at equal times of one period
 /// that begins at the same angle.
@@ -79,8 +79,9 @@ impl Cubic<'_> {
     /// Value and slope at a share of the period, by Catmull and Rom's cubics.
     pub fn at(&self, part: f64) -> (f64, f64) {
         let n = self.0.len();
-        let x = part.rem_euclid(1.0) * n as f64;
-        let (i, u) = (x.floor() as usize, x - x.floor());
+        let x = (part - part.floor()) * n as f64;
+        let i = x as usize;
+        let u = x - i as f64;
         let y = [n - 1, 0, 1, 2].map(|k| self.0[(i + k) % n]);
         let (m, p) = (0.5 * (y[2] - y[0]), 0.5 * (y[3] - y[1]));
         let rise = y[2] - y[1];

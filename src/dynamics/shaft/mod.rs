@@ -134,6 +134,11 @@ impl Motion {
         self
     }
 
+    /// Angles since the first between which it is smooth, from 0 to a turn.
+    pub fn breaks(&self) -> impl Iterator<Item = f64> {
+        self.marks.iter().map(|mark| mark.angle)
+    }
+
     /// Highest less lowest speed, part of the mean.
     pub fn ripple(&self) -> f64 {
         let range = self.turn.as_ref().map(|(_, steady)| steady.range);
@@ -144,7 +149,8 @@ impl Motion {
 
     /// Part of the period, rad, at an angle since the first, rad, with its first three derivatives by the angle.
     pub fn phase(&self, angle: f64) -> [f64; 4] {
-        let (turns, angle) = (angle.div_euclid(TAU), angle.rem_euclid(TAU));
+        let turns = (angle / TAU).floor();
+        let angle = angle - TAU * turns;
         let i = self.marks.partition_point(|m| m.angle <= angle);
         let i = i.clamp(1, self.marks.len() - 1);
         let (from, to) = (&self.marks[i - 1], &self.marks[i]);

@@ -15,7 +15,7 @@ const SAME: f64 = 1e-6;
 /// An energy falls to no less than this part in a sweep.
 const LEAST_PART: f64 = 0.3;
 /// Steps of a turn where only its existence is asked.
-const COARSE: usize = 96;
+const COARSE: usize = 48;
 /// Inertia is changed by this factor between turns of which one leads to the next, by no less than that, over this range.
 const FACTOR: f64 = 100.0;
 const LEAST_FACTOR: f64 = 1.01;

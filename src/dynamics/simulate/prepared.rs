@@ -23,6 +23,8 @@ pub(super) struct Prepared {
     pub laws: Vec<Law>,
     /// Lift of the higher one.
     pub lift: Law,
+    /// Where its derivatives may jump.
+    pub breaks: Vec<f64>,
     /// Motion at the angles of the rows.
     pub nodes: Vec<Svaj>,
     /// Lift of the conjugate cam.
@@ -63,6 +65,10 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
     let n = input.profile.len();
     let (laws, lift) = lifts(input, emitted.law, reversed);
     let start = laws[0].extent().0;
+    let breaks = match reversed {
+        true => input.cam.law.reversed().breaks().to_vec(),
+        false => input.cam.law.breaks().to_vec(),
+    };
     let step = cycle.step(n);
     let at = |i: usize| start + step * i as f64;
     let single = laws.len() == 1 && !reversed;
@@ -100,6 +106,7 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         reversed,
         laws,
         lift,
+        breaks,
         nodes,
         second,
         start,

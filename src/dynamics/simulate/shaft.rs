@@ -66,7 +66,7 @@ pub(super) fn turn(input: &Run, p: &mut Prepared, model: Model) -> Result<()> {
     if carrier.motor.is_none() && carrier.floor.is_none() && is_plain {
         return Ok(());
     }
-    let motion = carrier.motion(p.start, lift.breaks(), &at, None)?;
+    let motion = carrier.motion(p.start, &p.breaks, &at, None)?;
     if let Some((motor, (ripple, change))) = carrier.motor.zip(neglected) {
         motion.shaft.check_supply(motor)?;
         p.shaft_report = motion.shaft.report(motor, lift.extremes(0).0.at);

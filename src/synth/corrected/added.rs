@@ -20,9 +20,8 @@ const DEGREE: usize = 5;
 const NODES: usize = DEGREE + 1;
 /// A part is no shorter than this share of an equal one.
 const SHORTEST: f64 = 0.3;
-/// Equal angles of the target: as many as it has, between these.
-const LEAST: usize = 360;
-const MOST: usize = 720;
+/// Equal angles of the target.
+const ANGLES: usize = 360;
 
 /// The numbers of a state, in this order: what is added to the force at the nodes, what is added by time where that is
 /// limited, the speed, and the parts of the period at equal angles. Each is in units in which 1 is about the whole.
@@ -34,8 +33,6 @@ pub struct Layout {
     limits: [Option<f64>; 3],
     /// Whether it does.
     varies: bool,
-    /// Equal angles of the phases.
-    angles: usize,
 }
 
 impl Layout {
@@ -67,8 +64,6 @@ impl Layout {
             coefficients: values.try_inverse().unwrap_or_else(SMatrix::identity),
             limits: kinds.map(|kind| problem.limits[kind].filter(|_| varies)),
             varies,
-            angles: (problem.target.as_ref())
-                .map_or(LEAST, |t| t.curve.force_n.len().clamp(LEAST, MOST)),
         }
     }
 
@@ -114,7 +109,7 @@ impl Layout {
             }
             parts[4].push(w / drive.speed);
         }
-        let angles = (0..self.angles).map(|i| TAU * i as f64 / self.angles as f64);
+        let angles = (0..ANGLES).map(|i| TAU * i as f64 / ANGLES as f64);
         let phases = angles.map(|x| shaft.phase(x)[0]);
         parts.concat().into_iter().chain(phases).collect()
     }

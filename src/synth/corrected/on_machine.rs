@@ -12,20 +12,20 @@ use super::added::Layout;
 use super::on_floor::OnFloor;
 use super::runner::{Forecast, ROWS, Runner, angle, depends_on_speed, retimed};
 use crate::drive::Motor;
-use crate::dynamics::fixed_point::{Round, Settled, settled};
+use crate::dynamics::fixed_point::{Round, Settled, largest_difference, settled};
 use crate::dynamics::machine_motion::MachineMotion;
 use crate::dynamics::shaft::Motion;
 use crate::dynamics::{FloorMotion, InTime, Shaft};
-use crate::error::{Error, Placed, Result, SynthError};
+use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
-use crate::law::Law;
 use crate::problem::Problem;
 use crate::scene::{Family, ShaftSpeed};
 use crate::synth::design::Design;
-use crate::synth::families::SolvedLaw;
+use crate::synth::families::{self, SolvedLaw};
 use crate::synth::optimum::Refusal;
-use crate::synth::sizing::checked_cam::checked_cam;
-use crate::synth::{Search, SizedLaw, at_best_phase, best, best_law, finished, infeasible};
+use crate::synth::{
+    Search, SizedLaw, at_best_phase, best, best_law, finished, infeasible, on_cam, sizing,
+};
 use crate::units::{Dimension, Quantity};
 
 /// Largest difference of target and force between what a law is designed for and what it makes, part of the mean, at which
@@ -33,8 +33,10 @@ use crate::units::{Dimension, Quantity};
 const SETTLED_AT_LIMITS: f64 = 1e-6;
 const SETTLED: f64 = 1e-4;
 const SETTLED_OF_ACCURACY: f64 = 0.1;
-/// Ripple at which the rounds usually agree; the message that names an inertia for it says this number too.
+/// Ripple at which the rounds usually agree.
 const CALM: f64 = 0.25;
+/// Rounds that come no nearer than one before them, after which the law gets more spans.
+const STALLED: usize = 3;
 
 /// The design on its shaft.
 ///
@@ -110,18 +112,21 @@ struct OnMachine {
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     let problem = &at_best_phase(problem, search)?;
     let (motor, floor) = (problem.motor(), problem.machine.floor());
-    let (first, refusal) = best(problem, search)?;
-    if motor.is_some() || floor.is_some() || problem.has_learned_force() {
-        let target = problem.target.as_ref().map(|t| &*t.curve);
-        let cam = &first.checked.cam;
-        let run = Runner::new(problem, cam, target, motor.as_ref(), floor.as_ref());
-        let refusal = refusal.as_deref();
-        let found = run.and_then(|run| on_machine(problem, search, &first, refusal, &run));
-        if found.is_ok() || refusal.is_none() {
-            return found;
-        }
+    let has_force = floor.is_some() || problem.has_learned_force();
+    if problem.law.polydyne || !(has_force || motor.is_some()) {
+        let (sized, refusal) = best(problem, search)?;
+        return at_constant_speed(problem, search, sized, refusal.as_deref());
     }
-    at_constant_speed(problem, search, first, refusal.as_deref())
+    let (first, refusal) = best_law(problem, search)?;
+    let target = problem.target.as_ref().map(|t| &*t.curve);
+    let cam = sizing::cam(problem, first.law.clone(), &first.law)?;
+    let run = Runner::new(problem, &cam, target, motor.as_ref(), floor.as_ref());
+    let refusal = refusal.as_deref();
+    let found = run.and_then(|run| on_machine(problem, search, &first, refusal, &run));
+    if found.is_ok() || refusal.is_none() {
+        return found;
+    }
+    at_constant_speed(problem, search, on_cam(problem, first)?, refusal)
 }
 
 /// The law for constant speed on a stiff floor, finished.
@@ -139,11 +144,11 @@ fn at_constant_speed(
 fn on_machine(
     problem: &Problem,
     search: &Search,
-    first: &SizedLaw,
+    first: &SolvedLaw,
     refusal: Option<&Refusal>,
     run: &Runner,
 ) -> Result<Design> {
-    let law = &first.law.law;
+    let law = &first.law;
     let before = run.of_law(law, None)?;
     let rows = before.shaft.clone().at_rows(ROWS);
     let at_constant_speed_error = run.error(law, &before, &rows);
@@ -157,9 +162,9 @@ fn on_machine(
         (varies || run.is_on_floor() || problem.has_learned_force()) && problem.target.is_some();
     let at_speed = if varies { run.clone() } else { run.evenly() };
     let mut made = match is_corrected {
-        true => Made::corrected(law, before, &at_speed, problem, search)?,
+        true => Made::corrected(first, before, &at_speed, problem, search)?,
         false => Made {
-            design: at_constant_speed(problem, search, first.clone(), refusal)?,
+            design: at_constant_speed(problem, search, on_cam(problem, first.clone())?, refusal)?,
             motion: before,
             rounds: 0,
             contraction: None,
@@ -189,7 +194,7 @@ struct Made {
 impl Made {
     /// From the law for constant speed and its motion.
     fn corrected(
-        law: &Law,
+        law: &SolvedLaw,
         before: MachineMotion,
         run: &Runner,
         problem: &Problem,
@@ -252,19 +257,19 @@ fn judged(
 ) -> Result<(Design, MachineMotion)> {
     let OnMachine {
         problem: own,
-        mut law,
+        law,
         refusal,
         motion,
     } = last.design;
-    let (phases, extra) = layout.extra(problem, &last.state);
-    let made = problem.on_shaft(&phases, extra);
-    let checked = checked_cam(&made, &law.law, law.circle, None)?;
+    let made = match &last.made {
+        None => own.clone(),
+        Some(state) => {
+            let (phases, extra) = layout.extra(problem, state);
+            problem.on_shaft(&phases, extra)
+        }
+    };
+    let sized = on_cam(&made, law)?;
     let why = refusal.map(|refusal| infeasible::explain(&own, &refusal));
-    if why.is_none() {
-        law.functions.raise(&mut law.coefficients, checked.raised);
-    }
-    let end = None;
-    let sized = SizedLaw { law, checked, end };
     Ok((finished(&made, search, sized, why)?, motion))
 }
 
@@ -286,20 +291,28 @@ fn by_time(design: &mut Design, shaft: &Motion, problem: &Problem) {
 /// Designs for the machine that the design before makes, from that of a law for constant speed on a stiff floor, until both
 /// agree.
 fn rounds(
-    law: &Law,
-    first: MachineMotion,
+    first: &SolvedLaw,
+    before: MachineMotion,
     run: &Runner,
     problem: &Problem,
     search: &Search,
 ) -> Result<(Settled<OnMachine>, Layout)> {
+    let law = &first.law;
     let diverges = |motion: &MachineMotion, contraction: Option<f64>| {
         let speed = problem.drive.speed;
-        let inertia = run.load_of_law(law).swing(speed) / (CALM * speed * speed);
-        diverges(&motion.shaft, contraction, inertia)
+        let calm = CALM.min(0.5 * motion.shaft.ripple());
+        let inertia = run.load_of_law(law).swing(speed) / (calm * speed * speed);
+        let fault = SynthError::ShaftDiverges {
+            inertia: Quantity::new(inertia, Dimension::Inertia),
+            ripple: Quantity::share(motion.shaft.ripple()),
+            calm: Quantity::share(calm),
+            contraction: contraction.unwrap_or(1.0),
+        };
+        fault.at_key("machine.inertia")
     };
     // The motion in time of a law for constant speed may stop a small wheel that the law itself turns.
-    let start = run.in_time(law, first.clone());
-    let mut motion = start.map_err(|_| diverges(&first, None))?;
+    let start = run.in_time(law, before.clone());
+    let mut motion = start.map_err(|_| diverges(&before, None))?;
     let is_exact = depends_on_speed(problem) || run.is_on_floor();
     let layout = Layout::new(problem, law, !run.is_even(), is_exact);
     let state = layout.state(problem, &motion, &|x| retimed(law, &motion.shaft, x));
@@ -311,10 +324,15 @@ fn rounds(
             .map_or(0.0, |most| most / problem.target_mean());
         (SETTLED_OF_ACCURACY * accuracy).max(SETTLED_AT_LIMITS)
     };
+    // A round has no fewer spans than the one before, so that what depends on their number stays the same; and more, where
+    // rounds come no nearer with so few that very different laws are nearly as good.
+    let mut search = search.clone();
+    search.least_spans = first.spans;
+    let (mut nearest, mut stalled) = (f64::INFINITY, 0);
     let last = settled(state, allowed, |state| {
         let (phases, extra) = layout.extra(problem, state);
         let own = problem.on_shaft(&phases, extra);
-        let (solved, refusal) = best_law(&own, search)?;
+        let (solved, refusal) = best_law(&own, &search)?;
         let law = &solved.law;
         // A law of a round may stop the shaft that the first one does not.
         motion = match run.of_law(law, Some(&motion)) {
@@ -322,8 +340,16 @@ fn rounds(
             Err(fault) if run.is_even() => return Err(fault),
             Err(_) => return Err(diverges(&motion, None)),
         };
+        let made = layout.state(problem, &motion, &|x| law.svaj(x));
+        let off = largest_difference(&made, state);
+        stalled = if off < nearest { 0 } else { stalled + 1 };
+        nearest = off.min(nearest);
+        search.least_spans = match stalled < STALLED {
+            true => solved.spans,
+            false => solved.spans.max(families::TELLING.min(2 * solved.spans)),
+        };
         Ok(Round {
-            made: layout.state(problem, &motion, &|x| law.svaj(x)),
+            made,
             has_law: refusal.is_none(),
             design: OnMachine {
                 problem: own,
@@ -338,14 +364,4 @@ fn rounds(
         return Err(diverges(&last.design.motion, last.contraction));
     }
     Ok((last, layout))
-}
-
-/// The fault of rounds that do not agree, with an inertia, kg·m², that leaves the ripple [`CALM`].
-fn diverges(shaft: &Motion, contraction: Option<f64>, inertia: f64) -> Error {
-    SynthError::ShaftDiverges {
-        inertia: Quantity::new(inertia, Dimension::Inertia),
-        ripple: Quantity::share(shaft.ripple()),
-        contraction: contraction.unwrap_or(1.0),
-    }
-    .at_key("machine.inertia")
 }

@@ -24,7 +24,7 @@ pub const ROWS: usize = 240;
 /// Equal angles at which the force of a walker is taken.
 const WALKER: usize = 720;
 /// Steps of the motion between the breaks of the law.
-const STEPS: usize = 48;
+const STEPS: usize = 32;
 /// Rounds of the speed alone, before the first design, and the relative change of speed at which they end.
 const SPEED_ROUNDS: usize = 12;
 const SAME_SPEED: f64 = 1e-3;

@@ -70,6 +70,7 @@ pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
         law,
         family: Family::DoubleHarmonic,
         degree: 0,
+        spans: 0,
         functions: Functions::DoubleHarmonic,
         coefficients: vec![lift, start, rise, fall],
         circle: None,

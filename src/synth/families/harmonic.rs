@@ -27,6 +27,7 @@ pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<
         law: spectral.law(),
         family: Family::Harmonic,
         degree: 0,
+        spans: 0,
         functions: Functions::Fourier,
         coefficients: spectral.x.clone(),
         circle: None,

@@ -53,6 +53,7 @@ pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
         law: Law::from_poly(PiecewisePoly::new(breaks, fixed, coef), true),
         family: Family::Polynomial,
         degree: fixed,
+        spans: 0,
         functions: Functions::Monomial {
             range: [start, end],
         },

@@ -29,6 +29,7 @@ pub fn program_law(problem: &Problem) -> Result<SolvedLaw> {
     let solver = SolverReport::of(Tier::Equality, Method::Programme, 0);
     Ok(SolvedLaw {
         family: Family::Program,
+        spans: 0,
         // Harmonic segments have no degree.
         degree: if is_polynomial {
             law.poly().degree()

@@ -21,6 +21,8 @@ pub struct SolvedLaw {
     pub family: Family,
     /// Degree of its polynomials as users name it.
     pub degree: usize,
+    /// Spans, without dwells, that are enough for a spline; 0 of another family.
+    pub spans: usize,
     /// The functions that the coefficients belong to.
     pub functions: Functions,
     /// Parameters as `summary.json` lists them.
@@ -56,6 +58,7 @@ pub fn solved_law(
         law: optimum.law(),
         family,
         degree: 0,
+        spans: 0,
         functions: Functions::of(&program.basis),
         coefficients: solution.x.clone(),
         circle: program.cone.then(|| circle(solution)),

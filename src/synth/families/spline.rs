@@ -10,6 +10,8 @@ use crate::synth::qp;
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
+/// Spans tried first.
+const FEWEST: usize = 3;
 /// Spans tried before "auto" gives up.
 const MOST_AUTO_SPANS: usize = 400;
 /// Spans for laws that follow no force.
@@ -27,11 +29,12 @@ pub const TELLING: usize = 12;
 
 /// The problem's spline with how it was found.
 pub fn spline_law(problem: &Problem, search: &Search) -> std::result::Result<SolvedLaw, NoLaw> {
-    let mut optimum = fit(problem, search)?;
+    let (mut optimum, spans) = fit(problem, search)?;
     optimum::with_profile(problem, search, &mut optimum);
     let (objective, report) = (problem.objective(), optimum.report());
     Ok(SolvedLaw {
         degree: problem.spline_degree,
+        spans,
         ..solved_law(problem, &optimum, Family::Spline, objective, report)
     })
 }
@@ -46,13 +49,16 @@ enum Spans {
     AtLeast(usize, f64),
 }
 
-/// The fit with the problem's own number of spans, or with the fewest that reach the accuracy.
-fn fit(problem: &Problem, search: &Search) -> std::result::Result<Optimum, NoLaw> {
-    match spans(problem, search)? {
-        Spans::Given(spans) => solve(problem, search, spans),
-        Spans::Fewest(from, most) => fewest(problem, search, from, most),
-        Spans::AtLeast(spans, wanted) => while_worthwhile(problem, search, spans, wanted),
-    }
+/// The fit with the problem's own number of spans, or with the fewest that reach the accuracy; and the number that was enough,
+/// which may be smaller than that of the best fit.
+fn fit(problem: &Problem, search: &Search) -> std::result::Result<(Optimum, usize), NoLaw> {
+    let optimum = match spans(problem, search)? {
+        Spans::Given(spans) => solve(problem, search, spans)?,
+        Spans::Fewest(from, most) => fewest(problem, search, from, most)?,
+        Spans::AtLeast(spans, wanted) => return while_worthwhile(problem, search, spans, wanted),
+    };
+    let spans = optimum.formulation.pieces;
+    Ok((optimum, spans))
 }
 
 /// The number of spans with which the search begins.
@@ -61,7 +67,8 @@ fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
         return Ok(Spans::Given(spans));
     }
     if problem.band.is_some() {
-        return Ok(Spans::Fewest(FEWEST_IN_BAND, MOST_IN_BAND));
+        let from = search.least_spans.max(FEWEST_IN_BAND);
+        return Ok(Spans::Fewest(from, from.max(MOST_IN_BAND)));
     }
     let of_force = [Minimise::ForceError, Minimise::PeakForceError];
     let follows = problem.target.is_some() && of_force.contains(&problem.objective());
@@ -82,7 +89,7 @@ fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
 /// Fewest spans that reach an accuracy without limits: the cheaper lower bound, because spans that miss it
 /// without limits miss it with them.
 fn fewest_without_limits(problem: &Problem, search: &Search, wanted: f64) -> Result<usize> {
-    let mut spans = 3;
+    let mut spans = search.least_spans.max(FEWEST);
     while spans < MOST_AUTO_SPANS {
         let (program, force) = formulation::unlimited(problem, search, spans)?;
         match qp::solve_equalities(&program) {
@@ -105,11 +112,14 @@ fn while_worthwhile(
     search: &Search,
     mut spans: usize,
     wanted: f64,
-) -> std::result::Result<Optimum, NoLaw> {
+) -> std::result::Result<(Optimum, usize), NoLaw> {
     let mut best: Option<(f64, Optimum)> = None;
     loop {
         let optimum = match (solve(problem, search, spans), best.take()) {
-            (Err(NoLaw::Refused(_)), Some((_, earlier))) => return Ok(earlier),
+            (Err(NoLaw::Refused(_)), Some((_, earlier))) => {
+                let spans = earlier.formulation.pieces;
+                return Ok((earlier, spans));
+            }
             (Err(NoLaw::Refused(why)), None)
                 if !search.halt.is_asked()
                     && (spans < TELLING || spans < MOST_IN_BAND && why.is_of_accuracy()) =>
@@ -124,14 +134,15 @@ fn while_worthwhile(
         };
         let error = optimum.force_error();
         let reached = error <= wanted;
-        let hopeless = spans >= TELLING
-            && (best.as_ref()).is_some_and(|(e, _)| error > e * (1.0 - WORTHWHILE));
+        let earlier = best.as_ref().filter(|_| spans >= TELLING);
+        let enough = earlier.filter(|(e, _)| error > e * (1.0 - WORTHWHILE));
+        let enough = enough.map(|(_, earlier)| earlier.formulation.pieces);
         let better = match best {
             Some(earlier) if earlier.0 <= error => earlier,
             _ => (error, optimum),
         };
-        if reached || hopeless || spans >= MOST_AUTO_SPANS || search.halt.is_asked() {
-            return Ok(better.1);
+        if reached || enough.is_some() || spans >= MOST_AUTO_SPANS || search.halt.is_asked() {
+            return Ok((better.1, enough.unwrap_or(spans)));
         }
         best = Some(better);
         spans = larger(spans);

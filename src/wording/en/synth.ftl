@@ -59,7 +59,7 @@ design-polydyne-miss = With its flexible follower this cam has a force error of 
 
 # Faults in what a design is asked for.
 synth-shaft-diverges = the law and the speed of the shaft do not settle: at a ripple of { $ripple } each round changes the target { $contraction } times as much as the one before
-    .help = use a larger inertia (about "{ $inertia }" leaves a ripple of 25 %), a steeper torque line, or law.shaft = "constant"
+    .help = use a larger inertia (about "{ $inertia }" leaves a ripple of { $calm }), a steeper torque line, or law.shaft = "constant"
 synth-adjusts-given = { $key } is given and is to be set anew for each walker
     .help = leave { $key } out, or leave it out of gait.adjust
 synth-mass-not-adjustable = the mass of this drive carries no walker's weight

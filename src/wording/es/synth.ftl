@@ -59,7 +59,7 @@ design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fue
 
 # Errores en lo que se pide de un diseño.
 synth-shaft-diverges = la ley y la velocidad del eje no convergen: con una oscilación de { $ripple } cada vuelta cambia el objetivo { $contraction } veces lo que la anterior
-    .help = use una inercia mayor (unos "{ $inertia }" dejan una oscilación del 25 %), una recta de par más inclinada o law.shaft = "constant"
+    .help = use una inercia mayor (unos "{ $inertia }" dejan una oscilación del { $calm }), una recta de par más inclinada o law.shaft = "constant"
 synth-adjusts-given = { $key } está dado y debe ajustarse para cada caminante
     .help = omita { $key }, o quítelo de gait.adjust
 synth-mass-not-adjustable = la masa de este accionamiento no soporta el peso del caminante

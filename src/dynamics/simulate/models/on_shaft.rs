@@ -28,15 +28,15 @@ const SAME: f64 = 1e-9;
 const LANDING: f64 = 1e-4;
 /// A side of a place at which a law may jump, rad.
 const SIDE: f64 = 1e-10;
-/// Equal angles of the law over time, between its breaks.
+/// Equal angles at which two speeds are compared.
 const PIECES: usize = 360;
 
-/// The lift over the part of the period, rad: a quintic between equal angles and breaks.
-pub fn in_time(law: &Law, clock: &Motion) -> Law {
+/// A lift over the part of the period, rad: a quintic between its `breaks` and those of the clock.
+pub fn in_time(law: &Law, breaks: &[f64], clock: &Motion) -> Law {
     let start = law.extent().0;
-    let mut marks: Vec<f64> = (0..=PIECES)
-        .map(|i| TAU * i as f64 / PIECES as f64)
-        .chain(law.breaks().iter().map(|b| b - start))
+    let mut marks: Vec<f64> = clock
+        .breaks()
+        .chain(breaks.iter().map(|b| b - start))
         .collect();
     marks.sort_by(f64::total_cmp);
     marks.dedup_by(|b, a| *b - *a < 10.0 * SIDE);
@@ -77,7 +77,7 @@ pub fn contact_on_shaft(
     let mut clock = first.clone();
     let (mut agrees, mut round) = (false, 0);
     loop {
-        let surfaces = [Surface::new(in_time(&p.lift, &clock), &p.drive)];
+        let surfaces = [Surface::new(in_time(&p.lift, &p.breaks, &clock), &p.drive)];
         let run = contact::run(&surfaces, &p.drive, machine.restitution, &machine.limits);
         round += 1;
         if agrees || round == ROUNDS || run.settle.is_none() || run.period != 1 {
@@ -124,7 +124,7 @@ fn load(
     let edges = flights.iter().flatten().copied();
     let before = landings.iter().flat_map(|(at, _)| [*at, at - LANDING]);
     let edges = edges.chain(before).map(|x| start + x.rem_euclid(TAU));
-    let breaks: Vec<f64> = p.lift.breaks().iter().copied().chain(edges).collect();
+    let breaks: Vec<f64> = p.breaks.iter().copied().chain(edges).collect();
     let carrier = carrier(input, p);
     Load::of(p.lift.extent(), &breaks, carrier.steps, &|theta| {
         let x = theta - start;

@@ -76,7 +76,7 @@ fn over_time(input: &Run, p: &Prepared, machine: &MachineMotion) -> Outcome {
     let is_smooth = input.machine.floor.is_none() && input.machine.learned.is_empty();
     let ([low, high], pulled) = match &p.shaft {
         Some(shaft) if is_smooth => {
-            let surface = Surface::new(in_time(&p.lift, shaft), &p.drive);
+            let surface = Surface::new(in_time(&p.lift, &p.breaks, shaft), &p.drive);
             let (low, high) = surface.force.extremes();
             let pulled = surface.pulls.iter().map(|(a, b)| b - a).sum::<f64>();
             ([low.value, high.value], pulled / p.cycle.length)
