@@ -115,10 +115,11 @@ impl WalkersSpec {
 
     /// One number for each walker.
     fn listed(&self, texts: &[String], dimension: Dimension) -> Option<Vec<f64>> {
-        let numbers = texts.iter().flat_map(|text| text.split(','));
-        let numbers = numbers.map(|text| parse(text.trim(), dimension).ok());
-        let numbers: Option<Vec<f64>> = numbers.collect();
-        numbers.filter(|list| list.len() == self.count)
+        let mut numbers = Vec::new();
+        for text in texts.iter().flat_map(|text| text.split(',')) {
+            numbers.push(parse(text.trim(), dimension).ok()?);
+        }
+        (numbers.len() == self.count).then_some(numbers)
     }
 }
 

@@ -30,12 +30,11 @@ impl Harmonic {
     /// # Errors
     /// A text that is no factor with its phase, too many of them, and factors that are all zero.
     pub fn list(texts: &[String]) -> Result<Vec<Harmonic>, SceneError> {
-        let entries = texts.iter().flat_map(|text| text.split(','));
-        let list = entries.map(|text| {
+        let mut list = Vec::new();
+        for text in texts.iter().flat_map(|text| text.split(',')) {
             let typed = text.trim().to_string();
-            Harmonic::read(&typed).ok_or(SceneError::NotHarmonic { typed })
-        });
-        let list = list.collect::<Result<Vec<Harmonic>, _>>()?;
+            list.push(Harmonic::read(&typed).ok_or(SceneError::NotHarmonic { typed })?);
+        }
         if list.iter().all(|h| h.factor == 0.0) || list.len() > Harmonic::MOST {
             let (given, most) = (list.len(), Harmonic::MOST);
             return Err(SceneError::Harmonics { given, most });

@@ -59,14 +59,14 @@ pub fn face_width(problem: &Problem) -> Vec<Limit> {
 }
 
 /// The derivatives by time that are limited.
-fn limited(problem: &Problem) -> impl Iterator<Item = (LimitKind, usize, f64)> {
+fn limited(problem: &Problem) -> Vec<(LimitKind, usize, f64)> {
     let kinds = [
         LimitKind::Velocity,
         LimitKind::Acceleration,
         LimitKind::Jerk,
     ];
     let limited = |(kind, order)| Some((kind, order, problem.limits[kind]?));
-    kinds.into_iter().zip(1..).filter_map(limited)
+    kinds.into_iter().zip(1..).filter_map(limited).collect()
 }
 
 /// Velocity, acceleration and jerk, both signs.

@@ -1,0 +1,73 @@
+//! Polygons to pixels: exact area coverage on a white page, which becomes a PNG.
+//!
+//! A crate of its own because here every pixel is computed: it is compiled for speed, what draws with it for size.
+
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+mod coverage;
+mod outline;
+mod png;
+
+pub use coverage::Coverage;
+pub use outline::{disc, outline, straightened};
+
+/// A page of pixels, white at first; x to the right, y down, one unit a pixel.
+pub struct Page {
+    width: usize,
+    /// Rows from the top.
+    pixels: Vec<[u8; 3]>,
+    coverage: Coverage,
+}
+
+impl Page {
+    /// A white page.
+    #[must_use]
+    pub fn new(width: usize, height: usize) -> Page {
+        Page {
+            width,
+            pixels: vec![[255; 3]; width * height],
+            coverage: Coverage::new(width, height),
+        }
+    }
+
+    /// Fills the union of polygons of one orientation with a colour of opacity `alpha`, 0 … 1. Nothing is filled where a
+    /// coordinate is not finite.
+    pub fn fill(&mut self, polygons: &[Vec<[f64; 2]>], rgb: [u8; 3], alpha: f64) {
+        if !polygons.iter().flatten().flatten().all(|x| x.is_finite()) {
+            return;
+        }
+        for polygon in polygons {
+            let others = polygon.iter().skip(1).chain(polygon.first());
+            for (from, to) in polygon.iter().zip(others) {
+                self.coverage.edge(*from, *to);
+            }
+        }
+        let (width, pixels) = (self.width, &mut self.pixels);
+        self.coverage.take(|row, columns, covered| {
+            let alpha = alpha as f32 * covered;
+            // Most pixels have the background of their neighbour.
+            let (mut under, mut over) = ([0; 3], mixed([0; 3], rgb, alpha));
+            for pixel in &mut pixels[row * width..][columns] {
+                if *pixel != under {
+                    (under, over) = (*pixel, mixed(*pixel, rgb, alpha));
+                }
+                *pixel = over;
+            }
+        });
+    }
+
+    /// The page as an 8-bit RGB PNG.
+    #[must_use]
+    pub fn png(&self) -> Vec<u8> {
+        png::png(self.width, &self.pixels)
+    }
+}
+
+fn mixed([r, g, b]: [u8; 3], [red, green, blue]: [u8; 3], alpha: f32) -> [u8; 3] {
+    let mix = |below: u8, over: u8| {
+        let below = f32::from(below);
+        (below + alpha * (f32::from(over) - below) + 0.5) as u8
+    };
+    [mix(r, red), mix(g, green), mix(b, blue)]
+}
