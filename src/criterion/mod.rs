@@ -38,6 +38,8 @@ pub enum Criterion {
     BaseRadius,
     /// The prime radius that a scene gives.
     GivenPrimeRadius,
+    /// The inertia of the shaft that a scene gives.
+    Inertia,
     /// The roller fits into the concave profile.
     Concave,
     /// The follower touches no other part of the cam.
@@ -75,6 +77,7 @@ impl Criterion {
             Criterion::BaseOutsideBore => "base_outside_bore",
             Criterion::BaseRadius => "cam.base_radius",
             Criterion::GivenPrimeRadius => "cam.prime_radius",
+            Criterion::Inertia => "machine.inertia",
             Criterion::Concave => "concave",
             Criterion::Interference => "interference",
             Criterion::UpperWall => "upper_wall",

@@ -105,6 +105,7 @@ fn every_criterion_has_a_name_in_both_languages() {
         C::BaseOutsideBore,
         C::BaseRadius,
         C::GivenPrimeRadius,
+        C::Inertia,
         C::Concave,
         C::Interference,
         C::UpperWall,

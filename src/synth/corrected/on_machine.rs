@@ -230,8 +230,10 @@ impl Made {
         let rows = shaft.clone().at_rows(ROWS);
         let force_time = run.error(&law, &self.motion, &rows);
         let problem = self.design.problem.clone();
-        let note = run.inertia_note(&problem, &law, force_time);
-        self.design.notes.extend(note);
+        if let Some((note, relaxation)) = run.inertia_for_accuracy(&problem, &law, force_time) {
+            self.design.notes.push(note);
+            self.design.relaxations.push(relaxation);
+        }
         let report = shaft.report(motor, law.extremes(0).0.at);
         self.design.shaft = report.map(|shaft| OnShaft {
             shaft,

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use crate::cam::{Cam, LimitKind};
+use crate::cam::{Cam, Criterion, LimitKind};
 use crate::drive::Motor;
 use crate::dynamics::floor::harmonics;
 use crate::dynamics::machine_motion::{Carrier, MachineMotion};
@@ -15,7 +15,7 @@ use crate::force::ForceCurve;
 use crate::law::{Law, Svaj};
 use crate::problem::{Note, Problem};
 use crate::scene::Minimise;
-use crate::synth::design::Design;
+use crate::synth::design::{Design, Relaxation};
 use crate::synth::qp::TOLERANCE;
 use crate::units::{Dimension, Quantity};
 
@@ -247,7 +247,12 @@ impl<'a> Runner<'a> {
     }
 
     /// The smallest inertia with which a law meets the accuracy over time, where its own does not.
-    pub fn inertia_note(&self, problem: &Problem, law: &Law, own: Option<InTime>) -> Option<Note> {
+    pub fn inertia_for_accuracy(
+        &self,
+        problem: &Problem,
+        law: &Law,
+        own: Option<InTime>,
+    ) -> Option<(Note, Relaxation)> {
         let allowed = 100.0 * problem.allowed_error()? / problem.target_mean();
         let error = own?.rms_error_percent_of_mean;
         if error <= allowed * (1.0 + TOLERANCE) {
@@ -274,13 +279,14 @@ impl<'a> Runner<'a> {
             let middle = (range[0] * range[1]).sqrt();
             range[usize::from(meets(middle))] = middle;
         }
-        let inertia = Quantity::new(range[1], Dimension::Inertia);
+        let relaxation = Relaxation::of(Criterion::Inertia, own, Some(range[1]));
         let [error, allowed] = [error, allowed].map(|percent| Quantity::share(0.01 * percent));
-        Some(Note::InertiaForAccuracy {
+        let note = Note::InertiaForAccuracy {
             error,
             allowed,
-            inertia,
-        })
+            inertia: Quantity::new(range[1], Dimension::Inertia),
+        };
+        Some((note, relaxation))
     }
 }
 

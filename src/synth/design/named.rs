@@ -5,10 +5,11 @@ use crate::scene::keys::{self, Key};
 use crate::units::Dimension;
 
 /// Criteria that are no limit with the keys that set them.
-const KEYS: [(Criterion, &str); 6] = [
+const KEYS: [(Criterion, &str); 7] = [
     (Criterion::Bore, "cam.bore"),
     (Criterion::BaseRadius, "cam.base_radius"),
     (Criterion::GivenPrimeRadius, "cam.prime_radius"),
+    (Criterion::Inertia, "machine.inertia"),
     (Criterion::Accuracy, "accuracy.rms"),
     (Criterion::RmsError, "accuracy.rms"),
     (Criterion::Band, "gait.band"),
@@ -55,6 +56,7 @@ pub fn dimension(measures: Measures, criterion: Criterion) -> Dimension {
         | Criterion::UpperWall
         | Criterion::LowerWall => Dimension::Length,
         Criterion::Accuracy => Dimension::Percent,
+        Criterion::Inertia => Dimension::Inertia,
         Criterion::Monotone | Criterion::Peak => Dimension::Ratio,
     }
 }

@@ -100,7 +100,9 @@ fn with_relaxations(problem: &Problem, search: &Search, mut design: Design) -> D
         design.reasons.retain(|r| !(resized && own(r)));
         design.reasons.extend(cures);
     }
-    design.relaxations = found;
+    // What the machine needs does not change with a limit of the cam.
+    design.relaxations.retain(|r| r.limit == Criterion::Inertia);
+    design.relaxations.extend(found);
     if search.halt.is_asked() && !design.out_of_time {
         design.out_of_time = true;
         design.notes.push(Note::OutOfTime);

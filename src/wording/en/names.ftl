@@ -35,6 +35,7 @@ name-pressure-angle-rise = pressure_angle_rise
 name-pressure-angle-fall = pressure_angle_fall
 name-prime-radius = prime_radius
 name-cam-prime-radius = cam.prime_radius
+name-machine-inertia = machine.inertia
 name-cam-base-radius = cam.base_radius
 name-base-circle = base_circle
 name-bore = bore

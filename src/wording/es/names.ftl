@@ -35,6 +35,7 @@ name-pressure-angle-rise = ángulo de presión en la subida
 name-pressure-angle-fall = ángulo de presión en la bajada
 name-prime-radius = radio primario
 name-cam-prime-radius = radio primario
+name-machine-inertia = inercia del eje
 name-cam-base-radius = radio base
 name-base-circle = círculo base
 name-bore = agujero
