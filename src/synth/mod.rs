@@ -74,7 +74,7 @@ mod sizing;
 pub(crate) mod spectral;
 mod verdict;
 
-pub use corrected::on_floor::{AtFrequency, OnFloor};
+pub use corrected::on_floor::AtFrequency;
 pub use corrected::on_machine::OnShaft;
 pub use corrected::runner::{Forecast, Sensitivity};
 pub use design::{

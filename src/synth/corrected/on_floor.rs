@@ -1,8 +1,6 @@
-//! What a design says of the floor under it: its motion, and that at other step frequencies.
+//! What a design says of the floor under it at other step frequencies.
 
 use std::f64::consts::TAU;
-
-use serde::Serialize;
 
 use crate::drive::Drive;
 use crate::dynamics::FloorMotion;
@@ -16,30 +14,6 @@ const CURVE: (f64, f64, usize) = (1.0, 0.01, 201);
 /// Harmonics of the force whose resonances it shows, and its points about each, half widths of the peak from its top.
 const MOST_RESONANT: u32 = 10;
 const FLANKS: [f64; 9] = [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0];
-
-/// The design on its floor.
-///
-/// ```
-/// use gaitcam::scene;
-///
-/// // Ten tonnes in resonance with the steps: the walker of 700 N shakes them into the third class of comfort.
-/// let mut table = scene::built_in("footbridge")?.scene()?.to_table();
-/// for change in ["mass=10000 kg", "frequency=1.85 Hz", "damping=0.01"] {
-///     scene::set(&mut table, &format!("machine.floor.{change}"))?;
-/// }
-/// let design = scene::read(&table)?.design()?;
-/// let floor = design.floor.as_ref().unwrap();
-/// // F₁/(2ζm) = 700 · 0.333/(2 · 0.01 · 10⁴) m/s²
-/// assert!((floor.motion.acceleration_peak_m_per_s2 - 1.1655).abs() < 0.05);
-/// assert_eq!(floor.motion.comfort, "CL3");
-/// assert!(design.force.rms_error_percent_of_mean < 0.5);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, Serialize)]
-pub struct OnFloor {
-    /// The steady motion under the shaker and all walkers.
-    pub motion: FloorMotion,
-}
 
 /// A point of the resonance curve.
 ///

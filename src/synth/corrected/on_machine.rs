@@ -9,7 +9,6 @@
 use serde::Serialize;
 
 use super::added::Layout;
-use super::on_floor::OnFloor;
 use super::runner::{Forecast, ROWS, Runner, angle, depends_on_speed, retimed};
 use crate::drive::Motor;
 use crate::dynamics::fixed_point::{Round, Settled, largest_difference, settled};
@@ -158,8 +157,8 @@ fn on_machine(
         !fixed && !matches!(problem.law.family, Family::Program | Family::Polynomial)
     };
     let varies = forecast.as_ref().is_some_and(is_designed_for);
-    let is_corrected =
-        (varies || run.is_on_floor() || problem.has_learned_force()) && problem.target.is_some();
+    let is_corrected = (varies || run.carrier.floor.is_some() || problem.has_learned_force())
+        && problem.target.is_some();
     let at_speed = if varies { run.clone() } else { run.evenly() };
     let mut made = match is_corrected {
         true => Made::corrected(first, before, &at_speed, problem, search)?,
@@ -174,10 +173,9 @@ fn on_machine(
         made.motion = run.of_law(&made.design.cam.law, None)?;
     }
     made.design.band = problem.band.clone();
-    made.design.floor = run.is_on_floor().then(|| OnFloor {
-        motion: FloorMotion::of(&made.motion.floor),
-    });
-    if let Some((motor, forecast)) = run.motor().zip(forecast) {
+    let floor = run.carrier.floor;
+    made.design.floor = floor.map(|_| FloorMotion::of(&made.motion.floor));
+    if let Some((motor, forecast)) = run.carrier.motor.zip(forecast) {
         made.report(run, motor, forecast, at_constant_speed_error)?;
     }
     Ok(made.design)
@@ -203,7 +201,7 @@ impl Made {
         let (last, layout) = rounds(law, before, run, problem, search)?;
         let (rounds, contraction) = (last.rounds, last.contraction);
         let (mut design, motion) = judged(last, &layout, problem, search)?;
-        if run.is_even() {
+        if run.carrier.motor.is_none() {
             design.target = problem.target.as_ref().map(|t| (*t.curve).clone());
         } else {
             by_time(&mut design, &motion.shaft, problem);
@@ -244,7 +242,7 @@ impl Made {
             forecast,
             speed: rows.speed,
             time: rows.time,
-            target: run.wanted().cloned(),
+            target: run.wanted.cloned(),
         });
         Ok(())
     }
@@ -315,8 +313,8 @@ fn rounds(
     // The motion in time of a law for constant speed may stop a small wheel that the law itself turns.
     let start = run.in_time(law, before.clone());
     let mut motion = start.map_err(|_| diverges(&before, None))?;
-    let is_exact = depends_on_speed(problem) || run.is_on_floor();
-    let layout = Layout::new(problem, law, !run.is_even(), is_exact);
+    let is_exact = depends_on_speed(problem) || run.carrier.floor.is_some();
+    let layout = Layout::new(problem, law, run.carrier.motor.is_some(), is_exact);
     let state = layout.state(problem, &motion, &|x| retimed(law, &motion.shaft, x));
     let allowed = if is_exact {
         SETTLED_AT_LIMITS
@@ -339,7 +337,7 @@ fn rounds(
         // A law of a round may stop the shaft that the first one does not.
         motion = match run.of_law(law, Some(&motion)) {
             Ok(next) => next,
-            Err(fault) if run.is_even() => return Err(fault),
+            Err(fault) if run.carrier.motor.is_none() => return Err(fault),
             Err(_) => return Err(diverges(&motion, None)),
         };
         let made = layout.state(problem, &motion, &|x| law.svaj(x));
@@ -362,7 +360,7 @@ fn rounds(
         })
     })?;
     let disagrees = last.difference > allowed.max(SETTLED) && last.design.refusal.is_none();
-    if disagrees && !run.is_even() {
+    if disagrees && run.carrier.motor.is_some() {
         return Err(diverges(&last.design.motion, last.contraction));
     }
     Ok((last, layout))

@@ -84,8 +84,11 @@ pub struct Sensitivity {
 /// Runs laws of a design on its machine.
 #[derive(Clone)]
 pub struct Runner<'a> {
-    carrier: Carrier<'a>,
-    wanted: Option<&'a ForceCurve>,
+    /// Drive, motor and floor.
+    pub carrier: Carrier<'a>,
+    /// The target over the period.
+    pub wanted: Option<&'a ForceCurve>,
+    /// The same at equal parts of it, N.
     target: Option<Vec<f64>>,
     /// The learned force, N.
     learned: Vec<f64>,
@@ -132,26 +135,6 @@ impl<'a> Runner<'a> {
         let mut out = self.clone();
         out.carrier.motor = None;
         out
-    }
-
-    /// The target over the period.
-    pub fn wanted(&self) -> Option<&ForceCurve> {
-        self.wanted
-    }
-
-    /// The motor.
-    pub fn motor(&self) -> Option<&Motor> {
-        self.carrier.motor
-    }
-
-    /// Whether its speed is constant.
-    pub fn is_even(&self) -> bool {
-        self.carrier.motor.is_none()
-    }
-
-    /// Whether its floor moves.
-    pub fn is_on_floor(&self) -> bool {
-        self.carrier.floor.is_some()
     }
 
     /// The load of a law on a stiff floor.

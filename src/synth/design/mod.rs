@@ -24,12 +24,12 @@ use serde::Serialize;
 
 use crate::cam::{BarrelGroove, Bore, Cam, Check, Conjugate, LimitKind, Making, Verdict};
 use crate::drive::Drive;
+use crate::dynamics::FloorMotion;
 use crate::dynamics::flexible::polydyne::Miss;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Note, Problem};
-use crate::synth::corrected::on_floor::OnFloor;
 use crate::synth::corrected::on_machine::OnShaft;
 use crate::synth::population::OfPopulation;
 use crate::units::Quantity;
@@ -116,8 +116,8 @@ pub struct Design {
     pub notes: Vec<Note>,
     /// The shaft under its motor; `None` at constant speed.
     pub shaft: Option<OnShaft>,
-    /// How the floor moves; `None` where it is stiff.
-    pub floor: Option<OnFloor>,
+    /// Steady motion of the floor under the shaker and all walkers; `None` where it is stiff.
+    pub floor: Option<FloorMotion>,
     /// How well it serves each of several walkers; `None` for one cycle.
     pub population: Option<OfPopulation>,
     /// What it is the design of.

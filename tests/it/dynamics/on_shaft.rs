@@ -300,7 +300,7 @@ fn shaft_and_floor_together_move_as_in_an_independent_integration_in_time() {
         same(floor.acceleration_peak_m_per_s2, peak);
         assert!((period * design.drive.speed / TAU - 1.0).abs() < 1e-6);
         assert!(shaft.energy_balance.abs() < 1e-9);
-        let own = design.floor.unwrap().motion.acceleration_peak_m_per_s2;
+        let own = design.floor.unwrap().acceleration_peak_m_per_s2;
         assert!((own / peak - 1.0).abs() < 1e-3, "{own} {peak}");
     }
 }

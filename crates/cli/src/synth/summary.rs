@@ -291,10 +291,10 @@ fn population(design: &Design) -> Option<String> {
 
 /// Acceleration of the floor under shaker and walkers, and its comfort.
 fn floor(design: &Design) -> Option<String> {
-    let motion = design.floor.as_ref()?.motion;
+    let motion = design.floor.as_ref()?;
     Some(row(
         "floor",
-        &simulation::floor(&motion, language::current()),
+        &simulation::floor(motion, language::current()),
     ))
 }
 

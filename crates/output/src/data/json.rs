@@ -70,7 +70,7 @@ pub fn summary(design: &Design, time: Timing) -> Value {
         put("population", json!(population));
     }
     if let Some(floor) = &design.floor {
-        put("floor", json!(floor.motion));
+        put("floor", json!(floor));
     }
     put("out_of_time", json!(design.out_of_time));
     put("remarks", json!(design.remarks(Language::En)));
