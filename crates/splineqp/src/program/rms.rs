@@ -104,21 +104,23 @@ impl<N: Names> Program<N> {
     pub fn of_least_rms(&self, peak: Option<f64>) -> Option<Program<N>> {
         let mut out = self.clone();
         let limit = out.rms.take()?;
-        let Quadratic {
-            hessian,
-            gradient,
-            constant,
-        } = limit.half.whole;
-        (out.hessian, out.gradient, out.constant) = (hessian, gradient, constant);
-        out.cost = [0.0; EXTRAS];
         if let Some(peak) = peak {
             for limit in &mut out.limits {
                 hold(&mut limit.bound, &mut limit.extra, peak);
             }
         }
-        out.without_idle_limits();
-        out.seeds.clear();
-        Some(out)
+        Some(out.minimising(limit.half.whole))
+    }
+
+    /// The same program with another objective, over the coefficients alone. Its limits keep their places, so that rows of one
+    /// are rows of the other.
+    #[must_use]
+    pub fn minimising(mut self, objective: Quadratic) -> Program<N> {
+        (self.hessian, self.gradient) = (objective.hessian, objective.gradient);
+        (self.constant, self.cost) = (objective.constant, [0.0; EXTRAS]);
+        self.without_idle_limits();
+        self.seeds.clear();
+        self
     }
 
     /// Leaves out limits that a variable without a cost takes away: a peak or a size that nothing keeps from growing.

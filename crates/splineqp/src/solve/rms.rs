@@ -2,7 +2,7 @@
 //!
 //! **Beginning.** As a cone of an interior-point program the limit gives the law to about 1e-6, and its multiplier. That is
 //! enough between the steps of a sequence; here it is where the search for a weight begins. That for a peak begins at the law of
-//! the least root mean square, without which there is none.
+//! the least root mean square, without which there is none, and ends at once where the law of the least peak keeps the limit.
 //!
 //! **Weight.** With weight μ on q the optimum x(μ) of J + μ q keeps the other limits, and q(x(μ)) falls as μ grows. Where
 //! √(2 q) is `most`, x(μ) is the optimum under √(2 q) ≤ `most` and μ·most the multiplier of its tangent: J's gradient and the
@@ -52,7 +52,7 @@ struct Search<'a, N: Names> {
     way: Way,
     /// Contacts of the last optimum.
     seeds: Vec<Row<N>>,
-    /// The law of the least peak under the other limits, once a smaller peak had none.
+    /// The law of the least peak under the other limits, where that exceeds the limit.
     least: Option<Solution<N>>,
 }
 
@@ -63,8 +63,14 @@ pub fn solve<N: Names>(
 ) -> Result<Solution<N>, Failure<N>> {
     let mut search = Search::new(program, limit);
     let first = match search.way {
-        // A cone beside a peak is a program of many contacts; the law of the least root mean square is none.
-        Way::Peak => search.of_the_nearest()?,
+        Way::Peak => {
+            let nearest = search.of_the_nearest()?;
+            match search.without_limit() {
+                Ok(least) if search.keeps(&least) => return Ok(least),
+                least => search.least = least.ok(),
+            }
+            nearest
+        }
         Way::Weight => match search.begin() {
             Some(number) => search.at(number)?,
             None => match search.without_limit() {
@@ -114,11 +120,16 @@ impl<'a, N: Names> Search<'a, N> {
         Some(libm::log(weight))
     }
 
+    /// Whether a law keeps the limit.
+    fn keeps(&self, law: &Solution<N>) -> bool {
+        self.limit.excess(&law.x) <= self.program.settings.tolerance
+    }
+
     /// The law of the least root mean square.
     fn nearest(&self) -> Result<Solution<N>, Failure<N>> {
         let near = self.program.of_least_rms(None).ok_or(Stop::Refused)?;
         let near = near.solve()?;
-        if self.limit.excess(&near.x) > self.program.settings.tolerance {
+        if !self.keeps(&near) {
             return Err(Failure::Infeasible);
         }
         Ok(near)
@@ -152,7 +163,7 @@ impl<'a, N: Names> Search<'a, N> {
     /// The optimum without the limit where that keeps it, or the law of the least peak that the other limits leave, with its proof;
     /// where the search found neither, the law of the least root mean square.
     fn held_up(&mut self, least: Solution<N>) -> Result<Solution<N>, Failure<N>> {
-        if self.limit.excess(&least.x) <= self.program.settings.tolerance {
+        if self.keeps(&least) {
             return Ok(least);
         }
         if self.way == Way::Peak {
@@ -266,10 +277,6 @@ impl<'a, N: Names> Search<'a, N> {
                 }
             }
             let next = match self.at(number) {
-                Err(Failure::Infeasible) if self.way == Way::Peak && self.least.is_none() => {
-                    self.least = self.without_limit().ok();
-                    continue;
-                }
                 // The other limits leave no law of so small a peak, or rounding ended the solver here.
                 Err(failure) if self.may_differ_beside(&failure) => {
                     step *= 0.25;

@@ -54,14 +54,21 @@ pub fn from_rows<N: Names>(
     } else {
         0.0
     };
+    let mut keeps_room = true;
     for round in 1..=settings.rounds {
         if program.halt.is_asked() {
             return best.ok_or(Stop::OutOfTime.into());
         }
         let point = match (clarabel::solve(program, &mut rows, margin), &best) {
             (Ok(point), _) => point,
-            // With the room kept free there is no solution; without it there is.
-            (Err(_), Some(_)) if margin > 0.0 => break,
+            // With the room kept free there is no solution; the rows themselves may leave one.
+            (Err(_), Some(_)) if margin > 0.0 => {
+                (margin, keeps_room) = (0.0, false);
+                continue;
+            }
+            (Err(_), Some(best)) if !keeps_room && best.violation < settings.largest_margin => {
+                break;
+            }
             (Err(failure), _) => return Err(failure),
         };
         iterations += point.iterations;
@@ -93,7 +100,8 @@ pub fn from_rows<N: Names>(
             }
         }
         let least = best.as_ref().map_or(f64::INFINITY, |b| b.violation);
-        if violation > settings.stalled * least && violation < settings.largest_margin {
+        let is_small = violation < settings.largest_margin;
+        if keeps_room && is_small && violation > settings.stalled * least {
             let wider = settings.margin_growth * violation.max(margin);
             margin = wider.min(settings.largest_margin);
         }

@@ -231,17 +231,13 @@ impl<'a, N: Names> Contacts<'a, N> {
     }
 
     fn is_same(&self, a: &Row<N>, b: &Row<N>) -> bool {
+        let Some(limit) = a.limit.filter(|_| a.limit == b.limit) else {
+            return false;
+        };
         let apart = (a.peak.at - b.peak.at).abs();
-        match a.limit {
-            None => false,
-            Some(limit) if self.is_flat(&self.program.limits[limit]) => {
-                a.limit == b.limit && a.peak.piece == b.peak.piece
-            }
-            Some(_) => {
-                let same = self.program.settings.refinement.same;
-                a.limit == b.limit && apart < same * self.program.width(a.peak.piece)
-            }
-        }
+        let same = self.program.settings.refinement.same;
+        apart < same * self.program.width(a.peak.piece)
+            || a.peak.piece == b.peak.piece && self.is_flat(&self.program.limits[limit])
     }
 
     /// −c″ at a contact inside its piece.
