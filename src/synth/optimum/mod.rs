@@ -227,23 +227,19 @@ impl Optimum {
         })
     }
 
-    /// The same law as one of known level: it stands on the base circle where it is lowest.
-    fn pinned(&self) -> (Program, Solution) {
+    /// The same law as one of known level: it stands on the base circle at this angle.
+    fn pinned(&self, at: f64) -> (Program, Solution) {
         let (mut program, mut solution) = (self.formulation.program.clone(), self.solution.clone());
-        if program.level_is_open() {
-            // A limit that leaves the angle open lets the law be lower elsewhere, where all lifts only grow.
-            let at = self.law().extremes(0).0.at;
-            let entries = program.basis.row(at, &[1.0, 0.0, 0.0, 0.0]);
-            let lowest = apply(&entries, &solution.x);
-            solution.x = program.basis.raised(solution.x, -lowest);
-            program.equalities.push(Equality {
-                name: Demand::OnBaseCircle,
-                entries,
-                value: 0.0,
-            });
-            program.limits.retain(|l| l.name != Criterion::BaseCircle);
-            program.limits.extend(self.formulation.above_base_circle);
-        }
+        let entries = program.basis.row(at, &[1.0, 0.0, 0.0, 0.0]);
+        let lowest = apply(&entries, &solution.x);
+        solution.x = program.basis.raised(solution.x, -lowest);
+        program.equalities.push(Equality {
+            name: Demand::OnBaseCircle,
+            entries,
+            value: 0.0,
+        });
+        program.limits.retain(|l| l.name != Criterion::BaseCircle);
+        program.limits.extend(self.formulation.above_base_circle);
         (program, solution)
     }
 }
@@ -296,14 +292,37 @@ fn with_loads(
     (!in_sequence(problem, search, optimum, limits.clone())).then_some(limits)
 }
 
-/// Goes on with the sequence that keeps limits that are not convex; false where that has no start.
+/// Goes on with the sequence that keeps limits that are not convex, at the angle where the law touches its base circle or else
+/// where that of the smallest cam does; false where neither has a start.
 fn in_sequence(
     problem: &Problem,
     search: &Search,
     optimum: &mut Optimum,
     limits: NonconvexLimits,
 ) -> bool {
-    let (program, solution) = at_level(problem, optimum, &limits);
+    let own = at_level(problem, optimum, &limits);
+    if sequence_from(problem, search, optimum, limits.clone(), own) {
+        return true;
+    }
+    if problem.level_is_known() || limits.profile.is_none() || problem.size() != Size::Sought {
+        return false;
+    }
+    let smallest = scp::of_least_size(&optimum.formulation.program, &optimum.solution.extra);
+    let touching = touching::at_best_angle(smallest, None).ok();
+    touching.and_then(|t| t.at).is_some_and(|at| {
+        let pinned = optimum.pinned(at);
+        sequence_from(problem, search, optimum, limits, pinned)
+    })
+}
+
+/// The same from a program of known level and its solution.
+fn sequence_from(
+    problem: &Problem,
+    search: &Search,
+    optimum: &mut Optimum,
+    limits: NonconvexLimits,
+    (program, solution): (Program, Solution),
+) -> bool {
     let mut starts = starts(problem, &program, &solution);
     if problem.objective() == Minimise::PeakForceError {
         let near = nearest_to_force(problem, &program, &optimum.formulation.force, &limits);
@@ -351,33 +370,27 @@ fn nearest_to_force(
     force: &Quadratic,
     limits: &NonconvexLimits,
 ) -> Option<Solution> {
-    let mut near = program.clone();
-    near.limits.retain(|limit| !limit.is_peak());
-    (near.hessian, near.gradient) = (force.hessian.clone(), force.gradient.clone());
-    (near.constant, near.cost[PEAK], near.rms) = (force.constant, 0.0, None);
+    let mut near = program.clone().minimising(force.clone());
+    near.rms = None;
     let solution = near.solve().ok()?;
     let starts = starts(problem, &near, &solution);
-    let keeps = |s: &Solution| {
-        program
-            .rms
-            .as_ref()
-            .is_none_or(|limit| limit.excess(&s.x) <= 0.0)
-    };
-    let (mut found, ..) = scp::refine(&near, &starts, limits.clone(), keeps)?;
+    let (mut found, ..) = scp::refine(&near, &starts, limits.clone(), |_| false)?;
     found.active.clear();
     found.extra[PEAK] = program.own_peak(&found.x, &found.extra);
     Some(found)
 }
 
-/// The law as the sequence counts its lift: on its base circle, where the limits see the level.
+/// The law as the sequence counts its lift: on its base circle, where neither drive nor demand says how high it stands and the
+/// limits see that.
 fn at_level(problem: &Problem, optimum: &Optimum, limits: &NonconvexLimits) -> (Program, Solution) {
-    if limits.profile.is_none() && problem.drive.weights()[0] == 0.0 {
+    if problem.level_is_known() || limits.profile.is_none() {
         return (
             optimum.formulation.program.clone(),
             optimum.solution.clone(),
         );
     }
-    optimum.pinned()
+    // A limit that leaves the angle open lets the law be lower elsewhere, where all lifts only grow.
+    optimum.pinned(optimum.law().extremes(0).0.at)
 }
 
 /// Adds the nonconvex limits of the profile, by a sequence of convex programs.

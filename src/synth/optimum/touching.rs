@@ -21,7 +21,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::refusal::Refusal;
 use crate::law::Law;
-use crate::synth::qp::{self, Failure, Program, Row, Solution};
+use crate::synth::qp::{self, Failure, Program, Row, SIZES, Solution};
 
 /// Part of the objective's size to which the least over all angles is proved.
 const GAP: f64 = 4e-7;
@@ -39,6 +39,9 @@ const PARTS: usize = 16;
 const NARROWEST: f64 = TAU / 65536.0;
 /// Angles tried where the first leaves no law.
 const TRIED: usize = 12;
+/// Tolerance of the limits while an angle is sought that is not proved the best, where a cone ties the sizes together: of such
+/// a program the last digits take most of the time.
+const ROUGH: f64 = 1e-9;
 
 /// A solved program with its touching angle.
 pub struct Touching {
@@ -72,19 +75,24 @@ pub fn at_best_angle(program: Program, stiffness: Option<f64>) -> Result<Touchin
         Ok(unlimited) => Law::of(&program.basis, &unlimited.x).extremes(0).0.at,
         Err(_) => 0.0,
     };
+    let exact = program.settings.tolerance;
     let mut search = Search {
         program,
         nodes: Vec::new(),
         programs: 0,
     };
-    search.begin(first)?;
-    let bound = match stiffness {
-        Some(alpha) => search.proved(alpha),
-        None => {
-            search.beside();
-            None
+    let Some(alpha) = stiffness else {
+        if search.program.cone {
+            search.program.settings.tolerance = exact.max(ROUGH);
         }
+        search.begin(first)?;
+        search.beside();
+        search.program.settings.tolerance = exact;
+        search.sharpened();
+        return Ok(search.finished(None));
     };
+    search.begin(first)?;
+    let bound = search.proved(alpha);
     Ok(search.finished(bound))
 }
 
@@ -166,8 +174,26 @@ impl Search {
                 Err(failure) => refused = refused.or(Some(failure)),
             }
         }
+        if let Some(at) = self.at_least_rms(first)
+            && let Ok(node) = self.visit(at)
+        {
+            self.descend(node);
+            return Ok(());
+        }
         let failure = refused.unwrap_or(Failure::Infeasible);
         Err(Refusal::of(self.touching(first), failure))
+    }
+
+    /// The angle at which the law of the least root mean square under the other limits touches: where the limit on that leaves
+    /// few angles, they lie about this one.
+    fn at_least_rms(&self, first: f64) -> Option<f64> {
+        let mut least = Search {
+            program: self.program.of_least_rms(None)?,
+            nodes: Vec::new(),
+            programs: 0,
+        };
+        least.begin(first).ok()?;
+        Some(least.nodes[least.best()].at)
     }
 
     /// The program with this touching angle.
@@ -212,6 +238,23 @@ impl Search {
             if let Ok(node) = self.visit(angle) {
                 self.descend(node);
             }
+        }
+    }
+
+    /// The best law to rounding: its sizes stay, so that no cone is left.
+    fn sharpened(&mut self) {
+        let best = self.best();
+        let rough = &self.nodes[best];
+        let program = self.touching(rough.at);
+        if rough.solution.violation <= program.settings.tolerance {
+            return;
+        }
+        let held = program.with_sizes_held(&rough.solution, 0.0);
+        let solved = held
+            .solve()
+            .map(|solution| restored(&program, &rough.solution, solution));
+        if let Ok(solution) = solved.or_else(|_| program.solve()) {
+            self.nodes[best] = node(&program, rough.at, solution);
         }
     }
 
@@ -297,6 +340,24 @@ impl Search {
             bound,
         }
     }
+}
+
+/// A solution with held sizes as one of the program itself.
+fn restored(program: &Program, sized: &Solution, mut solution: Solution) -> Solution {
+    for k in SIZES {
+        solution.extra[k] = sized.extra[k];
+    }
+    for row in &mut solution.active {
+        if let Some(limit) = row.limit {
+            *row = Row {
+                multiplier: row.multiplier,
+                ..program.row(limit, row.peak)
+            };
+        }
+    }
+    solution.violation = program.violation(&solution.x, &solution.extra);
+    solution.iterations += sized.iterations;
+    solution
 }
 
 fn node(program: &Program, at: f64, solution: Solution) -> Node {

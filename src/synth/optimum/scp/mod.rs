@@ -257,13 +257,10 @@ fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<Solut
 }
 
 /// The program of the smallest cam that keeps the limits, those on its size left out where these sizes exceed them.
-fn of_least_size(program: &Program, sizes: &[f64; EXTRAS]) -> Program {
-    let mut smallest = program.clone();
-    smallest.limits.retain(|limit| !limit.is_peak());
+pub fn of_least_size(program: &Program, sizes: &[f64; EXTRAS]) -> Program {
     let mut smooth = Quadratic::zero(&program.basis);
     smooth.add_energy(&program.basis, 3, smoothing(program.length, program.length));
-    (smallest.hessian, smallest.gradient) = (smooth.hessian, smooth.gradient);
-    (smallest.constant, smallest.cost) = (0.0, [0.0; EXTRAS]);
+    let smallest = program.clone().minimising(smooth);
     smallest.with_sizes_priced(sizes, 1.0)
 }
 
