@@ -22,6 +22,7 @@ mod judge;
 mod machines;
 mod named;
 mod reference;
+mod rollers;
 mod rows;
 mod scenes;
 mod solve;
