@@ -227,9 +227,9 @@ impl Optimum {
         })
     }
 
-    /// The same law as one of known level: it stands on the base circle at this angle.
-    fn pinned(&self, at: f64) -> (Program, Solution) {
-        let (mut program, mut solution) = (self.formulation.program.clone(), self.solution.clone());
+    /// The program and a solution as those of known level: the law stands on the base circle at this angle.
+    fn pinned(&self, at: f64, mut solution: Solution) -> (Program, Solution) {
+        let mut program = self.formulation.program.clone();
         let entries = program.basis.row(at, &[1.0, 0.0, 0.0, 0.0]);
         let lowest = apply(&entries, &solution.x);
         solution.x = program.basis.raised(solution.x, -lowest);
@@ -292,8 +292,8 @@ fn with_loads(
     (!in_sequence(problem, search, optimum, limits.clone())).then_some(limits)
 }
 
-/// Goes on with the sequence that keeps limits that are not convex, at the angle where the law touches its base circle or else
-/// where that of the smallest cam does; false where neither has a start.
+/// Goes on with the sequence that keeps limits that are not convex, from the optimum without them or else from the smallest cam
+/// without them; false where neither leads to a start.
 fn in_sequence(
     problem: &Problem,
     search: &Search,
@@ -304,15 +304,19 @@ fn in_sequence(
     if sequence_from(problem, search, optimum, limits.clone(), own) {
         return true;
     }
-    if problem.level_is_known() || limits.profile.is_none() || problem.size() != Size::Sought {
+    if limits.profile.is_none() || problem.size() != Size::Sought {
         return false;
     }
-    let smallest = scp::of_least_size(&optimum.formulation.program, &optimum.solution.extra);
-    let touching = touching::at_best_angle(smallest, None).ok();
-    touching.and_then(|t| t.at).is_some_and(|at| {
-        let pinned = optimum.pinned(at);
-        sequence_from(problem, search, optimum, limits, pinned)
-    })
+    let program = &optimum.formulation.program;
+    let smallest = scp::of_least_size(program, &optimum.solution.extra);
+    let Ok(smallest) = touching::at_best_angle(smallest, None) else {
+        return false;
+    };
+    let from = match smallest.at {
+        Some(at) => optimum.pinned(at, smallest.solution),
+        None => (program.clone(), smallest.solution),
+    };
+    sequence_from(problem, search, optimum, limits, from)
 }
 
 /// The same from a program of known level and its solution.
@@ -390,7 +394,7 @@ fn at_level(problem: &Problem, optimum: &Optimum, limits: &NonconvexLimits) -> (
         );
     }
     // A limit that leaves the angle open lets the law be lower elsewhere, where all lifts only grow.
-    optimum.pinned(optimum.law().extremes(0).0.at)
+    optimum.pinned(optimum.law().extremes(0).0.at, optimum.solution.clone())
 }
 
 /// Adds the nonconvex limits of the profile, by a sequence of convex programs.

@@ -39,8 +39,8 @@ const PARTS: usize = 16;
 const NARROWEST: f64 = TAU / 65536.0;
 /// Angles tried where the first leaves no law.
 const TRIED: usize = 12;
-/// Tolerance of the limits while an angle is sought that is not proved the best, where a cone ties the sizes together: of such
-/// a program the last digits take most of the time.
+/// Tolerance of the limits while an angle is sought that is not proved the best, where sizes are sought too: of such a program
+/// the last digits take most of the time.
 const ROUGH: f64 = 1e-9;
 
 /// A solved program with its touching angle.
@@ -82,7 +82,8 @@ pub fn at_best_angle(program: Program, stiffness: Option<f64>) -> Result<Touchin
         programs: 0,
     };
     let Some(alpha) = stiffness else {
-        if search.program.cone {
+        let present = search.program.present();
+        if SIZES.iter().any(|&k| present[k]) {
             search.program.settings.tolerance = exact.max(ROUGH);
         }
         search.begin(first)?;
@@ -241,7 +242,7 @@ impl Search {
         }
     }
 
-    /// The best law to rounding: its sizes stay, so that no cone is left.
+    /// The best law to rounding, its sizes as they are.
     fn sharpened(&mut self) {
         let best = self.best();
         let rough = &self.nodes[best];

@@ -78,12 +78,12 @@ pub fn refine(
     let (mut current, steps, ended) = descended(program, start, &at_size, enough);
     // A start without steps needs no last program if it keeps the convex limits to rounding.
     let as_it_came = steps.is_empty() && current.violation <= TOLERANCE;
-    let exact = (!as_it_came).then(|| held(program, &current, &at_size));
-    if let Some(exact) = exact.flatten() {
+    let exact =
+        || held(program, &current, &at_size).or_else(|| resolved(program, &current, &at_size));
+    if let Some(exact) = (!as_it_came).then(exact).flatten() {
         let active = current.active;
         current = Solution {
             active,
-            extra: current.extra,
             iterations: current.iterations + exact.iterations,
             ..exact
         };
@@ -288,6 +288,17 @@ pub fn feasible(program: &Program, start: &Solution, limits: NonconvexLimits) ->
     start::feasible(program, start, &at_size).or_else(|| start::tightened(program, start, &at_size))
 }
 
+/// The optimum about the last law whose limits hold to rounding, where none of its size does.
+fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
+    let mut exact = program.clone();
+    exact.settings.tolerance = TOLERANCE;
+    let mut next = exact.clone();
+    next.fixed = linearised(program, current, at_size, &Room::above(0.0));
+    next.seeds = contacts(program, current);
+    let (found, _) = corrected(&exact, &solved(&next)?, at_size)?;
+    (found.violation < current.violation).then_some(found)
+}
+
 /// The law nearest to the last one whose limits hold to rounding, at a slightly larger size.
 fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     // A given size stays as it is.
@@ -299,21 +310,35 @@ fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solut
     } else {
         0.0
     };
-    let pulled = program.hessian.times(&current.x);
-    let gradient: Vec<f64> = pulled.iter().map(|g| -g).collect();
+    let mut near = program.clone();
     let mut about = current.clone();
+    if near.hessian.largest_diagonal() == 0.0 {
+        // A peak has no distance of its own, and rises by what the law moves.
+        let mut distance = Quadratic::zero(&program.basis);
+        for order in [0, 2] {
+            distance.add_energy(&program.basis, order, program.length.powi(-2));
+        }
+        near = near.minimising(distance);
+        let of_peak = |row: &Row| row.extra[PEAK] != 0.0;
+        about.active.retain(|row| !of_peak(row));
+    }
+    // Nearest to the law at hand, so that the linearised curvature stays true.
+    let pulled = near.hessian.times(&current.x[..near.basis.columns()]);
+    near.gradient = pulled.iter().map(|g| -g).collect();
+    let sized = about.clone();
     about.extra[RISE] *= 1.0 + room;
     about.extra[RADIUS] *= 1.0 + room;
     let mut kept = Room::above(0.0);
     for _ in 0..HELD_ROUNDS {
-        let mut last = program.clone();
+        let mut last = near.clone();
         last.fixed = linearised(program, &about, &at_size, &kept);
-        // Nearest to the law at hand, so that the linearised curvature stays true.
-        last.gradient.clone_from(&gradient);
-        let mut exact = solved(&last.with_sizes_held(current, room))?;
+        let mut exact = solved(&last.with_sizes_held(&sized, room))?;
         exact.extra = about.extra;
         let clear = at_size.clear(program, &exact);
         if least_of(&clear) >= 0.0 {
+            exact.extra = current.extra;
+            exact.extra[PEAK] = program.own_peak(&exact.x, &exact.extra);
+            exact.violation = program.violation(&exact.x, &exact.extra);
             return (exact.violation < current.violation).then_some(exact);
         }
         kept.widen(&clear);
