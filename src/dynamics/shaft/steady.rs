@@ -22,6 +22,9 @@ const LEAST_FACTOR: f64 = 1.01;
 const RANGE: f64 = 1e4;
 /// Decay of a disturbance over a step beyond which the step does not resolve it.
 const UNRESOLVED: f64 = 5.0;
+/// Least energy of a turn, part of that at its mean speed: a shaft that slows to a hundredth of it hangs where motor and load
+/// balance, and the least disturbance stops it there.
+const LEAST_ENERGY: f64 = 1e-4;
 /// A flywheel is large enough to turn nearly evenly at this ripple.
 const EVEN: f64 = 0.1;
 
@@ -353,5 +356,6 @@ fn evaluated(
     out.energy.push(energy);
     out.time.push(time);
     out.stages = stages;
-    (out.range[0] > 0.0).then_some(out)
+    let mean = 0.5 * (TAU / time).powi(2);
+    (out.range[0] > LEAST_ENERGY * mean).then_some(out)
 }

@@ -21,7 +21,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::refusal::Refusal;
 use crate::law::Law;
-use crate::synth::qp::{self, Failure, Program, Row, SIZES, Solution};
+use crate::synth::qp::{self, Failure, PEAK, Program, Row, SIZES, Solution};
 
 /// Part of the objective's size to which the least over all angles is proved.
 const GAP: f64 = 4e-7;
@@ -39,8 +39,8 @@ const PARTS: usize = 16;
 const NARROWEST: f64 = TAU / 65536.0;
 /// Angles tried where the first leaves no law.
 const TRIED: usize = 12;
-/// Tolerance of the limits while an angle is sought that is not proved the best, where sizes are sought too: of such a program
-/// the last digits take most of the time.
+/// Tolerance of the limits while the angle of a least peak is sought, which is not proved the best, where sizes are sought too: of
+/// such a program the last digits take most of the time.
 const ROUGH: f64 = 1e-9;
 
 /// A solved program with its touching angle.
@@ -83,7 +83,7 @@ pub fn at_best_angle(program: Program, stiffness: Option<f64>) -> Result<Touchin
     };
     let Some(alpha) = stiffness else {
         let present = search.program.present();
-        if SIZES.iter().any(|&k| present[k]) {
+        if present[PEAK] && SIZES.iter().any(|&k| present[k]) {
             search.program.settings.tolerance = exact.max(ROUGH);
         }
         search.begin(first)?;
