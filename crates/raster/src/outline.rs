@@ -21,7 +21,7 @@ pub fn disc([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The line without points that are collinear with their neighbours up to [`UNSEEN`]: curves have more points than the
+/// The line without points that are collinear with their neighbours up to 0.06 of a pixel: curves have more points than the
 /// page has pixels.
 pub fn straightened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut out: Vec<[f64; 2]> = Vec::with_capacity(points.len());
