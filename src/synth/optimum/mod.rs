@@ -227,6 +227,18 @@ impl Optimum {
         })
     }
 
+    /// Takes the last law of a sequence in place of the convex optimum.
+    fn ended_by(&mut self, program: Program, (refined, steps, ended): Refined) {
+        let least = self.least();
+        self.sequence = Some(Sequence {
+            steps,
+            ended,
+            least,
+        });
+        self.formulation.program = program;
+        self.solution = refined;
+    }
+
     /// The program and a solution as those of known level: the law stands on the base circle at this angle.
     fn pinned(&self, at: f64, mut solution: Solution) -> (Program, Solution) {
         let mut program = self.formulation.program.clone();
@@ -300,8 +312,14 @@ fn in_sequence(
     optimum: &mut Optimum,
     limits: NonconvexLimits,
 ) -> bool {
-    let own = at_level(problem, optimum, &limits);
-    if sequence_from(problem, search, optimum, limits.clone(), own) {
+    let (program, solution) = at_level(problem, optimum, &limits);
+    if let Some(found) = sequence_from(problem, search, optimum, &limits, &program, &solution) {
+        // The convex optimum itself, at a size of the same cost.
+        let (refined, steps, _) = &found;
+        let as_it_was = steps.is_empty() && refined.x == solution.x;
+        if !as_it_was || program.merit(refined) > program.merit(&solution) {
+            optimum.ended_by(program, found);
+        }
         return true;
     }
     if limits.profile.is_none() || problem.size() != Size::Sought {
@@ -312,47 +330,41 @@ fn in_sequence(
     let Ok(smallest) = touching::at_best_angle(smallest, None) else {
         return false;
     };
-    let from = match smallest.at {
+    let (program, solution) = match smallest.at {
         Some(at) => optimum.pinned(at, smallest.solution),
         None => (program.clone(), smallest.solution),
     };
-    sequence_from(problem, search, optimum, limits, from)
+    let found = sequence_from(problem, search, optimum, &limits, &program, &solution);
+    let is_found = found.is_some();
+    if let Some(found) = found {
+        optimum.ended_by(program, found);
+    }
+    is_found
 }
 
-/// The same from a program of known level and its solution.
+/// The last law of a sequence, its steps and why no more were taken.
+type Refined = (Solution, Vec<Step>, Ended);
+
+/// The sequence from a program of known level and its solution; `None` where it has no start.
 fn sequence_from(
     problem: &Problem,
     search: &Search,
-    optimum: &mut Optimum,
-    limits: NonconvexLimits,
-    (program, solution): (Program, Solution),
-) -> bool {
-    let mut starts = starts(problem, &program, &solution);
+    optimum: &Optimum,
+    limits: &NonconvexLimits,
+    program: &Program,
+    solution: &Solution,
+) -> Option<Refined> {
+    let mut starts = starts(problem, program, solution);
     if problem.objective() == Minimise::PeakForceError {
-        let near = nearest_to_force(problem, &program, &optimum.formulation.force, &limits);
-        starts.extend(near);
+        let force = &optimum.formulation.force;
+        starts.extend(nearest_to_force(problem, program, force, limits));
     }
     // A law that keeps every limit passes; only its force error may be left to reach.
     let passes = |s: &Solution| {
         let error = || limits::force_report(problem, &Law::of(&program.basis, &s.x)).rms_error_n;
         search.only_passing && problem.allowed_error().is_none_or(|most| error() <= most)
     };
-    let Some((refined, steps, ended)) = scp::refine(&program, &starts, limits, passes) else {
-        return false;
-    };
-    // The convex optimum itself, at a size of the same cost.
-    let as_it_was = steps.is_empty() && refined.x == solution.x;
-    if as_it_was && program.merit(&refined) <= program.merit(&solution) {
-        return true;
-    }
-    optimum.sequence = Some(Sequence {
-        steps,
-        ended,
-        least: optimum.least(),
-    });
-    optimum.formulation.program = program;
-    optimum.solution = refined;
-    true
+    scp::refine(program, &starts, limits.clone(), passes)
 }
 
 /// Where a sequence may begin: at a solution of its program, and at the size that the law of that needs.
