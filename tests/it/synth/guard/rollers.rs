@@ -24,8 +24,8 @@ const HELD: f64 = 1e-6;
 /// The same of an objective over that of the smallest cam: a sequence ends where a step gains less than a ten-millionth, and
 /// another sequence may have led to that cam.
 const WORSE: f64 = 1e-4;
-/// Seconds of a processor for one answer. Five are asked; of 600 cams four take five to eight, where the largest error is held up
-/// by limits of the size, and as much again on a slower machine.
+/// Seconds of a processor for one answer: five are asked, and of 590 cams the slowest takes them on an idle machine; a busy or an
+/// older one needs up to three times as long.
 const SLOWEST: f64 = 3.0 * LONGEST;
 /// What is minimised above the smallest cam.
 const OBJECTIVES: [&str; 5] = [
