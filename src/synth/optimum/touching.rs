@@ -21,7 +21,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::refusal::Refusal;
 use crate::law::Law;
-use crate::synth::qp::{self, Failure, PEAK, Program, Row, SIZES, Solution};
+use crate::synth::qp::{self, Failure, Program, Row, Solution};
 
 /// Part of the objective's size to which the least over all angles is proved.
 const GAP: f64 = 4e-7;
@@ -39,10 +39,6 @@ const PARTS: usize = 16;
 const NARROWEST: f64 = TAU / 65536.0;
 /// Angles tried where the first leaves no law.
 const TRIED: usize = 12;
-/// Tolerance of the limits while the angle of a least peak is sought, which is not proved the best, where sizes are sought too: of
-/// such a program the last digits take most of the time.
-const ROUGH: f64 = 1e-9;
-
 /// A solved program with its touching angle.
 pub struct Touching {
     /// The program at that angle.
@@ -75,21 +71,14 @@ pub fn at_best_angle(program: Program, stiffness: Option<f64>) -> Result<Touchin
         Ok(unlimited) => Law::of(&program.basis, &unlimited.x).extremes(0).0.at,
         Err(_) => 0.0,
     };
-    let exact = program.settings.tolerance;
     let mut search = Search {
         program,
         nodes: Vec::new(),
         programs: 0,
     };
     let Some(alpha) = stiffness else {
-        let present = search.program.present();
-        if present[PEAK] && SIZES.iter().any(|&k| present[k]) {
-            search.program.settings.tolerance = exact.max(ROUGH);
-        }
         search.begin(first)?;
         search.beside();
-        search.program.settings.tolerance = exact;
-        search.sharpened();
         return Ok(search.finished(None));
     };
     search.begin(first)?;
@@ -242,23 +231,6 @@ impl Search {
         }
     }
 
-    /// The best law to rounding, its sizes as they are.
-    fn sharpened(&mut self) {
-        let best = self.best();
-        let rough = &self.nodes[best];
-        let program = self.touching(rough.at);
-        if rough.solution.violation <= program.settings.tolerance {
-            return;
-        }
-        let held = program.with_sizes_held(&rough.solution, 0.0);
-        let solved = held
-            .solve()
-            .map(|solution| restored(&program, &rough.solution, solution));
-        if let Ok(solution) = solved.or_else(|_| program.solve()) {
-            self.nodes[best] = node(&program, rough.at, solution);
-        }
-    }
-
     /// Moves the touching angle of a node towards the lowest point of its law while that improves the objective: by the
     /// way to it at first, then by the secant at which that way ends.
     fn descend(&mut self, mut node: usize) {
@@ -341,24 +313,6 @@ impl Search {
             bound,
         }
     }
-}
-
-/// A solution with held sizes as one of the program itself.
-fn restored(program: &Program, sized: &Solution, mut solution: Solution) -> Solution {
-    for k in SIZES {
-        solution.extra[k] = sized.extra[k];
-    }
-    for row in &mut solution.active {
-        if let Some(limit) = row.limit {
-            *row = Row {
-                multiplier: row.multiplier,
-                ..program.row(limit, row.peak)
-            };
-        }
-    }
-    solution.violation = program.violation(&solution.x, &solution.extra);
-    solution.iterations += sized.iterations;
-    solution
 }
 
 fn node(program: &Program, at: f64, solution: Solution) -> Node {

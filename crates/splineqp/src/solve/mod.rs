@@ -6,7 +6,7 @@
 //! | proximal steps of the dual active set | a peak that is minimised | `active_set/proximal` |
 //! | dual active set | the coefficients alone, at most 1000 rows | `active_set` |
 //! | interior point on exchanged rows | sizes, a peak or a cone among the variables; what the active set leaves open | `exchange` |
-//! | the weight of its mean square in the objective | a limit on a root mean square | `rms` |
+//! | the weight of its mean square in the objective | a limit on a root mean square, but beside a peak with sizes: `exchange` | `rms` |
 //! | Newton's method on the contacts | every solution whose certificate is open | `refine` |
 
 mod active_set;
@@ -17,7 +17,7 @@ mod rms;
 use crate::Names;
 use crate::basis::apply;
 use crate::equality::{self, Unlimited};
-use crate::program::{EXTRAS, FACE_END, Failure, LOWEST, PEAK, Program, Solution, Stop};
+use crate::program::{EXTRAS, FACE_END, Failure, LOWEST, PEAK, Program, SIZES, Solution, Stop};
 use crate::settings::TOLERANCE;
 use active_set::proximal;
 
@@ -29,7 +29,10 @@ impl<N: Names> Program<N> {
     pub fn solve(&self) -> Result<Solution<N>, Failure<N>> {
         let mut solution = match &self.rms {
             Some(_) if self.settings.tolerance > TOLERANCE => exchange::solve(self)?,
-            Some(limit) => rms::solve(self, limit)?,
+            Some(limit) => match self.with_its_cone() {
+                Some(solution) => solution,
+                None => rms::solve(self, limit)?,
+            },
             None => self.solved()?,
         };
         let peak = self.own_peak(&solution.x, &solution.extra);
@@ -38,6 +41,20 @@ impl<N: Names> Program<N> {
             solution.violation = self.violation(&solution.x, &solution.extra);
         }
         Ok(solution)
+    }
+
+    /// The solution with the limit on a root mean square as a cone beside that of the sizes, where that keeps all limits.
+    fn with_its_cone(&self) -> Option<Solution<N>> {
+        let present = self.present();
+        if !(present[PEAK] && SIZES.iter().any(|&k| present[k])) {
+            return None;
+        }
+        let mut solution = exchange::solve(self).ok()?;
+        // The room that the rows keep is not part of the law's own peak.
+        solution.extra[PEAK] = 0.0;
+        solution.extra[PEAK] = self.own_peak(&solution.x, &solution.extra);
+        solution.violation = self.violation(&solution.x, &solution.extra);
+        (solution.violation <= self.settings.tolerance).then_some(solution)
     }
 
     fn solved(&self) -> Result<Solution<N>, Failure<N>> {

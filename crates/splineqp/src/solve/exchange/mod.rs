@@ -49,7 +49,7 @@ pub fn from_rows<N: Names>(
     let mut best: Option<Solution<N>> = None;
     // Room left inside every limit for what the solver does not resolve; grows only when needed. With a cone there is no
     // refinement, so there it is kept from the start.
-    let mut margin = if program.cone {
+    let mut margin = if program.cone || program.rms.is_some() {
         settings.cone_margin
     } else {
         0.0
@@ -73,8 +73,16 @@ pub fn from_rows<N: Names>(
         };
         iterations += point.iterations;
         let Point {
-            x, extra, tangent, ..
+            x,
+            mut extra,
+            tangent,
+            ..
         } = point;
+        // By what a law exceeds its minimised peak, that is larger, where the gap which it opens needs no refinement.
+        let peak = program.own_peak(&x, &extra);
+        if peak - extra[PEAK] <= program.settings.refinement.gap * peak {
+            extra[PEAK] = peak;
+        }
         let broken = program.broken(&x, &extra);
         let violation = program.violation(&x, &extra);
         let all = rows.iter().chain(&tangent);
