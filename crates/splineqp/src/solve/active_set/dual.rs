@@ -81,9 +81,12 @@ impl<'a> Dual<'a> {
         self.members.len()
     }
 
-    /// Whether an inequality is active.
-    pub fn holds(&self, row: usize) -> bool {
-        self.members.iter().any(|m| m.row == Some(row))
+    /// Which of so many inequalities are active.
+    pub fn held(&self, planes: usize) -> Vec<bool> {
+        let mut held = vec![false; planes];
+        let rows = self.members.iter().filter_map(|m| m.row);
+        rows.for_each(|row| held[row] = true);
+        held
     }
 
     /// Adds a plane as active; false when it depends on those that are.
@@ -152,11 +155,11 @@ impl<'a> Dual<'a> {
             excess: f64::INFINITY,
         };
         loop {
-            let mut worst = (0.0, None);
+            let (mut worst, held) = ((0.0, None), self.held(planes.len()));
             for (i, plane) in planes.iter().enumerate() {
                 let (value, rounding) = with_rounding(plane.entries, &self.x);
                 let gap = (value - plane.bound - rounding) / plane.unit - resolved;
-                if gap > worst.0 && !self.holds(i) {
+                if gap > worst.0 && !held[i] {
                     worst = (gap, Some(i));
                 }
             }

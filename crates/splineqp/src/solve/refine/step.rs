@@ -147,7 +147,8 @@ impl<'a, N: Names> Local<'a, N> {
         set.refresh();
         let mut left_out = vec![false; planes.len()];
         loop {
-            let open = |i: &usize| !planes[*i].equal && !left_out[*i] && !set.holds(*i);
+            let held = set.held(planes.len());
+            let open = |i: &usize| !planes[*i].equal && !left_out[*i] && !held[*i];
             let excess = |i: usize| apply(&planes[i].entries, &set.x) - planes[i].bound;
             let worst = (0..planes.len())
                 .filter(open)
