@@ -204,22 +204,21 @@ fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     let is_sought = scene.law.minimise == Some(Minimise::Size)
         && scene.cam.roller_radius > 0.0
         && scene.cam.given_radii().is_none();
-    let found = if is_sought {
-        let search = Search::until(files.host.halt());
-        let mut found = None;
-        for factor in NEAR {
-            if found.is_none() {
-                found = synth::passing(&problem(&of_size(&scene, factor, size))?, &search)?;
-            }
-        }
-        found
-    } else {
-        let problem = problem(&scene)?;
-        let search = Search::until(files.host.halt().or_after(LOOKS));
-        let found = synth::passing(&problem, &search);
-        let at_once = || synth::design(&problem, &Search::until(Halt::when(|| true))).ok();
-        found.ok().flatten().or_else(at_once)
+    let tried = match is_sought {
+        true => NEAR.map(|factor| of_size(&scene, factor, size)).to_vec(),
+        false => vec![scene.clone()],
     };
+    let passing = |scene: &Scene| {
+        let search = Search::until(files.host.halt().or_after(LOOKS));
+        synth::passing(&problem(scene).ok()?, &search)
+            .ok()
+            .flatten()
+    };
+    let at_once = || {
+        let search = Search::until(Halt::when(|| true));
+        synth::design(&problem(&scene).ok()?, &search).ok()
+    };
+    let found = tried.iter().find_map(passing).or_else(at_once);
     let Some(design) = found else {
         return Ok(None);
     };

@@ -50,8 +50,14 @@ fn a_radius_under_the_hand_is_answered_soon_and_alike() {
     let studio = Running::new();
     let scene = SCENES.iter().find(|s| s.name == "heel_tester_fitted");
     let scene = scene.unwrap().toml;
-    for (radius, verdict) in [("45 mm", "unacceptable"), ("60 mm", "acceptable")] {
-        let changes = [json!({"set": {"key": "cam.prime_radius", "value": radius}})];
+    let answers = [
+        ("cam.prime_radius", "45 mm", "unacceptable"),
+        ("cam.prime_radius", "60 mm", "acceptable"),
+        ("limits.prime_radius", "45 mm", "unacceptable"),
+        ("limits.prime_radius", "60 mm", "acceptable"),
+    ];
+    for (key, radius, verdict) in answers {
+        let changes = [json!({"set": {"key": key, "value": radius}})];
         let ask = |quick: Value| {
             let ask = json!({"scene": scene, "changes": changes, "quick": quick});
             design(&studio, &ask)
