@@ -169,16 +169,22 @@ export class Chart {
   path(thetas, values, x) {
     let d = "";
     let pen = "M";
-    const [first, last] = [LEFT - 0.5, this.size[0] - RIGHT + 0.5];
+    let [drawn, last] = [null, null];
+    const [left, right] = [LEFT - 0.5, this.size[0] - RIGHT + 0.5];
+    const to = (p) => { d += `${pen}${p[0].toFixed(1)} ${p[1].toFixed(1)}`; [pen, drawn, last] = ["L", p, null]; };
     for (let i = 0; i < values.length; i += 1) {
       const at = x(thetas[i]);
-      if (values[i] === null || at < first || at > last) {
+      if (values[i] === null || at < left || at > right) {
+        if (last) to(last);
         pen = "M";
         continue;
       }
-      d += pen + at.toFixed(1) + " " + this.y(values[i]).toFixed(1);
-      pen = "L";
+      const p = [at, this.y(values[i])];
+      // Points nearer than a pixel to the last one are not drawn, but the ends of the curve are.
+      if (pen === "L" && Math.abs(p[0] - drawn[0]) < 1 && Math.abs(p[1] - drawn[1]) < 1) last = p;
+      else to(p);
     }
+    if (last) to(last);
     return d;
   }
 
