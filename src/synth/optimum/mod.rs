@@ -327,9 +327,11 @@ fn in_sequence(
     }
     let program = &optimum.formulation.program;
     let smallest = scp::of_least_size(program, &optimum.solution.extra);
-    let Ok(smallest) = touching::at_best_angle(smallest, None) else {
+    let Ok(mut smallest) = touching::at_best_angle(smallest, None) else {
         return false;
     };
+    let law = &mut smallest.solution;
+    law.extra[PEAK] = program.own_peak(&law.x, &law.extra);
     let (program, solution) = match smallest.at {
         Some(at) => optimum.pinned(at, smallest.solution),
         None => (program.clone(), smallest.solution),
@@ -357,7 +359,8 @@ fn sequence_from(
     let mut starts = starts(problem, program, solution);
     if problem.objective() == Minimise::PeakForceError {
         let force = &optimum.formulation.force;
-        starts.extend(nearest_to_force(problem, program, force, limits));
+        // It is a start or none: what is tightened where none is one, is the last.
+        starts.splice(0..0, nearest_to_force(problem, program, force, limits));
     }
     // A law that keeps every limit passes; only its force error may be left to reach.
     let passes = |s: &Solution| {

@@ -199,14 +199,7 @@ impl Search {
         let mut program = self.touching(at);
         let apart = |n: &&Node| apart(n.at, at);
         if let Some(near) = (self.nodes.iter()).min_by(|a, b| apart(a).total_cmp(&apart(b))) {
-            let contacts = near.solution.active.iter();
-            program.seeds = contacts
-                .filter(|row| program.is_seed(row))
-                .map(|row| {
-                    row.limit
-                        .map_or_else(|| row.clone(), |l| program.row(l, row.peak))
-                })
-                .collect();
+            program.seeds = program.seeds_of(&near.solution.active);
         }
         self.programs += 1;
         let solution = program.solve()?;

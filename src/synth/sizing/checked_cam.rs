@@ -6,11 +6,8 @@ use crate::error::Result;
 use crate::law::Law;
 use crate::problem::Problem;
 use crate::synth::design::ForceReport;
-use crate::synth::limits::{Finished, force_report};
+use crate::synth::limits::{ENLARGED, Finished, force_report};
 use crate::synth::sizing;
-
-/// A radius smaller by no more than this part is the same.
-const SAME_SIZE: f64 = 1e-5;
 
 /// A law on its cam, with the force that it gives and every check.
 #[derive(Clone)]
@@ -93,7 +90,8 @@ fn cam_about(
 ) -> Result<Cam> {
     let own = sizing::cam(problem, law.clone(), pressing)?;
     let radius = |cam: &Cam| cam.follower.prime_radius();
-    let smaller = (1.0 - SAME_SIZE) * radius(&own);
+    // By less than the program keeps free of a limit on it a radius is the same.
+    let smaller = (1.0 - ENLARGED) * radius(&own);
     let Some(circle) = circle.filter(|circle| circle.radius < smaller) else {
         return Ok(own);
     };

@@ -231,12 +231,7 @@ impl<N: Names> Program<N> {
         SIZES.iter().for_each(|&k| held.cost[k] = 0.0);
         held.cone = false;
         held.settings.tolerance = TOLERANCE;
-        held.seeds = solution
-            .active
-            .iter()
-            .filter(|r| self.is_seed(r))
-            .cloned()
-            .collect();
+        held.seeds = self.seeds_of(&solution.active);
         for row in &mut held.seeds {
             hold(&mut row.bound, &mut row.extra);
         }

@@ -81,9 +81,17 @@ impl<N: Names> RmsLimit<N> {
 }
 
 impl<N: Names> Program<N> {
-    /// Whether a neighbouring program begins with a row: a contact of a limit or the tangent of that on the root mean square.
-    pub fn is_seed(&self, row: &Row<N>) -> bool {
-        row.limit.is_some() || self.rms.iter().any(|l| l.is_tangent(row))
+    /// The active rows with which a neighbouring program ended as rows of this one, to begin with: contacts of limits, whose bounds
+    /// and sizes may differ there, and the tangent of that on the root mean square.
+    pub fn seeds_of(&self, active: &[Row<N>]) -> Vec<Row<N>> {
+        let own = |row: &Row<N>| match row.limit {
+            Some(limit) => (limit < self.limits.len()).then(|| Row {
+                multiplier: row.multiplier,
+                ..self.row(limit, row.peak)
+            }),
+            None => (self.rms.iter().any(|l| l.is_tangent(row))).then(|| row.clone()),
+        };
+        active.iter().filter_map(own).collect()
     }
 
     /// The same program with `weight` times q in its objective instead of the limit on √(2 q).

@@ -61,8 +61,7 @@ pub fn least_of(clear: &[f64]) -> f64 {
 
 /// Contacts of the last solution, and peaks of limits near their bound: initial rows of the next program.
 pub fn contacts(program: &Program, solution: &Solution) -> Vec<Row> {
-    let own = solution.active.iter().filter(|r| program.is_seed(r));
-    let mut out: Vec<Row> = own.cloned().collect();
+    let mut out = program.seeds_of(&solution.active);
     let soon = |limit: &Limit| {
         let room = program.room(limit, &solution.x, &solution.extra);
         room - SOON * limit.size(room)
