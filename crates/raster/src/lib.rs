@@ -71,3 +71,8 @@ fn mixed([r, g, b]: [u8; 3], [red, green, blue]: [u8; 3], alpha: f32) -> [u8; 3]
     };
     [mix(r, red), mix(g, green), mix(b, blue)]
 }
+
+/// The program in the README compiles and runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
