@@ -330,8 +330,8 @@ fn in_sequence(
     let Ok(mut smallest) = touching::at_best_angle(smallest, None) else {
         return false;
     };
-    let law = &mut smallest.solution;
-    law.extra[PEAK] = program.own_peak(&law.x, &law.extra);
+    let least = &mut smallest.solution;
+    least.extra[PEAK] = program.own_peak(&least.x, &least.extra);
     let (program, solution) = match smallest.at {
         Some(at) => optimum.pinned(at, smallest.solution),
         None => (program.clone(), smallest.solution),
@@ -359,7 +359,7 @@ fn sequence_from(
     let mut starts = starts(problem, program, solution);
     if problem.objective() == Minimise::PeakForceError {
         let force = &optimum.formulation.force;
-        // It is a start or none: what is tightened where none is one, is the last.
+        // Before the others: where no start holds, the last one is shrunk or tightened, and this one has its size already.
         starts.splice(0..0, nearest_to_force(problem, program, force, limits));
     }
     // A law that keeps every limit passes; only its force error may be left to reach.

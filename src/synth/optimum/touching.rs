@@ -39,6 +39,7 @@ const PARTS: usize = 16;
 const NARROWEST: f64 = TAU / 65536.0;
 /// Angles tried where the first leaves no law.
 const TRIED: usize = 12;
+
 /// A solved program with its touching angle.
 pub struct Touching {
     /// The program at that angle.

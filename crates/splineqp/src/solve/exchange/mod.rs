@@ -78,7 +78,7 @@ pub fn from_rows<N: Names>(
             tangent,
             ..
         } = point;
-        // By what a law exceeds its minimised peak, that is larger, where the gap which it opens needs no refinement.
+        // A law that exceeds its minimised peak by less than a gap which needs no refinement has the peak that it attains.
         let peak = program.own_peak(&x, &extra);
         if peak - extra[PEAK] <= program.settings.refinement.gap * peak {
             extra[PEAK] = peak;
