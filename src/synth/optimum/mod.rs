@@ -13,7 +13,7 @@ use super::design::{SolverReport, Step, Tier};
 use super::limits::{self, ENLARGED, NonconvexLimits};
 use super::qp::{
     self, Certificate, Demand, Equality, Failure, Limit, OFFSET, PEAK, PROVED, Program, Quadratic,
-    RADIUS, RISE, Solution, Stop, apply,
+    RADIUS, RISE, Solution, Stop,
 };
 use super::search::Search;
 use super::sizing;
@@ -238,22 +238,6 @@ impl Optimum {
         self.formulation.program = program;
         self.solution = refined;
     }
-
-    /// The program and a solution as those of known level: the law stands on the base circle at this angle.
-    fn pinned(&self, at: f64, mut solution: Solution) -> (Program, Solution) {
-        let mut program = self.formulation.program.clone();
-        let entries = program.basis.row(at, &[1.0, 0.0, 0.0, 0.0]);
-        let lowest = apply(&entries, &solution.x);
-        solution.x = program.basis.raised(solution.x, -lowest);
-        program.equalities.push(Equality {
-            name: Demand::OnBaseCircle,
-            entries,
-            value: 0.0,
-        });
-        program.limits.retain(|l| l.name != Criterion::BaseCircle);
-        program.limits.extend(self.formulation.above_base_circle);
-        (program, solution)
-    }
 }
 
 /// Tangents of the limit on residual vibration, one after the other, until the law keeps it.
@@ -296,7 +280,7 @@ fn with_loads(
 ) -> Option<NonconvexLimits> {
     let limits = NonconvexLimits::of(problem)?;
     limits.loads.as_ref()?;
-    let (program, solution) = at_level(problem, optimum, &limits);
+    let (program, solution) = at_level(problem, optimum, &limits, &optimum.solution);
     let here = scp::AtSize::new(limits.clone(), &program).of(&solution);
     if limits::loaded(&Law::of(&program.basis, &solution.x), &here) >= 0.0 {
         return None;
@@ -312,7 +296,7 @@ fn in_sequence(
     optimum: &mut Optimum,
     limits: NonconvexLimits,
 ) -> bool {
-    let (program, solution) = at_level(problem, optimum, &limits);
+    let (program, solution) = at_level(problem, optimum, &limits, &optimum.solution);
     if let Some(found) = sequence_from(problem, search, optimum, &limits, &program, &solution) {
         // The convex optimum itself, at a size of the same cost.
         let (refined, steps, _) = &found;
@@ -332,10 +316,7 @@ fn in_sequence(
     };
     let least = &mut smallest.solution;
     least.extra[PEAK] = program.own_peak(&least.x, &least.extra);
-    let (program, solution) = match smallest.at {
-        Some(at) => optimum.pinned(at, smallest.solution),
-        None => (program.clone(), smallest.solution),
-    };
+    let (program, solution) = at_level(problem, optimum, &limits, &smallest.solution);
     let found = sequence_from(problem, search, optimum, &limits, &program, &solution);
     let is_found = found.is_some();
     if let Some(found) = found {
@@ -401,15 +382,29 @@ fn nearest_to_force(
 
 /// The law as the sequence counts its lift: on its base circle, where neither drive nor demand says how high it stands and the
 /// limits see that.
-fn at_level(problem: &Problem, optimum: &Optimum, limits: &NonconvexLimits) -> (Program, Solution) {
+fn at_level(
+    problem: &Problem,
+    optimum: &Optimum,
+    limits: &NonconvexLimits,
+    solution: &Solution,
+) -> (Program, Solution) {
+    let (mut program, mut solution) = (optimum.formulation.program.clone(), solution.clone());
     if problem.level_is_known() || limits.profile.is_none() {
-        return (
-            optimum.formulation.program.clone(),
-            optimum.solution.clone(),
-        );
+        return (program, solution);
     }
     // A limit that leaves the angle open lets the law be lower elsewhere, where all lifts only grow.
-    optimum.pinned(optimum.law().extremes(0).0.at, optimum.solution.clone())
+    let lowest = Law::of(&program.basis, &solution.x).extremes(0).0;
+    solution.x = program.basis.raised(solution.x, -lowest.value);
+    program.touch_at(lowest.at);
+    program.equalities.push(Equality {
+        name: Demand::OnBaseCircle,
+        entries: program.basis.row(lowest.at, &[1.0, 0.0, 0.0, 0.0]),
+        value: 0.0,
+    });
+    let is_on_lift = |l: &Limit| l.name == Criterion::BaseCircle && !l.is_on_size_alone();
+    program.limits.retain(|l| !is_on_lift(l));
+    program.limits.extend(optimum.formulation.above_base_circle);
+    (program, solution)
 }
 
 /// Adds the nonconvex limits of the profile, by a sequence of convex programs.

@@ -136,6 +136,11 @@ impl<N: Names> Limit<N> {
         self
     }
 
+    /// Whether it limits nothing.
+    pub(crate) fn is_idle(&self) -> bool {
+        self.domain.0 == f64::INFINITY
+    }
+
     /// Whether it contains further variables only.
     pub fn is_on_size_alone(&self) -> bool {
         self.weights == [0.0; 5] && self.extra != [0.0; EXTRAS]

@@ -84,8 +84,9 @@ impl<N: Names> Program<N> {
     /// The active rows with which a neighbouring program ended as rows of this one, to begin with: contacts of limits, whose bounds
     /// and sizes may differ there, and the tangent of that on the root mean square.
     pub fn seeds_of(&self, active: &[Row<N>]) -> Vec<Row<N>> {
+        let is_limited = |i: usize| self.limits.get(i).is_some_and(|l| !l.is_idle());
         let own = |row: &Row<N>| match row.limit {
-            Some(limit) => (limit < self.limits.len()).then(|| Row {
+            Some(limit) => is_limited(limit).then(|| Row {
                 multiplier: row.multiplier,
                 ..self.row(limit, row.peak)
             }),
