@@ -175,12 +175,15 @@ impl<'a, N: Names> Search<'a, N> {
                 });
             }
         }
-        // A law that keeps all limits, without a proof, is more than none.
+        // A law that keeps all limits, without a proof, is more than none: that of the limit as a cone, or the nearest, without a size.
         let mut near = self.nearest()?;
         near.active.clear();
         near.extra[PEAK] = self.program.own_peak(&near.x, &near.extra);
         near.violation = self.program.violation(&near.x, &near.extra);
-        Ok(near)
+        Ok(match exchange::solve(self.program) {
+            Ok(law) if law.violation < near.violation => law,
+            _ => near,
+        })
     }
 
     /// ln of the least peak that is tried: a little above the least that the other limits leave.
