@@ -138,7 +138,7 @@ export class Chart {
 
   grid(plot, width, bottom, low, high, labels) {
     const { from: start, span: length, unit } = this.curves;
-    const rows = ticks(low, high, Math.max(3, (bottom - TOP) / 30));
+    const rows = ticks(low, high, Math.max(3, Math.min(9, (bottom - TOP) / 30)));
     const lines = { axis: "", grid: "" };
     for (const y of rows) {
       const at = this.y(y);

@@ -163,7 +163,7 @@ export function choose() {
         try { localStorage.setItem("gaitcam-hidden", JSON.stringify([...hidden])); } catch { /* as above */ }
         again();
       } });
-      body.append(make("p", {}, tick, " ", make("label", { for: tick.id }, charts.get(id)?.name() ?? t(`studio-chart-${id}`))));
+      body.append(make("p", {}, tick, make("label", { for: tick.id }, charts.get(id)?.name() ?? t(`studio-chart-${id}`))));
     }
   });
 }

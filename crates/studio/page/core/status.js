@@ -38,7 +38,7 @@ export function show() {
 // The verdict belongs to no design.
 function pending(why) {
   $("verdict").className = "verdict";
-  say($("verdict-name"), "–");
+  for (const id of ["verdict-name", "chip"]) say($(id), "–");
   say($("verdict-reasons"), t(why));
 }
 

@@ -1,6 +1,6 @@
 // Theme, tabs and dialog.
 
-import { $, clear } from "./dom.js";
+import { $, clear, make } from "./dom.js";
 import { t, onLanguage } from "./words.js";
 
 const TABS = ["values", "force", "programme", "compare", "text"];
@@ -69,6 +69,16 @@ export function dialog(title, fill) {
   filling();
   if (!$("dialog").open) $("dialog").showModal();
   $("dialog").scrollTop = 0;
+}
+
+// A picture in a narrow place opens large.
+export function enlarging(picture, title) {
+  const button = make("button", { type: "button", class: "picture", title: t("studio-picture-enlarge"), "aria-label": `${t("studio-picture-enlarge")}: ${t(title)}`, onclick: () => dialog(title, (body) => {
+    body.className = "enlarged";
+    body.innerHTML = picture;
+  }) });
+  button.innerHTML = picture;
+  return button;
 }
 
 export function closeDialog() {

@@ -55,7 +55,7 @@ function ofFolder(scenes, take) {
 
 function ofMachine(take) {
   const pick = make("input", { type: "file", id: "open-pick", accept: ".toml", onchange: async () => { if (pick.files[0]) take(await pick.files[0].text()); } });
-  return make("p", {}, make("label", { for: "open-pick" }, t("studio-open-pick")), " ", pick);
+  return make("p", {}, make("label", { class: "pick", for: "open-pick" }, t("studio-open-pick")), pick);
 }
 
 function ofLink(take) {

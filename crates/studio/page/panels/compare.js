@@ -1,7 +1,7 @@
 // The slate of pinned designs, sensitivity bars, the trade-off front; below them runs and sweeps.
 
 import { $, make, clear, svg, notice } from "../core/dom.js";
-import { t, number, onLanguage } from "../core/words.js";
+import { t, number, local, onLanguage } from "../core/words.js";
 import { engine } from "../core/net.js";
 import { onTab, openTab } from "../core/view.js";
 import * as blobs from "../core/blobs.js";
@@ -112,7 +112,7 @@ function table() {
   const body = start.figures.filter(([name]) => ROWS.includes(name)).map(([name, [of, plain]]) => [name, units.unit(of)[0], plain * units.unit(of)[1]]).map(([name, unit, factor]) => make("tr", {}, make("th", { scope: "row" }, t(`studio-number-${name}`), make("small", {}, ` ${unit}`)),
     ...all.map((p) => make("td", { class: "n" }, number(p.numbers[name] === null || p.numbers[name] === undefined ? null : factor * p.numbers[name])))));
   const verdicts = make("tr", {}, make("th", { scope: "row" }, t("studio-verdict")), ...all.map((p) => make("td", { class: `n ${p.verdict}` }, t(`studio-verdict-${p.verdict}`))));
-  const inputs = differing(all).map(([key, values]) => make("tr", { class: "input" }, make("th", { scope: "row" }, label(key)), ...values.map((v) => make("td", { class: "n" }, units.text(v)))));
+  const inputs = differing(all).map(([key, values]) => make("tr", { class: "input" }, make("th", { scope: "row" }, label(key)), ...values.map((v) => make("td", { class: "n" }, units.text(local(v))))));
   box.append(make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "slate" }, make("thead", {}, make("tr", {}, make("td", {}), ...head)), make("tbody", {}, ...inputs, verdicts, ...body))));
 }
 
@@ -203,7 +203,7 @@ function points() {
     const [low, high] = [Math.min(...values), Math.max(...values)];
     return (v) => a + (high > low ? (v - low) / (high - low) : 0.5) * (b - a);
   };
-  const [x, y] = [scale(xs, 54, width - 20), scale([0, ...ys], height - 34, 14)];
+  const [x, y] = [scale(xs, 54, width - 20), scale([0, ...ys], height - 34, 30)];
   const picture = svg("svg", { class: "front", viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": t("studio-front") });
   picture.append(svg("path", { class: "axis", d: `M54 8V${height - 34}H${width - 8}` }),
     svg("path", { class: "line main", d: list.map((p, i) => `${i ? "L" : "M"}${x(p.x)} ${y(p.y)}`).join("") }));
@@ -215,7 +215,7 @@ function points() {
   text([54, height - 20], number(Math.min(...xs), 3), "middle");
   text([width - 20, height - 20], number(Math.max(...xs), 3), "middle");
   text([width / 2, height - 5], `${t(`studio-quantity-${front.against}`)}, ${front.unit}`, "middle");
-  text([50, 18], number(Math.max(...ys), 3), "end");
+  text([50, 34], number(Math.max(...ys), 3), "end");
   text([50, height - 34], "0", "end");
   text([60, 14], `${t("studio-quantity-force_error")}, N`, "start");
   for (const p of list) {

@@ -5,7 +5,7 @@ import { t, number, onLanguage } from "../core/words.js";
 import { engine } from "../core/net.js";
 import * as blobs from "../core/blobs.js";
 import * as versions from "../core/versions.js";
-import { dialog, embedded, onTab, openTab, tab } from "../core/view.js";
+import { dialog, embedded, enlarging, onTab, openTab, tab } from "../core/view.js";
 import { label, focus } from "./form.js";
 import * as hand from "./hand.js";
 
@@ -167,12 +167,16 @@ function panel(shown, isBeside = false) {
   const box = make("div", { class: "found" });
   box.append(make("h3", {}, shown.file));
   if (shown.picture) {
-    const figure = make("figure", {});
-    figure.innerHTML = shown.picture;
-    box.append(figure);
+    box.append(isBeside ? figure(shown.picture) : enlarging(shown.picture, "studio-force-recording"));
   }
   if (!isBeside && shown.stances?.length > 0) box.append(contacts());
   box.append(make("details", { open: isBeside }, make("summary", {}, t("studio-force-details")), make("pre", { tabindex: "0" }, shown.table)));
+  return box;
+}
+
+function figure(picture) {
+  const box = make("figure", {});
+  box.innerHTML = picture;
   return box;
 }
 

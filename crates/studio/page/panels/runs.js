@@ -1,8 +1,9 @@
 // The finished cam in motion, what a log of it shows, and a table of designs over one or two values.
 
 import { $, make, clear, notice } from "../core/dom.js";
-import { t, number } from "../core/words.js";
+import { t, number, local } from "../core/words.js";
 import { engine } from "../core/net.js";
+import { enlarging } from "../core/view.js";
 import * as units from "../core/units.js";
 import { label } from "./form.js";
 
@@ -38,7 +39,7 @@ export function sections({ ask, fields, figures, edit, take }) {
     grid = { ...answer, axes, figure: figures.find(([name]) => name === figure.value) };
     designs(edit);
   };
-  const log = make("input", { type: "file", id: "log", accept: ".csv,.txt", "aria-label": t("studio-log"), onchange: () => identify().catch(said) });
+  const log = make("input", { type: "file", id: "log", accept: ".csv,.txt", onchange: () => identify().catch(said) });
   const identify = async () => {
     const file = log.files[0];
     if (!file) return;
@@ -47,7 +48,7 @@ export function sections({ ask, fields, figures, edit, take }) {
     machine(take);
   };
   const out = [make("h2", {}, t("studio-simulate")), make("p", { class: "lead" }, t("studio-simulate-lead")), make("div", { class: "buttons" }, button("simulate", run)), make("div", { id: "motion" }),
-    make("h2", {}, t("studio-log")), make("p", { class: "lead" }, t("studio-log-lead")), make("div", { class: "buttons" }, log), make("div", { id: "logged" }),
+    make("h2", {}, t("studio-log")), make("p", { class: "lead" }, t("studio-log-lead")), make("label", { class: "pick", for: "log" }, t("studio-log-pick")), log, make("div", { id: "logged" }),
     make("h2", {}, t("studio-sweep")), make("p", { class: "lead" }, t("studio-sweep-lead")), make("div", { class: "buttons" }, across, down, figure, button("sweep", sweep)), make("div", { id: "grid" })];
   queueMicrotask(() => { motion(); machine(take); designs(edit); });
   return out;
@@ -64,8 +65,8 @@ function motion() {
   if (!box || !ran) return;
   if (ran.why) clear(box).append(make("p", {}, ran.why));
   else {
-    clear(box).append(make("pre", { class: "scroll", tabindex: "0" }, units.text(ran.table)), make("div", { class: "run" }));
-    box.lastChild.innerHTML = ran.picture;
+    const rows = ran.table.trimEnd().split("\n").map((line) => line.trim().split(/ {2,}/)).map(([name, ...rest]) => make("tr", {}, make("th", { scope: "row" }, name), make("td", {}, units.text(rest.join(" ")))));
+    clear(box).append(make("table", { class: "ran" }, make("tbody", {}, ...rows)), enlarging(ran.picture, "studio-simulate"));
   }
 }
 
@@ -80,8 +81,7 @@ function machine(take) {
   const { lines, picture, next } = logged;
   const offer = next.why ? [make("p", {}, next.why)] : [make("p", {}, t("studio-log-next", { before: next.before, after: next.after })),
     make("div", { class: "buttons" }, make("button", { type: "button", id: "take-next", onclick: () => take(next.scene) }, t("studio-log-take")))];
-  clear(box).append(make("ul", {}, ...lines.map((line) => make("li", {}, line.replace(/ +/g, " ")))), make("div", { class: "run" }), ...offer);
-  box.querySelector(".run").innerHTML = picture;
+  clear(box).append(make("ul", {}, ...lines.map((line) => make("li", {}, line.replace(/ +/g, " ")))), enlarging(picture, "studio-log"), ...offer);
 }
 
 // A table coloured by the figure: rows over the first key, columns over the second; a click takes the values.
@@ -103,7 +103,7 @@ function designs(edit) {
     return make("td", { class: `n ${verdict ?? ""}`, style: x === null ? null : `--part:${high > low ? Math.round(100 * (x - low) / (high - low)) : 0}%` },
       make("button", { type: "button", class: "plain", onclick: take, title: verdict ? t(`studio-verdict-${verdict}`) : "" }, x === null ? "–" : number(x * plain * factor)));
   };
-  const head = columns ? [make("tr", {}, make("td", {}, `${label(rows.key)} / ${label(columns.key)}`), ...columns.values.map((v) => make("th", { scope: "col" }, units.text(v))))] : [];
-  const body = rows.values.map((v, i) => make("tr", {}, make("th", { scope: "row" }, units.text(v)), ...Array.from({ length: width }, (_, j) => cell(i, j))));
+  const head = columns ? [make("tr", {}, make("td", {}, `${label(rows.key)} / ${label(columns.key)}`), ...columns.values.map((v) => make("th", { scope: "col" }, units.text(local(v)))))] : [];
+  const body = rows.values.map((v, i) => make("tr", {}, make("th", { scope: "row" }, units.text(local(v))), ...Array.from({ length: width }, (_, j) => cell(i, j))));
   clear(box).append(make("p", {}, `${t(`studio-number-${name}`)}, ${unit}`), make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "grid" }, make("thead", {}, ...head), make("tbody", {}, ...body))));
 }

@@ -18,7 +18,7 @@ export function show(answer) {
   shown = answer;
   const state = answer.infeasible ? "infeasible" : answer.verdict;
   $("verdict").className = `verdict ${answer.infeasible ? "unacceptable" : answer.verdict}`;
-  say($("verdict-name"), t(`studio-verdict-${state}`));
+  for (const id of ["verdict-name", "chip"]) say($(id), t(`studio-verdict-${state}`));
   say($("verdict-reasons"), units.text(answer.reasons));
   $("cam-das").hidden = !answer.cam_das || !Object.keys(answer.fields).some((key) => key.startsWith("law.segment."));
   if (answer.cam_das) say($("cam-das"), `CAM-DAS: ${t(`studio-verdict-${answer.cam_das}`)}`);

@@ -190,7 +190,7 @@ class Class(Pages):
             second.write_text(other)
             for k, path in enumerate((WALK, second)):
                 page.does(lambda: page.page.set_input_files("#pick-file", path))
-                page.page.wait_for_selector(".found figure svg")
+                page.page.wait_for_selector(".found .picture svg")
                 self.assertEqual(page.page.locator("#side-by-side").count(), k)
         page.page.click("#side-by-side")
         self.assertEqual(page.page.locator(".sides .found:visible").count(), 2)

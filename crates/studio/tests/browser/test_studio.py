@@ -16,8 +16,6 @@ from studio import BINARY, DIST, ROOT, Pages, Server, of_server
 WITHOUT_RECORDING = "measured_walk"
 # A sequence of convex programs, each with as many spans as are asked (see the test of long searches).
 LONG = "heel_tester_fitted"
-SIZES = [(400, 860), (1280, 800), (1400, 900), (2560, 1300)]
-PICTURES = ROOT / "target" / "studio-pictures"
 
 
 class Studio(Pages):
@@ -273,7 +271,7 @@ class Studio(Pages):
         page.page.click("#tab-compare")
         page.page.click("#simulate")
         page.page.wait_for_selector("#motion svg")
-        self.assertIn("N", page.page.inner_text("#motion pre"))
+        self.assertIn("N", page.page.inner_text("#motion table"))
         page.page.select_option("#sweep-across", "drive.mass")
         page.page.click("#sweep")
         page.page.wait_for_selector("#grid tbody tr", timeout=60000)
@@ -317,26 +315,6 @@ class Studio(Pages):
         page.page.keyboard.press("ArrowRight")
         self.assertTrue(page.page.is_visible("#force"))
         self.quiet(page)
-
-    def test_nothing_is_cut_off_at_any_width_in_both_themes(self):
-        PICTURES.mkdir(parents=True, exist_ok=True)
-        for theme in ["light", "dark"]:
-            for width, height in SIZES:
-                with self.subTest(f"{width} {theme}"):
-                    page = self.page(width=width, height=height, theme=theme)
-                    over = page.page.evaluate("document.documentElement.scrollWidth - innerWidth")
-                    self.assertLessEqual(over, 0)
-                    if (width, height) == (1400, 900):
-                        self.seen_at_once(page)
-                    page.page.screenshot(path=PICTURES / f"{width}-{theme}.png", full_page=width < 1000)
-
-    def seen_at_once(self, page):
-        boxes = "all => all.map(e => e.getBoundingClientRect()).map(b => [b.top, b.bottom, b.left, b.right])"
-        seen = page.page.eval_on_selector_all("#stage, .chart svg", boxes)
-        self.assertGreaterEqual(len(seen), 10)
-        for top, bottom, left, right in seen:
-            self.assertTrue(top >= 0 and bottom <= 900 and left >= 0 and right <= 1400, (top, bottom, left, right))
-            self.assertGreater(bottom - top, 50)
 
     def test_axe_finds_no_barrier(self):
         source = AXE_FILE_PATH.read_text()
