@@ -9,11 +9,13 @@
 - a relative link in a Markdown file leads to a file, and its #anchor to a heading;
 - every number with a decimal point or of four digits and more in the paragraph after `<!-- from FILE -->` stands in that file;
 - nothing cites a document that is not in the repository;
-- the README installs and tests with the commands that `.ci/run` runs.
+- the README installs and tests with the commands that `.ci/run` runs;
+- every crate that is meant for others, which is without `publish = false`, has description, README, keywords and both licences.
 """
 
 import re
 import sys
+import tomllib
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote
@@ -123,6 +125,16 @@ def install_faults():
             yield f".ci/run: does not run `{command}`, which the README shows"
 
 
+def package_faults():
+    """What a crate lacks for others."""
+    for manifest in [ROOT / "Cargo.toml", *sorted(ROOT.glob("*/Cargo.toml")), *sorted(ROOT.glob("crates/*/Cargo.toml"))]:
+        package = tomllib.loads(manifest.read_text(encoding="utf-8"))["package"]
+        if package.get("publish", True):
+            lacking = [key for key in ("description", "readme", "keywords", "categories") if key not in package]
+            lacking += [name for name in ("README.md", "LICENSE-MIT", "LICENSE-APACHE") if not (manifest.parent / name).is_file()]
+            yield from (f"{manifest.relative_to(ROOT)}: without {name}" for name in lacking)
+
+
 def main():
     if sys.argv[1:2] == ["--book"]:
         found = list(broken_book_links(Path(sys.argv[2]).resolve()))
@@ -130,7 +142,7 @@ def main():
     theory = (ROOT / "docs" / "theory.md").read_text(encoding="utf-8")
     sections = {int(n) for n in re.findall(r"(?m)^## (\d+)\. ", theory)}
     found = [f"{p.relative_to(ROOT)}: {f}" for p in files() for f in faults(p, sections)]
-    found += install_faults()
+    found += [*install_faults(), *package_faults()]
     if found:
         sys.exit("\n".join(found))
 
