@@ -1,6 +1,6 @@
 // The page: boot and wiring.
 
-import { $, notice } from "./core/dom.js";
+import { $, hide, notice } from "./core/dom.js";
 import * as words from "./core/words.js";
 import { engine, Fault } from "./core/net.js";
 import * as versions from "./core/versions.js";
@@ -57,7 +57,7 @@ function elsewhere() {
 }
 
 async function show(answer, since, more) {
-  $("notice").hidden = $("notice").hidden || $("notice").dataset.lasting === "true";
+  if ($("notice").dataset.lasting === "true") hide($("notice"));
   clock.load(answer.motion);
   if (anew) {
     anew = false;
@@ -71,6 +71,7 @@ async function show(answer, since, more) {
   state(answer.fields);
   await painted();
   const design = $("design");
+  if (design.dataset.revision === "0") performance.mark("first-design");
   design.dataset.forceHash = answer.force_hash ?? "";
   design.dataset.ms = (performance.now() - since).toFixed(1);
   design.dataset.serverMs = answer.server_ms.toFixed(2);

@@ -1,6 +1,6 @@
 // One diagram over the cam's angle: axes, curves, limits, cursor.
 
-import { make, say, svg, clear } from "../core/dom.js";
+import { make, say, svg, clear, renew } from "../core/dom.js";
 import { t, number, quantity, language } from "../core/words.js";
 import * as clock from "../core/clock.js";
 import * as handles from "./handles.js";
@@ -48,9 +48,11 @@ export class Chart {
     // The cursor lies over the picture: it moves with every frame, and the picture is not drawn again for it.
     this.cursor = make("div", { class: "cursor" });
     this.dot = make("div", { class: "dot" });
-    this.picture.after(this.cursor, this.dot);
-    this.plot = svg("g");
-    this.picture.append(this.plot);
+    // Axes and numbers lie behind in a picture of their own: they are not laid out again with every curve.
+    [this.frame, this.lines, this.handles, this.over] = [0, 1, 2, 3].map(() => svg("g"));
+    this.behind = svg("svg", { class: "frame", "aria-hidden": "true" }, this.frame);
+    this.picture.append(this.lines, this.handles, this.over);
+    this.picture.after(this.behind, this.cursor, this.dot);
     this.size = [0, 0];
     new ResizeObserver(() => this.resize()).observe(this.picture);
     this.drag();
@@ -98,6 +100,9 @@ export class Chart {
     for (const other of this.pinned) other.panel.lines.filter((l) => l.role === "main").forEach((l) => seen(other.curves, l));
     if (low > high) [low, high] = [0, 1];
     const span = high - low;
+    // While a value is moved an axis that still serves stays: only the curve is seen to change.
+    const [a, b] = this.ends ?? [0, 0];
+    if (this.isMoving && this.endsOf === this.panel.unit && low >= a && high <= b && span > 0.5 * (b - a)) return this.ends;
     // Limits far away would flatten the curve.
     for (const level of handles.levels(this.panel, this.fields)) if (level > low - 0.8 * span && level < high + 0.8 * span) take(level);
     if (["force", "s"].includes(this.id) && low > 0 && low < 0.6 * high) low = 0;
@@ -109,61 +114,60 @@ export class Chart {
   draw() {
     const [width, height] = this.size;
     if (!this.panel || width < 20) return;
-    this.picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    const view = `0 0 ${width} ${height}`;
+    for (const picture of [this.picture, this.behind]) if (picture.getAttribute("viewBox") !== view) picture.setAttribute("viewBox", view);
     const labels = this.root.classList.contains("labelled");
     const bottom = height - (labels ? 18 : 6);
     const { from, span } = this.curves;
     const [low, high] = this.range();
-    this.ends = [low, high];
+    Object.assign(this, { ends: [low, high], endsOf: this.panel.unit });
     this.x = (theta) => LEFT + (theta - from) / span * (width - LEFT - RIGHT);
     this.back = (py) => low + (bottom - py) / (bottom - TOP) * (high - low);
     this.y = (y) => bottom - (y - low) / (high - low) * (bottom - TOP);
     this.bottom = bottom;
     this.cursor.style.height = `${bottom - TOP}px`;
-    const plot = clear(this.plot);
-    this.grid(plot, width, bottom, low, high, labels);
-    plot.append(...this.pinned.map((other) => this.other(other)));
+    renew(this.frame, this.grid(width, bottom, low, high, labels));
+    const list = this.pinned.map((other) => this.other(other));
     const [lower, upper] = ["low", "high"].map((role) => this.panel.lines.find((l) => l.role === role));
-    if (lower && upper) plot.append(svg("path", { class: "band", d: this.band(lower.y, upper.y) }));
+    if (lower && upper) list.push(["path", { class: "band", d: this.band(lower.y, upper.y) }]);
     for (const role of ["target", "worst", "main"]) {
       const line = this.panel.lines.find((l) => l.role === role);
-      if (line) plot.append(svg("path", { class: `line ${role}`, d: this.path(this.curves.theta, line.y, this.x) }));
+      if (line) list.push(["path", { class: `line ${role}`, d: this.path(this.curves.theta, line.y, this.x) }]);
     }
-    const place = { left: LEFT, right: RIGHT, top: TOP, bottom, width };
-    handles.draw(this, plot, place);
-    handles.drawBorders(this, plot, place);
-    if (this.overlay && !this.panel.isDifference) plot.append(...this.overlay(this));
+    renew(this.lines, list);
+    handles.draw(this, this.handles, { left: LEFT, right: RIGHT, top: TOP, bottom, width });
+    clear(this.over);
+    if (this.overlay && !this.panel.isDifference) this.over.append(...this.overlay(this));
     this.describe();
   }
 
-  grid(plot, width, bottom, low, high, labels) {
+  // Axes, grid and their numbers as a list for `renew`.
+  grid(width, bottom, low, high, labels) {
+    const texts = [];
     const { from: start, span: length, unit } = this.curves;
     const rows = ticks(low, high, Math.max(3, Math.min(9, (bottom - TOP) / 30)));
     const lines = { axis: "", grid: "" };
     for (const y of rows) {
       const at = this.y(y);
       lines[y === 0 ? "axis" : "grid"] += `M${LEFT} ${at}H${width - RIGHT}`;
-      const text = svg("text", { class: "tick", x: LEFT - 5, y: at + 3.5, "text-anchor": "end" });
-      text.textContent = tickText(y, rows);
-      plot.append(text);
+      texts.push(["text", { class: "tick", x: LEFT - 5, y: at + 3.5, "text-anchor": "end" }, tickText(y, rows)]);
     }
     const columns = unit === "°" && length > 100 ? [0, 1, 2, 3, 4].map((k) => start + k * length / 4) : ticks(start, start + length, 4);
     for (const x of columns) {
       const at = this.x(x);
       lines.grid += `M${at} ${TOP}V${bottom}`;
       if (!labels) continue;
-      const text = svg("text", { class: "tick", x: at, y: bottom + 13, "text-anchor": at > width - 24 ? "end" : "middle" });
-      text.textContent = `${number(x, 3).replace(/[.,]0+$/, "")}${unit === "°" ? "°" : ""}`;
-      plot.append(text);
+      const text = `${number(x, 3).replace(/[.,]0+$/, "")}${unit === "°" ? "°" : ""}`;
+      texts.push(["text", { class: "tick", x: at, y: bottom + 13, "text-anchor": at > width - 24 ? "end" : "middle" }, text]);
     }
-    for (const [name, d] of Object.entries(lines)) if (d) plot.prepend(svg("path", { class: name, d }));
+    return [["path", { class: "grid", d: lines.grid }], ["path", { class: "axis", d: lines.axis }], ...texts];
   }
 
   other({ curves, panel, colour }) {
     const line = panel.lines.find((l) => l.role === "main");
     const [a, b] = [LEFT, this.size[0] - LEFT - RIGHT];
     const x = (theta) => a + (theta - curves.from) / curves.span * b;
-    return svg("path", { class: colour ? "line pinned" : "line ghost", style: colour ? `stroke:${colour}` : null, d: this.path(curves.theta, line.y, x) });
+    return ["path", { class: colour ? "line pinned" : "line ghost", ...(colour ? { style: `stroke:${colour}` } : {}), d: this.path(curves.theta, line.y, x) }];
   }
 
   path(thetas, values, x) {
@@ -171,7 +175,12 @@ export class Chart {
     let pen = "M";
     let [drawn, last] = [null, null];
     const [left, right] = [LEFT - 0.5, this.size[0] - RIGHT + 0.5];
-    const to = (p) => { d += `${pen}${p[0].toFixed(1)} ${p[1].toFixed(1)}`; [pen, drawn, last] = ["L", p, null]; };
+    const to = (p) => {
+      d += `${pen}${Math.round(10 * p[0]) / 10} ${Math.round(10 * p[1]) / 10}`;
+      pen = "L";
+      drawn = p;
+      last = null;
+    };
     for (let i = 0; i < values.length; i += 1) {
       const at = x(thetas[i]);
       if (values[i] === null || at < left || at > right) {
@@ -242,6 +251,7 @@ export class Chart {
     this.size = size;
     const picture = this.picture.cloneNode(true);
     picture.removeAttribute("tabindex");
+    picture.prepend(this.frame.cloneNode(true));
     for (const e of picture.querySelectorAll(".grip, .knot, .border")) e.remove();
     return picture;
   }

@@ -56,6 +56,7 @@ export function show(raw, next = fields) {
     chart.root.classList.toggle("large", i === 0);
     chart.root.classList.toggle("labelled", i === 0 || i >= seen.length - 2);
     chart.fields = less ? {} : fields;
+    chart.isMoving = Boolean(ghost);
     chart.show(curves, panel, less ? [] : [...under(panel, ghost ? [{ curves: ghost }] : []), ...under(panel, pinned)]);
   });
 }

@@ -1,7 +1,7 @@
 // What can be dragged on a diagram: limit lines, and borders and lifts of the segments of a programme.
 
 import { svg, clear } from "../core/dom.js";
-import { t, quantity } from "../core/words.js";
+import { t, quantity, language } from "../core/words.js";
 
 // The limits of each diagram, the ones for its upper and its lower half; of several the first that the scene has.
 const LIMITS = {
@@ -40,14 +40,25 @@ export function levels({ id, levels: drawn, lines, unit }, fields) {
   return [...drawn, low + factor * Number(number)];
 }
 
-// Draws the limit lines of a chart; each is a slider that is also moved by the arrow keys.
-export function draw(chart, plot, { left, right, top, bottom, width }) {
+// Draws what is dragged on a chart, where it is not as it was.
+export function draw(chart, group, place) {
   const main = chart.panel.lines[0].y.filter((y) => y !== null);
   const middle = main.reduce((sum, y) => sum + y, 0) / main.length;
-  for (const level of levels(chart.panel, chart.fields)) {
+  const lines = levels(chart.panel, chart.fields).map((level) => [level, keyOf(chart.id, level, chart.fields, middle)]);
+  const knots = knotsOf(chart);
+  const seen = JSON.stringify([lines, knots, place, chart.ends, chart.curves.from, chart.curves.span, chart.panel.unit, language(), Boolean(chart.onLimit)]);
+  if (seen === chart.handled) return;
+  chart.handled = seen;
+  clear(group);
+  drawLimits(chart, group, lines, place);
+  drawKnots(chart, group, knots, place);
+}
+
+// The limit lines; each is a slider that is also moved by the arrow keys.
+function drawLimits(chart, plot, lines, { left, right, top, bottom, width }) {
+  for (const [level, key] of lines) {
     const at = chart.y(level);
     if (at < top - 1 || at > bottom + 1) continue;
-    const key = keyOf(chart.id, level, chart.fields, middle);
     plot.append(svg("path", { class: "level", d: `M${left} ${at}H${width - right}` }));
     if (!key || !chart.onLimit) continue;
     const name = t("studio-limit-line", { name: chart.labelOf(key), low: quantity(level, chart.panel.unit) });
@@ -95,13 +106,17 @@ function plain(fields, unit) {
   return !wrong;
 }
 
-export function drawBorders(chart, plot, { top, bottom }) {
-  if (chart.id !== "s" || !chart.onSegment || chart.curves.unit !== "°" || !plain(chart.fields, written(chart.panel.unit))) return;
+// The borders that are dragged: [{number, theta, lift}], lifts above the lowest.
+function knotsOf(chart) {
+  if (chart.id !== "s" || !chart.onSegment || chart.curves.unit !== "°" || !plain(chart.fields, written(chart.panel.unit))) return [];
   const list = borders(chart.fields, chart.curves.start);
   const low = Math.min(0, ...list.map((b) => b.lift));
-  for (const border of list.slice(0, -1)) {
-    if (!chart.isSeen(border.theta)) continue;
-    const [x, y] = [chart.x(border.theta), chart.y(border.lift - low)];
+  return list.slice(0, -1).filter((b) => chart.isSeen(b.theta)).map((b) => ({ ...b, lift: b.lift - low }));
+}
+
+function drawKnots(chart, plot, knots, { top, bottom }) {
+  for (const border of knots) {
+    const [x, y] = [chart.x(border.theta), chart.y(border.lift)];
     plot.append(svg("path", { class: "border", d: `M${x} ${top}V${bottom}` }));
     plot.append(svg("circle", { class: "knot segment", cx: x, cy: y, r: 5, "data-segment": border.number, role: "img", "aria-label": t("studio-segment-end", { number: border.number }) }));
   }

@@ -74,13 +74,13 @@ async function run(since) {
   const v = versions.now();
   handlers.working(true, since);
   try {
-    await blobs.ensure(v.files);
+    // Where nothing is missing the question leaves at once.
+    const missing = blobs.ensure(v.files);
+    if (missing) await missing;
     const outcome = await settle(v, control.signal, quick);
     if (running !== control) return;
     versions.settle(v.id, outcome);
     const more = waiting !== null;
-    // The next answer is on its way while this one is drawn.
-    if (more) next();
     if (outcome.answer) {
       const { quick: held, numbers } = outcome.answer;
       if (!held) size = numbers.prime_radius_m ? [numbers.prime_radius_m, numbers.offset_m ?? 0] : null;
@@ -88,6 +88,8 @@ async function run(since) {
       rests = held && !more;
       if (rests) retry = setTimeout(refine, REST);
       shown = { version: v.id, answer: outcome.answer, files: v.files };
+      // A long answer is on its way while the last one is drawn; a short one is asked for with the value of the moment.
+      if (more && slow) next();
       await handlers.show(outcome.answer, since, more);
     } else if (outcome.same) shown = { ...shown, version: v.id };
     handlers.state(outcome.fields);

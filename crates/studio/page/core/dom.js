@@ -23,9 +23,34 @@ export function svg(name, attributes = {}, ...children) {
   return element;
 }
 
+// Gives a group of an SVG the children of a list, [name, attributes, text]: those that are there are changed where they
+// differ, not made again.
+export function renew(group, list) {
+  list.forEach(([name, attributes, text], i) => {
+    let child = group.children[i];
+    if (child?.nodeName !== name) {
+      const next = svg(name);
+      if (child) child.replaceWith(next);
+      else group.append(next);
+      child = Object.assign(next, { given: {} });
+    }
+    const before = child.given;
+    for (const key of Object.keys(before)) if (!(key in attributes)) child.removeAttribute(key);
+    for (const [key, value] of Object.entries(attributes)) if (before[key] !== value) child.setAttribute(key, value);
+    child.given = attributes;
+    if (text !== undefined) say(child, text);
+  });
+  while (group.children.length > list.length) group.lastChild.remove();
+}
+
 export function clear(element) {
   element.replaceChildren();
   return element;
+}
+
+// Hides or shows an element; one that is so already is left alone.
+export function hide(element, on = true) {
+  if (element.hidden !== on) element.hidden = on;
 }
 
 // Gives an element its text; one that has it already is left alone, so that nothing is laid out again.

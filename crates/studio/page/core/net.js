@@ -42,13 +42,16 @@ async function reached(promise) {
 async function ask(route, question, signal) {
   const text = JSON.stringify({ language, ...question });
   for (;;) {
-    const answer = await reached(below.ask(route, text, signal));
+    const asked = below.ask(route, text, signal);
+    // Without a secure context the page has no hash to compare.
+    const sum = crypto.subtle && sha256(text);
+    const answer = await reached(asked);
     if (answer.missing) {
       await again(answer.missing, route);
       continue;
     }
-    // The answer to another question is none. Without a secure context the page has no hash to compare.
-    if (answer.of && crypto.subtle && answer.of !== await sha256(text)) throw new Fault({ code: "lost", message: "" });
+    // The answer to another question is none.
+    if (answer.of && sum && answer.of !== await sum) throw new Fault({ code: "lost", message: "" });
     return answer;
   }
 }

@@ -1,6 +1,6 @@
 // What the page says about the version shown: designed, on its way, refused.
 
-import { $, make, clear, say, notice } from "./dom.js";
+import { $, make, clear, say, hide, notice } from "./dom.js";
 import { t, number } from "./words.js";
 import * as designs from "./designs.js";
 import * as versions from "./versions.js";
@@ -30,15 +30,15 @@ export function show() {
   else if (designs.present()?.answer.quick) pending("studio-quick");
   $("undo").disabled = !versions.canUndo();
   $("redo").disabled = !versions.canRedo();
-  $("scene-name").textContent = v?.name ?? "";
-  if (v?.name) document.title = `${v.name} – gaitcam studio`;
+  say($("scene-name"), v?.name ?? "");
+  const title = `${v?.name} – gaitcam studio`;
+  if (v?.name && document.title !== title) document.title = title;
   faults(v);
 }
 
 // The verdict belongs to no design.
 function pending(why) {
-  $("verdict").className = "verdict";
-  for (const id of ["verdict-name", "chip"]) say($(id), "–");
+  view.verdict("", "–");
   say($("verdict-reasons"), t(why));
 }
 
@@ -47,7 +47,7 @@ function faults(v) {
   const list = [...(v?.fault ? [{ fault: v.fault }] : []), ...(v?.pending ?? []).filter((p) => p.fault)];
   const seen = JSON.stringify(list.map((p) => [p.fault, p.edits, document.documentElement.lang]));
   if (list.length === 0) {
-    $("fault").hidden = true;
+    hide($("fault"));
     said = "";
   } else if (seen !== said) {
     resting = setTimeout(() => {
@@ -80,14 +80,14 @@ export function working(on, since) {
   $("design").setAttribute("aria-busy", String(on));
   if (!on) {
     $("design").classList.remove("busy");
-    $("working").hidden = true;
+    hide($("working"));
     return;
   }
   waiting = setInterval(() => {
     const passed = performance.now() - since;
     if (passed < PATIENCE) return;
     $("design").classList.add("busy");
-    $("working").hidden = false;
+    hide($("working"), false);
     Object.assign($("working-share"), { max: longest, value: passed / 1000 });
     $("working-time").textContent = t("studio-working", { seconds: number(passed / 1000, 2), longest });
   }, 60);

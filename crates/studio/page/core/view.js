@@ -1,6 +1,6 @@
 // Theme, tabs and dialog.
 
-import { $, clear, make } from "./dom.js";
+import { $, clear, make, say } from "./dom.js";
 import { t, onLanguage } from "./words.js";
 
 const TABS = ["values", "force", "programme", "compare", "text"];
@@ -36,6 +36,7 @@ export function tab(name) {
     $(`tab-${other}`).tabIndex = on ? 0 : -1;
   }
   $("panel").dataset.tab = name;
+  $("panel").parentElement.dataset.tab = name;
   opened.get(name)?.();
 }
 
@@ -56,6 +57,14 @@ export function tabs() {
     });
   }
   tab("values");
+}
+
+// The name of the verdict and its colour, beside the cam too.
+export function verdict(kind, name) {
+  for (const [box, text, own] of [["verdict", "verdict-name", "verdict"], ["chip", "chip", "chip"]]) {
+    $(box).className = `${own} ${kind}`.trim();
+    say($(text), name);
+  }
 }
 
 let filling = null;

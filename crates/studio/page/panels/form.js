@@ -1,6 +1,6 @@
 // The form, built from the key table: a text input for every value, a slider where a range makes sense.
 
-import { $, make, clear } from "../core/dom.js";
+import { $, make, hide, clear } from "../core/dom.js";
 import { t, has, language, local, onLanguage } from "../core/words.js";
 import { tab } from "../core/view.js";
 import * as typed from "../core/typed.js";
@@ -15,6 +15,8 @@ let dragged = null;
 let gesture = 0;
 let known = {};
 let everything = false;
+// Fields whose rows are as they are shown.
+let drawn = null;
 
 export function load(table, onEdit) {
   keys = table.filter((k) => !k.key.includes(".N."));
@@ -57,6 +59,7 @@ function build() {
       make("summary", {}, t(`studio-section-${section}`)), body);
     root.append(fold);
   }
+  drawn = null;
   for (const [key, before] of old) if (before.field) show(rows.get(key), before.field);
   spread();
 }
@@ -112,7 +115,7 @@ function send(key, text, how) {
   if (how === "choice") gesture += 1;
   const entry = rows.get(key);
   // What stands in the page is no longer what the last design said.
-  entry.seen = null;
+  forget(entry);
   const unit = entry.field?.slider?.unit.trim() || typed.unitOf(entry.field?.text) || typed.unitOf(entry.field?.placeholder);
   const value = how === "typed" ? typed.value(text, unit) : text;
   edit([{ set: { key, value } }], `${key} ${gesture}`, { title: label(key) });
@@ -174,8 +177,15 @@ function slide(entry) {
 // The fields of a design, or the ones before; over them the values of the version that no design has.
 export function update(fields, version) {
   if (fields) known = fields;
-  shown(known);
+  if (drawn !== known) shown(known);
+  drawn = known;
   overlay(version);
+}
+
+// The next update shows a row again.
+function forget(entry) {
+  entry.seen = null;
+  drawn = null;
 }
 
 function overlay(version) {
@@ -186,7 +196,7 @@ function overlay(version) {
       if (!entry) continue;
       const typing = document.activeElement === entry.input && entry.input.tagName === "INPUT" && !entry.forced;
       if (!typing && dragged !== set.key) entry.input.value = set.value;
-      entry.seen = null;
+      forget(entry);
       entry.root.classList.add("set");
       if (refusal && entry.slid !== null) shorten(entry);
       else if (refusal) mark(entry, refusal);
@@ -238,8 +248,11 @@ function taken(entry) {
 
 // Few values first: what the scene uses; the others on demand.
 function spread() {
-  for (const { root, input, slider } of rows.values()) {
+  for (const entry of rows.values()) {
+    const { root, input, slider } = entry;
     const away = !everything && !root.matches(".set, .basic:not(.idle), .faulty") && !root.hidden;
+    if (entry.away === away) continue;
+    entry.away = away;
     root.classList.toggle("unused", away);
     for (const stop of [input, slider]) stop.tabIndex = away ? -1 : 0;
   }
@@ -251,11 +264,12 @@ function shown(fields) {
     const field = fields[key];
     const hidden = !field || (!field.acts && field.text === "");
     moved = moved || hidden !== entry.root.hidden;
-    entry.root.hidden = hidden;
-    const seen = JSON.stringify(field);
+    hide(entry.root, hidden);
     // Most fields are as they were: only the others touch the page.
+    if (field === entry.given && entry.seen !== null) continue;
+    const seen = JSON.stringify(field);
     if (field && seen !== entry.seen) show(entry, field);
-    entry.seen = seen;
+    Object.assign(entry, { seen, given: field });
   }
   if (!moved) return;
   for (const fold of document.querySelectorAll("#values .section")) {
@@ -273,7 +287,7 @@ function show(entry, field) {
   entry.root.classList.toggle("set", field.text !== "");
   // A range of rounding is none.
   const range = field.slider && field.slider.to - field.slider.from > 1e-9;
-  slider.hidden = !range;
+  hide(slider, !range);
   if (!range) {
     entry.field = field;
     return;
@@ -325,5 +339,6 @@ function find() {
 
 export function reset() {
   dragged = null;
+  drawn = null;
   for (const entry of rows.values()) Object.assign(entry, { field: null, seen: null, forced: true, slid: null, border: null });
 }

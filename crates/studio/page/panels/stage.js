@@ -1,6 +1,6 @@
 // The cam with its follower: turning, dragged by hand, with circles, normal, osculating circle and coloured contour.
 
-import { $, svg, make, clear } from "../core/dom.js";
+import { $, svg, make, hide, clear } from "../core/dom.js";
 import { t, quantity, onLanguage } from "../core/words.js";
 import * as clock from "../core/clock.js";
 import { move, partsOf, value } from "../core/motion.js";
@@ -161,7 +161,7 @@ function colour() {
   clear(parts.colours);
   const legend = clear($("legend"));
   const name = $("colour").value;
-  legend.hidden = name === "none";
+  hide(legend, name === "none");
   if (name === "none") return;
   const contour = answer.curves.contour;
   // The values of a colour chosen just now are on their way.

@@ -1,9 +1,10 @@
 // Verdict with reasons, conflict with its relaxations, figures, active limits, tables.
 
-import { $, make, say, clear } from "../core/dom.js";
+import { $, make, say, hide, clear } from "../core/dom.js";
 import { t, language, local } from "../core/words.js";
 import { engine } from "../core/net.js";
 import * as units from "../core/units.js";
+import * as view from "../core/view.js";
 import * as blobs from "../core/blobs.js";
 import * as designs from "../core/designs.js";
 
@@ -17,10 +18,9 @@ export function load(onApply) {
 export function show(answer) {
   shown = answer;
   const state = answer.infeasible ? "infeasible" : answer.verdict;
-  $("verdict").className = `verdict ${answer.infeasible ? "unacceptable" : answer.verdict}`;
-  for (const id of ["verdict-name", "chip"]) say($(id), t(`studio-verdict-${state}`));
+  view.verdict(answer.infeasible ? "unacceptable" : answer.verdict, t(`studio-verdict-${state}`));
   say($("verdict-reasons"), units.text(answer.reasons));
-  $("cam-das").hidden = !answer.cam_das || !Object.keys(answer.fields).some((key) => key.startsWith("law.segment."));
+  hide($("cam-das"), !answer.cam_das || !Object.keys(answer.fields).some((key) => key.startsWith("law.segment.")));
   if (answer.cam_das) say($("cam-das"), `CAM-DAS: ${t(`studio-verdict-${answer.cam_das}`)}`);
   figures(answer);
   conflict(answer, answer.relaxations, []);
@@ -77,7 +77,7 @@ export function stop() {
 function conflict(answer, relaxations, together) {
   const box = clear($("conflict"));
   const useful = relaxations.filter((r) => r.value);
-  box.hidden = answer.quick || !answer.needs_relaxing || (answer.conflict.length === 0 && useful.length === 0 && together.length === 0);
+  hide(box, answer.quick || !answer.needs_relaxing || (answer.conflict.length === 0 && useful.length === 0 && together.length === 0));
   if (box.hidden) return;
   if (answer.conflict.length > 0) {
     box.append(make("p", {}, make("strong", {}, t("studio-conflict")), " ", units.text(answer.conflict.join(" · "))));

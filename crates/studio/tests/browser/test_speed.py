@@ -1,0 +1,136 @@
+"""How soon a picture follows the hand, with each engine.
+
+The time of a picture runs from the input event whose value it shows to the frame in which the page has painted it. Events that are
+overtaken before they are asked for have no picture of their own: their time to the next picture is measured too. What other work on
+the machine takes is measured beside it, as the wall time of a busy loop over its processor time, and the bounds grow by that factor.
+"""
+
+import statistics
+import time
+import unittest
+
+from studio import DIST, Pages
+
+# Asked for: 95 % of the pictures of the built-in scenes, of all events, and the median of the scene that takes longest, ms.
+PICTURE, EVENT, LONGEST = 50, 100, 150
+LONG = "heel_tester_fitted"
+DRAG = """async () => {
+    const design = document.querySelector("#design");
+    const sliders = [...document.querySelectorAll('#values .row.set input[type="range"]')].filter((s) => s.checkVisibility());
+    const slider = sliders.find((s) => /^limits\\.|^cam\\./.test(s.dataset.key)) ?? sliders[0];
+    if (!slider) return null;
+    const [from, pictures, events, start] = [Number(slider.value), [], [], performance.now()];
+    let [open, grey, k] = [[], 0, 0];
+    const seen = new MutationObserver(() => {
+        const [now, ms] = [performance.now(), Number(design.dataset.ms)];
+        pictures.push(ms);
+        // Events up to the one that this picture shows.
+        const answered = (at) => at <= now - ms + 1;
+        events.push(...open.filter(answered).map((at) => now - at));
+        open = open.filter((at) => !answered(at));
+    });
+    seen.observe(design, {attributes: true, attributeFilter: ["data-revision"]});
+    // On a machine with other work two pictures may take longer than the drag.
+    const over = () => performance.now() - start;
+    while (over() < 1200 || (pictures.length < 2 && over() < 5000)) {
+        k += 1;
+        slider.value = from * (1 + 0.02 * Math.sin(k / 5));
+        open.push(performance.now());
+        slider.dispatchEvent(new Event("input", {bubbles: true}));
+        await new Promise(requestAnimationFrame);
+        grey += design.matches(".busy");
+    }
+    slider.dispatchEvent(new Event("change", {bubbles: true}));
+    await new Promise((done) => setTimeout(done, 100));
+    seen.disconnect();
+    return {pictures, events, grey};
+}"""
+
+
+def p95(times):
+    return statistics.quantiles(times, n=20)[-1]
+
+
+def disturbance():
+    """By how much other work on the machine stretches time: 1 where there is none."""
+    wall, own = time.monotonic(), time.process_time()
+    while time.process_time() - own < 0.05:
+        pass
+    return max(1.0, (time.monotonic() - wall) / (time.process_time() - own))
+
+
+class Speed(Pages):
+    def rests(self, page):
+        page.until("it is at rest", lambda: page.page.get_attribute("#design", "aria-busy") == "false")
+
+    def test_hand_to_picture_over_the_scenes(self):
+        """A slider is dragged for a second in each scene, with an event in every frame."""
+        page = self.page()
+        page.page.click("#play")
+        page.page.click("#open-scenes")
+        names = page.page.eval_on_selector_all("[data-scene]", "all => all.map((e) => e.dataset.scene)")
+        page.page.keyboard.press("Escape")
+        pictures, events, medians, grey, stretch = [], [], {}, 0, []
+        for name in names:
+            if name == "measured_walk":  # its recording is not on the page
+                continue
+            page.opens(name)
+            stretch.append(disturbance())
+            found = page.page.evaluate(DRAG)
+            self.rests(page)
+            if found is None or len(found["pictures"]) < 2:
+                continue
+            grey += found["grey"]
+            medians[name] = statistics.median(found["pictures"])
+            if name != LONG:
+                pictures += found["pictures"]
+                events += found["events"]
+        factor = statistics.mean(stretch)
+        worst = ", ".join(f"{name} {ms:.0f}" for name, ms in sorted(medians.items(), key=lambda x: -x[1])[:4])
+        print(
+            f"\n  {'worker' if DIST else 'native'} engine, {len(medians)} of {len(names)} scenes, {len(pictures)} pictures: median "
+            f"{statistics.median(pictures):.0f} ms, 95 % {p95(pictures):.0f} ms ({PICTURE} asked); all {len(events)} events: median "
+            f"{statistics.median(events):.0f} ms, 95 % {p95(events):.0f} ms; slowest medians {worst}; other work stretches time by {factor:.2f}"
+        )
+        self.assertGreater(len(medians), 15)
+        self.assertEqual(grey, 0)
+        self.assertLess(p95(pictures), PICTURE * factor)
+        self.assertLess(p95(events), EVENT * factor)
+        self.assertLess(medians[LONG], LONGEST * factor)
+        self.assertEqual(page.said, [])
+
+    def test_an_animation_has_a_picture_in_every_frame(self):
+        page = self.page()
+        stretch = disturbance()
+        page.page.wait_for_timeout(500)
+        frames = """async () => {
+            const [stage, times] = [document.querySelector("#stage"), []];
+            let [moved, before, last] = [0, stage.getAttribute("aria-valuenow"), performance.now()];
+            for (let k = 0; k < 120; k += 1) {
+                await new Promise(requestAnimationFrame);
+                times.push(performance.now() - last);
+                last = performance.now();
+                moved += stage.getAttribute("aria-valuenow") !== before;
+                before = stage.getAttribute("aria-valuenow");
+            }
+            return {times, moved};
+        }"""
+        found = page.page.evaluate(frames)
+        rate = 1000 / statistics.mean(found["times"])
+        print(f"\n  animation: {rate:.1f} pictures a second, the cam moved in {found['moved']} of 120 frames; other work stretches time by {stretch:.2f}")
+        self.assertGreater(rate, 57 / stretch)
+        self.assertGreaterEqual(found["moved"], 118)
+
+    def test_the_first_design_stands_within_a_second(self):
+        times = []
+        for _ in range(3):
+            stretch = disturbance()
+            page = self.page()
+            first = page.page.evaluate("performance.getEntriesByName('first-design')[0].startTime")
+            times.append(first / stretch)
+        print(f"\n  first design {min(times):.0f} ms after the navigation began")
+        self.assertLess(min(times), 1000)
+
+
+if __name__ == "__main__":
+    unittest.main()
