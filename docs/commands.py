@@ -11,7 +11,9 @@ Each page has a temporary folder with copies of scenes/ and data/, in which its 
 - `bash`, a job for Slurm (`#SBATCH --array=FIRST-LAST`): every task is run with the variables that Slurm sets, and the
   first once more, as in an array that is submitted again;
 - after `<!-- printed -->` every number of the paragraph that has a decimal point is printed, but for rounding, by the
-  commands above (times aside) or stands in them;
+  commands above (times aside) or stands in them; `<!-- printed by`, commands that the reader does not see, `-->` has
+  them run for the paragraph: beside gaitcam there are `column FILE.csv NAME FACTOR`, which prints a column, and
+  `value EXPRESSION`, which computes from a JSON object d;
 - `csv` is written to the file that the line before names, `NAME.csv`: in backquotes;
 - `toml` that begins with the comment `# NAME.toml` is written to that file; any other is set, key by key, in the scene
   written last (else in the built-in footbridge), which must then be designed with exit code 0 or 3;
@@ -33,8 +35,14 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-BLOCK = re.compile(r"(?ms)(?:`(\S+)`:\n\n)?^```(\w+)\n(.*?)^```$|^<!-- printed -->\n(?=(.*?)(?:\n\n|\Z))")
+BLOCK = re.compile(r"(?ms)(?:`(\S+)`:\n\n)?^```(\w+)\n(.*?)^```$|^<!-- printed(?: by\n(.*?)\n)? ?-->\n(?=(.*?)(?:\n\n|\Z))")
 NUMBER = re.compile(r"\d+[.,]\d+")
+SHELL = """
+column() { python3 -c 'import csv, sys
+for row in csv.DictReader(open(sys.argv[1])): print(float(row[sys.argv[2]]) * float(sys.argv[3]))' "$@"; }
+value() { python3 -c 'import json, sys; from math import *
+d = json.load(sys.stdin); print(eval(sys.argv[1]))' "$@"; }
+"""
 PAGES = ("README.md", "docs/start.md", "docs/guide/*.md", "docs/guia/*.md", "docs/reference/*.md")
 
 
@@ -52,8 +60,10 @@ class Page:
     def run(self):
         before = None
         for found in re.finditer(BLOCK, self.path.read_text(encoding="utf-8")):
-            self.named, kind, block, prose = found.groups()
+            self.named, kind, block, hidden, prose = found.groups()
             kind, block = ("prose", prose) if prose else (kind, block)
+            if fault := hidden and self.unseen(hidden):
+                sys.exit(f"{self.path.relative_to(ROOT)}: {fault}")
             if kind == "text" and before != "sh":
                 continue  # a formula or a picture in characters
             check = getattr(self, kind, lambda _: f"nothing checks blocks of kind {kind}")
@@ -88,6 +98,11 @@ class Page:
             code, printed = self.shell("".join(f"export SLURM_{k}={v}\n" for k, v in given.items()) + block)
             if code:
                 return f"exit code {code} of task {task}:\n{printed}"
+
+    def unseen(self, commands):
+        code, printed = self.shell(SHELL + "set -e\n" + commands)
+        self.above += f"{commands}\n{printed}"
+        return f"exit code {code}: {commands}\n{printed}" if code else None
 
     def prose(self, paragraph):
         printed = [float(number.replace(",", ".")) for number in NUMBER.findall(re.sub(r"[\d.,]+ ms\b", "", self.above))]
