@@ -8,11 +8,14 @@
 - a path such as `src/law/rise.rs` in README, CONTRIBUTING and docs/ is that of a file or folder;
 - a relative link in a Markdown file leads to a file, and its #anchor to a heading;
 - every number with a decimal point or of four digits and more in the paragraph after `<!-- from FILE -->` stands in that file;
+- every number of four digits and more with a decimal point in docs/theory.md stands, but for rounding and powers of a
+  thousand, in a test, a source or a report, unless `docs/commands.py` computes it (`<!-- printed by`);
 - nothing cites a document that is not in the repository;
 - the README installs and tests with the commands that `.ci/run` runs;
 - every crate that is meant for others, which is without `publish = false`, has description, README, keywords and both licences.
 """
 
+import bisect
 import re
 import sys
 import tomllib
@@ -62,6 +65,25 @@ def changed_figures(path, text):
         for number in re.findall(FIGURE, paragraph):
             if number not in known:
                 yield f"{number}, which {source} does not have"
+
+
+def unknown_figures(theory):
+    """The numbers of the theory that nothing computes or holds."""
+    places = ["src", "tests", "crates", "benches", "reports", "data"]
+    texts = (path.read_text(encoding="utf-8", errors="ignore") for place in places for path in (ROOT / place).rglob("*")
+             if path.suffix in (".rs", ".md", ".csv") and not SKIP.intersection(path.relative_to(ROOT).parts))
+    known = sorted({float(number) for text in texts for number in re.findall(r"\d+\.\d+", text.replace("_", ""))})
+
+    def holds(number):
+        last = 0.5001 * 10 ** -len(number.split(".")[1])
+        places = ((float(number) - last) * scale for scale in (1e-3, 1, 1e3))
+        found = zip((bisect.bisect_left(known, place) for place in places), (1e-3, 1, 1e3))
+        return any(i < len(known) and known[i] <= (float(number) + last) * scale for i, scale in found)
+
+    computed = r"(?ms)^<!-- printed.*?-->\n.*?(?:\n\n|\Z)|`[^`\n]*`|\]\([^)]*\)|§[\d.]+|arXiv [\d.]+"
+    for number in re.findall(r"(?<![\w.])\d+\.\d+(?!\d*/)", re.sub(computed, "\n", theory)):
+        if len(number.replace(".", "").lstrip("0")) >= 4 and not holds(number):
+            yield f"docs/theory.md: {number}, which no test, source or report has"
 
 
 def faults(path, sections):
@@ -142,7 +164,7 @@ def main():
     theory = (ROOT / "docs" / "theory.md").read_text(encoding="utf-8")
     sections = {int(n) for n in re.findall(r"(?m)^## (\d+)\. ", theory)}
     found = [f"{p.relative_to(ROOT)}: {f}" for p in files() for f in faults(p, sections)]
-    found += [*install_faults(), *package_faults()]
+    found += [*install_faults(), *package_faults(), *unknown_figures(theory)]
     if found:
         sys.exit("\n".join(found))
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs or checks every code block of README.md, of the guide in both languages and of the reference.
+"""Runs or checks every code block of README.md, of the guide in both languages, of the theory and of the reference.
 
     python3 docs/commands.py target/release/gaitcam [--python INTERPRETER] [PAGE.md …]
 
@@ -43,7 +43,7 @@ for row in csv.DictReader(open(sys.argv[1])): print(float(row[sys.argv[2]]) * fl
 value() { python3 -c 'import json, sys; from math import *
 d = json.load(sys.stdin); print(eval(sys.argv[1]))' "$@"; }
 """
-PAGES = ("README.md", "docs/start.md", "docs/guide/*.md", "docs/guia/*.md", "docs/reference/*.md")
+PAGES = ("README.md", "docs/start.md", "docs/theory.md", "docs/guide/*.md", "docs/guia/*.md", "docs/reference/*.md")
 
 
 class Page:
