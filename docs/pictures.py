@@ -36,7 +36,7 @@ PICTURES = {
     },
     ("sweeps", "barridos"): {"heat": "out/grid/heat.svg", "front": "out/grid/front.svg"},
     ("workshop", None): {"profile": "out/shop/profile.svg"},
-    ("teachers", None): {"svaj": "out/camdas_09_eight_motions/svaj.svg"},
+    ("teachers", "docentes"): {"svaj": "out/camdas_09_eight_motions/svaj.svg"},
     ("python", "python"): {"svaj": "out/footbridge/svaj.svg"},
 }
 LARGEST = 150_000
