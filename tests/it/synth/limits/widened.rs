@@ -226,25 +226,36 @@ fn a_wider_limit_never_worsens_a_design() {
 }
 
 /// Under a force that is symmetric in time the angle of symmetry is the worst of its neighbours for the law to touch its
-/// base circle, and no law touches there that keeps a wide accuracy best.
+/// base circle, and no law touches there that keeps a wide accuracy best. With the short stroke, programs whose weight of the
+/// accuracy differs by a part in a million begin with contacts that are alike to rounding.
 #[test]
 fn a_wider_accuracy_never_takes_a_larger_cam() {
-    let radius = |by: f64| {
-        let wish = Wish {
-            minimise: 4,
-            frequency: 1.674_598_489_889_618_6,
-            spans: 10,
-            accuracy: 0.093,
-            limits: vec![(11, 0.86)],
-            widened: 1,
-            by,
-        };
-        with(&wish, by).cam.follower.prime_radius()
+    let symmetric = Wish {
+        minimise: 4,
+        frequency: 1.674_598_489_889_618_6,
+        spans: 10,
+        accuracy: 0.093,
+        limits: vec![(11, 0.86)],
+        widened: 1,
+        by: 1.0,
     };
-    let radii: Vec<f64> = (0..10).map(|i| radius(1.0 + 0.1 * f64::from(i))).collect();
-    let falls = |pair: &[f64]| pair[1] < pair[0] * (1.0 + 1e-6);
-    assert!(radii.windows(2).all(falls), "{radii:?}");
-    assert!(radii[9] < 0.0778, "{radii:?}");
+    let short = Wish {
+        frequency: 1.971_636_159_894_994,
+        spans: 17,
+        accuracy: 0.116_117_032_459_230_33,
+        limits: vec![(0, 0.0), (11, 0.408_714_658_529_500_1)],
+        widened: 2,
+        ..symmetric.clone()
+    };
+    let tenths: Vec<f64> = (0..10).map(|i| 1.0 + 0.1 * f64::from(i)).collect();
+    let found = vec![1.0, 1.6, 1.646_823_327_043_303_3, 1.7];
+    for (wish, factors, least) in [(symmetric, tenths, 0.0778), (short, found, 0.3084)] {
+        let radius = |by: &f64| with(&wish, *by).cam.follower.prime_radius();
+        let radii: Vec<f64> = factors.iter().map(radius).collect();
+        let falls = |pair: &[f64]| pair[1] < pair[0] * (1.0 + 1e-6);
+        assert!(radii.windows(2).all(falls), "{radii:?}");
+        assert!(radii.last().is_some_and(|r| *r < least), "{radii:?}");
+    }
 }
 
 /// Every limit of every built-in scene that stands in numbers, 5 % wider and 5 % narrower.

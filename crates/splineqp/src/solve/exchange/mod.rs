@@ -11,22 +11,31 @@ use crate::program::{EXTRAS, Failure, PEAK, Program, Row, Solution, Stop};
 use crate::solve::refine;
 use clarabel::Point;
 
-/// The optimum by the interior-point method on exchanged rows, which begin with the program's seeds or with the worst points of
-/// its optimum without limits.
+/// The optimum by the interior-point method on exchanged rows, which begin with the program's seeds. Seeds of a law that differs
+/// by rounding may be so alike that the method does not end: then as without seeds.
 ///
 /// # Errors
 /// Limits that leave nothing, a solver that stops without an answer.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
+    if program.seeds.is_empty() {
+        return without_seeds(program);
+    }
+    let contacts = program.seeds.iter().filter(|r| r.limit.is_some());
+    // A limit on a size alone is one row, which no place of the law calls in.
+    let mut own = Vec::new();
+    program.seed_rows(&mut own);
+    own.retain(|r| r.entries.iter().all(|e| e.1 == 0.0));
+    let rows = program.fixed.iter().chain(contacts).cloned().chain(own);
+    match from_rows(program, rows.collect()) {
+        Err(Failure::Numerical { stop }) if stop != Stop::OutOfTime => without_seeds(program),
+        found => found,
+    }
+}
+
+/// From rows of the program's own, or from the worst points of its optimum without limits.
+fn without_seeds<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
     let mut rows: Vec<Row<N>> = program.fixed.clone();
-    if !program.seeds.is_empty() {
-        let contacts = program.seeds.iter().filter(|r| r.limit.is_some());
-        rows.extend(contacts.cloned());
-        // A limit on a size alone is one row, which no place of the law calls in.
-        let mut own = Vec::new();
-        program.seed_rows(&mut own);
-        own.retain(|r| r.entries.iter().all(|e| e.1 == 0.0));
-        rows.extend(own);
-    } else if program.present().contains(&true) {
+    if program.present().contains(&true) {
         program.seed_rows(&mut rows);
     } else {
         let x = program.on_base_circle(equality::solve(program)?.x);
