@@ -48,23 +48,27 @@ fn flexible_cycle(bencher: divan::Bencher) {
     bencher.bench(|| flexible::steady(&emitted.law, &drive, &train));
 }
 
-/// The footbridge on a shaft with a wheel of 0.5 kg·m² and a motor that loses 10 N·m per rad/s, or without either.
-fn shaker(has_motor: bool) -> Scene {
+/// Wheel, kg·m², and what the motor loses, N·m per rad/s, of the footbridge's shaft; nothing: at constant speed.
+const SHAFTS: [&str; 7] = [
+    "constant", "0.5, 2", "0.5, 10", "0.5, 50", "2, 2", "2, 10", "2, 50",
+];
+
+fn on_shaft(shaft: &str) -> Scene {
     let scene = scene::built_in("footbridge").and_then(|s| s.scene());
     let mut scene = scene.expect("a built-in scene");
     // Both designs of one family.
     scene.law.family = Family::Spline;
-    if has_motor {
-        scene.machine.motor.slope = Some(10.0);
-        scene.machine.inertia = Some(0.5);
+    if let Some((wheel, slope)) = shaft.split_once(", ") {
+        scene.machine.inertia = wheel.parse().ok();
+        scene.machine.motor.slope = slope.parse().ok();
     }
     scene
 }
 
 /// Asked for: ≤ 2 ms with the motor.
-#[divan::bench(args = [false, true])]
-fn run_on_a_shaft(bencher: divan::Bencher, has_motor: bool) {
-    let mut scene = shaker(has_motor);
+#[divan::bench(args = ["constant", "0.5, 10"])]
+fn run_on_a_shaft(bencher: divan::Bencher, shaft: &str) {
+    let mut scene = on_shaft(shaft);
     scene.law.shaft = ShaftSpeed::Constant;
     let design = scene.design().expect("a design");
     let run = design.emitted(&scene.machine, design.drive);
@@ -72,10 +76,10 @@ fn run_on_a_shaft(bencher: divan::Bencher, has_motor: bool) {
     bencher.bench(|| simulate(&run, Model::Rigid));
 }
 
-/// Asked for: with the motor ≤ 5 times the time without; it takes two to four programs and some eight runs of the shaft.
-#[divan::bench(args = [false, true])]
-fn design_for_a_shaft(bencher: divan::Bencher, has_motor: bool) {
-    let scene = shaker(has_motor);
+/// Asked for: with a motor ≤ 5 times the time without; it takes two to four programs and some eight runs of the shaft.
+#[divan::bench(args = SHAFTS)]
+fn design_for_a_shaft(bencher: divan::Bencher, shaft: &str) {
+    let scene = on_shaft(shaft);
     bencher.bench(|| scene.design());
 }
 

@@ -30,9 +30,10 @@ pub struct InTime {
     pub rms_error_percent_of_mean: f64,
 }
 
-/// Rounds of the phase at most, and its change, parts of the period, at which they end: the error is stationary in it.
+/// Rounds of the phase at most, and its change, parts of the period, at which they end: what the error falls by with that change
+/// is then known to a part of itself.
 const ROUNDS: usize = 20;
-const SAME: f64 = 1e-6;
+const SAME: f64 = 1e-4;
 
 /// The distance of forces at equal angles, with speed, rad/s, and time, s, from a target at equal times of one period
 /// that begins at the same angle.
@@ -59,10 +60,15 @@ pub fn error_in_time(
             slope += w * off * rate;
             bend += w * rate * rate;
         }
-        if bend == 0.0 || (slope / bend).abs() < SAME {
+        if bend == 0.0 {
             break;
         }
-        shift += slope / bend;
+        let change = slope / bend;
+        if change.abs() < SAME {
+            square = (square - change * slope).max(0.0);
+            break;
+        }
+        shift += change;
     }
     let mean = target.iter().sum::<f64>() / target.len() as f64;
     let rms_error_n = f64::sqrt(square);
@@ -82,7 +88,8 @@ impl Cubic<'_> {
         let x = (part - part.floor()) * n as f64;
         let i = x as usize;
         let u = x - i as f64;
-        let y = [n - 1, 0, 1, 2].map(|k| self.0[(i + k) % n]);
+        let wrapped = |k: usize| if k < n { k } else { k - n };
+        let y = [n - 1, 0, 1, 2].map(|k| self.0[wrapped(i + k)]);
         let (m, p) = (0.5 * (y[2] - y[0]), 0.5 * (y[3] - y[1]));
         let rise = y[2] - y[1];
         let (square, cube) = (3.0 * rise - 2.0 * m - p, m + p - 2.0 * rise);

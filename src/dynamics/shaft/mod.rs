@@ -85,11 +85,18 @@ pub struct Motion {
     mean: f64,
     /// What the motor carries, and the turn that it makes; `None` at constant speed.
     turn: Option<(Load, Steady)>,
-    marks: Vec<Mark>,
+    pieces: Vec<Piece>,
+}
+
+/// The part of the period, rad, over the angles from one since the first, rad, to that of the next piece, as the factors of
+/// their powers.
+#[derive(Debug, Clone)]
+struct Piece {
+    from: f64,
+    factors: [f64; 6],
 }
 
 /// The part of the period, rad, at an angle since the first, rad, with its derivatives by the angle; the second may jump.
-#[derive(Debug, Clone, Copy)]
 struct Mark {
     angle: f64,
     phase: f64,
@@ -98,26 +105,47 @@ struct Mark {
     bend: [f64; 2],
 }
 
+impl Piece {
+    /// Hermite's quintic.
+    fn between(from: &Mark, to: &Mark) -> Piece {
+        let h = to.angle - from.angle;
+        let (square, rise) = (h * h, to.phase - from.phase);
+        let ([d, f], [e, g]) = (
+            [from.rate, to.rate].map(|r| r * h),
+            [from.bend[1], to.bend[0]].map(|b| b * square),
+        );
+        Piece {
+            from: from.angle,
+            factors: [
+                from.phase,
+                from.rate,
+                0.5 * from.bend[1],
+                (10.0 * rise - 6.0 * d - 4.0 * f - 0.5 * (3.0 * e - g)) / (square * h),
+                (-15.0 * rise + 8.0 * d + 7.0 * f + 0.5 * (3.0 * e - 2.0 * g)) / (square * square),
+                (6.0 * rise - 3.0 * (d + f) - 0.5 * (e - g)) / (square * square * h),
+            ],
+        }
+    }
+}
+
 impl Motion {
     /// A constant speed, rad/s.
     pub fn even(mean: f64) -> Motion {
-        let mark = |angle| Mark {
-            angle,
-            phase: angle,
-            rate: 1.0,
-            bend: [0.0; 2],
+        let piece = Piece {
+            from: 0.0,
+            factors: [0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
         };
-        Motion::new(mean, None, vec![mark(0.0), mark(TAU)])
+        Motion::new(mean, None, vec![piece])
     }
 
-    fn new(mean: f64, turn: Option<(Load, Steady)>, marks: Vec<Mark>) -> Motion {
+    fn new(mean: f64, turn: Option<(Load, Steady)>, pieces: Vec<Piece>) -> Motion {
         Motion {
             speed: Vec::new(),
             acceleration: Vec::new(),
             time: Vec::new(),
             mean,
             turn,
-            marks,
+            pieces,
         }
     }
 
@@ -136,7 +164,7 @@ impl Motion {
 
     /// Angles since the first between which it is smooth, from 0 to a turn.
     pub fn breaks(&self) -> impl Iterator<Item = f64> {
-        self.marks.iter().map(|mark| mark.angle)
+        self.pieces.iter().map(|p| p.from).chain([TAU])
     }
 
     /// Highest less lowest speed, part of the mean.
@@ -151,40 +179,29 @@ impl Motion {
     pub fn phase(&self, angle: f64) -> [f64; 4] {
         let turns = (angle / TAU).floor();
         let angle = angle - TAU * turns;
-        let i = self.marks.partition_point(|m| m.angle <= angle);
-        let i = i.clamp(1, self.marks.len() - 1);
-        let (from, to) = (&self.marks[i - 1], &self.marks[i]);
-        let h = to.angle - from.angle;
-        let u = (angle - from.angle) / h;
-        // Hermite's quintic.
-        let scaled = |m: &Mark, side: usize| [m.phase, h * m.rate, h * h * m.bend[side]];
-        let ([y, d, e], [z, f, g]) = (scaled(from, 1), scaled(to, 0));
-        let rise = z - y;
-        let c = [
-            10.0 * rise - 6.0 * d - 4.0 * f - 0.5 * (3.0 * e - g),
-            -15.0 * rise + 8.0 * d + 7.0 * f + 0.5 * (3.0 * e - 2.0 * g),
-            6.0 * rise - 3.0 * (d + f) - 0.5 * (e - g),
-        ];
-        let value = y + u * (d + u * (0.5 * e + u * (c[0] + u * (c[1] + u * c[2]))));
-        let slope = d + u * (e + u * (3.0 * c[0] + u * (4.0 * c[1] + u * 5.0 * c[2])));
-        let bend = e + u * (6.0 * c[0] + u * (12.0 * c[1] + u * 20.0 * c[2]));
-        let third = 6.0 * c[0] + u * (24.0 * c[1] + u * 60.0 * c[2]);
+        let i = self.pieces.partition_point(|p| p.from <= angle);
+        let piece = &self.pieces[i.max(1) - 1];
+        let (x, [a, b, c, d, e, f]) = (angle - piece.from, piece.factors);
         [
-            TAU * turns + value,
-            slope / h,
-            bend / (h * h),
-            third / (h * h * h),
+            TAU * turns + a + x * (b + x * (c + x * (d + x * (e + x * f)))),
+            b + x * (2.0 * c + x * (3.0 * d + x * (4.0 * e + x * 5.0 * f))),
+            2.0 * c + x * (6.0 * d + x * (12.0 * e + x * 20.0 * f)),
+            6.0 * d + x * (24.0 * e + x * 60.0 * f),
         ]
     }
 
     /// The cam angle since the first, rad, at a part of the period, rad.
     pub fn angle(&self, phase: f64) -> f64 {
         let (turns, phase) = (phase.div_euclid(TAU), phase.rem_euclid(TAU));
-        let i = self.marks.partition_point(|m| m.phase <= phase);
-        let i = i.clamp(1, self.marks.len() - 1);
-        let (from, to) = (&self.marks[i - 1], &self.marks[i]);
-        let part = (phase - from.phase) / (to.phase - from.phase);
-        let mut angle = from.angle + part * (to.angle - from.angle);
+        let i = self.pieces.partition_point(|p| p.factors[0] <= phase);
+        let i = i.max(1);
+        let from = &self.pieces[i - 1];
+        let next = self
+            .pieces
+            .get(i)
+            .map_or((TAU, TAU), |p| (p.from, p.factors[0]));
+        let part = (phase - from.factors[0]) / (next.1 - from.factors[0]);
+        let mut angle = from.from + part * (next.0 - from.from);
         for _ in 0..3 {
             let at = self.phase(angle);
             angle -= (at[0] - phase) / at[1];
@@ -304,7 +321,11 @@ pub fn periodic(load: Load, motor: &Motor, mean: f64, near: Option<&Motion>) -> 
     let first = |i: usize| mark(i, (i + count - 1) % count, i, load.steps[i].from - start);
     let mut marks: Vec<Mark> = (0..count).map(first).collect();
     marks.push(mark(count, count - 1, 0, TAU));
-    Ok(Motion::new(mean, Some((load, steady)), marks))
+    let pieces = marks
+        .windows(2)
+        .map(|ends| Piece::between(&ends[0], &ends[1]));
+    let pieces = pieces.collect();
+    Ok(Motion::new(mean, Some((load, steady)), pieces))
 }
 
 /// The message for a shaft that stops, with an inertia that would do.

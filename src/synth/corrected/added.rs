@@ -21,7 +21,7 @@ const NODES: usize = DEGREE + 1;
 /// A part is no shorter than this share of an equal one.
 const SHORTEST: f64 = 0.3;
 /// Equal angles of the target.
-const ANGLES: usize = 360;
+const ANGLES: usize = 240;
 
 /// The numbers of a state, in this order: what is added to the force at the nodes, what is added by time where that is
 /// limited, the speed, and the parts of the period at equal angles. Each is in units in which 1 is about the whole.

@@ -27,7 +27,7 @@ const WALKER: usize = 720;
 const STEPS: usize = 32;
 /// Rounds of the speed alone, before the first design, and the relative change of speed at which they end.
 const SPEED_ROUNDS: usize = 12;
-const SAME_SPEED: f64 = 1e-3;
+const SAME_SPEED: f64 = 3e-3;
 /// Part of the accuracy, without one of the mean force, below which a forecast change of the force is neglected.
 const NEGLECTED: f64 = 0.2;
 const NEGLECTED_OF_MEAN: f64 = 1e-3;
@@ -171,7 +171,7 @@ impl<'a> Runner<'a> {
             let next = periodic(load, motor, drive.speed, Some(clock))?;
             let change =
                 |i: usize| (next.speed_at(angle(i))[0] - clock.speed_at(angle(i))[0]).abs();
-            let change = (0..ROWS).step_by(4).map(change).fold(0.0, f64::max);
+            let change = (0..ROWS).step_by(10).map(change).fold(0.0, f64::max);
             motion.shaft = next;
             if change < SAME_SPEED * drive.speed {
                 break;
