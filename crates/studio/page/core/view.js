@@ -82,12 +82,13 @@ export function dialog(title, fill) {
 
 // A picture in a narrow place opens large.
 export function enlarging(picture, title) {
-  const button = make("button", { type: "button", class: "picture", title: t("studio-picture-enlarge"), "aria-label": `${t("studio-picture-enlarge")}: ${t(title)}`, onclick: () => dialog(title, (body) => {
+  const box = make("div", { class: "picture" });
+  box.innerHTML = picture;
+  box.append(make("button", { type: "button", title: t("studio-picture-enlarge"), "aria-label": `${t("studio-picture-enlarge")}: ${t(title)}`, onclick: () => dialog(title, (body) => {
     body.className = "enlarged";
     body.innerHTML = picture;
-  }) });
-  button.innerHTML = picture;
-  return button;
+  }) }));
+  return box;
 }
 
 export function closeDialog() {

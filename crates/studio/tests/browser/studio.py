@@ -99,7 +99,7 @@ class Browser:
 
 
 def fresh(route):
-    """Answers with the files of FRESH, and with the words of the source tree."""
+    """Answers with the files of FRESH, and with the words of the source tree. Every request takes about ten milliseconds longer."""
     path = route.request.url.split("?")[0]
     name = re.sub(r"^http://[^/]+/([0-9a-f]{16,}/)?", "", path)
     file = Path(FRESH) / (name or "index.html")

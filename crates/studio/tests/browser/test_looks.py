@@ -85,7 +85,7 @@ class Looks(Pages):
         cells = "all => all.filter((e) => e.scrollWidth > e.clientWidth || e.getBoundingClientRect().right > innerWidth).length"
         self.assertEqual(page.page.eval_on_selector_all("#motion td", cells), 0)
         small = page.page.locator("#motion .picture svg").bounding_box()["width"]
-        page.page.click("#motion .picture")
+        page.page.click("#motion .picture button")
         self.assertGreater(page.page.locator("#dialog .enlarged svg").bounding_box()["width"], 1.5 * small)
         self.assertEqual(page.said, [])
 
