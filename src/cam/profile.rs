@@ -3,6 +3,7 @@
 use super::Cam;
 use super::geometry::{Contacts, Frame, Geometry};
 use crate::law::{BATCH, Batch, Joint, Svaj, Turns};
+#[cfg(feature = "vector")]
 use pulp::{Arch, NullaryFnOnce};
 
 /// Jumps below this part of the largest value of their derivative are rounding.
@@ -85,22 +86,34 @@ impl Cam {
     /// `n` profile points at equal steps of the cam angle, from the law's first angle on. The curve of a
     /// closed law closes on point 0, which is not repeated; an open law ends on its last point.
     pub fn profile(&self, n: usize) -> Vec<ProfilePoint> {
-        Arch::new().dispatch(Rows { cam: self, n })
+        let rows = Rows { cam: self, n };
+        #[cfg(feature = "vector")]
+        return Arch::new().dispatch(rows);
+        #[cfg(not(feature = "vector"))]
+        rows.points()
     }
 }
 
-/// Computation of a profile with the widest vector registers of the processor; the results do not depend on
-/// their width.
+/// Computation of a profile, by feature `vector` with the widest vector registers of the processor; the results do
+/// not depend on their width.
 struct Rows<'a> {
     cam: &'a Cam,
     n: usize,
 }
 
+#[cfg(feature = "vector")]
 impl NullaryFnOnce for Rows<'_> {
     type Output = Vec<ProfilePoint>;
 
     #[inline(always)]
     fn call(self) -> Vec<ProfilePoint> {
+        self.points()
+    }
+}
+
+impl Rows<'_> {
+    #[inline(always)]
+    fn points(self) -> Vec<ProfilePoint> {
         let Rows { cam, n } = self;
         let (start, length) = cam.law.extent();
         let steps = if cam.law.is_closed() {

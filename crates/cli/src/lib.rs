@@ -32,7 +32,9 @@ use console::terminal::{final_exit_code, print_json, record_write_error, report}
 use console::{help, internal, language, usage};
 use exit_code::BUILT;
 use gaitcam::error::{Error, Result};
-use reference::{completions, keys, laws, manual};
+#[cfg(feature = "shell")]
+use reference::{completions, manual};
+use reference::{keys, laws};
 use results::{compare, front};
 use scene::{doctor, init};
 use serde_json::{Value, json};
@@ -93,8 +95,10 @@ enum Command {
     /// List the catalogue of rise laws with their peak factors
     Laws(laws::LawsArgs),
     /// Write the manual pages
+    #[cfg(feature = "shell")]
     Man(manual::ManArgs),
     /// Print the completion script of a shell
+    #[cfg(feature = "shell")]
     Completions(completions::CompletionsArgs),
 }
 
@@ -145,9 +149,11 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Keys(args) => keys::keys(&args),
         Command::Scenes(args) => keys::scenes(&args),
         Command::Laws(args) => laws::run(&args),
+        #[cfg(feature = "shell")]
         Command::Completions(args) => completions::run(&args),
         Command::Init(args) => init::run(&args),
         Command::Doctor(args) => doctor::run(&args),
+        #[cfg(feature = "shell")]
         Command::Man(args) => manual::run(&args),
     }
 }
@@ -196,9 +202,9 @@ impl Command {
             Command::Reproduce(_) | Command::Chart(_) => false,
             #[cfg(feature = "studio")]
             Command::Studio(_) => false,
-            Command::Init(_) | Command::Doctor(_) | Command::Man(_) | Command::Completions(_) => {
-                false
-            }
+            #[cfg(feature = "shell")]
+            Command::Man(_) | Command::Completions(_) => false,
+            Command::Init(_) | Command::Doctor(_) => false,
         }
     }
 

@@ -11,8 +11,8 @@ use gaitcam::wording::Catalogue;
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
-// `NoParquet` is of builds without it.
-#[cfg_attr(feature = "parquet", allow(dead_code))]
+// `NoParquet` is of builds without it, `CannotWrite` of those with manual pages.
+#[cfg_attr(any(feature = "parquet", not(feature = "shell")), allow(dead_code))]
 pub enum CliError {
     CannotWrite {
         fault: String,
@@ -129,6 +129,10 @@ pub enum CliError {
     UnknownVerb {
         typed: String,
         near: Option<String>,
+    },
+    LeftOut {
+        typed: String,
+        feature: &'static str,
     },
     FlagWithoutValue,
     FlagChoice {

@@ -5,6 +5,7 @@ pub mod exit_code;
 pub mod help;
 pub mod internal;
 pub mod language;
+pub mod progress;
 pub mod terminal;
 pub mod usage;
 pub mod words;

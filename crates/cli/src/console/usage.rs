@@ -52,7 +52,10 @@ pub fn fault(error: &clap::Error) -> Error {
         ErrorKind::UnknownArgument => CliError::OneTooMany.at_argument(&flag),
         ErrorKind::InvalidSubcommand => {
             let typed = part(ContextKind::InvalidSubcommand).unwrap_or_default();
-            Error::from(CliError::UnknownVerb { typed, near })
+            match left_out(&typed) {
+                Some(feature) => Error::from(CliError::LeftOut { typed, feature }),
+                None => Error::from(CliError::UnknownVerb { typed, near }),
+            }
         }
         ErrorKind::InvalidValue if value.is_empty() => {
             CliError::FlagWithoutValue.at_argument(&flag)
@@ -83,6 +86,20 @@ pub fn fault(error: &clap::Error) -> Error {
             Error::from(CliError::Arguments { fault })
         }
     }
+}
+
+/// The feature that a build without this verb lacks.
+fn left_out(verb: &str) -> Option<&'static str> {
+    let optional = [
+        ("ecam", "cad", cfg!(feature = "cad")),
+        ("chart", "evidence", cfg!(feature = "evidence")),
+        ("reproduce", "evidence", cfg!(feature = "evidence")),
+        ("man", "shell", cfg!(feature = "shell")),
+        ("completions", "shell", cfg!(feature = "shell")),
+        ("studio", "studio", cfg!(feature = "studio")),
+    ];
+    let found = optional.iter().find(|(name, ..)| *name == verb);
+    found.and_then(|(_, feature, built)| (!built).then_some(*feature))
 }
 
 /// A value that its flag does not take, and what it would take.

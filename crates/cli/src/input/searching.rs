@@ -1,7 +1,6 @@
 //! A search that may take long: a progress line after half a second, a time limit.
 
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::thread::{JoinHandle, spawn};
+use std::sync::mpsc::RecvTimeoutError;
 use std::time::{Duration, Instant};
 
 use clap::Args;
@@ -10,15 +9,13 @@ use gaitcam::error::{Placed, Result};
 use gaitcam::halt::Halt;
 use gaitcam::synth::{self, Design, Search};
 use gaitcam_files::{Input, PATIENCE};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 
 use crate::console::error::CliError;
+use crate::console::progress::{self, Watch};
 use crate::console::words;
 use crate::refused;
 
-/// Time after which the progress line appears.
-const SHOWN_AFTER: Duration = Duration::from_millis(500);
 /// Time limit of one design, and of one row of a sweep, s.
 const DESIGN_S: f64 = 60.0;
 const ROW_S: f64 = 5.0;
@@ -73,21 +70,10 @@ impl TimeLimit {
     }
 
     /// Shows that a design is being searched for, until what is returned is dropped.
-    pub fn shown(self) -> Watch {
+    pub fn shown(self) -> Option<Watch> {
         let limit = self.time_limit.unwrap_or(DESIGN_S);
-        Watch::new(move |waits| {
-            if waits.recv_timeout(SHOWN_AFTER) != Err(RecvTimeoutError::Timeout) {
-                return;
-            }
-            let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-            let text = words::fill("synth-searching", &json!({"limit": limit}));
-            if let Ok(style) = ProgressStyle::with_template(&format!("{text} {{elapsed}}")) {
-                bar.set_style(style);
-            }
-            bar.enable_steady_tick(Duration::from_millis(200));
-            let _ = waits.recv();
-            bar.finish_and_clear();
-        })
+        let text = words::fill("synth-searching", &json!({"limit": limit}));
+        progress::shown(move |elapsed| format!("{text} {elapsed:.0} s"))
     }
 }
 
@@ -110,30 +96,4 @@ fn after(seconds: f64) -> Halt {
 
 fn duration(seconds: f64) -> Duration {
     Duration::from_secs_f64(seconds.min(LONGEST_S))
-}
-
-/// A thread beside the work, which ends when this is dropped.
-pub struct Watch {
-    done: Option<Sender<()>>,
-    thread: Option<JoinHandle<()>>,
-}
-
-impl Watch {
-    /// Starts `work`, whose receiver fails once the watch is dropped.
-    fn new(work: impl FnOnce(Receiver<()>) + Send + 'static) -> Watch {
-        let (done, waits) = channel();
-        Watch {
-            done: Some(done),
-            thread: Some(spawn(move || work(waits))),
-        }
-    }
-}
-
-impl Drop for Watch {
-    fn drop(&mut self) {
-        drop(self.done.take());
-        if let Some(thread) = self.thread.take() {
-            let _ = thread.join();
-        }
-    }
 }

@@ -7,6 +7,7 @@ use serde_json::json;
 use super::format::Format;
 use super::{SweepArgs, arguments, check_size, check_values, work};
 use crate::console::exit_code::{BUILT, INTERRUPTED};
+use crate::console::progress::Progress;
 use crate::console::terminal::{self, print, print_json};
 use crate::{console::language, console::words};
 use gaitcam::sweep::{Plan, Study, Subject};
@@ -60,22 +61,23 @@ pub fn run(args: &SweepArgs, shard: Shard) -> gaitcam::error::Result<u8> {
     let halts = || args.time.of_row();
     let missing = blocks.missing_of(shard.part, shard.parts)?;
     let total = missing.iter().map(|r| r.end - r.start).sum();
-    let bar = work::progress(words::text("sweep-designs"), total, 0);
+    let progress = Progress::new(words::text("sweep-designs"), total, 0);
     for block in missing {
         let rows = block.clone();
         let stopped = || stop.load(Ordering::Relaxed);
         let Some(records) = study.run(block, jobs, &halts, &stopped)? else {
-            bar.finish_and_clear();
-            let done = json!({"done": bar.position().to_string(), "rows": total.to_string()});
+            let done = progress.done();
+            drop(progress);
+            let done = json!({"done": done.to_string(), "rows": total.to_string()});
             terminal::report(words::fill("sweep-stopped", &done));
             return Ok(INTERRUPTED);
         };
         let lines = Format::SHARED.lines(&records);
         let bytes = Format::SHARED.block(&records, &lines, &metadata)?;
         blocks.blocks.put(&rows, &bytes)?;
-        bar.inc(records.len() as u64);
+        progress.add(records.len() as u64);
     }
-    bar.finish_and_clear();
+    drop(progress);
     let folder = args.out.display().to_string();
     let left = blocks.missing()?.len();
     if args.json {

@@ -1,14 +1,12 @@
 //! Computes the rows of a table, block by block.
 
-use std::io::IsTerminal;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
-
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::time::Instant;
 
 use super::partial::PartialTable;
 use crate::console::exit_code::INTERRUPTED;
+use crate::console::progress::Progress;
 use crate::console::words;
 use gaitcam::error::Result;
 use gaitcam::sweep::{Records, Runner};
@@ -40,24 +38,6 @@ pub fn jobs(given: Option<u16>) -> usize {
     given.map_or_else(cores, usize::from)
 }
 
-/// A bar with rate and time left on a terminal, nothing in a pipe.
-pub fn progress(what: String, total: u64, done: u64) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template(
-        "{msg} {wide_bar} {human_pos}/{human_len} {per_sec} {eta} left",
-    )
-    .unwrap_or_else(|_| ProgressStyle::default_bar());
-    let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr())
-        .with_style(style)
-        .with_message(what)
-        .with_position(done);
-    bar.reset_eta();
-    bar.enable_steady_tick(Duration::from_millis(500));
-    bar
-}
-
 /// Computes the rows that the table lacks, until done or stopped.
 pub fn compute(
     runner: &Runner,
@@ -66,7 +46,7 @@ pub fn compute(
     partial: &mut PartialTable,
     stop: &AtomicBool,
 ) -> Result<()> {
-    let bar = progress(words::text("sweep-designs"), total, partial.counts().rows);
+    let progress = Progress::new(words::text("sweep-designs"), total, partial.counts().rows);
     let format = partial.format();
     // Lines are made by the threads: one thread alone would take as long for them as two for the rows.
     let part = |records: Records| (format.lines(&records), records);
@@ -81,11 +61,10 @@ pub fn compute(
         }
         let (lines, records): (Vec<String>, Vec<Records>) = parts.into_iter().unzip();
         partial.append(&Records::joined(records), &lines.concat())?;
-        bar.set_position(partial.counts().rows);
+        progress.set(partial.counts().rows);
         let target_s = BLOCK_S.max(BLOCK_SHARE * begun.elapsed().as_secs_f64());
         let fits = rows as f64 * target_s / start.elapsed().as_secs_f64().max(1e-6);
         rows = (fits as u64).clamp(1, 8 * rows).min(BLOCK_ROWS);
     }
-    bar.finish_and_clear();
     Ok(())
 }

@@ -99,6 +99,8 @@ cli-unknown-verb = "{ $typed }" is not a command
         [none] gaitcam --help lists the commands; a scene follows its command: gaitcam synth SCENE.toml
        *[other] did you mean { $near }?
     }
+cli-left-out = this command was built without "{ $typed }"
+    .help = build it with --features { $feature }, or with the default features
 cli-flag-without-value = needs a value
 cli-flag-choice = "{ $typed }" is not a choice
     .help = write one of: { $choices }
@@ -257,6 +259,7 @@ sweep-shard-done = { $folder }: { $rows } rows computed, { $left ->
        *[other] { $left } blocks are missing
     }
 sweep-designs = designs
+sweep-progress = { $done }/{ $total } { $what }, { $rate }/s, { $left } s left
 
 # sweep --tolerance: the report.
 scatter-title = { $name }: manufacturing scatter

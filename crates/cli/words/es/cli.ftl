@@ -99,6 +99,8 @@ cli-unknown-verb = "{ $typed }" no es una orden
         [none] gaitcam --help enumera las órdenes; la escena sigue a la orden: gaitcam synth ESCENA.toml
        *[other] ¿quería decir { $near }?
     }
+cli-left-out = esta orden se compiló sin "{ $typed }"
+    .help = compílela con --features { $feature }, o con las opciones por defecto
 cli-flag-without-value = falta su valor
 cli-flag-choice = "{ $typed }" no es una de las opciones
     .help = escriba una de: { $choices }
@@ -257,6 +259,7 @@ sweep-shard-done = { $folder }: { $rows } filas calculadas, { $left ->
        *[other] faltan { $left } bloques
     }
 sweep-designs = diseños
+sweep-progress = { $done }/{ $total } { $what }, { $rate }/s, faltan { $left } s
 
 # sweep --tolerance: el informe.
 scatter-title = { $name }: dispersión de fabricación

@@ -1,0 +1,130 @@
+//! The line on a terminal that says how far a long computation has come; nothing in a pipe.
+
+use std::io::{IsTerminal, Write, stderr};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::thread::{JoinHandle, spawn};
+use std::time::{Duration, Instant};
+
+use serde_json::json;
+
+use crate::console::words;
+
+/// Time after which the line appears, and between two of its states.
+const EVERY: Duration = Duration::from_millis(500);
+
+/// A thread beside the work, which ends when this is dropped.
+pub struct Watch {
+    done: Option<Sender<()>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Watch {
+    /// Starts `work`, whose receiver fails once the watch is dropped.
+    pub fn new(work: impl FnOnce(Receiver<()>) + Send + 'static) -> Watch {
+        let (done, waits) = channel();
+        Watch {
+            done: Some(done),
+            thread: Some(spawn(move || work(waits))),
+        }
+    }
+}
+
+impl Drop for Watch {
+    fn drop(&mut self) {
+        drop(self.done.take());
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+/// Shows what `line` says of the time so far, s, until what is returned is dropped, which takes the line away.
+pub fn shown(line: impl Fn(f64) -> String + Send + 'static) -> Option<Watch> {
+    stderr().is_terminal().then(|| {
+        Watch::new(move |waits| {
+            let begun = Instant::now();
+            let mut width = 0;
+            while waits.recv_timeout(EVERY) == Err(RecvTimeoutError::Timeout) {
+                let text = line(begun.elapsed().as_secs_f64());
+                // Spaces cover what the line before had more.
+                put(&format!("\r{text:<width$}"));
+                width = text.chars().count();
+            }
+            put(&format!("\r{:width$}\r", ""));
+        })
+    })
+}
+
+/// A terminal that takes no more ends nothing.
+fn put(text: &str) {
+    let mut terminal = stderr().lock();
+    let _ = terminal.write_all(text.as_bytes());
+    let _ = terminal.flush();
+}
+
+/// How many of a number of things are done, with rate and time left.
+pub struct Progress {
+    done: Arc<AtomicU64>,
+    _watch: Option<Watch>,
+}
+
+impl Progress {
+    /// `done` of `total` are done before it begins.
+    pub fn new(what: String, total: u64, done: u64) -> Progress {
+        let now = Arc::new(AtomicU64::new(done));
+        let counted = now.clone();
+        Progress {
+            done: now,
+            _watch: shown(move |elapsed| {
+                line(
+                    &what,
+                    total,
+                    [done, counted.load(Ordering::Relaxed)],
+                    elapsed,
+                )
+            }),
+        }
+    }
+
+    /// That many are done.
+    pub fn set(&self, done: u64) {
+        self.done.store(done, Ordering::Relaxed);
+    }
+
+    /// So many more are done.
+    pub fn add(&self, more: u64) {
+        self.done.fetch_add(more, Ordering::Relaxed);
+    }
+
+    /// How many are done.
+    pub fn done(&self) -> u64 {
+        self.done.load(Ordering::Relaxed)
+    }
+}
+
+/// State after `elapsed` seconds, with the numbers done at the beginning and now.
+fn line(what: &str, total: u64, [before, done]: [u64; 2], elapsed: f64) -> String {
+    let rate = (done - before) as f64 / elapsed;
+    let left = match rate > 0.0 {
+        true => words::fixed((total.saturating_sub(done) as f64 / rate).ceil(), 0),
+        false => "?".to_string(),
+    };
+    let state = json!({"what": what, "done": done.to_string(), "total": total.to_string(),
+        "rate": words::fixed(rate, 0), "left": left});
+    words::fill("sweep-progress", &state)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_line_says_rate_and_time_left_of_what_this_run_has_done() {
+        let after_two_seconds = line("designs", 1000, [100, 300], 2.0);
+        assert_eq!(after_two_seconds, "300/1000 designs, 100/s, 7 s left");
+        let nothing_yet = line("designs", 10, [0, 0], 0.5);
+        assert_eq!(nothing_yet, "0/10 designs, 0/s, ? s left");
+    }
+}
