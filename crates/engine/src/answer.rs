@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use crate::fault::StudioError;
 use crate::words;
-use gaitcam::error::{Error, Place, Result};
+use gaitcam::error::{Error, Place, ReadError, Result};
 
 /// What an answer holds.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,11 +67,17 @@ pub fn fault_json(error: &Error) -> Value {
         _ => None,
     };
     let place = error.place.to_string();
+    // What can be chosen under `gait.force`.
+    let columns: Vec<&str> = match error.fault() {
+        Some(ReadError::NoForceColumn { columns }) => columns.split(", ").collect(),
+        _ => Vec::new(),
+    };
     json!({"error": {
         "code": error.code(),
         "key": key,
         "place": place.trim_end_matches(": "),
         "message": error.what(language),
         "help": error.help(language),
+        "columns": columns,
     }})
 }

@@ -143,7 +143,7 @@ async function boot() {
   words.choose(tag);
   status.load(start.longest_s, (fault) => force.remedies(fault));
   form.load(start.keys, edit);
-  verdict.load((changes) => edit(changes));
+  verdict.load((changes) => edit(changes), (fault) => force.remedies(fault));
   charts.load(edit);
   stage.load(() => designs.ask());
   player.load();

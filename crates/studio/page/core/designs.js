@@ -133,7 +133,7 @@ async function tried(route, v, groups, signal, quick = false) {
   }
 }
 
-const plain = ({ code, key, place, message, help }) => ({ code, key, place, message, help });
+const plain = ({ code, key, place, message, help, columns }) => ({ code, key, place, message, help, columns });
 
 // The version with all its changes; where that is refused, with those that can be taken.
 async function settle(v, signal, quick) {

@@ -10,6 +10,8 @@ import { label, focus } from "./form.js";
 import * as hand from "./hand.js";
 
 const LARGEST = 64 * 2 ** 20;
+// Most columns that are offered as buttons.
+const MOST = 12;
 let edit = () => {};
 let openScene = () => {};
 // What the recording of the version holds, and the key of that version's recording.
@@ -134,9 +136,9 @@ async function use(file, hash) {
 // fields that it names without one.
 export function remedies(fault) {
   const text = `${fault.message} ${fault.help ?? ""}`;
-  const given = [...text.matchAll(/\b(?:gait\.)?(kind|feet|period|accept|unit|force|time|span) = "([^"]+)"/g)];
+  const given = [...text.matchAll(/\b(?:gait\.)?(kind|feet|period|accept|unit|force|time|span) = "([^"]+)"/g), ...(fault.columns ?? []).slice(0, MOST).map((column) => [column, "force", column])];
   const out = given.map(([, name, value]) => [`${label(`gait.${name}`)}: ${value}`, () => edit([{ set: { key: `gait.${name}`, value } }], null, { title: label(`gait.${name}`) })]);
-  const named = [...text.matchAll(/\b(?:gait\.|option |opción )(kind|feet|period|accept|unit|force|time|span|rate)\b(?! = ")/g)].map(([, name]) => name);
+  const named = [...text.matchAll(/\b(?:gait\.|option |opción )(kind|feet|period|accept|unit|force|time|span|rate|mass)\b(?! = ")/g)].map(([, name]) => name);
   for (const name of new Set(named)) out.push([`${label(`gait.${name}`)} …`, () => focus(`gait.${name}`)]);
   return out;
 }

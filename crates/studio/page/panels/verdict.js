@@ -9,10 +9,13 @@ import * as blobs from "../core/blobs.js";
 import * as designs from "../core/designs.js";
 
 let apply = () => {};
+let remedies = () => [];
 let shown = null;
 
-export function load(onApply) {
+// `more` gives buttons for what is said about a recording: [text, action].
+export function load(onApply, more) {
   apply = onApply;
+  remedies = more;
 }
 
 export function show(answer) {
@@ -77,11 +80,13 @@ export function stop() {
 function conflict(answer, relaxations, together) {
   const box = clear($("conflict"));
   const useful = relaxations.filter((r) => r.value);
-  hide(box, answer.quick || !answer.needs_relaxing || (answer.conflict.length === 0 && useful.length === 0 && together.length === 0));
+  const asked = remedies({ message: answer.reasons });
+  hide(box, answer.quick || !answer.needs_relaxing || (answer.conflict.length === 0 && useful.length === 0 && together.length === 0 && asked.length === 0));
   if (box.hidden) return;
   if (answer.conflict.length > 0) {
     box.append(make("p", {}, make("strong", {}, t("studio-conflict")), " ", units.text(answer.conflict.join(" · "))));
   }
+  if (asked.length > 0) box.append(choices(asked));
   if (useful.length > 0) {
     box.append(make("p", {}, t("studio-relax")), make("div", { class: "buttons" }, ...useful.map(button)));
   } else if (together.length > 0 && together.every((r) => r.value)) {
@@ -90,6 +95,11 @@ function conflict(answer, relaxations, together) {
     box.append(make("p", {}, t("studio-relax-together")),
       make("div", { class: "buttons" }, make("button", { type: "button", class: "relax", onclick: () => apply(all) }, text)));
   }
+}
+
+// What the reader of a recording asks for is chosen here.
+function choices(asked) {
+  return make("div", { class: "buttons" }, ...asked.map(([text, action]) => make("button", { type: "button", class: "choice", onclick: action }, text)));
 }
 
 function button({ key, name, from, to, value }) {

@@ -202,6 +202,32 @@ class Class(Pages):
         self.assertGreater(boxes[1]["x"], boxes[0]["x"] + boxes[0]["width"] - 1)
         self.assertEqual(page.said, [])
 
+    def test_a_column_of_force_and_a_doubt_are_chosen_by_buttons(self):
+        page = self.page()
+        page.sets("limits.stroke", "")
+        # Stances of 0.65 s every 1.1 s with two peaks; the names say nothing.
+        at = [k / 500 for k in range(2000)]
+        share = [t % 1.1 / 0.65 for t in at]
+        force = [700 * (math.sin(math.pi * u) + 0.35 * math.sin(3 * math.pi * u)) if u < 1 else 0 for u in share]
+        rows = "".join(f"{t:.4f},{f:.2f},{5 * math.sin(t):.3f}\n" for t, f in zip(at, force))
+        page.page.click("#tab-force")
+        page.page.set_input_files("#pick-file", {"name": "cols.csv", "mimeType": "text/csv", "buffer": f"t,alpha,beta\n{rows}".encode()})
+        choice = page.page.locator("#fault button", has_text=re.compile("alpha$"))
+        choice.wait_for()
+        page.does(choice.click)
+        self.assertEqual(page.value("gait.force"), "alpha")
+        self.assertFalse(page.page.is_visible("#fault"))
+        # A recording without its stride time: the reader's doubt has its answer beside it.
+        single = "".join(f"{t:.4f},{f:.2f}\n" for t, f in zip(at, force) if t < 0.66)
+        page.does(lambda: page.page.set_input_files("#pick-file", {"name": "one.csv", "mimeType": "text/csv", "buffer": f"t,alpha\n{single}".encode()}))
+        doubt = page.page.locator("#conflict .choice", has_text="clock")
+        doubt.wait_for()
+        self.assertEqual(page.verdict(), "unacceptable")
+        page.does(doubt.click)
+        self.assertEqual(page.value("gait.accept"), "clock")
+        self.assertEqual(page.page.locator("#conflict .choice:visible").count(), 0)
+        self.assertEqual(page.said, [])
+
     def test_all_diagrams_are_zoomed_about_the_cursor_and_back(self):
         page = self.page()
         page.page.focus(".chart.s svg")
