@@ -7,7 +7,8 @@
 - `theory §n` anywhere in the repository is a section of docs/theory.md;
 - a path such as `src/law/rise.rs` in README, CONTRIBUTING and docs/ is that of a file or folder;
 - a relative link in a Markdown file leads to a file, and its #anchor to a heading;
-- every number with a decimal point or of four digits and more in the paragraph after `<!-- from FILE -->` stands in that file;
+- every number with a decimal point or of four digits and more in the paragraph after `<!-- from FILE -->` stands in that file,
+  but for rounding of decimals;
 - every number of four digits and more with a decimal point in docs/theory.md stands, but for rounding and powers of a
   thousand, in a test, a source or a report, unless `docs/commands.py` computes it (`<!-- printed by`);
 - nothing cites a document that is not in the repository;
@@ -59,11 +60,23 @@ def broken_links(path, text):
             yield f"link to #{anchor}, which is no heading of {file.name}"
 
 
+def decimals_of(text):
+    return sorted({float(number) for number in re.findall(r"\d+\.\d+", text)})
+
+
+def holds(known, number, scale=1):
+    """Whether one of the known numbers, times `scale`, is this one but for rounding."""
+    last = 0.5001 * 10 ** -len(number.split(".")[1])
+    i = bisect.bisect_left(known, (float(number) - last) / scale)
+    return i < len(known) and known[i] * scale <= float(number) + last
+
+
 def changed_figures(path, text):
     for source, paragraph in re.findall(r"(?ms)^<!-- from (\S+) -->\n(.*?)(?:\n\n|\Z)", text):
-        known = set(re.findall(FIGURE, (path.parent / source).read_text(encoding="utf-8")))
+        text_of_source = (path.parent / source).read_text(encoding="utf-8")
+        known, decimals = set(re.findall(FIGURE, text_of_source)), decimals_of(text_of_source)
         for number in re.findall(FIGURE, paragraph):
-            if number not in known:
+            if number not in known and not (number.count(".") == 1 and holds(decimals, number)):
                 yield f"{number}, which {source} does not have"
 
 
@@ -72,17 +85,10 @@ def unknown_figures(theory):
     places = ["src", "tests", "crates", "benches", "reports", "data"]
     texts = (path.read_text(encoding="utf-8", errors="ignore") for place in places for path in (ROOT / place).rglob("*")
              if path.suffix in (".rs", ".md", ".csv") and not SKIP.intersection(path.relative_to(ROOT).parts))
-    known = sorted({float(number) for text in texts for number in re.findall(r"\d+\.\d+", text.replace("_", ""))})
-
-    def holds(number):
-        last = 0.5001 * 10 ** -len(number.split(".")[1])
-        places = ((float(number) - last) * scale for scale in (1e-3, 1, 1e3))
-        found = zip((bisect.bisect_left(known, place) for place in places), (1e-3, 1, 1e3))
-        return any(i < len(known) and known[i] <= (float(number) + last) * scale for i, scale in found)
-
+    known = decimals_of("\n".join(texts).replace("_", ""))
     computed = r"(?ms)^<!-- printed.*?-->\n.*?(?:\n\n|\Z)|`[^`\n]*`|\]\([^)]*\)|§[\d.]+|arXiv [\d.]+"
     for number in re.findall(r"(?<![\w.])\d+\.\d+(?!\d*/)", re.sub(computed, "\n", theory)):
-        if len(number.replace(".", "").lstrip("0")) >= 4 and not holds(number):
+        if len(number.replace(".", "").lstrip("0")) >= 4 and not any(holds(known, number, s) for s in (1e-3, 1, 1e3)):
             yield f"docs/theory.md: {number}, which no test, source or report has"
 
 
