@@ -85,8 +85,10 @@ export function enlarging(picture, title) {
   const box = make("div", { class: "picture" });
   box.innerHTML = picture;
   box.append(make("button", { type: "button", title: t("studio-picture-enlarge"), "aria-label": `${t("studio-picture-enlarge")}: ${t(title)}`, onclick: () => dialog(title, (body) => {
-    body.className = "enlarged";
-    body.innerHTML = picture;
+    const large = make("div", { class: "scroll enlarged", tabindex: "0" });
+    large.innerHTML = picture;
+    body.className = "";
+    body.append(large);
   }) }));
   return box;
 }
