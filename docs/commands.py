@@ -10,8 +10,8 @@ Each page has a temporary folder with copies of scenes/ and data/, in which its 
   beginning of a printed line, a line `…` stands for lines left out;
 - `bash`, a job for Slurm (`#SBATCH --array=FIRST-LAST`): every task is run with the variables that Slurm sets, and the
   first once more, as in an array that is submitted again;
-- after `<!-- printed -->` every number of the paragraph that has a decimal point is printed, but for rounding, by the
-  commands above (times aside) or stands in them; `<!-- printed by`, commands that the reader does not see, `-->` has
+- after `<!-- printed -->` every number of the paragraph that has a decimal point, or two digits and more before a unit,
+  is printed, but for rounding, by the commands above (times aside) or stands in them; `<!-- printed by`, commands that the reader does not see, `-->` has
   them run for the paragraph: beside gaitcam there are `column FILE.csv NAME FACTOR`, which prints a column, and
   `value EXPRESSION`, which computes from a JSON object d;
 - `csv` is written to the file that the line before names, `NAME.csv`: in backquotes;
@@ -36,7 +36,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"(?ms)(?:`(\S+)`:\n\n)?^```(\w+)\n(.*?)^```$|^<!-- printed(?: by\n(.*?)\n)? ?-->\n(?=(.*?)(?:\n\n|\Z))")
-NUMBER = re.compile(r"\d+[.,]\d+")
+NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
+# In prose: with decimals, or of two digits and more before a unit.
+FIGURE = re.compile(r"\d+[.,]\d+|(?<![\w.,·^/…-])\d{2,}(?= (?:mm|N|W|kg|MPa|%|N·m)\b)|(?<![\w.,])\d{2,}(?=°)")
 SHELL = """
 column() { python3 -c 'import csv, sys
 for row in csv.DictReader(open(sys.argv[1])): print(float(row[sys.argv[2]]) * float(sys.argv[3]))' "$@"; }
@@ -106,8 +108,8 @@ class Page:
 
     def prose(self, paragraph):
         printed = [float(number.replace(",", ".")) for number in NUMBER.findall(re.sub(r"[\d.,]+ ms\b", "", self.above))]
-        for number in NUMBER.findall(paragraph):
-            digits = len(re.split("[.,]", number)[1])
+        for number in FIGURE.findall(paragraph):
+            digits = len(re.split("[.,]", f"{number}.")[1])
             if not any(abs(p - float(number.replace(",", "."))) <= 0.5001 * 10**-digits for p in printed):
                 return f"the commands above do not print {number}"
 
