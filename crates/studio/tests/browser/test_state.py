@@ -126,7 +126,9 @@ class State(Pages):
             self.refuses(page, "limits.curvature", "5 kg")
             self.assertEqual(page.page.inner_text("#verdict-name"), "–")
             for selector in ("#stage", "#charts", "#figures"):
-                page.until("it is dimmed", lambda: float(page.page.eval_on_selector(selector, "e => getComputedStyle(e).opacity")) < 0.5)
+                style = lambda: page.page.eval_on_selector(selector, "e => [Number(getComputedStyle(e).opacity), getComputedStyle(e).filter]")
+                # Grey, and no paler than can be read.
+                page.until("it is dimmed", lambda: style()[0] < 0.7 and style()[1] == "grayscale(1)")
         page.sets("limits.stroke", "61 mm")
         page.page.click("#open-save")
         self.assertIn("limits.curvature", page.page.inner_text("#save-refused"))
