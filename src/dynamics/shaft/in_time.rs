@@ -30,8 +30,8 @@ pub struct InTime {
     pub rms_error_percent_of_mean: f64,
 }
 
-/// Rounds of the phase at most, and its change, parts of the period, at which they end: what the error falls by with that change
-/// is then known to a part of itself.
+/// Rounds of the phase at most, and its change, parts of the period, at which they end: by how much the error still falls with
+/// that change follows from the slope.
 const ROUNDS: usize = 20;
 const SAME: f64 = 1e-4;
 
