@@ -46,7 +46,7 @@ SECTION = "\n## Peers\n"
 def ours():
     """Task name -> {seconds, error} from the Rust benchmark."""
     run = subprocess.run(
-        ["cargo", "run", "--quiet", "--release", "-p", "gaitcam-evidence", "--features", "benchmarks", "--example", "peers"],
+        ["cargo", "run", "--quiet", "--release", "-p", "gaitcam-bench", "--example", "peers"],
         cwd=ROOT, capture_output=True, text=True, check=True,
     )
     lines = [l for l in run.stdout.splitlines() if l.startswith("{")]

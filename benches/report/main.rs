@@ -31,4 +31,9 @@ fn main() {
     let path =
         Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("reports/benchmarks.md");
     std::fs::write(path, page).expect("reports/ can be written");
+    let unexplained = table::unexplained(&report.0);
+    assert!(
+        unexplained.is_empty(),
+        "missed without a reason beside it: {unexplained:?}"
+    );
 }

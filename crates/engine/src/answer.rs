@@ -68,9 +68,13 @@ pub fn fault_json(error: &Error) -> Value {
     };
     let place = error.place.to_string();
     // What can be chosen under `gait.force`.
-    let columns: Vec<&str> = match error.fault() {
-        Some(ReadError::NoForceColumn { columns }) => columns.split(", ").collect(),
-        _ => Vec::new(),
+    let columns: &[String] = match error.fault() {
+        Some(
+            ReadError::NoForceColumn { columns }
+            | ReadError::NoColumn { columns, .. }
+            | ReadError::MisspeltColumn { columns, .. },
+        ) => columns,
+        _ => &[],
     };
     json!({"error": {
         "code": error.code(),

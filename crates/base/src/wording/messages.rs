@@ -230,13 +230,24 @@ impl Messages {
             let digits = digits(area, fields.values());
             for (name, value) in fields {
                 let argument = match value {
-                    Value::String(text) if AS_TYPED.contains(&name.as_str()) => text.clone().into(),
+                    _ if AS_TYPED.contains(&name.as_str()) => self.typed(area, value, digits),
                     _ => self.argument(area, value, digits),
                 };
                 arguments.set(name.replace('_', "-"), argument);
             }
         }
         arguments
+    }
+
+    /// What the user wrote, one text or several, letter by letter.
+    fn typed(&self, area: &str, value: &Value, digits: usize) -> FluentValue<'static> {
+        let texts = match value {
+            Value::String(_) => std::slice::from_ref(value),
+            Value::Array(items) if items.iter().all(Value::is_string) => items,
+            _ => return self.argument(area, value, digits),
+        };
+        let texts: Vec<&str> = texts.iter().filter_map(Value::as_str).collect();
+        texts.join(", ").into()
     }
 
     fn argument(&self, area: &str, value: &Value, digits: usize) -> FluentValue<'static> {

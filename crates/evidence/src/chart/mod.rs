@@ -120,16 +120,16 @@ impl Chart {
         out
     }
 
-    /// Whether a row marked as the default lies on the front.
-    pub fn default_on_front(&self) -> bool {
-        self.front().iter().any(|&i| self.rows[i].default)
+    /// Whether a row marked as the default lies on the front; none of a chart without a front or a default.
+    pub fn default_on_front(&self) -> Option<bool> {
+        let front = self.front();
+        let has = !front.is_empty() && self.rows.iter().any(|r| r.default);
+        has.then(|| front.iter().any(|&i| self.rows[i].default))
     }
-}
 
-impl Chart {
     /// The cheapest row no worse than a default that is not on the front, and its share of the default's cost.
     pub fn ahead_of_default(&self) -> Option<(&Row, f64)> {
-        if self.default_on_front() {
+        if self.default_on_front() != Some(false) {
             return None;
         }
         let cost = |r: &Row| r.across(self.across);
@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn the_front_leaves_out_what_is_slower_and_worse() {
         assert_eq!(chart().front(), [0, 1, 3]);
-        assert!(chart().default_on_front());
+        assert_eq!(chart().default_on_front(), Some(true));
     }
 
     #[test]

@@ -64,10 +64,10 @@ pub fn markdown(charts: &[Chart], machine: &str, after: &str) -> String {
 /// The table of one chart with its task and advice, and its picture where one is `drawn`.
 pub fn section(out: &mut String, chart: &Chart, drawn: bool) {
     let front = chart.front();
-    let verdict = match chart.ahead_of_default() {
-        _ if front.is_empty() || !chart.rows.iter().any(|r| r.default) => String::new(),
-        None => " The default lies on the front.".to_string(),
-        Some((row, share)) => format!(
+    let verdict = match (chart.default_on_front(), chart.ahead_of_default()) {
+        (None, _) => String::new(),
+        (_, None) => " The default lies on the front.".to_string(),
+        (_, Some((row, share))) => format!(
             " The default does not lie on the front: {} ({}) reaches its error in {:.0} % of its cost.",
             row.method,
             row.size,

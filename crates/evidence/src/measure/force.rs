@@ -84,7 +84,7 @@ pub fn heel(watch: &Watch) -> Result<Chart> {
         task: "One foot of the ISO 22675 load, 824 N, with a heel transient of 30 %, 1024 samples a stride, lift proportional to force; laws without limits. Times run from the samples to a profile of 1440 points (for the textbook methods: 1440 values). Polynomials stand on the stance alone.".to_string(),
         error: ERROR.to_string(),
         levels: levels(),
-        advice: "Take the default here too: harmonics in closed form, as many as the accuracy asks, are smooth in every derivative; a cubic spline of equal error costs about a fifth less and its jerk jumps. Where a limit binds take a quartic spline of 64 spans, or a quintic where the jerk itself must be smooth; one polynomial through critical points overshoots.".to_string(),
+        advice: "Take the default here too: harmonics in closed form, as many as the accuracy asks, are smooth in every derivative; a spline costs down to half where somebody knows its number of spans, and is smooth in its lowest derivatives only. Where a limit binds take a quartic spline of 64 spans, or a quintic where the jerk itself must be smooth; one polynomial through critical points overshoots.".to_string(),
         rows,
         ..Chart::default()
     })

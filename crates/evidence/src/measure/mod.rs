@@ -46,13 +46,13 @@ pub fn write(quick: bool, out: &Path, say: &mut dyn FnMut(&str)) -> Result<()> {
         controllers::chart,
     ] {
         let chart = measure(&watch)?;
-        let place = if chart.default_on_front() {
-            "on"
-        } else {
-            "off"
+        let place = match chart.default_on_front() {
+            Some(true) => ", default on the front",
+            Some(false) => ", default off the front",
+            None => "",
         };
         say(&format!(
-            "{}: {} rows, default {place} the front",
+            "{}: {} rows{place}",
             chart.title,
             chart.rows.len()
         ));

@@ -36,18 +36,21 @@ pub enum ReadError {
     /// A header names a column of force, and no row of numbers follows it.
     HeaderWithoutRows { column: String },
     /// No column of vertical force.
-    NoForceColumn { columns: String },
+    NoForceColumn { columns: Vec<String> },
     /// More columns of force than a walkway has.
     ManyForces { found: usize },
     /// The file names no columns and none resembles a vertical force.
     NamelessColumns,
     /// No column of this name.
-    NoColumn { column: String, columns: String },
+    NoColumn {
+        column: String,
+        columns: Vec<String>,
+    },
     /// No column of this name; one is spelt similarly.
     MisspeltColumn {
         column: String,
         near: String,
-        columns: String,
+        columns: Vec<String>,
     },
     /// A nameless column was asked for by something else than its number.
     NoColumnNumber { column: String, count: usize },
@@ -86,7 +89,7 @@ pub enum ReadError {
     /// The table of a cycle lacks a column.
     CycleColumnMissing {
         column: CycleColumn,
-        columns: String,
+        columns: Vec<String>,
     },
     /// The file is marked as a cycle and contains no table.
     CycleWithoutTable,

@@ -107,7 +107,7 @@ fn columns(file: &TextFile, table: &Table) -> Result<Columns> {
             if roles.is_empty() {
                 return ReadError::NamelessColumns.at_line(file.path, table.start.line);
             }
-            let columns = table.names.join(", ");
+            let columns = table.names.clone();
             let error = ReadError::CycleColumnMissing { column, columns };
             error.at_line(file.path, table.header_line())
         })

@@ -1,12 +1,13 @@
 //! Every fault, note and name of a recording has its sentence in both languages.
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
 use gaitcam_gait::error::{Fault, ForceError, ReadError};
 use gaitcam_gait::wording::{FILES, Language, WORDS};
 use gaitcam_gait::{
     ClockSource, CycleSource, Format, Idle, Kind, LeftOut, MassSource, Note, OpenQuestion,
-    RejectReason,
+    ReadOptions, RejectReason, read,
 };
 use strum::VariantNames;
 
@@ -54,4 +55,33 @@ fn spanish_has_the_messages_help_texts_and_arguments_of_english() {
     }
     let keys = [Language::En, Language::Es].map(|language| WORDS.of(language).keys());
     assert_eq!(keys[0], keys[1], "the messages stand in another order");
+}
+
+#[test]
+fn a_refusal_has_the_columns_by_their_whole_names() {
+    let names = ["time", "left foot, raw", "height"];
+    let table = "time;left foot, raw;height\n0;1;2\n1;2;3\n2;3;4\n";
+    let refused = |force: Vec<String>| {
+        let options = ReadOptions {
+            force,
+            ..ReadOptions::default()
+        };
+        read(Path::new("bad.csv"), table.as_bytes(), &options).unwrap_err()
+    };
+    for e in [
+        refused(Vec::new()),
+        refused(vec!["right".to_string()]),
+        refused(vec!["heigth".to_string()]),
+    ] {
+        match e.fault() {
+            Some(
+                ReadError::NoForceColumn { columns }
+                | ReadError::NoColumn { columns, .. }
+                | ReadError::MisspeltColumn { columns, .. },
+            ) => assert_eq!(columns[..], names, "{e}"),
+            _ => panic!("{e}"),
+        }
+        let help = e.help(Language::En).unwrap_or_default();
+        assert!(help.contains("time, left foot, raw, height"), "{help}");
+    }
 }

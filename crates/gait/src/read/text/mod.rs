@@ -133,9 +133,8 @@ pub(super) fn no_table(bytes: &[u8]) -> ReadError {
 }
 
 /// The first names of columns, for a message.
-fn listed(names: &[String]) -> String {
-    let shown: Vec<&str> = names.iter().take(40).map(String::as_str).collect();
-    shown.join(", ")
+fn listed(names: &[String]) -> Vec<String> {
+    names.iter().take(40).cloned().collect()
 }
 
 fn extract(file: &TextFile, table: &Table, plan: Plan) -> Result<Raw> {
