@@ -7,7 +7,7 @@
 - `theory §n` anywhere in the repository is a section of docs/theory.md;
 - a path such as `src/law/rise.rs` in README, CONTRIBUTING and docs/ is that of a file or folder;
 - a relative link in a Markdown file leads to a file, and its #anchor to a heading;
-- every number with a decimal point or of four digits and more in the paragraph after `<!-- from FILE -->` stands in that file,
+- every number with a decimal point (in Spanish a comma) or of four digits and more in the paragraph after `<!-- from FILE -->` stands in that file,
   but for rounding of decimals;
 - every number of four digits and more with a decimal point in docs/theory.md stands, but for rounding and powers of a
   thousand, in a test, a source or a report, unless `docs/commands.py` computes it (`<!-- printed by`);
@@ -74,6 +74,8 @@ def holds(known, number, scale=1):
 def changed_figures(path, text):
     for source, paragraph in re.findall(r"(?ms)^<!-- from (\S+) -->\n(.*?)(?:\n\n|\Z)", text):
         text_of_source = (path.parent / source).read_text(encoding="utf-8")
+        if "guia" in path.parts:
+            paragraph = re.sub(r"(\d),(\d)", r"\1.\2", paragraph)
         known, decimals = set(re.findall(FIGURE, text_of_source)), decimals_of(text_of_source)
         for number in re.findall(FIGURE, paragraph):
             if number not in known and not (number.count(".") == 1 and holds(decimals, number)):

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""One rise from rest to rest under a jerk limit by programs for trajectories: the table of docs/guide/trajectory.md.
+"""One rise from rest to rest under a jerk limit by programs for trajectories: writes reports/trajectory.md, whose table
+docs/guide/trajectory.md shows.
 
     pip install ./python scipy toppra ruckig drake && python3 benches/peers/trajectory.py
 
@@ -11,6 +12,7 @@ not installed is left out.
 
 import statistics
 import time
+from pathlib import Path
 
 import numpy as np
 
@@ -132,14 +134,17 @@ def main():
         ("gaitcam, degree 5, 16 spans a rise", gaitcam, (5, 64)), ("gaitcam, degree 5, 32 spans a rise", gaitcam, (5, 128)),
         ("gaitcam, degree 3, 10 spans a rise", gaitcam, (3, 40)),
     ]
-    print("| program | duration | peak acceleration | largest jerk | time of the processor |\n|---|---|---|---|---|")
+    page = ("# Trajectory programs on one rise\n\nWritten by `benches/peers/trajectory.py` in one run: medians, time of the processor.\n\n"
+            "| program | duration | peak acceleration | largest jerk | time of the processor |\n|---|---|---|---|---|\n")
     for name, run, arguments in rows:
         try:
             duration, (peak, jerk), seconds = run(*arguments)
         except ImportError as missing:
-            print(f"| {name} | skipped: {missing} | | | |")
+            page += f"| {name} | skipped: {missing} | | | |\n"
             continue
-        print(f"| {name} | {duration:.4f} | {peak:.4f} | {jerk:.3f} | {1e3 * seconds:.3g} ms |")
+        page += f"| {name} | {duration:.4f} | {peak:.4f} | {jerk:.3f} | {1e3 * seconds:.3g} ms |\n"
+    print(page)
+    (Path(__file__).resolve().parents[2] / "reports" / "trajectory.md").write_text(page, encoding="utf-8")
 
 
 if __name__ == "__main__":

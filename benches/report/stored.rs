@@ -7,11 +7,11 @@ use crate::timing::Times;
 
 /// What `gaitcam chart` and benches/peers/run.py last wrote.
 pub(crate) fn charts(report: &mut Report) {
-    let reports = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("reports");
+    let reports = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("reports");
     let page = std::fs::read_to_string(reports.join("speed_accuracy.md")).unwrap_or_default();
     let on = page.matches("The default lies on the front.").count();
     let off = page
-        .matches("The default does not lie on the front.")
+        .matches("The default does not lie on the front")
         .count();
     report.0.push(Line {
         area: "evidence",

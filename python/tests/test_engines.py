@@ -188,19 +188,3 @@ def test_dask_goes_on_where_a_killed_driver_stopped(dask_cluster, whole, tmp_pat
     with distributed.Client(cluster) as client:
         assert 0 < gaitcam.dask.sweep(plan(), out, client=client, block_rows=BLOCK) < ROWS
     agree(out, whole)
-
-
-@pytest.mark.parametrize("workers", [1, 2])
-def test_designs_per_second(workers, tmp_path, capsys):
-    distributed = pytest.importorskip("distributed")
-    import gaitcam.dask
-
-    with distributed.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None,
-                                  local_directory=str(tmp_path / "scratch")) as cluster:
-        with distributed.Client(cluster) as client:
-            begun = time.monotonic()
-            gaitcam.dask.sweep(plan(), tmp_path / "out", client=client, block_rows=BLOCK)
-            rate = ROWS / (time.monotonic() - begun)
-    with capsys.disabled():
-        print(f"\nDask, {workers} workers: {rate:.0f} designs/s")
-    assert rate > 0
