@@ -28,8 +28,7 @@ fn main() {
     stored::charts(&mut report);
     let page = table::markdown(&report.0);
     print!("{page}");
-    let path =
-        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("reports/benchmarks.md");
+    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("reports/benchmarks.md");
     std::fs::write(path, page).expect("reports/ can be written");
     let unexplained = table::unexplained(&report.0);
     assert!(

@@ -46,9 +46,13 @@ pub fn fault(error: &clap::Error) -> Error {
         .or_else(|| part(ContextKind::SuggestedValue));
     let value = part(ContextKind::InvalidValue).unwrap_or_default();
     match error.kind() {
-        ErrorKind::UnknownArgument if flag.starts_with('-') => {
-            CliError::UnknownFlag { near }.at_argument(&flag)
-        }
+        ErrorKind::UnknownArgument if flag.starts_with('-') => match left_out(&flag) {
+            Some(feature) => Error::from(CliError::LeftOut {
+                typed: flag,
+                feature,
+            }),
+            None => CliError::UnknownFlag { near }.at_argument(&flag),
+        },
         ErrorKind::UnknownArgument => CliError::OneTooMany.at_argument(&flag),
         ErrorKind::InvalidSubcommand => {
             let typed = part(ContextKind::InvalidSubcommand).unwrap_or_default();
@@ -88,17 +92,30 @@ pub fn fault(error: &clap::Error) -> Error {
     }
 }
 
-/// The feature that a build without this verb lacks.
-fn left_out(verb: &str) -> Option<&'static str> {
-    let optional = [
-        ("ecam", "cad", cfg!(feature = "cad")),
-        ("chart", "evidence", cfg!(feature = "evidence")),
-        ("reproduce", "evidence", cfg!(feature = "evidence")),
-        ("man", "shell", cfg!(feature = "shell")),
-        ("completions", "shell", cfg!(feature = "shell")),
-        ("studio", "studio", cfg!(feature = "studio")),
+/// The feature that a build without this verb or flag lacks.
+fn left_out(asked: &str) -> Option<&'static str> {
+    const WORKSHOP: &[&str] = &[
+        "ecam",
+        "--solid",
+        "--cut-only",
+        "--dxf",
+        "--ecam",
+        "--tool",
+        "--pass",
+        "--wire",
+        "--units",
     ];
-    let found = optional.iter().find(|(name, ..)| *name == verb);
+    let optional = [
+        (WORKSHOP, "cad", cfg!(feature = "cad")),
+        (
+            &["chart", "reproduce"],
+            "evidence",
+            cfg!(feature = "evidence"),
+        ),
+        (&["man", "completions"], "shell", cfg!(feature = "shell")),
+        (&["studio"], "studio", cfg!(feature = "studio")),
+    ];
+    let found = optional.iter().find(|(names, ..)| names.contains(&asked));
     found.and_then(|(_, feature, built)| (!built).then_some(*feature))
 }
 

@@ -100,7 +100,7 @@ fn draw(canvas: &Canvas, chart: &Chart) -> Drawn {
             circle(canvas, at, 9.0, palette::INK, Some(1.8))?;
         }
     }
-    legend(canvas, &methods, chart.across == Across::Spans)
+    legend(canvas, &methods, chart)
 }
 
 fn front(canvas: &Canvas, chart: &Chart, x: &Axis, y: &Axis) -> Drawn {
@@ -206,7 +206,7 @@ fn mark(canvas: &Canvas, at: [f64; 2], kind: usize) -> Drawn {
     }
 }
 
-fn legend(canvas: &Canvas, methods: &[&str], marks_only: bool) -> Drawn {
+fn legend(canvas: &Canvas, methods: &[&str], chart: &Chart) -> Drawn {
     let left = FIELD[1] + 24.0;
     let mut at = FIELD[2] + 4.0;
     let style = Lettering::new(11.0, palette::INK);
@@ -215,14 +215,16 @@ fn legend(canvas: &Canvas, methods: &[&str], marks_only: bool) -> Drawn {
         write(canvas, method, [left + 13.0, at], style)?;
         at += 20.0;
     }
-    if marks_only {
-        return Ok(());
-    }
     at += 8.0;
-    circle(canvas, [left, at], 7.0, palette::INK, Some(1.8))?;
-    write(canvas, "the default", [left + 13.0, at], style)?;
-    at += 20.0;
-    let ends = [[left - 8.0, at], [left + 8.0, at]];
-    line(canvas, &ends, stroke(palette::INK.mix(0.45), 1.6))?;
-    write(canvas, "Pareto front", [left + 13.0, at], style)
+    if chart.default_on_front().is_some() {
+        circle(canvas, [left, at], 7.0, palette::INK, Some(1.8))?;
+        write(canvas, "the default", [left + 13.0, at], style)?;
+        at += 20.0;
+    }
+    if chart.front().len() > 1 {
+        let ends = [[left - 8.0, at], [left + 8.0, at]];
+        line(canvas, &ends, stroke(palette::INK.mix(0.45), 1.6))?;
+        write(canvas, "Pareto front", [left + 13.0, at], style)?;
+    }
+    Ok(())
 }
