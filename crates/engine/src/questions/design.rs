@@ -90,7 +90,6 @@ pub struct Answer {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Remedy {
     key: &'static str,
-    name: String,
     from: String,
     /// As shown; none where no value of this key alone helps.
     to: Option<String>,
@@ -273,7 +272,7 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
             .iter()
             .map(|limit| limit.sentence(language))
             .collect(),
-        relaxations: first_remedies(design, scene, language),
+        relaxations: first_remedies(design, scene),
         easing: easing(design, language),
         active,
         figures: parts::figures(design, language),
@@ -351,25 +350,19 @@ fn round(x: f64) -> f64 {
 }
 
 /// What the conflict alone says, before the whole design is tried with each value.
-fn first_remedies(design: &Design, scene: &Scene, language: Language) -> Vec<Remedy> {
+fn first_remedies(design: &Design, scene: &Scene) -> Vec<Remedy> {
     let own = match &design.infeasible {
         Some(infeasible) if design.relaxations.is_empty() => &infeasible.relaxations,
         _ => &design.relaxations,
     };
-    remedies(design, scene, own, language)
+    remedies(design, scene, own)
 }
 
-fn remedies(
-    design: &Design,
-    scene: &Scene,
-    list: &[Relaxation],
-    language: Language,
-) -> Vec<Remedy> {
+fn remedies(design: &Design, scene: &Scene, list: &[Relaxation]) -> Vec<Remedy> {
     let shown = |r: &Relaxation, x: f64| parts::shown(design, r.limit, x);
     list.iter()
         .map(|r| Remedy {
             key: r.key,
-            name: parts::name(r.limit.name(), language),
             from: shown(r, r.from),
             to: r.to.map(|to| shown(r, to)),
             value: r.to.and_then(|to| value(r.key, scene, to)),
@@ -401,7 +394,7 @@ pub fn relax(files: &Files, which: &Which) -> Result<Value> {
     let language = words::current();
     let search = Search::until(files.host.halt());
     let tried = made.design.clone().relaxed_with(&search);
-    let list = |list: &[Relaxation]| remedies(&tried, &made.scene, list, language);
+    let list = |list: &[Relaxation]| remedies(&tried, &made.scene, list);
     Ok(json!({
         "reasons": tried.reason(language),
         "relaxations": list(&tried.relaxations),

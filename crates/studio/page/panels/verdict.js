@@ -7,6 +7,7 @@ import * as units from "../core/units.js";
 import * as view from "../core/view.js";
 import * as blobs from "../core/blobs.js";
 import * as designs from "../core/designs.js";
+import { label } from "./form.js";
 
 let apply = () => {};
 let remedies = () => [];
@@ -91,7 +92,7 @@ function conflict(answer, relaxations, together) {
     box.append(make("p", {}, t("studio-relax")), make("div", { class: "buttons" }, ...useful.map(button)));
   } else if (together.length > 0 && together.every((r) => r.value)) {
     const all = together.map((r) => ({ set: { key: r.key, value: r.value } }));
-    const text = together.map((r) => units.text(local(`${r.name} ${r.from} → ${r.to}`))).join(", ");
+    const text = together.map((r) => units.text(local(`${label(r.key)} ${r.from} → ${r.to}`))).join(", ");
     box.append(make("p", {}, t("studio-relax-together")),
       make("div", { class: "buttons" }, make("button", { type: "button", class: "relax", onclick: () => apply(all) }, text)));
   }
@@ -102,9 +103,9 @@ function choices(asked) {
   return make("div", { class: "buttons" }, ...asked.map(([text, action]) => make("button", { type: "button", class: "choice", onclick: action }, text)));
 }
 
-function button({ key, name, from, to, value }) {
+function button({ key, from, to, value }) {
   return make("button", { type: "button", class: "relax", "data-relax": key, "data-value": value,
-    onclick: () => apply([{ set: { key, value } }]) }, units.text(local(`${name}: ${from} → `)), make("b", {}, units.text(local(to))));
+    onclick: () => apply([{ set: { key, value } }]) }, units.text(local(`${label(key)}: ${from} → `)), make("b", {}, units.text(local(to))));
 }
 
 function limits(answer) {
@@ -123,12 +124,16 @@ function limits(answer) {
 }
 
 // The report's own tables; the server escapes what stands in them. They lie below the picture and follow when the
-// hand rests.
+// hand rests, or at once on paper.
 let resting = 0;
+let due = null;
 function tables(answer) {
   clearTimeout(resting);
-  resting = setTimeout(() => {
+  due = () => {
     const { checks, active, data, solution } = answer.tables;
     $("tables").innerHTML = units.text(`<div>${checks}${active}</div><div>${data}${solution}</div>`);
-  }, 150);
+    due = null;
+  };
+  resting = setTimeout(() => due?.(), 150);
 }
+addEventListener("beforeprint", () => due?.());

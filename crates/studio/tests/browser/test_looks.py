@@ -58,9 +58,14 @@ class Looks(Pages):
             self.assertGreater(bottom - top, 50)
 
     def test_presenting_fits_the_screen_and_shows_the_target_behind_the_force(self):
-        for width, height in SIZES[1:]:
+        for width, height in SIZES:
             page = self.page(width=width, height=height)
             page.page.click("#present")
+            page.page.wait_for_timeout(100)
+            for part in ("#stage", ".chart.large svg"):
+                box = page.page.locator(part).first.bounding_box()
+                self.assertGreater(box["height"], 200, (width, part))
+                self.assertLessEqual(box["y"] + box["height"], height, (width, part))
             self.assertLessEqual(page.page.locator(".design").evaluate("e => e.scrollHeight - e.clientHeight"), 1)
             wide = "s => parseFloat(getComputedStyle(document.querySelector(s)).strokeWidth)"
             self.assertGreater(page.page.evaluate(wide, ".line.target"), 2 * page.page.evaluate(wide, ".line.main"))
@@ -105,6 +110,22 @@ class Looks(Pages):
         for selector in ("#scene-name", "#conflict .relax"):
             self.assertTrue(page.page.locator(selector).first.is_visible(), selector)
         self.assertFalse(page.page.is_visible(".tools"))
+
+    def test_a_narrow_paper_has_cam_and_diagrams_too(self):
+        page = self.page(width=480, height=700)
+        page.page.emulate_media(media="print")
+        boxes = page.page.eval_on_selector_all("#stage, .chart svg", "all => all.map((e) => e.getBoundingClientRect().height)")
+        self.assertGreaterEqual(len(boxes), 10)
+        self.assertGreater(min(boxes), 40)
+
+    def test_paper_has_the_tables_of_the_design_that_it_shows(self):
+        page = self.page()
+        page.opens("heel_tester_fitted")
+        # As the browser does before it prints; the tables on the screen follow when the hand rests.
+        page.sets("limits.stroke", "29 mm")
+        page.page.evaluate("dispatchEvent(new Event('beforeprint'))")
+        stroke = page.page.locator("#figures dd").nth(2).inner_text().split()[0]
+        self.assertIn(stroke[:4], page.page.inner_text("#tables"))
 
 
 if __name__ == "__main__":
