@@ -52,6 +52,7 @@ function move(there) {
 }
 
 function elsewhere() {
+  charts.forget();
   form.reset();
   designs.askAnew();
 }

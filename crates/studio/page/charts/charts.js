@@ -134,6 +134,12 @@ export function leave(curves) {
   fading = setTimeout(() => { ghost = null; again(); }, GHOST);
 }
 
+// Another scene has no design before a gesture.
+export function forget() {
+  clearTimeout(fading);
+  ghost = null;
+}
+
 export function linger() {
   if (!ghost) return;
   clearTimeout(fading);

@@ -47,6 +47,13 @@ class Direct(Pages):
         self.assertEqual(page.value("limits.pressure_angle"), "")
         page.until("the ghost is gone", lambda: page.page.locator(".line.ghost").count() == 0)
 
+    def test_no_line_of_another_scene_stays_in_the_diagrams(self):
+        page = self.page()
+        page.sets("limits.stroke", "55 mm")
+        self.assertGreater(page.page.locator(".line.ghost").count(), 0)
+        page.opens("camdas_09_eight_motions")
+        self.assertEqual(page.page.locator(".line.ghost").count(), 0)
+
     def test_a_limit_line_is_moved_by_the_arrow_keys(self):
         page = self.page()
         page.opens("camdas_09_eight_motions")
