@@ -17,8 +17,7 @@ sys.path.insert(0, str(ROOT / "python" / "tests"))
 from test_engines import PLAN, ROWS  # noqa: E402
 
 ROWS_HERE, BLOCK = 64_000, 1_000
-
-ROW = "| {} | {:.0f} /s | {} | {:.2f} € |\n"
+ROW = "| {} | {:.0f} /s | {} | {:.2g} € |\n"
 
 
 def closed(frequencies, rows):

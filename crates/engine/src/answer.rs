@@ -69,11 +69,7 @@ pub fn fault_json(error: &Error) -> Value {
     let place = error.place.to_string();
     // What can be chosen under `gait.force`.
     let columns: &[String] = match error.fault() {
-        Some(
-            ReadError::NoForceColumn { columns }
-            | ReadError::NoColumn { columns, .. }
-            | ReadError::MisspeltColumn { columns, .. },
-        ) => columns,
+        Some(ReadError::NoForceColumn { columns }) => columns,
         _ => &[],
     };
     json!({"error": {

@@ -229,9 +229,10 @@ impl Messages {
         if let Value::Object(fields) = fields {
             let digits = digits(area, fields.values());
             for (name, value) in fields {
-                let argument = match value {
-                    _ if AS_TYPED.contains(&name.as_str()) => self.typed(area, value, digits),
-                    _ => self.argument(area, value, digits),
+                let argument = if AS_TYPED.contains(&name.as_str()) {
+                    self.typed(area, value, digits)
+                } else {
+                    self.argument(area, value, digits)
                 };
                 arguments.set(name.replace('_', "-"), argument);
             }
