@@ -17,6 +17,7 @@ pub mod identified;
 pub mod parquet;
 mod plot;
 mod pose;
+mod raster;
 pub mod report;
 pub mod simulation;
 mod words;

@@ -1,6 +1,6 @@
 //! Shapes to pixels.
 
-use gaitcam_raster::{Page, disc, outline, straightened};
+use crate::raster::{Page, disc, outline, straightened};
 
 use super::sheet::{Ink, Shape};
 

@@ -182,7 +182,7 @@ mod tests {
     use ab_glyph::{Font, FontRef, PxScale};
 
     use super::*;
-    use gaitcam_raster::Coverage;
+    use crate::raster::Coverage;
 
     /// The characters of every text of the workspace, in both languages.
     fn written(folder: &Path, all: &mut Vec<char>) {

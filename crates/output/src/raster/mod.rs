@@ -1,9 +1,4 @@
 //! Polygons to pixels: exact area coverage on a white page, which becomes a PNG.
-//!
-//! A crate of its own because here every pixel is computed: it is compiled for speed, what draws with it for size.
-
-#![forbid(unsafe_code)]
-#![deny(missing_docs)]
 
 mod coverage;
 mod outline;
@@ -71,8 +66,3 @@ fn mixed([r, g, b]: [u8; 3], [red, green, blue]: [u8; 3], alpha: f32) -> [u8; 3]
     };
     [mix(r, red), mix(g, green), mix(b, blue)]
 }
-
-/// The program in the README compiles and runs.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-pub struct Readme;
