@@ -118,7 +118,7 @@ fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
 
 /// The limit on a root mean square, where a row is its tangent.
 fn of_rms(program: &Program, row: &Row) -> Option<Sensitivity> {
-    let limit = program.rms.as_ref().filter(|l| l.is_tangent(row))?;
+    let limit = program.rms.iter().find(|l| l.is_tangent(row))?;
     let from = limit.meaning.value(limit.most)?;
     Some(Sensitivity {
         limit: limit.name,

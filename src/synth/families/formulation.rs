@@ -43,7 +43,8 @@ pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Pr
 pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<Formulation> {
     let stiffness = stiffness(problem);
     let (mut program, force) = unlimited(problem, search, spans)?;
-    program.rms = limits::accuracy(problem, || mean_square(problem, &program.basis));
+    let accuracy = limits::accuracy(problem, || mean_square(problem, &program.basis));
+    program.rms.extend(accuracy);
     let mut rows = limits::rows(problem);
     if problem.law.monotone {
         rows.extend(limits::monotone(problem));
@@ -80,7 +81,8 @@ pub fn of_harmonics(
     let force = force_distance(problem, &basis);
     let mut program = Program::new(basis, force.clone(), Vec::new(), problem.length);
     program.halt = search.halt.clone();
-    program.rms = limits::accuracy(problem, || mean_square(problem, &program.basis));
+    let accuracy = limits::accuracy(problem, || mean_square(problem, &program.basis));
+    program.rms.extend(accuracy);
     program.limits = limits::rows(problem);
     let on_shaft = limits::rows_on_shaft(problem, &mut program);
     program.limits.extend(on_shaft);

@@ -10,7 +10,7 @@ use crate::synth::families::easing;
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::optimum::{Refusal, at_own_size, scp};
 use crate::synth::qp::{
-    Demand, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic, RmsLimit,
+    Demand, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic, RmsLimit, Solution,
 };
 
 /// More demands than this are named without looking for the few that are to blame: each costs a program.
@@ -109,9 +109,8 @@ fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
         let stays = |name: Criterion| !names.contains(&name) || kept.contains(&name);
         let mut program = refusal.program.clone();
         program.limits.retain(|l| stays(l.name));
-        program.rms = program
-            .rms
-            .map(|l| if stays(l.name) { l } else { unlimited(l) });
+        let others = program.rms.iter_mut().filter(|l| !stays(l.name));
+        others.for_each(unlimit);
         can_hold(
             problem,
             &program,
@@ -138,7 +137,7 @@ fn conflicting_demands(problem: &Problem, program: &Program) -> Vec<Demand> {
     }
     let mut program = program.clone();
     program.limits.retain(|l| !is_asked(l));
-    program.rms = program.rms.map(unlimited);
+    program.rms.iter_mut().for_each(unlimit);
     irreducible(&names, |kept| {
         let mut trial = program.clone();
         trial.equalities.retain(|e| kept.contains(&e.name));
@@ -148,11 +147,8 @@ fn conflicting_demands(problem: &Problem, program: &Program) -> Vec<Demand> {
 }
 
 /// A limit on a mean that everything keeps: it still says which law is easily found.
-fn unlimited(limit: RmsLimit) -> RmsLimit {
-    RmsLimit {
-        most: f64::INFINITY,
-        ..limit
-    }
+fn unlimit(limit: &mut RmsLimit) {
+    limit.most = f64::INFINITY;
 }
 
 /// Whether a row is a number of the scene, and not the base circle, a monotone flank or the objective.
@@ -166,13 +162,9 @@ fn can_hold(
     program: &Program,
     nonconvex: Option<NonconvexLimits>,
 ) -> Option<bool> {
-    // The law of the least root mean square keeps the limit on it, or none does.
-    let solution = match (&program.rms, program.of_least_rms(None)) {
-        (Some(limit), Some(least)) => least.solve().and_then(|own| {
-            let holds = limit.excess(&own.x) <= BROKEN;
-            holds.then_some(own).ok_or(Failure::Infeasible)
-        }),
-        _ => program.solve(),
+    let solution = match program.rms.first() {
+        Some(limit) => of_least(program, limit),
+        None => program.solve(),
     };
     match solution {
         // What the exchange of rows could not bring inside the limits is no law.
@@ -184,6 +176,17 @@ fn can_hold(
         Err(Failure::Infeasible | Failure::Inconsistent { .. }) => Some(false),
         Err(Failure::Numerical { .. }) => None,
     }
+}
+
+/// The law of the least root mean square, which keeps the limit on it, or none does.
+fn of_least(program: &Program, limit: &RmsLimit) -> Result<Solution, Failure> {
+    let mut least = program
+        .of_least_rms(limit.name)
+        .ok_or(Failure::Infeasible)?;
+    least.rms.retain(|l| l.most.is_finite());
+    let own = least.solve()?;
+    let holds = limit.excess(&own.x) <= BROKEN;
+    holds.then_some(own).ok_or(Failure::Infeasible)
 }
 
 /// A bore around which no cam fits under the limit on the prime radius, where the size is open.
@@ -204,8 +207,8 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
 
 /// The smallest force error under the other limits, as an accuracy; `None` for another limit.
 fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
-    let limit = program.rms.as_ref().filter(|l| l.name == name)?;
-    let best = program.of_least_rms(None)?.solve().ok();
+    let limit = program.rms.iter().find(|l| l.name == name)?;
+    let best = program.of_least_rms(name)?.solve().ok();
     let best = best.filter(|s| s.violation <= BROKEN);
     let to = best.and_then(|s| limit.meaning.value(limit.half.root(&s.x)));
     Some(Relaxation::of(name, limit.meaning.value(limit.most)?, to))

@@ -47,14 +47,14 @@ impl Formulation {
     /// else fixes the level.
     pub fn is_broken_by(&self, coefficients: &[f64]) -> bool {
         let program = &self.program;
-        if program.limits.is_empty() && program.rms.is_none() {
+        if program.limits.is_empty() && program.rms.is_empty() {
             return false;
         }
         let mut x = coefficients.to_vec();
         if program.constant_is_free() {
             x[0] -= Law::of(&program.basis, &x).extremes(0).0.value;
         }
-        let misses = (program.rms.as_ref()).is_some_and(|limit| limit.excess(&x) > 0.0);
+        let misses = program.rms.iter().any(|limit| limit.excess(&x) > 0.0);
         misses || !program.broken(&x, &program.windows(&x)).is_empty()
     }
 }
@@ -371,7 +371,7 @@ fn nearest_to_force(
     limits: &NonconvexLimits,
 ) -> Option<Solution> {
     let mut near = program.clone().minimising(force.clone());
-    near.rms = None;
+    near.rms.retain(|l| l.name != Criterion::Accuracy);
     let solution = near.solve().ok()?;
     let starts = starts(problem, &near, &solution);
     let (mut found, ..) = scp::refine(&near, &starts, limits.clone(), |_| false)?;

@@ -1,5 +1,6 @@
 //! Why a problem has no law.
 
+use crate::criterion::Criterion;
 use crate::error::Error;
 use crate::scene::Family;
 use crate::synth::limits::NonconvexLimits;
@@ -36,7 +37,7 @@ impl Refusal {
 
     /// Whether there is a law without the accuracy.
     pub fn is_of_accuracy(&self) -> bool {
-        let open = self.program.of_least_rms(None);
+        let open = self.program.of_least_rms(Criterion::Accuracy);
         self.nonconvex.is_none() && open.is_some_and(|open| open.solve().is_ok())
     }
 

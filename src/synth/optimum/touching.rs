@@ -20,6 +20,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::refusal::Refusal;
+use crate::criterion::Criterion;
 use crate::law::Law;
 use crate::synth::qp::{self, Failure, Program, Row, Solution};
 
@@ -67,7 +68,7 @@ pub fn at_best_angle(program: Program, stiffness: Option<f64>) -> Result<Touchin
         };
     }
     // Where the law is lowest without limits is a fair guess; one whose error is limited is near that of the least error.
-    let least = program.of_least_rms(None);
+    let least = program.of_least_rms(Criterion::Accuracy);
     let first = match qp::solve_equalities(least.as_ref().unwrap_or(&program)) {
         Ok(unlimited) => Law::of(&program.basis, &unlimited.x).extremes(0).0.at,
         Err(_) => 0.0,
@@ -179,7 +180,7 @@ impl Search {
     /// few angles, they lie about this one.
     fn at_least_rms(&self, first: f64) -> Option<f64> {
         let mut least = Search {
-            program: self.program.of_least_rms(None)?,
+            program: self.program.of_least_rms(Criterion::Accuracy)?,
             nodes: Vec::new(),
             programs: 0,
         };

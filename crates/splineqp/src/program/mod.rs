@@ -49,8 +49,8 @@ pub struct Program<N: Names> {
     pub equalities: Vec<Equality<N>>,
     /// Limits over ranges.
     pub limits: Vec<Limit<N>>,
-    /// Limit on a root mean square of the law.
-    pub rms: Option<RmsLimit<N>>,
+    /// Limits on root mean squares of the law.
+    pub rms: Vec<RmsLimit<N>>,
     /// Parts of bounds that vary with θ.
     pub shapes: Vec<PiecewisePoly>,
     /// Lift where the law of open level touches its base circle; `None` where the law's zero is that circle.
@@ -161,7 +161,7 @@ impl<N: Names> Program<N> {
             constant: objective.constant,
             equalities,
             limits: Vec::new(),
-            rms: None,
+            rms: Vec::new(),
             shapes: Vec::new(),
             touching: None,
             fixed: Vec::new(),

@@ -82,7 +82,7 @@ impl<N: Names> RmsLimit<N> {
 
 impl<N: Names> Program<N> {
     /// The active rows with which a neighbouring program ended as rows of this one, to begin with: contacts of limits, whose bounds
-    /// and sizes may differ there, and the tangent of that on the root mean square.
+    /// and sizes may differ there, and the tangents of those on root mean squares.
     pub fn seeds_of(&self, active: &[Row<N>]) -> Vec<Row<N>> {
         let is_limited = |i: usize| self.limits.get(i).is_some_and(|l| !l.is_idle());
         let own = |row: &Row<N>| match row.limit {
@@ -98,7 +98,7 @@ impl<N: Names> Program<N> {
     /// The same program with `weight` times q in its objective instead of the limit on √(2 q).
     pub(crate) fn weighing(&self, limit: &RmsLimit<N>, weight: f64) -> Program<N> {
         let mut out = self.clone();
-        out.rms = None;
+        out.rms.retain(|l| l.name != limit.name);
         let whole = &limit.half.whole;
         out.hessian.add_scaled(&whole.hessian, weight);
         for (own, g) in out.gradient.iter_mut().zip(&whole.gradient) {
@@ -108,17 +108,21 @@ impl<N: Names> Program<N> {
         out
     }
 
-    /// The program of the least root mean square under the other limits, and under a peak where one is held; `None` where no
-    /// root mean square is limited.
-    pub fn of_least_rms(&self, peak: Option<f64>) -> Option<Program<N>> {
+    /// The program that minimises the root mean square of this name under the other limits; `None` where it is not limited.
+    pub fn of_least_rms(&self, name: N::Limit) -> Option<Program<N>> {
         let mut out = self.clone();
-        let limit = out.rms.take()?;
-        if let Some(peak) = peak {
-            for limit in &mut out.limits {
-                hold(&mut limit.bound, &mut limit.extra, peak);
-            }
-        }
+        let limit = out.rms.iter().position(|l| l.name == name)?;
+        let limit = out.rms.remove(limit);
         Some(out.minimising(limit.half.whole))
+    }
+
+    /// The same program with the peak held at a value.
+    pub(crate) fn under_peak(&self, peak: f64) -> Program<N> {
+        let mut out = self.clone();
+        for limit in &mut out.limits {
+            hold(&mut limit.bound, &mut limit.extra, peak);
+        }
+        out
     }
 
     /// The same program with another objective, over the coefficients alone. Its limits keep their places, so that rows of one

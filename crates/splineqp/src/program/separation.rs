@@ -14,8 +14,9 @@ impl<N: Names> Program<N> {
 
     /// Largest excess over any limit, relative to its scale; 0 when all hold.
     pub fn violation(&self, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
-        let of_mean = self.rms.as_ref().map_or(0.0, |limit| limit.excess(x));
-        of_mean.max(self.worst(&self.peaks_near(x, extra, 0.0), x, extra))
+        let of_means = self.rms.iter().map(|limit| limit.excess(x));
+        let of_limits = self.worst(&self.peaks_near(x, extra, 0.0), x, extra);
+        of_means.fold(of_limits.max(0.0), f64::max)
     }
 
     /// Local maxima of the limits' left sides that come as near to their bound as this part of its size.

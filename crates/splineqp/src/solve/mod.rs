@@ -27,7 +27,7 @@ impl<N: Names> Program<N> {
     /// # Errors
     /// Equalities that contradict each other, limits that leave nothing, a solver that stops without an answer.
     pub fn solve(&self) -> Result<Solution<N>, Failure<N>> {
-        let mut solution = match &self.rms {
+        let mut solution = match self.rms.first() {
             Some(_) if self.settings.tolerance > TOLERANCE => exchange::solve(self)?,
             Some(limit) => match self.with_its_cone() {
                 Some(solution) => solution,

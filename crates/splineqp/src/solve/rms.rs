@@ -127,7 +127,10 @@ impl<'a, N: Names> Search<'a, N> {
 
     /// The law of the least root mean square.
     fn nearest(&self) -> Result<Solution<N>, Failure<N>> {
-        let near = self.program.of_least_rms(None).ok_or(Stop::Refused)?;
+        let near = self
+            .program
+            .of_least_rms(self.limit.name)
+            .ok_or(Stop::Refused)?;
         let near = near.solve()?;
         if !self.keeps(&near) {
             return Err(Failure::Infeasible);
@@ -213,7 +216,7 @@ impl<'a, N: Names> Search<'a, N> {
                 self.tried(number, value, program.solve()?)
             }
             Way::Peak => {
-                let least = self.program.of_least_rms(Some(value));
+                let least = self.program.under_peak(value).of_least_rms(self.limit.name);
                 let mut program = least.ok_or(Stop::Refused)?;
                 program.seeds.clone_from(&self.seeds);
                 for row in &mut program.seeds {

@@ -31,7 +31,7 @@ fn program(order: usize, most: f64, highest: f64) -> Program<()> {
     let mut energy = Quadratic::zero(&basis);
     energy.add_energy(&basis, order, 1.0);
     let mut program = Program::new(basis, energy, Vec::new(), 1.0);
-    program.rms = Some(RmsLimit {
+    program.rms.push(RmsLimit {
         name: "distance",
         half,
         most,
@@ -58,7 +58,7 @@ fn reference(program: &Program<()>, highest: f64) -> f64 {
         let at = TAU * k as f64 / GRID as f64;
         push(&program.basis.row(at, &[1.0]), 1.0, highest);
     }
-    push(&[], 0.0, program.rms.as_ref().unwrap().most);
+    push(&[], 0.0, program.rms[0].most);
     let breaks = program.basis.breaks();
     for (piece, ends) in breaks.windows(2).enumerate() {
         for (u, weight) in gauss_legendre(NODES) {

@@ -32,7 +32,7 @@ fn program(basis: Basis, order: usize, most: f64) -> Program<()> {
         energy.add_energy(&basis, order, 1.0);
     }
     let mut program = Program::new(basis, energy, Vec::new(), 1.0);
-    program.rms = Some(RmsLimit {
+    program.rms.push(RmsLimit {
         name: "distance",
         half,
         most,
@@ -143,7 +143,7 @@ fn the_optimum_is_proved_and_falls_as_the_limit_widens() {
 #[test]
 fn laws_exist_down_to_the_least_distance() {
     for order in 0..=4 {
-        let least = minimising(order, 0.1).of_least_rms(None).unwrap();
+        let least = minimising(order, 0.1).of_least_rms("distance").unwrap();
         let nearest = least.solve().unwrap();
         let edge = (2.0 * least.merit(&nearest)).sqrt();
         let inside = minimising(order, edge * (1.0 + 1e-6));
@@ -157,12 +157,43 @@ fn laws_exist_down_to_the_least_distance() {
     }
 }
 
+/// Each coefficient has a multiplier μ of its distance and one of the mean square of its slope: a second limit that just allows
+/// the slope of the first optimum changes nothing, and a narrower one is kept with a proof.
+#[test]
+fn several_root_mean_squares_are_limited_together() {
+    for basis in [Basis::Harmonic { count: 4 }, splines()] {
+        let one = program(basis.clone(), 3, 0.1);
+        let first = one.solve().unwrap();
+        let half = MeanSquare::distance(&basis, &[0.0, 1.0], 40, pointwise(|_| 0.0));
+        let slope = half.root(&first.x);
+        for part in [1.001, 0.999] {
+            let mut both = one.clone();
+            both.rms.push(RmsLimit {
+                name: "slope",
+                half: half.clone(),
+                most: part * slope,
+                meaning: Meaning::times(1.0),
+            });
+            let solution = both.solve().unwrap();
+            let proof = certificate(&both, &solution);
+            assert!(
+                proof.proves_optimum() && proof.keeps_limits(),
+                "{part} {proof:?}"
+            );
+            let [own, before] = [both.merit(&solution), one.merit(&first)];
+            if part > 1.0 {
+                assert!((own - before).abs() < 1e-6 * before, "{own} {before}");
+            } else {
+                assert!(own > before && half.root(&solution.x) < slope);
+            }
+        }
+    }
+}
+
 #[test]
 fn a_distance_that_no_law_has_is_infeasible() {
     let mut program = program(Basis::Harmonic { count: 2 }, 3, 1e-3);
     assert!(matches!(program.solve(), Err(Failure::Infeasible)));
-    if let Some(limit) = &mut program.rms {
-        limit.most = 1.0;
-    }
+    program.rms[0].most = 1.0;
     assert!(program.solve().is_ok());
 }

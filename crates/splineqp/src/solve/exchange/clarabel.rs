@@ -8,7 +8,7 @@ use clarabel::solver::{
 };
 
 use crate::basis::{Entries, row_unit};
-use crate::program::{Ball, EXTRAS, Failure, PEAK, Program, Row, SIZES, Stop};
+use crate::program::{Ball, EXTRAS, Failure, PEAK, Program, RmsLimit, Row, SIZES, Stop};
 
 /// Minimise ½xᵀPx + qᵀx with b − Ax in the cones, in the solver's hands. Clarabel's code is generic: every crate that makes or
 /// runs a solver of its own compiles it whole, so all ask here.
@@ -37,8 +37,8 @@ pub struct Point<N: Names> {
     pub x: Vec<f64>,
     /// Further variables.
     pub extra: [f64; EXTRAS],
-    /// The tangent of the limit on a root mean square, with its multiplier.
-    pub tangent: Option<Row<N>>,
+    /// Tangents of the limits on root mean squares, with their multipliers.
+    pub tangents: Vec<Row<N>>,
     /// Iterations.
     pub iterations: usize,
 }
@@ -53,11 +53,9 @@ pub fn solve<N: Names>(
     let (length, n) = (program.length, program.basis.columns());
     let scaling = Scaling::of(program, rows);
     let (p, q) = objective(program, &scaling);
-    let ball = match &program.rms {
-        Some(limit) => Some(limit.ball().ok_or(Failure::Infeasible)?),
-        None => None,
-    };
-    let (a, b, cones) = constraints(program, rows, ball.as_ref(), &scaling, margin);
+    let balls: Option<Vec<Ball>> = program.rms.iter().map(RmsLimit::ball).collect();
+    let balls = balls.ok_or(Failure::Infeasible)?;
+    let (a, b, cones) = constraints(program, rows, &balls, &scaling, margin);
     let own = &program.settings.exchange;
     let settings = DefaultSettingsBuilder::default()
         .verbose(false)
@@ -87,14 +85,17 @@ pub fn solve<N: Names>(
     }
     let x: Vec<f64> = answer.x[..n].iter().map(|y| y * length).collect();
     let beside = usize::from(program.cone) * SIZES.len();
-    let tangent = program.rms.as_ref().zip(ball).map(|(limit, ball)| {
-        let z = multipliers[rows.len() + beside] * scaling.objective / ball.radius;
-        limit.tangent(&x, z * limit.most / ball.radius)
+    let of_cones = multipliers[rows.len() + beside..].chunks_exact(n + 1);
+    let limited = program.rms.iter().zip(&balls).zip(of_cones);
+    let tangents = limited.map(|((limit, ball), z)| {
+        let multiplier = z[0] * scaling.objective / ball.radius;
+        limit.tangent(&x, multiplier * limit.most / ball.radius)
     });
+    let tangents = tangents.collect();
     Ok(Point {
         x,
         extra,
-        tangent,
+        tangents,
         iterations: answer.iterations as usize,
     })
 }
@@ -153,11 +154,11 @@ fn objective<N: Names>(program: &Program<N>, scaling: &Scaling) -> (CscMatrix<f6
     (p, q)
 }
 
-/// A, b and the cones: equalities, rows, R ≥ ‖(D, e)‖ where the program has it, and the limit on a root mean square.
+/// A, b and the cones: equalities, rows, R ≥ ‖(D, e)‖ where the program has it, and the limits on root mean squares.
 fn constraints<N: Names>(
     program: &Program<N>,
     rows: &[Row<N>],
-    ball: Option<&Ball>,
+    balls: &[Ball],
     scaling: &Scaling,
     margin: f64,
 ) -> (CscMatrix<f64>, Vec<f64>, Vec<SupportedConeT<f64>>) {
@@ -192,7 +193,7 @@ fn constraints<N: Names>(
         }
         cones.push(SupportedConeT::SecondOrderConeT(SIZES.len()));
     }
-    if let Some(ball) = ball {
+    for ball in balls {
         let first = b.len() + 1;
         b.push(1.0 - margin);
         b.extend(ball.shift.iter().map(|h| h / ball.radius));

@@ -58,7 +58,7 @@ pub fn from_rows<N: Names>(
     let mut best: Option<Solution<N>> = None;
     // Room left inside every limit for what the solver does not resolve; grows only when needed. With a cone there is no
     // refinement, so there it is kept from the start.
-    let mut margin = if program.cone || program.rms.is_some() {
+    let mut margin = if program.cone || !program.rms.is_empty() {
         settings.cone_margin
     } else {
         0.0
@@ -84,7 +84,7 @@ pub fn from_rows<N: Names>(
         let Point {
             x,
             mut extra,
-            tangent,
+            tangents,
             ..
         } = point;
         // A law that exceeds its minimised peak by less than a gap which needs no refinement has the peak that it attains.
@@ -94,7 +94,7 @@ pub fn from_rows<N: Names>(
         }
         let broken = program.broken(&x, &extra);
         let violation = program.violation(&x, &extra);
-        let all = rows.iter().chain(&tangent);
+        let all = rows.iter().chain(&tangents);
         let active = all.filter(|r| is_active(program, r, &x, &extra));
         let solution = Solution {
             active: active.cloned().collect(),
@@ -110,7 +110,7 @@ pub fn from_rows<N: Names>(
             return Ok(solution);
         }
         let near = violation < program.settings.refinement.from;
-        if near && program.rms.is_none() && refinements < settings.refinements {
+        if near && program.rms.is_empty() && refinements < settings.refinements {
             refinements += 1;
             if let Some(refined) = refine::on_contacts(program, &solution) {
                 return Ok(refined);
