@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 # What is handed out: the command, the Python package, the engine of the page.
-ROOTS = {"gaitcam-cli", "gaitcam-python", "gaitcam-engine"}
+ROOTS = {"gaitcam-cli", "gaitcam-python", "gaitcam-app"}
 TEXTS = ("LICEN", "COPYING", "NOTICE")
 
 

@@ -58,9 +58,9 @@ mkdir "$web/modules"
 for name in engine whole; do
   features=()
   [ "$name" = whole ] || features=(--no-default-features)
-  cargo rustc --quiet --profile web -p gaitcam-engine --lib --crate-type cdylib --target wasm32-unknown-unknown \
+  cargo rustc --quiet --profile web -p gaitcam-app --lib --crate-type cdylib --target wasm32-unknown-unknown \
     --target-dir "$web/cargo" "${features[@]}" "${standard[@]}"
-  wasm-opt -O3 "$web/cargo/wasm32-unknown-unknown/web/gaitcam_engine.wasm" -o "$web/modules/$name.wasm"
+  wasm-opt -O3 "$web/cargo/wasm32-unknown-unknown/web/gaitcam_app.wasm" -o "$web/modules/$name.wasm"
 done
 
 [ -x "$web/node_modules/.bin/esbuild" ] || npm install --silent --no-audit --no-fund --prefix "$web" esbuild@0.28.2 > /dev/null ||

@@ -2,9 +2,9 @@
 
 use gaitcam::error::Placed;
 use gaitcam::units::{Dimension, parse};
+use gaitcam_app::{Contents, Workshop};
 use gaitcam_cad::drawing::Title;
 use gaitcam_cad::dxf::{Content, Curves};
-use gaitcam_files::{Contents, Workshop};
 use gaitcam_output::Language;
 use pyo3::prelude::*;
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use gaitcam::force::{self, ForceCurve, Walker};
 use gaitcam::scene::{self, PopulationReader, is_table_of_walkers};
-use gaitcam_files::{Input, target};
+use gaitcam_app::{Input, target};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -76,7 +76,7 @@ const OF_SOURCE: [&str; 12] = [
 const UNNAMED: &str = "force";
 
 /// The file of a force from arrays, in the folder of the result.
-pub use gaitcam_files::design::FORCE as FILE;
+pub use gaitcam_app::design::FORCE as FILE;
 
 impl Argument for Force {
     const MADE: &'static str = "read_gait(path) and Force(t_s, f_n, period_s=...) make one";

@@ -1,4 +1,4 @@
-//! The Python package `gaitcam`: bindings only. The work is done by the library, `gaitcam-files` and
+//! The Python package `gaitcam`: bindings only. The work is done by the library, `gaitcam-app` and
 //! `gaitcam-output`, as for the command.
 
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]

@@ -3,7 +3,7 @@
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{self, Model, Outcome};
 use gaitcam::wording::Language;
-use gaitcam_files::design::{is_of_machine, put_on};
+use gaitcam_app::design::{is_of_machine, put_on};
 use gaitcam_output::simulation;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};

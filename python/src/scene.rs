@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use gaitcam::error::{Error, SceneError};
 use gaitcam::scene;
-use gaitcam_files::Input;
-use gaitcam_files::scene::parse;
+use gaitcam_app::Input;
+use gaitcam_app::scene::parse;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -53,7 +53,7 @@ impl Scene {
         if !open {
             return Err(raised(py, fault));
         }
-        let whole = gaitcam_files::scene::with_motions(&table, &folder).raise(py)?;
+        let whole = gaitcam_app::scene::with_motions(&table, &folder).raise(py)?;
         let scene = scene::read_keys(&whole).raise(py)?;
         let input = Input {
             scene,
@@ -123,8 +123,8 @@ impl Scene {
     /// Reads a scene file (TOML), or the scene in a ``summary.json``.
     #[staticmethod]
     fn load(py: Python<'_>, path: PathBuf) -> PyResult<Scene> {
-        let table = gaitcam_files::scene::table(&path).raise(py)?;
-        let folder = gaitcam_files::scene::folder_of(&path);
+        let table = gaitcam_app::scene::table(&path).raise(py)?;
+        let folder = gaitcam_app::scene::folder_of(&path);
         Scene::of_table(py, table, folder, Some(path))
     }
 

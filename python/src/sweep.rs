@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use gaitcam::halt::Halt;
 use gaitcam::sweep::Study;
 use gaitcam::wording::Language;
-use gaitcam_files::blocks::SharedBlocks;
+use gaitcam_app::blocks::SharedBlocks;
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use gaitcam::Problem;
 use gaitcam::error::{Result, is_no_cam};
 use gaitcam::synth::Search;
-use gaitcam_files::Input;
+use gaitcam_app::Input;
 use gaitcam_output::Timing;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;

@@ -34,7 +34,7 @@ AREAS = {
     "cycle averages": Area("gaitcam-gait", ["crates/gait/src/cycle/*.rs", "crates/gait/src/statistics.rs"], 30,
                            gait("cycle", "joint"), gait()),
     "rigid torque": Area("gaitcam", ["src/dynamics/rigid/**/*.rs"], 10, library("dynamics"), library()),
-    "result folder": Area("gaitcam-files", ["crates/files/src/result_folder*"], 1, [("gaitcam-files", "lib", [])],
+    "result folder": Area("gaitcam-app", ["crates/app/src/result_folder*"], 1, [("gaitcam-app", "lib", [])],
                           [("gaitcam-cli", "it", ["files::"])]),
     "table reader": Area("gaitcam-gait", ["crates/gait/src/read/text/*.rs", "crates/gait/src/read/c3d/*.rs"], 35,
                          gait("c3d", "layouts"), gait()),

@@ -13,8 +13,8 @@ use crate::console::words::{self, fixed, power};
 use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use gaitcam::error::Result;
+use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_cad::ecam::{self, Dialect, ElectronicCam, Interpolation, Number};
-use gaitcam_files::{PATIENCE, ResultFolder};
 
 const EXAMPLES: &str = "Examples:
   gaitcam ecam out/footbridge --dialect codesys

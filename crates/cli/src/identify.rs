@@ -19,9 +19,9 @@ use gaitcam::error::{FileError, Placed, Result};
 use gaitcam::identify::{Identified, Log};
 use gaitcam::scene::set_value;
 use gaitcam::synth::Design;
-use gaitcam_files::design::OF_IDENTIFICATION;
-use gaitcam_files::read::read_bytes;
-use gaitcam_files::{Input, PATIENCE, ResultFolder};
+use gaitcam_app::design::OF_IDENTIFICATION;
+use gaitcam_app::read::read_bytes;
+use gaitcam_app::{Input, PATIENCE, ResultFolder};
 use gaitcam_output::{identification, identified};
 
 const IDENTIFY: &str = "Examples:

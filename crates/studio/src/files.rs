@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 
 use crate::Studio;
 use gaitcam::error::{Placed, Result};
-use gaitcam_engine::fault::StudioError;
-use gaitcam_engine::{Named, table};
+use gaitcam_app::page::fault::StudioError;
+use gaitcam_app::page::{Named, table};
 
 /// The text of a scene of the folder.
 ///

@@ -28,8 +28,8 @@ use folder::Folder;
 use gaitcam::error::{Error, Result};
 use gaitcam::scene;
 use gaitcam::wording::Language;
-use gaitcam_engine::fault::StudioError;
-use gaitcam_engine::{Engine, Start, set_language, table};
+use gaitcam_app::page::fault::StudioError;
+use gaitcam_app::page::{Engine, Start, set_language, table};
 use guard::{Guard, Place};
 use http::Server;
 

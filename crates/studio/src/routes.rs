@@ -11,8 +11,8 @@ use crate::{Studio, assets, files};
 use gaitcam::error::{Error, Result};
 use gaitcam::halt::Halt;
 use gaitcam::wording::Language;
-use gaitcam_engine::fault::StudioError;
-use gaitcam_engine::{Answer, Body, Hash, Host, LONGEST, Start, set_language};
+use gaitcam_app::page::fault::StudioError;
+use gaitcam_app::page::{Answer, Body, Hash, Host, LONGEST, Start, set_language};
 
 /// Largest body of a question, and of a kept file, bytes.
 const QUESTION: usize = 4 << 20;

@@ -9,7 +9,7 @@ use gaitcam::scene;
 use gaitcam::sweep::{
     Axis, Files, Key, List, Method, NamedScene, Plan, Sampling, Scattered, Study, Subject, Values,
 };
-use gaitcam_files::{Input, target};
+use gaitcam_app::{Input, target};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyList, PyString};

@@ -11,8 +11,8 @@ use gaitcam::Problem;
 use gaitcam::error::{Placed, Result};
 use gaitcam::force::{ForceCurve, Walker};
 use gaitcam::synth::{Assigned, Search, design, served_by};
-use gaitcam_files::Input;
-use gaitcam_files::read::read_text;
+use gaitcam_app::Input;
+use gaitcam_app::read::read_text;
 
 /// The cams of each number in a folder of `gaitcam cover` for each walker: table and data.
 ///

@@ -19,7 +19,7 @@ use gaitcam::force::{ForceCurve, Walker, population_csv, read_population};
 use gaitcam::scene::{ErrorMeasure, Family, Robust, set_value};
 use gaitcam::sweep::table::text_cell;
 use gaitcam::synth::{Assigned, Cover, Fold, Search, covers, folds};
-use gaitcam_files::Input;
+use gaitcam_app::Input;
 use gaitcam_output::Picture;
 use gaitcam_output::cover::{CoverWords, Curve, cover as cover_picture};
 use gaitcam_output::folder::Folder;

@@ -23,8 +23,8 @@ use gaitcam::force::{
     self, Cycle, Feet, ForceCurve, Interpretation, OpenQuestion, ReadOptions, Walker,
 };
 use gaitcam::units::Dimension;
-use gaitcam_files::read::read_bytes;
-use gaitcam_files::target::{joined, metadata};
+use gaitcam_app::read::read_bytes;
+use gaitcam_app::target::{joined, metadata};
 use gaitcam_output as output;
 use gaitcam_output::folder::write_whole;
 use gaitcam_output::gait as tables;

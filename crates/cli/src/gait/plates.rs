@@ -4,7 +4,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use gaitcam::force::{PlateFile, plate_of};
-use gaitcam_files::read::open;
+use gaitcam_app::read::open;
 
 /// Bytes of a file in which its header stands.
 const HEAD: u64 = 1 << 16;

@@ -9,7 +9,7 @@ use crate::input::searching;
 use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::scene::{Scene, set};
 use gaitcam::synth::Design;
-use gaitcam_files::design::{is_of_machine, put_on};
+use gaitcam_app::design::{is_of_machine, put_on};
 
 /// A flag that stands for a key of the machine.
 pub struct Flag<'a> {

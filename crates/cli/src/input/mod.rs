@@ -15,10 +15,10 @@ use crate::console::internal;
 use gaitcam::error::{Error, Placed, Result, SceneError};
 use gaitcam::scene;
 use gaitcam::units::{Dimension, parse as parse_quantity};
-use gaitcam_files::read::read_standard_input;
-use gaitcam_files::scene::{folder_of, parse, table};
+use gaitcam_app::read::read_standard_input;
+use gaitcam_app::scene::{folder_of, parse, table};
 
-pub use gaitcam_files::Input;
+pub use gaitcam_app::Input;
 
 /// A scene with changes.
 #[derive(Args, Debug, Default, Clone)]

@@ -8,7 +8,7 @@ use gaitcam::Problem;
 use gaitcam::error::{Placed, Result};
 use gaitcam::halt::Halt;
 use gaitcam::synth::{self, Design, Search};
-use gaitcam_files::{Input, PATIENCE};
+use gaitcam_app::{Input, PATIENCE};
 use serde_json::json;
 
 use crate::console::error::CliError;

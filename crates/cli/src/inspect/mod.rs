@@ -22,8 +22,8 @@ use gaitcam::error::{FileError, Place, Placed, Result};
 use gaitcam::sweep::{Behaviour, MadeCam};
 use gaitcam::synth::{Design, sentences};
 use gaitcam::units::Dimension;
-use gaitcam_files::design::OF_INSPECTION;
-use gaitcam_files::{PATIENCE, ResultFolder};
+use gaitcam_app::design::OF_INSPECTION;
+use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_output::inspection;
 use points::Points;
 

@@ -6,7 +6,7 @@ use crate::console::error::CliError;
 use crate::input;
 
 use gaitcam::error::{Placed, Result};
-use gaitcam_files::read::read_bytes;
+use gaitcam_app::read::read_bytes;
 
 /// Names of the columns that are understood, with what they are and their factor to SI.
 const COLUMNS: [(&str, Kind, f64); 11] = [

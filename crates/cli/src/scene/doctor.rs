@@ -21,11 +21,11 @@ use crate::console::terminal::print;
 use crate::console::words;
 use crate::input::searching::TimeLimit;
 use crate::input::{self, SceneArgs};
-use gaitcam_files::Input;
-use gaitcam_files::population::population;
-use gaitcam_files::read::read_bytes;
-use gaitcam_files::scene::with_motions;
-use gaitcam_files::target::{content, find, metadata};
+use gaitcam_app::Input;
+use gaitcam_app::population::population;
+use gaitcam_app::read::read_bytes;
+use gaitcam_app::scene::with_motions;
+use gaitcam_app::target::{content, find, metadata};
 
 const EXAMPLES: &str = "Examples:
   gaitcam doctor my.toml

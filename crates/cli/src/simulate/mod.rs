@@ -21,8 +21,8 @@ use gaitcam::dynamics::{Model, Outcome, Run, simulate};
 use gaitcam::error::{Error, Place, Placed, Result, is_no_cam};
 use gaitcam::scene::Scene;
 use gaitcam::synth::Design;
-use gaitcam_files::design::{check_inputs_stay, finish, of_another_design, summary, write_scene};
-use gaitcam_files::{PATIENCE, ResultFolder};
+use gaitcam_app::design::{check_inputs_stay, finish, of_another_design, summary, write_scene};
+use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_output::report::{Running, html_of_run};
 #[cfg(feature = "cad")]
 use gaitcam_output::xlsx;

@@ -20,8 +20,8 @@ use gaitcam::dynamics::{Model, Outcome, simulate};
 use gaitcam::error::{DynamicsError, Error, Placed, Result, is_no_cam};
 use gaitcam::synth::Design;
 use gaitcam::units::{Dimension, parse};
-use gaitcam_files::design::{put_on, write_scene};
-use gaitcam_files::{PATIENCE, ResultFolder};
+use gaitcam_app::design::{put_on, write_scene};
+use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_output::plots::{self, AtSpeed};
 
 /// Most speeds of a table.

@@ -15,8 +15,8 @@ use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::table::cell_text;
 use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values};
-use gaitcam_files::read::read_bytes;
-use gaitcam_files::target::target;
+use gaitcam_app::read::read_bytes;
+use gaitcam_app::target::target;
 
 /// A plan with the folders that the paths of its scenes are relative to.
 pub struct Sweep {

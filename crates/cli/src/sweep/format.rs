@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::console::error::CliError;
 use gaitcam::error::{Error, Placed, Result};
 use gaitcam::sweep::Records;
-use gaitcam_files::read::cannot_be_read;
+use gaitcam_app::read::cannot_be_read;
 #[cfg(feature = "parquet")]
 use gaitcam_output::parquet;
 

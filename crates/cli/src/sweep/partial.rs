@@ -14,8 +14,8 @@ use crate::results::front::read::each_row;
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Placed, Result};
 use gaitcam::sweep::{Outcome, Records};
-use gaitcam_files::Lock;
-use gaitcam_files::blocks::{self, Blocks, PLAN};
+use gaitcam_app::Lock;
+use gaitcam_app::blocks::{self, Blocks, PLAN};
 use gaitcam_output::folder::write_whole;
 use serde_json::{Value, json};
 

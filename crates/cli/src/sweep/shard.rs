@@ -11,8 +11,8 @@ use crate::console::progress::Progress;
 use crate::console::terminal::{self, print, print_json};
 use crate::{console::language, console::words};
 use gaitcam::sweep::{Plan, Study, Subject};
-use gaitcam_files::blocks::{BLOCK_ROWS, SharedBlocks};
-use gaitcam_files::target::contents;
+use gaitcam_app::blocks::{BLOCK_ROWS, SharedBlocks};
+use gaitcam_app::target::contents;
 
 /// A share of equal shares. They may be counted from 0 or from 1: share 0 of N is share N.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -10,7 +10,7 @@ use crate::console::progress::Progress;
 use crate::console::words;
 use gaitcam::error::Result;
 use gaitcam::sweep::{Records, Runner};
-use gaitcam_files::blocks::BLOCK_ROWS;
+use gaitcam_app::blocks::BLOCK_ROWS;
 
 /// A block takes this time, or this share of the time so far where that is longer: no more is lost in a crash, and a
 /// long sweep has a bounded number of blocks.

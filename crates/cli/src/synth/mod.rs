@@ -31,9 +31,9 @@ use gaitcam::error::{Error, Place, Placed, Result, is_no_cam};
 use gaitcam::force::ForceCurve;
 use gaitcam::halt::Halt;
 use gaitcam::synth::{self, Design, Search};
-use gaitcam_files::design::{self, check_inputs_stay};
-use gaitcam_files::files::{self, Source};
-use gaitcam_files::{Contents, ResultFolder};
+use gaitcam_app::design::{self, check_inputs_stay};
+use gaitcam_app::files::{self, Source};
+use gaitcam_app::{Contents, ResultFolder};
 use gaitcam_output::Timing;
 use workshop::WorkshopArgs;
 

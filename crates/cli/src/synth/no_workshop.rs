@@ -5,7 +5,7 @@ use clap::Args;
 use crate::input::Input;
 use gaitcam::cam::Measures;
 use gaitcam::error::Result;
-use gaitcam_files::{Remark, Workshop};
+use gaitcam_app::{Remark, Workshop};
 
 /// Nothing to ask for.
 #[derive(Args, Debug, Default)]

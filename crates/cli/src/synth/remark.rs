@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 use crate::{console::language, console::words, ecam};
 use gaitcam::cam::Measures;
 use gaitcam::error::Error;
+use gaitcam_app::Remark;
 use gaitcam_cad::cutter::Gouge;
-use gaitcam_files::Remark;
 
 /// A remark as a sentence, in the units of the follower.
 pub fn sentence(remark: &Remark, measures: Measures) -> String {

@@ -7,11 +7,11 @@ use crate::ecam;
 use crate::input::{self, Input};
 use gaitcam::error::Result;
 use gaitcam::units::Dimension;
+use gaitcam_app::Workshop;
 use gaitcam_cad::Units;
 use gaitcam_cad::drawing::Title;
 use gaitcam_cad::dxf::{Content, Curves};
 use gaitcam_cad::ecam::Dialect;
-use gaitcam_files::Workshop;
 
 /// What to write for CAD and the workshop.
 #[derive(Args, Debug, Default)]

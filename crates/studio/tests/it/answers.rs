@@ -372,7 +372,7 @@ fn two_files_of_one_name_never_take_each_others_place() {
 #[test]
 fn an_answer_names_its_question_and_the_files_that_are_not_kept() {
     let studio = Running::new();
-    let of = |text: &str| gaitcam_engine::Hash::of(text.as_bytes()).to_string();
+    let of = |text: &str| gaitcam_app::page::Hash::of(text.as_bytes()).to_string();
     let question = json!({"scene": DEFAULT}).to_string();
     let answer = studio.post("design", question.as_bytes()).json();
     assert_eq!(answer["of"], of(&question));

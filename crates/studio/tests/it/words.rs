@@ -18,7 +18,7 @@ fn every_key_has_a_text_and_every_text_is_used() {
         .filter(|k| k.starts_with("studio-"))
         .filter_map(|k| Some(k.split_once("${")?.0))
         .collect();
-    let text = std::fs::read_to_string(root.join("../engine/src/words/en.ftl")).unwrap();
+    let text = std::fs::read_to_string(root.join("../app/src/page/words/en.ftl")).unwrap();
     let known = words::keys(&text, &["studio-"]);
     let unsaid: Vec<_> = used.difference(&known).collect();
     let made = |key: &str| stems.iter().any(|stem| key.starts_with(stem));
@@ -32,7 +32,7 @@ fn every_key_has_a_text_and_every_text_is_used() {
 #[test]
 fn spanish_has_the_messages_and_arguments_of_english() {
     words::assert_same_messages(
-        include_str!("../../../engine/src/words/en.ftl"),
-        include_str!("../../../engine/src/words/es.ftl"),
+        include_str!("../../../app/src/page/words/en.ftl"),
+        include_str!("../../../app/src/page/words/es.ftl"),
     );
 }

@@ -6,8 +6,8 @@ use serde_json::Value;
 
 use crate::console::error::CliError;
 use gaitcam::error::{Placed, Result};
-use gaitcam_files::result_folder;
-use gaitcam_files::scene::not_json;
+use gaitcam_app::result_folder;
+use gaitcam_app::scene::not_json;
 
 /// One result.
 pub struct Design {

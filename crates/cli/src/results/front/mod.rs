@@ -21,8 +21,8 @@ use crate::synth::{self, SynthArgs};
 use gaitcam::error::{FileError, Placed, Result};
 use gaitcam::sweep::table::text_cell;
 use gaitcam::sweep::{Admission, Front, Key, Objective, Point};
-use gaitcam_files::blocks::{self, PLAN};
-use gaitcam_files::{read::read_bytes, scene::not_json};
+use gaitcam_app::blocks::{self, PLAN};
+use gaitcam_app::{read::read_bytes, scene::not_json};
 use gaitcam_output::folder::Folder;
 use read::{Columns, Kept};
 

@@ -10,8 +10,8 @@ use crate::input;
 use gaitcam::error::{Placed, Result};
 use gaitcam::sweep::table::cell_text;
 use gaitcam::sweep::{Key, NUMBERS, Objective};
-use gaitcam_files::blocks;
-use gaitcam_files::read::open;
+use gaitcam_app::blocks;
+use gaitcam_app::read::open;
 use gaitcam_output::sweep_plots::Quantity;
 
 /// Where the columns of a table are.

@@ -11,11 +11,11 @@ use std::sync::{Arc, LazyLock, Mutex};
 
 use serde_json::json;
 
-use crate::answer::Body;
-use crate::fault::StudioError;
-use crate::hash::Hash;
-use crate::kept::{Engine, Host, Start};
-use crate::lock;
+use crate::page::answer::Body;
+use crate::page::fault::StudioError;
+use crate::page::hash::Hash;
+use crate::page::kept::{Engine, Host, Start};
+use crate::page::lock;
 use gaitcam::error::{Placed, Result};
 use gaitcam::halt::Halt;
 use gaitcam::scene;
@@ -39,7 +39,7 @@ impl Host for Page {
     }
 
     fn halt(&self) -> Halt {
-        let end = seconds() + crate::LONGEST;
+        let end = seconds() + crate::page::LONGEST;
         Halt::when(move || seconds() >= end)
     }
 

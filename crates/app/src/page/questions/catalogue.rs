@@ -3,10 +3,10 @@
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::kept::Start;
-use crate::questions::variation::{QUANTITIES, TRADES};
-use crate::sources::Files;
-use crate::{table, words};
+use crate::page::kept::Start;
+use crate::page::questions::variation::{QUANTITIES, TRADES};
+use crate::page::sources::Files;
+use crate::page::{table, words};
 use gaitcam::error::Result;
 use gaitcam::law::Rise;
 use gaitcam::scene::{self, SCENES, built_in, keys};
@@ -37,7 +37,7 @@ pub fn start(start: &Start) -> Value {
         "quantities": QUANTITIES.map(|q| q.0),
         "trades": TRADES,
         "figures": FIGURES.each_ref().map(|f| (f.column, people(f.unit))),
-        "longest_s": crate::LONGEST,
+        "longest_s": crate::page::LONGEST,
     })
 }
 

@@ -5,9 +5,9 @@ use std::sync::{Arc, Mutex};
 
 use toml::Table;
 
-use crate::hash::Hash;
-use crate::lock;
-use crate::recent::Recent;
+use crate::page::hash::Hash;
+use crate::page::lock;
+use crate::page::recent::Recent;
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::halt::Halt;

@@ -12,13 +12,9 @@
 //! edit.rs     changes of a scene's table             curves/     what the diagrams show
 //! abi.rs      the functions that a browser calls
 //! ```
-#![deny(unsafe_code, missing_docs)]
-#![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 #[cfg(target_family = "wasm")]
 mod abi;
-#[cfg(target_family = "wasm")]
-mod allocator;
 mod answer;
 mod ask;
 mod curves;

@@ -38,7 +38,7 @@ pub fn lines(design: &Design, samples: &[Sample]) -> Vec<Line> {
 
 #[cfg(test)]
 mod tests {
-    use crate::curves::{Colour, Curves, curves};
+    use crate::page::curves::{Colour, Curves, curves};
     use gaitcam::scene;
 
     /// Trapezoidal mean square of the distance of two lines, at the angles of the page.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use crate::words::WORDS;
+use crate::page::words::WORDS;
 use gaitcam::error::Fault;
 use gaitcam::wording::Catalogue;
 

@@ -4,12 +4,12 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 
-use crate::answer::{Answer, Body};
-use crate::hash::Hash;
-use crate::kept::{Engine, Host};
-use crate::questions::{catalogue, design, export, recording, runs, variation};
-use crate::sources::{Files, Named};
-use crate::words;
+use crate::page::answer::{Answer, Body};
+use crate::page::hash::Hash;
+use crate::page::kept::{Engine, Host};
+use crate::page::questions::{catalogue, design, export, recording, runs, variation};
+use crate::page::sources::{Files, Named};
+use crate::page::words;
 use gaitcam::error::Result;
 use gaitcam::wording::Language;
 
@@ -57,7 +57,7 @@ impl Engine {
             "front" => asked(object, |q| variation::front(files, q)),
             "sweep" => asked(object, |q| runs::sweep(files, q)),
             "force" => asked(object, |q| recording::points(files, q)),
-            _ if cfg!(feature = "whole") => self.whole(files, route, object),
+            _ if cfg!(feature = "cad") => self.whole(files, route, object),
             _ => Answer::bad(route.to_string()),
         }
     }

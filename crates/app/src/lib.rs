@@ -1,12 +1,14 @@
-//! What every front end of gaitcam does with files: scenes and recordings in, results and sweeps out.
+//! The application layer of gaitcam, which the command, the Python package and the page share: scenes and recordings
+//! in, results and sweeps out, and the questions of the page.
 //!
-//! The library reads no file and writes none; the command and the Python package do both by these functions, so
-//! that scenes and results are the same for every user.
+//! The library `gaitcam` reads no file and writes none; every front end does both by these functions, so that scenes
+//! and results are the same for every user.
 
-#![forbid(unsafe_code)]
-#![deny(missing_docs)]
+#![deny(unsafe_code, missing_docs)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
+#[cfg(target_family = "wasm")]
+mod allocator;
 pub mod blocks;
 mod contents;
 pub mod design;
@@ -14,6 +16,7 @@ mod earlier;
 pub mod files;
 mod group;
 pub mod lock;
+pub mod page;
 pub mod population;
 pub mod read;
 pub mod result_folder;

@@ -2,18 +2,18 @@
 
 use serde::Deserialize;
 
-use crate::answer::{Answer, Body};
-use crate::fault::StudioError;
-use crate::kept::Made;
-use crate::questions::design::made;
-use crate::sources::Files;
-use crate::{table, words};
+use crate::files::{self, Source};
+use crate::page::answer::{Answer, Body};
+use crate::page::fault::StudioError;
+use crate::page::kept::Made;
+use crate::page::questions::design::made;
+use crate::page::sources::Files;
+use crate::page::{table, words};
+#[cfg(feature = "cad")]
+use crate::workshop::title;
+use crate::{Contents, Remark, Workshop, design};
 use gaitcam::error::{Error, Result};
 use gaitcam::units::{Dimension, parse};
-use gaitcam_files::files::{self, Source};
-#[cfg(feature = "whole")]
-use gaitcam_files::workshop::title;
-use gaitcam_files::{Contents, Remark, Workshop, design};
 
 /// One file of a design.
 #[derive(Debug, Deserialize)]
@@ -89,7 +89,7 @@ fn bytes(kept: &Made, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
 }
 
 /// What the page asks of files for the workshop.
-#[cfg(feature = "whole")]
+#[cfg(feature = "cad")]
 fn workshop(kept: &Made, tool: Option<&str>) -> Result<Workshop> {
     Ok(Workshop {
         tool: tool.map(radius).transpose()?,
@@ -99,7 +99,7 @@ fn workshop(kept: &Made, tool: Option<&str>) -> Result<Workshop> {
 }
 
 /// The module without makers makes none.
-#[cfg(not(feature = "whole"))]
+#[cfg(not(feature = "cad"))]
 fn workshop(_: &Made, tool: Option<&str>) -> Result<Workshop> {
     tool.map(radius).transpose()?;
     Ok(Workshop::default())

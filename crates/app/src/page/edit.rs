@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use toml::{Table, Value};
 
-use crate::fault::StudioError;
+use crate::page::fault::StudioError;
 use gaitcam::error::{Error, Place, Placed, Result, SceneError};
 use gaitcam::scene::keys::{self, Key, Kind};
 use gaitcam::scene::{self, Scene};

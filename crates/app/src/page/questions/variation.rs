@@ -3,9 +3,9 @@
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::form::typed;
-use crate::sources::Files;
-use crate::{table, words};
+use crate::page::form::typed;
+use crate::page::sources::Files;
+use crate::page::{table, words};
 use gaitcam::Problem;
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;

@@ -8,9 +8,9 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
-use crate::hash::Hash;
-use crate::kept::{Engine, Host};
-use crate::lock;
+use crate::page::hash::Hash;
+use crate::page::kept::{Engine, Host};
+use crate::page::lock;
 use gaitcam::error::Result;
 use gaitcam::force::{self, ForceCurve, ReadOptions};
 use gaitcam::scene::{self, Gait, PopulationReader, Scene, Source, is_table_of_walkers};

@@ -6,10 +6,10 @@ use std::path::Path;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::fault::StudioError;
-use crate::hash::Hash;
-use crate::sources::Files;
-use crate::words;
+use crate::page::fault::StudioError;
+use crate::page::hash::Hash;
+use crate::page::sources::Files;
+use crate::page::words;
 use gaitcam::error::Result;
 use gaitcam::force::{self, Feet, Interpretation, ReadOptions, Stances};
 use gaitcam::scene;

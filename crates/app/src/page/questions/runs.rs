@@ -6,12 +6,12 @@ use std::thread::available_parallelism;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::fault::StudioError;
-use crate::hash::Hash;
-use crate::kept::Made;
-use crate::questions::design::{Which, made};
-use crate::sources::Files;
-use crate::{table, words};
+use crate::page::fault::StudioError;
+use crate::page::hash::Hash;
+use crate::page::kept::Made;
+use crate::page::questions::design::{Which, made};
+use crate::page::sources::Files;
+use crate::page::{table, words};
 use gaitcam::dynamics::{self, Model};
 use gaitcam::error::Result;
 use gaitcam::identify::{self, Log};

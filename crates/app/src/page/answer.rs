@@ -3,8 +3,8 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::fault::StudioError;
-use crate::words;
+use crate::page::fault::StudioError;
+use crate::page::words;
 use gaitcam::error::{Error, Place, ReadError, Result};
 
 /// What an answer holds.
