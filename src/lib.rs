@@ -80,6 +80,8 @@ pub mod problem;
 
 pub mod synth;
 
+pub mod cover;
+
 pub mod identify;
 
 pub mod sweep;

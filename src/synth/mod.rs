@@ -91,7 +91,7 @@ pub use design::{
 };
 pub use infeasible::in_units;
 pub use pareto::{Trade, trade, traded};
-pub use population::{Assigned, Cover, Fold, OfPopulation, WalkerError, covers, folds, served_by};
+pub use population::{OfPopulation, WalkerError};
 pub use qp::{Certificate, Demand, Given, Stop};
 pub use search::Search;
 pub use spectral::{Spectral, invert};

@@ -19,7 +19,7 @@ use crate::halt::Halt;
 #[derive(Debug, Clone, Default)]
 pub struct Search {
     /// When the search is to end.
-    pub(super) halt: Halt,
+    pub(crate) halt: Halt,
     /// Only a design that passes is of use: one that cannot reach the accuracy need not be finished.
     pub(super) only_passing: bool,
     /// Spans with which a search for their number begins: those of a design for nearly the same problem.

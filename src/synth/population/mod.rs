@@ -5,21 +5,15 @@
 //! design for another mean curve, with weights that the search finds ([`weights`]). Families, limits, proofs and checks are
 //! those of one walker (theory §8).
 
-mod alternation;
-mod bound;
-mod cover;
-mod errors;
-mod folds;
+mod alone;
+pub mod errors;
 mod limits;
-mod phase;
-mod report;
-mod served;
-mod weights;
+pub mod phase;
+pub mod report;
+pub mod weights;
 
-pub use cover::{Cover, covers};
-pub use folds::{Fold, folds};
+pub use alone::{Point, points};
 pub use report::{OfPopulation, WalkerError};
-pub use served::{Assigned, served_by};
 
 use std::sync::Arc;
 
@@ -372,7 +366,7 @@ fn accuracy(problem: &Problem, square: f64) -> Option<Check> {
 }
 
 /// Gives a law's family and size: every round is over the same functions.
-fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) {
+pub fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) {
     spec.family = family;
     match family {
         // A dwell is a range of its own.

@@ -2,8 +2,9 @@
 
 use std::f64::consts::TAU;
 
+use gaitcam::cover::{Assigned, Cover, covers, folds, served_by};
 use gaitcam::force::{ForceCurve, Walker};
-use gaitcam::synth::{Assigned, Cover, Search, covers, folds, served_by};
+use gaitcam::synth::Search;
 use gaitcam::{Scene, scene};
 
 /// Walkers of these step frequencies and load factors, in step, of different weights.

@@ -8,9 +8,10 @@ use super::cover::{aligned, folder_of, of_unit, reason, scene_of};
 use crate::console::error::CliError;
 use crate::console::words::{self, fixed};
 use gaitcam::Problem;
+use gaitcam::cover::{Assigned, served_by};
 use gaitcam::error::{Placed, Result};
 use gaitcam::force::{ForceCurve, Walker};
-use gaitcam::synth::{Assigned, Search, design, served_by};
+use gaitcam::synth::{Search, design};
 use gaitcam_app::Input;
 use gaitcam_app::read::read_text;
 

@@ -2,9 +2,9 @@
 
 use super::Watch;
 use crate::chart::Chart;
+use gaitcam::cover::served_by;
 use gaitcam::error::Result;
 use gaitcam::scene::{Scene, built_in};
-use gaitcam::synth::served_by;
 
 /// Walkers whom every cam is to serve, at equal step frequencies within the range.
 const JUDGED: usize = 41;

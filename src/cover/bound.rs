@@ -7,8 +7,9 @@
 
 use nalgebra::DMatrix;
 
-use super::errors::{dot, in_tail, norm};
-use super::weights::{axes, less};
+use crate::synth::population::Point;
+use crate::synth::population::errors::{dot, in_tail, norm};
+use crate::synth::population::weights::{axes, less};
 
 /// Walkers from whom sets of the farthest begin.
 const BEGINNINGS: usize = 32;
@@ -16,18 +17,6 @@ const BEGINNINGS: usize = 32;
 const STEPS: usize = 60;
 /// Steps of the weights of a worst part.
 const STEPS_OF_WEIGHTS: usize = 200;
-
-/// The cam of one walker alone.
-pub struct Point {
-    /// Its force at the nodes, N.
-    pub at: Vec<f64>,
-    /// How far from it the best one may be, N.
-    pub slack: f64,
-    /// γ, 1/N.
-    pub scale: f64,
-    /// Least mean square error.
-    pub least: f64,
-}
 
 impl Point {
     fn distance(&self, other: &Point) -> f64 {

@@ -2,24 +2,24 @@
 
 use serde::Serialize;
 
-use super::errors::{Aim, Nodes};
-use super::phase;
-use super::report::{OfPopulation, WalkerError, report};
 use crate::error::{Error, Placed, Result, SynthError};
 use crate::force::ForceCurve;
 use crate::problem::Problem;
 use crate::scene::Scene;
-use crate::synth::design::Design;
+use crate::synth::population::errors::{Aim, Nodes};
+use crate::synth::population::{phase, report::report};
+use crate::synth::{Design, OfPopulation, WalkerError};
 
 /// A cycle and the cam that serves it.
 ///
 /// ```
-/// use gaitcam::{scene, synth};
+/// use gaitcam::synth::Search;
+/// use gaitcam::{cover, scene};
 ///
 /// // A slow and a quick walk: one cam serves both, and the parts of each error add up to it.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.6 Hz:2.1 Hz:2")?;
 /// let walkers = scene.model_force()?.unwrap();
-/// let covers = synth::covers(&scene, &walkers, 1, &synth::Search::default())?;
+/// let covers = cover::covers(&scene, &walkers, 1, &Search::default())?;
 /// for served in &covers[0].each {
 ///     let sum: f64 = served.parts_percent.iter().map(|part| part * part).sum();
 ///     assert!((sum.sqrt() - served.error.rms_error_percent).abs() < 1e-6);
@@ -61,7 +61,7 @@ pub fn served_by(scene: &Scene, cams: &[Design], force: &ForceCurve) -> Result<V
 }
 
 /// Cycles under a cam that need not be designed for them.
-pub(super) struct Under {
+pub struct Under {
     /// Mean square errors.
     pub squares: Vec<f64>,
     report: OfPopulation,
@@ -121,6 +121,6 @@ impl Under {
     }
 }
 
-pub(super) fn one_walker() -> Error {
+pub fn one_walker() -> Error {
     SynthError::OneWalker.at_key("gait.file")
 }

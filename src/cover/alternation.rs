@@ -2,11 +2,11 @@
 
 use std::collections::HashMap;
 
-use super::cover::{Cover, People};
-use super::errors::{in_tail, measure};
-use super::served::{Under, one_walker};
+use super::people::People;
+use super::served::{Assigned, Under, one_walker};
 use crate::error::Result;
 use crate::scene::Robust;
+use crate::synth::population::errors::{in_tail, measure};
 
 /// Turns of cams and walkers at most.
 const TURNS: usize = 30;
@@ -40,13 +40,13 @@ impl People<'_> {
         &self,
         count: usize,
         owner: &[usize],
-        before: &Cover,
+        before: &[Assigned],
         columns: &mut Columns,
     ) -> Result<Trial> {
         let error = |w: &usize| {
             let each = self.cycles[*w]
                 .iter()
-                .map(|i| before.each[*i].error.measured(self.scene.law.error));
+                .map(|i| before[*i].error.measured(self.scene.law.error));
             each.fold(0.0, f64::max)
         };
         let split = filled(owner.to_vec(), count, &|w, _| error(&w));

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use super::cover::People;
+use super::people::People;
 use super::served::served_by;
 use crate::error::Result;
 use crate::force::{ForceCurve, Population, Walker};
 use crate::scene::Scene;
-use crate::synth::search::Search;
+use crate::synth::Search;
 
 /// Parts of the walkers that are left out in turn.
 const PARTS: usize = 5;
@@ -17,12 +17,13 @@ const FEWEST: usize = 4;
 /// Errors of walkers for whom cams were designed, and of others.
 ///
 /// ```
-/// use gaitcam::{scene, synth};
+/// use gaitcam::synth::Search;
+/// use gaitcam::{cover, scene};
 ///
 /// // Of ten walkers two are left out in turn; the error of others is that of a walker who comes new.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.5 Hz:2.3 Hz:10")?;
 /// let walkers = scene.model_force()?.unwrap();
-/// let folds = synth::folds(&scene, &walkers, 1, &synth::Search::default())?;
+/// let folds = cover::folds(&scene, &walkers, 1, &Search::default())?;
 /// assert!(folds.iter().any(|fold| fold.cams == 1 && fold.walkers == 8));
 /// assert!(folds.iter().all(|fold| fold.out_mean <= fold.out_worst));
 /// # Ok::<(), gaitcam::error::Error>(())

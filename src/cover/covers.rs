@@ -1,0 +1,140 @@
+//! The covers of 1 to so many cams, with what no such cams can beat.
+
+use super::alternation::{Columns, Trial};
+use super::bound;
+use super::people::People;
+use super::served::{Assigned, Under, one_walker};
+use crate::error::Result;
+use crate::force::ForceCurve;
+use crate::scene::{Robust, Scene};
+use crate::synth::population::errors::{in_tail, tail};
+use crate::synth::population::points;
+use crate::synth::{Design, Search};
+
+/// So many cams with the walkers whom they serve.
+///
+/// ```
+/// use gaitcam::synth::Search;
+/// use gaitcam::{cover, scene};
+///
+/// // Two cams share the cadences of a model: the worst error falls by a quarter.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("gait.step_frequency", "1.4 Hz:2.4 Hz:11")?;
+/// let scene = scene.with("law.robust", "worst")?;
+/// let walkers = scene.model_force()?.unwrap();
+/// let covers = cover::covers(&scene, &walkers, 2, &Search::default())?;
+/// assert!(covers[1].worst < 0.75 * covers[0].worst);
+/// assert!(covers[1].bound.unwrap() <= covers[1].worst);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Cover {
+    /// The scene with the family and size of law that every cam has.
+    pub scene: Scene,
+    /// The cams; the design of each is for its own walkers.
+    pub cams: Vec<Design>,
+    /// Who is served by which, cycle by cycle.
+    pub each: Vec<Assigned>,
+    /// Mean of the RMS force errors, by weight: in percent of each walker's mean force, or in newtons, as the scene's `law.error`
+    /// says, like all that follows.
+    pub mean: f64,
+    /// Largest of them.
+    pub worst: f64,
+    /// What is minimised: the worst error, or the root of the mean square of all or of the worst part.
+    pub objective: f64,
+    /// No cams of this number and kind have a smaller objective; `None` where limits are not convex.
+    pub bound: Option<f64>,
+}
+
+/// The covers of 1 to so many cams, as many as there are walkers at most. Every cam has the family and size of law that the scene
+/// gives the cam of all.
+///
+/// # Errors
+/// As of one cam; a force of one walker.
+pub fn covers(
+    scene: &Scene,
+    force: &ForceCurve,
+    cams: usize,
+    search: &Search,
+) -> Result<Vec<Cover>> {
+    let Some(population) = force.population.as_deref().filter(|p| p.count() > 1) else {
+        return Err(one_walker());
+    };
+    let mut people = People::of(scene, population, search)?;
+    people.points = bound::compressed(points(&people.problem, search)?);
+    people.covers(cams)
+}
+
+impl People<'_> {
+    pub fn covers(&self, cams: usize) -> Result<Vec<Cover>> {
+        let mut columns = Columns::new();
+        let mut out: Vec<(Vec<usize>, Cover)> = Vec::new();
+        for count in 1..=cams.min(self.cycles.len()) {
+            let best = match out.last() {
+                None => self.alternated(vec![0; self.cycles.len()], 1, &mut columns)?,
+                Some((owner, cover)) => self.best_of(count, owner, &cover.each, &mut columns)?,
+            };
+            out.push((best.owner.clone(), self.cover(&best, count)?));
+            if self.search.halt.is_asked() {
+                break;
+            }
+        }
+        let mut out: Vec<Cover> = out.into_iter().map(|c| c.1).collect();
+        // What so many cams cannot do, fewer cannot.
+        let mut least = 0.0_f64;
+        for cover in out.iter_mut().rev() {
+            cover.bound = cover.bound.map(|b| b.max(least));
+            least = cover.bound.unwrap_or_default();
+        }
+        Ok(out)
+    }
+
+    /// The cover of a trial.
+    fn cover(&self, trial: &Trial, count: usize) -> Result<Cover> {
+        let mut each: Vec<Option<Assigned>> = vec![None; self.shares.len()];
+        let mut cams = Vec::new();
+        for cam in 0..count {
+            let of = |w: &usize| trial.owner[*w] == cam;
+            let group: Vec<usize> = (0..trial.owner.len()).filter(of).collect();
+            let design = self.cam(&group, trial.objectives[cam])?;
+            let own = Under::of(&self.problem, &design)?.assigned(cam);
+            for i in group.iter().flat_map(|w| &self.cycles[*w]) {
+                each[*i] = Some(own[*i].clone());
+            }
+            cams.push(design);
+        }
+        let each: Vec<Assigned> = each.into_iter().flatten().collect();
+        let errors = each.iter().map(|a| a.error.measured(self.scene.law.error));
+        let both = errors.clone().zip(&self.shares);
+        let unit = self.unit();
+        Ok(Cover {
+            scene: self.scene.clone(),
+            cams,
+            mean: both.map(|(e, share)| e * share).sum(),
+            worst: errors.fold(0.0, f64::max),
+            objective: unit * trial.value.1.sqrt(),
+            bound: self.bound(count, trial).map(|square| unit * square.sqrt()),
+            each,
+        })
+    }
+
+    /// The mean square that no such cams beat; the cam of all has a proof of its own.
+    fn bound(&self, cams: usize, trial: &Trial) -> Option<f64> {
+        if self.points.is_empty() {
+            return None;
+        }
+        let square = match self.scene.law.robust {
+            Robust::Mean => bound::mean(&self.points, &self.shares, cams),
+            Robust::Worst => bound::worst(&self.points, cams),
+            Robust::Tail(part) => {
+                let worst = in_tail(part, &trial.squares, &self.shares);
+                let least: Vec<f64> = self.points.iter().map(|p| p.least).collect();
+                let bound = bound::tail(&self.points, part, &self.shares, cams, &worst);
+                bound.max(tail(part, &least, &self.shares))
+            }
+        };
+        let is_proved = cams == 1 && self.one.solver.certified;
+        let own = self.one.population.as_ref().filter(|_| is_proved);
+        let of_one = own.map_or(0.0, |p| trial.value.1 * (1.0 - p.gap));
+        Some(square.max(of_one))
+    }
+}

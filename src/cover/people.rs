@@ -1,0 +1,92 @@
+//! The walkers of a cover, what each would have alone, and the cam of any of them.
+
+use std::collections::HashMap;
+
+use crate::error::Result;
+use crate::force::{ForceCurve, Population, Walker};
+use crate::problem::Problem;
+use crate::scene::{ErrorMeasure, Family, Robust, Scene};
+use crate::synth::population::{Point, hold};
+use crate::synth::{Design, Search, design};
+
+/// Walkers, and what they would have alone.
+pub struct People<'a> {
+    /// The scene with the law's family and size.
+    pub scene: Scene,
+    pub population: &'a Population,
+    pub problem: Problem,
+    pub search: &'a Search,
+    /// Cycles of each walker.
+    pub cycles: Vec<Vec<usize>>,
+    pub shares: Vec<f64>,
+    /// The cam for all.
+    pub one: Design,
+    /// The cam of each cycle alone; empty where no bound is sought.
+    pub points: Vec<Point>,
+}
+
+impl<'a> People<'a> {
+    pub fn of(scene: &Scene, population: &'a Population, search: &'a Search) -> Result<Self> {
+        let all = population.walkers.clone();
+        let mut places: HashMap<&str, usize> = HashMap::new();
+        let mut cycles: Vec<Vec<usize>> = Vec::new();
+        for (i, walker) in population.walkers.iter().enumerate() {
+            let place = *places.entry(&walker.name).or_insert(cycles.len());
+            if place == cycles.len() {
+                cycles.push(Vec::new());
+            }
+            cycles[place].push(i);
+        }
+        let force = ForceCurve::of_walkers(all)?;
+        let one = design(&Problem::resolve(scene, Some(&force))?, search)?;
+        let scene = of_size(scene, &one);
+        Ok(People {
+            problem: Problem::resolve(&scene, Some(&force))?,
+            shares: population.shares.clone(),
+            points: Vec::new(),
+            scene,
+            population,
+            search,
+            cycles,
+            one,
+        })
+    }
+
+    fn force(&self, group: &[usize]) -> Result<ForceCurve> {
+        let cycles = group.iter().flat_map(|w| &self.cycles[*w]);
+        let walkers: Vec<Walker> = cycles
+            .map(|i| self.population.walkers[*i].clone())
+            .collect();
+        ForceCurve::of_walkers(walkers)
+    }
+
+    /// The cam of some walkers.
+    pub fn cam(&self, group: &[usize], objective: Robust) -> Result<Design> {
+        let mut scene = self.scene.clone();
+        scene.law.robust = objective;
+        let problem = Problem::resolve(&scene, Some(&self.force(group)?))?;
+        design(&problem, self.search)
+    }
+
+    /// What the root of a mean square counts as: percent, or newtons.
+    pub fn unit(&self) -> f64 {
+        match self.scene.law.error {
+            ErrorMeasure::Relative => 100.0,
+            ErrorMeasure::Absolute => self.problem.target_mean(),
+        }
+    }
+}
+
+/// The scene whose laws have family and size of a design.
+fn of_size(scene: &Scene, design: &Design) -> Scene {
+    let mut out = scene.clone();
+    let family = Family::ALL.iter().find(|f| f.name() == design.family);
+    let family = family.copied().unwrap_or(scene.law.family);
+    hold(
+        &mut out.law,
+        family,
+        &design.cam.law,
+        design.coefficients.len(),
+    );
+    out
+}

@@ -1,0 +1,64 @@
+//! The cam that each walker would have alone.
+
+use super::errors::{Aim, Nodes};
+use super::{bare, gap, limits, phase, weighed};
+use crate::error::Result;
+use crate::problem::{Problem, Walkers};
+use crate::synth::design::Tier;
+use crate::synth::families;
+use crate::synth::search::Search;
+
+/// The cam of one walker alone.
+pub struct Point {
+    /// Its force at the nodes, N.
+    pub at: Vec<f64>,
+    /// How far from it the best one may be, N.
+    pub slack: f64,
+    /// γ, 1/N.
+    pub scale: f64,
+    /// Least mean square error.
+    pub least: f64,
+}
+
+/// The cam of each cycle alone; none where the sets of laws are not convex.
+pub fn points(problem: &Problem, search: &Search) -> Result<Vec<Point>> {
+    let Some(walkers) = problem.walkers.as_deref() else {
+        return Ok(Vec::new());
+    };
+    if walkers.adjust.phase || problem.phase_is_free {
+        let of = |aim: Aim| Point {
+            at: aim.towards.iter().map(|y| y / aim.scale).collect(),
+            slack: 0.0,
+            scale: aim.scale,
+            least: 0.0,
+        };
+        return Ok(phase::amplitudes_of(walkers).into_iter().map(of).collect());
+    }
+    let mut out = Vec::new();
+    for walker in &walkers.each {
+        let alone = Walkers {
+            each: vec![walker.clone()],
+            ..walkers.clone()
+        };
+        let mut limited = limits::for_all(&bare(problem), &alone, 1.0);
+        // Of the machine of another walker they say nothing.
+        limits::LOADS
+            .into_iter()
+            .for_each(|kind| limited.limits[kind] = None);
+        let own = families::law(&weighed(&limited, &alone, &[1.0]), search);
+        let Some(law) = own.ok().filter(|law| law.solver.tier != Tier::Scp) else {
+            return Ok(Vec::new());
+        };
+        let nodes = Nodes::of(&law.law);
+        let (aim, at) = (nodes.aim(walker), nodes.force(&problem.drive, &law.law));
+        let gap = 2.0 * gap(&law);
+        let least = (aim.square(&at) - aim.scale.powi(2) * gap).max(0.0);
+        out.push(Point {
+            at,
+            slack: gap.sqrt(),
+            scale: aim.scale,
+            least,
+        });
+    }
+    Ok(out)
+}
