@@ -25,7 +25,7 @@ def gait(*filters):
 
 
 AREAS = {
-    "proof": Area("splineqp", ["crates/splineqp/src/certificate*", "src/synth/design/proof.rs"], 5,
+    "proof": Area("splineqp", ["crates/splineqp/src/certificate*", "src/synth/report/proof.rs"], 5,
                   [("splineqp", "lib", []), ("splineqp", "it", [])], library("proof") + library()),
     "checks": Area("gaitcam", ["src/cam/check*", "src/synth/verdict.rs"], 4,
                    library("verdict", "checks", "refused"), library()),
@@ -46,7 +46,7 @@ Fault = collections.namedtuple("Fault", "name area file old new")
 FAULTS = [
     Fault("every upper check 1e-5 looser", "checks", "src/cam/checks.rs",
           "limit + slack * limit.abs()", "limit + (slack + 1e-5) * limit.abs()"),
-    Fault("certified without a look at the violation", "proof", "src/synth/design/proof.rs",
+    Fault("certified without a look at the violation", "proof", "src/synth/report/proof.rs",
           "!certificate.keeps_limits()", "false"),
     Fault("certified at a gap of 1e-3", "proof", "crates/splineqp/src/certificate.rs",
           "self.relative_gap <= PROVED", "self.relative_gap <= 1e-3"),

@@ -7,7 +7,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::synth::population::Point;
+use crate::synth::population::alone::Point;
 use crate::synth::population::errors::{dot, in_tail, norm};
 use crate::synth::population::weights::{axes, less};
 

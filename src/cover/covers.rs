@@ -7,8 +7,8 @@ use super::served::{Assigned, Under, one_walker};
 use crate::error::Result;
 use crate::force::ForceCurve;
 use crate::scene::{Robust, Scene};
+use crate::synth::population::alone::points;
 use crate::synth::population::errors::{in_tail, tail};
-use crate::synth::population::points;
 use crate::synth::{Design, Search};
 
 /// So many cams with the walkers whom they serve.

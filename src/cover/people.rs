@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::force::{ForceCurve, Population, Walker};
 use crate::problem::Problem;
 use crate::scene::{ErrorMeasure, Family, Robust, Scene};
-use crate::synth::population::{Point, hold};
+use crate::synth::population::{alone::Point, hold};
 use crate::synth::{Design, Search, design};
 
 /// Walkers, and what they would have alone.

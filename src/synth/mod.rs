@@ -59,40 +59,44 @@
 //! them the program with its bound minimised is a first relaxation. `relaxed` designs the whole cam with
 //! each value and moves it until every check passes.
 
-mod corrected;
 mod design;
 mod families;
 mod infeasible;
 mod limits;
+mod machine;
 mod optimum;
 mod pareto;
 mod phase;
 pub(crate) mod population;
 mod qp;
+mod relaxation;
+mod report;
 mod search;
 mod sizing;
 pub(crate) mod spectral;
 mod verdict;
 
-pub use corrected::on_floor::AtFrequency;
-pub use corrected::on_machine::OnShaft;
-pub use corrected::runner::{Forecast, Sensitivity};
-pub use design::{
-    Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, LoadFactor, Minimised,
-    Relaxation, SolverReport, Step, Tier,
-    edge::{Edge, EdgePoint},
-    figures::{FIGURES, Figure, Figures},
-    machine::MachineReport,
-    method::{Ended, Method, PassedOver},
-    named::unit,
-    parameters::Functions,
-    proof::Doubt,
-    reason::{Change, Reason, sentences},
-};
-pub use infeasible::in_units;
+pub use design::Design;
+pub use design::edge::{Edge, EdgePoint};
+pub use design::figures::{FIGURES, Figure, Figures};
+pub use design::load_factors::LoadFactor;
+pub use design::machine::MachineReport;
+pub use design::resonance::AtFrequency;
+pub use infeasible::reasons::in_units;
+pub use machine::sensitivity::Sensitivity;
 pub use pareto::{Trade, trade, traded};
-pub use population::{OfPopulation, WalkerError};
 pub use qp::{Certificate, Demand, Given, Stop};
+pub use report::end::End;
+pub use report::force::ForceReport;
+pub use report::limited::{Binding, Conflicting, Easing, Infeasible, Minimised, Relaxation};
+pub use report::method::{Ended, Method, PassedOver};
+pub use report::named::unit;
+pub use report::parameters::Functions;
+pub use report::proof::Doubt;
+pub use report::reason::{Change, Reason, sentences};
+pub use report::shaft::{Forecast, OnShaft};
+pub use report::solver::{SolverReport, Step, Tier};
+pub use report::walkers::{OfPopulation, WalkerError};
 pub use search::Search;
 pub use spectral::{Spectral, invert};
 
@@ -144,7 +148,7 @@ pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
     if let Some(walkers) = problem.walkers.clone() {
         return population::designed(problem, search, &walkers);
     }
-    corrected::on_machine::designed(problem, search)
+    machine::on_machine::designed(problem, search)
 }
 
 /// A design that keeps every limit, not the best of them: soon enough to follow a hand. `None` where none is found.
@@ -278,7 +282,7 @@ fn sized(
     if problem.law.polydyne
         && let Some(train) = problem.train()?
     {
-        return corrected::polydyne::design(problem, limited, search, &train);
+        return machine::polydyne::design(problem, limited, search, &train);
     }
     Ok(on_cam(problem, families::law(limited, search)?)?)
 }

@@ -1,7 +1,5 @@
 //! The class of a finished cam and all the reasons for it (docs/verdict.md).
 
-use super::design::ForceReport;
-use super::design::reason::{Reason, place, quantity};
 use super::limits::{GEOMETRY, usual_pressure_angle};
 use super::sizing::smallest_without_undercut;
 use crate::cam::{Cam, Check, Criterion, Follower, LimitKind, Verdict};
@@ -9,6 +7,8 @@ use crate::drive::DriveKind;
 use crate::force::{Note, OpenQuestion};
 use crate::problem::Problem;
 use crate::scene::Family;
+use crate::synth::report::force::ForceReport;
+use crate::synth::report::reason::{Reason, place, quantity};
 use crate::units::{Dimension, Quantity};
 
 /// The class of the cam and every reason for it, the worst first.

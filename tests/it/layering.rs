@@ -5,7 +5,7 @@ use std::path::Path;
 
 /// Lowest floor first: a module may use those before it. The law stands before the drive, because a force
 /// is computed from a law. The first two are of the crate `gaitcam-base`.
-const FLOORS: [&str; 16] = [
+const FLOORS: [&str; 17] = [
     "halt",
     "units",
     "criterion",
@@ -20,6 +20,7 @@ const FLOORS: [&str; 16] = [
     "scene",
     "problem",
     "synth",
+    "cover",
     "identify",
     "sweep",
 ];

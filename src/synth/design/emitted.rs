@@ -3,12 +3,12 @@
 use std::f64::consts::TAU;
 
 use super::Design;
-use super::reason::sentences;
 use crate::drive::Drive;
 use crate::dynamics::hertz::STEEL;
 use crate::dynamics::{Face, Machine, Run};
 use crate::error::Result;
 use crate::scene::MachineSpec;
+use crate::synth::report::reason::sentences;
 use crate::wording::Language;
 
 /// Rows of the emitted profile that is run.

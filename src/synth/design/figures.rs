@@ -1,8 +1,9 @@
 //! The figures of a design, and the table of them from which every list of figures is made.
 
+use super::Design;
 use super::machine::MachineReport;
-use super::{Design, ForceReport};
 use crate::cam::LimitKind as Limit;
+use crate::synth::report::force::ForceReport;
 
 /// Figures of one design, SI.
 ///

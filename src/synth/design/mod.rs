@@ -3,19 +3,9 @@
 pub mod edge;
 mod emitted;
 pub mod figures;
-mod limited;
-mod load_factors;
+pub mod load_factors;
 pub mod machine;
-pub mod method;
-pub mod named;
-pub mod parameters;
-pub mod proof;
-pub mod reason;
-mod solver;
-
-pub use limited::{Binding, Conflicting, Easing, Infeasible, Minimised, Relaxation};
-pub use load_factors::LoadFactor;
-pub use solver::{SolverReport, Step, Tier};
+pub mod resonance;
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -25,17 +15,20 @@ use serde::Serialize;
 use crate::cam::{BarrelGroove, Bore, Cam, Check, Conjugate, LimitKind, Making, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::FloorMotion;
-use crate::dynamics::flexible::polydyne::Miss;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Note, Problem};
-use crate::synth::corrected::on_machine::OnShaft;
-use crate::synth::population::OfPopulation;
+use crate::synth::report::end::End;
+use crate::synth::report::force::ForceReport;
+use crate::synth::report::limited::{Binding, Easing, Infeasible, Relaxation};
+use crate::synth::report::parameters::Functions;
+use crate::synth::report::reason::{Reason, sentences};
+use crate::synth::report::shaft::OnShaft;
+use crate::synth::report::solver::SolverReport;
+use crate::synth::report::walkers::OfPopulation;
 use crate::units::Quantity;
 use crate::wording::Language;
-use parameters::Functions;
-use reason::{Reason, sentences};
 
 /// A finished design.
 ///
@@ -123,35 +116,6 @@ pub struct Design {
     /// What it is the design of.
     #[serde(skip)]
     pub problem: Arc<Problem>,
-}
-
-/// What the end of a flexible follower does, where the cam is cut for it (`law.polydyne`).
-///
-/// ```
-/// use gaitcam::{scene, synthesise};
-///
-/// // F = M (g + ω²a): the end's force is that of the law, which the cam alone would not give.
-/// let scene = scene::built_in("footbridge")?.scene()?;
-/// let scene = scene.with("machine.natural_frequency", "12 Hz")?.with("law.degree", "7")?.with("law.polydyne", "true")?;
-/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
-/// let end = design.end.as_ref().unwrap();
-/// let stiffness = design.drive.mass * (std::f64::consts::TAU * 12.0).powi(2);
-/// assert!((end.stiffness / stiffness - 1.0).abs() < 1e-9);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
-#[derive(Debug, Clone, Serialize)]
-pub struct End {
-    /// Law of the end; the cam's own differs from it by the follower's give.
-    pub law: Law,
-    /// Stiffness of the follower train, N/m (an arm: N·m/rad).
-    pub stiffness: f64,
-    /// Its damping, N·s/m.
-    pub damping: f64,
-    /// How far the end of the flexible follower stays from its law when this cam is run; `None` where
-    /// nothing is steady.
-    pub miss: Option<Miss>,
-    /// The same for a cam cut to the law itself.
-    pub plain_miss: Option<Miss>,
 }
 
 impl Design {
@@ -257,51 +221,5 @@ impl Design {
     /// The law that makes the force: a polydyne cam's end, the cam's own otherwise.
     pub fn pressing(&self) -> &Law {
         self.end.as_ref().map_or(&self.cam.law, |end| &end.law)
-    }
-}
-
-/// Force of the cam against the target, N; all values belong to the continuous law.
-///
-/// ```
-/// use gaitcam::{scene, synthesise};
-///
-/// // The mean force of a cam that carries its own mass is M·g, whatever the law.
-/// let scene = scene::built_in("footbridge")?.scene()?;
-/// let force = synthesise(&scene, scene.model_force()?.as_ref())?.force;
-/// assert!((force.mean_n - 700.0).abs() < 1e-6);
-/// assert!(force.rms_error_percent_of_mean <= 0.5);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct ForceReport {
-    /// Root mean square over the cycle.
-    pub rms_error_n: f64,
-    /// Largest absolute difference.
-    pub max_error_n: f64,
-    /// RMS error as percent of the mean target.
-    pub rms_error_percent_of_mean: f64,
-    /// Mean of the target.
-    pub target_mean_n: f64,
-    /// Mean of the cam's force.
-    pub mean_n: f64,
-    /// Smallest force.
-    pub min_n: f64,
-    /// Largest force.
-    pub max_n: f64,
-}
-
-impl ForceReport {
-    /// The report in N: forces at the lever of an arm instead of moments about its pivot.
-    #[must_use]
-    pub fn newtons(self, drive: &Drive) -> ForceReport {
-        ForceReport {
-            rms_error_n: drive.newtons(self.rms_error_n),
-            max_error_n: drive.newtons(self.max_error_n),
-            rms_error_percent_of_mean: self.rms_error_percent_of_mean,
-            target_mean_n: drive.newtons(self.target_mean_n),
-            mean_n: drive.newtons(self.mean_n),
-            min_n: drive.newtons(self.min_n),
-            max_n: drive.newtons(self.max_n),
-        }
     }
 }

@@ -18,10 +18,10 @@ use crate::law::{Extent, Law, Rise, Segment, assemble};
 use crate::poly::gauss_legendre;
 use crate::problem::Problem;
 use crate::scene::{Family, LimitKind};
-use crate::synth::design::method::Method;
-use crate::synth::design::parameters::Functions;
-use crate::synth::design::proof::Doubt;
-use crate::synth::design::{SolverReport, Tier};
+use crate::synth::report::method::Method;
+use crate::synth::report::parameters::Functions;
+use crate::synth::report::proof::Doubt;
+use crate::synth::report::solver::{SolverReport, Tier};
 use crate::units::Quantity;
 
 /// Rise and fall last at least this long, rad: shorter ones are blows.

@@ -3,7 +3,6 @@
 mod choose;
 mod demands;
 mod double_harmonic;
-pub mod easing;
 mod formulation;
 mod harmonic;
 mod polynomial;

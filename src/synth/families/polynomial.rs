@@ -8,9 +8,9 @@ use crate::law::{Condition, Law, hermite_birkhoff};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::Problem;
 use crate::scene::Family;
-use crate::synth::design::method::Method;
-use crate::synth::design::parameters::Functions;
-use crate::synth::design::{SolverReport, Tier};
+use crate::synth::report::method::Method;
+use crate::synth::report::parameters::Functions;
+use crate::synth::report::solver::{SolverReport, Tier};
 use crate::units::Quantity;
 
 /// Lifts of neighbouring dwells may differ by this part of the typical lift.

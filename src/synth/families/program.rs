@@ -5,9 +5,9 @@ use crate::error::{Placed, Result};
 use crate::law::{Extent, Law, Segment, constant_breadth, program};
 use crate::problem::Problem;
 use crate::scene::Family;
-use crate::synth::design::method::Method;
-use crate::synth::design::parameters::Functions;
-use crate::synth::design::{SolverReport, Tier};
+use crate::synth::report::method::Method;
+use crate::synth::report::parameters::Functions;
+use crate::synth::report::solver::{SolverReport, Tier};
 
 /// The law of the problem's segments.
 ///

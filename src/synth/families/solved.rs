@@ -2,15 +2,15 @@
 
 use std::collections::HashMap;
 
-use super::easing;
 use crate::cam::PrimeCircle;
 use crate::law::Law;
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
-use crate::synth::design::parameters::Functions;
-use crate::synth::design::{Binding, Easing, Minimised, SolverReport};
-use crate::synth::optimum::Optimum;
+use crate::synth::optimum::{Optimum, easing};
 use crate::synth::qp::{OFFSET, Program, RISE, Row, Solution};
+use crate::synth::report::limited::{Binding, Easing, Minimised};
+use crate::synth::report::parameters::Functions;
+use crate::synth::report::solver::SolverReport;
 
 /// A law with how it was found, before it has a cam.
 #[derive(Clone)]

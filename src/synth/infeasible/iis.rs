@@ -4,14 +4,14 @@
 use super::reasons::{conflicting, smallest_relaxations};
 use crate::cam::{Criterion, LimitKind, Measures};
 use crate::problem::{Problem, Size};
-use crate::synth::design::reason::Reason;
-use crate::synth::design::{Conflicting, Infeasible, Relaxation};
-use crate::synth::families::easing;
 use crate::synth::limits::NonconvexLimits;
+use crate::synth::optimum::easing;
 use crate::synth::optimum::{Refusal, at_own_size, scp};
 use crate::synth::qp::{
     Demand, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic, RmsLimit, Solution,
 };
+use crate::synth::report::limited::{Conflicting, Infeasible, Relaxation};
+use crate::synth::report::reason::Reason;
 
 /// More demands than this are named without looking for the few that are to blame: each costs a program.
 const MOST_DEMANDS: usize = 64;

@@ -1,9 +1,9 @@
 //! Conflicts and relaxations as reasons, and values of limits in the units people use.
 
 use crate::cam::{Criterion, Measures};
-use crate::synth::design::Relaxation;
-use crate::synth::design::named::unit;
-use crate::synth::design::reason::{Change, Reason, quantity};
+use crate::synth::report::limited::Relaxation;
+use crate::synth::report::named::unit;
+use crate::synth::report::reason::{Change, Reason, quantity};
 use crate::wording::{Language, number};
 
 /// Which limits cannot hold together.

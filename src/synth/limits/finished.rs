@@ -3,8 +3,8 @@
 use crate::cam::{BarrelGroove, Cam};
 use crate::law::Law;
 use crate::problem::Problem;
-use crate::synth::design::ForceReport;
 use crate::synth::qp::TOLERANCE;
+use crate::synth::report::force::ForceReport;
 
 /// Relative rounding of a limit that the program holds: twice its own tolerance.
 pub const SLACK: f64 = 2.0 * TOLERANCE;

@@ -7,8 +7,8 @@ use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Problem, piecewise};
 use crate::scene::Minimise;
-use crate::synth::design::ForceReport;
 use crate::synth::qp::{Limit, MeanSquare, Meaning, PEAK, Program, RmsLimit, TOLERANCE};
+use crate::synth::report::force::ForceReport;
 
 /// Smallest and largest force.
 pub fn rows(problem: &Problem) -> Vec<Limit> {

@@ -1,15 +1,13 @@
 //! From a convex program to the best law under all limits: the angle at which the law touches its base circle, then the
 //! limits that are not convex, by a sequence of convex programs.
 
+pub mod easing;
 mod refusal;
 pub mod scp;
 mod touching;
 
 pub use refusal::{NoLaw, Refusal};
 
-use super::design::method::{Ended, Method};
-use super::design::proof::{self, Doubt};
-use super::design::{SolverReport, Step, Tier};
 use super::limits::{self, ENLARGED, NonconvexLimits};
 use super::qp::{
     self, Certificate, Demand, Equality, Failure, Limit, OFFSET, PEAK, PROVED, Program, Quadratic,
@@ -21,6 +19,9 @@ use crate::criterion::Criterion;
 use crate::law::Law;
 use crate::problem::{Problem, Size};
 use crate::scene::Minimise;
+use crate::synth::report::method::{Ended, Method};
+use crate::synth::report::proof::{self, Doubt};
+use crate::synth::report::solver::{SolverReport, Step, Tier};
 
 /// Tangents of the limit on residual vibration, per dwell; five are usual.
 const MOST_TANGENTS: usize = 40;

@@ -4,8 +4,8 @@ use super::errors::{Aim, Nodes};
 use super::{bare, gap, limits, phase, weighed};
 use crate::error::Result;
 use crate::problem::{Problem, Walkers};
-use crate::synth::design::Tier;
 use crate::synth::families;
+use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
 
 /// The cam of one walker alone.

@@ -5,15 +5,12 @@
 //! design for another mean curve, with weights that the search finds ([`weights`]). Families, limits, proofs and checks are
 //! those of one walker (theory §8).
 
-mod alone;
+pub mod alone;
 pub mod errors;
 mod limits;
 pub mod phase;
 pub mod report;
 pub mod weights;
-
-pub use alone::{Point, points};
-pub use report::{OfPopulation, WalkerError};
 
 use std::sync::Arc;
 
@@ -24,11 +21,12 @@ use crate::law::Law;
 use crate::poly::Extreme;
 use crate::problem::{Note, Problem, Walkers};
 use crate::scene::{Family, LawSpec, Minimise, Robust};
-use crate::synth::design::proof::Doubt;
-use crate::synth::design::{Design, Tier};
+use crate::synth::design::Design;
 use crate::synth::families::{self, SolvedLaw};
 use crate::synth::optimum::NoLaw;
 use crate::synth::qp::{Certificate, PROVED};
+use crate::synth::report::proof::Doubt;
+use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
 use crate::synth::{SizedLaw, at_best_phase, finished, solved};
 use errors::{Aim, Nodes};
@@ -132,7 +130,7 @@ fn refuse_unknown(problem: &Problem, walkers: &Walkers) -> Result<()> {
 /// The law for the walkers, with its evidence.
 struct Found {
     sized: SizedLaw,
-    infeasible: Option<crate::synth::design::Infeasible>,
+    infeasible: Option<crate::synth::report::limited::Infeasible>,
     squares: Vec<f64>,
     upper: f64,
     lower: f64,

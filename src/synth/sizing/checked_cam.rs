@@ -5,8 +5,8 @@ use crate::cam::{BarrelGroove, Cam, Check, Conjugate, PrimeCircle};
 use crate::error::Result;
 use crate::law::Law;
 use crate::problem::Problem;
-use crate::synth::design::ForceReport;
 use crate::synth::limits::{ENLARGED, Finished, force_report};
+use crate::synth::report::force::ForceReport;
 use crate::synth::sizing;
 
 /// A law on its cam, with the force that it gives and every check.

@@ -10,9 +10,10 @@ use crate::dynamics::hertz::{STEEL, modulus};
 use crate::dynamics::rigid::liftoff_speed;
 use crate::problem::{Requirements, hub_radius};
 use crate::scene::{Family, ForceScale, Gait, LimitKind, Minimise, Scene};
+use crate::synth::design::figures::{FIGURES, Figures};
 use crate::synth::design::machine::MachineReport;
 use crate::synth::limits::GEOMETRY;
-use crate::synth::{FIGURES, Figures, ForceReport};
+use crate::synth::report::force::ForceReport;
 
 /// A mean force within this part of the target's is the same.
 const SAME: f64 = 1e-13;

@@ -23,13 +23,13 @@ use linearised::{NEARLY, Room, contacts, least_of, linearised};
 use trial::{ROOM, blend, solved};
 
 use crate::cam::LimitKind;
-use crate::synth::design::Step;
-use crate::synth::design::method::Ended;
 use crate::synth::limits::{ENLARGED, NonconvexLimits};
 use crate::synth::qp::{
     EXTRAS, Limit, PEAK, Program, Quadratic, RADIUS, RISE, Row, SIZES, Solution, TOLERANCE,
     smoothing,
 };
+use crate::synth::report::method::Ended;
+use crate::synth::report::solver::Step;
 
 /// Steps before the sequence is called finished as it is.
 const MOST_STEPS: usize = 40;

@@ -4,7 +4,7 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use super::Conflicting;
+use super::limited::Conflicting;
 use crate::cam::Criterion;
 use crate::units::Quantity;
 use crate::wording::{self, Language};

@@ -2,7 +2,7 @@
 //! designs for a rigid machine at constant speed, runs it, and designs again for what that says.
 
 mod added;
-pub mod on_floor;
 pub mod on_machine;
 pub mod polydyne;
-pub mod runner;
+mod runner;
+pub mod sensitivity;

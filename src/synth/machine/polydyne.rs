@@ -6,15 +6,14 @@ use crate::dynamics::Train;
 use crate::dynamics::flexible::polydyne::{end_error, polydyne};
 use crate::error::{Error, Placed};
 use crate::law::Law;
-use crate::problem::{Note, Problem};
+use crate::problem::Problem;
 use crate::scene::Limits;
 use crate::synth::SizedLaw;
-use crate::synth::design::End;
 use crate::synth::families;
 use crate::synth::optimum::NoLaw;
+use crate::synth::report::end::End;
 use crate::synth::search::Search;
 use crate::synth::sizing::checked_cam::checked_cam;
-use crate::units::{Dimension, Quantity};
 
 /// Times that the end's limits are moved so that the cam keeps its own.
 const ROUNDS: usize = 12;
@@ -53,7 +52,7 @@ pub fn design(
         }
     }
     let wanted = best.checked.pressing().clone();
-    best.end = Some(End::of(problem, train, &best.checked.cam.law, wanted));
+    best.end = Some(end_of(problem, train, &best.checked.cam.law, wanted));
     Ok(best)
 }
 
@@ -117,33 +116,16 @@ fn own_limit(limits: &mut Limits, check: Criterion) -> Option<&mut f64> {
     limits[kind].as_mut()
 }
 
-impl End {
-    /// The end with its deviation from its law, for this cam and for one cut to the law itself.
-    pub fn of(problem: &Problem, train: &Train, own: &Law, wanted: Law) -> End {
-        let Train { stiffness, damping } = *train;
-        // Undamped and in resonance with a harmonic there is no steady state.
-        let miss = |law: &Law| end_error(law, &wanted, &problem.drive, train).ok();
-        End {
-            stiffness,
-            damping,
-            miss: miss(own),
-            plain_miss: miss(&wanted),
-            law: wanted,
-        }
-    }
-
-    /// What to know of the design: its speed and stiffness, and what it misses.
-    pub fn notes(&self, speed: f64) -> Vec<Note> {
-        let mut out = vec![Note::Polydyne {
-            speed: Quantity::new(speed, Dimension::AngularSpeed),
-            stiffness: Quantity::new(self.stiffness, Dimension::SpringRate),
-        }];
-        if let (Some(own), Some(plain)) = (self.miss, self.plain_miss) {
-            out.push(Note::PolydyneMiss {
-                own: Quantity::force(own.force_rms),
-                plain: Quantity::force(plain.force_rms),
-            });
-        }
-        out
+/// The end with its deviation from its law, for this cam and for one cut to the law itself.
+fn end_of(problem: &Problem, train: &Train, own: &Law, wanted: Law) -> End {
+    let Train { stiffness, damping } = *train;
+    // Undamped and in resonance with a harmonic there is no steady state.
+    let miss = |law: &Law| end_error(law, &wanted, &problem.drive, train).ok();
+    End {
+        stiffness,
+        damping,
+        miss: miss(own),
+        plain_miss: miss(&wanted),
+        law: wanted,
     }
 }

@@ -3,10 +3,10 @@
 use crate::criterion::Criterion;
 use crate::law::Law;
 use crate::scene::Minimise;
-use crate::synth::design::{Easing, Minimised};
 use crate::synth::qp::{
     EXTRAS, Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, Solution,
 };
+use crate::synth::report::limited::{Easing, Minimised};
 
 /// Part of a limit by which it is relaxed.
 const RELAXED: f64 = 0.01;

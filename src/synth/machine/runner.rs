@@ -1,8 +1,6 @@
-//! Runs of a law on its machine: speed, force error over time, and what another inertia or motor would make of them.
+//! Runs of a law on its machine: speed and force error over time.
 
 use std::f64::consts::TAU;
-
-use serde::Serialize;
 
 use crate::cam::{Cam, Criterion, LimitKind};
 use crate::drive::Motor;
@@ -15,8 +13,9 @@ use crate::force::ForceCurve;
 use crate::law::{Law, Svaj};
 use crate::problem::{Note, Problem};
 use crate::scene::Minimise;
-use crate::synth::design::{Design, Relaxation};
 use crate::synth::qp::TOLERANCE;
+use crate::synth::report::limited::Relaxation;
+use crate::synth::report::shaft::Forecast;
 use crate::units::{Dimension, Quantity};
 
 /// Equal angles at which speed and force are given.
@@ -31,55 +30,9 @@ const SAME_SPEED: f64 = 3e-3;
 /// Part of the accuracy, without one of the mean force, below which a forecast change of the force is neglected.
 const NEGLECTED: f64 = 0.2;
 const NEGLECTED_OF_MEAN: f64 = 1e-3;
-/// Part by which inertia, torque line and friction may differ from what is given.
-const DEVIATION: f64 = 0.1;
 /// An inertia that meets the accuracy is sought up to this factor, to this part.
 const LARGEST_FACTOR: f64 = 1e6;
 const INERTIA_PART: f64 = 1e-4;
-
-/// Ripple and change of the force by a varying speed, estimated from inertia and the energy that swings.
-///
-/// ```
-/// use gaitcam::{scene, synthesise};
-///
-/// // A wheel of 500 kg m²: the speed hardly ripples, and the law is that for constant speed.
-/// let mut table = scene::built_in("footbridge")?.scene()?.to_table();
-/// scene::set(&mut table, "machine.motor.slope=10 N m s/rad")?;
-/// scene::set(&mut table, "machine.inertia=500 kg m^2")?;
-/// let scene = scene::read(&table)?;
-/// let on_shaft = synthesise(&scene, scene.model_force()?.as_ref())?.shaft.unwrap();
-/// assert!(on_shaft.forecast.is_negligible && on_shaft.rounds == 0);
-/// assert!((on_shaft.forecast.ripple / on_shaft.shaft.ripple - 1.0).abs() < 0.02);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Forecast {
-    /// Highest less lowest speed, part of the mean.
-    pub ripple: f64,
-    /// RMS change of the force, percent of its mean.
-    pub force_change_percent_of_mean: f64,
-    /// What is neglected, percent of the mean.
-    pub neglected_percent_of_mean: f64,
-    /// Whether a constant speed is enough.
-    pub is_negligible: bool,
-}
-
-/// Force error of the cam on another machine.
-///
-/// ```
-/// use gaitcam::synth::Sensitivity;
-///
-/// // It does not turn with 10 % less of the inertia.
-/// let wheel = Sensitivity { key: "machine.inertia", percent: [None, Some(0.4)] };
-/// assert_eq!(serde_json::to_value(&wheel).unwrap()["percent"][1], 0.4);
-/// ```
-#[derive(Debug, Clone, Serialize)]
-pub struct Sensitivity {
-    /// Key of what differs.
-    pub key: &'static str,
-    /// Force error with 10 % less and 10 % more, percent of the mean.
-    pub percent: [Option<f64>; 2],
-}
 
 /// Runs laws of a design on its machine.
 #[derive(Clone)]
@@ -221,7 +174,7 @@ impl<'a> Runner<'a> {
     }
 
     /// Force error over time of a law with another motor or wheel, percent of the mean.
-    fn error_with(&self, law: &Law, motor: &Motor) -> Option<f64> {
+    pub fn error_with(&self, law: &Law, motor: &Motor) -> Option<f64> {
         let mut run: Runner = self.clone();
         run.carrier.motor = Some(motor);
         let motion = run.of_law(law, None).ok()?;
@@ -270,55 +223,6 @@ impl<'a> Runner<'a> {
             inertia: Quantity::new(range[1], Dimension::Inertia),
         };
         Some((note, relaxation))
-    }
-}
-
-impl Design {
-    /// Force error over time, percent of the mean, where the machine differs by ±10 %, its supply set again; nothing at
-    /// constant speed or without a target.
-    pub fn sensitivity(&self) -> Vec<Sensitivity> {
-        let machine = &self.problem.machine;
-        let (motor, floor) = (machine.motor(), machine.floor());
-        let Some(motor) = motor.filter(|_| self.shaft.is_some()) else {
-            return Vec::new();
-        };
-        let free = Motor {
-            nominal: None,
-            ..motor
-        };
-        let target = self.target_in_time();
-        let run = Runner::new(
-            &self.problem,
-            &self.cam,
-            target,
-            Some(&free),
-            floor.as_ref(),
-        );
-        let Ok(run) = run else {
-            return Vec::new();
-        };
-        let both = |key, changed: &dyn Fn(f64) -> Motor| Sensitivity {
-            key,
-            percent: [1.0 - DEVIATION, 1.0 + DEVIATION]
-                .map(|part| run.error_with(&self.cam.law, &changed(part))),
-        };
-        let inertia = |part: f64| Motor {
-            inertia: part * free.inertia,
-            ..free.clone()
-        };
-        let line = |part: f64| free.with_torque(part);
-        let friction = |part: f64| Motor {
-            friction: part * free.friction,
-            ..free.clone()
-        };
-        let mut out = vec![
-            both("machine.inertia", &inertia),
-            both("machine.motor", &line),
-        ];
-        if free.friction > 0.0 {
-            out.push(both("machine.friction_torque", &friction));
-        }
-        out
     }
 }
 

@@ -5,21 +5,27 @@
 //! check on the finished profile or the accuracy may still refuse. Here every stated value has been designed
 //! with and has passed.
 
+mod beside;
+mod by_size;
+mod relaxable;
+
 use std::sync::Arc;
 
-use super::beside::beside;
-use super::by_size::BySize;
-use super::reasons::{changes, smallest_relaxations};
-use super::relaxable::{Relaxable, relaxables};
 use crate::cam::{Criterion, Verdict};
 use crate::halt::Halt;
 use crate::problem::{Note, Problem};
 use crate::scene::{Family, Minimise};
-use crate::synth::design::reason::Reason;
-use crate::synth::design::{Conflicting, Design, Relaxation, Tier};
+use crate::synth::design::Design;
+use crate::synth::infeasible::reasons::{changes, smallest_relaxations};
+use crate::synth::report::limited::{Conflicting, Relaxation};
+use crate::synth::report::reason::Reason;
+use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
 use crate::synth::verdict::verdict;
 use crate::units::Quantity;
+use beside::beside;
+use by_size::BySize;
+use relaxable::{Relaxable, relaxables};
 
 /// The value is found to this part of it; costly designs to `COARSE`.
 const FINE: f64 = 2e-5;

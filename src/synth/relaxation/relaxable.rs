@@ -4,7 +4,7 @@
 use crate::cam::Criterion;
 use crate::problem::Problem;
 use crate::scene::keys::{self, Key, Range, Relax};
-use crate::synth::design::named::criterion_of;
+use crate::synth::report::named::criterion_of;
 
 /// A limit is first relaxed by this factor, to see whether that alone is sufficient …
 const AWAY: f64 = 1e4;

@@ -6,22 +6,20 @@
 //! before makes of the machine, and so on; each round multiplies the change by about the ripple, and by what the law leaves of
 //! the target (theory §10).
 
-use serde::Serialize;
-
 use super::added::Layout;
-use super::runner::{Forecast, ROWS, Runner, angle, depends_on_speed, retimed};
+use super::runner::{ROWS, Runner, angle, depends_on_speed, retimed};
 use crate::drive::Motor;
 use crate::dynamics::fixed_point::{Round, Settled, largest_difference, settled};
 use crate::dynamics::machine_motion::MachineMotion;
 use crate::dynamics::shaft::Motion;
-use crate::dynamics::{FloorMotion, InTime, Shaft};
+use crate::dynamics::{FloorMotion, InTime};
 use crate::error::{Placed, Result, SynthError};
-use crate::force::ForceCurve;
 use crate::problem::Problem;
 use crate::scene::{Family, ShaftSpeed};
 use crate::synth::design::Design;
 use crate::synth::families::{self, SolvedLaw};
 use crate::synth::optimum::Refusal;
+use crate::synth::report::shaft::{Forecast, OnShaft};
 use crate::synth::{
     Search, SizedLaw, at_best_phase, best, best_law, finished, infeasible, on_cam, sizing,
 };
@@ -36,51 +34,6 @@ const SETTLED_OF_ACCURACY: f64 = 0.1;
 const CALM: f64 = 0.25;
 /// Rounds that come no nearer than one before them, after which the law gets more spans.
 const STALLED: usize = 3;
-
-/// The design on its shaft.
-///
-/// ```
-/// use gaitcam::{scene, synthesise};
-///
-/// // A wheel of 0.5 kg m² and a motor that loses 10 N·m per rad/s: the speed ripples by a quarter.
-/// let mut table = scene::built_in("footbridge")?.scene()?.to_table();
-/// scene::set(&mut table, "machine.motor.slope=10 N m s/rad")?;
-/// scene::set(&mut table, "machine.inertia=0.5 kg m^2")?;
-/// let scene = scene::read(&table)?;
-/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
-/// let on_shaft = design.shaft.as_ref().unwrap();
-/// assert!((on_shaft.shaft.ripple - 0.25).abs() < 0.01);
-/// assert!(on_shaft.force_time.unwrap().rms_error_percent_of_mean < 0.5);
-/// assert!(on_shaft.at_constant_speed.unwrap().rms_error_percent_of_mean > 6.0);
-/// // With 10 % more inertia the same cam still presses to 1 % of the weight.
-/// let [less, more] = design.sensitivity()[0].percent;
-/// assert!(less.unwrap() < 1.0 && more.unwrap() < 1.0);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
-#[derive(Debug, Clone, Serialize)]
-pub struct OnShaft {
-    /// Motion of the shaft.
-    pub shaft: Shaft,
-    /// Force error over time.
-    pub force_time: Option<InTime>,
-    /// The same of the law for constant speed under this motor.
-    pub at_constant_speed: Option<InTime>,
-    /// Programs solved beside the one at constant speed.
-    pub rounds: usize,
-    /// Factor between the last two changes of the target from round to round; `None` of fewer than two changes.
-    pub contraction: Option<f64>,
-    /// What inertia and energy of the load said beforehand.
-    pub forecast: Forecast,
-    /// Speed at equal cam angles, rad/s.
-    #[serde(skip)]
-    pub speed: Vec<f64>,
-    /// Time there since cam angle 0, s.
-    #[serde(skip)]
-    pub time: Vec<f64>,
-    /// The target over time.
-    #[serde(skip)]
-    pub target: Option<ForceCurve>,
-}
 
 impl Problem {
     /// Whether a force of the machine beyond its drive is known.

@@ -1,0 +1,76 @@
+//! What another inertia or motor would make of a finished design.
+
+use serde::Serialize;
+
+use super::runner::Runner;
+use crate::drive::Motor;
+use crate::synth::design::Design;
+
+/// Part by which inertia, torque line and friction may differ from what is given.
+const DEVIATION: f64 = 0.1;
+
+/// Force error of the cam on another machine.
+///
+/// ```
+/// use gaitcam::synth::Sensitivity;
+///
+/// // It does not turn with 10 % less of the inertia.
+/// let wheel = Sensitivity { key: "machine.inertia", percent: [None, Some(0.4)] };
+/// assert_eq!(serde_json::to_value(&wheel).unwrap()["percent"][1], 0.4);
+/// ```
+#[derive(Debug, Clone, Serialize)]
+pub struct Sensitivity {
+    /// Key of what differs.
+    pub key: &'static str,
+    /// Force error with 10 % less and 10 % more, percent of the mean.
+    pub percent: [Option<f64>; 2],
+}
+
+impl Design {
+    /// Force error over time, percent of the mean, where the machine differs by ±10 %, its supply set again; nothing at
+    /// constant speed or without a target.
+    pub fn sensitivity(&self) -> Vec<Sensitivity> {
+        let machine = &self.problem.machine;
+        let (motor, floor) = (machine.motor(), machine.floor());
+        let Some(motor) = motor.filter(|_| self.shaft.is_some()) else {
+            return Vec::new();
+        };
+        let free = Motor {
+            nominal: None,
+            ..motor
+        };
+        let target = self.target_in_time();
+        let run = Runner::new(
+            &self.problem,
+            &self.cam,
+            target,
+            Some(&free),
+            floor.as_ref(),
+        );
+        let Ok(run) = run else {
+            return Vec::new();
+        };
+        let both = |key, changed: &dyn Fn(f64) -> Motor| Sensitivity {
+            key,
+            percent: [1.0 - DEVIATION, 1.0 + DEVIATION]
+                .map(|part| run.error_with(&self.cam.law, &changed(part))),
+        };
+        let inertia = |part: f64| Motor {
+            inertia: part * free.inertia,
+            ..free.clone()
+        };
+        let line = |part: f64| free.with_torque(part);
+        let friction = |part: f64| Motor {
+            friction: part * free.friction,
+            ..free.clone()
+        };
+        let mut out = vec![
+            both("machine.inertia", &inertia),
+            both("machine.motor", &line),
+        ];
+        if free.friction > 0.0 {
+            out.push(both("machine.friction_torque", &friction));
+        }
+        out
+    }
+}

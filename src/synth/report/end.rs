@@ -1,0 +1,54 @@
+//! The end of a compliant follower for which a cam is cut.
+
+use serde::Serialize;
+
+use crate::dynamics::flexible::polydyne::Miss;
+use crate::law::Law;
+use crate::problem::Note;
+use crate::units::{Dimension, Quantity};
+
+/// What the end of a flexible follower does, where the cam is cut for it (`law.polydyne`).
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // F = M (g + ω²a): the end's force is that of the law, which the cam alone would not give.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let scene = scene.with("machine.natural_frequency", "12 Hz")?.with("law.degree", "7")?.with("law.polydyne", "true")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let end = design.end.as_ref().unwrap();
+/// let stiffness = design.drive.mass * (std::f64::consts::TAU * 12.0).powi(2);
+/// assert!((end.stiffness / stiffness - 1.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Serialize)]
+pub struct End {
+    /// Law of the end; the cam's own differs from it by the follower's give.
+    pub law: Law,
+    /// Stiffness of the follower train, N/m (an arm: N·m/rad).
+    pub stiffness: f64,
+    /// Its damping, N·s/m.
+    pub damping: f64,
+    /// How far the end of the flexible follower stays from its law when this cam is run; `None` where
+    /// nothing is steady.
+    pub miss: Option<Miss>,
+    /// The same for a cam cut to the law itself.
+    pub plain_miss: Option<Miss>,
+}
+
+impl End {
+    /// What to know of the design: its speed and stiffness, and what it misses.
+    pub fn notes(&self, speed: f64) -> Vec<Note> {
+        let mut out = vec![Note::Polydyne {
+            speed: Quantity::new(speed, Dimension::AngularSpeed),
+            stiffness: Quantity::new(self.stiffness, Dimension::SpringRate),
+        }];
+        if let (Some(own), Some(plain)) = (self.miss, self.plain_miss) {
+            out.push(Note::PolydyneMiss {
+                own: Quantity::force(own.force_rms),
+                plain: Quantity::force(plain.force_rms),
+            });
+        }
+        out
+    }
+}

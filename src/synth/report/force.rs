@@ -1,0 +1,51 @@
+//! The force of a cam against its target.
+
+use serde::Serialize;
+
+use crate::drive::Drive;
+
+/// Force of the cam against the target, N; all values belong to the continuous law.
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // The mean force of a cam that carries its own mass is M·g, whatever the law.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let force = synthesise(&scene, scene.model_force()?.as_ref())?.force;
+/// assert!((force.mean_n - 700.0).abs() < 1e-6);
+/// assert!(force.rms_error_percent_of_mean <= 0.5);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct ForceReport {
+    /// Root mean square over the cycle.
+    pub rms_error_n: f64,
+    /// Largest absolute difference.
+    pub max_error_n: f64,
+    /// RMS error as percent of the mean target.
+    pub rms_error_percent_of_mean: f64,
+    /// Mean of the target.
+    pub target_mean_n: f64,
+    /// Mean of the cam's force.
+    pub mean_n: f64,
+    /// Smallest force.
+    pub min_n: f64,
+    /// Largest force.
+    pub max_n: f64,
+}
+
+impl ForceReport {
+    /// The report in N: forces at the lever of an arm instead of moments about its pivot.
+    #[must_use]
+    pub fn newtons(self, drive: &Drive) -> ForceReport {
+        ForceReport {
+            rms_error_n: drive.newtons(self.rms_error_n),
+            max_error_n: drive.newtons(self.max_error_n),
+            rms_error_percent_of_mean: self.rms_error_percent_of_mean,
+            target_mean_n: drive.newtons(self.target_mean_n),
+            mean_n: drive.newtons(self.mean_n),
+            min_n: drive.newtons(self.min_n),
+            max_n: drive.newtons(self.max_n),
+        }
+    }
+}
