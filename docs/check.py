@@ -84,7 +84,7 @@ def changed_figures(path, text):
 
 def unknown_figures(theory):
     """The numbers of the theory that nothing computes or holds."""
-    places = ["src", "tests", "crates", "benches", "reports", "data"]
+    places = ["src", "tests", "crates", "lab", "reports", "data"]
     texts = (path.read_text(encoding="utf-8", errors="ignore") for place in places for path in (ROOT / place).rglob("*")
              if path.suffix in (".rs", ".md", ".csv") and not SKIP.intersection(path.relative_to(ROOT).parts))
     known = decimals_of("\n".join(texts).replace("_", ""))
@@ -107,7 +107,7 @@ def faults(path, sections):
         yield from broken_links(path, text)
         yield from changed_figures(path, text)
     if path.suffix == ".md" and path.relative_to(ROOT).parts[0] in ("README.md", "CONTRIBUTING.md", "docs"):
-        for named in re.findall(r"`((?:src|crates|tests|docs|scenes|data|fuzz|benches)/[a-z0-9_./]+)`", text):
+        for named in re.findall(r"`((?:src|crates|tests|docs|scenes|data|fuzz|lab)/[a-z0-9_./]+)`", text):
             if not (ROOT / named).exists():
                 yield f"`{named}`, which does not exist"
 

@@ -41,5 +41,5 @@ pub use simulate::simulate;
 
 /// Cams of a thesis that the tests run; unit tests of this crate compile them with its own types.
 #[cfg(test)]
-#[path = "../../crates/evidence/src/thesis.rs"]
+#[path = "../../crates/test-support/src/thesis.rs"]
 mod thesis;

@@ -8,8 +8,6 @@
 mod console;
 #[cfg(feature = "cad")]
 mod ecam;
-#[cfg(feature = "evidence")]
-mod evidence;
 mod gait;
 mod identify;
 mod input;
@@ -73,14 +71,8 @@ enum Command {
     Sweep(sweep::SweepArgs),
     /// Pareto front of a sweep: table, pictures, and the best design as a normal result
     Front(front::FrontArgs),
-    /// Recompute every number of the source papers: published, recomputed, agreement
-    #[cfg(feature = "evidence")]
-    Reproduce(evidence::ReproduceArgs),
     /// Compare several results: table and overlaid diagrams
     Compare(compare::CompareArgs),
-    /// Measure speed against accuracy on this machine and draw the charts
-    #[cfg(feature = "evidence")]
-    Chart(evidence::ChartArgs),
     /// Open the studio: a page in the browser on which the cam changes with every number
     #[cfg(feature = "studio")]
     Studio(studio::StudioArgs),
@@ -139,11 +131,7 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Ecam(args) => ecam::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Front(args) => front::run(&args),
-        #[cfg(feature = "evidence")]
-        Command::Reproduce(args) => evidence::reproduce(&args),
         Command::Compare(args) => compare::run(&args),
-        #[cfg(feature = "evidence")]
-        Command::Chart(args) => evidence::chart(&args),
         #[cfg(feature = "studio")]
         Command::Studio(args) => studio::run(&args),
         Command::Keys(args) => keys::keys(&args),
@@ -198,8 +186,6 @@ impl Command {
             Command::Laws(args) => args.json,
             Command::Keys(args) => args.json || args.schema,
             Command::Scenes(args) => args.json,
-            #[cfg(feature = "evidence")]
-            Command::Reproduce(_) | Command::Chart(_) => false,
             #[cfg(feature = "studio")]
             Command::Studio(_) => false,
             #[cfg(feature = "shell")]

@@ -7,6 +7,7 @@
 pub mod designs;
 mod fluent;
 pub mod readers;
+pub mod thesis;
 pub mod words;
 
 use std::path::Path;

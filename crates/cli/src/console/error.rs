@@ -130,6 +130,9 @@ pub enum CliError {
         typed: String,
         near: Option<String>,
     },
+    InLab {
+        typed: String,
+    },
     LeftOut {
         typed: String,
         feature: &'static str,

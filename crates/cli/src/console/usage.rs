@@ -57,6 +57,7 @@ pub fn fault(error: &clap::Error) -> Error {
         ErrorKind::InvalidSubcommand => {
             let typed = part(ContextKind::InvalidSubcommand).unwrap_or_default();
             match left_out(&typed) {
+                _ if IN_LAB.contains(&typed.as_str()) => Error::from(CliError::InLab { typed }),
                 Some(feature) => Error::from(CliError::LeftOut { typed, feature }),
                 None => Error::from(CliError::UnknownVerb { typed, near }),
             }
@@ -92,6 +93,9 @@ pub fn fault(error: &clap::Error) -> Error {
     }
 }
 
+/// Former verbs that are now verbs of `gaitcam-lab`.
+const IN_LAB: [&str; 2] = ["chart", "reproduce"];
+
 /// The feature that a build without this verb or flag lacks.
 fn left_out(asked: &str) -> Option<&'static str> {
     const WORKSHOP: &[&str] = &[
@@ -107,11 +111,6 @@ fn left_out(asked: &str) -> Option<&'static str> {
     ];
     let optional = [
         (WORKSHOP, "cad", cfg!(feature = "cad")),
-        (
-            &["chart", "reproduce"],
-            "evidence",
-            cfg!(feature = "evidence"),
-        ),
         (&["man", "completions"], "shell", cfg!(feature = "shell")),
         (&["studio"], "studio", cfg!(feature = "studio")),
     ];

@@ -99,6 +99,7 @@ cli-unknown-verb = "{ $typed }" is not a command
         [none] gaitcam --help lists the commands; a scene follows its command: gaitcam synth SCENE.toml
        *[other] did you mean { $near }?
     }
+cli-in-lab = "{ $typed }" has moved to the lab of the source repository: cargo run --release -p gaitcam-lab -- { $typed }
 cli-left-out = this command was built without "{ $typed }"
     .help = build it with --features { $feature }, or with the default features
 cli-flag-without-value = needs a value

@@ -99,6 +99,7 @@ cli-unknown-verb = "{ $typed }" no es una orden
         [none] gaitcam --help enumera las órdenes; la escena sigue a la orden: gaitcam synth ESCENA.toml
        *[other] ¿quería decir { $near }?
     }
+cli-in-lab = "{ $typed }" está ahora en el laboratorio del repositorio: cargo run --release -p gaitcam-lab -- { $typed }
 cli-left-out = esta orden se compiló sin "{ $typed }"
     .help = compílela con --features { $feature }, o con las opciones por defecto
 cli-flag-without-value = falta su valor

@@ -58,10 +58,8 @@ ecam = Escribe un diseño como leva electrónica para un control de movimiento, 
 simulate = Simula la leva acabada: fuerza, par, despegue, vibración, con el modelo más simple que basta
 sweep = Diseña miles de escenas: una rejilla, una lista o una muestra de valores, en una sola tabla
 front = Frente de Pareto de un barrido: tabla, figuras y el mejor diseño como resultado normal
-reproduce = Recalcula todas las cifras de los trabajos de origen: publicada, recalculada, coincidencia
 cover = Busca cuántas levas sirven a una población de caminantes, y cuál sirve a quién
 compare = Compara varios resultados: tabla y diagramas superpuestos
-chart = Mide velocidad frente a precisión en esta máquina y dibuja las gráficas
 studio = Abre el estudio: una página en el navegador en la que la leva cambia con cada número
 keys = Enumera las claves de una escena: valores, valor por defecto y significado
 scenes = Enumera las escenas que trae el programa, o muestra una
@@ -176,9 +174,6 @@ man-dir = Carpeta de las páginas gaitcam.1, gaitcam-synth.1 …
 
 completions-shell = El intérprete de órdenes
 
-reproduce-out = Carpeta del informe
-chart-quick = Menos repeticiones y tamaños: menos de un minuto
-chart-out = Carpeta de tablas y figuras
 
 identify-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incluida
 identify-log = Registro de la máquina en marcha: un csv con las columnas time_s o theta_rad (o ambas), force_n, y si las hay speed_rad_per_s, torque_n_m

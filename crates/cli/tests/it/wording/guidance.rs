@@ -100,7 +100,17 @@ fn manual_pages_and_the_page_of_laws_are_written() {
 #[test]
 fn a_wrong_command_line_is_said_like_every_other_fault_in_both_languages() {
     let folder = tempfile::tempdir().unwrap();
-    let faults: [(&[&str], &str, &str); 6] = [
+    let faults: [(&[&str], &str, &str); 8] = [
+        (
+            &["chart", "--quick"],
+            "cargo run --release -p gaitcam-lab -- chart",
+            "cargo run --release -p gaitcam-lab -- chart",
+        ),
+        (
+            &["reproduce"],
+            "cargo run --release -p gaitcam-lab -- reproduce",
+            "cargo run --release -p gaitcam-lab -- reproduce",
+        ),
         (
             &["synth", "--josn"],
             "did you mean --json?",

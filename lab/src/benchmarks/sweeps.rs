@@ -1,0 +1,81 @@
+//! Rows of a sweep in a second.
+
+use gaitcam::error::{Error, Result};
+use gaitcam::force::ForceCurve;
+use gaitcam::halt::Halt;
+use gaitcam::scene::{self, Scene};
+use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Runner, Sampling};
+
+use super::table::Report;
+use super::timing::{Times, times};
+
+fn none(_: usize, _: &Scene) -> Result<ForceCurve> {
+    Err(Error::own("no-recordings", "no recordings"))
+}
+
+/// The kernel over so many rows.
+fn swept(changes: &[&str], vary: &[&str], rows: u64, threads: usize) -> Times {
+    let mut table = scene::DEFAULT.parse().expect("the default scene");
+    for change in changes {
+        scene::set(&mut table, change).expect("a change");
+    }
+    let plan = Plan {
+        scenes: vec![NamedScene {
+            name: "footbridge".to_string(),
+            table,
+        }],
+        list: None,
+        axes: vary
+            .iter()
+            .map(|v| Axis::parse(v, true).expect("an axis"))
+            .collect(),
+        sampling: Sampling::Sample {
+            method: Method::Latin,
+            count: rows,
+            seed: 1,
+        },
+    };
+    let runner = Runner::of_plan(&plan, &none, &Halt::never, None);
+    times(|| runner.run(0..rows, threads, &|| false).len())
+}
+
+pub(crate) fn sweeps(report: &mut Report) {
+    let both = [
+        "gait.step_frequency=1.5 Hz:2.4 Hz",
+        "gait.body_weight=400 N:1000 N",
+    ];
+    // Long enough that starting threads, some 2 ms, is not what is measured.
+    let rows = 128_000;
+    let spectral = |threads| swept(&["law.family=harmonic"], &both, rows, threads);
+    let (one, two) = (spectral(1), spectral(2));
+    report.rate(
+        "sweep",
+        "spectral designs, each with a speed of its own, one thread",
+        100_000.0,
+        rows,
+        one,
+    );
+    report.rate(
+        "sweep",
+        "spectral designs, each with a speed of its own, two threads",
+        100_000.0,
+        rows,
+        two,
+    );
+    report.at_least(
+        "sweep",
+        "two threads over one, fastest runs",
+        1.8,
+        one.fastest / two.fastest,
+    );
+    let changes = ["law.spans=32", "accuracy.rms=20 %"];
+    let rows = 64;
+    let qp = swept(&changes, &["limits.stroke=40 mm:48 mm"], rows, 2);
+    report.rate(
+        "sweep",
+        "certified QP scenes of 32 spans, the stroke binding, two threads",
+        4000.0,
+        rows,
+        qp,
+    );
+}

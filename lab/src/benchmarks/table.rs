@@ -1,0 +1,183 @@
+//! The table: a line for each number that was asked for, and the page that shows it.
+
+use std::fmt::Write as _;
+
+use super::tested::TESTED;
+use super::timing::Times;
+
+/// One line of the table.
+pub(crate) struct Line {
+    pub(crate) area: &'static str,
+    pub(crate) what: &'static str,
+    pub(crate) asked: String,
+    /// The median.
+    pub(crate) measured: String,
+    /// The fastest run, which other programs on the machine disturbed least; empty for ratios.
+    pub(crate) fastest: String,
+    pub(crate) met: bool,
+    /// Whether the fastest run meets the number.
+    pub(crate) met_once: bool,
+}
+
+/// The table of numbers that were asked for.
+#[derive(Default)]
+pub(crate) struct Report(pub(crate) Vec<Line>);
+
+impl Report {
+    /// A time that may be at most `asked` seconds.
+    pub(crate) fn time(
+        &mut self,
+        area: &'static str,
+        what: &'static str,
+        asked: f64,
+        found: Times,
+    ) {
+        self.0.push(Line {
+            area,
+            what,
+            asked: format!("≤ {}", duration(asked)),
+            measured: duration(found.median),
+            fastest: duration(found.fastest),
+            met: found.median <= asked,
+            met_once: found.fastest <= asked,
+        });
+    }
+
+    /// A number of things a second that must be at least `asked`.
+    pub(crate) fn rate(
+        &mut self,
+        area: &'static str,
+        what: &'static str,
+        asked: f64,
+        things: u64,
+        found: Times,
+    ) {
+        let [median, fastest] = [found.median, found.fastest].map(|s| things as f64 / s);
+        self.0.push(Line {
+            area,
+            what,
+            asked: format!("≥ {asked:.0}/s"),
+            measured: format!("{median:.0}/s"),
+            fastest: format!("{fastest:.0}/s"),
+            met: median >= asked,
+            met_once: fastest >= asked,
+        });
+    }
+
+    /// A ratio that must be at least `asked`.
+    pub(crate) fn at_least(
+        &mut self,
+        area: &'static str,
+        what: &'static str,
+        asked: f64,
+        found: f64,
+    ) {
+        self.ratio(area, what, format!("≥ {asked}"), found, found >= asked);
+    }
+
+    /// A ratio that may be at most `asked`.
+    pub(crate) fn at_most(
+        &mut self,
+        area: &'static str,
+        what: &'static str,
+        asked: f64,
+        found: f64,
+    ) {
+        self.ratio(area, what, format!("≤ {asked}"), found, found <= asked);
+    }
+
+    /// A number that is stated beside those that were asked for.
+    pub(crate) fn stated(&mut self, area: &'static str, what: &'static str, found: String) {
+        self.0.push(Line {
+            area,
+            what,
+            asked: String::new(),
+            measured: found,
+            fastest: String::new(),
+            met: true,
+            met_once: true,
+        });
+    }
+
+    fn ratio(
+        &mut self,
+        area: &'static str,
+        what: &'static str,
+        asked: String,
+        found: f64,
+        met: bool,
+    ) {
+        self.0.push(Line {
+            area,
+            what,
+            asked,
+            measured: format!("{found:.2}"),
+            fastest: String::new(),
+            met,
+            met_once: false,
+        });
+    }
+}
+
+fn duration(s: f64) -> String {
+    match s {
+        s if s < 1e-3 => format!("{:.1} µs", 1e6 * s),
+        s if s < 1.0 => format!("{:.2} ms", 1e3 * s),
+        s => format!("{s:.2} s"),
+    }
+}
+
+/// Why a number is missed: how its line begins, and the reason.
+const REASONS: &[(&str, &str)] = &[
+    (
+        "DAQP's time over the kernel's",
+        "DAQP is a dual active set too: with the matrices at hand both do the same steps",
+    ),
+    (
+        "charts whose default lies on",
+        "of force to law: choosing the number of harmonics costs more than being told it (a1), \
+         and a spline is quicker to those who know its spans (a2)",
+    ),
+];
+
+fn reason(what: &str) -> Option<&'static str> {
+    let row = REASONS.iter().find(|(begins, _)| what.starts_with(begins));
+    row.map(|(_, reason)| *reason)
+}
+
+/// Lines that are missed without a reason.
+pub(crate) fn unexplained(lines: &[Line]) -> Vec<&'static str> {
+    let missed = lines.iter().filter(|l| !l.met && !l.met_once);
+    let what = missed.map(|l| l.what);
+    what.filter(|what| reason(what).is_none()).collect()
+}
+
+/// The page: the table, then the numbers of accuracy.
+pub(crate) fn markdown(lines: &[Line]) -> String {
+    let mut out = String::from(
+        "# Benchmarks\n\nWritten by `cargo run --release -p gaitcam-lab -- benchmarks`: medians after a warm-up, release build, \
+         on the wall; the fastest run beside them, because other programs ran on the machine too. Peers and whole processes \
+         are time of the processor, of the last run of lab/peers/speed/run.py.\n\n\
+         | area | what | asked | median | fastest | |\n|---|---|---|---|---|---|\n",
+    );
+    for l in lines {
+        let mark = match (l.met, l.met_once) {
+            _ if l.asked.is_empty() => String::new(),
+            (true, _) => "met".to_string(),
+            (false, true) => "met when undisturbed".to_string(),
+            (false, false) => format!("**missed**: {}", reason(l.what).unwrap_or("not explained")),
+        };
+        let _ = writeln!(
+            out,
+            "| {} | {} | {} | {} | {} | {mark} |",
+            l.area, l.what, l.asked, l.measured, l.fastest
+        );
+    }
+    out.push_str(
+        "\nNumbers of accuracy hold or a test fails:\n\n| area | number | held by |\n|---|---|---|\n",
+    );
+    for (area, number, by) in TESTED {
+        let _ = writeln!(out, "| {area} | {number} | {by} |");
+    }
+    out
+}

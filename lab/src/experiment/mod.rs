@@ -1,0 +1,125 @@
+//! The experiment of Campillo de Blas (2017) run again: ideal and real machine, lift-off, bounces, and what spoiled its
+//! simulation. The text of reports/dynamics.md; everything in it is computed here but the times of
+//! [`peers`], which a benchmark measured.
+
+mod flights;
+mod give;
+pub(crate) mod motor;
+pub(crate) mod peers;
+pub(crate) mod pictures;
+pub(crate) mod ripple;
+mod running;
+
+use gaitcam::cam::Cam;
+use gaitcam::drive::Drive;
+use gaitcam::dynamics::contact::{self, ContactRun, Limits};
+use gaitcam::dynamics::recover;
+use gaitcam::dynamics::surface::Surface;
+use gaitcam::dynamics::{Machine, Run};
+use gaitcam::error::Result;
+use gaitcam_test_support::thesis;
+use std::f64::consts::TAU;
+use std::fmt::{Display, Write};
+
+/// Rows of an emitted profile in this report.
+const POINTS: usize = 1440;
+
+/// The text of reports/dynamics.md. Fails only if one of the two cams could not be run.
+pub fn report() -> Result<String> {
+    let mut out = Page(String::from(
+        "# The experiment of Campillo de Blas (2017), run again\n\n\
+         Two cams (an eccentric of 30 mm about a centre 10 mm off; a double harmonic of 10 mm in 135°, back in 135°, dwell 90°), \
+         a mass of 1 kg, 111 rpm (11.624 rad/s). Every number below comes from the emitted profile points, not from the law; \
+         the law serves as the independent answer.\n\n",
+    ));
+    running::steady_running(&mut out)?;
+    running::convergence(&mut out)?;
+    flights::lift_off(&mut out)?;
+    flights::bounces(&mut out)?;
+    give::vibration(&mut out)?;
+    flights::two_cams(&mut out)?;
+    give::motors(&mut out)?;
+    peers::against_rapier(&mut out);
+    Ok(out.0)
+}
+
+pub(crate) fn cams() -> [(&'static str, Cam, f64); 2] {
+    [
+        ("eccentric", thesis::eccentric(), 35.0),
+        ("double harmonic", thesis::double_harmonic(), 27.0),
+    ]
+}
+
+pub(crate) fn scene(cam: &Cam, drive: Drive) -> Run {
+    Run {
+        cam: cam.clone(),
+        drive,
+        profile: cam.profile(POINTS),
+        target: None,
+        machine: Machine::default(),
+    }
+}
+
+fn run_points(cam: &Cam, n: usize, speed: f64, e: f64) -> Result<ContactRun> {
+    let drive = thesis::real(speed);
+    let law = recover(&cam.follower, &cam.profile(n))?.law;
+    Ok(contact::run(
+        &[Surface::new(law, &drive)],
+        &drive,
+        e,
+        &Limits::default(),
+    ))
+}
+
+/// Largest difference of force, N, between the emitted points and the law, over a grid that is no
+/// multiple of the points.
+pub(crate) fn worst_force_error(cam: &Cam, n: usize, speed: f64) -> Result<f64> {
+    let drive = thesis::real(speed);
+    let law = recover(&cam.follower, &cam.profile(n))?.law;
+    let angles = (0..7201).map(|i| TAU * f64::from(i) / 7201.0);
+    Ok(angles
+        .map(|t| (drive.force(law.svaj(t)) - drive.force(cam.law.svaj(t))).abs())
+        .fold(0.0, f64::max))
+}
+
+/// A page of Markdown.
+struct Page(String);
+
+impl Page {
+    fn line(&mut self, text: impl Display) {
+        let _ = writeln!(self.0, "{text}");
+    }
+
+    /// Head of a table; the names of its columns are separated by ` | `.
+    fn table(&mut self, columns: &str) {
+        self.line(format_args!("| {columns} |"));
+        let rules = "---|".repeat(columns.split(" | ").count());
+        self.line(format_args!("|{rules}"));
+    }
+
+    fn picture(&mut self, name: &str, what: &str) {
+        self.line(format_args!("![{what}]({name}.png)\n"));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_report_states_the_lift_off_speeds_and_landings() {
+        let text = report().unwrap();
+        for number in [
+            "31.320920",
+            "23.490690",
+            "53.208127",
+            "204.980906",
+            "0.075683849",
+            "198.033742",
+            "68.4 %",
+        ] {
+            assert!(text.contains(number), "{number}\n{text}");
+        }
+        assert!(!text.contains("NaN"));
+    }
+}

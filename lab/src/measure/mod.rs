@@ -1,0 +1,203 @@
+//! `gaitcam-lab chart`: speed against accuracy, measured now on this machine.
+
+mod controllers;
+mod dynamics;
+mod export;
+mod force;
+mod geometry;
+mod ladder;
+mod limits;
+mod motor;
+mod reference;
+mod walkers;
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use std::path::Path;
+
+use crate::chart::{self, Row};
+use gaitcam::drive::Drive;
+use gaitcam::error::Result;
+use gaitcam::force::{Feet, ForceCurve, model};
+use gaitcam::law::Law;
+use gaitcam_output::folder::Folder;
+
+/// Measures every chart and writes tables and pictures.
+///
+/// # Errors
+///
+/// A folder or file that cannot be written.
+pub fn write(quick: bool, out: &Path, say: &mut dyn FnMut(&str)) -> Result<()> {
+    let folder = Folder::open(out)?;
+    let start = Instant::now();
+    let watch = Watch { quick };
+    let mut charts = Vec::new();
+    for measure in [
+        force::smooth,
+        force::heel,
+        limits::chart,
+        geometry::chart,
+        dynamics::vibration,
+        dynamics::flight,
+        export::chart,
+        motor::chart,
+        walkers::chart,
+        controllers::chart,
+    ] {
+        let chart = measure(&watch)?;
+        let place = match chart.default_on_front() {
+            Some(true) => ", default on the front",
+            Some(false) => ", default off the front",
+            None => "",
+        };
+        say(&format!(
+            "{}: {} rows{place}",
+            chart.title,
+            chart.rows.len()
+        ));
+        charts.push(chart);
+    }
+    for c in &charts {
+        folder.write_picture(&c.file, &chart::picture(c))?;
+    }
+    folder.write("speed_accuracy.csv", chart::csv(&charts).as_bytes())?;
+    let machine = machine(quick);
+    ladder::write(&watch, &folder, &machine)?;
+    let page = folder.path().join("speed_accuracy.md");
+    let peers = std::fs::read_to_string(&page).map_or(String::new(), |old| peers(&old));
+    folder.write(
+        "speed_accuracy.md",
+        chart::markdown(&charts, &machine, &peers).as_bytes(),
+    )?;
+    say(&format!(
+        "{} charts in {:.1} s; open {}",
+        charts.len(),
+        start.elapsed().as_secs_f64(),
+        page.display()
+    ));
+    Ok(())
+}
+
+/// The section on peers, which lab/peers/speed/run.py writes at the end of the page: kept as it is.
+fn peers(page: &str) -> String {
+    let start = page.find("\n## Peers\n");
+    start.map_or(String::new(), |at| page[at..].to_string())
+}
+
+/// Where it runs, for the header.
+fn machine(quick: bool) -> String {
+    let cpu = std::fs::read_to_string("/proc/cpuinfo")
+        .ok()
+        .and_then(|text| {
+            let line = text.lines().find(|l| l.starts_with("model name"))?;
+            Some(line.split(':').nth(1)?.trim().to_string())
+        });
+    let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
+    format!(
+        "Processor: {}, {cores} cores, one used; {} {}; gaitcam {}, {} build{}.",
+        cpu.unwrap_or_else(|| "unknown".to_string()),
+        std::env::consts::OS,
+        std::env::consts::ARCH,
+        env!("CARGO_PKG_VERSION"),
+        if cfg!(debug_assertions) {
+            "debug"
+        } else {
+            "release"
+        },
+        if quick {
+            ", quick run (few repetitions)"
+        } else {
+            ""
+        }
+    )
+}
+
+/// Takes medians.
+struct Watch {
+    quick: bool,
+}
+
+/// A median with its quartiles, s.
+struct Timing {
+    median: f64,
+    quartiles: (f64, f64),
+    runs: usize,
+}
+
+/// A timed batch lasts at least this long, so that the clock's own grain is lost in it.
+const BATCH: Duration = Duration::from_micros(100);
+
+impl Watch {
+    /// Result of `f` and how long it takes: one warm-up, then batches until the budget is spent.
+    fn time<T>(&self, mut f: impl FnMut() -> T) -> (T, Timing) {
+        let (budget, most) = if self.quick {
+            (Duration::from_millis(30), 15)
+        } else {
+            (Duration::from_millis(400), 101)
+        };
+        let answer = f();
+        let once = Instant::now();
+        black_box(f());
+        let once = once.elapsed().max(Duration::from_nanos(10));
+        let inner = (BATCH.as_nanos() / once.as_nanos()).max(1) as usize;
+        let mut times = Vec::new();
+        let start = Instant::now();
+        while times.len() < 3 || (times.len() < most && start.elapsed() < budget) {
+            let batch = Instant::now();
+            for _ in 0..inner {
+                black_box(f());
+            }
+            times.push(batch.elapsed().as_secs_f64() / inner as f64);
+        }
+        times.sort_by(f64::total_cmp);
+        let at = |share: f64| times[((times.len() - 1) as f64 * share).round() as usize];
+        let timing = Timing {
+            median: at(0.5),
+            quartiles: (at(0.25), at(0.75)),
+            runs: times.len(),
+        };
+        (answer, timing)
+    }
+}
+
+impl Timing {
+    fn row(self, method: &str, size: impl Into<String>, error: f64) -> Row {
+        Row {
+            method: method.to_string(),
+            size: size.into(),
+            error,
+            seconds: self.median,
+            quartiles: self.quartiles,
+            runs: self.runs,
+            ..Row::default()
+        }
+    }
+}
+
+/// Both feet of 700 N at 1.85 steps a second, as in the default scene, with its moving axis.
+fn footbridge() -> Result<(ForceCurve, Drive)> {
+    let target = model("young", Some(1.85), 700.0, Feet::Both)?;
+    let drive = Drive::moving_axis(
+        target.mean_n() / 9.81,
+        9.81,
+        std::f64::consts::TAU / target.period_s,
+    );
+    Ok((target, drive))
+}
+
+/// RMS distance of a law's force from the target on `DENSE` angles, part of the mean target.
+fn force_error(drive: &Drive, law: &Law, target: &ForceCurve) -> f64 {
+    rms_error(|x| drive.force(law.svaj(x)), target)
+}
+
+/// Angles at which forces are held against the truth: not those at which anything was fitted.
+const DENSE: usize = 4001;
+
+fn rms_error(force: impl Fn(f64) -> f64, target: &ForceCurve) -> f64 {
+    let sum: f64 = (0..DENSE)
+        .map(|i| std::f64::consts::TAU * (i as f64 + 0.5) / DENSE as f64)
+        .map(|x| (force(x) - target.at(x)).powi(2))
+        .sum();
+    (sum / DENSE as f64).sqrt() / target.mean_n().abs()
+}
