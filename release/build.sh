@@ -48,7 +48,7 @@ crates=${CARGO_HOME:-$HOME/.cargo}
 native="--remap-path-prefix=$root=gaitcam --remap-path-prefix=$crates=crates"
 
 command_() {
-  RUSTFLAGS=$native cargo zigbuild --release --locked --quiet -p gaitcam-cli --target "x86_64-unknown-linux-gnu.$glibc"
+  RUSTFLAGS=$native cargo zigbuild --release --locked --quiet -p gaitcam-cli --features parquet --target "x86_64-unknown-linux-gnu.$glibc"
   local folder=$build/files/gaitcam-$version
   rm -rf "$build/files"
   mkdir -p "$folder"

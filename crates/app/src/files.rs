@@ -68,8 +68,8 @@ pub struct File {
 
 const fn file(group: Group, name: &'static str, of: Of, maker: Maker) -> File {
     let maker = match maker {
-        Maker::Always(_) if !cfg!(feature = "makers") => Maker::Always(|_| none()),
-        Maker::Png(_) if !cfg!(feature = "makers") => Maker::Png(|_| none()),
+        Maker::Always(_) if !cfg!(feature = "cad") => Maker::Always(|_| none()),
+        Maker::Png(_) if !cfg!(feature = "cad") => Maker::Png(|_| none()),
         maker => maker,
     };
     File {

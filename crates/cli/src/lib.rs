@@ -6,7 +6,6 @@
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 mod console;
-#[cfg(feature = "cad")]
 mod ecam;
 mod gait;
 mod identify;
@@ -16,7 +15,6 @@ mod reference;
 mod results;
 mod scene;
 mod simulate;
-#[cfg(feature = "studio")]
 mod studio;
 mod sweep;
 pub mod synth;
@@ -30,9 +28,7 @@ use console::terminal::{final_exit_code, print_json, record_write_error, report}
 use console::{help, internal, language, usage};
 use exit_code::BUILT;
 use gaitcam::error::{Error, Result};
-#[cfg(feature = "shell")]
-use reference::{completions, manual};
-use reference::{keys, laws};
+use reference::{completions, keys, laws};
 use results::{compare, front};
 use scene::{doctor, init};
 use serde_json::{Value, json};
@@ -65,7 +61,6 @@ enum Command {
     /// Design the next cam for what a log shows of the machine: all that repeats in it is corrected
     Recut(identify::RecutArgs),
     /// Write a design as an electronic cam for a motion controller, and say what that controller makes of it
-    #[cfg(feature = "cad")]
     Ecam(ecam::EcamArgs),
     /// Design thousands of scenes: a grid, a list or a sample of values, into one table
     Sweep(sweep::SweepArgs),
@@ -74,7 +69,6 @@ enum Command {
     /// Compare several results: table and overlaid diagrams
     Compare(compare::CompareArgs),
     /// Open the studio: a page in the browser on which the cam changes with every number
-    #[cfg(feature = "studio")]
     Studio(studio::StudioArgs),
     /// Write a commented scene for a machine
     Init(init::InitArgs),
@@ -86,11 +80,7 @@ enum Command {
     Scenes(keys::ScenesArgs),
     /// List the catalogue of rise laws with their peak factors
     Laws(laws::LawsArgs),
-    /// Write the manual pages
-    #[cfg(feature = "shell")]
-    Man(manual::ManArgs),
     /// Print the completion script of a shell
-    #[cfg(feature = "shell")]
     Completions(completions::CompletionsArgs),
 }
 
@@ -127,22 +117,17 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Inspect(args) => inspect::run(&args),
         Command::Identify(args) => identify::identify(&args),
         Command::Recut(args) => identify::recut(&args),
-        #[cfg(feature = "cad")]
         Command::Ecam(args) => ecam::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Front(args) => front::run(&args),
         Command::Compare(args) => compare::run(&args),
-        #[cfg(feature = "studio")]
         Command::Studio(args) => studio::run(&args),
         Command::Keys(args) => keys::keys(&args),
         Command::Scenes(args) => keys::scenes(&args),
         Command::Laws(args) => laws::run(&args),
-        #[cfg(feature = "shell")]
         Command::Completions(args) => completions::run(&args),
         Command::Init(args) => init::run(&args),
         Command::Doctor(args) => doctor::run(&args),
-        #[cfg(feature = "shell")]
-        Command::Man(args) => manual::run(&args),
     }
 }
 
@@ -178,7 +163,6 @@ impl Command {
             Command::Inspect(args) => args.json,
             Command::Identify(args) => args.json,
             Command::Recut(args) => args.json,
-            #[cfg(feature = "cad")]
             Command::Ecam(args) => args.json,
             Command::Sweep(args) => args.json,
             Command::Front(args) => args.json,
@@ -186,11 +170,10 @@ impl Command {
             Command::Laws(args) => args.json,
             Command::Keys(args) => args.json || args.schema,
             Command::Scenes(args) => args.json,
-            #[cfg(feature = "studio")]
-            Command::Studio(_) => false,
-            #[cfg(feature = "shell")]
-            Command::Man(_) | Command::Completions(_) => false,
-            Command::Init(_) | Command::Doctor(_) => false,
+            Command::Studio(_)
+            | Command::Completions(_)
+            | Command::Init(_)
+            | Command::Doctor(_) => false,
         }
     }
 

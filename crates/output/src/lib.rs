@@ -22,9 +22,7 @@ pub mod report;
 pub mod simulation;
 mod words;
 
-#[cfg(feature = "xlsx")]
-pub use data::xlsx;
-pub use data::{csv, json};
+pub use data::{csv, json, xlsx};
 pub use figures::identification::identification;
 pub use figures::{cover, inspection, overlay, recording, sweep as sweep_plots};
 pub use gaitcam::wording::Language;

@@ -11,12 +11,9 @@ use gaitcam::wording::Catalogue;
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
-// `NoParquet` is of builds without it, `CannotWrite` of those with manual pages.
-#[cfg_attr(any(feature = "parquet", not(feature = "shell")), allow(dead_code))]
+// `NoParquet` is of builds without it.
+#[cfg_attr(feature = "parquet", allow(dead_code))]
 pub enum CliError {
-    CannotWrite {
-        fault: String,
-    },
     CannotOpen {
         fault: String,
     },
@@ -132,10 +129,6 @@ pub enum CliError {
     },
     InLab {
         typed: String,
-    },
-    LeftOut {
-        typed: String,
-        feature: &'static str,
     },
     FlagWithoutValue,
     FlagChoice {

@@ -46,21 +46,16 @@ pub fn fault(error: &clap::Error) -> Error {
         .or_else(|| part(ContextKind::SuggestedValue));
     let value = part(ContextKind::InvalidValue).unwrap_or_default();
     match error.kind() {
-        ErrorKind::UnknownArgument if flag.starts_with('-') => match left_out(&flag) {
-            Some(feature) => Error::from(CliError::LeftOut {
-                typed: flag,
-                feature,
-            }),
-            None => CliError::UnknownFlag { near }.at_argument(&flag),
-        },
+        ErrorKind::UnknownArgument if flag.starts_with('-') => {
+            CliError::UnknownFlag { near }.at_argument(&flag)
+        }
         ErrorKind::UnknownArgument => CliError::OneTooMany.at_argument(&flag),
         ErrorKind::InvalidSubcommand => {
             let typed = part(ContextKind::InvalidSubcommand).unwrap_or_default();
-            match left_out(&typed) {
-                _ if IN_LAB.contains(&typed.as_str()) => Error::from(CliError::InLab { typed }),
-                Some(feature) => Error::from(CliError::LeftOut { typed, feature }),
-                None => Error::from(CliError::UnknownVerb { typed, near }),
-            }
+            Error::from(match IN_LAB.contains(&typed.as_str()) {
+                true => CliError::InLab { typed },
+                false => CliError::UnknownVerb { typed, near },
+            })
         }
         ErrorKind::InvalidValue if value.is_empty() => {
             CliError::FlagWithoutValue.at_argument(&flag)
@@ -95,28 +90,6 @@ pub fn fault(error: &clap::Error) -> Error {
 
 /// Former verbs that are now verbs of `gaitcam-lab`.
 const IN_LAB: [&str; 2] = ["chart", "reproduce"];
-
-/// The feature that a build without this verb or flag lacks.
-fn left_out(asked: &str) -> Option<&'static str> {
-    const WORKSHOP: &[&str] = &[
-        "ecam",
-        "--solid",
-        "--cut-only",
-        "--dxf",
-        "--ecam",
-        "--tool",
-        "--pass",
-        "--wire",
-        "--units",
-    ];
-    let optional = [
-        (WORKSHOP, "cad", cfg!(feature = "cad")),
-        (&["man", "completions"], "shell", cfg!(feature = "shell")),
-        (&["studio"], "studio", cfg!(feature = "studio")),
-    ];
-    let found = optional.iter().find(|(names, ..)| names.contains(&asked));
-    found.and_then(|(_, feature, built)| (!built).then_some(*feature))
-}
 
 /// A value that its flag does not take, and what it would take.
 fn unsuitable(error: &clap::Error, typed: String) -> CliError {

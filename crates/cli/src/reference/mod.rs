@@ -1,8 +1,5 @@
-//! What there is: keys, scenes, laws, manual pages, completions.
+//! What there is: keys, scenes, laws, completions.
 
-#[cfg(feature = "shell")]
 pub mod completions;
 pub mod keys;
 pub mod laws;
-#[cfg(feature = "shell")]
-pub mod manual;

@@ -24,7 +24,6 @@ use gaitcam::synth::Design;
 use gaitcam_app::design::{check_inputs_stay, finish, of_another_design, summary, write_scene};
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_output::report::{Running, html_of_run};
-#[cfg(feature = "cad")]
 use gaitcam_output::xlsx;
 use gaitcam_output::{Timing, csv, simulation};
 
@@ -168,7 +167,6 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let text = serde_json::to_string_pretty(&json).unwrap_or_default();
     let columns = simulation::columns(&outcome);
     folder.write("dynamics.csv", csv::text(&columns).as_bytes())?;
-    #[cfg(feature = "cad")]
     folder.write("dynamics.xlsx", &xlsx::table("dynamics", &columns)?)?;
     folder.write("simulation.json", text.as_bytes())?;
     let page = html_of_run(&design, time, &running, language::current());

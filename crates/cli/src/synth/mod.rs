@@ -2,14 +2,9 @@
 
 pub mod explain;
 mod front;
-#[cfg(feature = "cad")]
 mod remark;
 mod sequence;
 mod summary;
-#[cfg(feature = "cad")]
-mod workshop;
-#[cfg(not(feature = "cad"))]
-#[path = "no_workshop.rs"]
 mod workshop;
 
 use std::path::{Path, PathBuf};

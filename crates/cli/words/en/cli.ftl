@@ -4,7 +4,6 @@ cli-measured-columns = no columns of measured points among: { $found }
 cli-measured-field = "{ $text }" is not a finite number
     .help = each line needs two numbers with a decimal point
 cli-negative-ball = the radius of a probing ball is 0 or more, not { $typed }
-cli-cannot-write = cannot be written ({ $fault })
 cli-cannot-open = cannot be opened ({ $fault })
 cli-not-csv = is not a CSV table ({ $fault })
 cli-scene-name = "{ $shown }" { $fault ->
@@ -100,8 +99,6 @@ cli-unknown-verb = "{ $typed }" is not a command
        *[other] did you mean { $near }?
     }
 cli-in-lab = "{ $typed }" has moved to the lab of the source repository: cargo run --release -p gaitcam-lab -- { $typed }
-cli-left-out = this command was built without "{ $typed }"
-    .help = build it with --features { $feature }, or with the default features
 cli-flag-without-value = needs a value
 cli-flag-choice = "{ $typed }" is not a choice
     .help = write one of: { $choices }

@@ -4,7 +4,6 @@ cli-measured-columns = ninguna columna de puntos medidos entre: { $found }
 cli-measured-field = "{ $text }" no es un número finito
     .help = cada línea necesita dos números con punto decimal
 cli-negative-ball = el radio de una bola palpadora es 0 o más, no { $typed }
-cli-cannot-write = no se puede escribir ({ $fault })
 cli-cannot-open = no se puede abrir ({ $fault })
 cli-not-csv = no es una tabla CSV ({ $fault })
 cli-scene-name = "{ $shown }" { $fault ->
@@ -100,8 +99,6 @@ cli-unknown-verb = "{ $typed }" no es una orden
        *[other] ¿quería decir { $near }?
     }
 cli-in-lab = "{ $typed }" está ahora en el laboratorio del repositorio: cargo run --release -p gaitcam-lab -- { $typed }
-cli-left-out = esta orden se compiló sin "{ $typed }"
-    .help = compílela con --features { $feature }, o con las opciones por defecto
 cli-flag-without-value = falta su valor
 cli-flag-choice = "{ $typed }" no es una de las opciones
     .help = escriba una de: { $choices }

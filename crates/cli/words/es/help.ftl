@@ -66,7 +66,6 @@ scenes = Enumera las escenas que trae el programa, o muestra una
 laws = Enumera el catálogo de leyes de subida con sus factores de pico
 init = Escribe una escena comentada para una máquina
 doctor = Explica qué falla en una escena o un registro y qué lo remedia
-man = Escribe las páginas de manual
 completions = Escribe el guion de autocompletado de un intérprete de órdenes
 help = Muestra esta ayuda o la de una orden
 
@@ -170,7 +169,6 @@ init-out = Archivo que se escribe, o - para la salida estándar (por defecto MÁ
 
 doctor-file = Archivo de escena, nombre de una escena incluida, o registro
 
-man-dir = Carpeta de las páginas gaitcam.1, gaitcam-synth.1 …
 
 completions-shell = El intérprete de órdenes
 

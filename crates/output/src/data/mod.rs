@@ -2,5 +2,4 @@
 
 pub mod csv;
 pub mod json;
-#[cfg(feature = "xlsx")]
 pub mod xlsx;

@@ -247,7 +247,6 @@ fn help_in_spanish_holds_no_english_word() {
         "laws",
         "init",
         "doctor",
-        "man",
         "completions",
         "inspect",
         "identify",
