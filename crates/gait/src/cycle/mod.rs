@@ -188,7 +188,7 @@ fn crossed(recording: &Recording, stances: &Stances, whole: usize) -> Option<Ave
                 | RejectReason::Unlike
         )
     };
-    if recording.is_insole() || !stances.rejected.iter().any(both) {
+    if recording.insole || !stances.rejected.iter().any(both) {
         return None;
     }
     total_of_plates(recording, stances).filter(|total| total.averaged > 2 * whole)

@@ -94,7 +94,7 @@ fn mass_is_guessed(recording: &Recording, cycle: &Cycle) -> Vec<Note> {
     if recording.mass_kg.is_some() {
         return notes;
     }
-    if recording.is_insole() {
+    if recording.insole {
         notes.push(Note::InsoleMass { mass });
     }
     if recording.unit_from == UnitSource::Guessed && !ADULT_KG.contains(&cycle.mass_kg) {
@@ -126,7 +126,7 @@ fn off_fellows(used: &[&Stance]) -> f64 {
 
 /// Stances, or the impulses of the two feet, that differ more than those of a walker on whole plates.
 fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note> {
-    if recording.has_rows() || recording.is_insole() {
+    if recording.has_rows() || recording.insole {
         return None;
     }
     let spread = cycle.curve.spread_rms_n().unwrap_or(0.0) / (cycle.mass_kg * G);

@@ -60,8 +60,6 @@ pub enum ReadError {
     ForceIsTime,
     /// Time goes backwards.
     TimeBackwards { time: f64, after: f64 },
-    /// A time is missing.
-    TimeMissing { after: f64 },
     /// Rows are much shorter than the header.
     ShortRows { fields: usize },
     /// Commas part the fields and the decimals too.

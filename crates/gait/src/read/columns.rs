@@ -15,7 +15,6 @@ pub(super) enum Role {
     Time,
     /// Running number of sample or frame.
     Frame,
-    SubFrame,
     Force {
         axis: Axis,
         foot: Option<Foot>,
@@ -65,10 +64,8 @@ pub(super) fn bracketed(name: &str) -> impl Iterator<Item = &str> {
 pub(super) fn role(name: &str) -> Role {
     let words = words(name);
     let has = |list: &str| words.iter().any(|w| is(w, list));
-    if words.iter().any(|w| w.starts_with("sub")) && has(FRAME) {
-        return Role::SubFrame;
-    }
-    if has(OTHER) {
+    let is_sub_frame = words.iter().any(|w| w.starts_with("sub")) && has(FRAME);
+    if is_sub_frame || has(OTHER) {
         return Role::Other;
     }
     if let Some(axis) = force_axis(&words) {
@@ -242,7 +239,7 @@ mod tests {
             assert_eq!(role(name), Role::Time, "{name}");
         }
         assert_eq!(role("Frame"), Role::Frame);
-        assert_eq!(role("Sub Frame"), Role::SubFrame);
+        assert_eq!(role("Sub Frame"), Role::Other);
         assert_eq!(role("#Sample"), Role::Frame);
         assert_eq!(bracketed("time [ms]").next(), Some("ms"));
         assert!(bracketed("Fz (left) [N] (2").eq(["left", "N"]));

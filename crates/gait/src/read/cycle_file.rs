@@ -6,12 +6,12 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use super::columns::{Role, role, words};
+use super::columns::words;
 use super::critical_points::{critical, through};
 use super::keys;
 use super::text::{
-    Lines, Position, Table, TextFile, check_unit, column, next_table, numbers, plain, text,
-    time_unit, unit_label,
+    ForceColumn, Lines, Position, Samples, Table, TextFile, check_unit, choose, next_table, plain,
+    text,
 };
 use super::timebase::polyline;
 use crate::curve::{ForceCurve, SAMPLES};
@@ -43,21 +43,20 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
         return Ok(None);
     };
     let file = &TextFile::new(path, bytes, options);
-    let table = next_table(bytes, file.layout, Position::START)
+    let table = next_table(bytes, file.delimiters, Position::START)
         .ok_or_else(|| ReadError::CycleWithoutTable.in_file(path))?;
-    let columns = columns(file, &table)?;
-    let (mut times, mut force, mut spread) = samples(file, &table, columns)?;
-    // A bare `time` is in seconds; what has another unit, such as a percentage, is no clock.
-    let is_bare = (table.names.get(columns.0)).is_some_and(|name| words(name).len() == 1);
-    let time_unit = time_unit(&table, columns.0).or(is_bare.then_some(1.0));
+    let keys = keys::read(&comments, file.delimiters.comma);
+    let mass_kg = options.mass_kg.or(keys.mass_kg);
+    let (mut samples, time_unit) = samples(file, &table)?;
+    let factor = newtons(file, &table, &samples, mass_kg)?;
+    for x in samples.forces.iter_mut().flat_map(|f| &mut f.values) {
+        *x *= factor;
+    }
+    let mut columns = samples.forces.into_iter().map(|f| f.values);
+    let (force, spread) = (columns.next().unwrap_or_default(), columns.next());
+    let mut times = samples.times.unwrap_or_default();
     for time in &mut times {
         *time *= time_unit.unwrap_or(1.0);
-    }
-    let keys = keys::read(&comments, file.layout.comma);
-    let mass_kg = options.mass_kg.or(keys.mass_kg);
-    let factor = newtons(file, &table, columns.1, mass_kg)?;
-    for x in force.iter_mut().chain(spread.iter_mut().flatten()) {
-        *x *= factor;
     }
     let said = comments.iter().find_map(|c| period(c));
     let period = options.period_s.or(said);
@@ -86,68 +85,59 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     Ok(Some(curve))
 }
 
-/// Newtons per unit of a column.
-fn newtons(file: &TextFile, table: &Table, column: usize, mass_kg: Option<f64>) -> Result<f64> {
-    check_unit(file, table, column)?;
-    let label = unit_label(table, column);
-    let unit = file.options.unit.or(label).unwrap_or(ForceUnit::Newton);
+/// The samples of a cycle, in the units of the file, with the seconds per unit of their times.
+///
+/// The first column is the force; a second one is its spread. Every row must be complete.
+fn samples(file: &TextFile, table: &Table) -> Result<(Samples, Option<f64>)> {
+    let options = file.options;
+    let names = &table.names;
+    if names.is_empty() && (options.time.is_none() || options.force.is_empty()) {
+        return Err(ReadError::NamelessColumns.at_line(file.path, table.start.line));
+    }
+    let missing = |column: CycleColumn| {
+        let columns = names.clone();
+        let error = ReadError::CycleColumnMissing { column, columns };
+        error.at_line(file.path, table.header_line())
+    };
+    let columns = choose(file, table)?;
+    let mut columns = columns.ok_or_else(|| missing(CycleColumn::Force))?;
+    let time = columns.time.filter(|_| !columns.counts || names.is_empty());
+    let time = time.ok_or_else(|| missing(CycleColumn::Time))?;
+    check_unit(file, table, columns.force[0].place)?;
+    let is_spread = |w: &String| w == "spread" || w == "sd";
+    let spread = names
+        .iter()
+        .position(|n| words(n).first().is_some_and(is_spread));
+    columns.force.truncate(1);
+    let spread = spread.map(|place| ForceColumn {
+        place,
+        ..columns.force[0]
+    });
+    columns.force.extend(spread);
+    let samples = Samples::read(file, table, columns)?;
+    if let Some(bad) = samples.skipped.first() {
+        return Err(ReadError::CycleRow.at_line(file.path, *bad));
+    }
+    let forces = samples.forces.iter().map(|f| &f.values);
+    for values in forces.chain(&samples.times) {
+        if let Some(i) = values.iter().position(|x| !x.is_finite()) {
+            return Err(ReadError::CycleValue.at_line(file.path, table.start.line + i));
+        }
+    }
+    // A bare `time` is in seconds; what has another unit, such as a percentage, is no clock.
+    let is_bare = (names.get(time)).is_some_and(|name| words(name).len() == 1);
+    let unit = samples.time_unit.or(is_bare.then_some(1.0));
+    Ok((samples, unit))
+}
+
+/// Newtons per unit of the force.
+fn newtons(file: &TextFile, table: &Table, samples: &Samples, mass_kg: Option<f64>) -> Result<f64> {
+    let unit = file.options.unit.or(samples.forces[0].unit);
+    let unit = unit.unwrap_or(ForceUnit::Newton);
     unit.newtons(mass_kg).ok_or_else(|| {
         let unit = unit.name();
         ReadError::MassMissing { unit }.at_line(file.path, table.start.line)
     })
-}
-
-/// Places of time, force and perhaps spread in the table of a cycle.
-type Columns = (usize, usize, Option<usize>);
-
-fn columns(file: &TextFile, table: &Table) -> Result<Columns> {
-    let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
-    let place = |wanted: fn(&Role) -> bool, column: CycleColumn| {
-        roles.iter().position(wanted).ok_or_else(|| {
-            if roles.is_empty() {
-                return ReadError::NamelessColumns.at_line(file.path, table.start.line);
-            }
-            let columns = table.names.clone();
-            let error = ReadError::CycleColumnMissing { column, columns };
-            error.at_line(file.path, table.header_line())
-        })
-    };
-    let is_spread = |w: &String| w == "spread" || w == "sd";
-    let time = match &file.options.time {
-        Some(name) => column(file, table, name)?,
-        None => place(|r| *r == Role::Time, CycleColumn::Time)?,
-    };
-    let force = match file.options.force.first() {
-        Some(name) => column(file, table, name)?,
-        None => place(|r| matches!(r, Role::Force { .. }), CycleColumn::Force)?,
-    };
-    let mut names = table.names.iter();
-    let spread = names.position(|n| words(n).first().is_some_and(is_spread));
-    Ok((time, force, spread))
-}
-
-/// Reads the rows, in the units of the file; every one must be complete.
-#[allow(clippy::type_complexity)] // the columns named above
-fn samples(
-    file: &TextFile,
-    table: &Table,
-    (time, force, spread): Columns,
-) -> Result<(Vec<f64>, Vec<f64>, Option<Vec<f64>>)> {
-    let mut wanted: Vec<usize> = [time, force].into_iter().chain(spread).collect();
-    wanted.sort_unstable();
-    wanted.dedup();
-    let slot = |i: usize| wanted.iter().position(|&w| w == i).unwrap_or(0);
-    let read = numbers(file, table, &wanted, Some(slot(time)))?;
-    if let Some(bad) = read.skipped.first() {
-        return Err(ReadError::CycleRow.at_line(file.path, *bad));
-    }
-    for c in &read.columns {
-        if let Some(i) = c.iter().position(|x| !x.is_finite()) {
-            return Err(ReadError::CycleValue.at_line(file.path, table.start.line + i));
-        }
-    }
-    let of = |i: usize| read.columns[slot(i)].clone();
-    Ok((of(time), of(force), spread.map(of)))
 }
 
 fn kind(comment: &str) -> Option<Kind> {

@@ -11,7 +11,6 @@ mod critical_points;
 mod cycle_file;
 mod keys;
 mod number;
-mod number_table;
 mod text;
 mod timebase;
 mod vertical;
@@ -25,8 +24,7 @@ use crate::quantity::{hertz, kilograms};
 use crate::recording::{ReadOptions, Recording};
 
 pub use arrays::of_arrays;
-pub use number_table::{Cell, NumberTable};
-pub use text::{PlateFile, joined_plates, metadata_name, plate_of};
+pub use text::{Cell, NumberTable, PlateFile, joined_plates, metadata_name, plate_of};
 
 /// Reads a recording of vertical force.
 ///

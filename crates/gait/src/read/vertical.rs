@@ -28,6 +28,8 @@ pub(super) struct RawForce {
 /// Data of a file other than its columns of force.
 pub(super) struct Facts {
     pub format: Format,
+    /// Whether the forces are those of pressure insoles.
+    pub insole: bool,
     pub samples: usize,
     /// Mass in the file, kg.
     pub mass_kg: Option<f64>,
@@ -79,6 +81,7 @@ pub(super) fn recording(
     let count = channels.first().map_or(facts.samples, |c| c.force_n.len());
     Ok(Recording {
         format: facts.format,
+        insole: facts.insole,
         rate_hz: base.rate_hz,
         start_s: base.start_s,
         clock: base.source,

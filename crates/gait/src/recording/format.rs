@@ -30,24 +30,11 @@ pub enum Format {
         /// How samples are stored.
         storage: Storage,
     },
-    /// OpenSim storage with a header of `name`, `datacolumns`, `datarows`.
-    OpenSimOld,
-    /// OpenSim storage with a header of `version`, `nRows`, `nColumns`.
-    OpenSimNew,
-    /// Text with `[Force Data]` and key lines.
-    ForceData,
-    /// Device export of Vicon Nexus.
-    Nexus,
-    /// Text export of pressure insoles.
-    Insole,
-    /// Text export of Kistler BioWare.
-    BioWare,
-    /// Text export of Qualisys.
-    Qualisys,
-    /// AMTI text without header.
-    Amti,
-    /// Converter counts of Motion Analysis.
-    ConverterCounts,
+    /// Text that a program exports.
+    Export {
+        /// Name of the program, with the ending of its files where that tells its exports apart.
+        program: &'static str,
+    },
     /// One stance per row.
     StanceTable,
     /// Delimited text with a header.

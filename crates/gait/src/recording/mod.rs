@@ -182,6 +182,8 @@ pub enum Idle {
 pub struct Recording {
     /// What kind of file it was.
     pub format: Format,
+    /// Whether the forces are those of pressure insoles.
+    pub insole: bool,
     /// Samples per second.
     pub rate_hz: f64,
     /// Time of the first sample on the file's own clock, s.
@@ -249,11 +251,5 @@ impl Recording {
     /// Whether it is a table of single stances.
     pub fn has_rows(&self) -> bool {
         self.channels.iter().any(|c| !c.rows.is_empty())
-    }
-
-    /// Whether the forces are those of pressure insoles.
-    pub fn is_insole(&self) -> bool {
-        let sums = |n: &Note| matches!(n, Note::InsoleColumns { .. });
-        self.format == Format::Insole || self.notes.iter().any(sums)
     }
 }

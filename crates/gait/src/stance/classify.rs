@@ -59,7 +59,7 @@ impl Usual {
             weight_n: recording.mass_kg.map(|m| m * G),
             main,
             slow,
-            insoles: recording.is_insole(),
+            insoles: recording.insole,
         }
     }
 

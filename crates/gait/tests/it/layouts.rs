@@ -91,7 +91,8 @@ fn nexus_device_export_with_frames_subframes_and_later_sections() {
         ))
     );
     let r = holds_right_foot(&text, &none());
-    assert_eq!(r.format, Format::Nexus);
+    let program = "Vicon Nexus";
+    assert_eq!(r.format, Format::Export { program });
 }
 
 #[test]
@@ -113,7 +114,9 @@ fn bioware_export_with_a_units_row_and_crlf() {
         rows(|i, t| format!("{t:.6}\t1.0\t20.0\t{0:.4}\t{0:.4}\t0.1\t0.2\r\n", right(i)))
     );
     let r = holds_right_foot(&text, &none());
-    assert_eq!((r.format, r.mass_kg), (Format::BioWare, Some(70.0)));
+    let program = "Kistler BioWare";
+    let format = Format::Export { program };
+    assert_eq!((r.format, r.mass_kg), (format, Some(70.0)));
 }
 
 #[test]

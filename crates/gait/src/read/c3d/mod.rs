@@ -52,6 +52,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
     let frame_hz = base.rate_hz / analog.per_frame as f64;
     let facts = Facts {
         format: analog.format(),
+        insole: false,
         samples: analog.samples,
         mass_kg: mass(&parameters),
         zero: zero_range(&parameters, &analog),

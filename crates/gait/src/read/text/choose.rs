@@ -1,35 +1,59 @@
-//! Which columns of a table to read.
+//! Which columns of a table are time and vertical force: by the user's word, their names, or their numbers.
 
-use super::header::{Table, is_unit};
-use super::headerless::WIDEST;
-use super::layout::TextFile;
-use super::listed;
-use crate::error::{Error, Placed, ReadError, Result, nearest};
-use crate::read::columns::{Role, bracketed, foot, is_of_channel, role, words};
-use crate::recording::{Axis, Foot, ForceUnit};
+use super::by_numbers;
+use super::delimited::TextFile;
+use super::header::Table;
+use super::table::numbers;
+use super::units::check_unit;
+use crate::error::{Placed, ReadError, Result, nearest};
+use crate::read::columns::{Role, foot, role, words};
+use crate::recording::{Axis, Foot, ForceUnit, Note};
 
 /// Most columns of force: some hundred plates of three components. Each takes a channel of its own.
 const MOST_FORCES: usize = 1000;
 
-/// Which columns of a table to read, and how.
-pub(super) struct Plan {
+/// Fewest rows that are taken for a recording when nothing names the columns.
+const FEWEST: usize = 10;
+
+/// Columns beyond which a table without names is not a recording of forces.
+const WIDEST: usize = 400;
+
+/// The columns of a table that are read, and how.
+#[derive(Default)]
+pub(in crate::read) struct Columns {
     pub time: Option<usize>,
     /// Whether the time column counts samples instead of seconds.
     pub counts: bool,
     pub force: Vec<ForceColumn>,
+    /// Whether the forces are known to be sums of the sensors of pressure insoles.
+    pub insole: bool,
+    /// What was guessed in the choice.
+    pub notes: Vec<Note>,
 }
 
-/// Place of a column of force with what its name says.
-type ForceColumn = (usize, Axis, Option<Foot>);
+/// A column of force with what its name says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::read) struct ForceColumn {
+    pub place: usize,
+    pub axis: Axis,
+    pub foot: Option<Foot>,
+}
 
 /// Decides which columns to read; `None` where the table holds no force.
-pub(super) fn plan(file: &TextFile, table: &Table) -> Result<Option<Plan>> {
+pub(in crate::read) fn choose(file: &TextFile, table: &Table) -> Result<Option<Columns>> {
     let options = file.options;
-    let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
-    let mut force = match &options.force[..] {
-        [] => recognised(table, &roles),
-        names => asked(file, table, names)?,
+    let time = (options.time.as_ref()).map(|name| column(file, table, name));
+    let time = time.transpose()?;
+    let mut columns = if table.names.is_empty() {
+        nameless(file, table, time)?
+    } else {
+        by_names(table, time)
     };
+    if !options.force.is_empty() {
+        columns.force = stated(file, table)?;
+        columns.notes.clear();
+    }
+    let force = &mut columns.force;
     if force.is_empty() {
         return Ok(None);
     }
@@ -37,47 +61,79 @@ pub(super) fn plan(file: &TextFile, table: &Table) -> Result<Option<Plan>> {
         let found = force.len();
         return Err(ReadError::ManyForces { found }.at_line(file.path, table.header_line()));
     }
-    // `L::heel, L::toes, L`: the zones of an insole beside their total.
-    let name = |i: usize| table.names[i].trim();
-    let totals: Vec<String> = force.iter().map(|f| format!("{}::", name(f.0))).collect();
-    force.retain(|f| !totals.iter().any(|total| name(f.0).starts_with(total)));
+    leave_zones(table, force);
     if options.unit.is_none() {
-        leave_foreign_units(file, table, &mut force)?;
+        leave_foreign_units(file, table, force)?;
     }
-    let place = |wanted: &Role| roles.iter().position(|r| r == wanted);
-    let (time, counts) = match (&options.time, place(&Role::Time)) {
-        (Some(name), _) => (Some(column(file, table, name)?), false),
-        (None, Some(time)) => (Some(time), false),
-        (None, None) => (place(&Role::Frame), true),
-    };
-    force.retain(|f| Some(f.0) != time);
+    force.retain(|f| Some(f.place) != columns.time);
     if force.is_empty() {
-        return Err(force_is_time(file, table));
+        return Err(ReadError::ForceIsTime.at_line(file.path, table.start.line));
     }
-    // Several sub-frames share a frame number, so rows are counted instead.
-    let sub = place(&Role::SubFrame).is_some();
-    Ok(Some(Plan {
-        time: time.filter(|_| !(counts && sub)),
-        counts,
-        force,
-    }))
+    Ok(Some(columns))
 }
 
-/// The columns of force that the user named.
-fn asked(file: &TextFile, table: &Table, names: &[String]) -> Result<Vec<ForceColumn>> {
-    let mut places: Vec<usize> = names
-        .iter()
-        .map(|name| column(file, table, name))
-        .collect::<Result<_>>()?;
+/// The columns that the user names as force.
+fn stated(file: &TextFile, table: &Table) -> Result<Vec<ForceColumn>> {
+    let places = file.options.force.iter();
+    let places = places.map(|name| column(file, table, name));
+    let mut places: Vec<usize> = places.collect::<Result<_>>()?;
     places.sort_unstable();
     places.dedup();
     Ok(places.into_iter().map(|i| vertical(table, i)).collect())
 }
 
+/// Time and force by the names of the columns.
+fn by_names(table: &Table, stated: Option<usize>) -> Columns {
+    let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
+    let place = |role: &Role| roles.iter().position(|r| r == role);
+    let clock = stated.or(place(&Role::Time));
+    Columns {
+        time: clock.or(place(&Role::Frame)),
+        counts: clock.is_none(),
+        force: recognised(table, &roles),
+        ..Columns::default()
+    }
+}
+
+/// Time and force by the numbers in the columns; no force where the table is too short to be a recording.
+///
+/// `stated` is the place of the time column that the user names.
+fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Columns> {
+    let all: Vec<usize> = (0..table.width.min(WIDEST)).collect();
+    let columns = numbers(file, table, &all, None)?.columns;
+    let time = stated.or_else(|| by_numbers::time_column(&columns));
+    let mut chosen = Columns {
+        time,
+        counts: time.is_some_and(|t| by_numbers::counts_samples(&columns[t])),
+        ..Columns::default()
+    };
+    let is_short = columns.first().map_or(0, Vec::len) < FEWEST;
+    if is_short || !file.options.force.is_empty() {
+        return Ok(chosen);
+    }
+    let force = by_numbers::force_columns(&columns, time);
+    if force.is_empty() {
+        return Err(ReadError::NamelessColumns.at_line(file.path, table.start.line));
+    }
+    let sides = by_numbers::insole_sides(&force, columns.len(), time);
+    chosen.insole = sides.is_some();
+    chosen.notes.extend(sides.map(|_| Note::InsoleColumns {
+        left: force[0] + 1,
+        right: force[1] + 1,
+    }));
+    let column = |(k, place): (usize, usize)| ForceColumn {
+        place,
+        axis: Axis::Vertical,
+        foot: sides.map(|s| s[k]),
+    };
+    chosen.force = force.into_iter().enumerate().map(column).collect();
+    Ok(chosen)
+}
+
 /// The columns that are known to be a force: by their names, else by their units, else by their sides.
 fn recognised(table: &Table, roles: &[Role]) -> Vec<ForceColumn> {
-    let named = roles.iter().enumerate().filter_map(|(i, r)| match r {
-        Role::Force { axis, foot } => Some((i, *axis, *foot)),
+    let named = roles.iter().enumerate().filter_map(|(place, r)| match *r {
+        Role::Force { axis, foot } => Some(ForceColumn { place, axis, foot }),
         _ => None,
     });
     let mut force: Vec<ForceColumn> = named.collect();
@@ -90,23 +146,27 @@ fn recognised(table: &Table, roles: &[Role]) -> Vec<ForceColumn> {
     force
 }
 
-fn vertical(table: &Table, i: usize) -> ForceColumn {
-    (i, Axis::Vertical, foot(&words(&table.names[i])))
+fn vertical(table: &Table, place: usize) -> ForceColumn {
+    let axis = Axis::Vertical;
+    let foot = (table.names.get(place)).and_then(|name| foot(&words(name)));
+    ForceColumn { place, axis, foot }
 }
 
-/// Leaves out columns whose unit is none of force; a fault if there is no other.
+/// Leaves out the zones of an insole beside their total: `L::heel, L::toes, L`.
+fn leave_zones(table: &Table, force: &mut Vec<ForceColumn>) {
+    let name = |f: &ForceColumn| table.names.get(f.place).map_or("", |n| n.trim());
+    let totals: Vec<String> = force.iter().map(|f| format!("{}::", name(f))).collect();
+    force.retain(|f| !totals.iter().any(|total| name(f).starts_with(total)));
+}
+
+/// Leaves out columns that state another unit than one of force; a fault if there is no other.
 fn leave_foreign_units(file: &TextFile, table: &Table, force: &mut Vec<ForceColumn>) -> Result<()> {
-    let first = force[0].0;
-    force.retain(|f| foreign_unit(table, f.0).is_none());
+    let first = force[0].place;
+    force.retain(|f| table.foreign_unit(f.place).is_none());
     if force.is_empty() {
         check_unit(file, table, first)?;
     }
     Ok(())
-}
-
-/// The user named one column as both time and force.
-pub(super) fn force_is_time(file: &TextFile, table: &Table) -> Error {
-    ReadError::ForceIsTime.at_line(file.path, table.start.line)
 }
 
 /// Columns of unknown name with a unit of force.
@@ -116,12 +176,21 @@ fn columns_in_newtons(table: &Table, roles: &[Role]) -> Vec<ForceColumn> {
     newtons.map(|i| vertical(table, i)).collect()
 }
 
+fn is_newtons(table: &Table, i: usize) -> bool {
+    let is_other = |w: &String| w.starts_with("cop") || w.starts_with("moment");
+    let unit = table.force_unit(i);
+    let is_force = matches!(
+        unit,
+        Some(ForceUnit::Newton | ForceUnit::BodyWeight | ForceUnit::PercentBodyWeight)
+    );
+    is_force && !words(&table.names[i]).iter().any(is_other)
+}
+
 /// Two columns called left and right and nothing else: the two insoles or belts.
 fn named_by_side(table: &Table) -> Vec<ForceColumn> {
-    let sides = [("left", Foot::Left), ("right", Foot::Right)];
-    let places = sides.map(|(word, side)| {
-        let place = table.names.iter().position(|n| words(n) == [word]);
-        place.map(|i| (i, Axis::Vertical, Some(side)))
+    let places = ["left", "right"].map(|side| {
+        let place = table.names.iter().position(|n| words(n) == [side]);
+        place.map(|i| vertical(table, i))
     });
     match places {
         [Some(left), Some(right)] => vec![left, right],
@@ -129,91 +198,41 @@ fn named_by_side(table: &Table) -> Vec<ForceColumn> {
     }
 }
 
-fn is_newtons(table: &Table, i: usize) -> bool {
-    let plain_name = !words(&table.names[i])
-        .iter()
-        .any(|w| w.starts_with("cop") || w.starts_with("moment"));
-    plain_name
-        && matches!(
-            unit_label(table, i),
-            Some(ForceUnit::Newton | ForceUnit::BodyWeight | ForceUnit::PercentBodyWeight)
-        )
-}
-
-/// The unit of a column, where it is one and none of force: `mV`, `kPa`, `%`.
-///
-/// In square brackets stands a unit, unless it names a foot, a plate or a direction; in round ones perhaps a remark.
-fn foreign_unit(table: &Table, i: usize) -> Option<&str> {
-    let name = table.names.get(i)?;
-    let is_named = |b: &str| words(b).iter().all(|w| is_of_channel(w));
-    let is_bracketed = |b: &&str| {
-        let square = name.contains(&format!("[{b}"));
-        let letters = b
-            .chars()
-            .all(|c| c.is_alphanumeric() || " -_.:".contains(c));
-        is_unit(b) || (square || !letters) && !is_named(b)
-    };
-    let brackets = bracketed(name).filter(is_bracketed);
-    let mut units = table.unit(i).into_iter().chain(brackets);
-    units.find(|unit| *unit != "-" && unit.parse::<ForceUnit>().is_err())
-}
-
-pub(crate) fn unit_label(table: &Table, i: usize) -> Option<ForceUnit> {
-    let name = table.names.get(i)?;
-    let label = |word: &str| word.parse().ok();
-    if let Some(unit) = table.unit(i) {
-        return label(unit);
-    }
-    if name.contains(['[', '(']) {
-        return bracketed(name).find_map(label);
-    }
-    // `force_n`, `fz_lbf`, `Fz N/kg`; kilograms would rather be those of a mass.
-    let (_, last) = name.trim().rsplit_once(['_', ' '])?;
-    label(last).filter(|_| !last.eq_ignore_ascii_case("kg"))
-}
-
-/// The error for a column of force whose unit is none of force.
-pub(crate) fn check_unit(file: &TextFile, table: &Table, i: usize) -> Result<()> {
-    match foreign_unit(table, i) {
-        Some(unit) if file.options.unit.is_none() => {
-            let (column, unit) = (table.names[i].trim().to_string(), unit.to_string());
-            let fault = ReadError::NoForceUnit { column, unit };
-            Err(fault.at_line(file.path, table.header_line()))
-        }
-        _ => Ok(()),
-    }
-}
-
 /// A column by name (case does not matter) or by number from 1; without a header by number.
-pub(crate) fn column(file: &TextFile, table: &Table, wanted: &str) -> Result<usize> {
+fn column(file: &TextFile, table: &Table, stated: &str) -> Result<usize> {
     let plain = |s: &str| s.trim().to_lowercase();
     let names = &table.names;
     let count = match names.len() {
         0 => table.width.min(WIDEST),
         count => count,
     };
-    let found = names
-        .iter()
-        .position(|n| n == wanted)
-        .or_else(|| names.iter().position(|n| plain(n) == plain(wanted)));
-    let number = wanted
-        .parse::<usize>()
-        .ok()
-        .filter(|n| (1..=count).contains(n));
-    found.or(number.map(|n| n - 1)).ok_or_else(|| {
-        let (column, columns) = (wanted.to_string(), listed(names));
+    let exact = names.iter().position(|n| n == stated);
+    let place = exact.or_else(|| names.iter().position(|n| plain(n) == plain(stated)));
+    let number = stated.parse::<usize>().ok();
+    let number = number.filter(|n| (1..=count).contains(n));
+    place.or(number.map(|n| n - 1)).ok_or_else(|| {
         if names.is_empty() {
-            return ReadError::NoColumnNumber { column, count }
-                .at_line(file.path, table.start.line);
+            let column = stated.to_string();
+            let fault = ReadError::NoColumnNumber { column, count };
+            return fault.at_line(file.path, table.start.line);
         }
-        let error = match nearest(wanted, names.iter().take(200).map(String::as_str)) {
-            Some(near) => ReadError::MisspeltColumn {
-                column,
-                near: near.to_string(),
-                columns,
-            },
-            None => ReadError::NoColumn { column, columns },
-        };
-        error.at_line(file.path, table.header_line())
+        no_column(stated, names).at_line(file.path, table.header_line())
     })
+}
+
+fn no_column(stated: &str, names: &[String]) -> ReadError {
+    let (column, columns) = (stated.to_string(), listed(names));
+    match nearest(stated, names.iter().take(200).map(String::as_str)) {
+        Some(near) => ReadError::MisspeltColumn {
+            column,
+            near: near.to_string(),
+            columns,
+        },
+        None => ReadError::NoColumn { column, columns },
+    }
+}
+
+/// The first names of columns, for a message.
+pub(in crate::read) fn listed(names: &[String]) -> Vec<String> {
+    names.iter().take(40).cloned().collect()
 }

@@ -1,6 +1,6 @@
 //! The header of a table: names over columns, groups over names, units, lines above.
 
-use super::layout::{Fields, Layout, Position, Separator, text};
+use super::delimited::{Delimiters, Fields, Position, Separator, text};
 use crate::read::number::{Field, field, trim};
 
 /// One table: its place and the words above it.
@@ -31,9 +31,9 @@ impl Table {
     }
 }
 
-fn cells(line: &[u8], layout: Layout, width: usize) -> Vec<String> {
+fn cells(line: &[u8], delimiters: Delimiters, width: usize) -> Vec<String> {
     let split = |l: &[u8]| -> Vec<String> {
-        let mut all: Vec<String> = Fields::new(l, layout).map(|f| text(trim(f))).collect();
+        let mut all: Vec<String> = Fields::new(l, delimiters).map(|f| text(trim(f))).collect();
         while all.last().is_some_and(String::is_empty) {
             all.pop();
         }
@@ -41,7 +41,7 @@ fn cells(line: &[u8], layout: Layout, width: usize) -> Vec<String> {
     };
     let line = uncommented(line);
     let all = split(line);
-    if layout.separator == Separator::Blanks && all.len() != width {
+    if delimiters.separator == Separator::Blanks && all.len() != width {
         // Names may hold single blanks where wider gaps part the columns.
         let whole = text(line).replace('\t', "  ");
         let wide = whole.split("  ").map(str::trim).filter(|c| !c.is_empty());
@@ -62,21 +62,30 @@ fn uncommented(line: &[u8]) -> &[u8] {
     line[marks..].strip_prefix(b" ").unwrap_or(&line[marks..])
 }
 
-pub(super) fn with_header(start: Position, width: usize, head: &[&[u8]], layout: Layout) -> Table {
+pub(super) fn with_header(
+    start: Position,
+    width: usize,
+    head: &[&[u8]],
+    delimiters: Delimiters,
+) -> Table {
     let mut rows: Vec<Vec<String>> = Vec::new();
     let mut units = Vec::new();
     let mut above = head.len();
     while above > 0 && rows.len() < 6 {
         let line = head[above - 1];
         let blank = line.trim_ascii().is_empty();
-        let row = cells(line, layout, width);
-        let over = || above.checked_sub(2).map(|k| cells(head[k], layout, width));
-        let of_units = || is_unit_row(&row) || is_below_names(&row, over(), width, layout);
+        let row = cells(line, delimiters, width);
+        let over = || {
+            above
+                .checked_sub(2)
+                .map(|k| cells(head[k], delimiters, width))
+        };
+        let of_units = || is_unit_row(&row) || is_below_names(&row, over(), width, delimiters);
         if units.is_empty() && rows.is_empty() && row.len() <= width + 1 && of_units() {
             units = row;
         } else if match rows.last() {
-            None => is_name_row(&row, width, layout),
-            Some(below) => is_group_row(&row, below, width, layout),
+            None => is_name_row(&row, width, delimiters),
+            Some(below) => is_group_row(&row, below, width, delimiters),
         } {
             rows.push(row);
         } else if !(blank && rows.is_empty() && above == head.len()) {
@@ -101,8 +110,8 @@ fn filled(row: &[String]) -> usize {
     row.iter().filter(|c| !c.is_empty()).count()
 }
 
-fn is_wordy(row: &[String], layout: Layout) -> bool {
-    let number = |c: &&String| matches!(field(c.as_bytes(), layout.comma), Field::Number(_));
+fn is_wordy(row: &[String], delimiters: Delimiters) -> bool {
+    let number = |c: &&String| matches!(field(c.as_bytes(), delimiters.comma), Field::Number(_));
     row.iter().filter(number).count() == 0
         && !row
             .first()
@@ -110,19 +119,19 @@ fn is_wordy(row: &[String], layout: Layout) -> bool {
 }
 
 /// A row that names at least half the columns.
-fn is_name_row(row: &[String], width: usize, layout: Layout) -> bool {
+fn is_name_row(row: &[String], width: usize, delimiters: Delimiters) -> bool {
     let named = filled(row);
-    named > 0 && 2 * named >= width && row.len() <= 2 * width + 2 && is_wordy(row, layout)
+    named > 0 && 2 * named >= width && row.len() <= 2 * width + 2 && is_wordy(row, delimiters)
 }
 
 /// A row above the names that tells apart columns of the same name: plates over their components.
-fn is_group_row(row: &[String], below: &[String], width: usize, layout: Layout) -> bool {
+fn is_group_row(row: &[String], below: &[String], width: usize, delimiters: Delimiters) -> bool {
     let mut names: Vec<&String> = below.iter().filter(|c| !c.is_empty()).collect();
     let all = names.len();
     names.sort();
     names.dedup();
     let repeats = names.len() < all;
-    let fits = filled(row) > 0 && row.len() <= width + 1 && is_wordy(row, layout);
+    let fits = filled(row) > 0 && row.len() <= width + 1 && is_wordy(row, delimiters);
     let over_names = row.first().is_some_and(String::is_empty);
     fits && (over_names || repeats && filled(row) * 2 >= width)
 }
@@ -144,15 +153,20 @@ fn is_unit_row(row: &[String]) -> bool {
 }
 
 /// Whether a row of words that begins with a unit of time stands below names: it holds units, known or not.
-fn is_below_names(row: &[String], over: Option<Vec<String>>, width: usize, layout: Layout) -> bool {
+fn is_below_names(
+    row: &[String],
+    over: Option<Vec<String>>,
+    width: usize,
+    delimiters: Delimiters,
+) -> bool {
     let first = |row: &[String]| row.iter().find(|c| !c.is_empty()).cloned();
     let timed = first(row).is_some_and(|c| is_time_unit(&c));
     let named = |over: &[String]| {
-        is_name_row(over, width, layout)
+        is_name_row(over, width, delimiters)
             && filled(over) == filled(row)
             && first(over).is_some_and(|c| !is_unit(&c))
     };
-    timed && filled(row) > 1 && is_wordy(row, layout) && over.is_some_and(|over| named(&over))
+    timed && filled(row) > 1 && is_wordy(row, delimiters) && over.is_some_and(|over| named(&over))
 }
 
 /// Whether a word is the name of a unit of time.
@@ -191,7 +205,7 @@ mod tests {
 
     #[test]
     fn a_row_of_names_names_half_the_columns_at_least() {
-        let layout = Layout {
+        let delimiters = Delimiters {
             separator: Separator::Byte(b','),
             comma: false,
         };
@@ -207,9 +221,9 @@ mod tests {
                 .collect()
         };
         let named: Vec<usize> = (0..=6)
-            .filter(|n| is_name_row(&row(*n), 6, layout))
+            .filter(|n| is_name_row(&row(*n), 6, delimiters))
             .collect();
         assert_eq!(named, [3, 4, 5, 6]);
-        assert!(!is_name_row(&vec!["1.5".to_string(); 6], 6, layout));
+        assert!(!is_name_row(&vec!["1.5".to_string(); 6], 6, delimiters));
     }
 }

@@ -1,6 +1,6 @@
 //! Rows of plain numbers, read in one pass over their bytes: most of a long recording.
 
-use super::layout::{Layout, Separator};
+use super::delimited::{Delimiters, Separator};
 use crate::read::number::short;
 
 /// Reads the wanted fields (numbers from 0, ascending) of the row that `rest` begins with; the length of the row with
@@ -11,16 +11,16 @@ use crate::read::number::short;
 #[inline]
 pub(super) fn plain_row(
     rest: &[u8],
-    layout: Layout,
+    delimiters: Delimiters,
     wanted: &[usize],
     row: &mut [f64],
 ) -> Option<usize> {
-    let Separator::Byte(separator) = layout.separator else {
+    let Separator::Byte(separator) = delimiters.separator else {
         return None;
     };
     let (mut at, mut next) = (0, 0);
     for column in 0..=*wanted.last()? {
-        let (x, length) = short(&rest[at..], layout.comma)?;
+        let (x, length) = short(&rest[at..], delimiters.comma)?;
         let end = *rest.get(at + length)?;
         let is_last = next + 1 == wanted.len() && wanted[next] == column;
         let is_ended = end == separator || is_last && matches!(end, b'\n' | b'\r');
@@ -40,18 +40,18 @@ pub(super) fn plain_row(
 
 #[cfg(test)]
 mod tests {
-    use super::super::layout::Fields;
+    use super::super::delimited::Fields;
     use super::*;
     use crate::read::number::value;
 
     #[test]
     fn every_row_is_read_as_field_by_field_or_left_to_it() {
-        let dot = |byte: u8, comma: bool| Layout {
+        let dot = |byte: u8, comma: bool| Delimiters {
             separator: Separator::Byte(byte),
             comma,
         };
         let mut plain = 0;
-        for (layout, text) in [
+        for (delimiters, text) in [
             (dot(b',', false), "0.001,745.46,-0.00\n"),
             (dot(b',', false), "1,2,3,words, and more\r\n"),
             (dot(b',', false), "+5,.5,5.\r\n"),
@@ -69,14 +69,14 @@ mod tests {
         ] {
             let wanted = [0, 1, 2];
             let mut row = [f64::NAN; 3];
-            let Some(length) = plain_row(text.as_bytes(), layout, &wanted, &mut row) else {
+            let Some(length) = plain_row(text.as_bytes(), delimiters, &wanted, &mut row) else {
                 continue;
             };
             plain += 1;
             let line = text.split_inclusive('\n').next().unwrap();
             assert_eq!(length, line.len(), "{text:?}");
-            let fields = Fields::new(line.trim_end().as_bytes(), layout);
-            let slow: Vec<f64> = fields.take(3).map(|f| value(f, layout.comma)).collect();
+            let fields = Fields::new(line.trim_end().as_bytes(), delimiters);
+            let slow: Vec<f64> = fields.take(3).map(|f| value(f, delimiters.comma)).collect();
             let bits = |row: &[f64]| row.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
             assert_eq!(bits(&row), bits(&slow), "{text:?}");
         }

@@ -3,8 +3,8 @@
 use std::collections::VecDeque;
 
 use super::clock_time::clock;
+use super::delimited::{Delimiters, Fields, Lines, Position, TextFile};
 use super::header::{Table, with_header};
-use super::layout::{Fields, Layout, Lines, Position, TextFile};
 use super::plain_row::plain_row;
 use crate::error::{Placed, ReadError, Result};
 use crate::read::number::{Field, field, trim, value};
@@ -15,19 +15,19 @@ const HEADER_LINES: usize = 300;
 /// Finds the next table at or after a position.
 ///
 /// A table starts at the first of two lines that are rows of numbers (or the last line of the text).
-pub(crate) fn next_table(bytes: &[u8], layout: Layout, from: Position) -> Option<Table> {
+pub(crate) fn next_table(bytes: &[u8], delimiters: Delimiters, from: Position) -> Option<Table> {
     let mut head: VecDeque<&[u8]> = VecDeque::new();
     let mut lines = Lines::from(bytes, from);
     while let Some((at, line)) = lines.next() {
-        if row_width(line, layout).is_some() {
+        if row_width(line, delimiters).is_some() {
             let next = lines
                 .clone()
                 .map(|(_, l)| l)
                 .find(|l| !l.trim_ascii().is_empty());
-            if next.is_none_or(|n| row_width(n, layout).is_some()) {
-                let width = row_width(line, layout).unwrap_or(0);
+            if next.is_none_or(|n| row_width(n, delimiters).is_some()) {
+                let width = row_width(line, delimiters).unwrap_or(0);
                 let head: Vec<&[u8]> = head.into_iter().collect();
-                return Some(with_header(at, width, &head, layout));
+                return Some(with_header(at, width, &head, delimiters));
             }
         }
         // Of several blank lines one is kept.
@@ -45,17 +45,17 @@ pub(crate) fn next_table(bytes: &[u8], layout: Layout, from: Position) -> Option
 /// Number of fields of a row of numbers; `None` for any other line.
 ///
 /// Numbers must outweigh words, and the row must start with a number or a clock time, or be long.
-fn row_width(line: &[u8], layout: Layout) -> Option<usize> {
+fn row_width(line: &[u8], delimiters: Delimiters) -> Option<usize> {
     let (mut width, mut numbers, mut words, mut count) = (0, 0, 0, 0);
     let mut starts_well = None;
-    for f in Fields::new(line, layout) {
+    for f in Fields::new(line, delimiters) {
         count += 1;
-        match field(f, layout.comma) {
+        match field(f, delimiters.comma) {
             Field::Number(_) => {
                 numbers += 1;
                 starts_well.get_or_insert(true);
             }
-            Field::Text if starts_well.is_none() && clock(f, layout.comma).is_some() => {
+            Field::Text if starts_well.is_none() && clock(f, delimiters.comma).is_some() => {
                 numbers += 1;
                 starts_well = Some(true);
             }
@@ -93,7 +93,7 @@ pub(crate) fn numbers(
     wanted: &[usize],
     time: Option<usize>,
 ) -> Result<Numbers> {
-    let (bytes, layout) = (file.bytes, file.layout);
+    let (bytes, delimiters) = (file.bytes, file.delimiters);
     let body = bytes.get(table.start.offset..).unwrap_or(&[]);
     let mut rows = Rows::new(line_ends(body) + 1, body.len(), wanted.len(), time);
     let mut row = vec![f64::NAN; wanted.len()];
@@ -102,7 +102,7 @@ pub(crate) fn numbers(
     let mut lines = Lines::from(bytes, table.start);
     loop {
         let here = lines.at;
-        if let Some(length) = plain_row(&bytes[here.offset..], layout, wanted, &mut row) {
+        if let Some(length) = plain_row(&bytes[here.offset..], delimiters, wanted, &mut row) {
             rows.push(&row, table)
                 .map_err(|e| e.at_line(file.path, here.line))?;
             lines.at = Position {
@@ -114,12 +114,12 @@ pub(crate) fn numbers(
         let Some((at, line)) = lines.next() else {
             break;
         };
-        let present = wanted_fields(line, layout, wanted, &mut row, time);
+        let present = wanted_fields(line, delimiters, wanted, &mut row, time);
         let is_empty = !row.iter().any(|x| x.is_finite());
         if is_empty || time.is_some_and(|t| row[t].is_nan()) {
-            let is_row = row_width(line, layout).is_some();
+            let is_row = row_width(line, delimiters).is_some();
             let is_blank = line.trim_ascii().is_empty();
-            let goes_on = |n: &[u8]| row_width(n, layout).is_some_and(|w| 2 * w > table.width);
+            let goes_on = |n: &[u8]| row_width(n, delimiters).is_some_and(|w| 2 * w > table.width);
             let next = lines.clone().next();
             if !(is_row || is_blank || is_comment(line) || next.is_some_and(|n| goes_on(n.1))) {
                 break;
@@ -217,7 +217,7 @@ pub(crate) fn skip(file: &TextFile, table: &Table) -> Position {
     let mut lines = Lines::from(file.bytes, table.start);
     let mut end = table.start;
     while let Some((_, line)) = lines.next() {
-        if row_width(line, file.layout).is_none() && !line.trim_ascii().is_empty() {
+        if row_width(line, file.delimiters).is_none() && !line.trim_ascii().is_empty() {
             break;
         }
         end = lines.at;
@@ -239,23 +239,23 @@ fn is_comment(line: &[u8]) -> bool {
 #[inline]
 fn wanted_fields(
     line: &[u8],
-    layout: Layout,
+    delimiters: Delimiters,
     wanted: &[usize],
     row: &mut [f64],
     time: Option<usize>,
 ) -> usize {
     row.fill(f64::NAN);
     let mut next = 0;
-    for (i, f) in Fields::new(line, layout).enumerate() {
+    for (i, f) in Fields::new(line, delimiters).enumerate() {
         if wanted.get(next) != Some(&i) {
             if next >= wanted.len() {
                 break;
             }
             continue;
         }
-        row[next] = value(f, layout.comma);
+        row[next] = value(f, delimiters.comma);
         if time == Some(next) && row[next].is_nan() {
-            row[next] = clock(f, layout.comma).unwrap_or(f64::NAN);
+            row[next] = clock(f, delimiters.comma).unwrap_or(f64::NAN);
         }
         next += 1;
     }
@@ -264,14 +264,14 @@ fn wanted_fields(
 
 #[cfg(test)]
 mod tests {
-    use super::super::layout::detect;
+    use super::super::delimited::detect;
     use super::*;
     use crate::recording::ReadOptions;
     use std::path::Path;
 
     fn table(t: &str) -> Table {
-        let layout = detect(t.as_bytes());
-        next_table(t.as_bytes(), layout, Position::START).unwrap()
+        let delimiters = detect(t.as_bytes());
+        next_table(t.as_bytes(), delimiters, Position::START).unwrap()
     }
 
     #[test]
@@ -312,7 +312,7 @@ mod tests {
         let text = b"time,f\n0.0,1\n0.2,2\n0.1,3\n";
         let options = ReadOptions::default();
         let file = TextFile::new(Path::new("a.csv"), text, &options);
-        let t = next_table(text, file.layout, Position::START).unwrap();
+        let t = next_table(text, file.delimiters, Position::START).unwrap();
         let e = numbers(&file, &t, &[0, 1], Some(0)).unwrap_err();
         assert!(
             e.to_string().starts_with("a.csv line 4: time decreases"),
@@ -325,7 +325,7 @@ mod tests {
         let text = b"time;f\n00:00,0;1\n00:00,1;\n00:00,2;--\nPause\n00:00,3;4\n";
         let options = ReadOptions::default();
         let file = TextFile::new(Path::new("a"), text, &options);
-        let t = next_table(text, file.layout, Position::START).unwrap();
+        let t = next_table(text, file.delimiters, Position::START).unwrap();
         let n = numbers(&file, &t, &[0, 1], Some(0)).unwrap();
         assert_eq!(n.columns[0], [0.0, 0.1, 0.2, 0.3]);
         assert!(n.columns[1][1].is_nan() && n.columns[1][2].is_nan());

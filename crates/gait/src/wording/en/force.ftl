@@ -236,15 +236,7 @@ name-two-plates = { contact-two-plates }
 name-partial-contact = { contact-partial-contact }
 
 format-c3d = C3D, { $processor } { $storage }
-format-open-sim-old = OpenSim storage, old header
-format-open-sim-new = OpenSim storage, new header
-format-force-data = force data with key lines (.forces)
-format-nexus = Nexus device export
-format-insole = insole text export
-format-bio-ware = BioWare text export
-format-qualisys = Qualisys text export
-format-converter-counts = converter counts (.anc)
-format-amti = AMTI text without header
+format-export = { $program } export
 format-stance-table = table of stances, one per row
 format-text = { $separator } separated text{ $decimal ->
         [comma] , decimal comma

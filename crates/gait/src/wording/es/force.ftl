@@ -242,15 +242,7 @@ name-two-plates = { contact-two-plates }
 name-partial-contact = { contact-partial-contact }
 
 format-c3d = C3D, { $processor } { $storage }
-format-open-sim-old = almacenamiento de OpenSim, cabecera antigua
-format-open-sim-new = almacenamiento de OpenSim, cabecera nueva
-format-force-data = datos de fuerza con líneas de claves (.forces)
-format-nexus = exportación de dispositivos de Nexus
-format-insole = exportación de texto de plantillas
-format-bio-ware = exportación de texto de BioWare
-format-qualisys = exportación de texto de Qualisys
-format-converter-counts = cuentas del convertidor (.anc)
-format-amti = texto de AMTI sin cabecera
+format-export = exportación de { $program }
 format-stance-table = tabla de apoyos, uno por fila
 format-text = texto separado por { $separator ->
         [tab] tabuladores

@@ -1,6 +1,10 @@
 //! Texts that hold one plate of a trial: Qualisys writes one for each plate.
 
-use super::layout::{Lines, plain, text};
+use crate::error::Result;
+use crate::read::columns::{foot, words};
+use crate::read::text::delimited::{Lines, TextFile, plain, text};
+use crate::read::text::samples::Samples;
+use crate::recording::ForceUnit;
 
 /// One plate of a trial whose plates stand in one file each.
 ///
@@ -69,8 +73,21 @@ pub fn parts(bytes: &[u8]) -> Vec<&[u8]> {
         .collect()
 }
 
+/// Adds what a header states of all columns: their plate, its foot, and newtons, which it does not state.
+pub(super) fn complete(_: &TextFile, head: &[String], samples: &mut Samples) -> Result<()> {
+    let plate = of_head(head).map(|file| file.plate);
+    for force in &mut samples.forces {
+        force.unit = force.unit.or(Some(ForceUnit::Newton));
+        if let Some(plate) = &plate {
+            force.foot = force.foot.or(foot(&words(plate)));
+            force.name = format!("{plate} {}", force.name);
+        }
+    }
+    Ok(())
+}
+
 /// The plate that a header names.
-pub(super) fn of_head(head: &[String]) -> Option<PlateFile> {
+fn of_head(head: &[String]) -> Option<PlateFile> {
     let value = |key: &str| {
         let found = head.iter().find_map(|line| {
             let rest = line.trim().strip_prefix(key)?;

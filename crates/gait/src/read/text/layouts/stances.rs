@@ -6,13 +6,13 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use super::header::Table;
-use super::layout::{Fields, Lines, TextFile, detect, plain, text};
 use crate::error::{Placed, ReadError, Result};
 use crate::quantity::{hertz, seconds};
 use crate::read::columns::{Role, foot, role, words};
 use crate::read::keys;
 use crate::read::number::{trim, value};
+use crate::read::text::delimited::{Fields, Lines, TextFile, detect, plain, text};
+use crate::read::text::header::Table;
 use crate::recording::{
     Channel, ClockSource, ForceUnit, Format, MassSource, Note, Recording, Row, UnitSource,
 };
@@ -31,7 +31,7 @@ const USUAL_STANCE_S: f64 = 0.65;
 /// Whether the column names are numbered samples: the same words with 1, 2, 3 … behind.
 ///
 /// With a column of times the numbers are sensors, and a row is a moment.
-pub(super) fn is_stance_table(names: &[String]) -> bool {
+pub(super) fn are_in(names: &[String]) -> bool {
     names.len() > FEWEST_SAMPLES
         && numbered(names).is_some_and(|first| {
             let timed = names[..first].iter().any(|n| role(n) == Role::Time);
@@ -72,7 +72,7 @@ pub(super) fn read(file: &TextFile, table: &Table, head: &[String]) -> Result<Re
     }
     let mut notes = vec![Note::StancePerRow { rows: rows.len() }];
     let (unit, unit_from) = scale(file, &mut force, &rows, &mut notes)?;
-    let keys = keys::read(head, file.layout.comma);
+    let keys = keys::read(head, file.delimiters.comma);
     let (rate_hz, clock) = match (options.rate_hz, keys.rate_hz) {
         (Some(rate), _) => (rate, ClockSource::User),
         (None, Some(rate)) => (rate, ClockSource::Header),
@@ -87,6 +87,7 @@ pub(super) fn read(file: &TextFile, table: &Table, head: &[String]) -> Result<Re
         .to_string();
     Ok(Recording {
         format: Format::StanceTable,
+        insole: false,
         rate_hz,
         start_s: 0.0,
         clock,
@@ -124,17 +125,17 @@ fn mean_mass(rows: &[Row], notes: &mut Vec<Note>) -> Option<f64> {
 
 /// Samples of all stances one behind the other, and the place of each.
 fn stances(file: &TextFile, table: &Table) -> Result<(Vec<f64>, Vec<Row>)> {
-    let (layout, options) = (file.layout, file.options);
+    let (delimiters, options) = (file.delimiters, file.options);
     let first = numbered(&table.names).unwrap_or(0);
     let masses = options.metadata.as_deref().map(masses).unwrap_or_default();
     let mut force = Vec::with_capacity(file.bytes.len() / 4);
     let mut rows = Vec::new();
     for (at, line) in Lines::from(file.bytes, table.start) {
-        let mut fields = Fields::new(line, layout);
+        let mut fields = Fields::new(line, delimiters);
         let subject = fields.next().map(|f| text(trim(f))).unwrap_or_default();
         let from = force.len();
         for f in fields.skip(first.saturating_sub(1)) {
-            let x = value(f, layout.comma);
+            let x = value(f, delimiters.comma);
             if x.is_finite() {
                 force.push(x);
             } else if trim(f).is_empty() {
@@ -221,11 +222,11 @@ fn likely_rate(rows: &[Row], notes: &mut Vec<Note>) -> f64 {
 /// Masses of a table of subjects by the text of its first column, kg.
 fn masses(bytes: &[u8]) -> HashMap<String, f64> {
     let bytes = &*plain(bytes);
-    let layout = detect(bytes);
+    let delimiters = detect(bytes);
     // The first column is a name, so the header is found as the first line, not by its numbers.
     let mut lines = Lines::new(bytes);
     let header = lines.next().map_or(&b""[..], |(_, line)| line);
-    let names = Fields::new(header, layout).map(|f| text(trim(f)).to_lowercase());
+    let names = Fields::new(header, delimiters).map(|f| text(trim(f)).to_lowercase());
     let names: Vec<String> = names.collect();
     let find = |wanted: &[&str]| {
         let named = |n: &String| wanted.iter().any(|w| n.contains(w));
@@ -235,9 +236,9 @@ fn masses(bytes: &[u8]) -> HashMap<String, f64> {
     let weight = find(&["body_weight", "weight"]);
     let mut found = HashMap::new();
     for (_, line) in lines {
-        let fields: Vec<&[u8]> = Fields::new(line, layout).take(256).collect();
+        let fields: Vec<&[u8]> = Fields::new(line, delimiters).take(256).collect();
         let at = |i: Option<usize>| {
-            let x = value(fields.get(i?)?, layout.comma);
+            let x = value(fields.get(i?)?, delimiters.comma);
             x.is_finite().then_some(x)
         };
         // A weight beside no mass may be either; walkers of 200 N and 200 kg are both rare.
@@ -271,8 +272,8 @@ mod tests {
             metadata: Some(b"SUBJECT_ID,BODY_WEIGHT\nA,294.3\nB,60\n".to_vec()),
             ..ReadOptions::default()
         };
-        let r =
-            super::super::read(Path::new("X_F_V_RAW_left.csv"), t.as_bytes(), &options).unwrap();
+        let r = crate::read::text::read(Path::new("X_F_V_RAW_left.csv"), t.as_bytes(), &options)
+            .unwrap();
         let c = &r.channels[0];
         assert_eq!(c.foot, Some(Foot::Left));
         let rows: Vec<_> = c
@@ -307,7 +308,7 @@ mod tests {
                 unit: Some(ForceUnit::BodyWeight),
                 ..ReadOptions::default()
             };
-            super::super::read(Path::new("X_F_V_PRO_right.csv"), table.as_bytes(), &options)
+            crate::read::text::read(Path::new("X_F_V_PRO_right.csv"), table.as_bytes(), &options)
         };
         let all = with(b"SUBJECT_ID,BODY_MASS\nA,30\nB,60\n").unwrap();
         let force = &all.channels[0].force_n;

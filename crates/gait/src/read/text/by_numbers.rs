@@ -1,89 +1,22 @@
-//! Tables without a header: which column is time and which are vertical forces, from the numbers alone.
+//! The columns of a table without names: which is time and which are vertical forces, from the numbers alone.
 
-use super::choose::{Plan, column, force_is_time};
-use super::header::Table;
-use super::layout::TextFile;
-use super::raw::Raw;
-use super::table::numbers;
-use crate::error::{Placed, ReadError, Result};
-use crate::recording::{Axis, Foot, Note};
+use crate::recording::Foot;
 use crate::statistics::sample;
-
-/// Fewest rows that are taken for a recording when nothing names the columns.
-const FEWEST: usize = 10;
 
 /// Rows sampled evenly to classify the columns.
 const SAMPLE: usize = 4096;
 
-/// Columns beyond which a table without names is not a recording of forces.
-pub(super) const WIDEST: usize = 400;
-
 /// Values per row beyond which nameless columns are pressure sensors, not plates (twelve plates of six).
 const MOST_VALUES: usize = 72;
-
-/// Reads a table without column names; `None` where it is too short to be a recording.
-pub(super) fn read(file: &TextFile, table: &Table) -> Result<Option<Raw>> {
-    let wanted: Vec<usize> = (0..table.width.min(WIDEST)).collect();
-    let read = numbers(file, table, &wanted, None)?;
-    let columns = &read.columns;
-    if columns.first().map_or(0, Vec::len) < FEWEST && file.options.force.is_empty() {
-        return Ok(None);
-    }
-    let (time, forces) = chosen(file, table, columns)?;
-    if let Some(t) = time {
-        rising(file, table, &columns[t])?;
-    }
-    let sides = match &file.options.force[..] {
-        [] => insole_sides(&forces, columns.len(), time),
-        _ => None,
-    };
-    let force = forces.iter().enumerate();
-    let plan = Plan {
-        time,
-        counts: time.is_some_and(|t| counts_samples(&columns[t])),
-        force: force
-            .map(|(k, &i)| (i, Axis::Vertical, sides.map(|s| s[k])))
-            .collect(),
-    };
-    let mut raw = Raw::of(table, plan, read, |i| i);
-    raw.notes.extend(sides.map(|_| Note::InsoleColumns {
-        left: forces[0] + 1,
-        right: forces[1] + 1,
-    }));
-    Ok(Some(raw))
-}
-
-/// The column of time and those of force: those that the options name by number, otherwise those that the numbers show.
-fn chosen(
-    file: &TextFile,
-    table: &Table,
-    columns: &[Vec<f64>],
-) -> Result<(Option<usize>, Vec<usize>)> {
-    let number = |name: &String| column(file, table, name);
-    let time = match &file.options.time {
-        Some(name) => Some(number(name)?),
-        None => time_column(columns),
-    };
-    let mut forces: Vec<usize> = match &file.options.force[..] {
-        [] => force_columns(columns, time),
-        names => names.iter().map(number).collect::<Result<_>>()?,
-    };
-    if forces.is_empty() {
-        return Err(ReadError::NamelessColumns.at_line(file.path, table.start.line));
-    }
-    forces.retain(|&i| Some(i) != time);
-    forces.sort_unstable();
-    forces.dedup();
-    if forces.is_empty() {
-        return Err(force_is_time(file, table));
-    }
-    Ok((time, forces))
-}
 
 /// Left and right, if the columns are time, two equal sets of sensors and their two sums, in this order.
 ///
 /// So are the insole recordings of PhysioNet's gait database, left foot first.
-fn insole_sides(forces: &[usize], width: usize, time: Option<usize>) -> Option<[Foot; 2]> {
+pub(super) fn insole_sides(
+    forces: &[usize],
+    width: usize,
+    time: Option<usize>,
+) -> Option<[Foot; 2]> {
     let sensors = width.checked_sub(3)?;
     let is_layout = time == Some(0)
         && sensors >= 6
@@ -92,25 +25,8 @@ fn insole_sides(forces: &[usize], width: usize, time: Option<usize>) -> Option<[
     is_layout.then_some([Foot::Left, Foot::Right])
 }
 
-fn rising(file: &TextFile, table: &Table, times: &[f64]) -> Result<()> {
-    let fall = times.windows(2).position(|w| w[1] < w[0] || w[1].is_nan());
-    match fall {
-        None => Ok(()),
-        // Rows follow each other without gaps in such files, so the line is the row.
-        Some(i) => {
-            let (after, time) = (times[i], times[i + 1]);
-            let error = if time.is_nan() {
-                ReadError::TimeMissing { after }
-            } else {
-                ReadError::TimeBackwards { time, after }
-            };
-            Err(error.at_line(file.path, table.start.line + i + 1))
-        }
-    }
-}
-
 /// The first column, where it falls in hardly any row and grows in one of ten at least.
-fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
+pub(super) fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
     let several = columns.len() >= 2;
     let t = columns.first().filter(|t| several && t.len() >= 2)?;
     let steps = t.len() - 1;
@@ -119,7 +35,8 @@ fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
     (rises && 10 * count(|w| w[1] > w[0]) >= steps).then_some(0)
 }
 
-fn counts_samples(times: &[f64]) -> bool {
+/// Whether times rise by one from row to row.
+pub(super) fn counts_samples(times: &[f64]) -> bool {
     times.windows(2).all(|w| w[1] - w[0] == 1.0)
 }
 
@@ -128,7 +45,7 @@ fn counts_samples(times: &[f64]) -> bool {
 /// Sums of a block of other columns first (insoles: sensors and their totals); then the third of every six
 /// (plates: Fx Fy Fz Mx My Mz), or whichever of the first three carries the load; then every column that
 /// has one sign and reaches at least two fifths of the largest.
-fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<usize> {
+pub(super) fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<usize> {
     let data: Vec<usize> = (0..columns.len()).filter(|&i| Some(i) != time).collect();
     if data.len() > MOST_VALUES {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! How a delimited text is laid out: its lines, its separator and its decimal mark.
+//! A delimited text: its lines, its separator and its decimal mark.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -17,7 +17,7 @@ pub(crate) enum Separator {
 
 /// Separator and decimal mark of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Layout {
+pub(crate) struct Delimiters {
     pub separator: Separator,
     /// True where the decimal mark is a comma.
     pub comma: bool,
@@ -39,17 +39,17 @@ pub(crate) struct TextFile<'a> {
     pub path: &'a Path,
     /// Its text without byte order mark, in UTF-8 or a single-byte encoding.
     pub bytes: &'a [u8],
-    pub layout: Layout,
+    pub delimiters: Delimiters,
     pub options: &'a ReadOptions,
 }
 
 impl<'a> TextFile<'a> {
     pub fn new(path: &'a Path, bytes: &'a [u8], options: &'a ReadOptions) -> Self {
-        let layout = detect(bytes);
+        let delimiters = detect(bytes);
         TextFile {
             path,
             bytes,
-            layout,
+            delimiters,
             options,
         }
     }
@@ -125,7 +125,7 @@ pub(crate) fn text(bytes: &[u8]) -> String {
 const SAMPLE: usize = 60;
 
 /// Finds separator and decimal mark from lines that look like numbers, a few from each part of the text.
-pub(crate) fn detect(bytes: &[u8]) -> Layout {
+pub(crate) fn detect(bytes: &[u8]) -> Delimiters {
     let mut sample: Vec<&[u8]> = Vec::new();
     for part in 0..4 {
         let mut lines = Lines::new(bytes);
@@ -151,7 +151,7 @@ pub(crate) fn detect(bytes: &[u8]) -> Layout {
     } else {
         Separator::Blanks
     };
-    let plain = Layout {
+    let plain = Delimiters {
         separator,
         comma: false,
     };
@@ -160,7 +160,7 @@ pub(crate) fn detect(bytes: &[u8]) -> Layout {
     let quoted = |l: &&[u8]| {
         Fields::new(l, plain).any(|f| trim(f).len() < f.trim_ascii().len() && is_decimal_comma(f))
     };
-    Layout {
+    Delimiters {
         separator,
         comma: if separator == Separator::Byte(b',') {
             sample.iter().any(quoted)
@@ -199,14 +199,14 @@ pub(crate) struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    pub fn new(line: &'a [u8], layout: Layout) -> Self {
-        let rest = match layout.separator {
+    pub fn new(line: &'a [u8], delimiters: Delimiters) -> Self {
+        let rest = match delimiters.separator {
             Separator::Blanks => Some(line.trim_ascii()).filter(|l| !l.is_empty()),
             Separator::Byte(_) => Some(line),
         };
         Fields {
             rest,
-            separator: layout.separator,
+            separator: delimiters.separator,
         }
     }
 }
@@ -277,11 +277,11 @@ mod tests {
 
     #[test]
     fn quoted_fields_may_hold_the_separator() {
-        let layout = Layout {
+        let delimiters = Delimiters {
             separator: Separator::Byte(b','),
             comma: false,
         };
-        let fields: Vec<_> = Fields::new(b"\"a,b\",c,", layout).collect();
+        let fields: Vec<_> = Fields::new(b"\"a,b\",c,", delimiters).collect();
         assert_eq!(fields, [&b"\"a,b\""[..], b"c", b""]);
     }
 }

@@ -1,16 +1,16 @@
-//! Tables of numbers under a header, strict: every row is kept with its line, nothing is skipped but blank lines and
+//! Tables of numbers for other readers, strict: every row is kept with its line, nothing is skipped but blank lines and
 //! comments.
 
 use std::borrow::Cow;
 use std::path::Path;
 
-use super::columns::bracketed;
-use super::foreign;
-use super::number::{trim, value};
-use super::text::{
-    Fields, Layout, Lines, Position, Table, detect, next_table, no_table, plain, text,
-};
+use super::delimited::{Delimiters, Fields, Lines, Position, detect, plain, text};
+use super::header::Table;
+use super::no_table;
+use super::table::next_table;
 use crate::error::{Placed, ReadError, Result};
+use crate::read::foreign;
+use crate::read::number::{trim, value};
 
 /// A table of a delimited text, its rows not yet read.
 ///
@@ -25,7 +25,7 @@ use crate::error::{Placed, ReadError, Result};
 /// ```
 pub struct NumberTable<'a> {
     bytes: Cow<'a, [u8]>,
-    layout: Layout,
+    delimiters: Delimiters,
     table: Table,
 }
 
@@ -42,7 +42,7 @@ pub struct NumberTable<'a> {
 pub struct Cell {
     /// Its finite number; `None` for anything else.
     pub number: Option<f64>,
-    /// As it is written.
+    /// The field as it is written.
     pub text: String,
 }
 
@@ -56,14 +56,12 @@ impl<'a> NumberTable<'a> {
             return Err(ReadError::Foreign { kind }.in_file(path));
         }
         let bytes = plain(bytes);
-        let layout = detect(&bytes);
-        let Some(table) = next_table(&bytes, layout, Position::START) else {
-            return Err(no_table(&bytes).in_file(path));
-        };
+        let delimiters = detect(&bytes);
+        let table = next_table(&bytes, delimiters, Position::START);
         Ok(NumberTable {
+            table: table.ok_or_else(|| no_table(&bytes).in_file(path))?,
             bytes,
-            layout,
-            table,
+            delimiters,
         })
     }
 
@@ -82,38 +80,25 @@ impl<'a> NumberTable<'a> {
 
     /// Name and unit of a column: `lift_mm`, `lift [mm]` and `lift (mm)` alike, or the unit of a row of units.
     pub fn name_and_unit(&self, column: usize) -> (String, Option<String>) {
-        let whole = self.table.names[column].trim();
-        if let Some(unit) = self.table.unit(column) {
-            return (whole.to_lowercase(), Some(unit.to_string()));
-        }
-        let (name, unit) = match (bracketed(whole).last(), whole.find(['[', '('])) {
-            (Some(unit), Some(open)) => (&whole[..open], Some(unit)),
-            _ => match whole.split_once(['_', ' ']) {
-                Some((name, unit)) => (name, Some(unit)),
-                None => (whole, None),
-            },
-        };
-        let name = name.trim().trim_end_matches('_').to_lowercase();
-        (name, unit.map(str::to_string).filter(|u| !u.is_empty()))
+        self.table.name_and_unit(column)
     }
 
     /// The rows with their lines, to the end of the text.
     pub fn rows(&self) -> impl Iterator<Item = (usize, Vec<Cell>)> + '_ {
         let lines = Lines::from(&self.bytes, self.table.start);
-        let is_row = |line: &[u8]| {
-            let line = line.trim_ascii();
-            !line.is_empty() && !line.starts_with(b"#")
+        let is_row =
+            |line: &[u8]| !line.trim_ascii().is_empty() && !line.trim_ascii().starts_with(b"#");
+        let cell = |f: &[u8]| Cell {
+            number: Some(value(f, self.delimiters.comma)).filter(|x| x.is_finite()),
+            text: text(trim(f)),
         };
         lines
             .filter(move |(_, line)| is_row(line))
-            .map(|(at, line)| (at.line, self.cells(line)))
-    }
-
-    fn cells(&self, line: &[u8]) -> Vec<Cell> {
-        let cell = |f: &[u8]| Cell {
-            number: Some(value(f, self.layout.comma)).filter(|x| x.is_finite()),
-            text: text(trim(f)),
-        };
-        Fields::new(line, self.layout).map(cell).collect()
+            .map(move |(at, line)| {
+                (
+                    at.line,
+                    Fields::new(line, self.delimiters).map(cell).collect(),
+                )
+            })
     }
 }

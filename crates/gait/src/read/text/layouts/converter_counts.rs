@@ -1,0 +1,97 @@
+//! Converter counts of Motion Analysis (`.anc`): names, rates and ranges above the rows, no calibration.
+//!
+//! The header gives the rate as `PreciseRate`; names of channels are in a line `Name`, their rates and ranges in
+//! the next two. Muscles may be called like forces (`L GRF`: the left gastrocnemius), so that only numbered plates
+//! count.
+
+use crate::error::{Placed, ReadError, Result};
+use crate::quantity::kilograms;
+use crate::read::text::delimited::{Lines, TextFile, text};
+use crate::read::text::header::Table;
+use crate::read::text::samples::Samples;
+use crate::read::vertical::RawForce;
+use crate::recording::{Axis, ForceUnit, Note};
+use crate::statistics::{ends, ranked, sample};
+use crate::units::G;
+
+/// Most lines of the header.
+const HEAD: usize = 40;
+/// Usual highest force of a stance, body weights: it places the contact threshold before the mean is known.
+const USUAL_PEAK: f64 = 1.1;
+
+/// The table of a file of converter counts; `None` where the header lacks the names.
+pub(super) fn table(file: &TextFile) -> Option<Table> {
+    let mut head = Vec::new();
+    let mut names: Option<Vec<String>> = None;
+    for (start, line) in Lines::new(file.bytes).take(HEAD) {
+        let line = text(line);
+        let mut fields = line.split_whitespace();
+        match fields.clone().next() {
+            Some("Name") => {
+                let channels = line.split('\t').skip(1).map(|n| n.trim().to_string());
+                let time = std::iter::once("time".to_string());
+                names = Some(time.chain(channels).collect());
+            }
+            Some(word) if word.parse::<f64>().is_ok() => {
+                let names = names?;
+                return Some(Table {
+                    start,
+                    width: names.len(),
+                    units: Vec::new(),
+                    head,
+                    names,
+                });
+            }
+            // A line of several keys, of which the rate of the rows is one.
+            _ if fields.any(|f| f == "PreciseRate:") => {
+                head.extend(fields.next().map(|rate| format!("rate = {rate}")));
+            }
+            _ => (),
+        }
+    }
+    None
+}
+
+/// Keeps the components of numbered plates, unless the user names columns, and brings them to about newtons.
+///
+/// The mass of the walker is the scale; the mean cycle is brought to it exactly.
+///
+/// # Errors
+///
+/// Where neither mass nor unit is given.
+pub(super) fn complete(file: &TextFile, _: &[String], samples: &mut Samples) -> Result<()> {
+    let forces = &mut samples.forces;
+    if file.options.force.is_empty() {
+        let is_numbered = |name: &str| name.contains(|c: char| c.is_ascii_digit());
+        forces.retain(|f| is_numbered(&f.name) && f.axis != Axis::Vertical);
+    }
+    // The vertical components are the ones that reach furthest.
+    let top = forces.iter().map(reach).fold(0.0, f64::max);
+    if file.options.unit.is_none() && !forces.is_empty() {
+        let mass = file.options.mass_kg;
+        let mass = mass.ok_or_else(|| ReadError::CountsWithoutMass.in_file(file.path))?;
+        let factor = if top > 0.0 {
+            USUAL_PEAK * mass * G / top
+        } else {
+            1.0
+        };
+        for x in forces.iter_mut().flat_map(|f| &mut f.values) {
+            *x *= factor;
+        }
+        let mass = kilograms(mass);
+        samples.notes.push(Note::CountsScaled { mass });
+    }
+    for force in forces {
+        force.unit = Some(ForceUnit::Newton);
+    }
+    Ok(())
+}
+
+/// Largest distance of the counts from their median.
+fn reach(force: &RawForce) -> f64 {
+    let values = sample(&force.values, usize::MAX);
+    let (low, high) = ends(&values).unwrap_or_default();
+    let middle = values.len() / 2;
+    let rest = ranked(values, middle).unwrap_or(0.0);
+    (high - rest).max(rest - low)
+}

@@ -1,0 +1,179 @@
+//! The samples of a recording: chosen columns of a table, their time base, and the recording that they make.
+
+use super::choose::Columns;
+use super::delimited::TextFile;
+use super::header::Table;
+use super::table::numbers;
+use crate::error::{Error, Placed, ReadError, Result};
+use crate::quantity::{self, hertz};
+use crate::read::keys::Keys;
+use crate::read::timebase::{TimeBase, usual_step};
+use crate::read::vertical::{self, Facts, RawForce};
+use crate::recording::{ClockSource, Format, Note, ReadOptions, Recording};
+
+/// Chosen columns as the file has them, before time and unit are decided.
+pub(in crate::read) struct Samples {
+    /// Times as written, where there is a time column.
+    pub times: Option<Vec<f64>>,
+    /// Seconds per unit of the times, if the column gives it.
+    pub time_unit: Option<f64>,
+    /// Whether times count samples.
+    counts: bool,
+    pub forces: Vec<RawForce>,
+    count: usize,
+    /// Whether the forces are those of pressure insoles.
+    pub insole: bool,
+    /// First lines that hold no row.
+    pub skipped: Vec<usize>,
+    /// What was guessed.
+    pub notes: Vec<Note>,
+}
+
+impl Samples {
+    /// Reads the chosen columns.
+    ///
+    /// # Errors
+    /// Times that fall, rows that lack most of their fields.
+    pub fn read(file: &TextFile, table: &Table, columns: Columns) -> Result<Self> {
+        let forces = columns.force.iter().map(|f| f.place);
+        let mut places: Vec<usize> = forces.chain(columns.time).collect();
+        places.sort_unstable();
+        places.dedup();
+        let slot = |place: usize| places.binary_search(&place).unwrap_or(0);
+        let mut read = numbers(file, table, &places, columns.time.map(slot))?;
+        let count = read.columns.first().map_or(0, Vec::len);
+        let mut take = |place: usize| std::mem::take(&mut read.columns[slot(place)]);
+        let times = columns.time.map(&mut take);
+        let name = |i: usize| match table.names.get(i) {
+            Some(name) => name.trim().to_string(),
+            None => format!("column {}", i + 1),
+        };
+        let forces = columns.force.iter().map(|f| RawForce {
+            name: name(f.place),
+            axis: f.axis,
+            foot: f.foot,
+            unit: table.force_unit(f.place),
+            values: take(f.place),
+        });
+        Ok(Samples {
+            forces: forces.collect(),
+            times,
+            time_unit: columns.time.and_then(|t| table.time_unit(t)),
+            counts: columns.counts,
+            count,
+            insole: columns.insole,
+            skipped: read.skipped,
+            notes: columns.notes,
+        })
+    }
+
+    /// Puts the samples on a time base and makes channels of vertical force of them.
+    pub fn recording(
+        mut self,
+        file: &TextFile,
+        table: &Table,
+        keys: &Keys,
+        format: Format,
+    ) -> Result<Recording> {
+        let (path, samples) = (file.path, self.count);
+        if samples < 2 {
+            return Err(ReadError::FewSamples { samples }.at_line(path, table.start.line));
+        }
+        if let Some(announced) = keys.rows.filter(|r| *r != samples) {
+            let found = samples;
+            self.notes.push(Note::RowsDiffer { announced, found });
+        }
+        if let Some(&first_line) = self.skipped.first() {
+            self.notes.push(Note::LinesSkipped { first_line });
+        }
+        let place = |e: Error| e.in_file(path);
+        let base = self.time_base(file.options, keys.rate_hz).map_err(place)?;
+        let facts = Facts {
+            format,
+            insole: self.insole,
+            samples,
+            mass_kg: keys.mass_kg,
+            zero: None,
+            notes: self.notes,
+        };
+        vertical::recording(self.forces, base, facts, file.options).map_err(place)
+    }
+
+    /// The time base: the user's rate, the time column, or the header's rate, in this order.
+    fn time_base(&mut self, options: &ReadOptions, key_rate: Option<f64>) -> Result<TimeBase> {
+        let times = self.times.as_deref().filter(|_| !self.counts);
+        if let Some(rate) = options.rate_hz {
+            let note = times.and_then(|times| overridden(times, self.time_unit, rate));
+            self.notes.extend(note);
+            return Ok(TimeBase::even(rate, ClockSource::User));
+        }
+        let Some(times) = times else {
+            let rate = key_rate.ok_or(ReadError::NoRate)?;
+            return Ok(TimeBase::even(rate, ClockSource::Header));
+        };
+        if times.len() < 2 {
+            let samples = times.len();
+            return Err(ReadError::FewSamples { samples }.into());
+        }
+        let mut guess = None;
+        let scale = match self.time_unit {
+            Some(unit) => unit,
+            None => guessed_unit(times, key_rate, &mut guess),
+        };
+        let seconds: Vec<f64>;
+        let times = if scale == 1.0 {
+            times
+        } else {
+            seconds = times.iter().map(|t| t * scale).collect();
+            &seconds
+        };
+        let mut base = TimeBase::from_times(times)?;
+        if guess.is_some() {
+            base.source = ClockSource::GuessedTimes;
+        }
+        self.notes.extend(guess);
+        if let Some((count, at)) = base.missed {
+            let first = quantity::seconds(at);
+            self.notes.push(Note::SamplesMissing { count, first });
+        }
+        let Some(rate) = key_rate else {
+            return Ok(base);
+        };
+        let off = (rate / base.rate_hz - 1.0).abs();
+        // Times are rounded; a stated rate that agrees is the exact one.
+        if !base.is_uneven() && off < 2e-3 {
+            return Ok(TimeBase::even(rate, ClockSource::Header).starting_at(base.start_s));
+        }
+        if off > 0.01 {
+            self.notes.push(Note::RatesDiffer {
+                header: hertz(rate),
+                column: hertz(base.rate_hz),
+            });
+        }
+        Ok(base)
+    }
+}
+
+/// The note that the user's rate takes the place of a time column that gives another.
+fn overridden(times: &[f64], unit: Option<f64>, rate: f64) -> Option<Note> {
+    let seconds: Vec<f64> = times.iter().map(|t| t * unit.unwrap_or(1.0)).collect();
+    let own = TimeBase::from_times(&seconds).ok()?.rate_hz;
+    ((own / rate - 1.0).abs() > 0.01).then_some(Note::RateOverridesTimes {
+        rate: hertz(rate),
+        column: hertz(own),
+    })
+}
+
+/// Seconds per unit of a time column without a unit, with a note where nothing states it.
+fn guessed_unit(times: &[f64], key_rate: Option<f64>, note: &mut Option<Note>) -> f64 {
+    let step = usual_step(times);
+    match key_rate {
+        // The column does not count seconds; the rate gives its unit.
+        Some(rate) if (step * rate - 1.0).abs() > 0.5 => 1.0 / (rate * step),
+        None if (0.4..=60.0).contains(&step) && times.len() > 20 => {
+            *note = Some(Note::MillisecondsGuessed { step });
+            1e-3
+        }
+        _ => 1.0,
+    }
+}
