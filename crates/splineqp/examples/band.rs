@@ -1,7 +1,7 @@
 //! A motion of one turn that follows a square wave as well as limits on velocity and acceleration permit.
 
 use splineqp::poly::SplineSpace;
-use splineqp::{Basis, Failure, Limit, Program, Quadratic, certificate};
+use splineqp::{Basis, Derivative, Failure, Limit, Program, Quadratic, certificate};
 use std::f64::consts::{PI, TAU};
 
 fn main() -> Result<(), Failure<()>> {
@@ -18,12 +18,14 @@ fn main() -> Result<(), Failure<()>> {
     };
     distance.add_distance(&basis, &[1.0], 8, square, None);
     let mut program: Program<()> = Program::new(basis, distance, Vec::new(), 1.0);
-    for (order, name, bound) in [(1, "velocity", 2.0), (2, "acceleration", 6.0)] {
-        for sign in [1.0, -1.0] {
-            let mut weights = [0.0; 5];
-            weights[order] = sign;
-            program.limits.push(Limit::new(name, weights, bound, bound));
-        }
+    for (name, derivative, most) in [
+        ("velocity", Derivative::First, 2.0),
+        ("acceleration", Derivative::Second, 6.0),
+    ] {
+        let side = Limit::on(name, derivative);
+        program
+            .limits
+            .extend([side.at_most(most), side.at_least(-most)]);
     }
     let solution = program.solve()?;
     let proof = certificate(&program, &solution);

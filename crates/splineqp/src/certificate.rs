@@ -15,7 +15,7 @@
 use super::basis::{Basis, apply, dense};
 use super::equality;
 use super::frame::{Frame, dot, square};
-use super::program::{EXTRAS, PEAK, Program, SIZES, Solution};
+use super::program::{PEAK, Program, Solution, Values};
 use super::settings::TOLERANCE;
 use crate::Names;
 use serde::Serialize;
@@ -23,7 +23,7 @@ use serde::Serialize;
 /// How near to the optimum a law is proved to be.
 ///
 /// ```
-/// use splineqp::{Basis, Limit, Program, Quadratic, certificate};
+/// use splineqp::{Basis, Derivative, Limit, Program, Quadratic, certificate};
 /// use splineqp::poly::SplineSpace;
 /// use std::f64::consts::TAU;
 ///
@@ -37,7 +37,7 @@ use serde::Serialize;
 /// };
 /// distance.add_distance(&basis, &[1.0], 8, sine, None);
 /// let mut program: Program<()> = Program::new(basis, distance, Vec::new(), 1.0);
-/// program.limits.push(Limit::new("highest", [1.0, 0.0, 0.0, 0.0, 0.0], 0.5, 0.5));
+/// program.limits.push(Limit::on("highest", Derivative::Value).at_most(0.5));
 /// let solution = program.solve().unwrap();
 /// let proof = certificate(&program, &solution);
 /// assert!(proof.relative_gap < 1e-6 && proof.violation < 1e-8);
@@ -131,9 +131,9 @@ struct Lagrangian {
     /// Along the constant function. Where the level is open H has no part in it but rounding, and no factor shows it.
     level: f64,
     /// By the further variables.
-    of_extra: [f64; EXTRAS],
+    of_extra: Values,
     /// Sums of the terms' sizes in that.
-    terms_of_extra: [f64; EXTRAS],
+    terms_of_extra: Values,
     /// Σ λᵢ (bᵢ − aᵢᵀx).
     slack: f64,
 }
@@ -143,7 +143,7 @@ impl Lagrangian {
         program: &Program<N>,
         solution: &Solution<N>,
         x: &[f64],
-        extra: &[f64; EXTRAS],
+        extra: &Values,
     ) -> Self {
         let hx = program.hessian.times(x);
         let terms = hx.iter().chain(&program.gradient);
@@ -151,7 +151,7 @@ impl Lagrangian {
             largest_term: terms.fold(0.0, |m, term| m.max(term.abs())),
             level: program.gradient.iter().sum(),
             of_extra: program.cost,
-            terms_of_extra: program.cost.map(f64::abs),
+            terms_of_extra: Values::NONE,
             slack: 0.0,
             residual: hx
                 .iter()
@@ -159,6 +159,9 @@ impl Lagrangian {
                 .map(|(h, g)| h + g)
                 .collect(),
         };
+        for (k, cost) in program.cost.iter() {
+            out.terms_of_extra[k] = cost.abs();
+        }
         for row in &solution.active {
             out.slack += row.multiplier * row.slack(x, extra).abs();
             for &(i, a) in &row.entries {
@@ -166,7 +169,7 @@ impl Lagrangian {
                 out.level += row.multiplier * a;
                 out.largest_term = out.largest_term.max((row.multiplier * a).abs());
             }
-            for (k, e) in row.extra.iter().enumerate() {
+            for (k, e) in row.extra.iter() {
                 out.of_extra[k] += row.multiplier * e;
                 out.terms_of_extra[k] += (row.multiplier * e).abs();
             }
@@ -182,13 +185,11 @@ impl Lagrangian {
 fn with_further_variables<N: Names>(
     program: &Program<N>,
     lagrangian: &Lagrangian,
-    extra: &[f64; EXTRAS],
+    extra: &Values,
     size: f64,
     (mut gap, mut left): (f64, f64),
 ) -> (f64, f64) {
     let (of_extra, terms) = (&lagrangian.of_extra, &lagrangian.terms_of_extra);
-    let lengths = extra.iter().skip(PEAK + 1);
-    let length = lengths.fold(program.length, |m, e| m.max(e.abs()));
     let open = |component: f64, own: f64, at: f64| {
         let moved = if at > 0.0 {
             component * at / size
@@ -197,20 +198,22 @@ fn with_further_variables<N: Names>(
         };
         (component / own.max(f64::MIN_POSITIVE)).min(moved)
     };
-    if program.cone {
-        let cost = largest(&SIZES.map(|k| terms[k]));
+    for cone in &program.cones {
         // The cone's multiplier is what the rows leave of the cost; it must lie in the cone and be
-        // orthogonal to the sizes.
-        let z = SIZES.map(|k| of_extra[k]);
-        let outside = (z[1].hypot(z[2]) - z[0]).max(0.0);
-        let at = largest(&SIZES.map(|k| extra[k]));
-        left = left.max(open(outside, cost, at));
-        let product = SIZES.iter().zip(z).map(|(&k, z)| extra[k] * z);
+        // orthogonal to its variables.
+        let largest_of = |values: &Values| {
+            let sizes = cone.members().map(|k| values[k].abs());
+            sizes.fold(0.0, f64::max)
+        };
+        let outside = (cone.norm(of_extra) - of_extra[cone.head]).max(0.0);
+        left = left.max(open(outside, largest_of(terms), largest_of(extra)));
+        let product = cone.members().map(|k| extra[k] * of_extra[k]);
         gap += product.sum::<f64>().abs();
     }
     for k in program.free_variables() {
-        if !(program.cone && SIZES.contains(&k)) {
-            let at = if k == PEAK { extra[PEAK].abs() } else { length };
+        if !program.is_in_cone(k) {
+            let typical = if k == PEAK { 0.0 } else { program.typical(k) };
+            let at = extra[k].abs().max(typical);
             left = left.max(open(of_extra[k].abs(), terms[k], at));
             gap += (of_extra[k] * extra[k]).abs();
         }
@@ -223,20 +226,18 @@ fn largest(values: &[f64]) -> f64 {
 }
 
 /// Size of the objective: its value, or what counts as none of the terms that it is the sum of.
-fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
+fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &Values) -> f64 {
     let linear: f64 = program
         .gradient
         .iter()
         .zip(x)
         .map(|(g, x)| (g * x).abs())
         .sum();
-    let beside: f64 = (0..EXTRAS)
-        .map(|k| (program.cost[k] * extra[k]).abs())
-        .sum();
-    // A size of a typical lift and a peak of its limits' scale are terms too, also where they are 0.
-    let sizes = SIZES
-        .iter()
-        .map(|&k| program.cost[k].abs() * program.length);
+    let costs = || program.cost.iter();
+    let beside: f64 = costs().map(|(k, cost)| (cost * extra[k]).abs()).sum();
+    // A variable of typical value and a peak of its limits' scale are terms too, also where they are 0.
+    let sizes = costs().filter(|(k, _)| *k != PEAK);
+    let sizes = sizes.map(|(k, cost)| cost.abs() * program.typical(k));
     let peaks = program.limits.iter().filter(|l| l.is_peak());
     let peaks = peaks.map(|l| program.cost[PEAK].abs() * l.scale);
     let terms = sizes.chain(peaks).fold(linear, f64::max);

@@ -4,11 +4,12 @@
 //! minimise   ½ xᵀHx + gᵀx + cᵀy
 //! such that  E x = e
 //!            Σ wₖ s⁽ᵏ⁾(θ) + dᵀy ≤ bound + shape(θ)   for every θ of the limit's domain
-//!            R ≥ ‖(D, e)‖                            where the size is among the variables y
+//!            y₀ ≥ ‖(y₁, …, yₖ)‖                      for each cone
+//!            √(2 q(x)) ≤ most                        for each limit on a root mean square
 //! ```
 //!
-//! s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics; y are at most six variables beside it (a peak that is minimised, sizes
-//! that a second-order cone ties together, ends of ranges). A limit is infinitely many rows: the exact worst points of s come
+//! s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics; y are a few variables beside it that the caller
+//! declares by name (a peak that is minimised, sizes that cones tie together, ends of ranges). A limit is infinitely many rows: the exact worst points of s come
 //! from the roots of its derivatives in Bernstein form and enter as rows until no limit is exceeded between them. The
 //! multipliers of the active rows prove a lower bound of the objective ([`certificate`]).
 //!
@@ -58,11 +59,10 @@ pub use certificate::{Certificate, PROVED, certificate};
 pub use equality::solve as solve_equalities;
 pub use objective::{MeanSquare, Quadratic, pointwise};
 pub use program::{
-    EXTRAS, Equality, FACE_END, Failure, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS,
-    RISE, RmsLimit, Row, SIZES, Solution, Stop,
+    ByVariable, Cone, Derivative, Equality, Failure, LeftSide, Limit, Limited, PEAK, Program,
+    RmsLimit, Row, Solution, Stop, Values, Variable,
 };
 pub use settings::{Settings, TOLERANCE};
-pub use solve::exchange::clarabel::{prepared as clarabel_prepared, run as clarabel_run};
 pub use solve::exchange::solve as solve_by_interior_point;
 pub use squares::{LeastWorst, Square, least_worst};
 
@@ -78,6 +78,7 @@ pub use squares::{LeastWorst, Square, least_worst};
 /// impl Names for Robot {
 ///     type Limit = Axis;
 ///     type Equality = (Axis, usize);
+///     type Meaning = ();
 /// }
 /// ```
 pub trait Names: std::fmt::Debug + Copy + PartialEq {
@@ -85,11 +86,14 @@ pub trait Names: std::fmt::Debug + Copy + PartialEq {
     type Limit: std::fmt::Debug + Copy + PartialEq;
     /// Name of an equality.
     type Equality: std::fmt::Debug + Copy + PartialEq;
+    /// What a bound means to the caller, such as the number of which it is a function.
+    type Meaning: std::fmt::Debug + Copy + PartialEq + Default;
 }
 
 impl Names for () {
     type Limit = &'static str;
     type Equality = &'static str;
+    type Meaning = ();
 }
 
 /// The program in the README compiles and runs.

@@ -1,12 +1,14 @@
 //! A program with all its rows written down beforehand, for the interior-point method.
 
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{DefaultSettingsBuilder, SolverStatus, SupportedConeT};
+use clarabel::solver::{
+    DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT,
+};
 
 use super::{Between, Bound, Task, refused};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
-use splineqp::{Basis, Entries, Failure, Stop, clarabel_prepared, clarabel_run};
+use splineqp::{Basis, Entries, Failure, Stop};
 
 /// A conic program with all its rows written down: minimise ½xᵀHx + gᵀx, b − Ax in cones.
 pub struct Conic {
@@ -204,9 +206,9 @@ impl Conic {
             .tol_feas(tolerance)
             .build()
             .map_err(|e| fault(e.to_string()))?;
-        let mut solver = clarabel_prepared(&p, &q, &a, &b, &self.cones, settings)
+        let mut solver = DefaultSolver::new(&p, &q, &a, &b, &self.cones, settings)
             .map_err(|e| fault(e.to_string()))?;
-        clarabel_run(&mut solver);
+        solver.solve();
         let answer = &solver.solution;
         match answer.status {
             SolverStatus::Solved

@@ -17,7 +17,7 @@ use gaitcam::poly::SplineSpace;
 use gaitcam::problem::Target;
 use gaitcam::synth::invert;
 use gaitcam::wording::{self, Language};
-use splineqp::{self as qp, Basis, Failure, Limit, Meaning, Quadratic};
+use splineqp::{self as qp, Basis, Failure, Limit, Quadratic};
 
 /// A program whose limits are named as charts name them.
 type Program = qp::Program<()>;
@@ -123,13 +123,8 @@ impl Task<'_> {
             for sign in [1.0, -1.0] {
                 let mut weights = [0.0; 5];
                 weights[bound.order] = sign;
-                program.limits.push(Limit {
-                    meaning: Meaning::Value {
-                        factor: 1.0,
-                        offset: 0.0,
-                    },
-                    ..Limit::new("peak", weights, bound.most, bound.most)
-                });
+                let limit = Limit::on("peak", weights).at_most(bound.most);
+                program.limits.push(limit);
             }
         }
         program

@@ -35,6 +35,7 @@ pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Pr
         return Err(SynthError::ManyDemands { given, most }.at_key("law"));
     }
     let mut program = Program::new(basis, whole, equalities, problem.length);
+    qp::sizes::declare(&mut program);
     program.halt = search.halt.clone();
     Ok((program, force))
 }
@@ -80,6 +81,7 @@ pub fn of_harmonics(
     let basis = Basis::Harmonic { count };
     let force = force_distance(problem, &basis);
     let mut program = Program::new(basis, force.clone(), Vec::new(), problem.length);
+    qp::sizes::declare(&mut program);
     program.halt = search.halt.clone();
     let accuracy = limits::accuracy(problem, || mean_square(problem, &program.basis));
     program.rms.extend(accuracy);
@@ -87,7 +89,7 @@ pub fn of_harmonics(
     let on_shaft = limits::rows_on_shaft(problem, &mut program);
     program.limits.extend(on_shaft);
     if !problem.level_is_known() {
-        program.touch_at(unlimited.extremes(0).0.at);
+        program.count_from(unlimited.extremes(0).0.at);
     }
     Formulation {
         program,

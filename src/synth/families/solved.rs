@@ -61,7 +61,7 @@ pub fn solved_law(
         spans: 0,
         functions: Functions::of(&program.basis),
         coefficients: solution.x.clone(),
-        circle: program.cone.then(|| circle(solution)),
+        circle: (!program.cones.is_empty()).then(|| circle(solution)),
         binding,
         easing,
         solver,

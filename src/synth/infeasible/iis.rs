@@ -8,7 +8,7 @@ use crate::synth::limits::NonconvexLimits;
 use crate::synth::optimum::easing;
 use crate::synth::optimum::{Refusal, at_own_size, scp};
 use crate::synth::qp::{
-    Demand, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic, RmsLimit, Solution,
+    Demand, Failure, Limit, Meaning, PEAK, Program, Quadratic, RmsLimit, Solution, Values,
 };
 use crate::synth::report::limited::{Conflicting, Infeasible, Relaxation};
 use crate::synth::report::reason::Reason;
@@ -222,7 +222,7 @@ fn elastic(program: &Program, name: Criterion) -> Option<Relaxation> {
     elastic.hessian = nothing.hessian;
     elastic.gradient = nothing.gradient;
     elastic.limits.retain(|l| !l.is_peak());
-    elastic.cost = [0.0; EXTRAS];
+    elastic.cost = Values::NONE;
     elastic.cost[PEAK] = 1.0;
     let is_number = |l: &Limit| l.name == name && l.meaning.value(l.bound).is_some();
     let first = *elastic.limits.iter().find(|l| is_number(l))?;

@@ -6,7 +6,7 @@ use crate::cam::{Body, Cam, Check, Criterion, Follower, FollowerKind, LimitKind}
 use crate::law::Svaj;
 use crate::poly::Extreme;
 use crate::problem::Problem;
-use crate::synth::qp::{Limit, Meaning, RADIUS};
+use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
 /// Points of the profile among which interference is looked for.
 const INTERFERENCE_POINTS: usize = 360;
@@ -26,8 +26,8 @@ pub fn row(problem: &Problem) -> Option<Limit> {
         offset: base,
     };
     let is_flat = problem.cam.follower == FollowerKind::FlatTranslating;
-    let limit = Limit::new(LimitKind::Curvature, BEND, base - rho, base);
-    is_flat.then(|| limit.read_as(meaning))
+    let limit = structural(LimitKind::Curvature, BEND, base - rho, base);
+    is_flat.then(|| meaning.of(limit))
 }
 
 /// The same with the base radius among the variables.
@@ -37,7 +37,8 @@ pub fn row_with_size(problem: &Problem) -> Limit {
         factor: -1.0,
         offset: 0.0,
     };
-    let mut limit = Limit::new(LimitKind::Curvature, BEND, -rho, problem.length).read_as(meaning);
+    let limit = structural(LimitKind::Curvature, BEND, -rho, problem.length);
+    let mut limit = meaning.of(limit);
     limit.extra[RADIUS] = -1.0;
     limit
 }

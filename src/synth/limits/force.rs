@@ -7,7 +7,9 @@ use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Problem, piecewise};
 use crate::scene::Minimise;
-use crate::synth::qp::{Limit, MeanSquare, Meaning, PEAK, Program, RmsLimit, TOLERANCE};
+use crate::synth::qp::{
+    Limit, MeanSquare, Meaning, PEAK, Program, RmsLimit, TOLERANCE, structural,
+};
 use crate::synth::report::force::ForceReport;
 
 /// Smallest and largest force.
@@ -25,13 +27,13 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     let mut out = Vec::new();
     if let Some(low) = problem.limits[LimitKind::ForceMin] {
         let weights = [-s, -v, -a, 0.0, 0.0];
-        let limit = Limit::new(LimitKind::ForceMin, weights, rest - low, scale);
-        out.push(limit.read_as(meaning(-1.0)));
+        let limit = structural(LimitKind::ForceMin, weights, rest - low, scale);
+        out.push(meaning(-1.0).of(limit));
     }
     if let Some(high) = problem.limits[LimitKind::ForceMax] {
         let weights = [s, v, a, 0.0, 0.0];
-        let limit = Limit::new(LimitKind::ForceMax, weights, high - rest, scale);
-        out.push(limit.read_as(meaning(1.0)));
+        let limit = structural(LimitKind::ForceMax, weights, high - rest, scale);
+        out.push(meaning(1.0).of(limit));
     }
     out
 }
@@ -55,8 +57,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
         let weights = [sign * s, sign * v, sign * a, 0.0, 0.0];
         Limit {
             shape: Some(program.shapes.len() - 1),
-            meaning,
-            ..Limit::new(name, weights, 0.0, scale)
+            ..meaning.of(structural(name, weights, 0.0, scale))
         }
     };
     if let Some([low, high]) = &problem.band {

@@ -4,7 +4,7 @@ use super::finished::SLACK;
 use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::{Problem, sum};
-use crate::synth::qp::{FACE_END, LOWEST, Limit, Meaning, only};
+use crate::synth::qp::{FACE_END, LOWEST, Limit, Meaning, Variable, only, structural};
 
 /// A law may dip below its base circle by this part of the stroke: rounding.
 const DIP: f64 = 1e-7;
@@ -18,13 +18,13 @@ pub fn base_circle(problem: &Problem) -> Vec<Limit> {
         return Vec::new();
     }
     let scale = stroke.map_or(problem.length, |h| h.min(problem.length));
-    vec![Limit::new(Criterion::BaseCircle, only(0, -1.0), 0.0, scale)]
+    vec![structural(Criterion::BaseCircle, only(0, -1.0), 0.0, scale)]
 }
 
 /// The same with the size of the cam among the variables.
 pub fn above_base_circle(problem: &Problem) -> Option<Limit> {
     let length = problem.length;
-    let limit = Limit::new(Criterion::BaseCircle, only(0, -1.0), 0.0, length);
+    let limit = structural(Criterion::BaseCircle, only(0, -1.0), 0.0, length);
     problem.above_base_circle.then_some(limit)
 }
 
@@ -41,19 +41,32 @@ pub fn stroke(problem: &Problem) -> Vec<Limit> {
         return Vec::new();
     };
     let window = problem.level_is_known().then_some(LOWEST);
-    Limit::range(LimitKind::Stroke, 0, h, problem.length, window)
+    range(problem, LimitKind::Stroke, 0, h, window)
+}
+
+/// A derivative within a range of the given width, from 0 on or from the value of a variable on.
+fn range(
+    problem: &Problem,
+    name: LimitKind,
+    order: usize,
+    width: f64,
+    window: Option<Variable>,
+) -> Vec<Limit> {
+    let side = Limit::on(name, only(order, 1.0));
+    let scale = if width == 0.0 { problem.length } else { width };
+    let read = |top: Limit| Meaning::times(1.0).of(top.scaled(scale));
+    match window.map(|from| side.within(width, from)) {
+        Some([top, bottom]) => vec![read(top), bottom.exact()],
+        None => vec![read(side.at_most(width))],
+    }
 }
 
 /// The contact on a flat face moves by v (theory §6): its range is the face's width.
 pub fn face_width(problem: &Problem) -> Vec<Limit> {
     match (problem.limits[LimitKind::FaceWidth], problem.cam.follower) {
-        (Some(width), FollowerKind::FlatTranslating) => Limit::range(
-            LimitKind::FaceWidth,
-            1,
-            width,
-            problem.length,
-            Some(FACE_END),
-        ),
+        (Some(width), FollowerKind::FlatTranslating) => {
+            range(problem, LimitKind::FaceWidth, 1, width, Some(FACE_END))
+        }
         _ => Vec::new(),
     }
 }
@@ -76,8 +89,9 @@ pub fn timed(problem: &Problem) -> Vec<Limit> {
         let per_time = problem.drive.speed.powi(order as i32);
         for sign in [1.0, -1.0] {
             let bound = limit / per_time;
-            let limit = Limit::relative(name, only(order, sign), bound, problem.length);
-            out.push(limit.read_as(Meaning::times(per_time)));
+            let scale = if bound == 0.0 { problem.length } else { bound };
+            let limit = structural(name, only(order, sign), bound, scale);
+            out.push(Meaning::times(per_time).of(limit));
         }
     }
     out
@@ -121,7 +135,7 @@ pub fn monotone(problem: &Problem) -> Vec<Limit> {
         let sign = if after > before { -1.0 } else { 1.0 };
         Limit {
             domain: (from, to),
-            ..Limit::new(Criterion::Monotone, only(1, sign), 0.0, problem.length)
+            ..structural(Criterion::Monotone, only(1, sign), 0.0, problem.length)
         }
     };
     points
@@ -134,5 +148,5 @@ pub fn monotone(problem: &Problem) -> Vec<Limit> {
 /// The largest absolute value of a derivative, as the quantity to minimise.
 pub fn peak(problem: &Problem, order: usize) -> [Limit; 2] {
     [1.0, -1.0]
-        .map(|sign| Limit::new(Criterion::Peak, only(order, sign), 0.0, problem.length).minimised())
+        .map(|sign| structural(Criterion::Peak, only(order, sign), 0.0, problem.length).minimised())
 }

@@ -15,7 +15,7 @@ use crate::dynamics::hertz::{STEEL, flat_face_limit, modulus};
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{OnShaft, Problem, product};
-use crate::synth::qp::{Limit, Meaning, RADIUS};
+use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
 /// A cam is not made larger for a pressure of whose square the roller alone makes more than this part.
 const WORTH_GROWING: f64 = 0.95;
@@ -45,8 +45,8 @@ fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
         flat_face_limit(&problem.drive, base_radius, cam.thickness, steel, pressure);
     let scale = bound.abs().max(problem.drive.rest_force.abs());
     let weights = [s, v, a, j, 0.0];
-    let limit = Limit::new(LimitKind::HertzPressure, weights, bound, scale);
-    Some(limit.read_as(Meaning::Sized))
+    let limit = structural(LimitKind::HertzPressure, weights, bound, scale);
+    Some(Meaning::Sized.of(limit))
 }
 
 /// What is not convex in the loads of a problem; `None` = no limit.

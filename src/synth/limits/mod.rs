@@ -60,7 +60,7 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
 /// The lift in limits on the profile is a distance from the base circle.
 fn count_from_base_circle(problem: &Problem, limits: &mut [Limit]) {
     for limit in limits {
-        limit.from_base_circle = !problem.level_is_known() && limit.weights[0] != 0.0;
+        limit.from_reference = !problem.level_is_known() && limit.weights[0] != 0.0;
     }
 }
 

@@ -8,7 +8,7 @@ use crate::cam::{Check, FollowerKind, LimitKind};
 use crate::law::Svaj;
 use crate::poly::Extreme;
 use crate::problem::Problem;
-use crate::synth::qp::{Limit, Meaning, OFFSET, RISE};
+use crate::synth::qp::{Limit, Meaning, OFFSET, RISE, structural};
 
 /// A pressure angle that is no limit, where its tangent must be a number.
 pub const NEARLY_RIGHT: f64 = FRAC_PI_2 - 1e-3;
@@ -33,8 +33,8 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
             let offset = side * e;
             let meaning = Meaning::PrimeRadius { tan, offset };
             let weights = [-tan, side, 0.0, 0.0, 0.0];
-            let limit = Limit::new(name, weights, tan * rise + offset, prime);
-            Some(limit.read_as(meaning))
+            let limit = structural(name, weights, tan * rise + offset, prime);
+            Some(meaning.of(limit))
         })
         .collect()
 }
@@ -47,7 +47,8 @@ pub fn rows_with_size(problem: &Problem) -> [Limit; 2] {
         let t = angles[i].min(NEARLY_RIGHT).tan();
         let bound = side * problem.offset().unwrap_or(0.0);
         let weights = [-t, side, 0.0, 0.0, 0.0];
-        let mut limit = Limit::new(name, weights, bound, problem.length).read_as(Meaning::Sized);
+        let limit = structural(name, weights, bound, problem.length);
+        let mut limit = Meaning::Sized.of(limit);
         limit.extra[RISE] = -t;
         if problem.offset().is_none() {
             limit.extra[OFFSET] = -side;

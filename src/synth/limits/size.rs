@@ -7,7 +7,7 @@ use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::scene::Minimise;
-use crate::synth::qp::{Limit, Meaning, OFFSET, Program, RADIUS, RISE};
+use crate::synth::qp::{Limit, Meaning, OFFSET, Program, RADIUS, RISE, Variable, structural};
 
 /// Cost of a size among the variables, the limit on it, and the cone Rp ≥ ‖(D, e)‖ of an open offset, or of
 /// a radius that is weighed.
@@ -54,13 +54,13 @@ pub fn priced(problem: &Problem, program: &mut Program) {
             limits.push(on_size(problem, OFFSET, side, side * offset));
         }
         program.cost[RADIUS] = cost;
-        program.cone = true;
+        program.cone(Criterion::BaseCircle, RADIUS, &[RISE, OFFSET]);
     }
 }
 
 /// A size that no cost holds down is held by its limit: one row, at angle 0. What the sequence for a
 /// roller's curvature enlarges in the end is kept free.
-fn at_most(problem: &Problem, radius: f64, variable: usize) -> Limit {
+fn at_most(problem: &Problem, radius: f64, variable: Variable) -> Limit {
     let kept = if Profile::of(problem).is_some() {
         1.0 - 2.0 * ENLARGED
     } else {
@@ -68,20 +68,19 @@ fn at_most(problem: &Problem, radius: f64, variable: usize) -> Limit {
     };
     Limit {
         name: LimitKind::PrimeRadius.into(),
-        meaning: Meaning::times(1.0),
-        ..on_size(problem, variable, 1.0, radius * kept)
+        ..Meaning::times(1.0).of(on_size(problem, variable, 1.0, radius * kept))
     }
 }
 
 /// The smallest size that a cam has, whatever the objective.
-fn at_least(problem: &Problem, size: f64, variable: usize) -> Limit {
+fn at_least(problem: &Problem, size: f64, variable: Variable) -> Limit {
     on_size(problem, variable, -1.0, -size)
 }
 
 /// A bound on the size from the geometry, which no scene gives: weight · size ≤ bound.
-fn on_size(problem: &Problem, variable: usize, weight: f64, bound: f64) -> Limit {
+fn on_size(problem: &Problem, variable: Variable, weight: f64, bound: f64) -> Limit {
     let scale = problem.length * problem.lever();
-    let mut limit = Limit::new(Criterion::BaseCircle, [0.0; 5], bound, scale);
+    let mut limit = structural(Criterion::BaseCircle, [0.0; 5], bound, scale);
     limit.extra[variable] = weight;
     limit.domain = (0.0, 0.0);
     limit

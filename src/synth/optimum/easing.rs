@@ -3,9 +3,7 @@
 use crate::criterion::Criterion;
 use crate::law::Law;
 use crate::scene::Minimise;
-use crate::synth::qp::{
-    EXTRAS, Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, Solution,
-};
+use crate::synth::qp::{Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, SIZES, Solution};
 use crate::synth::report::limited::{Easing, Minimised};
 
 /// Part of a limit by which it is relaxed.
@@ -28,7 +26,7 @@ struct Sensitivity {
 /// numbers of the scene, largest gain first.
 pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> Vec<Easing> {
     // A size that is given becomes no smaller, whatever a limit allows.
-    if minimised == Minimise::Size && (1..EXTRAS).all(|k| program.cost[k] == 0.0) {
+    if minimised == Minimise::Size && SIZES.iter().all(|&k| program.cost[k] == 0.0) {
         return Vec::new();
     }
     sensitivities(program, solution)
@@ -73,14 +71,13 @@ fn measured(
             (Minimised::MaxError, peak, peak - gain)
         }
         Minimise::Weighed(_) => {
-            let sizes: f64 = (1..EXTRAS)
-                .map(|k| program.cost[k] * solution.extra[k])
-                .sum();
+            let costs = SIZES.map(|k| program.cost[k] * solution.extra[k]);
+            let sizes: f64 = costs.iter().sum();
             let before = 0.5 * mean_square + sizes;
             (Minimised::Weighed, before, before - gain)
         }
         Minimise::Size => {
-            let radius = if program.cone {
+            let radius = if !program.cones.is_empty() {
                 solution.extra[RADIUS]
             } else if program.cost[RISE] != 0.0 {
                 solution.extra[RISE].hypot(solution.extra[OFFSET])

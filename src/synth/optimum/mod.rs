@@ -212,7 +212,7 @@ impl Optimum {
             None if !solution.used_rows => (Tier::Equality, Method::NoLimitActive),
             None => {
                 let rounds = solution.rounds;
-                let cone = self.formulation.program.cone;
+                let cone = !self.formulation.program.cones.is_empty();
                 let tier = if cone { Tier::Socp } else { Tier::Qp };
                 (tier, Method::Exchange { rounds, violation })
             }
@@ -396,13 +396,13 @@ fn at_level(
     // A limit that leaves the angle open lets the law be lower elsewhere, where all lifts only grow.
     let lowest = Law::of(&program.basis, &solution.x).extremes(0).0;
     solution.x = program.basis.raised(solution.x, -lowest.value);
-    program.touch_at(lowest.at);
+    program.count_from(lowest.at);
     program.equalities.push(Equality {
         name: Demand::OnBaseCircle,
         entries: program.basis.row(lowest.at, &[1.0, 0.0, 0.0, 0.0]),
         value: 0.0,
     });
-    let is_on_lift = |l: &Limit| l.name == Criterion::BaseCircle && !l.is_on_size_alone();
+    let is_on_lift = |l: &Limit| l.name == Criterion::BaseCircle && !l.is_on_variables_alone();
     program.limits.retain(|l| !is_on_lift(l));
     program.limits.extend(optimum.formulation.above_base_circle);
     (program, solution)

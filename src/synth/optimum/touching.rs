@@ -56,7 +56,7 @@ pub struct Touching {
 /// Solves a program at the touching angle that serves it best; one that counts no lift from the base circle as
 /// it is. `stiffness` is α above, where the objective has a square part.
 pub fn at_best_angle(program: Program, stiffness: Option<f64>) -> Result<Touching, Box<Refusal>> {
-    if !program.limits.iter().any(|l| l.from_base_circle) {
+    if !program.limits.iter().any(|l| l.from_reference) {
         return match program.solve() {
             Ok(solution) => Ok(Touching {
                 program,
@@ -191,7 +191,7 @@ impl Search {
     /// The program with this touching angle.
     fn touching(&self, at: f64) -> Program {
         let mut program = self.program.clone();
-        program.touch_at(at);
+        program.count_from(at);
         program
     }
 
@@ -300,7 +300,7 @@ impl Search {
             .map(|n| n.solution.iterations)
             .sum::<usize>();
         let mut program = self.program;
-        program.touch_at(best.at);
+        program.count_from(best.at);
         Touching {
             program,
             solution,
@@ -313,7 +313,7 @@ impl Search {
 fn node(program: &Program, at: f64, solution: Solution) -> Node {
     let law = Law::of(&program.basis, &solution.x);
     let rows: &[Row] = &solution.active;
-    let counted = rows.iter().filter(|row| !row.touching.is_empty());
+    let counted = rows.iter().filter(|row| !row.reference.is_empty());
     let multiplier = counted.map(|row| -row.multiplier * row.weights[0]).sum();
     let value = program.merit(&solution);
     let dual = value - qp::certificate(program, &solution).duality_gap;

@@ -1,14 +1,17 @@
 //! The convex programs of `splineqp`, their limits and equalities named as scenes name them.
 
 mod demand;
+mod meaning;
+pub mod sizes;
 
 use crate::criterion::Criterion;
 
 pub use demand::{Demand, Given};
+pub use meaning::{Meaning, structural};
+pub use sizes::{FACE_END, LOWEST, OFFSET, RADIUS, RISE, SIZES};
 pub use splineqp::{
-    Basis, Certificate, EXTRAS, Entries, FACE_END, LOWEST, MeanSquare, Meaning, OFFSET, PEAK,
-    PROVED, Quadratic, RADIUS, RISE, SIZES, Stop, TOLERANCE, apply, certificate, only,
-    solve_equalities,
+    Basis, ByVariable, Certificate, Entries, LeftSide, MeanSquare, PEAK, PROVED, Quadratic, Stop,
+    TOLERANCE, Values, Variable, apply, certificate, only, solve_equalities,
 };
 
 /// Names of limits and equalities in a scene.
@@ -18,6 +21,7 @@ pub struct OfScene;
 impl splineqp::Names for OfScene {
     type Limit = Criterion;
     type Equality = Demand;
+    type Meaning = Meaning;
 }
 
 pub type Program = splineqp::Program<OfScene>;

@@ -1,99 +1,170 @@
-//! A linear limit on the law over a range of cam angles, and what its bound means to users.
+//! A linear limit on the law over a range of angles.
 
+use super::variable::{PEAK, Values, Variable};
 use crate::Names;
-use crate::basis::only;
+use std::ops::Neg;
 
-/// Further variables (a peak, sizes, ends of ranges), by their index in `extra` arrays.
-pub const EXTRAS: usize = 6;
-/// A bound that is itself minimised: a peak objective, an elastic limit.
-pub const PEAK: usize = 0;
-/// Base radius of a flat-faced cam, prime radius Rp of a roller cam, m.
-pub const RADIUS: usize = 1;
-/// Height D of the roller centre above the cam centre at s = 0, m.
-pub const RISE: usize = 2;
-/// Offset e of the follower, m.
-pub const OFFSET: usize = 3;
-/// Lowest lift, m, where a stroke counts from there and not from the base circle.
-pub const LOWEST: usize = 4;
-/// Smallest velocity, m/rad: where a flat face of limited width begins.
-pub const FACE_END: usize = 5;
-/// Variables of the cam's size, which a cone ties together.
-pub const SIZES: [usize; 3] = [RADIUS, RISE, OFFSET];
+/// A derivative of the law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Derivative {
+    /// The law itself.
+    Value,
+    /// Its first derivative.
+    First,
+    /// Its second derivative.
+    Second,
+    /// Its third derivative.
+    Third,
+    /// Its fourth derivative.
+    Fourth,
+}
 
-/// A linear limit on the law over a range of cam angles.
+/// A linear combination of the law and its derivatives.
+///
+/// ```
+/// use splineqp::{Derivative, LeftSide};
+///
+/// // s″ + 4 s
+/// let side = LeftSide::from([(Derivative::Second, 1.0), (Derivative::Value, 4.0)]);
+/// assert_eq!(side.weights(), [4.0, 0.0, 1.0, 0.0, 0.0]);
+/// assert_eq!(-LeftSide::from(Derivative::First), [0.0, -1.0, 0.0, 0.0, 0.0].into());
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LeftSide([f64; 5]);
+
+impl LeftSide {
+    /// Weights of the law and its derivatives, by their order.
+    pub fn weights(self) -> [f64; 5] {
+        self.0
+    }
+}
+
+impl From<Derivative> for LeftSide {
+    fn from(derivative: Derivative) -> Self {
+        LeftSide::from([(derivative, 1.0)])
+    }
+}
+
+impl<const K: usize> From<[(Derivative, f64); K]> for LeftSide {
+    fn from(terms: [(Derivative, f64); K]) -> Self {
+        let mut weights = [0.0; 5];
+        for (derivative, weight) in terms {
+            weights[derivative as usize] += weight;
+        }
+        LeftSide(weights)
+    }
+}
+
+impl From<[f64; 5]> for LeftSide {
+    /// Weights by the order of the derivative.
+    fn from(weights: [f64; 5]) -> Self {
+        LeftSide(weights)
+    }
+}
+
+impl Neg for LeftSide {
+    type Output = LeftSide;
+    fn neg(self) -> LeftSide {
+        LeftSide(self.0.map(|w| -w))
+    }
+}
+
+/// A linear limit on the law over a range of angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit<N: Names> {
     /// Name as users know it; both signs of a two-sided limit share it.
     pub name: N::Limit,
-    /// Weights of s, v, a, j and the fourth derivative, by cam angle.
+    /// Weights of the law and its derivatives, by their order.
     pub weights: [f64; 5],
-    /// Σ weights·svaj + Σ extra·y ≤ bound + shape(θ).
+    /// Σ weights·s⁽ᵏ⁾ + Σ extra·y ≤ bound + shape(θ).
     pub bound: f64,
     /// Weights of the further variables.
-    pub extra: [f64; EXTRAS],
+    pub extra: Values,
     /// Index into the program's shapes of the part of the bound that varies with θ.
     pub shape: Option<usize>,
-    /// The lift counts from the base circle, which the law touches at the program's `touching`.
-    pub from_base_circle: bool,
-    /// First and last cam angle at which it holds, rad.
+    /// The law counts from its value at the program's reference angle.
+    pub from_reference: bool,
+    /// First and last angle at which it holds, rad.
     pub domain: (f64, f64),
     /// Size against which a violation counts: |bound| unless that is 0.
     pub scale: f64,
-    /// What a change of the bound means to the user.
-    pub meaning: Meaning,
+    /// Whether a solver may keep room free inside it: not where a law may have to lie on its bound over a whole range.
+    pub has_room: bool,
+    /// Whether it is one end of a range of values whose place is free.
+    pub is_window: bool,
+    /// What a change of the bound means to the caller.
+    pub meaning: N::Meaning,
 }
 
-impl<N: Names> Limit<N> {
-    /// Σ weights·svaj ≤ bound over one turn.
-    pub fn new(name: impl Into<N::Limit>, weights: [f64; 5], bound: f64, scale: f64) -> Self {
+/// A left side that waits for its bound.
+#[derive(Debug, Clone, Copy)]
+pub struct Limited<N: Names> {
+    name: N::Limit,
+    side: LeftSide,
+}
+
+impl<N: Names> Limited<N> {
+    /// At most this bound over one turn. A violation counts as a part of the bound, or of 1 where that is 0.
+    pub fn at_most(self, bound: f64) -> Limit<N> {
         Limit {
-            name: name.into(),
-            weights,
+            name: self.name,
+            weights: self.side.0,
             bound,
-            extra: [0.0; EXTRAS],
+            extra: Values::NONE,
             shape: None,
-            from_base_circle: false,
+            from_reference: false,
             domain: (0.0, std::f64::consts::TAU),
-            scale,
-            meaning: Meaning::Structure,
+            scale: if bound == 0.0 { 1.0 } else { bound.abs() },
+            has_room: true,
+            is_window: false,
+            meaning: N::Meaning::default(),
         }
     }
 
-    /// The same, a violation counted as a part of the bound, or of `typical` where that is 0.
-    pub fn relative(
-        name: impl Into<N::Limit>,
-        weights: [f64; 5],
-        bound: f64,
-        typical: f64,
-    ) -> Self {
-        let scale = if bound == 0.0 { typical } else { bound.abs() };
-        Limit::new(name, weights, bound, scale)
+    /// At least this bound over one turn.
+    pub fn at_least(self, bound: f64) -> Limit<N> {
+        let side = -self.side;
+        Limited { side, ..self }.at_most(-bound)
     }
 
-    /// A derivative within a range of the given width, from 0 on or from where a variable says.
-    pub fn range(
-        name: impl Into<N::Limit>,
-        order: usize,
-        width: f64,
-        typical: f64,
-        window: Option<usize>,
-    ) -> Vec<Self> {
-        let name = name.into();
-        let mut top = Limit::relative(name, only(order, 1.0), width, typical);
-        top.meaning = Meaning::times(1.0);
-        let Some(variable) = window else {
-            return vec![top];
-        };
-        top.extra[variable] = -1.0;
-        let mut bottom = Limit::new(name, only(order, -1.0), 0.0, width);
-        bottom.extra[variable] = 1.0;
-        vec![top, bottom]
+    /// Within a range of the given width, which begins at the value of a variable.
+    pub fn within(self, width: f64, from: Variable) -> [Limit<N>; 2] {
+        let (mut top, mut bottom) = (self.at_most(width), self.at_least(0.0).scaled(width));
+        (top.extra[from], bottom.extra[from]) = (-1.0, 1.0);
+        (top.is_window, bottom.is_window) = (true, true);
+        [top, bottom]
+    }
+}
+
+impl<N: Names> Limit<N> {
+    /// A limit on a derivative or on a combination of derivatives, which waits for its bound.
+    ///
+    /// ```
+    /// use splineqp::{Derivative, Limit};
+    ///
+    /// let limit: Limit<()> = Limit::on("acceleration", Derivative::Second).at_most(0.7);
+    /// assert_eq!((limit.weights[2], limit.bound, limit.scale), (1.0, 0.7, 0.7));
+    /// let limit: Limit<()> = Limit::on("acceleration", Derivative::Second).at_least(-0.7);
+    /// assert_eq!((limit.weights[2], limit.bound), (-1.0, 0.7));
+    /// ```
+    pub fn on(name: impl Into<N::Limit>, side: impl Into<LeftSide>) -> Limited<N> {
+        Limited {
+            name: name.into(),
+            side: side.into(),
+        }
     }
 
-    /// The same limit whose bound users read so.
+    /// The same limit with a size against which a violation counts.
     #[must_use]
-    pub fn read_as(mut self, meaning: Meaning) -> Self {
-        self.meaning = meaning;
+    pub fn scaled(mut self, scale: f64) -> Self {
+        self.scale = scale;
+        self
+    }
+
+    /// The same limit without room inside it.
+    #[must_use]
+    pub fn exact(mut self) -> Self {
+        self.has_room = false;
         self
     }
 
@@ -105,18 +176,13 @@ impl<N: Names> Limit<N> {
         self
     }
 
-    /// Size against which an excess over the given room counts: a range is no longer for starting far off.
+    /// Size against which an excess over the given room counts. A range of values is no longer for starting far from 0.
     pub fn size(&self, room: f64) -> f64 {
-        if self.is_window() {
+        if self.is_window {
             self.scale
         } else {
             self.scale.max(room.abs())
         }
-    }
-
-    /// Whether it holds one end of a range of values whose place is free: a stroke, a face.
-    pub fn is_window(&self) -> bool {
-        self.extra[LOWEST] != 0.0 || self.extra[FACE_END] != 0.0
     }
 
     /// Highest derivative in its left side.
@@ -131,7 +197,8 @@ impl<N: Names> Limit<N> {
 
     /// The same limit with an empty domain.
     pub(crate) fn idle(mut self) -> Self {
-        self.extra = [0.0; EXTRAS];
+        self.extra = Values::NONE;
+        self.is_window = false;
         self.domain = (f64::INFINITY, f64::INFINITY);
         self
     }
@@ -142,8 +209,8 @@ impl<N: Names> Limit<N> {
     }
 
     /// Whether it contains further variables only.
-    pub fn is_on_size_alone(&self) -> bool {
-        self.weights == [0.0; 5] && self.extra != [0.0; EXTRAS]
+    pub fn is_on_variables_alone(&self) -> bool {
+        self.weights == [0.0; 5] && !self.extra.is_none()
     }
 
     /// Whether its bound is minimised.
@@ -152,61 +219,7 @@ impl<N: Names> Limit<N> {
     }
 
     /// The bound less the terms of the further variables.
-    pub(crate) fn room(&self, extra: &[f64; EXTRAS]) -> f64 {
-        self.bound - (0..EXTRAS).map(|k| self.extra[k] * extra[k]).sum::<f64>()
-    }
-}
-
-/// How a bound is read by users.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Meaning {
-    /// Not a number of the scene: the base circle, a monotone flank, the objective.
-    Structure,
-    /// The scene's value is factor·bound + offset.
-    Value {
-        /// Factor.
-        factor: f64,
-        /// Offset.
-        offset: f64,
-    },
-    /// A limit on a size that is itself a variable: nothing to relax.
-    Sized,
-    /// A pressure-angle limit on a given prime circle: bound = tan·D ± e, read as the prime radius.
-    PrimeRadius {
-        /// Tangent of the angle allowed.
-        tan: f64,
-        /// Offset of the follower with its sign in the bound, m.
-        offset: f64,
-    },
-}
-
-impl Meaning {
-    /// The user's value is the bound times a factor.
-    pub fn times(factor: f64) -> Meaning {
-        Meaning::Value {
-            factor,
-            offset: 0.0,
-        }
-    }
-
-    /// The user's value for a bound; `None` where there is none.
-    pub fn value(self, bound: f64) -> Option<f64> {
-        match self {
-            Meaning::Structure | Meaning::Sized => None,
-            Meaning::Value { factor, offset } => Some(factor * bound + offset),
-            Meaning::PrimeRadius { tan, offset } => Some(((bound - offset) / tan).hypot(offset)),
-        }
-    }
-
-    /// |d value / d bound|, for multipliers.
-    pub fn slope(self, bound: f64) -> f64 {
-        match self {
-            Meaning::Structure | Meaning::Sized => 1.0,
-            Meaning::Value { factor, .. } => factor.abs(),
-            Meaning::PrimeRadius { tan, offset } => {
-                let rise = (bound - offset) / tan;
-                (rise / rise.hypot(offset)).abs() / tan
-            }
-        }
+    pub fn room(&self, extra: &Values) -> f64 {
+        self.bound - self.extra.dot(extra)
     }
 }

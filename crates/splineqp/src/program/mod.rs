@@ -11,17 +11,21 @@ mod limit;
 mod pieces;
 mod rms;
 mod separation;
+mod variable;
 
 pub use failure::{Failure, Stop};
-pub use limit::{EXTRAS, FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, RADIUS, RISE, SIZES};
-pub use rms::{Ball, RmsLimit, hold};
+pub use limit::{Derivative, LeftSide, Limit, Limited};
+pub use rms::{Ball, RmsLimit};
+pub(crate) use variable::make_constant;
+pub use variable::{ByVariable, Cone, PEAK, Values, Variable};
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries, apply};
 use super::objective::{Quadratic, quadratic};
-use super::settings::{Settings, TOLERANCE};
+use super::settings::Settings;
 use crate::poly::{Peak, PiecewisePoly};
 use gaitcam_base::halt::Halt;
+use variable::Declared;
 
 /// An exact demand on the law: Σ entries·x = value.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,16 +57,17 @@ pub struct Program<N: Names> {
     pub rms: Vec<RmsLimit<N>>,
     /// Parts of bounds that vary with θ.
     pub shapes: Vec<PiecewisePoly>,
-    /// Lift where the law of open level touches its base circle; `None` where the law's zero is that circle.
-    pub touching: Option<Entries>,
+    /// The law's value at the angle from which limits may count it; `None` where they count from zero.
+    pub reference: Option<Entries>,
     /// Rows of no limit (linearised curvature), kept in every round.
     pub fixed: Vec<Row<N>>,
     /// Rows to begin the exchange with: the contacts of a neighbouring program.
     pub seeds: Vec<Row<N>>,
     /// Cost of each further variable.
-    pub cost: [f64; EXTRAS],
-    /// Rp ≥ ‖(D, e)‖.
-    pub cone: bool,
+    pub cost: Values,
+    /// Second-order cones of the further variables.
+    pub cones: Vec<Cone<N>>,
+    variables: Vec<Declared>,
     /// Typical size of the coefficients, m: the unit in which the solver works.
     pub length: f64,
     /// Settings of its solution.
@@ -84,10 +89,10 @@ pub struct Row<N: Names> {
     pub weights: [f64; 5],
     /// The row.
     pub entries: Entries,
-    /// The part of it that stands at the touching angle.
-    pub touching: Entries,
+    /// The part of it at the reference angle.
+    pub reference: Entries,
     /// Weights of the further variables.
-    pub extra: [f64; EXTRAS],
+    pub extra: Values,
     /// Its bound.
     pub bound: f64,
     /// Size of which a part may be kept free; 0 where none can be.
@@ -105,8 +110,8 @@ impl<N: Names> Row<N> {
             peak,
             weights: [0.0; 5],
             entries,
-            touching: Vec::new(),
-            extra: [0.0; EXTRAS],
+            reference: Vec::new(),
+            extra: Values::NONE,
             bound,
             scale: 0.0,
             multiplier: 0.0,
@@ -114,9 +119,8 @@ impl<N: Names> Row<N> {
     }
 
     /// Bound less left side.
-    pub(crate) fn slack(&self, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
-        let taken: f64 = (0..EXTRAS).map(|k| self.extra[k] * extra[k]).sum();
-        self.bound - taken - apply(&self.entries, x)
+    pub(crate) fn slack(&self, x: &[f64], extra: &Values) -> f64 {
+        self.bound - self.extra.dot(extra) - apply(&self.entries, x)
     }
 
     /// Whether a row of the same limit lies within this part of the piece.
@@ -133,7 +137,7 @@ pub struct Solution<N: Names> {
     /// Coefficients.
     pub x: Vec<f64>,
     /// Values of the further variables.
-    pub extra: [f64; EXTRAS],
+    pub extra: Values,
     /// Active rows with their multipliers.
     pub active: Vec<Row<N>>,
     /// Whether inequalities had to be brought in at all.
@@ -163,11 +167,12 @@ impl<N: Names> Program<N> {
             limits: Vec::new(),
             rms: Vec::new(),
             shapes: Vec::new(),
-            touching: None,
+            reference: None,
             fixed: Vec::new(),
             seeds: Vec::new(),
-            cost: [0.0; EXTRAS],
-            cone: false,
+            cost: Values::NONE,
+            cones: Vec::new(),
+            variables: Vec::new(),
             length,
             settings: Settings::default(),
             halt: Halt::never(),
@@ -176,126 +181,47 @@ impl<N: Names> Program<N> {
 
     /// Bound of a limit's left side on a law: the bound less the terms of the further variables,
     /// and what a lift counted from the touching angle gains.
-    pub fn room(&self, limit: &Limit<N>, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
-        let lowest = self.reference(limit).map_or(0.0, |at| apply(at, x));
+    pub fn room(&self, limit: &Limit<N>, x: &[f64], extra: &Values) -> f64 {
+        let lowest = self.reference_of(limit).map_or(0.0, |at| apply(at, x));
         limit.room(extra) + limit.weights[0] * lowest
     }
 
-    /// Has the law touch its base circle at an angle, rad.
-    pub fn touch_at(&mut self, angle: f64) {
-        self.touching = Some(self.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]));
+    /// Has limits count the law from its value at an angle, rad.
+    pub fn count_from(&mut self, angle: f64) {
+        self.reference = Some(self.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]));
     }
 
-    /// The lift from which a limit counts, where that is not the law's zero.
-    pub fn reference(&self, limit: &Limit<N>) -> Option<&Entries> {
-        self.touching.as_ref().filter(|_| limit.from_base_circle)
+    /// The value from which a limit counts the law, where that is not zero.
+    pub fn reference_of(&self, limit: &Limit<N>) -> Option<&Entries> {
+        self.reference.as_ref().filter(|_| limit.from_reference)
     }
 
-    /// Which of the further variables take part.
-    pub fn present(&self) -> [bool; EXTRAS] {
-        let mut out = [false; EXTRAS];
-        for (k, present) in out.iter_mut().enumerate() {
-            *present = self.cost[k] != 0.0
-                || self.limits.iter().any(|l| l.extra[k] != 0.0)
-                || self.fixed.iter().any(|r| r.extra[k] != 0.0)
-                || (self.cone && SIZES.contains(&k));
-        }
-        out
-    }
-
-    /// The same by their indices.
-    pub fn free_variables(&self) -> Vec<usize> {
-        let present = self.present();
-        (0..EXTRAS).filter(|&k| present[k]).collect()
-    }
-
-    /// The same program with its sizes held at the solution's, enlarged by `room`: without a cone it is
-    /// solved to rounding, which a cone program is not.
-    pub fn with_sizes_held(&self, solution: &Solution<N>, room: f64) -> Program<N> {
-        let mut held = self.clone();
-        let mut sizes = solution.extra;
-        sizes[RISE] *= 1.0 + room;
-        sizes[RADIUS] *= 1.0 + room;
-        let hold = |bound: &mut f64, extra: &mut [f64; EXTRAS]| {
-            for k in SIZES {
-                *bound -= extra[k] * sizes[k];
-                extra[k] = 0.0;
-            }
-        };
-        for limit in &mut held.limits {
-            hold(&mut limit.bound, &mut limit.extra);
-        }
-        for row in &mut held.fixed {
-            hold(&mut row.bound, &mut row.extra);
-        }
-        SIZES.iter().for_each(|&k| held.cost[k] = 0.0);
-        held.cone = false;
-        held.settings.tolerance = TOLERANCE;
-        held.seeds = self.seeds_of(&solution.active);
-        for row in &mut held.seeds {
-            hold(&mut row.bound, &mut row.extra);
-        }
-        held
-    }
-
-    /// Whether limits on the size alone hold.
-    pub fn keeps_sizes(&self, extra: &[f64; EXTRAS]) -> bool {
-        let mut alone = self.limits.iter().filter(|l| l.is_on_size_alone());
-        alone.all(|l| l.room(extra) >= -self.settings.tolerance * l.size(l.bound))
-    }
-
-    /// The sizes that limits on the size alone leave of these.
-    pub fn sizes_within(&self, extra: &[f64; EXTRAS]) -> [f64; EXTRAS] {
-        let mut out = *extra;
-        for limit in self.limits.iter().filter(|l| l.is_on_size_alone()) {
-            for k in SIZES.into_iter().filter(|&k| limit.extra[k] > 0.0) {
-                out[k] = out[k].min(limit.bound / limit.extra[k]);
-            }
-        }
-        if self.cone && out[RADIUS] < extra[RADIUS] {
-            let part = out[RADIUS] / extra[RADIUS];
-            (out[RISE], out[OFFSET]) = (part * extra[RISE], part * extra[OFFSET]);
-        }
-        out
-    }
-
-    /// The same program with limits on the size alone as wide as these sizes ask for, and a cost on each of them.
-    pub fn with_sizes_priced(&self, extra: &[f64; EXTRAS], cost: f64) -> Program<N> {
-        let mut priced = self.clone();
-        for limit in priced.limits.iter_mut().filter(|l| l.is_on_size_alone()) {
-            limit.bound += (-limit.room(extra)).max(0.0);
-            for k in SIZES.into_iter().filter(|&k| limit.extra[k] > 0.0) {
-                priced.cost[k] = priced.cost[k].max(cost);
-            }
-        }
-        priced
-    }
-
-    /// The same program with every stroke and face left free; `None` without such limits, and next to a program in
+    /// The same program with every range of free place left open; `None` without such limits, and next to a program in
     /// which one of them was active.
     pub fn without_windows(&self) -> Option<Program<N>> {
-        let mut windows = self.limits.iter().filter(|l| l.is_window()).peekable();
+        let mut windows = self.limits.iter().filter(|l| l.is_window).peekable();
         if windows.peek().is_none() || windows.any(Limit::is_peak) {
             return None;
         }
-        let of_window = |r: &Row<N>| r.limit.is_some_and(|i| self.limits[i].is_window());
+        let of_window = |r: &Row<N>| r.limit.is_some_and(|i| self.limits[i].is_window);
         if (self.seeds.iter()).any(|r| r.multiplier > 0.0 && of_window(r)) {
             return None;
         }
         let mut free = self.clone();
         free.seeds.retain(|r| !of_window(r));
-        for limit in free.limits.iter_mut().filter(|l| l.is_window()) {
+        for limit in free.limits.iter_mut().filter(|l| l.is_window) {
             *limit = limit.idle();
         }
         Some(free)
     }
 
-    /// Where stroke and face begin on a law.
-    pub fn windows(&self, x: &[f64]) -> [f64; EXTRAS] {
-        let mut extra = [0.0; EXTRAS];
-        if self.limits.iter().any(Limit::is_window) {
-            extra[LOWEST] = self.basis.least(x, 0);
-            extra[FACE_END] = self.basis.least(x, 1);
+    /// Where the ranges of free place begin on a law.
+    pub fn windows(&self, x: &[f64]) -> Values {
+        let mut extra = Values::NONE;
+        if self.limits.iter().any(|l| l.is_window) {
+            for (k, order) in self.least_values() {
+                extra[k] = self.basis.least(x, order);
+            }
         }
         extra
     }
@@ -322,8 +248,8 @@ impl<N: Names> Program<N> {
         !self.equalities.iter().any(fixes_level) && self.constant_is_free()
     }
 
-    /// Where nothing fixes the level, the law raised until its lowest point is at zero: a stroke counts from there.
-    pub(crate) fn on_base_circle(&self, x: Vec<f64>) -> Vec<f64> {
+    /// Where nothing fixes the level, the law raised until its lowest point is at zero.
+    pub(crate) fn with_least_at_zero(&self, x: Vec<f64>) -> Vec<f64> {
         if !self.level_is_open() {
             return x;
         }
@@ -346,7 +272,8 @@ impl<N: Names> Program<N> {
     pub fn objective_unit(&self) -> f64 {
         let h = self.hessian.largest_diagonal() * self.length * self.length;
         let g = self.gradient.iter().fold(0.0_f64, |m, g| m.max(g.abs())) * self.length;
-        let linear = (1..EXTRAS).fold(0.0_f64, |m, k| m.max(self.cost[k].abs())) * self.length;
+        let costs = self.cost.iter().filter(|(k, _)| *k != PEAK);
+        let linear = costs.fold(0.0_f64, |m, (k, cost)| m.max(cost.abs() * self.typical(k)));
         let unit = h.max(g).max(linear);
         if unit > 0.0 { unit } else { 1.0 }
     }
@@ -361,8 +288,7 @@ impl<N: Names> Program<N> {
 
     /// The whole objective of a solution.
     pub fn merit(&self, solution: &Solution<N>) -> f64 {
-        let beside = (0..EXTRAS).map(|k| self.cost[k] * solution.extra[k]);
-        self.objective(&solution.x) + self.constant + beside.sum::<f64>()
+        self.objective(&solution.x) + self.constant + self.cost.dot(&solution.extra)
     }
 
     /// Value of the quadratic part of the objective.

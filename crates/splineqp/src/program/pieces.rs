@@ -321,7 +321,7 @@ mod tests {
                 let (low, high) = curve.extremes();
                 let limit = Limit {
                     domain: (0.0, 4.0),
-                    ..Limit::<()>::new("peak", [s, v, a, j, 0.0], 0.0, 1.0)
+                    ..Limit::<()>::on("peak", [s, v, a, j, 0.0]).at_most(0.0)
                 };
                 let size = high.value.max(-low.value);
                 let mut most = f64::NEG_INFINITY;

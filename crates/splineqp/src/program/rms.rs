@@ -1,6 +1,6 @@
 //! A limit on a root mean square of the law, such as its force error.
 
-use super::{EXTRAS, Limit, Meaning, PEAK, Program, Row, SIZES};
+use super::{ByVariable, Limit, Program, Row, Values, Variable};
 use crate::Names;
 use crate::band::ArrowFactor;
 use crate::objective::{MeanSquare, Quadratic};
@@ -30,8 +30,8 @@ pub struct RmsLimit<N: Names> {
     pub half: MeanSquare,
     /// The largest root mean square allowed; above 0.
     pub most: f64,
-    /// What `most` means to the user.
-    pub meaning: Meaning,
+    /// What `most` means to the caller.
+    pub meaning: N::Meaning,
 }
 
 impl<N: Names> RmsLimit<N> {
@@ -116,21 +116,12 @@ impl<N: Names> Program<N> {
         Some(out.minimising(limit.half.whole))
     }
 
-    /// The same program with the peak held at a value.
-    pub(crate) fn under_peak(&self, peak: f64) -> Program<N> {
-        let mut out = self.clone();
-        for limit in &mut out.limits {
-            hold(&mut limit.bound, &mut limit.extra, peak);
-        }
-        out
-    }
-
     /// The same program with another objective, over the coefficients alone. Its limits keep their places, so that rows of one
     /// are rows of the other.
     #[must_use]
     pub fn minimising(mut self, objective: Quadratic) -> Program<N> {
         (self.hessian, self.gradient) = (objective.hessian, objective.gradient);
-        (self.constant, self.cost) = (objective.constant, [0.0; EXTRAS]);
+        (self.constant, self.cost) = (objective.constant, Values::NONE);
         self.without_idle_limits();
         self.seeds.clear();
         self
@@ -138,21 +129,16 @@ impl<N: Names> Program<N> {
 
     /// Leaves out limits that a variable without a cost takes away: a peak or a size that nothing keeps from growing.
     fn without_idle_limits(&mut self) {
-        let kept = |k: usize| {
-            self.cone && SIZES.contains(&k)
+        let kept = |k: Variable| {
+            self.is_in_cone(k)
                 || self.limits.iter().any(|l| l.extra[k] > 0.0)
                 || self.fixed.iter().any(|r| r.extra[k] != 0.0)
         };
-        let grows: [bool; EXTRAS] = std::array::from_fn(|k| self.cost[k] == 0.0 && !kept(k));
-        let is_idle = |l: &Limit<N>| (0..EXTRAS).any(|k| grows[k] && l.extra[k] < 0.0);
+        let mut grows = ByVariable::<bool>::default();
+        Variable::all().for_each(|k| grows[k] = self.cost[k] == 0.0 && !kept(k));
+        let is_idle = |l: &Limit<N>| l.extra.iter().any(|(k, weight)| grows[k] && weight < 0.0);
         for limit in self.limits.iter_mut().filter(|l| is_idle(l)) {
             *limit = limit.idle();
         }
     }
-}
-
-/// A row under a peak that is no variable any more.
-pub fn hold(bound: &mut f64, extra: &mut [f64; EXTRAS], peak: f64) {
-    *bound -= extra[PEAK] * peak;
-    extra[PEAK] = 0.0;
 }

@@ -1,26 +1,26 @@
 //! Where a law breaks its limits: exact worst points, from the roots of the limits' own derivatives.
 
 use super::pieces::{Curve, Pieces};
-use super::{EXTRAS, Limit, Meaning, PEAK, Program, Row};
+use super::{Limit, PEAK, Program, Row, Values};
 use crate::Names;
 use crate::basis::{Basis, Entries, WIDEST, add};
 use crate::poly::{Peak, PiecewisePoly, SplineSpace, bernstein};
 
 impl<N: Names> Program<N> {
     /// Exact worst points at which a limit is exceeded by more than the tolerance.
-    pub fn broken(&self, x: &[f64], extra: &[f64; EXTRAS]) -> Vec<(usize, Peak)> {
+    pub fn broken(&self, x: &[f64], extra: &Values) -> Vec<(usize, Peak)> {
         self.peaks_near(x, extra, -self.settings.tolerance)
     }
 
     /// Largest excess over any limit, relative to its scale; 0 when all hold.
-    pub fn violation(&self, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
+    pub fn violation(&self, x: &[f64], extra: &Values) -> f64 {
         let of_means = self.rms.iter().map(|limit| limit.excess(x));
         let of_limits = self.worst(&self.peaks_near(x, extra, 0.0), x, extra);
         of_means.fold(of_limits.max(0.0), f64::max)
     }
 
     /// Local maxima of the limits' left sides that come as near to their bound as this part of its size.
-    pub fn peaks_near(&self, x: &[f64], extra: &[f64; EXTRAS], near: f64) -> Vec<(usize, Peak)> {
+    pub fn peaks_near(&self, x: &[f64], extra: &Values, near: f64) -> Vec<(usize, Peak)> {
         let mut out = Vec::new();
         let level = |limit: &Limit<N>| {
             let bound = self.room(limit, x, extra);
@@ -35,7 +35,7 @@ impl<N: Names> Program<N> {
         &self,
         peaks: &[(usize, Peak)],
         x: &[f64],
-        extra: &[f64; EXTRAS],
+        extra: &Values,
     ) -> Vec<(usize, Peak)> {
         let broken = peaks.iter().filter(|(index, peak)| {
             let limit = &self.limits[*index];
@@ -46,7 +46,7 @@ impl<N: Names> Program<N> {
     }
 
     /// Largest excess of these maxima over their limits and of the rows that are always kept, relative to the limits' scale.
-    pub fn worst(&self, peaks: &[(usize, Peak)], x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
+    pub fn worst(&self, peaks: &[(usize, Peak)], x: &[f64], extra: &Values) -> f64 {
         let excess = peaks.iter().map(|(index, peak)| {
             let limit = &self.limits[*index];
             let bound = self.room(limit, x, extra);
@@ -56,7 +56,7 @@ impl<N: Names> Program<N> {
     }
 
     /// Largest excess of the rows of no limit that have a scale, as a part of it.
-    pub fn excess_of_rows(&self, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
+    pub fn excess_of_rows(&self, x: &[f64], extra: &Values) -> f64 {
         let rows = self.fixed.iter().filter(|row| row.scale > 0.0);
         rows.map(|row| -row.slack(x, extra) / row.scale)
             .fold(0.0, f64::max)
@@ -64,7 +64,7 @@ impl<N: Names> Program<N> {
 
     /// The minimised peak, raised to what the law itself attains: its excess over the variable then counts in the objective,
     /// and so in the duality gap, and not as a violation relative to the limit's scale.
-    pub fn own_peak(&self, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
+    pub fn own_peak(&self, x: &[f64], extra: &Values) -> f64 {
         let mut raised = 0.0_f64;
         if self.limits.iter().any(Limit::is_peak) {
             let level = |limit: &Limit<N>| match limit.is_peak() {
@@ -132,11 +132,13 @@ impl<N: Names> Program<N> {
         } else {
             self.basis.row(peak.at, &limit.weights)
         };
-        let touching = self.reference(limit).map_or_else(Entries::new, |lowest| {
-            let weight = -limit.weights[0];
-            lowest.iter().map(|&(i, b)| (i, weight * b)).collect()
-        });
-        touching.iter().for_each(|&entry| add(&mut entries, entry));
+        let reference = self
+            .reference_of(limit)
+            .map_or_else(Entries::new, |lowest| {
+                let weight = -limit.weights[0];
+                lowest.iter().map(|&(i, b)| (i, weight * b)).collect()
+            });
+        reference.iter().for_each(|&entry| add(&mut entries, entry));
         let shape = limit.shape.map_or(0.0, |i| self.shapes[i].eval(peak.at));
         Row {
             limit: Some(index),
@@ -144,22 +146,17 @@ impl<N: Names> Program<N> {
             peak,
             weights: limit.weights,
             entries,
-            touching,
+            reference,
             extra: limit.extra,
             bound: limit.bound + shape,
-            // A law at rest lies on the base circle and on the edge of steadiness: no room can be kept there.
-            scale: if limit.meaning == Meaning::Structure {
-                0.0
-            } else {
-                limit.scale
-            },
+            scale: if limit.has_room { limit.scale } else { 0.0 },
             multiplier: 0.0,
         }
     }
 
     /// Rows at both ends and the middle of every piece, for limits whose bound is itself a variable.
     pub fn seed_rows(&self, rows: &mut Vec<Row<N>>) {
-        let variable = |l: &Limit<N>| l.extra.iter().any(|e| *e != 0.0);
+        let variable = |l: &Limit<N>| !l.extra.is_none();
         let breaks = self.basis.breaks();
         for (index, limit) in self.limits.iter().enumerate().filter(|(_, l)| variable(l)) {
             for (piece, ends) in breaks.windows(2).enumerate() {
@@ -182,7 +179,7 @@ impl<N: Names> Program<N> {
                 continue;
             };
             let pieces = pieces.get_or_insert_with(|| self.pieces(space, x));
-            let room = self.room(limit, x, &[0.0; EXTRAS]);
+            let room = self.room(limit, x, &Values::NONE);
             pieces.each_above(space, limit, room, &mut curve, |curve, piece| {
                 let span = &space.spans()[piece];
                 let mut room_for_one = [0.0; WIDEST];

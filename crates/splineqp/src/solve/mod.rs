@@ -17,7 +17,7 @@ mod rms;
 use crate::Names;
 use crate::basis::apply;
 use crate::equality::{self, Unlimited};
-use crate::program::{EXTRAS, FACE_END, Failure, LOWEST, PEAK, Program, SIZES, Solution, Stop};
+use crate::program::{Failure, PEAK, Program, Solution, Stop, Values, Variable};
 use crate::settings::TOLERANCE;
 use active_set::proximal;
 
@@ -46,7 +46,11 @@ impl<N: Names> Program<N> {
     /// The solution with the limit on a root mean square as a cone beside that of the sizes, where that keeps all limits.
     fn with_its_cone(&self) -> Option<Solution<N>> {
         let present = self.present();
-        if !(present[PEAK] && SIZES.iter().any(|&k| present[k])) {
+        let is_least = |k: Variable| self.least_values().any(|least| least.0 == k);
+        let mut sizes = present
+            .iter()
+            .filter(|(k, own)| *own && *k != PEAK && !is_least(*k));
+        if !present[PEAK] || sizes.next().is_none() {
             return None;
         }
         let mut solution = exchange::solve(self).ok()?;
@@ -62,7 +66,7 @@ impl<N: Names> Program<N> {
         if let Some(free) = self.without_windows() {
             let mut solution = refine::refined(&free, free.by_the_first_method()?);
             let windows = self.windows(&solution.x);
-            for k in [LOWEST, FACE_END] {
+            for (k, _) in self.least_values() {
                 solution.extra[k] = windows[k];
             }
             if self.broken(&solution.x, &solution.extra).is_empty() {
@@ -81,11 +85,11 @@ impl<N: Names> Program<N> {
                 None => (),
             }
         }
-        if self.present().contains(&true) {
+        if !self.free_variables().is_empty() {
             return exchange::solve(self);
         }
         let mut unlimited = equality::solve(self)?;
-        unlimited.x = self.on_base_circle(unlimited.x);
+        unlimited.x = self.with_least_at_zero(unlimited.x);
         if let Some(solution) = self.without_rows(&unlimited.x) {
             return Ok(solution);
         }
@@ -143,7 +147,7 @@ impl<N: Names> Program<N> {
 
     /// The optimum without limits as the solution, where it satisfies them all.
     pub(crate) fn without_rows(&self, x: &[f64]) -> Option<Solution<N>> {
-        let extra = [0.0; EXTRAS];
+        let extra = Values::NONE;
         let violation = self.violation(x, &extra);
         let kept = self.fixed.iter().all(|r| apply(&r.entries, x) <= r.bound)
             && violation <= self.settings.tolerance;

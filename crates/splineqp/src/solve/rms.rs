@@ -23,7 +23,9 @@
 //! level that their last bit moves its coefficients by a part in ten thousand, and the page is to show the command's cam.
 
 use crate::Names;
-use crate::program::{EXTRAS, Failure, PEAK, Program, RmsLimit, Row, Solution, Stop, hold};
+use crate::program::{
+    Failure, PEAK, Program, RmsLimit, Row, Solution, Stop, Values, make_constant,
+};
 use crate::solve::exchange;
 
 /// Root mean square, as a part of what is allowed, below which none is smaller.
@@ -93,8 +95,8 @@ impl<'a, N: Names> Search<'a, N> {
     fn new(program: &'a Program<N>, limit: &'a RmsLimit<N>) -> Self {
         let is_flat =
             program.hessian.largest_diagonal() == 0.0 && program.gradient.iter().all(|g| *g == 0.0);
-        let priced = (0..EXTRAS).filter(|k| program.cost[*k] != 0.0);
-        let way = if is_flat && priced.eq([PEAK]) {
+        let mut costs = program.cost.iter();
+        let way = if is_flat && costs.all(|(k, cost)| (cost != 0.0) == (k == PEAK)) {
             Way::Peak
         } else {
             Way::Weight
@@ -216,11 +218,13 @@ impl<'a, N: Names> Search<'a, N> {
                 self.tried(number, value, program.solve()?)
             }
             Way::Peak => {
-                let least = self.program.under_peak(value).of_least_rms(self.limit.name);
-                let mut program = least.ok_or(Stop::Refused)?;
+                let mut values = Values::NONE;
+                values[PEAK] = value;
+                let under = self.program.clone().with_constant(&[PEAK], &values);
+                let mut program = under.of_least_rms(self.limit.name).ok_or(Stop::Refused)?;
                 program.seeds.clone_from(&self.seeds);
                 for row in &mut program.seeds {
-                    hold(&mut row.bound, &mut row.extra, value);
+                    make_constant(&mut row.bound, &mut row.extra, &[PEAK], &values);
                 }
                 let (solution, weight) = self.of_peak(program.solve()?, value);
                 self.tried(number, weight, solution)
@@ -361,7 +365,10 @@ impl<'a, N: Names> Search<'a, N> {
         let part = if part > 0.0 { part.min(1.0) } else { 0.0 };
         let mix = |own: &mut f64, other: f64| *own += part * (other - *own);
         (out.x.iter_mut().zip(&other.x)).for_each(|(own, x)| mix(own, *x));
-        (out.extra.iter_mut().zip(other.extra)).for_each(|(own, e)| mix(own, e));
+        other
+            .extra
+            .iter()
+            .for_each(|(k, value)| mix(&mut out.extra[k], value));
         out.active
             .iter_mut()
             .for_each(|r| mix(&mut r.multiplier, 0.0));

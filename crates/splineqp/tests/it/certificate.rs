@@ -97,7 +97,7 @@ impl Case {
                 weights[order] = sign;
                 program
                     .limits
-                    .push(Limit::new("derivative", weights, bound, bound));
+                    .push(Limit::on("derivative", weights).at_most(bound));
             }
         }
         Case {
@@ -340,7 +340,7 @@ fn limits_on_an_open_level_are_certified_by_balanced_multipliers() {
             let weights = [sign, 0.0, 0.0, 0.0, 0.0];
             program
                 .limits
-                .push(Limit::new("level", weights, half, half));
+                .push(Limit::on("level", weights).at_most(half));
         }
         let solution = program.solve().unwrap();
         assert!(solution.active.len() >= 2);

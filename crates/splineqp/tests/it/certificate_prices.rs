@@ -35,7 +35,10 @@ fn least_peak(n: usize, scale: f64) -> Program {
     for sign in [1.0, -1.0] {
         let mut weights = [0.0; 5];
         weights[n] = sign;
-        let mut limit = Limit::new("peak", weights, 0.0, scale).minimised();
+        let mut limit = Limit::on("peak", weights)
+            .at_most(0.0)
+            .scaled(scale)
+            .minimised();
         limit.domain = (0.0, 1.0);
         program.limits.push(limit);
     }
@@ -102,15 +105,12 @@ fn prices_of_sizes_outside_their_cone_prove_nothing() {
         let basis = Basis::Harmonic { count: 2 };
         let zero = Quadratic::zero(&basis);
         let mut program = Program::new(basis, zero, Vec::new(), 1.0);
-        program.cone = true;
-        [
-            program.cost[RADIUS],
-            program.cost[RISE],
-            program.cost[OFFSET],
-        ] = [radius, rise, offset];
+        let costs = [("radius", radius), ("rise", rise), ("offset", offset)];
+        let [radius, tail @ ..] = costs.map(|(name, cost)| program.variable(name, 1.0, cost));
+        program.cone("sizes", radius, &tail);
         let solution = Solution {
             x: vec![0.0; program.basis.columns()],
-            extra: [0.0; EXTRAS],
+            extra: Values::NONE,
             active: Vec::new(),
             used_rows: false,
             iterations: 0,

@@ -2,7 +2,7 @@
 
 use splineqp::poly::{PiecewisePoly, SplineSpace};
 use splineqp::{
-    Basis, Equality, Limit, Meaning, PEAK, Quadratic, pointwise, solve_by_interior_point,
+    Basis, Derivative, Equality, Limit, PEAK, Quadratic, pointwise, solve_by_interior_point,
 };
 use std::f64::consts::PI;
 
@@ -58,7 +58,7 @@ fn two_sided(order: usize, bound: f64) -> Vec<Limit<()>> {
             weights[order] = sign;
             Limit {
                 domain: (0.0, 1.0),
-                ..Limit::new("peak", weights, bound, 1.0)
+                ..Limit::on("peak", weights).at_most(bound).scaled(1.0)
             }
         })
         .to_vec()
@@ -232,10 +232,6 @@ fn humps(degree: usize, spans: usize, parts: &[(usize, f64)]) -> Program {
         let bound = part * high.value.max(-low.value);
         for mut limit in two_sided(order, bound) {
             limit.domain = (0.0, 2.0 * PI);
-            limit.meaning = Meaning::Value {
-                factor: 1.0,
-                offset: 0.0,
-            };
             program.limits.push(limit);
         }
     }
@@ -320,7 +316,7 @@ fn a_crest_on_a_break_is_held_like_any_other() {
             None,
         );
         let mut program = Program::new(basis, q, Vec::new(), 1.0);
-        let mut limit = Limit::new("stroke", [1.0, 0.0, 0.0, 0.0, 0.0], 0.7, 0.7);
+        let mut limit = Limit::on("stroke", Derivative::Value).at_most(0.7);
         limit.domain = (0.0, 2.0 * PI);
         program.limits.push(limit);
         let solution = program.solve().unwrap();

@@ -2,11 +2,10 @@
 //! rows, the other limits on a dense grid.
 
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{DefaultSettings, SupportedConeT};
+use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SupportedConeT};
 use splineqp::poly::{SplineSpace, gauss_legendre};
 use splineqp::{
-    Basis, Limit, MeanSquare, Meaning, Program, Quadratic, RmsLimit, certificate,
-    clarabel_prepared, clarabel_run, only, pointwise,
+    Basis, Limit, MeanSquare, Program, Quadratic, RmsLimit, certificate, only, pointwise,
 };
 use std::f64::consts::TAU;
 
@@ -35,9 +34,9 @@ fn program(order: usize, most: f64, highest: f64) -> Program<()> {
         name: "distance",
         half,
         most,
-        meaning: Meaning::times(1.0),
+        meaning: (),
     });
-    let limit = Limit::new("highest", only(0, 1.0), highest, highest);
+    let limit = Limit::on("highest", only(0, 1.0)).at_most(highest);
     program.limits.push(limit);
     program
 }
@@ -85,8 +84,8 @@ fn reference(program: &Program<()>, highest: f64) -> f64 {
         verbose: false,
         ..DefaultSettings::default()
     };
-    let mut solver = clarabel_prepared(&p, &vec![0.0; n], &a, &b, &cones, settings).unwrap();
-    clarabel_run(&mut solver);
+    let mut solver = DefaultSolver::new(&p, &vec![0.0; n], &a, &b, &cones, settings).unwrap();
+    solver.solve();
     solver.solution.obj_val
 }
 

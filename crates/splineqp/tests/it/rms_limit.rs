@@ -2,8 +2,8 @@
 
 use splineqp::poly::SplineSpace;
 use splineqp::{
-    Basis, EXTRAS, Failure, Limit, MeanSquare, Meaning, PEAK, Program, Quadratic, RADIUS, RmsLimit,
-    certificate, only, pointwise,
+    Basis, Failure, Limit, MeanSquare, PEAK, Program, Quadratic, RmsLimit, Values, certificate,
+    only, pointwise,
 };
 use std::f64::consts::TAU;
 
@@ -36,7 +36,7 @@ fn program(basis: Basis, order: usize, most: f64) -> Program<()> {
         name: "distance",
         half,
         most,
-        meaning: Meaning::times(1.0),
+        meaning: (),
     });
     program
 }
@@ -90,11 +90,12 @@ fn minimising(order: usize, most: f64) -> Program<()> {
     let mut program = program(splines(), energy, most);
     program
         .limits
-        .push(Limit::new("highest", only(0, 1.0), 2.9, 2.9));
+        .push(Limit::on("highest", only(0, 1.0)).at_most(2.9));
+    let radius = program.variable("radius", 1.0, 0.0);
     for sign in [1.0, -1.0] {
-        let peak = Limit::new("peak", only(2, sign), 1.0, 1.0).minimised();
-        let mut slope = Limit::new("slope", only(1, sign), 0.0, 1.0);
-        slope.extra[RADIUS] = -1.0;
+        let peak = Limit::on("peak", only(2, sign)).at_most(1.0).minimised();
+        let mut slope = Limit::on("slope", only(1, sign)).at_most(0.0);
+        slope.extra[radius] = -1.0;
         match order {
             0 => program.limits.push(peak),
             1 => program.limits.push(slope),
@@ -104,7 +105,7 @@ fn minimising(order: usize, most: f64) -> Program<()> {
     match order {
         0 => program.cost[PEAK] = 1.0,
         1 => {
-            program.cost[RADIUS] = 1.0;
+            program.cost[radius] = 1.0;
             let mut jerk = Quadratic::zero(&program.basis);
             jerk.add_energy(&program.basis, 3, 1e-6);
             program.hessian = jerk.hessian;
@@ -149,7 +150,7 @@ fn laws_exist_down_to_the_least_distance() {
         let inside = minimising(order, edge * (1.0 + 1e-6));
         assert!(
             inside
-                .violation(&inside.solve().unwrap().x, &[0.0; EXTRAS])
+                .violation(&inside.solve().unwrap().x, &Values::NONE)
                 .is_finite()
         );
         let outside = minimising(order, edge * (1.0 - 1e-6));
@@ -172,7 +173,7 @@ fn several_root_mean_squares_are_limited_together() {
                 name: "slope",
                 half: half.clone(),
                 most: part * slope,
-                meaning: Meaning::times(1.0),
+                meaning: (),
             });
             let solution = both.solve().unwrap();
             let proof = certificate(&both, &solution);

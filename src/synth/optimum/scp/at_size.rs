@@ -2,15 +2,15 @@
 
 use crate::law::Law;
 use crate::synth::limits::{NonconvexLimits, ProfileSize, clearances};
-use crate::synth::qp::{EXTRAS, Limit, OFFSET, Program, RADIUS, RISE, Solution};
+use crate::synth::qp::{ByVariable, Limit, OFFSET, Program, RADIUS, RISE, Solution, Variable};
 
 /// The nonconvex limits of a program, and which sizes are among its variables.
 pub struct AtSize {
     limits: NonconvexLimits,
     /// Sizes that a solution has.
-    present: [bool; EXTRAS],
+    present: ByVariable<bool>,
     /// Those that a step may change.
-    free: [bool; EXTRAS],
+    free: ByVariable<bool>,
 }
 
 impl AtSize {
@@ -18,7 +18,7 @@ impl AtSize {
     pub fn new(limits: NonconvexLimits, program: &Program) -> Self {
         let mut present = program.present();
         // An offset that a limit holds is given.
-        let holds = |l: &Limit| l.is_on_size_alone() && l.extra[OFFSET] != 0.0;
+        let holds = |l: &Limit| l.is_on_variables_alone() && l.extra[OFFSET] != 0.0;
         present[OFFSET] &= !program.limits.iter().any(holds);
         AtSize {
             limits,
@@ -32,19 +32,19 @@ impl AtSize {
         AtSize {
             limits: self.limits.clone(),
             present: self.present,
-            free: [false; EXTRAS],
+            free: ByVariable::default(),
         }
     }
 
     /// The sizes that a step may change.
-    pub fn free(&self) -> [bool; EXTRAS] {
+    pub fn free(&self) -> ByVariable<bool> {
         self.free
     }
 
     /// The limits at a solution.
     pub fn of(&self, solution: &Solution) -> NonconvexLimits {
         let given = self.limits.size();
-        let of = |k: usize, given: f64| {
+        let of = |k: Variable, given: f64| {
             if self.present[k] {
                 solution.extra[k]
             } else {

@@ -6,7 +6,7 @@ use crate::cam::{Criterion, LimitKind};
 use crate::law::Law;
 use crate::poly::{Peak, PiecewisePoly};
 use crate::synth::limits::{NonconvexLimits, ProfileSize, relative};
-use crate::synth::qp::{EXTRAS, Limit, OFFSET, Program, RADIUS, RISE, Row, Solution};
+use crate::synth::qp::{Limit, OFFSET, Program, RADIUS, RISE, Row, Solution, Values};
 
 /// Rows per piece of the law.
 const ROWS_PER_PIECE: usize = 4;
@@ -99,7 +99,7 @@ pub fn linearised(
                 - s.by_velocity * at.v
                 - s.by_acceleration * at.a
                 - s.by_jerk * at.j;
-            let mut extra = [0.0; EXTRAS];
+            let mut extra = Values::NONE;
             let by_size = [
                 (RISE, s.by_rise, size.rise),
                 (OFFSET, s.by_offset, size.offset),
@@ -156,7 +156,7 @@ fn row(
     name: Criterion,
     peak: Peak,
     weights: &[f64],
-    extra: [f64; EXTRAS],
+    extra: Values,
     bound: f64,
     scale: f64,
 ) -> Row {
@@ -183,7 +183,7 @@ pub fn restricted(program: &Program, current: &Solution, size: ProfileSize) -> V
         let x0 = (size.rise + at.s).max(sufficient);
         let by_x = 2.0 * x0 / size.rho - 1.0;
         let mut bound = -x0 * x0 / size.rho;
-        let mut extra = [0.0; EXTRAS];
+        let mut extra = Values::NONE;
         if present[RISE] {
             extra[RISE] = -by_x;
         } else {
@@ -192,7 +192,7 @@ pub fn restricted(program: &Program, current: &Solution, size: ProfileSize) -> V
         let weights = [-by_x, 0.0, -1.0];
         out.push(row(program, name, place, &weights, extra, bound, x0));
         if present[RISE] {
-            let mut high_enough = [0.0; EXTRAS];
+            let mut high_enough = Values::NONE;
             high_enough[RISE] = -1.0;
             out.push(row(
                 program,

@@ -25,8 +25,8 @@ use trial::{ROOM, blend, solved};
 use crate::cam::LimitKind;
 use crate::synth::limits::{ENLARGED, NonconvexLimits};
 use crate::synth::qp::{
-    EXTRAS, Limit, PEAK, Program, Quadratic, RADIUS, RISE, Row, SIZES, Solution, TOLERANCE,
-    smoothing,
+    PEAK, Program, Quadratic, RADIUS, RISE, Row, SIZES, Solution, TOLERANCE, Values, sizes,
+    smoothing, structural,
 };
 use crate::synth::report::method::Ended;
 use crate::synth::report::solver::Step;
@@ -69,7 +69,7 @@ pub fn refine(
         .min_by(|a, b| program.merit(a).total_cmp(&program.merit(b)))
         .or_else(|| {
             let last = starts.last()?;
-            if program.keeps_sizes(&last.extra) {
+            if sizes::keep(program, &last.extra) {
                 start::tightened(program, last, &at_size)
             } else {
                 shrunk(program, last, &at_size)
@@ -249,7 +249,7 @@ fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<Solut
     let start = (convex.iter().chain([large]))
         .find_map(|from| start::feasible(&smallest, from, at_size))
         .or_else(|| start::tightened(&smallest, large, at_size))?;
-    let small = |s: &Solution| program.keeps_sizes(&s.extra);
+    let small = |s: &Solution| sizes::keep(program, &s.extra);
     let (mut found, ..) = descended(&smallest, start, at_size, small);
     found.active.clear();
     found.extra[PEAK] = program.own_peak(&found.x, &found.extra);
@@ -257,11 +257,11 @@ fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<Solut
 }
 
 /// The program of the smallest cam that keeps the limits, those on its size left out where these sizes exceed them.
-pub fn of_least_size(program: &Program, sizes: &[f64; EXTRAS]) -> Program {
+pub fn of_least_size(program: &Program, large: &Values) -> Program {
     let mut smooth = Quadratic::zero(&program.basis);
     smooth.add_energy(&program.basis, 3, smoothing(program.length, program.length));
     let smallest = program.clone().minimising(smooth);
-    smallest.with_sizes_priced(sizes, 1.0)
+    sizes::priced(&smallest, large, 1.0)
 }
 
 /// The program with the sizes that it prices held above the present ones less this part.
@@ -270,7 +270,7 @@ fn within_reach(program: &Program, current: &Solution, part: f64) -> Program {
     if part.is_finite() {
         for k in SIZES.into_iter().filter(|&k| program.cost[k] > 0.0) {
             let least = (1.0 - part) * current.extra[k];
-            let mut limit = Limit::new(LimitKind::PrimeRadius, [0.0; 5], -least, program.length);
+            let mut limit = structural(LimitKind::PrimeRadius, [0.0; 5], -least, program.length);
             limit.extra[k] = -1.0;
             limit.domain = (0.0, 0.0);
             out.limits.push(limit);
@@ -332,7 +332,7 @@ fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solut
     for _ in 0..HELD_ROUNDS {
         let mut last = near.clone();
         last.fixed = linearised(program, &about, &at_size, &kept);
-        let mut exact = solved(&last.with_sizes_held(&sized, room))?;
+        let mut exact = solved(&sizes::held(&last, &sized, room))?;
         exact.extra = about.extra;
         let clear = at_size.clear(program, &exact);
         if least_of(&clear) >= 0.0 {

@@ -5,7 +5,7 @@ use super::linearised::{Room, contacts, least_of, linearised, restricted};
 use super::trial::{ROOM, blend, solved};
 use crate::cam::LimitKind;
 use crate::synth::limits::Profile;
-use crate::synth::qp::{PEAK, Program, Quadratic, SIZES, Solution};
+use crate::synth::qp::{PEAK, Program, Quadratic, SIZES, Solution, sizes};
 
 /// Steps of the tightening, linearisations per step, and the smallest step.
 const TIGHTENINGS: usize = 40;
@@ -29,7 +29,7 @@ pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option
         let clear = at_size.clear(program, &current);
         if least_of(&clear) >= ROOM
             && program.violation(&current.x, &current.extra) <= program.settings.tolerance
-            && program.keeps_sizes(&current.extra)
+            && sizes::keep(program, &current.extra)
         {
             return Some(current);
         }
@@ -69,7 +69,7 @@ pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option
 /// minimising the objective could leave the region where the linearisation is valid.
 pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let first = least_of(&at_size.clear(program, start)).min(ROOM);
-    let asked = program.sizes_within(&start.extra);
+    let asked = sizes::within(program, &start.extra);
     let mut current = Solution {
         active: Vec::new(),
         ..start.clone()
@@ -146,8 +146,8 @@ fn kept_at(program: &Program, before: &Solution, level: f64, at_size: &AtSize) -
 /// The program of the law nearest to one in the mean square of the acceleration, of the same size.
 fn nearest_to(program: &Program, before: &Solution) -> Program {
     let mut near = program.clone();
-    near.limits.retain(|l| !l.is_on_size_alone());
-    let mut near = near.with_sizes_held(before, 0.0);
+    near.limits.retain(|l| !l.is_on_variables_alone());
+    let mut near = sizes::held(&near, before, 0.0);
     near.settings.tolerance = program.settings.tolerance;
     // The peak is a variable without cost here.
     let peak = (program.cost[PEAK] * before.extra[PEAK]).abs();

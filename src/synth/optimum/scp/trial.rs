@@ -1,6 +1,6 @@
 //! Trial solutions of a sequence of convex programs.
 
-use crate::synth::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Solution, apply};
+use crate::synth::qp::{Program, Solution, apply};
 
 /// What the exchange of rows leaves further outside a limit than this is no solution.
 const BROKEN: f64 = 1e-4;
@@ -16,12 +16,12 @@ pub fn solved(program: &Program) -> Option<Solution> {
 pub fn blend(from: &Solution, to: &Solution, part: f64, program: &Program) -> Solution {
     let mix = |a: f64, b: f64| a + part * (b - a);
     let x: Vec<f64> = from.x.iter().zip(&to.x).map(|(a, b)| mix(*a, *b)).collect();
-    let mut extra = [0.0; EXTRAS];
-    for (k, value) in extra.iter_mut().enumerate() {
-        *value = mix(from.extra[k], to.extra[k]);
+    let mut extra = from.extra;
+    for (k, value) in to.extra.iter() {
+        extra[k] = mix(extra[k], value);
     }
-    if program.cone {
-        extra[RADIUS] = extra[RISE].hypot(extra[OFFSET]);
+    for cone in &program.cones {
+        extra[cone.head] = cone.norm(&extra);
     }
     debug_assert!(
         program

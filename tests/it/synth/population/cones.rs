@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{DefaultSettingsBuilder, SupportedConeT};
+use clarabel::solver::{DefaultSettingsBuilder, DefaultSolver, IPSolver, SupportedConeT};
 use gaitcam::force::Walker;
 
 use super::{force, people, with};
@@ -56,8 +56,8 @@ fn least_by_cones(
         .build()
         .unwrap();
     let p = CscMatrix::zeros((columns, columns));
-    let mut solver = splineqp::clarabel_prepared(&p, &q, &a, &b, &cones, settings).unwrap();
-    splineqp::clarabel_run(&mut solver);
+    let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones, settings).unwrap();
+    solver.solve();
     let x = &solver.solution.x;
     let least: f64 = q.iter().zip(x).map(|(q, x)| q * x).sum();
     (0.5 * least).sqrt()

@@ -11,7 +11,7 @@ use crate::Names;
 use crate::band::ArrowFactor;
 use crate::equality::Unlimited;
 use crate::poly::Peak;
-use crate::program::{EXTRAS, Program, Row, Solution};
+use crate::program::{Program, Row, Solution, Values};
 use crate::settings::ActiveSetSettings;
 use crate::solve::refine;
 use dual::{Dual, Plane, Stuck};
@@ -29,7 +29,7 @@ pub fn solve<N: Names>(
     let mut set = ActiveSet::new(program, unlimited, &unlimited.factor, level);
     let mut rows: Vec<Row<N>> = Vec::new();
     rows.extend(program.fixed.iter().chain(&program.seeds).cloned());
-    let none = [0.0; EXTRAS];
+    let none = Values::NONE;
     if program.seeds.is_empty() {
         program.add_neighbours(&mut rows, &set.dual.x);
         let broken = program.broken(&set.dual.x, &none);
@@ -187,7 +187,7 @@ impl<'a> ActiveSet<'a> {
         Solution {
             violation,
             x: self.dual.x.clone(),
-            extra: [0.0; EXTRAS],
+            extra: Values::NONE,
             active: self.active(rows),
             used_rows: true,
             iterations: self.dual.steps,

@@ -18,7 +18,7 @@ use crate::certificate::certificate;
 use crate::equality;
 use crate::objective::Quadratic;
 use crate::poly::Peak;
-use crate::program::{EXTRAS, Failure, Limit, PEAK, Program, Row, Solution};
+use crate::program::{Failure, Limit, PEAK, Program, Row, Solution, Values, Variable};
 
 /// The law of the least peak; `None` where the steps end before it.
 ///
@@ -32,7 +32,7 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Option<Solution<N>>, Fail
 /// Whether it serves a program.
 pub fn suits<N: Names>(program: &Program<N>) -> bool {
     let splines = matches!(program.basis, Basis::Spline { .. });
-    splines && !program.cone && program.cost[PEAK] > 0.0
+    splines && program.cones.is_empty() && program.cost[PEAK] > 0.0
 }
 
 /// Where the search begins, and its metric.
@@ -43,7 +43,7 @@ struct Start<N: Names> {
     /// mean (w·s)², regular where the demands settle what it leaves open: along what keeps them it is no other.
     square: ArrowMatrix,
     /// Columns of the further variables.
-    free: Vec<usize>,
+    free: Vec<Variable>,
     /// T.
     peak: f64,
 }
@@ -73,7 +73,7 @@ fn start<N: Names>(program: &Program<N>) -> Result<Option<Start<N>>, Failure<N>>
         return Ok(None);
     };
     let (mut centre, mut contacts) = (unlimited.x, Vec::new());
-    let own_peak = |x: &[f64]| program.own_peak(x, &[0.0; EXTRAS]);
+    let own_peak = |x: &[f64]| program.own_peak(x, &Values::NONE);
     if own_peak(&centre) <= program.settings.certificate.least_objective * limit.scale {
         least.cost[PEAK] = 0.0;
         least.seeds.clear();
@@ -151,12 +151,11 @@ impl<'a, N: Names> Search<'a, N> {
         for (i, j, value) in square.lower_entries() {
             matrix.add(i, j, self.nearness * unit * value);
         }
-        let by_length = (peak / self.program.length).powi(2);
         for (c, &k) in free.iter().enumerate() {
             let weight = if k == PEAK {
                 unit
             } else {
-                self.nearness * unit * by_length
+                self.nearness * unit * (peak / self.program.typical(k)).powi(2)
             };
             matrix.add(n + c, n + c, weight);
         }
@@ -286,7 +285,7 @@ impl<'a, N: Names> Search<'a, N> {
     fn solution(&self, at: &[f64], round: usize) -> (Solution<N>, f64, Vec<(usize, Peak)>) {
         let program = self.program;
         let x = at[..program.basis.columns()].to_vec();
-        let mut extra = [0.0; EXTRAS];
+        let mut extra = Values::NONE;
         for (&k, value) in self.start.free.iter().zip(&at[x.len()..]) {
             extra[k] = *value;
         }

@@ -8,7 +8,7 @@ use clarabel::solver::{
 };
 
 use crate::basis::{Entries, row_unit};
-use crate::program::{Ball, EXTRAS, Failure, PEAK, Program, RmsLimit, Row, SIZES, Stop};
+use crate::program::{Ball, Failure, PEAK, Program, RmsLimit, Row, Stop, Values, Variable};
 
 /// Minimise ½xᵀPx + qᵀx with b − Ax in the cones, in the solver's hands. Clarabel's code is generic: every crate that makes or
 /// runs a solver of its own compiles it whole, so all ask here.
@@ -36,7 +36,7 @@ pub struct Point<N: Names> {
     /// Coefficients.
     pub x: Vec<f64>,
     /// Further variables.
-    pub extra: [f64; EXTRAS],
+    pub extra: Values,
     /// Tangents of the limits on root mean squares, with their multipliers.
     pub tangents: Vec<Row<N>>,
     /// Iterations.
@@ -79,12 +79,12 @@ pub fn solve<N: Names>(
     for ((row, z), unit) in rows.iter_mut().zip(multipliers).zip(&scaling.rows) {
         row.multiplier = z * scaling.objective / unit;
     }
-    let mut extra = [0.0; EXTRAS];
+    let mut extra = Values::NONE;
     for (column, &k) in (n..).zip(&scaling.free) {
-        extra[k] = answer.x[column] * scaling.variable(k, length);
+        extra[k] = answer.x[column] * scaling.variable(program, k);
     }
     let x: Vec<f64> = answer.x[..n].iter().map(|y| y * length).collect();
-    let beside = usize::from(program.cone) * SIZES.len();
+    let beside: usize = program.cones.iter().map(|c| 1 + c.tail.len()).sum();
     let of_cones = multipliers[rows.len() + beside..].chunks_exact(n + 1);
     let limited = program.rms.iter().zip(&balls).zip(of_cones);
     let tangents = limited.map(|((limit, ball), z)| {
@@ -103,7 +103,7 @@ pub fn solve<N: Names>(
 /// Units in which the solver's numbers are near one.
 struct Scaling {
     /// The further variables that take part; their columns follow those of the coefficients.
-    free: Vec<usize>,
+    free: Vec<Variable>,
     /// Of the peak.
     peak: f64,
     /// Of the objective.
@@ -126,9 +126,13 @@ impl Scaling {
         }
     }
 
-    /// Of a further variable; all but the peak are lengths.
-    fn variable(&self, k: usize, length: f64) -> f64 {
-        if k == PEAK { self.peak } else { length }
+    /// Of a further variable.
+    fn variable<N: Names>(&self, program: &Program<N>, k: Variable) -> f64 {
+        if k == PEAK {
+            self.peak
+        } else {
+            program.typical(k)
+        }
     }
 }
 
@@ -149,12 +153,12 @@ fn objective<N: Names>(program: &Program<N>, scaling: &Scaling) -> (CscMatrix<f6
     q.extend(scaling.free.iter().map(|&k| match program.cost[k] {
         // The peak has a unit of its own and stands alone in the objective.
         cost if k == PEAK => cost.signum(),
-        cost => cost * length / weight,
+        cost => cost * program.typical(k) / weight,
     }));
     (p, q)
 }
 
-/// A, b and the cones: equalities, rows, R ≥ ‖(D, e)‖ where the program has it, and the limits on root mean squares.
+/// A, b and the cones: equalities, rows, the program's own cones, and the limits on root mean squares.
 fn constraints<N: Names>(
     program: &Program<N>,
     rows: &[Row<N>],
@@ -178,7 +182,11 @@ fn constraints<N: Names>(
         let r = b.len();
         entries.extend(scaled(r, &row.entries, unit));
         for (column, k) in columns().filter(|(_, k)| row.extra[*k] != 0.0) {
-            entries.push((r, column, row.extra[k] * scaling.variable(k, length) / unit));
+            entries.push((
+                r,
+                column,
+                row.extra[k] * scaling.variable(program, k) / unit,
+            ));
         }
         b.push((row.bound - margin * row.scale) / unit);
     }
@@ -186,12 +194,15 @@ fn constraints<N: Names>(
         SupportedConeT::ZeroConeT(program.equalities.len()),
         SupportedConeT::NonnegativeConeT(rows.len()),
     ];
-    if program.cone {
-        for (column, _) in columns().filter(|(_, k)| SIZES.contains(k)) {
-            entries.push((b.len(), column, -1.0));
+    for cone in &program.cones {
+        let unit = scaling.variable(program, cone.head);
+        for member in cone.members() {
+            let column = columns().find(|(_, k)| *k == member).map(|c| c.0);
+            let own = scaling.variable(program, member) / unit;
+            entries.extend(column.map(|column| (b.len(), column, -own)));
             b.push(0.0);
         }
-        cones.push(SupportedConeT::SecondOrderConeT(SIZES.len()));
+        cones.push(SupportedConeT::SecondOrderConeT(1 + cone.tail.len()));
     }
     for ball in balls {
         let first = b.len() + 1;

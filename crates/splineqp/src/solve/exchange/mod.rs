@@ -7,7 +7,7 @@ use crate::Names;
 use crate::basis::row_unit;
 use crate::equality;
 use crate::poly::Peak;
-use crate::program::{EXTRAS, Failure, PEAK, Program, Row, Solution, Stop};
+use crate::program::{Failure, PEAK, Program, Row, Solution, Stop, Values};
 use crate::solve::refine;
 use clarabel::Point;
 
@@ -35,14 +35,14 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> 
 /// From rows of the program's own, or from the worst points of its optimum without limits.
 fn without_seeds<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
     let mut rows: Vec<Row<N>> = program.fixed.clone();
-    if program.present().contains(&true) {
+    if !program.free_variables().is_empty() {
         program.seed_rows(&mut rows);
     } else {
-        let x = program.on_base_circle(equality::solve(program)?.x);
+        let x = program.with_least_at_zero(equality::solve(program)?.x);
         if let Some(solution) = program.without_rows(&x) {
             return Ok(solution);
         }
-        add_rows(program, &mut rows, program.broken(&x, &[0.0; EXTRAS]));
+        add_rows(program, &mut rows, program.broken(&x, &Values::NONE));
         program.add_neighbours(&mut rows, &x);
     }
     from_rows(program, rows)
@@ -58,7 +58,7 @@ pub fn from_rows<N: Names>(
     let mut best: Option<Solution<N>> = None;
     // Room left inside every limit for what the solver does not resolve; grows only when needed. With a cone there is no
     // refinement, so there it is kept from the start.
-    let mut margin = if program.cone || !program.rms.is_empty() {
+    let mut margin = if !program.cones.is_empty() || !program.rms.is_empty() {
         settings.cone_margin
     } else {
         0.0
@@ -142,12 +142,7 @@ fn add_rows<N: Names>(program: &Program<N>, rows: &mut Vec<Row<N>>, broken: Vec<
 }
 
 /// Whether the multiplier of a row outweighs its slack, both in the solver's scaled units.
-fn is_active<N: Names>(
-    program: &Program<N>,
-    row: &Row<N>,
-    x: &[f64],
-    extra: &[f64; EXTRAS],
-) -> bool {
+fn is_active<N: Names>(program: &Program<N>, row: &Row<N>, x: &[f64], extra: &Values) -> bool {
     let unit = row_unit(&row.entries, program.length);
     let multiplier = row.multiplier * unit / program.multiplier_unit(extra[PEAK]);
     multiplier > (row.slack(x, extra) / unit).max(0.0)

@@ -10,7 +10,7 @@ use super::Contacts;
 use crate::Names;
 use crate::equality::Unlimited;
 use crate::poly::Peak;
-use crate::program::{EXTRAS, Program, Row, Solution};
+use crate::program::{Program, Row, Solution, Values};
 use crate::solve::active_set::ActiveSet;
 
 /// Improves a law whose contacts are nearly right; `peaks` are its maxima near their bounds, `level` is where an open level is
@@ -28,8 +28,8 @@ pub fn on_band<N: Names>(
     current.active = contacts.gathered(&current, &peaks);
     for _ in 0..settings.band_steps {
         let (x, active) = step(&contacts, unlimited, &current, level)?;
-        peaks = program.peaks_near(&x, &[0.0; EXTRAS], settings.below);
-        current.violation = program.worst(&peaks, &x, &[0.0; EXTRAS]);
+        peaks = program.peaks_near(&x, &Values::NONE, settings.below);
+        current.violation = program.worst(&peaks, &x, &Values::NONE);
         (current.x, current.active) = (x, active);
         current.iterations += 1;
         // A row moved to where its contact went carries the curvature's part of the gradient.

@@ -1,47 +1,68 @@
-//! Refinement of a program whose size is the cone R ≥ √(D² + e²), D the rise and e the offset of a roller's centre.
+//! Refinement of a program whose variables are tied by second-order cones, by tangents of these.
 
 use super::on_contacts;
 use crate::Names;
 use crate::basis::Entries;
 use crate::poly::Peak;
-use crate::program::{OFFSET, Program, RADIUS, RISE, Row, Solution};
+use crate::program::{Cone, Program, Row, Solution};
 
-/// The optimum of a program with a cone near a solution, by tangents R ≥ (D, e)·(D₀, e₀)/R₀, which all sizes of the cone keep:
-/// each is taken where the sizes of the last optimum lie, and R is at last what the cone asks for. `None` at its tip.
-pub fn on_cone<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
+/// The optimum of a program with cones near a solution, by tangents head ≥ tail·tail₀/‖tail₀‖, which all points of a cone keep:
+/// each is taken at the last optimum, and the head is at last what the cone asks for. `None` at a tip.
+pub fn on_cones<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
     let settings = &program.settings.refinement;
-    let name = program.limits.iter().find(|l| l.extra[RADIUS] != 0.0)?.name;
     let mut flat = program.clone();
-    flat.cone = false;
+    flat.cones.clear();
     let mut current = start.clone();
-    let mut multiplier = program.cost[RADIUS];
+    let costs = program.cones.iter().map(|c| program.cost[c.head]);
+    let mut multipliers: Vec<f64> = costs.collect();
     for _ in 0..settings.steps {
-        let least = current.extra[RISE].hypot(current.extra[OFFSET]);
-        if least <= 0.0 {
+        let norm = |cone: &Cone<N>| cone.norm(&current.extra);
+        if program.cones.iter().any(|c| norm(c) <= 0.0) {
             return None;
         }
-        let is_tangent = |r: &Row<N>| r.limit.is_none() && r.entries.is_empty();
-        let is_last = (least - current.extra[RADIUS]).abs() <= settings.resolved * least;
-        if is_last && current.active.iter().any(is_tangent) {
-            current.active.retain(|r| !is_tangent(r));
-            current.extra[RADIUS] = current.extra[RADIUS].max(least);
+        let is_met = |c: &Cone<N>| {
+            (norm(c) - current.extra[c.head]).abs() <= settings.resolved * norm(c)
+                && current.active.iter().any(|r| is_tangent(c, r))
+        };
+        if program.cones.iter().all(is_met) {
+            current
+                .active
+                .retain(|r| !program.cones.iter().any(|c| is_tangent(c, r)));
+            for cone in &program.cones {
+                let least = cone.norm(&current.extra);
+                current.extra[cone.head] = current.extra[cone.head].max(least);
+            }
             current.violation = program.violation(&current.x, &current.extra);
             return Some(current);
         }
-        let mut tangent = Row {
-            multiplier,
-            ..Row::of_no_limit(name, Peak::default(), Entries::new(), 0.0)
-        };
-        tangent.extra[RADIUS] = -1.0;
-        for k in [RISE, OFFSET] {
-            tangent.extra[k] = current.extra[k] / least;
+        for (cone, &multiplier) in program.cones.iter().zip(&multipliers) {
+            let tangent = tangent(cone, &current, multiplier);
+            current.active.retain(|r| !is_tangent(cone, r));
+            current.active.push(tangent.clone());
+            flat.fixed.push(tangent);
         }
-        current.active.retain(|r| !is_tangent(r));
-        current.active.push(tangent.clone());
-        flat.fixed.push(tangent);
         current = on_contacts(&flat, &current)?;
-        let tangents = current.active.iter().filter(|r| is_tangent(r));
-        multiplier = tangents.map(|r| r.multiplier).sum();
+        for (cone, multiplier) in program.cones.iter().zip(&mut multipliers) {
+            let tangents = current.active.iter().filter(|r| is_tangent(cone, r));
+            *multiplier = tangents.map(|r| r.multiplier).sum();
+        }
     }
     None
+}
+
+fn is_tangent<N: Names>(cone: &Cone<N>, row: &Row<N>) -> bool {
+    row.limit.is_none() && row.entries.is_empty() && row.name == cone.name
+}
+
+/// The tangent of a cone at a solution.
+fn tangent<N: Names>(cone: &Cone<N>, at: &Solution<N>, multiplier: f64) -> Row<N> {
+    let mut tangent = Row {
+        multiplier,
+        ..Row::of_no_limit(cone.name, Peak::default(), Entries::new(), 0.0)
+    };
+    tangent.extra[cone.head] = -1.0;
+    for &k in &cone.tail {
+        tangent.extra[k] = at.extra[k] / cone.norm(&at.extra);
+    }
+    tangent
 }

@@ -31,7 +31,7 @@ use crate::band::ArrowMatrix;
 use crate::basis::{Basis, apply, row_unit};
 use crate::certificate::certificate;
 use crate::poly::{Peak, PiecewisePoly};
-use crate::program::{Limit, PEAK, Program, Row, Solution};
+use crate::program::{Limit, PEAK, Program, Row, Solution, Variable};
 use crate::solve::active_set::dual::with_rounding;
 
 struct Contacts<'a, N: Names> {
@@ -39,7 +39,7 @@ struct Contacts<'a, N: Names> {
     /// Second derivatives of the bounds' shapes.
     bends: Vec<PiecewisePoly>,
     /// Which of the further variables take part.
-    free: Vec<usize>,
+    free: Vec<Variable>,
     degree: usize,
 }
 
@@ -63,10 +63,10 @@ pub fn refined<N: Names>(program: &Program<N>, solution: Solution<N>) -> Solutio
     if before <= 1.0 {
         return solution;
     }
-    let closer = if program.cone {
-        cone::on_cone(program, &solution)
-    } else {
+    let closer = if program.cones.is_empty() {
         on_contacts(program, &solution)
+    } else {
+        cone::on_cones(program, &solution)
     };
     match closer {
         Some(closer) if openness(program, &closer) < before => closer,
@@ -115,7 +115,7 @@ impl<'a, N: Names> Contacts<'a, N> {
     fn small(program: &'a Program<N>) -> Option<Self> {
         let unknowns = program.basis.columns() + program.equalities.len();
         let too_large = 2 * unknowns > program.settings.refinement.largest;
-        if program.cone || too_large {
+        if !program.cones.is_empty() || too_large {
             return None;
         }
         Some(Contacts::new(program))
@@ -291,13 +291,13 @@ impl<'a, N: Names> Contacts<'a, N> {
     }
 
     /// Largest excess of all limits, those included that no place of the law calls in: rows that are always held, and
-    /// limits on a size alone.
+    /// limits on variables alone.
     fn violation(&self, at: &Solution<N>) -> f64 {
         let program = self.program;
         let over =
             |row: &Row<N>| -row.slack(&at.x, &at.extra) / row_unit(&row.entries, program.length);
         let of_rows = program.fixed.iter().map(over);
-        let alone = program.limits.iter().filter(|l| l.is_on_size_alone());
+        let alone = program.limits.iter().filter(|l| l.is_on_variables_alone());
         let of_sizes = alone.map(|limit| {
             let room = limit.room(&at.extra);
             -room / limit.size(room)
@@ -341,9 +341,9 @@ impl<'a, N: Names> Contacts<'a, N> {
                 rows.push(row.clone());
             }
         }
-        // A limit on a size alone is one row, which no place of the law calls in.
+        // A limit on variables alone is one row, which no place of the law calls in.
         for (index, limit) in program.limits.iter().enumerate() {
-            if limit.is_on_size_alone() && !rows.iter().any(|r| r.limit == Some(index)) {
+            if limit.is_on_variables_alone() && !rows.iter().any(|r| r.limit == Some(index)) {
                 rows.push(program.row(index, Peak::default()));
             }
         }

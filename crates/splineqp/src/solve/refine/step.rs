@@ -8,7 +8,7 @@ use super::Contacts;
 use crate::Names;
 use crate::band::{ArrowFactor, ArrowMatrix};
 use crate::basis::{Entries, apply, row_unit};
-use crate::program::{EXTRAS, PEAK, Row, Solution};
+use crate::program::{PEAK, Row, Solution, Values, Variable};
 use crate::solve::active_set::dual::Dual;
 use nalgebra::{DMatrix, DVector};
 
@@ -43,9 +43,9 @@ impl<'a, N: Names> Local<'a, N> {
         let program = contacts.program;
         let n = program.basis.columns();
         let objective = program.multiplier_unit(from.extra[PEAK]);
-        let unit = |k: usize| match from.extra[PEAK].abs() {
+        let unit = |k: Variable| match from.extra[PEAK].abs() {
             peak if k == PEAK && peak > 0.0 => peak,
-            _ => program.length,
+            _ => program.typical(k),
         };
         let mut units = vec![program.length; n];
         units.extend(contacts.free.iter().map(|&k| unit(k)));
@@ -78,7 +78,7 @@ impl<'a, N: Names> Local<'a, N> {
     /// A row as a plane of the step, and the unit that it is divided by.
     fn plane(
         &self,
-        (entries, extra, bound): (&Entries, &[f64; EXTRAS], f64),
+        (entries, extra, bound): (&Entries, &Values, f64),
         equal: bool,
     ) -> (Plane, f64) {
         let program = self.contacts.program;
@@ -88,8 +88,7 @@ impl<'a, N: Names> Local<'a, N> {
         let columns = (n..).zip(&self.contacts.free);
         let others = columns.map(|(c, &k)| (c, extra[k] * self.units[c] / scale));
         let normal: Entries = own.chain(others.filter(|e| e.1 != 0.0)).collect();
-        let taken: f64 = (0..EXTRAS).map(|k| extra[k] * self.from.extra[k]).sum();
-        let bound = (bound - taken - apply(entries, &self.from.x)) / scale;
+        let bound = (bound - extra.dot(&self.from.extra) - apply(entries, &self.from.x)) / scale;
         let plane = Plane {
             entries: normal,
             bound,
@@ -184,7 +183,7 @@ impl<'a, N: Names> Local<'a, N> {
 
     /// Demands and rows as planes, and their units.
     fn planes(&self, rows: &[Row<N>]) -> (Vec<Plane>, Vec<f64>) {
-        let none = [0.0; EXTRAS];
+        let none = Values::NONE;
         (self.contacts.program.equalities.iter())
             .map(|e| self.plane((&e.entries, &none, e.value), true))
             .chain((rows.iter()).map(|r| self.plane((&r.entries, &r.extra, r.bound), false)))

@@ -1,0 +1,259 @@
+//! Variables of a program beside the coefficients of its spline, and the cones that tie them together.
+
+use super::Program;
+use crate::Names;
+use std::ops::{Index, IndexMut};
+
+/// Most variables beside the coefficients, the peak included. The few have their place in every row.
+const MOST: usize = 8;
+
+/// The peak: a bound that is itself minimised. Every program has it; it takes part where a limit or a cost names it.
+pub const PEAK: Variable = Variable(0);
+
+/// A variable beside the coefficients, by its place in the program that declares it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Variable(usize);
+
+impl Variable {
+    /// The variable that is declared as the `n`th, from 1 on; 0 is [`PEAK`].
+    pub const fn nth(n: usize) -> Self {
+        assert!(n < MOST, "a program has few variables beside its spline");
+        Variable(n)
+    }
+
+    /// All places of variables.
+    pub fn all() -> impl Iterator<Item = Variable> {
+        (0..MOST).map(Variable)
+    }
+}
+
+/// One entry for each variable.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ByVariable<T>([T; MOST]);
+
+/// One number for each variable: weights, costs or values.
+pub type Values = ByVariable<f64>;
+
+impl<T> Index<Variable> for ByVariable<T> {
+    type Output = T;
+    #[inline]
+    fn index(&self, variable: Variable) -> &T {
+        &self.0[variable.0]
+    }
+}
+
+impl<T> IndexMut<Variable> for ByVariable<T> {
+    #[inline]
+    fn index_mut(&mut self, variable: Variable) -> &mut T {
+        &mut self.0[variable.0]
+    }
+}
+
+impl<T: Copy> ByVariable<T> {
+    /// The entries with their variables.
+    pub fn iter(&self) -> impl Iterator<Item = (Variable, T)> + '_ {
+        Variable::all().map(|k| (k, self[k]))
+    }
+}
+
+impl Values {
+    /// Zero for every variable.
+    pub const NONE: Values = ByVariable([0.0; MOST]);
+
+    /// Whether all are 0.
+    pub fn is_none(&self) -> bool {
+        *self == Values::NONE
+    }
+
+    /// Sum of products.
+    #[inline]
+    pub fn dot(&self, other: &Values) -> f64 {
+        self.0.iter().zip(&other.0).map(|(a, b)| a * b).sum()
+    }
+}
+
+/// What is declared of a variable.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Declared {
+    /// Name as the caller knows it.
+    pub name: &'static str,
+    /// Typical value: the unit in which solvers work.
+    pub typical: f64,
+    /// Of which derivative of the law it is the least value; `None` for a variable of its own.
+    pub least_of: Option<usize>,
+}
+
+/// A second-order cone: the head is at least the Euclidean norm of the tail.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cone<N: Names> {
+    /// Name as users know it.
+    pub name: N::Limit,
+    /// The variable that is at least the norm.
+    pub head: Variable,
+    /// The variables of which the norm is taken.
+    pub tail: Vec<Variable>,
+}
+
+impl<N: Names> Cone<N> {
+    /// The norm of the tail.
+    pub fn norm(&self, values: &Values) -> f64 {
+        let tail = self.tail.iter().map(|&k| values[k]);
+        tail.fold(0.0, f64::hypot)
+    }
+
+    /// Its variables, the head first.
+    pub fn members(&self) -> impl Iterator<Item = Variable> + '_ {
+        std::iter::once(self.head).chain(self.tail.iter().copied())
+    }
+}
+
+impl<N: Names> Program<N> {
+    /// Declares a variable by its name, its typical value (the unit in which solvers work) and its cost in the objective.
+    ///
+    /// # Panics
+    /// With more than seven variables.
+    pub fn variable(&mut self, name: &'static str, typical: f64, cost: f64) -> Variable {
+        let variable = Variable::nth(self.variables.len() + 1);
+        self.variables.push(Declared {
+            name,
+            typical,
+            least_of: None,
+        });
+        self.cost[variable] = cost;
+        variable
+    }
+
+    /// Declares the least value of a derivative of the law, where a range of values begins whose place is free.
+    ///
+    /// # Panics
+    /// With more than seven variables.
+    pub fn least_value(&mut self, name: &'static str, order: usize, typical: f64) -> Variable {
+        let variable = self.variable(name, typical, 0.0);
+        if let Some(declared) = self.variables.last_mut() {
+            declared.least_of = Some(order);
+        }
+        variable
+    }
+
+    /// Ties variables together: `head` is at least the norm of `tail`. A variable may be in one cone.
+    pub fn cone(&mut self, name: impl Into<N::Limit>, head: Variable, tail: &[Variable]) {
+        self.cones.push(Cone {
+            name: name.into(),
+            head,
+            tail: tail.to_vec(),
+        });
+    }
+
+    /// Name of a variable.
+    pub fn name_of(&self, variable: Variable) -> &'static str {
+        self.declared(variable).map_or("peak", |d| d.name)
+    }
+
+    /// Typical value of a variable; of the peak that of the coefficients.
+    pub(crate) fn typical(&self, variable: Variable) -> f64 {
+        self.declared(variable).map_or(self.length, |d| d.typical)
+    }
+
+    fn declared(&self, variable: Variable) -> Option<&Declared> {
+        self.variables.get(variable.0.checked_sub(1)?)
+    }
+
+    /// Which variables take part.
+    pub fn present(&self) -> ByVariable<bool> {
+        let mut out = ByVariable([false; MOST]);
+        for k in Variable::all() {
+            out[k] = self.cost[k] != 0.0
+                || self.limits.iter().any(|l| l.extra[k] != 0.0)
+                || self.fixed.iter().any(|r| r.extra[k] != 0.0)
+                || self.is_in_cone(k);
+        }
+        out
+    }
+
+    /// The variables that take part.
+    pub fn free_variables(&self) -> Vec<Variable> {
+        let present = self.present();
+        Variable::all().filter(|&k| present[k]).collect()
+    }
+
+    /// Whether a cone contains a variable.
+    pub(crate) fn is_in_cone(&self, variable: Variable) -> bool {
+        self.cones
+            .iter()
+            .any(|c| c.members().any(|k| k == variable))
+    }
+
+    /// The variables that are least values of the law, with the order of their derivative.
+    pub(crate) fn least_values(&self) -> impl Iterator<Item = (Variable, usize)> + '_ {
+        let declared = Variable::all().skip(1).zip(&self.variables);
+        declared.filter_map(|(k, d)| Some((k, d.least_of?)))
+    }
+
+    /// The same program with these variables as constants, their costs left out.
+    #[must_use]
+    pub fn with_constant(mut self, variables: &[Variable], values: &Values) -> Program<N> {
+        for limit in &mut self.limits {
+            make_constant(&mut limit.bound, &mut limit.extra, variables, values);
+        }
+        for row in self.fixed.iter_mut().chain(&mut self.seeds) {
+            make_constant(&mut row.bound, &mut row.extra, variables, values);
+        }
+        variables.iter().for_each(|&k| self.cost[k] = 0.0);
+        self.cones
+            .retain(|c| !c.members().any(|k| variables.contains(&k)));
+        self
+    }
+}
+
+/// Takes the terms of these variables to the bound.
+pub(crate) fn make_constant(
+    bound: &mut f64,
+    extra: &mut Values,
+    variables: &[Variable],
+    values: &Values,
+) {
+    for &k in variables {
+        *bound -= extra[k] * values[k];
+        extra[k] = 0.0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Basis, Quadratic};
+
+    #[test]
+    fn variables_keep_the_order_of_their_declaration() {
+        let basis = Basis::Harmonic { count: 1 };
+        let zero = Quadratic::zero(&basis);
+        let mut program: Program<()> = Program::new(basis, zero, Vec::new(), 2.0);
+        let radius = program.variable("radius", 0.04, 3.0);
+        let lowest = program.least_value("lowest", 0, 0.01);
+        assert_eq!([radius, lowest], [Variable::nth(1), Variable::nth(2)]);
+        assert_eq!(
+            [program.typical(radius), program.typical(PEAK)],
+            [0.04, 2.0]
+        );
+        assert_eq!(program.name_of(lowest), "lowest");
+        assert_eq!(program.free_variables(), [radius]);
+        assert_eq!(program.least_values().collect::<Vec<_>>(), [(lowest, 0)]);
+        program.cone("cone", radius, &[lowest]);
+        assert_eq!(program.free_variables(), [radius, lowest]);
+        let constant = program.with_constant(&[lowest], &Values::NONE);
+        assert!(constant.cones.is_empty());
+    }
+
+    #[test]
+    fn a_norm_is_that_of_the_tail() {
+        let [head, a, b] = [1, 2, 3].map(Variable::nth);
+        let cone: Cone<()> = Cone {
+            name: "cone",
+            head,
+            tail: vec![a, b],
+        };
+        let mut values = Values::NONE;
+        (values[head], values[a], values[b]) = (9.0, 3.0, -4.0);
+        assert_eq!(cone.norm(&values), 5.0);
+    }
+}

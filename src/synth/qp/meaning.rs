@@ -1,0 +1,79 @@
+//! How users read the bounds of a cam's program.
+
+use super::{LeftSide, Limit};
+use crate::criterion::Criterion;
+
+/// How a bound is read by users.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Meaning {
+    /// Not a number of the scene: the base circle, a monotone flank, the objective.
+    #[default]
+    Structure,
+    /// The scene's value is factor·bound + offset.
+    Value {
+        /// Factor.
+        factor: f64,
+        /// Offset.
+        offset: f64,
+    },
+    /// A limit on a size that is itself a variable: nothing to relax.
+    Sized,
+    /// A pressure-angle limit on a given prime circle: bound = tan·D ± e, read as the prime radius.
+    PrimeRadius {
+        /// Tangent of the angle allowed.
+        tan: f64,
+        /// Offset of the follower with its sign in the bound, m.
+        offset: f64,
+    },
+}
+
+impl Meaning {
+    /// The user's value is the bound times a factor.
+    pub fn times(factor: f64) -> Meaning {
+        Meaning::Value {
+            factor,
+            offset: 0.0,
+        }
+    }
+
+    /// The user's value for a bound; `None` where there is none.
+    pub fn value(self, bound: f64) -> Option<f64> {
+        match self {
+            Meaning::Structure | Meaning::Sized => None,
+            Meaning::Value { factor, offset } => Some(factor * bound + offset),
+            Meaning::PrimeRadius { tan, offset } => Some(((bound - offset) / tan).hypot(offset)),
+        }
+    }
+
+    /// |d value / d bound|, for multipliers.
+    pub fn slope(self, bound: f64) -> f64 {
+        match self {
+            Meaning::Structure | Meaning::Sized => 1.0,
+            Meaning::Value { factor, .. } => factor.abs(),
+            Meaning::PrimeRadius { tan, offset } => {
+                let rise = (bound - offset) / tan;
+                (rise / rise.hypot(offset)).abs() / tan
+            }
+        }
+    }
+
+    /// The limit whose bound users read so. A law at rest lies on its base circle and on the edge of steadiness: a bound that is
+    /// no number of the scene keeps no room.
+    pub fn of(self, limit: Limit) -> Limit {
+        Limit {
+            meaning: self,
+            has_room: self != Meaning::Structure,
+            ..limit
+        }
+    }
+}
+
+/// A limit that is not a number of the scene, until a [`Meaning`] makes it one.
+pub fn structural(
+    name: impl Into<Criterion>,
+    side: impl Into<LeftSide>,
+    bound: f64,
+    scale: f64,
+) -> Limit {
+    Limit::on(name, side).at_most(bound).scaled(scale).exact()
+}
