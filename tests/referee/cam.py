@@ -1,0 +1,121 @@
+"""Geometry of the cam from the motion of its follower, in the frame that does not turn.
+
+A point p of that frame is R(−θ)p on the cam, R(−θ) = [[cos θ, sin θ], [−sin θ, cos θ]]; with J p = (p_y, −p_x) its derivative
+by θ on the cam is R(−θ)(p′ + J p). The normal n = J t / |t| of the pitch curve's tangent t points away from the cam's centre
+where the curve runs clockwise, and curvature is positive where the cam is convex.
+"""
+
+import math
+
+import numpy as np
+
+
+class Cam:
+    """Follower, sizes and law: contact, pitch point, radius of curvature and pressure angle at any angle."""
+
+    def __init__(self, kind, law, size):
+        self.kind, self.law, self.size = kind, law, size
+        self.is_face = kind.startswith("flat")
+        self.roller = size.get("roller", 0.0)
+
+    def centre(self, s, v, a):
+        """Roller centre with two derivatives, and the direction in which the lift moves it."""
+        z = self.size
+        if self.kind.endswith("-translating"):
+            depth = math.sqrt(max(z["prime"] ** 2 - z["offset"] ** 2, 0.0))
+            zero = np.zeros_like(s)
+            return (zero + z["offset"], depth + s), (zero, v), (zero, a), (zero, zero + 1.0)
+        arm, pivot = z["arm"], z["pivot"]
+        side = math.copysign(1.0, pivot)
+        xi = start_of_arm(z) + s
+        x, y = pivot - side * arm * np.cos(xi), arm * np.sin(xi)
+        dx, dy = side * arm * np.sin(xi), arm * np.cos(xi)
+        ddx, ddy = side * arm * np.cos(xi), -arm * np.sin(xi)
+        return (x, y), (dx * v, dy * v), (ddx * v * v + dx * a, ddy * v * v + dy * a), (side * np.sin(xi), np.cos(xi))
+
+    def at(self, theta, s, v, a):
+        """Contact and pitch point (fixed frame), radius of curvature of the cam and pressure angle."""
+        z = self.size
+        if self.kind == "flat-translating":
+            point = (v, z["base"] + s)
+            return point, point, z["base"] + s + a, np.zeros_like(s)
+        if self.kind == "flat-oscillating":
+            return self.arm_face(s, v, a)
+        if self.kind == "translating-cam":
+            return self.wedge(theta, s, v, a)
+        if self.kind == "barrel":
+            return self.groove(theta, s, v, a)
+        p, p1, p2, up = self.centre(s, v, a)
+        t = (p1[0] + p[1], p1[1] - p[0])
+        t2 = (p2[0] + 2 * p1[1] - p[0], p2[1] - 2 * p1[0] - p[1])
+        length = np.hypot(*t)
+        outward = (-t[1] / length, t[0] / length)
+        with np.errstate(divide="ignore"):
+            pitch = -(length**3) / (t[0] * t2[1] - t[1] * t2[0])
+        angle = np.arctan2(up[0] * outward[1] - up[1] * outward[0], up[0] * outward[0] + up[1] * outward[1])
+        contact = (p[0] - self.roller * outward[0], p[1] - self.roller * outward[1])
+        return contact, p, pitch - self.roller, angle
+
+    def arm_face(self, s, v, a):
+        z = self.size
+        pivot, face = z["pivot"], z["face_offset"]
+        side = math.copysign(1.0, pivot)
+        xi = math.asin((z["base"] - face) / abs(pivot)) + s
+        c = abs(pivot)
+        # Support function h of the face over the angle of its normal, on the cam: dα/dθ = −(1 ± ξ′).
+        rate = -(1.0 + side * v)
+        h, h1 = face + c * np.sin(xi), c * np.cos(xi) * v
+        h2 = -c * np.sin(xi) * v * v + c * np.cos(xi) * a
+        slope = h1 / rate
+        slope1 = h2 / rate - h1 * (-side * a) / rate**2
+        normal = (side * np.sin(xi), np.cos(xi))
+        along = (-normal[1], normal[0])
+        point = (h * normal[0] + slope * along[0], h * normal[1] + slope * along[1])
+        reach = (point[0] - pivot, point[1])
+        push = (side * reach[1], -side * reach[0])
+        angle = np.arctan2(push[0] * normal[1] - push[1] * normal[0], push[0] * normal[0] + push[1] * normal[1])
+        return point, point, h + slope1 / rate, angle
+
+    def wedge(self, x, s, v, a):
+        pitch = (x, self.size["prime"] + s)
+        length = np.hypot(1.0, v)
+        outward = (-v / length, 1.0 / length)
+        contact = (pitch[0] - self.roller * outward[0], pitch[1] - self.roller * outward[1])
+        with np.errstate(divide="ignore"):
+            rho = -(length**3) / a
+        return contact, pitch, rho - self.roller, np.arctan(v)
+
+    def groove(self, theta, s, v, a):
+        """The unrolled groove at the radius of the barrel, and the roller on its lower wall."""
+        radius = self.size["base"]
+        out = self.size["eccentricity"]
+        slope = v / radius
+        phi = np.arctan(slope)
+        pitch = (radius * theta, s - out)
+        contact = (pitch[0] + self.roller * np.sin(phi), pitch[1] - self.roller * np.cos(phi))
+        with np.errstate(divide="ignore"):
+            rho = -(np.hypot(1.0, slope) ** 3) / (a / radius**2)
+        return contact, pitch, rho - self.roller, phi
+
+    def on_cam(self, point, theta):
+        if self.kind in ("translating-cam", "barrel"):
+            return point
+        cos, sin = np.cos(theta), np.sin(theta)
+        return cos * point[0] + sin * point[1], -sin * point[0] + cos * point[1]
+
+    def normal_force_factor(self, theta, s, v, a):
+        """Normal force for each newton along the follower's motion; for an arm for each newton at the end of the arm."""
+        return 1.0 / np.cos(self.at(theta, s, v, a)[3])
+
+    def curvature_sum(self, theta, s, v, a):
+        """1/R of cam and follower in contact."""
+        rho = self.at(theta, s, v, a)[2]
+        with np.errstate(divide="ignore"):
+            own = 1.0 / rho
+        return own + (1.0 / self.roller if self.roller else 0.0)
+
+
+def start_of_arm(size):
+    """Angle of the arm on the prime circle."""
+    arm, pivot = size["arm"], abs(size["pivot"])
+    return math.acos((arm**2 + pivot**2 - size["prime"] ** 2) / (2 * arm * pivot))

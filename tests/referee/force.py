@@ -1,0 +1,75 @@
+"""Force of the drive, target force, and what follows from both at a constant speed of a rigid machine."""
+
+import math
+
+import numpy as np
+
+from units import quantity
+
+GRAVITY = 9.81
+# Steel on steel: E = 206.8 GPa, ν = 0.3 for both bodies.
+CONTACT_MODULUS = 206.8e9 / (2 * (1 - 0.3**2))
+
+
+class Drive:
+    """F = F0 + k s + c ω v + m ω² a; for an arm a torque, which acts as a force at the lever."""
+
+    def __init__(self, scene, mass, speed, lever):
+        drive = scene["drive"]
+        self.kind = drive.get("kind", "fixed-axis")
+        self.mass, self.speed, self.lever = mass, speed, lever
+        self.gravity = quantity(drive.get("gravity", GRAVITY))
+        self.rest = self.stiffness = self.damping = 0.0
+        self.inertia = mass
+        if self.kind == "moving-axis":
+            self.rest = mass * self.gravity
+        elif self.kind == "hydraulic":
+            area = math.pi * quantity(drive["piston_radius"]) ** 2
+            self.stiffness, self.inertia = quantity(drive["pressure_per_volume"]) * area**2, 0.0
+        else:
+            self.rest = quantity(drive.get("preload", 0)) or 0.0
+            self.stiffness = quantity(drive.get("spring_rate", 0)) or 0.0
+            self.damping = quantity(drive.get("damping", 0)) or 0.0
+
+    def force(self, theta, s, v, a, j=None):
+        w = self.speed
+        return self.rest + self.stiffness * s + self.damping * w * v + self.inertia * w * w * a
+
+    def liftoff(self, law):
+        """Smallest speed at which the force touches zero; `None` without inertia or with damping."""
+        if self.inertia == 0.0 or self.damping:
+            return None
+
+        def squared(theta, s, v, a, j):
+            with np.errstate(divide="ignore"):
+                return np.where(a < 0, (self.rest + self.stiffness * s) / (self.inertia * np.maximum(-a, 1e-300)), np.inf)
+
+        least = law.extreme(squared, largest=False)[0]
+        return math.sqrt(least) if math.isfinite(least) and least >= 0 else None
+
+
+def model(name, frequency, weight, phase):
+    """Both feet together: G (1 + Σ a_i sin(i phase + p_i)); `None` for a model of one foot."""
+    f = frequency
+    pi = math.pi
+    factors = {
+        "blanchard": [(0.257, 0.0)],
+        "bachmann": [(0.4 + 0.1 * (min(max(f, 2.0), 2.4) - 2.0) / 0.4, 0.0), (0.1, 0.0), (0.1, 0.0)],
+        "setra": [(0.4, 0.0), (0.1, -pi / 2), (0.1, -pi / 2)],
+        "young": [(min(0.37 * (f - 0.95), 0.5), 0.0), (0.054 + 0.0044 * 2 * f, -pi / 2), (0.026 + 0.0050 * 3 * f, pi),
+                  (0.010 + 0.0051 * 4 * f, pi / 2)],
+        "sci-p354": [(0.436 * (f - 0.95), 0.0), (0.006 * (2 * f + 12.3), -pi / 2), (0.007 * (3 * f + 5.2), pi), (0.007 * (4 * f + 2.0), pi / 2)],
+        "iso-10137": [(0.37 * (f - 1.0), 0.0), (0.1, 0.0), (0.06, 0.0), (0.06, 0.0), (0.06, 0.0)],
+    }.get(name)
+    if factors is None:
+        return None
+    force = np.ones_like(phase)
+    for i, (size, shift) in enumerate(factors, 1):
+        force = force + size * np.sin(i * phase + shift)
+    return weight * force
+
+
+def harmonics(samples, count):
+    """Amplitude and phase p of the terms A sin(nθ + p) of equally spaced samples of one turn."""
+    spectrum = np.fft.rfft(samples) / len(samples)
+    return [(2 * abs(spectrum[n]), float(np.angle(spectrum[n]) + math.pi / 2)) for n in range(1, count + 1)]

@@ -1,0 +1,99 @@
+"""The best law of a family under limits that are linear in it, by an interior point method on a dense grid of angles.
+
+The grid leaves the limits out between its angles, so its optimum is a lower bound of the true one, nearer by the square of
+the spacing. Multipliers of neighbouring angles belong to one contact of the true program.
+"""
+
+import math
+
+import numpy as np
+
+ANGLES = 2880
+
+
+def design_matrix(law_of, count, theta):
+    """Columns: lift and three derivatives of each basis function, from a law of unit coefficients."""
+    columns = [law_of([1.0 if i == k else 0.0 for i in range(count)]) for k in range(count)]
+    return [np.stack([column(theta, order) for column in columns], axis=1) for order in range(4)]
+
+
+def interior_point(h, g, a, b, e, f):
+    """min ½ xᵀHx + gᵀx with Ax ≤ b and Ex = f: Mehrotra's method. Returns x and the multipliers of Ax ≤ b."""
+    n, m = len(g), len(b)
+    scale = np.maximum(np.linalg.norm(a, axis=1), 1e-300)
+    a, b = a / scale[:, None], b / scale
+    x = np.linalg.lstsq(np.vstack([h, e]), np.concatenate([-g, f]), rcond=None)[0]
+    size = max(np.max(np.abs(b)), np.max(np.abs(a @ x)), 1e-9)
+    slack = np.maximum(b - a @ x, 1e-2 * size)
+    dual = np.full(m, max(np.max(np.abs(g)), 1e-9) / max(m, 1))
+    nu = np.zeros(len(f))
+    for _ in range(120):
+        rd = h @ x + g + a.T @ dual + e.T @ nu
+        rp, re = a @ x + slack - b, e @ x - f
+        gap = slack @ dual / m
+        objective = abs(0.5 * x @ h @ x + g @ x) + 1e-300
+        if slack @ dual < 1e-12 * objective and np.max(np.abs(rp)) < 1e-12 * size and np.max(np.abs(rd)) < 1e-10 * np.max(np.abs(g)):
+            break
+        weight = dual / slack
+        kkt = np.block([[h + a.T @ (weight[:, None] * a), e.T], [e, np.zeros((len(f), len(f)))]])
+
+        def step(complement):
+            right = np.concatenate([-rd - a.T @ ((dual * rp - complement) / slack), -re])
+            solution = np.linalg.lstsq(kkt, right, rcond=None)[0] if not np.all(np.isfinite(kkt)) else solve(kkt, right)
+            dx = solution[:n]
+            ds = -rp - a @ dx
+            return dx, solution[n:], ds, -(complement + dual * ds) / slack
+
+        dx, _, ds, dl = step(dual * slack)
+        reach = min(longest(slack, ds), longest(dual, dl))
+        centre = ((slack + reach * ds) @ (dual + reach * dl) / m / gap) ** 3 if gap > 0 else 0.0
+        dx, dn, ds, dl = step(dual * slack + ds * dl - centre * gap)
+        reach = 0.995 * min(longest(slack, ds), longest(dual, dl))
+        x, nu, slack, dual = x + reach * dx, nu + reach * dn, slack + reach * ds, dual + reach * dl
+    return x, dual / scale
+
+
+def solve(kkt, right):
+    scale = 1 / np.sqrt(np.maximum(np.abs(np.diag(kkt)), 1e-300))
+    scale = np.where(np.diag(kkt) == 0, 1.0, scale)
+    matrix = kkt * scale[:, None] * scale
+    matrix = matrix + 1e-15 * np.eye(len(right))
+    return scale * np.linalg.solve(matrix, scale * right)
+
+
+def longest(value, change):
+    falling = change < 0
+    return min(1.0, float(np.min(-value[falling] / change[falling]))) if falling.any() else 1.0
+
+
+class Program:
+    """Force error as objective, limits at a grid of angles, demands as equalities."""
+
+    def __init__(self, law_of, count, drive, target, span=(0.0, 2 * math.pi)):
+        theta = span[0] + (span[1] - span[0]) * np.arange(ANGLES) / ANGLES
+        self.theta = theta
+        self.basis = design_matrix(law_of, count, theta)
+        w = drive.speed
+        self.force = drive.stiffness * self.basis[0] + drive.damping * w * self.basis[1] + drive.inertia * w * w * self.basis[2]
+        self.rest = drive.rest
+        wanted = np.interp(theta, np.append(target[0], span[1]), np.append(target[1], target[1][0])) if target else None
+        self.wanted = wanted
+        self.rows, self.bounds, self.names = [], [], []
+        self.equalities, self.values = [np.zeros((0, count))], [np.zeros(0)]
+        # The lowest point of the law lies on the base circle.
+        self.add("base_circle", -self.basis[0], 0.0)
+
+    def add(self, name, rows, bound):
+        self.rows.append(rows)
+        self.bounds.append(np.full(len(rows), bound))
+        self.names += [name] * len(rows)
+
+    def best(self, objective=None):
+        """Coefficients, mean square of the objective's residual, and multipliers summed for each limit."""
+        residual = objective if objective is not None else (self.force, self.wanted - self.rest)
+        matrix, aim = residual
+        n = len(self.theta)
+        h = matrix.T @ matrix / n
+        g = -matrix.T @ aim / n
+        x, dual = interior_point(h, g, np.vstack(self.rows), np.concatenate(self.bounds), np.vstack(self.equalities), np.concatenate(self.values))
+        return x, float(np.mean((matrix @ x - aim) ** 2)), dual
