@@ -26,7 +26,7 @@ use crate::stance::{Point, RejectReason};
 pub struct Interpretation {
     /// Name of the file.
     pub file: String,
-    /// Kind of file.
+    /// Kind of file that was read.
     pub format: Format,
     /// What was recorded; `None` where nothing shows it.
     pub kind: Option<Kind>,
@@ -71,7 +71,7 @@ pub struct Interpretation {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clock {
-    /// Samples per second.
+    /// Rate of the samples, 1/s.
     pub rate_hz: f64,
     /// Time of the first sample on the file's own clock, s.
     pub start_s: f64,
@@ -123,13 +123,13 @@ pub struct Column {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
-    /// Its column.
+    /// Place of its column in `columns`.
     pub column: usize,
     /// The foot, where it is known.
     pub foot: Option<Foot>,
     /// Start on the file's own clock, s.
     pub from_s: f64,
-    /// End, s.
+    /// End on the same clock, s.
     pub to_s: f64,
     /// Why it is not used; `None` where it is.
     pub rejected: Option<RejectReason>,
@@ -150,7 +150,7 @@ pub struct Contact {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Period {
-    /// Duration, s.
+    /// Duration of one cycle, s.
     pub seconds: f64,
     /// What it was taken from.
     pub from: PeriodSource,
@@ -197,9 +197,9 @@ pub struct MeanStanceCurve {
     pub foot: Option<Foot>,
     /// Stances in the mean.
     pub count: usize,
-    /// Mean duration, s.
+    /// Mean duration of the stances, s.
     pub duration_s: f64,
-    /// Force, N.
+    /// Mean force at equal steps of the stance, N.
     pub mean_n: Vec<f64>,
     /// Standard deviation from stance to stance, N, where there are two or more.
     pub spread_n: Option<Vec<f64>>,

@@ -35,7 +35,7 @@ const LIMP: f64 = 0.1;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Trial<'a> {
-    /// Its mean cycle.
+    /// Its mean cycle of force.
     pub cycle: &'a Cycle,
     /// What is open about it.
     pub open: &'a [OpenQuestion],
@@ -63,7 +63,7 @@ pub struct Trial<'a> {
 pub enum LeftOut {
     /// Kind, clock or mass are open.
     Open {
-        /// Which.
+        /// Open questions of that trial.
         questions: Vec<OpenQuestion>,
     },
     /// Most recordings are of another movement.

@@ -26,7 +26,7 @@ pub(super) struct Ranges {
     pub duty: Range<f64>,
     /// Highest force of a stance, body weights.
     pub peak_bw: Range<f64>,
-    /// Typical duty factor.
+    /// Duty factor that is usual for it.
     pub usual_duty: f64,
     /// A stride over its stance.
     pub stride_of_stance: Range<f64>,

@@ -25,7 +25,7 @@ use crate::error::{ForceError, Result};
 pub struct Walker {
     /// Who it is; cycles of one name are cycles of one walker.
     pub name: String,
-    /// The cycle.
+    /// The walker's mean cycle of force.
     pub curve: ForceCurve,
     /// What the walker counts in a mean, any unit.
     pub weight: f64,

@@ -17,19 +17,19 @@ use crate::error::{Error, ForceError};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Foot {
-    /// Left.
+    /// The left foot.
     Left,
-    /// Right.
+    /// The right foot.
     Right,
 }
 
 impl Foot {
-    /// `left` or `right`.
+    /// Name in files and options: `left` or `right`.
     pub fn name(self) -> &'static str {
         self.into()
     }
 
-    /// The other side.
+    /// The foot of the other side.
     #[must_use]
     pub fn other(self) -> Foot {
         match self {
@@ -58,16 +58,16 @@ pub enum Feet {
     Both,
     /// One foot, whichever the source offers (the mean of both where it offers both).
     One,
-    /// The left foot.
+    /// The left foot alone.
     Left,
-    /// The right foot.
+    /// The right foot alone.
     Right,
     /// The sum of both feet, which the recording holds in one column.
     Total,
 }
 
 impl Feet {
-    /// Every choice.
+    /// Every choice, in the order of the help.
     pub const ALL: [Feet; 5] = [Feet::Both, Feet::One, Feet::Left, Feet::Right, Feet::Total];
 
     /// Part of the weight that the feet carry on the mean over a stride.

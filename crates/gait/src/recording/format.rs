@@ -25,7 +25,7 @@ use crate::wording::{Language, sentence};
 pub enum Format {
     /// C3D, with the processor whose number format it uses.
     C3d {
-        /// Number format.
+        /// Number format of the processor that wrote it.
         processor: Processor,
         /// How samples are stored.
         storage: Storage,
@@ -39,16 +39,16 @@ pub enum Format {
     StanceTable,
     /// Delimited text with a header.
     Text {
-        /// Field separator.
+        /// Separator between two fields.
         separator: SeparatorName,
-        /// Decimal mark.
+        /// Decimal mark of its numbers.
         decimal: DecimalMark,
     },
     /// Delimited text without a header.
     HeaderlessText {
-        /// Field separator.
+        /// Separator between two fields.
         separator: SeparatorName,
-        /// Decimal mark.
+        /// Decimal mark of its numbers.
         decimal: DecimalMark,
     },
 }

@@ -30,12 +30,12 @@ pub enum Kind {
     Jumping,
     /// The load rises from that of the feet alone to the weight, or falls back.
     SitToStand,
-    /// None of these.
+    /// A movement that is none of these.
     Other,
 }
 
 impl Kind {
-    /// Every kind.
+    /// Every kind, in the order of declaration.
     pub const ALL: &'static [Kind] = <Kind as VariantArray>::VARIANTS;
 
     /// The name used in scenes, options and JSON.
@@ -62,7 +62,7 @@ fn unknown_kind(word: &str) -> Error {
 #[derive(EnumString, IntoStaticStr, VariantNames)]
 #[strum(serialize_all = "kebab-case", parse_err_ty = Error, parse_err_fn = unknown_question)]
 pub enum OpenQuestion {
-    /// What was recorded.
+    /// Which movement was recorded.
     Kind,
     /// The duration of a stride.
     Clock,

@@ -44,11 +44,11 @@ pub struct ReadOptions {
     pub force: Vec<String>,
     /// Unit of the force columns.
     pub unit: Option<ForceUnit>,
-    /// Samples per second.
+    /// Sampling rate, 1/s.
     pub rate_hz: Option<f64>,
     /// Mass of the walker, kg.
     pub mass_kg: Option<f64>,
-    /// What was recorded.
+    /// Movement that was recorded.
     pub kind: Option<Kind>,
     /// The file is exactly one cycle of this duration, s.
     pub period_s: Option<f64>,
@@ -74,7 +74,7 @@ pub struct ReadOptions {
 pub struct Strike {
     /// Time from the first sample, s.
     pub at_s: f64,
-    /// Which foot.
+    /// Foot that lands.
     pub foot: Foot,
 }
 
@@ -91,7 +91,7 @@ pub struct Strike {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// First sample.
+    /// Index of its first sample.
     pub from: usize,
     /// One past the last sample.
     pub to: usize,
@@ -152,14 +152,14 @@ pub enum Idle {
     NeverLoaded,
     /// It hardly moves, or most samples have the same large value.
     Constant {
-        /// That value.
+        /// Level of these readings.
         level: Quantity,
     },
     /// More than half of its samples are missing.
     MostlyEmpty {
         /// Samples that are missing.
         missing: usize,
-        /// All samples.
+        /// Number of all samples.
         samples: usize,
     },
     /// It has no samples.
@@ -184,7 +184,7 @@ pub struct Recording {
     pub format: Format,
     /// Whether the forces are those of pressure insoles.
     pub insole: bool,
-    /// Samples per second.
+    /// Sampling rate, 1/s.
     pub rate_hz: f64,
     /// Time of the first sample on the file's own clock, s.
     pub start_s: f64,

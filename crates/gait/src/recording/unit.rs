@@ -22,25 +22,25 @@ use crate::units::{G, LBF};
 #[serde(into = "&'static str")]
 #[strum(ascii_case_insensitive, parse_err_ty = Error, parse_err_fn = unknown_unit)]
 pub enum ForceUnit {
-    /// Newtons.
+    /// Newtons, as force plates give them.
     #[strum(to_string = "N", serialize = "newton", serialize = "newtons")]
     Newton,
-    /// Kilonewtons.
+    /// Kilonewtons: 1000 N each.
     #[strum(to_string = "kN", serialize = "kilonewton", serialize = "kilonewtons")]
     Kilonewton,
-    /// Decanewtons.
+    /// Decanewtons: 10 N each.
     #[strum(to_string = "daN", serialize = "decanewton")]
     Decanewton,
-    /// Pounds-force.
+    /// Pounds-force: 4.448 N each.
     #[strum(to_string = "lbf", serialize = "lb", serialize = "lbs")]
     PoundForce,
-    /// Kilograms-force.
+    /// Kilograms-force: 9.807 N each.
     #[strum(to_string = "kgf", serialize = "kp", serialize = "kg")]
     KilogramForce,
     /// Newtons per kilogram of body mass.
     #[strum(to_string = "N/kg", serialize = "N / kg")]
     NewtonPerKilogram,
-    /// Body weights.
+    /// Multiples of the body weight.
     #[strum(
         to_string = "BW",
         serialize = "N/BW",

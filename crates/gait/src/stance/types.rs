@@ -21,7 +21,7 @@ use crate::recording::{Foot, Kind, Note};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// Force, N.
+    /// Force there, N.
     pub force_n: f64,
     /// Time since heel strike over the duration of the stance, 0 to 1.
     pub at: f64,
@@ -85,7 +85,7 @@ impl Stance {
             .or((self.valley.is_none() && self.p1.at >= LATE).then_some(self.p1))
     }
 
-    /// Highest force, N.
+    /// Highest force of the stance, N.
     pub fn peak_n(&self) -> f64 {
         self.p2
             .map_or(self.p1.force_n, |p| p.force_n.max(self.p1.force_n))
@@ -157,11 +157,11 @@ pub enum RejectReason {
 pub struct Rejected {
     /// Channel of the recording.
     pub channel: usize,
-    /// Start, s.
+    /// Time of its start, s from the first sample.
     pub from_s: f64,
-    /// End, s.
+    /// Time of its end, s from the first sample.
     pub to_s: f64,
-    /// The reason.
+    /// Why it is not a whole stance.
     pub reason: RejectReason,
 }
 
@@ -179,9 +179,9 @@ pub struct Rejected {
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Stances {
-    /// Whole walking stances.
+    /// Whole stances, in order of time.
     pub used: Vec<Stance>,
-    /// The others.
+    /// Contacts that are not whole stances, with the reason.
     pub rejected: Vec<Rejected>,
     /// What the contacts are recognised as.
     pub recognised: Option<Kind>,

@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::read::number::{Field, field, trim};
 use crate::recording::ReadOptions;
 
-/// Field separator.
+/// What stands between two fields.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Separator {
     /// One of this byte between every two fields.

@@ -25,7 +25,7 @@ pub(in crate::read) struct Samples {
     pub insole: bool,
     /// First lines that hold no row.
     pub skipped: Vec<usize>,
-    /// What was guessed.
+    /// Notes on what was guessed.
     pub notes: Vec<Note>,
 }
 
