@@ -58,7 +58,7 @@ pub enum ReadError {
     NoForceUnit { column: String, unit: String },
     /// The column of force is the one of time.
     ForceIsTime,
-    /// Time goes backwards.
+    /// The times of a column decrease from one row to the next.
     TimeBackwards { time: f64, after: f64 },
     /// Rows are much shorter than the header.
     ShortRows { fields: usize },
@@ -120,6 +120,8 @@ pub enum ReadError {
     NoPlate { channels: String },
     /// Files named together that are not the plates of one trial, one file each.
     NotPlatesOfOneTrial,
+    /// A force plate whose TYPE needs a calibration matrix has none, and its channels are not in a unit of force.
+    PlateUncalibrated { plate: usize, channels: String },
     /// The only force plates are of a TYPE that is not read.
     PlateTypeUnknown {
         plate: usize,

@@ -13,6 +13,7 @@ const RATE: f64 = 500.0;
 
 fn plain(processor: Processor, float: bool, kind: i16) -> Build {
     Build {
+        before: 0,
         processor,
         float,
         kind,
@@ -51,6 +52,29 @@ fn every_processor_storage_and_plate_type_gives_the_same_force() {
                 assert_eq!(s.used[0].foot, Some(Foot::Right), "{what}");
                 assert!((s.used[0].start_s - 0.5).abs() < 0.01, "{what}");
             }
+        }
+    }
+}
+
+#[test]
+fn channels_beyond_255_have_their_own_scale_offset_unit_and_label() {
+    for before in [249, 252, 255, 300, 520] {
+        for (kind, float) in [(2, true), (4, false), (7, true)] {
+            let b = Build {
+                before,
+                ..plain(Processor::Intel, float, kind)
+            };
+            let r = open(&b);
+            let off = (r.channels[0].force_n.iter().enumerate())
+                .map(|(i, f)| (f + one_stance(i, RATE)).abs());
+            let off = off.fold(0.0, f64::max);
+            assert!(off < 0.11, "{before} channels before TYPE {kind}: {off} N");
+            let options = ReadOptions {
+                force: vec![format!("c{}", before + 2)],
+                ..ReadOptions::default()
+            };
+            let bytes = build(&b, |i| one_stance(i, RATE));
+            assert!(read(Path::new("made.c3d"), &bytes, &options).is_ok());
         }
     }
 }

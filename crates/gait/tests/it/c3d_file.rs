@@ -13,6 +13,8 @@ pub enum Processor {
 pub struct Build {
     pub processor: Processor,
     pub float: bool,
+    /// Idle channels before those of the plate; a file with more than 255 channels needs several parameters for them.
+    pub before: usize,
     /// FORCE_PLATFORM:TYPE, 1 to 7.
     pub kind: i16,
     /// Analog samples per frame.
@@ -163,6 +165,14 @@ fn matrix(kind: i16) -> (usize, usize, Vec<f32>) {
     (high, across, matrix)
 }
 
+/// A letter for the channels of one plate, `c249` and so on for more.
+fn label(k: usize) -> String {
+    match u8::try_from(k) {
+        Ok(k) if k < 26 => char::from(b'a' + k).to_string(),
+        _ => format!("c{k}"),
+    }
+}
+
 /// The parameter section: one plate, mass 70 kg and one strike of the right foot at 0.5 s.
 fn parameters(b: &Build, count: usize, markers: &[Marker]) -> Vec<u8> {
     let mut w = Writer {
@@ -183,20 +193,32 @@ fn parameters(b: &Build, count: usize, markers: &[Marker]) -> Vec<u8> {
     w.group(2, "ANALOG");
     w.ints(2, "USED", &[], &[count as i16]);
     w.floats(2, "GEN_SCALE", &[], &[1.0]);
-    w.floats(2, "SCALE", &[count as u8], &vec![b.scale; count]);
-    w.ints(2, "OFFSET", &[count as u8], &vec![b.offset; count]);
-    w.texts(
-        2,
-        "LABELS",
-        4,
-        &["a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"][..count],
-    );
+    let scales: Vec<f32> = (0..count)
+        .map(|k| if k < b.before { 0.5 } else { b.scale })
+        .collect();
+    let offsets: Vec<i16> = (0..count)
+        .map(|k| if k < b.before { 2 } else { b.offset })
+        .collect();
+    let labels: Vec<String> = (0..count).map(label).collect();
+    for (k, from) in (0..count).step_by(255).enumerate() {
+        let part = from..count.min(from + 255);
+        let name = |name: &str| match k {
+            0 => name.to_string(),
+            _ => format!("{name}{}", k + 1),
+        };
+        let length = [part.len() as u8];
+        w.floats(2, &name("SCALE"), &length, &scales[part.clone()]);
+        w.ints(2, &name("OFFSET"), &length, &offsets[part.clone()]);
+        w.texts(2, &name("UNITS"), 4, &vec!["N"; part.len()]);
+        let labels: Vec<&str> = labels[part].iter().map(String::as_str).collect();
+        w.texts(2, &name("LABELS"), 4, &labels);
+    }
     w.group(3, "FORCE_PLATFORM");
     w.ints(3, "USED", &[], &[1]);
     w.ints(3, "TYPE", &[1], &[b.kind]);
     w.ints(3, "ZERO", &[2], &[1, 5]);
-    let numbers: Vec<i16> = (1..=count as i16).collect();
-    w.ints(3, "CHANNEL", &[count as u8, 1], &numbers);
+    let numbers: Vec<i16> = (b.before as i16 + 1..=count as i16).collect();
+    w.ints(3, "CHANNEL", &[numbers.len() as u8, 1], &numbers);
     let (high, across, matrix) = matrix(b.kind);
     w.floats(3, "CAL_MATRIX", &[high as u8, across as u8, 1], &matrix);
     w.group(4, "PROCESSING");
@@ -220,7 +242,7 @@ pub fn build(b: &Build, force: impl Fn(usize) -> f64) -> Vec<u8> {
 
 /// The same with markers.
 pub fn build_with(b: &Build, force: impl Fn(usize) -> f64, markers: &[Marker]) -> Vec<u8> {
-    let count = channels(b.kind, 0.0).len();
+    let count = b.before + channels(b.kind, 0.0).len();
     let parameters = parameters(b, count, markers);
     let blocks = parameters.len() / 512;
     let p = b.processor;
@@ -254,6 +276,7 @@ pub fn build_with(b: &Build, force: impl Fn(usize) -> f64, markers: &[Marker]) -
             }
         }
         for k in 0..b.per_frame {
+            (0..b.before).for_each(|_| put(2.0));
             for x in channels(b.kind, force(frame * b.per_frame + k)) {
                 put(x / f64::from(b.scale) + f64::from(b.offset));
             }

@@ -24,8 +24,7 @@ const SIDES: [(&str, Foot); 4] = [
 
 /// Paths of the left and the right heel, NaN where a marker was not seen; `None` where the file has not both.
 pub(super) fn heels(analog: &Analog, parameters: &Parameters) -> Option<[Vec<[f64; 3]>; 2]> {
-    let mut labels = parameters.strings("POINT", "LABELS");
-    labels.extend(parameters.strings("POINT", "LABELS2"));
+    let mut labels = parameters.all_strings("POINT", "LABELS");
     labels.truncate(analog.points);
     let place = |foot: Foot| labels.iter().position(|label| heel(label) == Some(foot));
     let places = [place(Foot::Left)?, place(Foot::Right)?];

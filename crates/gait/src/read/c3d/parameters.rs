@@ -125,6 +125,22 @@ impl<'a> Parameters<'a> {
         p.data.chunks(length.max(1)).map(text).collect()
     }
 
+    /// Numbers of a parameter and of those that continue it: it has 255 values at most, `SCALE2` the next ones.
+    pub fn all_numbers(&self, group: &str, name: &str) -> Vec<f64> {
+        Self::continued(name, |name| self.numbers(group, name))
+    }
+
+    /// Texts of a parameter and of those that continue it, `LABELS2` and so on.
+    pub fn all_strings(&self, group: &str, name: &str) -> Vec<String> {
+        Self::continued(name, |name| self.strings(group, name))
+    }
+
+    fn continued<T>(name: &str, read: impl Fn(&str) -> Vec<T>) -> Vec<T> {
+        let next = (2..).map(|k| read(&format!("{name}{k}")));
+        let more = next.take_while(|values| !values.is_empty()).flatten();
+        read(name).into_iter().chain(more).collect()
+    }
+
     /// Every numeric parameter, in any group, whose name fits.
     pub fn named<'s>(
         &'s self,

@@ -36,7 +36,7 @@ pub(super) fn forces(
         .unwrap_or(0.0)
         .max(0.0) as usize;
     let mut raw = Vec::new();
-    let mut unknown = None;
+    let (mut unknown, mut uncalibrated) = (None, None);
     // Every plate needs channels of its own, so their number is bounded by the file.
     for plate in 0..used.min(MOST_PLATES).min(analog.channels) {
         match weights(plate, analog, parameters) {
@@ -46,8 +46,10 @@ pub(super) fn forces(
                 &weights,
             )),
             Err(note) => {
-                if let Note::PlateTypeUnknown { plate, kind } = note {
-                    unknown = Some((plate, kind));
+                match note {
+                    Note::PlateTypeUnknown { plate, kind } => unknown = Some((plate, kind)),
+                    Note::PlateMatrixMissing { plate } => uncalibrated = Some(plate),
+                    _ => (),
                 }
                 notes.push(note);
             }
@@ -57,6 +59,8 @@ pub(super) fn forces(
     // The type, not the name, decides whether a channel of a plate is a force.
     if raw.is_empty() && unknown.is_none() {
         raw = channels.labelled_force();
+        // Channels of a plate that needs a matrix are forces only where their unit is one.
+        raw.retain(|force| uncalibrated.is_none() || force.unit.is_some());
         if !raw.is_empty() {
             notes.push(Note::NoPlates);
         }
@@ -65,13 +69,14 @@ pub(super) fn forces(
         return Ok(raw);
     }
     let channels = channels.list(40);
-    Err(match unknown {
-        Some((plate, kind)) => ReadError::PlateTypeUnknown {
+    Err(match (unknown, uncalibrated) {
+        (Some((plate, kind)), _) => ReadError::PlateTypeUnknown {
             plate,
             kind,
             channels,
         },
-        None => ReadError::NoPlate { channels },
+        (None, Some(plate)) => ReadError::PlateUncalibrated { plate, channels },
+        (None, None) => ReadError::NoPlate { channels },
     }
     .in_file(path))
 }
@@ -87,8 +92,8 @@ impl<'a> Channels<'a> {
     fn of(analog: &'a Analog, parameters: &Parameters) -> Self {
         Channels {
             analog,
-            labels: parameters.strings("ANALOG", "LABELS"),
-            units: parameters.strings("ANALOG", "UNITS"),
+            labels: parameters.all_strings("ANALOG", "LABELS"),
+            units: parameters.all_strings("ANALOG", "UNITS"),
         }
     }
 

@@ -78,8 +78,8 @@ impl<'a> Analog<'a> {
             first_frame: first,
             frame_hz,
             rate_hz,
-            scale: parameters.numbers("ANALOG", "SCALE"),
-            offset: parameters.numbers("ANALOG", "OFFSET"),
+            scale: parameters.all_numbers("ANALOG", "SCALE"),
+            offset: parameters.all_numbers("ANALOG", "OFFSET"),
             general_scale: parameters.number("ANALOG", "GEN_SCALE").unwrap_or(1.0),
         })
     }

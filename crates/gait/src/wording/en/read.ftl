@@ -107,5 +107,7 @@ read-no-plate = neither a force plate nor an analog force channel found
     .help = the analog channels are { $channels }
 read-not-plates-of-one-trial = these files are not the plates of one trial
     .help = only files that name their plate and have the same time stamp, samples and rate are read together, each once
+read-plate-uncalibrated = force plate { $plate } has no calibration matrix (FORCE_PLATFORM:CAL_MATRIX), which its type needs
+    .help = export the trial with it, or name a channel of calibrated vertical force (option force). The channels are { $channels }
 read-plate-type-unknown = force plate { $plate } has the unsupported TYPE { $kind }
     .help = types 1 to 7 are supported; name its vertical force channel (option force). The channels are { $channels }

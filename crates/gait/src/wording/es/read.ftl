@@ -107,5 +107,7 @@ read-no-plate = no se encontró ninguna plataforma de fuerza ni canal analógico
     .help = los canales analógicos son { $channels }
 read-not-plates-of-one-trial = estos archivos no son las plataformas de un mismo ensayo
     .help = solo se leen juntos archivos que nombran su plataforma y tienen la misma marca de tiempo, muestras y frecuencia, cada uno una vez
+read-plate-uncalibrated = la plataforma { $plate } no tiene matriz de calibración (FORCE_PLATFORM:CAL_MATRIX), que su tipo necesita
+    .help = exporte el ensayo con ella, o indique un canal de fuerza vertical calibrada (opción force). Los canales son { $channels }
 read-plate-type-unknown = la plataforma de fuerza { $plate } tiene el TYPE { $kind }, que no se admite
     .help = se admiten los tipos 1 a 7; indique su canal de fuerza vertical (opción force). Los canales son { $channels }

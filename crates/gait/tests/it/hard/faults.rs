@@ -141,6 +141,7 @@ fn clipped_forces_are_an_open_question_that_cannot_be_accepted() {
 #[test]
 fn one_clipped_stance_of_a_c3d_is_asked_about() {
     let built = Build {
+        before: 0,
         processor: Processor::Intel,
         float: true,
         kind: 2,

@@ -80,6 +80,7 @@ impl Walk {
 
     fn file(&self, dice: &mut Dice, noise_mm: f64, lost: f64) -> Vec<u8> {
         let built = Build {
+            before: 0,
             processor: dice.of(&[Processor::Intel, Processor::Dec, Processor::Sgi]),
             float: dice.chance(50.0),
             kind: dice.of(&[1, 2, 3, 4]),

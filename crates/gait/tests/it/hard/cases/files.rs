@@ -92,6 +92,7 @@ pub fn c3d(dice: &mut Dice) -> Case {
     let noise = dice.of(&[0.0, 1.0]);
     let wobble: Vec<f64> = (0..900).map(|_| noise * dice.normal()).collect();
     let built = Build {
+        before: 0,
         processor: dice.of(&[Processor::Intel, Processor::Dec, Processor::Sgi]),
         float: dice.chance(50.0),
         kind: dice.of(&[1, 2, 3, 4, 5]),
