@@ -65,7 +65,7 @@ pub(super) fn role(name: &str) -> Role {
     let words = words(name);
     let has = |list: &str| words.iter().any(|w| is(w, list));
     let is_sub_frame = words.iter().any(|w| w.starts_with("sub")) && has(FRAME);
-    if is_sub_frame || has(OTHER) {
+    if is_sub_frame || is_other(&words) {
         return Role::Other;
     }
     if let Some(axis) = force_axis(&words) {
@@ -82,6 +82,11 @@ pub(super) fn role(name: &str) -> Role {
         return Role::Frame;
     }
     Role::Other
+}
+
+/// Whether words exclude a vertical force, whatever the others are.
+pub(super) fn is_other(words: &[String]) -> bool {
+    words.iter().any(|w| is(w, OTHER))
 }
 
 /// Whether a word says which channel of force a column is: its foot, plate or direction.

@@ -3,11 +3,11 @@
 /// Content of one field of a delimited text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Field {
-    /// A finite number.
+    /// A finite number, as it is written.
     Number(f64),
     /// Nothing, or a word that means nothing: `NaN`, `-`, `n/a`, `1.#QNAN`.
     Missing,
-    /// Anything else.
+    /// Anything else, such as a name.
     Text,
 }
 
@@ -32,6 +32,11 @@ pub(super) fn field(bytes: &[u8], comma: bool) -> Field {
         Some(b'0'..=b'9' | b'-' | b'+' | b'.' | b',') => match short(b, comma) {
             Some((x, length)) if length == b.len() => Field::Number(x),
             _ => long(b, comma),
+        },
+        // The minus sign of Unicode.
+        Some(0xE2) if b.starts_with(b"\xE2\x88\x92") => match field(&b[3..], comma) {
+            Field::Number(x) => Field::Number(-x),
+            other => other,
         },
         Some(_) => word(b),
     }
@@ -86,7 +91,11 @@ fn long(b: &[u8], comma: bool) -> Field {
     if b.len() > LONGEST || !b.is_ascii() {
         return Field::Text;
     }
-    let kept = b.iter().filter(|&&c| !(comma && c == b'.'));
+    let group = if comma { b'.' } else { b',' };
+    if !is_grouped(b, group) {
+        return Field::Text;
+    }
+    let kept = b.iter().filter(|&&c| c != group);
     let plain = kept.map(|&c| match c {
         b',' if comma => '.',
         b'D' | b'd' => 'e', // Fortran
@@ -99,6 +108,18 @@ fn long(b: &[u8], comma: bool) -> Field {
         Err(_) if text.contains('#') || text.chars().all(|c| "-+.,".contains(c)) => Field::Missing,
         Err(_) => word(b),
     }
+}
+
+/// Whether marks of thousands, where there are any, part three digits each and end before the decimal mark.
+fn is_grouped(b: &[u8], mark: u8) -> bool {
+    let mut groups = b.split(|&c| c == mark);
+    let _leading = groups.next();
+    let mut last = None;
+    groups.all(|group| {
+        let before_is_whole = last.replace(group.len() == 3).unwrap_or(true);
+        let digits = group.iter().take_while(|c| c.is_ascii_digit()).count();
+        before_is_whole && digits == 3
+    })
 }
 
 fn word(b: &[u8]) -> Field {

@@ -6,7 +6,7 @@ use super::timebase::TimeBase;
 use crate::error::{ReadError, Result};
 use crate::quantity::newtons;
 use crate::recording::{
-    Axis, Foot, ForceUnit, Format, MassSource, Note, ReadOptions, Recording, UnitSource,
+    Axis, Channel, Foot, ForceUnit, Format, MassSource, Note, ReadOptions, Recording, UnitSource,
 };
 use crate::statistics::{ends, sample};
 
@@ -14,6 +14,11 @@ use crate::statistics::{ends, sample};
 const HARDEST_N: f64 = 8000.0;
 /// Smallest peak of a walking force that is believable, N.
 const SOFTEST_N: f64 = 60.0;
+
+/// Largest difference of a copy from its original, as a part of the readings (root mean squares), and of a column that is
+/// named like its original.
+const COPY: f64 = 0.003;
+const FILTERED: f64 = 0.05;
 
 /// A raw column of force with what its name says.
 #[derive(Debug)]
@@ -71,6 +76,10 @@ pub(super) fn recording(
         channel.foot = column.foot;
         channels.push(channel);
     }
+    leave_copies(&mut channels, &mut notes);
+    if options.mass_kg.is_some() {
+        notes.retain(|note| !matches!(note, Note::UnloadedDiffers { .. }));
+    }
     if opensim_pair {
         for c in &mut channels {
             let left = c.name.starts_with("1_");
@@ -97,6 +106,36 @@ pub(super) fn recording(
         gaps_s: base.gaps_s,
         notes,
     })
+}
+
+/// Leaves out channels that repeat an earlier one: a copy of it, or the same readings filtered.
+fn leave_copies(channels: &mut Vec<Channel>, notes: &mut Vec<Note>) {
+    let mut kept: Vec<Channel> = Vec::with_capacity(channels.len());
+    for channel in channels.drain(..) {
+        match kept.iter().find(|original| is_copy(&channel, original)) {
+            Some(original) => notes.push(Note::ColumnRepeats {
+                column: channel.name,
+                original: original.name.clone(),
+            }),
+            None => kept.push(channel),
+        }
+    }
+    *channels = kept;
+}
+
+fn is_copy(channel: &Channel, original: &Channel) -> bool {
+    let feet = [channel, original].map(|c| c.foot);
+    let two_feet = feet[0].is_some() && feet[1].is_some() && feet[0] != feet[1];
+    if two_feet || channel.idle.is_some() || original.idle.is_some() {
+        return false;
+    }
+    let [a, b] = [channel, original].map(|c| sample(&c.force_n, 8192));
+    let differences = a.iter().zip(&b).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+    let all = b.iter().map(|x| x * x).sum::<f64>();
+    let is_named_so =
+        channel.name.contains(&original.name) || original.name.contains(&channel.name);
+    let least = if is_named_so { FILTERED } else { COPY };
+    a.len() == b.len() && differences < least * least * all
 }
 
 /// OpenSim's example recordings call the right foot `ground_force` and the left one `1_ground_force`.

@@ -22,11 +22,11 @@ use crate::wording::{Language, sentence};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Axis {
-    /// First component.
+    /// First component of a plate's force.
     X,
-    /// Second component.
+    /// Second component of a plate's force.
     Y,
-    /// Third component.
+    /// Third component of a plate's force.
     Z,
     /// Named as the vertical component, or the only one.
     Vertical,
@@ -88,6 +88,22 @@ pub enum Note {
     LowForce { peak: Quantity },
     /// The readings of a column stop at a level below the peaks of the force.
     Clipped { column: String, level: Quantity },
+    /// Samples of a column are missing between its contacts; there the plate is unloaded.
+    MissingIsUnloaded { column: String },
+    /// A column repeats another and was left out.
+    ColumnRepeats { column: String, original: String },
+    /// Single samples far from both neighbours were taken out.
+    SpikesRemoved {
+        column: String,
+        count: usize,
+        first: Quantity,
+    },
+    /// The unloaded reading during the walk is another than at both ends of the recording.
+    UnloadedDiffers {
+        column: String,
+        level: Quantity,
+        at_ends: Quantity,
+    },
     /// The unloaded reading of a column drifts by some newtons per second, which were removed.
     DriftRemoved { column: String, rise: Quantity },
     /// The strides last differently: more than one speed, or no steady walk.
@@ -393,7 +409,7 @@ impl Note {
             Note::StancesDiffer { .. } | Note::FewAlike { .. } => {
                 (Mass, &["gait.force", "gait.feet"])
             }
-            Note::InsoleMass { .. } => (Mass, &["gait.mass"]),
+            Note::InsoleMass { .. } | Note::UnloadedDiffers { .. } => (Mass, &["gait.mass"]),
             _ => return None,
         })
     }

@@ -2,12 +2,14 @@
 
 mod clipped;
 mod drift;
+mod missing;
 
-use crate::quantity::newtons;
+use crate::quantity::{newtons, seconds};
 use crate::recording::{Channel, Idle, Note};
-use crate::statistics::{ends, mean_and_deviation, ranked, sample};
+use crate::statistics::{ends, mean_and_deviation, median, ranked, sample};
 use clipped::clipped;
 use drift::{SMALLEST_N, drift};
+use missing::fill;
 
 /// A channel with a smaller range was never loaded, N.
 const TOUCHED_N: f64 = 30.0;
@@ -17,6 +19,12 @@ const STEP_S: f64 = 0.4;
 
 /// A level above this part of the highest reading is a load.
 const LOADED: f64 = 0.15;
+
+/// Readings within twice the width of the unloaded band, over those within it, where they are wider than the band.
+const BROAD: f64 = 1.2;
+
+/// Duration of both ends of a recording that show the unloaded level, s, and the least difference that counts, N.
+const ENDS: (f64, f64) = (0.2, 8.0);
 
 /// Values looked at to find baseline and sign; more are thinned evenly.
 const SAMPLE: usize = 1 << 15;
@@ -36,13 +44,26 @@ pub(super) fn channel(
     zero: Option<(usize, usize)>,
     notes: &mut Vec<Note>,
 ) -> Channel {
-    let gaps = bridge(&mut raw);
-    let missing: usize = gaps.iter().map(|(a, b)| b - a).sum();
+    let filled = fill(&mut raw, rate_hz);
+    let missing: usize = filled.bridged.iter().map(|(a, b)| b - a).sum();
+    if filled.unloaded {
+        let column = name.clone();
+        notes.push(Note::MissingIsUnloaded { column });
+    }
+    if let Some((count, at)) = filled.spikes {
+        let (column, first) = (name.clone(), seconds(at as f64 / rate_hz));
+        let note = Note::SpikesRemoved {
+            column,
+            count,
+            first,
+        };
+        notes.push(note);
+    }
     let samples = raw.len();
     let mut out = Channel {
         name,
         force_n: raw,
-        missing: gaps,
+        missing: filled.bridged,
         ..Channel::default()
     };
     if 2 * missing > samples {
@@ -81,6 +102,15 @@ pub(super) fn channel(
         notes.push(Note::DriftRemoved { column, rise });
     }
     if let Some((level, noise)) = found.or_else(|| quiet(out.force_n.get(zero?.0..zero?.1)?)) {
+        if let Some(at_ends) = level_at_ends(&out.force_n, rate_hz).filter(|l| level - l > ENDS.1) {
+            let (column, level) = note(level);
+            let at_ends = newtons(at_ends);
+            notes.push(Note::UnloadedDiffers {
+                column,
+                level,
+                at_ends,
+            });
+        }
         out.baseline_n = level;
         out.noise_n = noise;
         for x in &mut out.force_n {
@@ -117,30 +147,6 @@ fn idle(thin: &[f64], duration_s: f64) -> Option<Idle> {
     };
     let level = newtons(level);
     Some(Idle::Constant { level })
-}
-
-/// Interpolates missing samples linearly (constant at the ends) and returns their ranges.
-fn bridge(force: &mut [f64]) -> Vec<(usize, usize)> {
-    let mut missing = Vec::new();
-    let mut i = 0;
-    while i < force.len() {
-        if force[i].is_finite() {
-            i += 1;
-            continue;
-        }
-        let end = force[i..].iter().position(|x| x.is_finite());
-        let end = end.map_or(force.len(), |e| i + e);
-        let before = i.checked_sub(1).map(|b| force[b]);
-        let after = force.get(end).copied();
-        let [a, b] = [before.or(after), after.or(before)].map(|x| x.unwrap_or(0.0));
-        let steps = (end - i + 1) as f64;
-        for (k, x) in force[i..end].iter_mut().enumerate() {
-            *x = a + (b - a) * (k as f64 + 1.0) / steps;
-        }
-        missing.push((i, end));
-        i = end;
-    }
-    missing
 }
 
 /// A large value that most samples share exactly and none exceeds: an amplifier at its stop. A person who stands still
@@ -213,7 +219,14 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
             return None;
         }
     }
-    let off = thin.iter().map(|x| (x - level).abs());
+    // Hum is wider than the band and densest at its ends: the level is the middle of its readings.
+    let near = thin.iter().copied().filter(|x| (x - level).abs() <= band);
+    let near: Vec<f64> = near.collect();
+    let level = match median(near.clone()) {
+        Some(middle) if near.len() as f64 > BROAD * count as f64 => middle,
+        _ => level,
+    };
+    let off = near.iter().map(|x| (x - level).abs());
     let off: Vec<f64> = off.filter(|d| *d <= band).collect();
     let middle = off.len() / 2;
     Some((level, 1.4826 * ranked(off, middle)?))
@@ -223,6 +236,14 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
 fn quiet(force: &[f64]) -> Option<(f64, f64)> {
     let (mean, deviation) = mean_and_deviation(force);
     (force.len() >= 2 && deviation < 5.0 && mean.abs() < 100.0).then_some((mean, deviation))
+}
+
+/// Level at which both ends of a recording rest; `None` where they are loaded or differ.
+fn level_at_ends(force: &[f64], rate_hz: f64) -> Option<f64> {
+    let count = (ENDS.0 * rate_hz) as usize;
+    let first = quiet(force.get(..count)?)?;
+    let last = quiet(&force[force.len() - count..])?;
+    ((first.0 - last.0).abs() < 3.0).then_some(0.5 * (first.0 + last.0))
 }
 
 fn longest_run(force: &[f64], low: f64, high: f64) -> usize {
@@ -313,12 +334,5 @@ mod tests {
         let mut half = vec![5000.0; 80];
         half.extend((0..40).map(|i| f64::from(i) * 20.0));
         assert_eq!(idle(half), constant(5000.0));
-    }
-
-    #[test]
-    fn missing_samples_are_bridged_and_reported() {
-        let mut v = vec![f64::NAN, 1.0, f64::NAN, f64::NAN, 4.0, f64::NAN];
-        assert_eq!(bridge(&mut v), [(0, 1), (2, 4), (5, 6)]);
-        assert_eq!(v, [1.0, 1.0, 2.0, 3.0, 4.0, 4.0]);
     }
 }

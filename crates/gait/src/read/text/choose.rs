@@ -152,11 +152,18 @@ fn vertical(table: &Table, place: usize) -> ForceColumn {
     ForceColumn { place, axis, foot }
 }
 
-/// Leaves out the zones of an insole beside their total: `L::heel, L::toes, L`.
+/// Leaves out the zones of an insole beside their total: `L::heel, L::toes, L`, each perhaps over a row of `Force[N]`.
 fn leave_zones(table: &Table, force: &mut Vec<ForceColumn>) {
     let name = |f: &ForceColumn| table.names.get(f.place).map_or("", |n| n.trim());
-    let totals: Vec<String> = force.iter().map(|f| format!("{}::", name(f))).collect();
-    force.retain(|f| !totals.iter().any(|total| name(f).starts_with(total)));
+    let (zones, totals): (Vec<ForceColumn>, Vec<ForceColumn>) =
+        force.iter().partition(|f| name(f).contains("::"));
+    let has_total = |zone: &ForceColumn| {
+        let owner = name(zone).split("::").next().unwrap_or_default();
+        totals.iter().any(|total| name(total).starts_with(owner))
+    };
+    if zones.iter().all(has_total) {
+        force.retain(|f| !name(f).contains("::"));
+    }
 }
 
 /// Leaves out columns that state another unit than one of force; a fault if there is no other.

@@ -25,7 +25,7 @@ pub(crate) fn next_table(bytes: &[u8], delimiters: Delimiters, from: Position) -
                 .map(|(_, l)| l)
                 .find(|l| !l.trim_ascii().is_empty());
             if next.is_none_or(|n| row_width(n, delimiters).is_some()) {
-                let width = row_width(line, delimiters).unwrap_or(0);
+                let width = widest(line, lines.clone(), delimiters);
                 let head: Vec<&[u8]> = head.into_iter().collect();
                 return Some(with_header(at, width, &head, delimiters));
             }
@@ -40,6 +40,21 @@ pub(crate) fn next_table(bytes: &[u8], delimiters: Delimiters, from: Position) -
         head.push_back(line);
     }
     None
+}
+
+/// Rows that are searched for one with forces where the first ones hold nothing but a time or a counter.
+const EMPTY_ROWS: usize = 20_000;
+
+/// Fields of a table that begins with a row; blanks behind a time or a counter count where forces follow later.
+fn widest(row: &[u8], later: Lines, delimiters: Delimiters) -> usize {
+    let width = row_width(row, delimiters).unwrap_or(0);
+    let fields = Fields::new(row, delimiters).count();
+    if width > 2 || fields <= width + 1 {
+        return width;
+    }
+    let widths = later.take(EMPTY_ROWS);
+    let mut widths = widths.map_while(|(_, row)| row_width(row, delimiters));
+    if widths.any(|w| w > 2) { fields } else { width }
 }
 
 /// Number of fields of a row of numbers; `None` for any other line.

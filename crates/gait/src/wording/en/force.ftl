@@ -90,6 +90,13 @@ note-plate-matrix-missing = plate { $plate } is ignored: its calibration matrix 
 note-plate-tilted = plate { $plate } is not parallel to plate 1: at most one of their normal forces is vertical
 note-insole-mass = the mass of { $mass } is computed from the mean total force of the insoles, which are seldom calibrated: give the walker's mass
 note-clipped = { $column } is clipped: its readings stop at about { $level }, below the peaks of the force
+note-missing-is-unloaded = samples of { $column } are missing between its contacts; the plate is taken as unloaded there
+note-spikes-removed = { $count ->
+        [one] a single sample of { $column } at { $first } lies far from both neighbours and was
+       *[other] { $count } single samples of { $column } lie far from both neighbours (the first at { $first }) and were
+    } replaced by a straight line
+note-unloaded-differs = { $column } reads { $level } between contacts and { $at_ends } at both ends of the recording: cross-talk of another plate or a changed offset makes the mass uncertain
+note-column-repeats = { $column } repeats { $original } (raw and filtered, or a copy) and was left out
 note-drift-removed = the unloaded reading of { $column } drifts by { $rise } per second; the drift was removed
 note-stride-varies = the strides last { $period } ± { $spread }: more than one speed, or no steady walk; give a recording of one speed
 note-stride-from-one = the stride time of { $period } is from one step or stride and uncertain by { $error }; the stroke of a cam grows with its square and is uncertain by { $stroke }

@@ -90,6 +90,13 @@ note-plate-matrix-missing = se omite la plataforma { $plate }: falta su matriz d
 note-plate-tilted = la plataforma { $plate } no es paralela a la plataforma 1: como máximo una de sus fuerzas normales es vertical
 note-insole-mass = la masa de { $mass } se calcula con la fuerza total media de las plantillas, que rara vez están calibradas: indique la masa de la persona
 note-clipped = { $column } está recortada: sus lecturas se detienen en unos { $level }, por debajo de los picos de la fuerza
+note-missing-is-unloaded = faltan muestras de { $column } entre sus contactos; ahí la plataforma se toma como descargada
+note-spikes-removed = { $count ->
+        [one] una muestra aislada de { $column } en { $first } queda lejos de sus dos vecinas y se ha sustituido
+       *[other] { $count } muestras aisladas de { $column } quedan lejos de sus dos vecinas (la primera en { $first }) y se han sustituido
+    } por una línea recta
+note-unloaded-differs = { $column } lee { $level } entre contactos y { $at_ends } en ambos extremos del registro: la diafonía de otra plataforma o un cambio de la lectura sin carga hace incierta la masa
+note-column-repeats = { $column } repite { $original } (sin filtrar y filtrada, o una copia) y se ha omitido
 note-drift-removed = la lectura sin carga de { $column } deriva { $rise } por segundo; la deriva se ha eliminado
 note-stride-varies = las zancadas duran { $period } ± { $spread }: más de una velocidad, o una marcha no estable; indique un registro de una sola velocidad
 note-stride-from-one = el tiempo de zancada de { $period } procede de un solo paso o zancada y tiene una incertidumbre de { $error }; la carrera de una leva crece con su cuadrado y tiene una incertidumbre de { $stroke }

@@ -46,7 +46,7 @@ const DELIMITED: Layout = Layout {
 };
 
 /// All layouts; the first that recognises a text counts.
-const LAYOUTS: [Layout; 10] = [
+const LAYOUTS: [Layout; 11] = [
     Layout {
         program: Some("Motion Analysis (.anc)"),
         is_of: |text| text.starts("file_type"),
@@ -77,6 +77,12 @@ const LAYOUTS: [Layout; 10] = [
     Layout {
         program: Some("Moticon OpenGo"),
         is_of: |text| text.contains("insoles"),
+        insole: true,
+        ..DELIMITED
+    },
+    Layout {
+        program: Some("Novel loadsol"),
+        is_of: |text| text.contains("loadapp") || text.has_name("::"),
         insole: true,
         ..DELIMITED
     },

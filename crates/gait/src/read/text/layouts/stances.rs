@@ -8,7 +8,7 @@ use std::path::Path;
 
 use crate::error::{Placed, ReadError, Result};
 use crate::quantity::{hertz, seconds};
-use crate::read::columns::{Role, foot, role, words};
+use crate::read::columns::{Role, foot, is_other, role, words};
 use crate::read::keys;
 use crate::read::number::{trim, value};
 use crate::read::text::delimited::{Fields, Lines, TextFile, detect, plain, text};
@@ -30,12 +30,14 @@ const USUAL_STANCE_S: f64 = 0.65;
 
 /// Whether the column names are numbered samples: the same words with 1, 2, 3 … behind.
 ///
-/// With a column of times the numbers are sensors, and a row is a moment.
+/// With a column of times the numbers are sensors, and a row is a moment. Other components than the vertical one and
+/// centres of pressure are not read.
 pub(super) fn are_in(names: &[String]) -> bool {
     names.len() > FEWEST_SAMPLES
         && numbered(names).is_some_and(|first| {
             let timed = names[..first].iter().any(|n| role(n) == Role::Time);
-            !timed && names.len() - first >= FEWEST_SAMPLES
+            let vertical = !is_other(&words(&names[first]));
+            !timed && vertical && names.len() - first >= FEWEST_SAMPLES
         })
 }
 

@@ -3,14 +3,20 @@
 mod contacts;
 mod files;
 mod movements;
+mod readings;
 mod walking;
 
 use contacts::{cross_overs, cross_talk, heel_and_toe, partial, two_steps};
 use files::{anc, asc, c3d, components, forces, open_sim, plates_in_a_row};
 use movements::{bending, hopping, jumping, rising, running, running_asked, standing};
+use readings::{
+    columns_twice, coupled_plates, hum, loadsol, odd_numbers, spikes, visual3d, words_for_unloaded,
+};
 use walking::{
     changing_speed, children, counting, limping, milliseconds, one_foot, slow, total, units,
 };
+
+use std::fmt::Write as _;
 
 use gaitcam_gait::units::{G, LBF};
 use gaitcam_gait::{Feet, ForceUnit, Kind, ReadOptions};
@@ -58,6 +64,14 @@ pub const FAMILIES: &[Family] = &[
     (".asc", 60, asc),
     (".anc", 60, anc),
     ("C3D with either header", 60, c3d),
+    ("words for unloaded", 60, words_for_unloaded),
+    ("spikes", 60, spikes),
+    ("hum", 40, hum),
+    ("coupled plates", 40, coupled_plates),
+    ("columns twice", 40, columns_twice),
+    ("odd numbers", 40, odd_numbers),
+    ("loadsol", 40, loadsol),
+    ("Visual3D with blanks", 40, visual3d),
     ("components beside the vertical", 100, components),
     ("one foot", 100, one_foot),
     ("total of both feet", 100, total),

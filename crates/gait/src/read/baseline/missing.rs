@@ -1,0 +1,172 @@
+//! Missing samples: between contacts they mean an unloaded plate, elsewhere they are bridged. Single samples far from
+//! both neighbours count as missing.
+
+use std::ops::Range;
+
+/// Shortest run of missing samples that means an unloaded plate, s: no swing is shorter.
+const UNLOADED_S: f64 = 0.1;
+/// Highest reading beside such a run, as a part of the highest of all.
+const LOW: f64 = 0.3;
+/// Beside such a run a foot lands or leaves: within this time, s, the force changes by more than this, N.
+const EDGE: (f64, f64) = (0.015, 10.0);
+
+/// Lowest rate at which a sample must lie near one of its neighbours, Hz: an impact lasts 10 ms or more.
+const DENSE_HZ: f64 = 180.0;
+/// A spike differs from both neighbours by this part of the highest level that two samples in turn reach, N at least.
+const SPIKE: (f64, f64) = (0.5, 100.0);
+/// Largest part of the samples that are spikes; more are the noise of something else.
+const RARE: f64 = 0.005;
+
+/// What was filled in.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Filled {
+    /// Runs that were bridged by straight lines.
+    pub bridged: Vec<(usize, usize)>,
+    /// Whether runs were taken for an unloaded plate.
+    pub unloaded: bool,
+    /// Number of spikes, and the first of them.
+    pub spikes: Option<(usize, usize)>,
+}
+
+/// Fills missing samples: zero where the plate is unloaded, otherwise linearly and constant at the ends.
+pub(super) fn fill(force: &mut [f64], rate_hz: f64) -> Filled {
+    let spikes = remove_spikes(force, rate_hz);
+    let reach = force.iter().copied().filter(|x| x.is_finite());
+    let reach = reach.fold(0.0, |m: f64, x| m.max(x.abs()));
+    let mut filled = Filled {
+        spikes,
+        ..Filled::default()
+    };
+    let mut from = 0;
+    while let Some(start) = force[from..].iter().position(|x| !x.is_finite()) {
+        let start = from + start;
+        let end = force[start..].iter().position(|x| x.is_finite());
+        let run = start..end.map_or(force.len(), |e| start + e);
+        from = run.end;
+        if is_unloaded(force, &run, reach, rate_hz) {
+            force[run].fill(0.0);
+            filled.unloaded = true;
+        } else {
+            bridge(force, &run);
+            filled.bridged.push((run.start, run.end));
+        }
+    }
+    filled
+}
+
+/// Whether a foot leaves before a run and lands after it, as far as the recording shows.
+fn is_unloaded(force: &[f64], run: &Range<usize>, reach: f64, rate_hz: f64) -> bool {
+    let apart = ((EDGE.0 * rate_hz).round() as usize).max(1);
+    let is_edge = |near: usize, far: Option<usize>| {
+        let far = far.and_then(|i| force.get(i)).filter(|x| x.is_finite());
+        let rises = far.is_none_or(|x| x.abs() > force[near].abs() + EDGE.1);
+        force[near].abs() < LOW * reach && rises
+    };
+    let before = run
+        .start
+        .checked_sub(1)
+        .map(|near| is_edge(near, near.checked_sub(apart)));
+    let after = (run.end < force.len()).then(|| is_edge(run.end, Some(run.end + apart)));
+    let is_long = run.len() as f64 > UNLOADED_S * rate_hz;
+    let mut edges = [before, after].into_iter().flatten();
+    is_long && before.or(after).is_some() && edges.all(|edge| edge)
+}
+
+fn bridge(force: &mut [f64], run: &Range<usize>) {
+    let before = run.start.checked_sub(1).map(|b| force[b]);
+    let after = force.get(run.end).copied();
+    let [a, b] = [before.or(after), after.or(before)].map(|x| x.unwrap_or(0.0));
+    let steps = (run.len() + 1) as f64;
+    for (k, x) in force[run.clone()].iter_mut().enumerate() {
+        *x = a + (b - a) * (k as f64 + 1.0) / steps;
+    }
+}
+
+/// Makes spikes missing; how many there are, and the first.
+fn remove_spikes(force: &mut [f64], rate_hz: f64) -> Option<(usize, usize)> {
+    if rate_hz < DENSE_HZ {
+        return None;
+    }
+    let pairs = force.windows(2).filter(|w| w[0] * w[1] > 0.0);
+    let held = pairs.fold(0.0, |m: f64, w| m.max(w[0].abs().min(w[1].abs())));
+    let least = SPIKE.1.max(SPIKE.0 * held);
+    let is_spike = |w: &[f64]| {
+        let (before, after) = (w[1] - w[0], w[1] - w[2]);
+        before.abs() > least && after.abs() > least && before * after > 0.0
+    };
+    let windows = force.windows(3).enumerate();
+    let places = windows.filter(|(_, w)| is_spike(w)).map(|(i, _)| i + 1);
+    let most = (RARE * force.len() as f64) as usize;
+    let places: Vec<usize> = places.take(most + 1).collect();
+    let first = *places.first()?;
+    if places.len() > most {
+        return None;
+    }
+    for &i in &places {
+        force[i] = f64::NAN;
+    }
+    Some((places.len(), first))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn missing_samples_are_bridged_and_reported() {
+        let nan = f64::NAN;
+        let mut v = vec![nan, 1.0, nan, nan, 4.0, nan];
+        let filled = fill(&mut v, 100.0);
+        assert_eq!(filled.bridged, [(0, 1), (2, 4), (5, 6)]);
+        assert_eq!(v, [1.0, 1.0, 2.0, 3.0, 4.0, 4.0]);
+    }
+
+    /// A stance of 0.6 s every second at 200 Hz, peak 700 N, over an unloaded level.
+    fn walk(level: f64) -> Vec<f64> {
+        let foot = |i: usize| {
+            let t = (i % 200) as f64 / 120.0;
+            let x = std::f64::consts::PI * t;
+            if t < 1.0 { 700.0 * x.sin() } else { 0.0 }
+        };
+        (0..1000).map(|i| level + foot(i)).collect()
+    }
+
+    #[test]
+    fn missing_swings_are_unloaded_and_gaps_elsewhere_are_bridged() {
+        let swings: Vec<f64> = walk(0.0)
+            .iter()
+            .map(|&x| if x < 20.0 { f64::NAN } else { x })
+            .collect();
+        let mut v = swings.clone();
+        let filled = fill(&mut v, 200.0);
+        assert!(filled.unloaded && filled.bridged.is_empty());
+        assert!(
+            swings
+                .iter()
+                .zip(&v)
+                .all(|(a, b)| a == b || a.is_nan() && *b == 0.0)
+        );
+        // Lost samples of a plate that reads 60 N unloaded, and of a stance.
+        for lost in [140..180, 40..70] {
+            let mut v = walk(60.0);
+            v[lost.clone()].fill(f64::NAN);
+            let filled = fill(&mut v, 200.0);
+            assert_eq!(filled.bridged, [(lost.start, lost.end)]);
+            assert!(v[lost].iter().all(|x| *x > 50.0));
+        }
+    }
+
+    #[test]
+    fn single_samples_far_from_both_neighbours_are_spikes() {
+        let clean = walk(5.0);
+        let mut v = clean.clone();
+        for (i, x) in [(30, 4000.0), (150, -900.0), (460, 0.0)] {
+            v[i] = x;
+        }
+        let filled = fill(&mut v, 200.0);
+        assert_eq!(filled.spikes, Some((3, 30)));
+        let off = clean.iter().zip(&v).map(|(a, b)| (a - b).abs());
+        assert!(off.fold(0.0, f64::max) < 2.0);
+        assert_eq!(fill(&mut walk(5.0), 200.0), Filled::default());
+    }
+}

@@ -1,0 +1,210 @@
+//! Readings that programs and amplifiers spoil: words for nothing, spikes, hum, cross-talk, copies, odd numbers.
+
+use super::*;
+
+/// A person on two belts whose readings begin and end unloaded.
+fn belts(dice: &mut Dice, plate: &Plate) -> (Person, Table) {
+    let person = some_walker(dice);
+    let names = dice.of(&SIDES);
+    let mut table = sides(dice, &person, plate, names);
+    let rest = (0.4 * plate.rate_hz) as usize;
+    for column in &mut table.columns {
+        let idle: Vec<f64> = (0..rest).map(|_| plate.sign * plate.offset_n).collect();
+        *column = [&idle[..], column, &idle[..]].concat();
+    }
+    (person, table)
+}
+
+/// A quiet plate of a rate at which neighbouring samples are alike.
+fn dense(dice: &mut Dice) -> Plate {
+    Plate {
+        rate_hz: dice.of(&[200.0, 250.0, 500.0]),
+        noise_n: dice.of(&[0.0, 1.0]),
+        offset_n: dice.of(&[0.0, -14.0, 20.0]),
+        drift_n: 0.0,
+        ..Plate::of(dice)
+    }
+}
+
+/// Cells of an unloaded plate are empty or hold a word.
+pub fn words_for_unloaded(dice: &mut Dice) -> Case {
+    let plate = Plate {
+        cut_n: dice.of(&[5.0, 10.0, 20.0]),
+        rate_hz: dice.of(&[100.0, 200.0, 500.0]),
+        ..Plate::thresholded(dice)
+    };
+    let (person, mut table) = belts(dice, &plate);
+    for x in table.columns.iter_mut().flatten() {
+        *x = if *x == 0.0 { f64::NAN } else { *x };
+    }
+    let word = dice.of(&["", "NaN", "NA", "-", "n/a"]);
+    let text = table.delimited(seconds_clock(dice), dice.chance(20.0));
+    let text = text.replace("NaN", word);
+    case("words for unloaded", text, truth(&person), true)
+}
+
+/// Single samples far off, high or low.
+pub fn spikes(dice: &mut Dice) -> Case {
+    let plate = dense(dice);
+    let (person, mut table) = belts(dice, &plate);
+    let rows = table.rows() as f64;
+    for _ in 0..dice.of(&[1, 3, 6]) {
+        let (column, row) = (dice.of(&[0, 1]), dice.between(2.0, rows - 2.0) as usize);
+        table.columns[column][row] = dice.of(&[-1.0, 1.0]) * dice.between(2500.0, 6000.0);
+    }
+    let text = table.delimited(seconds_clock(dice), false);
+    case("spikes", text, truth(&person), true)
+}
+
+/// The mains in the amplifier.
+pub fn hum(dice: &mut Dice) -> Case {
+    let plate = dense(dice);
+    let (person, mut table) = belts(dice, &plate);
+    let (hz, hum) = (dice.of(&[50.0, 60.0]), dice.between(4.0, 9.0));
+    let phase = dice.between(0.0, 6.0);
+    for column in &mut table.columns {
+        for (i, x) in column.iter_mut().enumerate() {
+            let turn = std::f64::consts::TAU * hz * i as f64 / plate.rate_hz;
+            *x += hum * (turn + phase).sin();
+        }
+    }
+    let text = table.delimited(seconds_clock(dice), false);
+    case("hum", text, truth(&person), false)
+}
+
+/// A part of each belt's force is read on the other one.
+pub fn coupled_plates(dice: &mut Dice) -> Case {
+    let plate = dense(dice);
+    let (person, mut table) = belts(dice, &plate);
+    let part = dice.between(0.02, 0.08);
+    let [left, right] = [table.columns[0].clone(), table.columns[1].clone()];
+    for (column, other) in table.columns.iter_mut().zip([right, left]) {
+        for (x, other) in column.iter_mut().zip(other) {
+            *x += part * (other - plate.sign * plate.offset_n);
+        }
+    }
+    let text = table.delimited(seconds_clock(dice), false);
+    case("coupled plates", text, truth(&person), false)
+}
+
+/// Raw columns beside the same ones filtered, or beside copies.
+pub fn columns_twice(dice: &mut Dice) -> Case {
+    let plate = dense(dice);
+    let (person, mut table) = belts(dice, &plate);
+    table.names = ["Fz1 (N)", "Fz2 (N)"].map(str::to_string).to_vec();
+    let width = dice.of(&[0usize, 1, 2]);
+    let smooth = |column: &Vec<f64>| -> Vec<f64> {
+        let mean = |i: usize| {
+            let span = &column[i.saturating_sub(width)..(i + width + 1).min(column.len())];
+            span.iter().sum::<f64>() / span.len() as f64
+        };
+        (0..column.len()).map(mean).collect()
+    };
+    let filtered: Vec<Vec<f64>> = table.columns.iter().map(smooth).collect();
+    table.columns.extend(filtered);
+    let names = ["Fz1 (N) filtered", "Fz2 (N) filtered"].map(str::to_string);
+    table.names.extend(names);
+    let text = table.delimited(seconds_clock(dice), false);
+    case("columns twice", text, truth(&person), true)
+}
+
+/// `"1,050.22"` beside `999.12`, and minus signs of Unicode.
+pub fn odd_numbers(dice: &mut Dice) -> Case {
+    let plate = Plate {
+        sign: 1.0,
+        offset_n: -14.0,
+        ..dense(dice)
+    };
+    let (person, table) = belts(dice, &plate);
+    let (quote, minus) = (dice.chance(70.0), dice.of(&["-", "\u{2212}"]));
+    let number = |x: f64| {
+        let digits = format!("{:.2}", x.abs());
+        let sign = if x < 0.0 { minus } else { "" };
+        match digits.len() {
+            7 if quote => format!("\"{sign}{},{}\"", &digits[..1], &digits[1..]),
+            _ => format!("{sign}{digits}"),
+        }
+    };
+    let mut text = "time (s),Left Fz (N),Right Fz (N)\n".to_string();
+    for i in 0..table.rows() {
+        let [left, right] = [0, 1].map(|k| number(table.columns[k][i]));
+        let _ = writeln!(text, "{:.4},{left},{right}", i as f64 / table.rate_hz);
+    }
+    case("odd numbers", text, truth(&person), true)
+}
+
+/// Two rows of names, zones beside their totals, a column of time for each sensor.
+pub fn loadsol(dice: &mut Dice) -> Case {
+    let plate = Plate {
+        rate_hz: dice.of(&[100.0, 200.0]),
+        ..Plate::thresholded(dice)
+    };
+    let (person, table) = belts(dice, &plate);
+    let mut head = [String::new(), "Time[secs]".to_string()];
+    for (side, number) in ["L", "R"].into_iter().zip([12, 13]) {
+        for zone in ["::heel", "::medial", "::lateral", ""] {
+            head[0] += &format!("\tABC{number}-{side}{zone}");
+            head[1] += "\tForce[N]";
+        }
+        head[0] += "\t";
+        head[1] += "\tTime[secs]";
+    }
+    let mut text = format!(
+        "loadapp_2024_01_01.loadflux\ncomment\n{}\n{}\n",
+        head[0], head[1]
+    );
+    for i in 0..table.rows() {
+        let t = i as f64 / table.rate_hz;
+        let _ = write!(text, "{t:.4}");
+        for column in &table.columns {
+            let f = column[i];
+            let _ = write!(
+                text,
+                "\t{:.1}\t{:.1}\t{:.1}\t{f:.1}\t{t:.4}",
+                0.5 * f,
+                0.2 * f,
+                0.3 * f
+            );
+        }
+        text.push('\n');
+    }
+    case("loadsol", text, truth(&person), false)
+}
+
+/// Five rows of names, a counter, and blanks where no foot is on a plate.
+pub fn visual3d(dice: &mut Dice) -> Case {
+    let plate = Plate {
+        cut_n: 10.0,
+        rate_hz: dice.of(&[100.0, 200.0, 500.0]),
+        ..Plate::thresholded(dice)
+    };
+    let (person, table) = belts(dice, &plate);
+    let mut text = String::new();
+    for row in ["walk.c3d", "FP", "FORCE", "PROCESSED"] {
+        for plate in 1..=2 {
+            let name = if row == "FP" {
+                format!("FP{plate}")
+            } else {
+                row.to_string()
+            };
+            text += &format!("\t{name}").repeat(3);
+        }
+        text.push('\n');
+    }
+    text += "ITEM\tX\tY\tZ\tX\tY\tZ\n";
+    let word = dice.of(&["", "NaN"]);
+    for i in 0..table.rows() {
+        let _ = write!(text, "{}", i + 1);
+        for column in &table.columns {
+            let cells = match column[i] {
+                0.0 => [word; 3].map(str::to_string),
+                f => [0.02 * f, 0.1 * f, f].map(|x| format!("{x:.3}")),
+            };
+            let _ = write!(text, "\t{}", cells.join("\t"));
+        }
+        text.push('\n');
+    }
+    let mut made = case("Visual3D with blanks", text, truth(&person), true);
+    made.options.rate_hz = Some(plate.rate_hz);
+    made
+}
