@@ -64,6 +64,7 @@ pub struct Machine {
 /// let found = simulate(&run, Model::Rigid)?.hertz.unwrap();
 /// let known = line(100.0, 0.012, 1.0 / 0.03, modulus(STEEL, STEEL));
 /// assert!((found.contact.pressure / known.pressure - 1.0).abs() < 1e-6);
+/// assert!((found.contact.half_width / known.half_width - 1.0).abs() < 1e-6);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -52,10 +52,19 @@ impl Prepared {
         let values: Vec<f64> = (0..forces.len()).map(|i| product(&touched(i))).collect();
         let highest = self.largest(input, &values, follows, product);
         let modulus = hertz::modulus(face.cam, face.follower);
+        let curvature = self.curvature_at(input, highest.at, forces);
         out.hertz = Some(Pressure {
             theta: self.theta(highest.at, forces.len()),
-            contact: hertz::line(highest.value, face.length, 1.0, modulus),
+            contact: hertz::line(highest.value / curvature, face.length, curvature, modulus),
         });
+    }
+
+    /// Curvature of cam and follower together, 1/m, at an angle in the sense of turning; the nearest row says which cam bears.
+    fn curvature_at(&self, input: &Run, angle: f64, forces: &[f64]) -> f64 {
+        let row = ((angle - self.start) / self.step).round().max(0.0) as usize;
+        let force = forces[row % forces.len()];
+        let touch = self.touch(input, self.drive.speed, angle, self.lift.svaj(angle), force);
+        touch.curvature.abs()
     }
 
     /// Cam angle at an angle in the sense of turning, in the range of so many rows.

@@ -1,9 +1,9 @@
 use super::*;
-use crate::cam::Cam;
+use crate::cam::{Cam, Follower};
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::thesis;
 use crate::dynamics::{Face, ForceMargin, LiftoffMargin, Machine, ModelReason, Train, Vibration};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 fn scene(cam: &Cam, speed: f64) -> Run {
     Run {
@@ -371,4 +371,36 @@ fn hertz_pressure_of_the_run_is_that_of_its_worst_angle() {
         .fold(0.0, f64::max);
     assert!((found.contact.pressure / worst - 1.0).abs() < 1e-9);
     assert!(simulate(&run, Model::Auto).unwrap().hertz.is_some());
+}
+
+#[test]
+fn width_and_shear_depth_of_the_worst_contact_carry_its_force() {
+    use crate::dynamics::hertz;
+    let law = thesis::double_harmonic().law;
+    let flat = Follower::FlatTranslating { base_radius: 0.03 };
+    let roller = Follower::RollerTranslating {
+        prime_radius: 0.05,
+        offset: 0.004,
+        roller_radius: 0.01,
+    };
+    for follower in [flat, roller] {
+        let cam = Cam::new(law.clone(), follower).unwrap();
+        let mut run = scene(&cam, thesis::SPEED);
+        run.machine.face = Some(Face {
+            length: 0.01,
+            cam: hertz::STEEL,
+            follower: hertz::STEEL,
+        });
+        for model in [Model::Rigid, Model::Contact] {
+            let worst = simulate(&run, model).unwrap().hertz.unwrap();
+            let contact = worst.contact;
+            // The pressure is half an ellipse over the width: N = π b p₀ L/2 (Johnson 1985, eq. 4.45).
+            let carried = 0.5 * PI * contact.half_width * contact.pressure * 0.01;
+            let at = cam.law.svaj(worst.theta);
+            let normal = run.drive.force(at) / cam.point(worst.theta).pressure_angle.cos();
+            let apart = (carried / normal - 1.0).abs();
+            assert!(apart < 1e-4, "{follower:?} {model:?}: {carried} {normal}");
+            assert!((contact.shear_depth / contact.half_width - 0.786).abs() < 1e-12);
+        }
+    }
 }
