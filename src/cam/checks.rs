@@ -36,8 +36,8 @@ pub struct Curvature {
 /// use gaitcam::poly::Extreme;
 ///
 /// let stroke = Extreme { at: 1.0, value: 0.05 };
-/// assert!(Check::at_most(LimitKind::Stroke, stroke, 0.05, 0.0).pass);
-/// assert!(!Check::at_most(LimitKind::Stroke, stroke, 0.049, 0.01).pass);
+/// assert!(Check::of(LimitKind::Stroke, stroke, 0.05, 0.0).pass);
+/// assert!(!Check::of(LimitKind::Stroke, stroke, 0.049, 0.01).pass);
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Check {
@@ -54,26 +54,23 @@ pub struct Check {
 }
 
 impl Check {
-    /// A value that must not exceed its limit by more than `slack` of it.
-    pub fn at_most(name: impl Into<Criterion>, worst: Extreme, limit: f64, slack: f64) -> Self {
-        let pass = worst.value <= limit + slack * limit.abs();
-        Check::new(name.into(), worst, limit, pass)
-    }
-
-    /// A value that must not fall below its limit by more than `slack` of it.
-    pub fn at_least(name: impl Into<Criterion>, worst: Extreme, limit: f64, slack: f64) -> Self {
-        let pass = worst.value >= limit - slack * limit.abs();
-        Check::new(name.into(), worst, limit, pass)
-    }
-
-    fn new(name: Criterion, worst: Extreme, limit: f64, pass: bool) -> Self {
+    /// A value that must keep its limit to `slack` of it, on the side that its criterion allows.
+    pub fn of(name: impl Into<Criterion>, worst: Extreme, limit: f64, slack: f64) -> Self {
+        let name = name.into();
+        let direction = name.direction();
+        let eased = limit + direction.sign() * slack * limit.abs();
         Check {
             name,
             worst: worst.value,
             limit,
             at: worst.at,
-            pass,
+            pass: direction.keeps(worst.value, eased),
         }
+    }
+
+    /// Distance of the value beyond its limit; negative where it keeps the limit.
+    pub fn excess(&self) -> f64 {
+        self.name.direction().excess(self.worst, self.limit)
     }
 }
 
@@ -115,8 +112,7 @@ mod tests {
             let room = slack * limit.abs();
             let over = (limit + 1.1 * room).max(limit.next_up());
             for (value, passes) in [(limit + 0.9 * room, true), (over, false), (-1e9, true)] {
-                let check =
-                    Check::at_most(LimitKind::Stroke, Extreme { at: 1.0, value }, limit, slack);
+                let check = Check::of(LimitKind::Stroke, Extreme { at: 1.0, value }, limit, slack);
                 assert_eq!(
                     (check.pass, check.worst, check.limit, check.at),
                     (passes, value, limit, 1.0)
@@ -125,7 +121,7 @@ mod tests {
                     at: 1.0,
                     value: -value,
                 };
-                let check = Check::at_least(LimitKind::Stroke, mirrored, -limit, slack);
+                let check = Check::of(LimitKind::Curvature, mirrored, -limit, slack);
                 assert_eq!(
                     (check.pass, check.worst, check.limit),
                     (passes, -value, -limit)

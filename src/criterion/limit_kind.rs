@@ -32,11 +32,11 @@ pub enum LimitKind {
     ForceMax,
     /// Smallest convex radius of curvature.
     Curvature,
-    /// Largest pressure angle on both sides, where one value limits both.
+    /// Largest |pressure angle|, where one value limits rise and fall.
     PressureAngle,
-    /// Largest pressure angle on the positive side.
+    /// Largest |pressure angle| where the follower rises.
     PressureAngleRise,
-    /// Largest pressure angle on the negative side.
+    /// Largest |pressure angle| where the follower falls.
     PressureAngleFall,
     /// Largest prime radius.
     PrimeRadius,
@@ -68,7 +68,7 @@ impl LimitKind {
         name.parse().ok()
     }
 
-    /// Whether a check of a design measures it. One value for both pressure angles is measured on both sides.
+    /// Whether a check of a design measures it. One value for both pressure angles is measured on rise and fall.
     pub fn is_measured_by(self, check: Criterion) -> bool {
         let side =
             [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall].map(Criterion::Limit);

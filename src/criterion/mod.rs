@@ -1,7 +1,9 @@
 //! Criteria of a cam: of its checks, of the active limits of its law, of relaxations.
 
+mod facts;
 mod limit_kind;
 
+pub use facts::{DependsOn, Diagram, Direction, LimitFacts, Lines, Severity};
 pub use limit_kind::LimitKind;
 
 use std::fmt;
@@ -58,9 +60,9 @@ pub enum Criterion {
     SecondConcave,
     /// The follower touches no other part of the second cam.
     SecondInterference,
-    /// Pressure angle of the second cam on the positive side.
+    /// Pressure angle of the second cam where its follower rises.
     SecondPressureAngleRise,
-    /// Pressure angle of the second cam on the negative side.
+    /// Pressure angle of the second cam where its follower falls.
     SecondPressureAngleFall,
 }
 
@@ -105,17 +107,63 @@ impl Criterion {
         }
     }
 
+    /// Side of its bound on which its value is allowed.
+    pub fn direction(self) -> Direction {
+        match self {
+            Criterion::Limit(kind) => kind.facts().direction,
+            Criterion::RmsError
+            | Criterion::Accuracy
+            | Criterion::Band
+            | Criterion::Bore
+            | Criterion::BaseRadius
+            | Criterion::GivenPrimeRadius
+            | Criterion::Interference
+            | Criterion::SecondInterference
+            | Criterion::SecondPressureAngleRise
+            | Criterion::SecondPressureAngleFall
+            | Criterion::Peak => Direction::AtMost,
+            Criterion::BaseCircle
+            | Criterion::BaseOutsideBore
+            | Criterion::Inertia
+            | Criterion::Concave
+            | Criterion::SecondConcave
+            | Criterion::SecondCurvature
+            | Criterion::UpperWall
+            | Criterion::LowerWall
+            | Criterion::Monotone => Direction::AtLeast,
+        }
+    }
+
+    /// Rank of its failed check among the reasons of a verdict.
+    pub fn severity(self) -> Severity {
+        match self {
+            Criterion::Limit(kind) => kind.facts().severity,
+            Criterion::SecondCurvature
+            | Criterion::Concave
+            | Criterion::SecondConcave
+            | Criterion::UpperWall
+            | Criterion::LowerWall => Severity::Profile,
+            Criterion::Interference | Criterion::SecondInterference | Criterion::BaseCircle => {
+                Severity::Interference
+            }
+            Criterion::SecondPressureAngleRise | Criterion::SecondPressureAngleFall => {
+                Severity::PressureAngle
+            }
+            Criterion::RmsError | Criterion::Band => Severity::ForceError,
+            Criterion::Accuracy
+            | Criterion::Bore
+            | Criterion::BaseOutsideBore
+            | Criterion::BaseRadius
+            | Criterion::GivenPrimeRadius
+            | Criterion::Inertia
+            | Criterion::Monotone
+            | Criterion::Peak => Severity::Limit,
+        }
+    }
+
     /// Whether it is about the pressure angle of either cam.
     pub fn is_pressure_angle(self) -> bool {
-        matches!(
-            self,
-            Criterion::Limit(
-                LimitKind::PressureAngle
-                    | LimitKind::PressureAngleRise
-                    | LimitKind::PressureAngleFall
-            ) | Criterion::SecondPressureAngleRise
-                | Criterion::SecondPressureAngleFall
-        )
+        self.severity() == Severity::PressureAngle
     }
 
     /// The limit of the scene, where it is one.

@@ -22,7 +22,7 @@ pub fn verdict(
     bad.extend(problem.open_questions.iter().cloned().map(open));
     bad.extend([0, 1].into_iter().filter_map(|k| jump(cam, k)));
     let mut failed: Vec<&Check> = checks.iter().filter(|c| !c.pass).collect();
-    failed.sort_by_key(|c| severity(c.name));
+    failed.sort_by_key(|c| c.name.severity());
     bad.extend(failed.iter().flat_map(|c| broken(problem, cam, force, c)));
     let mut slow: Vec<Reason> = jump(cam, 2).into_iter().collect();
     slow.extend(cusp(problem, cam, checks));
@@ -72,23 +72,6 @@ fn jump(cam: &Cam, order: usize) -> Option<Reason> {
         1 => Reason::VelocityJumps { at },
         _ => Reason::AccelerationJumps { at },
     })
-}
-
-/// Rank of a failed check: unusable profiles first.
-fn severity(check: Criterion) -> usize {
-    match check {
-        Criterion::Limit(LimitKind::Curvature)
-        | Criterion::SecondCurvature
-        | Criterion::Concave
-        | Criterion::SecondConcave
-        | Criterion::UpperWall
-        | Criterion::LowerWall => 0,
-        Criterion::Interference | Criterion::SecondInterference | Criterion::BaseCircle => 1,
-        Criterion::Limit(LimitKind::ForceMin) => 2,
-        angle if angle.is_pressure_angle() => 3,
-        Criterion::RmsError | Criterion::Band => 4,
-        _ => 5,
-    }
 }
 
 /// The follower leaves the cam: the contact force would have to be negative.
@@ -252,23 +235,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_unusable_profile_comes_before_lost_contact_and_that_before_a_limit() {
-        let ranks: Vec<usize> = [
-            LimitKind::Curvature.into(),
-            Criterion::Interference,
-            LimitKind::ForceMin.into(),
-            LimitKind::PressureAngleRise.into(),
-            Criterion::RmsError,
-            LimitKind::Stroke.into(),
-        ]
-        .map(severity)
-        .to_vec();
-        assert_eq!(ranks, [0, 1, 2, 3, 4, 5]);
-        assert_eq!(severity(Criterion::BaseCircle), 1);
-        assert_eq!(severity(Criterion::Band), 4);
-    }
-
-    #[test]
     fn an_open_question_names_each_key_that_settles_it_once() {
         let note = Note::CountOrMilliseconds {
             stride: Quantity::new(1.0, Dimension::Time),
@@ -290,7 +256,7 @@ mod tests {
                 at: 1.0,
                 value: rho,
             };
-            let check = Check::at_least(LimitKind::Curvature, radius, 0.005, 0.0);
+            let check = Check::of(LimitKind::Curvature, radius, 0.005, 0.0);
             let [at, radius, allowed] = [check.at, rho, check.limit].map(Quantity::length);
             too_sharp(&check, at, radius, allowed)
         };

@@ -158,9 +158,9 @@ pub fn footbridge() -> Design {
         coefficients: terms.iter().flat_map(|t| [t.0, t.1]).collect(),
         reasons: vec![Reason::AllHold],
         checks: vec![
-            Check::at_most(LimitKind::Stroke, stroke, 0.06, 1e-9),
-            Check::at_least(LimitKind::Curvature, sharpest, rho, 1e-9),
-            Check::at_least(LimitKind::ForceMin, low, 0.0, 1e-9),
+            Check::of(LimitKind::Stroke, stroke, 0.06, 1e-9),
+            Check::of(LimitKind::Curvature, sharpest, rho, 1e-9),
+            Check::of(LimitKind::ForceMin, low, 0.0, 1e-9),
         ],
         binding: vec![Binding {
             limit: LimitKind::Curvature.into(),
@@ -239,9 +239,9 @@ pub fn heel_tester() -> Design {
         verdict: Verdict::NotForHighSpeed,
         reasons: vec![Reason::AccelerationJumps { at }],
         checks: vec![
-            Check::at_most(LimitKind::PressureAngleRise, phi_high, limit, 1e-9),
-            Check::at_most(LimitKind::PressureAngleFall, falling, limit, 1e-9),
-            Check::at_least(LimitKind::Curvature, cam.curvature().convex, 0.005, 1e-9),
+            Check::of(LimitKind::PressureAngleRise, phi_high, limit, 1e-9),
+            Check::of(LimitKind::PressureAngleFall, falling, limit, 1e-9),
+            Check::of(LimitKind::Curvature, cam.curvature().convex, 0.005, 1e-9),
         ],
         solver: solved_by(Tier::Equality, 1),
         ..plain("heel_tester", drive, cam, force)

@@ -3,6 +3,7 @@
 use super::field::Access;
 use super::kind::{Idle, Kind, Measure, Range, Relax};
 use super::value::Value;
+use crate::criterion::Direction;
 use crate::error::Result;
 use crate::scene::{LimitKind, Scene};
 use crate::units::Dimension;
@@ -193,9 +194,12 @@ impl Key {
         }
     }
 
-    pub(super) const fn limit(mut self, kind: LimitKind, relax: Relax) -> Key {
+    pub(super) const fn limit(mut self, kind: LimitKind) -> Key {
         self.limit = Some(kind);
-        self.relax = Some(relax);
+        self.relax = Some(match kind.facts().direction {
+            Direction::AtMost => Relax::Up,
+            Direction::AtLeast => Relax::Down,
+        });
         self
     }
 

@@ -190,9 +190,9 @@ macro_rules! one_side {
     };
 }
 
-/// The row of a limit: path, limit, direction that permits more, what it takes beside "none".
+/// The row of a limit: path, limit, what it takes beside "none".
 macro_rules! limit {
-    ($path:literal, $kind:ident, $relax:ident, $takes:expr) => {
+    ($path:literal, $kind:ident, $takes:expr) => {
         row(
             $path,
             $takes.or(NONE),
@@ -202,7 +202,7 @@ macro_rules! limit {
                 set: |s, _, v| s.limits[LimitKind::$kind].assign(v),
             },
         )
-        .limit(LimitKind::$kind, $relax)
+        .limit(LimitKind::$kind)
     };
 }
 

@@ -2,7 +2,7 @@
 
 use super::Design;
 use super::machine::MachineReport;
-use crate::cam::LimitKind as Limit;
+use crate::criterion::{Direction, LimitKind as Limit};
 use crate::synth::report::force::ForceReport;
 
 /// Figures of one design, SI.
@@ -126,10 +126,10 @@ impl Figure {
 
     /// Whether its value keeps a limit.
     pub(in crate::synth) fn keeps(&self, figures: &Figures, limit: f64) -> bool {
-        match self.limit {
-            Some(Limit::ForceMin | Limit::Curvature) => self.value(figures) >= limit,
-            _ => self.value(figures) <= limit,
-        }
+        let direction = self
+            .limit
+            .map_or(Direction::AtMost, |kind| kind.facts().direction);
+        direction.keeps(self.value(figures), limit)
     }
 
     /// The figure of a column.

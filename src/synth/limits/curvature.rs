@@ -107,7 +107,7 @@ pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let curvature = cam.curvature();
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
-    let mut convex = Check::at_least(LimitKind::Curvature, curvature.convex, wanted, GEOMETRY);
+    let mut convex = Check::of(LimitKind::Curvature, curvature.convex, wanted, GEOMETRY);
     // The smallest cam that may come to a point does so to rounding of its own size.
     let rounding = GEOMETRY * cam.follower.prime_radius();
     convex.pass |= wanted == 0.0 && curvature.convex.value.abs() <= rounding;
@@ -117,7 +117,7 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     if let Some(concave) = curvature.concave.filter(|_| roller > 0.0) {
         // The roller has to fit into the hollow: |ρ_cam| ≥ R_f.
         let worst = concave.map(|radius| -radius);
-        out.push(Check::at_least(Criterion::Concave, worst, roller, GEOMETRY));
+        out.push(Check::of(Criterion::Concave, worst, roller, GEOMETRY));
     }
     out
 }
@@ -138,7 +138,7 @@ pub fn interference(cam: &Cam) -> Option<Check> {
         .max_by(|a, b| a.depth.total_cmp(&b.depth));
     let (at, value) = deepest.map_or((cam.law.extent().0, 0.0), |i| (i.at, i.depth));
     let worst = Extreme { at, value };
-    let mut check = Check::at_most(Criterion::Interference, worst, tolerance, 0.0);
+    let mut check = Check::of(Criterion::Interference, worst, tolerance, 0.0);
     check.pass = deepest.is_none();
     Some(check)
 }

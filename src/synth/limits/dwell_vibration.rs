@@ -31,7 +31,7 @@ pub fn check(design: &Finished) -> Option<Check> {
         }
         _ => left_over(problem, &design.cam.law),
     };
-    Some(Check::at_most(LimitKind::Residual, worst?, limit, SLACK))
+    Some(Check::of(LimitKind::Residual, worst?, limit, SLACK))
 }
 
 /// Largest amplitude in a dwell, m; infinite where nothing bounds it. `None` without dwells or a compliant follower.

@@ -120,16 +120,16 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     let (low, high) = design.problem.force_extremes(design.pressing);
     let mut out = Vec::new();
     if let Some(limit) = limits[LimitKind::ForceMin] {
-        let mut check = Check::at_least(LimitKind::ForceMin, low, limit, SLACK);
+        let mut check = Check::of(LimitKind::ForceMin, low, limit, SLACK);
         check.pass = low.value >= limit - slack(design);
         out.push(check);
     } else if let Some(limit) = design.problem.usual_force_min() {
-        let mut check = Check::at_least(LimitKind::ForceMin, low, limit, 0.0);
+        let mut check = Check::of(LimitKind::ForceMin, low, limit, 0.0);
         check.pass = low.value >= limit - TOUCHES * high.value.abs().max(low.value.abs());
         out.push(check);
     }
     if let Some(limit) = limits[LimitKind::ForceMax] {
-        out.push(Check::at_most(LimitKind::ForceMax, high, limit, SLACK));
+        out.push(Check::of(LimitKind::ForceMax, high, limit, SLACK));
     }
     out
 }
@@ -146,7 +146,7 @@ pub fn accuracy_check(design: &Finished) -> Option<Check> {
         } else {
             above
         };
-        let mut check = Check::at_most(Criterion::Band, worst, 0.0, 0.0);
+        let mut check = Check::of(Criterion::Band, worst, 0.0, 0.0);
         check.pass = worst.value <= slack(design);
         return Some(check);
     }
@@ -155,7 +155,7 @@ pub fn accuracy_check(design: &Finished) -> Option<Check> {
         at: 0.0,
         value: force.rms_error_n,
     };
-    Some(Check::at_most(Criterion::RmsError, worst, limit, TOLERANCE))
+    Some(Check::of(Criterion::RmsError, worst, limit, TOLERANCE))
 }
 
 /// Rounding of a force, N.

@@ -32,7 +32,7 @@ pub fn above_base_circle(problem: &Problem) -> Option<Limit> {
 pub fn base_circle_check(cam: &Cam) -> Option<Check> {
     let lowest = cam.law.extremes(0).0;
     let dips = lowest.value < -(DIP * cam.law.stroke()).max(NO_LIFT);
-    dips.then(|| Check::at_least(Criterion::BaseCircle, lowest, 0.0, 0.0))
+    dips.then(|| Check::of(Criterion::BaseCircle, lowest, 0.0, 0.0))
 }
 
 /// Lift within the stroke, counted from the base circle, or from the lowest lift where the level is known.
@@ -71,15 +71,9 @@ pub fn face_width(problem: &Problem) -> Vec<Limit> {
     }
 }
 
-/// The derivatives by time that are limited.
-fn limited(problem: &Problem) -> Vec<(LimitKind, usize, f64)> {
-    let kinds = [
-        LimitKind::Velocity,
-        LimitKind::Acceleration,
-        LimitKind::Jerk,
-    ];
-    let limited = |(kind, order)| Some((kind, order, problem.limits[kind]?));
-    kinds.into_iter().zip(1..).filter_map(limited).collect()
+/// Derivatives by time that are limited: limit, order, bound.
+fn limited(problem: &Problem) -> impl Iterator<Item = (LimitKind, usize, f64)> {
+    LimitKind::by_time().filter_map(|(kind, order)| Some((kind, order, problem.limits[kind]?)))
 }
 
 /// Velocity, acceleration and jerk, both signs.
@@ -103,7 +97,7 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let (bottom, top) = cam.law.extremes(0);
     if let Some(h) = problem.limits[LimitKind::Stroke] {
         let stroke = top.map(|highest| highest - bottom.value);
-        out.push(Check::at_most(LimitKind::Stroke, stroke, h, SLACK));
+        out.push(Check::of(LimitKind::Stroke, stroke, h, SLACK));
     }
     for (name, order, limit) in limited(problem) {
         let per_time = problem.drive.speed.powi(order as i32);
@@ -116,7 +110,7 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
                 Extreme::largest(sum(&own, extra).extremes())
             }
         };
-        out.push(Check::at_most(name, timed, limit, SLACK));
+        out.push(Check::of(name, timed, limit, SLACK));
     }
     out
 }

@@ -235,7 +235,7 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     let torque = || torque_curve(design.problem.force_curve(design.pressing), &design.cam.law);
     let mut out = Vec::new();
     let mut check = |kind: LimitKind, worst: Extreme, limit: f64| {
-        out.push(Check::at_most(kind, worst, limit, SLACK));
+        out.push(Check::of(kind, worst, limit, SLACK));
     };
     if let Some(limit) = limits[LimitKind::Torque] {
         check(LimitKind::Torque, largest(&torque()), limit);

@@ -32,6 +32,7 @@ pub use slack::ProfileSize;
 
 use super::qp::{Limit, Program};
 use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, FollowerKind, LimitKind, Wall};
+use crate::criterion::DependsOn;
 use crate::poly::PiecewisePoly;
 use crate::problem::Problem;
 
@@ -91,12 +92,14 @@ fn shift(problem: &Problem, program: &mut Program, limit: &mut Limit) {
         let extra = shaft.extra.timed[order - 1].as_ref()?;
         Some((extra, -limit.weights[order] / per_time))
     };
-    let added = match limit.name {
-        Criterion::Limit(LimitKind::ForceMin) => Some((&shaft.extra.force, 1.0)),
-        Criterion::Limit(LimitKind::ForceMax | LimitKind::HertzPressure) => {
-            Some((&shaft.extra.force, -1.0))
-        }
-        _ => timed(limit.highest_order()),
+    let Some(kind) = limit.name.limit() else {
+        return;
+    };
+    let facts = kind.facts();
+    let added = match facts.depends_on {
+        DependsOn::Motion(order) => timed(order),
+        DependsOn::Force | DependsOn::Load => Some((&shaft.extra.force, -facts.direction.sign())),
+        DependsOn::Cam | DependsOn::Vibration => None,
     };
     if let Some((extra, factor)) = added {
         let shape = PiecewisePoly::combine(&[(factor, extra)], 0.0);
@@ -181,7 +184,7 @@ fn groove(problem: &Problem, groove: Option<&BarrelGroove>) -> Vec<Check> {
         (Criterion::LowerWall, Wall::Lower),
     ] {
         let radius = groove.smallest_bulge(floor, wall);
-        out.push(Check::at_least(name, radius, wanted, GEOMETRY));
+        out.push(Check::of(name, radius, wanted, GEOMETRY));
     }
     out
 }

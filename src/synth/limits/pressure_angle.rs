@@ -99,7 +99,7 @@ pub fn checks(problem: &Problem, (low, high): (Extreme, Extreme)) -> Vec<Check> 
     (SIDES.into_iter().zip(worst))
         .filter_map(|(name, worst)| {
             let limit = problem.limits[name].or(usual)?;
-            Some(Check::at_most(name, worst, limit, GEOMETRY))
+            Some(Check::of(name, worst, limit, GEOMETRY))
         })
         .collect()
 }

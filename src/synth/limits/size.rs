@@ -93,25 +93,15 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let mut out = Vec::new();
     if let (Some(limit), Some(width)) = (problem.limits[LimitKind::FaceWidth], cam.face_width()) {
         let worst = cam.law.extremes(1).1.map(|_| width);
-        out.push(Check::at_most(LimitKind::FaceWidth, worst, limit, SLACK));
+        out.push(Check::of(LimitKind::FaceWidth, worst, limit, SLACK));
     }
     if let Some(limit) = problem.limits[LimitKind::PrimeRadius] {
         let prime = size(follower.prime_radius());
-        out.push(Check::at_most(
-            LimitKind::PrimeRadius,
-            prime,
-            limit,
-            GEOMETRY,
-        ));
+        out.push(Check::of(LimitKind::PrimeRadius, prime, limit, GEOMETRY));
     }
     if let Some(hole) = problem.cam.hole() {
         let (base, reach) = (size(follower.base_radius()), hole.reach());
-        out.push(Check::at_least(
-            Criterion::BaseOutsideBore,
-            base,
-            reach,
-            GEOMETRY,
-        ));
+        out.push(Check::of(Criterion::BaseOutsideBore, base, reach, GEOMETRY));
     }
     out
 }

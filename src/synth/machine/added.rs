@@ -39,11 +39,10 @@ impl Layout {
     /// The parts that suit a law, on a shaft whose speed `varies` or is constant, exact between the breaks of the
     /// law or smooth.
     pub fn new(problem: &Problem, law: &Law, varies: bool, is_exact: bool) -> Layout {
-        let kinds = [
-            LimitKind::Velocity,
-            LimitKind::Acceleration,
-            LimitKind::Jerk,
-        ];
+        let mut limits = [None; 3];
+        for (kind, order) in LimitKind::by_time() {
+            limits[order - 1] = problem.limits[kind].filter(|_| varies);
+        }
         let (own, count) = match is_exact {
             true => (law.breaks(), PARTS),
             false => (&[0.0, TAU][..], FEW),
@@ -62,7 +61,7 @@ impl Layout {
             breaks,
             // The nodes differ: the matrix has an inverse.
             coefficients: values.try_inverse().unwrap_or_else(SMatrix::identity),
-            limits: kinds.map(|kind| problem.limits[kind].filter(|_| varies)),
+            limits,
             varies,
         }
     }

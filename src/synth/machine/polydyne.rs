@@ -1,7 +1,7 @@
 //! Polydyne cam of a compliant follower: the law is optimised for the follower's end, the cam is cut so that the end
 //! follows it, and every limit of the cam holds for the cam's own law.
 
-use crate::cam::{Criterion, LimitKind};
+use crate::cam::Criterion;
 use crate::dynamics::Train;
 use crate::dynamics::flexible::polydyne::{end_error, polydyne};
 use crate::error::{Error, Placed};
@@ -87,12 +87,7 @@ fn move_limits(sized: &SizedLaw, limits: &mut Limits) -> bool {
         let Some(limit) = own_limit(limits, check.name) else {
             continue;
         };
-        // A radius has to be large enough, all others small enough.
-        let inside = if check.name == LimitKind::Curvature {
-            1.0
-        } else {
-            -1.0
-        };
+        let inside = -check.name.direction().sign();
         let next = *limit - apart + inside * AIM * check.limit.abs();
         if next.is_finite() && next > 0.0 {
             *limit = next;
@@ -102,17 +97,9 @@ fn move_limits(sized: &SizedLaw, limits: &mut Limits) -> bool {
     any
 }
 
-/// Limits of the cam that no change of the end's own limits brings nearer.
-const OTHERS: [LimitKind; 4] = [
-    LimitKind::ForceMin,
-    LimitKind::ForceMax,
-    LimitKind::FaceWidth,
-    LimitKind::Residual,
-];
-
 /// The scene's number behind a check, where rows of the program can hold it.
 fn own_limit(limits: &mut Limits, check: Criterion) -> Option<&mut f64> {
-    let kind = check.limit().filter(|kind| !OTHERS.contains(kind))?;
+    let kind = check.limit().filter(|kind| kind.facts().moves_with_end)?;
     limits[kind].as_mut()
 }
 

@@ -245,20 +245,8 @@ pub fn retimed(law: &Law, clock: &Motion, x: f64) -> Svaj {
 
 /// Whether what the speed adds is in a limit or in the objective, and not in the target alone.
 pub fn depends_on_speed(problem: &Problem) -> bool {
-    use LimitKind::{
-        Acceleration, ForceMax, ForceMin, HertzPressure, Jerk, Power, Torque, TorqueRate, Velocity,
-    };
-    let kinds = [
-        ForceMin,
-        ForceMax,
-        Velocity,
-        Acceleration,
-        Jerk,
-        Torque,
-        Power,
-        TorqueRate,
-        HertzPressure,
-    ];
-    let is_limited = kinds.into_iter().any(|kind| problem.limits[kind].is_some());
+    let is_limited = LimitKind::ALL
+        .iter()
+        .any(|kind| problem.limits[*kind].is_some() && kind.facts().depends_on.varies_with_speed());
     is_limited || problem.band.is_some() || problem.objective() != Minimise::ForceError
 }

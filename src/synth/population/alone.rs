@@ -42,9 +42,7 @@ pub fn points(problem: &Problem, search: &Search) -> Result<Vec<Point>> {
         };
         let mut limited = limits::for_all(&bare(problem), &alone, 1.0);
         // Of the machine of another walker they say nothing.
-        limits::LOADS
-            .into_iter()
-            .for_each(|kind| limited.limits[kind] = None);
+        limits::loads().for_each(|kind| limited.limits[kind] = None);
         let own = families::law(&weighed(&limited, &alone, &[1.0]), search);
         let Some(law) = own.ok().filter(|law| law.solver.tier != Tier::Scp) else {
             return Ok(Vec::new());

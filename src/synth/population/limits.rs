@@ -1,18 +1,11 @@
 //! Limits that hold for every walker: as one set of limits at the reference machine, and checked at the machine of each.
 
-use crate::cam::{Check, Criterion, LimitKind};
+use crate::cam::Check;
+use crate::criterion::{DependsOn, Direction, LimitKind};
 use crate::error::Result;
 use crate::problem::{Problem, Served, Walkers};
 use crate::synth::families::SolvedLaw;
 use crate::synth::sizing::checked_cam::{CheckedCam, checked_cam};
-
-/// Limits that no factor carries from one machine to another.
-pub const LOADS: [LimitKind; 4] = [
-    LimitKind::Torque,
-    LimitKind::Power,
-    LimitKind::TorqueRate,
-    LimitKind::HertzPressure,
-];
 
 /// The problem at its reference machine whose limits on motion and force are those of the walker who needs most; `loads` is the
 /// part of the limits on loads that the reference machine may use.
@@ -23,25 +16,21 @@ pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
         .each
         .iter()
         .fold(0.0_f64, |m, w| m.max(w.drive.speed));
-    let timed = [
-        LimitKind::Velocity,
-        LimitKind::Acceleration,
-        LimitKind::Jerk,
-    ];
-    for (kind, order) in timed.into_iter().zip(1..) {
-        let factor = (drive.speed / fastest).powi(order);
-        limits[kind] = limits[kind].map(|bound| factor * bound);
-    }
-    let reached = |bound: f64, better: fn(f64, f64) -> f64, start: f64| {
-        let of = |w: &Served| (bound - w.drive.rest_force) / w.factor;
-        drive.rest_force + walkers.each.iter().map(of).fold(start, better)
+    // Force at the reference machine for which every walker keeps a bound on his own.
+    let reached = |bound: f64, direction: Direction| {
+        let of = |w: &Served| direction.sign() * (bound - w.drive.rest_force) / w.factor;
+        let nearest = walkers.each.iter().map(of).fold(f64::INFINITY, f64::min);
+        drive.rest_force + direction.sign() * nearest
     };
-    let kind = LimitKind::ForceMin;
-    limits[kind] = limits[kind].map(|low| reached(low, f64::max, f64::NEG_INFINITY));
-    let kind = LimitKind::ForceMax;
-    limits[kind] = limits[kind].map(|high| reached(high, f64::min, f64::INFINITY));
-    for kind in LOADS {
-        limits[kind] = limits[kind].map(|bound| loads * bound);
+    for &kind in LimitKind::ALL {
+        let facts = kind.facts();
+        let for_all = |bound: f64| match facts.depends_on {
+            DependsOn::Cam | DependsOn::Vibration => bound,
+            DependsOn::Motion(order) => (drive.speed / fastest).powi(order as i32) * bound,
+            DependsOn::Force => reached(bound, facts.direction),
+            DependsOn::Load => loads * bound,
+        };
+        limits[kind] = limits[kind].map(for_all);
     }
     out
 }
@@ -55,7 +44,7 @@ pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Resu
         own.required.drive = walker.drive;
         let of_walker = checked_cam(&own, law, circle, None)?;
         for (worst, check) in out.checks.iter_mut().zip(of_walker.checks) {
-            if worst.name == check.name && is_nearer(&check, worst) {
+            if worst.name == check.name && check.excess() > worst.excess() {
                 *worst = check;
             }
         }
@@ -63,17 +52,16 @@ pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Resu
     Ok(out)
 }
 
-/// Whether a check leaves less of its limit than another of the same limit.
-fn is_nearer(check: &Check, other: &Check) -> bool {
-    let is_least = check.name == Criterion::Limit(LimitKind::ForceMin);
-    let sign = if is_least { -1.0 } else { 1.0 };
-    sign * (check.worst - check.limit) > sign * (other.worst - other.limit)
+/// Limits that no factor carries from the machine of one walker to that of another.
+pub fn loads() -> impl Iterator<Item = LimitKind> {
+    let is_load = |kind: &LimitKind| kind.facts().depends_on == DependsOn::Load;
+    LimitKind::ALL.iter().copied().filter(is_load)
 }
 
 /// Part of the usable limits on loads after checks that fail; `None` where none of them does.
 pub fn less_loaded(checks: &[Check]) -> Option<f64> {
     let failing = checks.iter().filter(|c| !c.pass);
-    let of_loads = failing.filter(|c| LOADS.iter().any(|k| c.name == Criterion::Limit(*k)));
+    let of_loads = failing.filter(|c| loads().any(|kind| c.name == kind));
     let parts = of_loads.map(|c| (c.limit / c.worst).abs());
     parts.reduce(f64::min)
 }
@@ -84,7 +72,11 @@ pub fn less_loaded(checks: &[Check]) -> Option<f64> {
 /// no such form: all are checked.
 fn extremes<'w>(problem: &Problem, walkers: &'w Walkers) -> Vec<&'w Served> {
     let each = &walkers.each;
-    if problem.limits[LimitKind::Residual].is_some() {
+    let vibrates = |kind: &LimitKind| kind.facts().depends_on == DependsOn::Vibration;
+    let mut limited = LimitKind::ALL
+        .iter()
+        .filter(|kind| problem.limits[**kind].is_some());
+    if limited.any(vibrates) {
         return each.iter().collect();
     }
     let of = |pair: fn(&Served) -> [f64; 2]| corners(&each.iter().map(pair).collect::<Vec<_>>());

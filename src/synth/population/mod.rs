@@ -360,7 +360,7 @@ fn accuracy(problem: &Problem, square: f64) -> Option<Check> {
     let asked = problem.accuracy? * problem.target_mean();
     let value = square.sqrt() * problem.target_mean();
     let worst = Extreme { at: 0.0, value };
-    Some(Check::at_most(Criterion::RmsError, worst, asked, SLACK))
+    Some(Check::of(Criterion::RmsError, worst, asked, SLACK))
 }
 
 /// Gives a law's family and size: every round is over the same functions.

@@ -9,7 +9,8 @@ use crate::plot::picture::Picture;
 use crate::plot::sheet::{Drawn, Frame};
 use crate::pose::{largest_radius, motion};
 use crate::words::{self, Words};
-use gaitcam::cam::{Cam, LimitKind};
+use gaitcam::cam::{Cam, Check, LimitKind};
+use gaitcam::criterion::Diagram;
 use gaitcam::law::Svaj;
 use gaitcam::poly::Extreme;
 use gaitcam::synth::Design;
@@ -106,7 +107,7 @@ fn pressure<'a, 'c>(
     words: &Words,
     ends: [(f64, f64); 2],
 ) -> Drawn<Panel<'a, 'c>> {
-    let limits = synthesis.checks.iter().filter_map(pressure_limit);
+    let limits = synthesis.checks.iter().flat_map(pressure_lines);
     let values = ends.into_iter().map(|e| e.1).chain(limits.clone());
     let y = padded(values.chain([0.0]), 0.2);
     let panel = f.over_the_law(synthesis, frame, y)?;
@@ -127,12 +128,11 @@ fn pressure<'a, 'c>(
     Ok(panel)
 }
 
-/// The signed level of a pressure-angle limit, degrees.
-fn pressure_limit(check: &gaitcam::cam::Check) -> Option<f64> {
-    let limit = check.limit.abs().to_degrees();
-    match check.name.limit()? {
-        LimitKind::PressureAngle | LimitKind::PressureAngleRise => Some(limit),
-        LimitKind::PressureAngleFall => Some(-limit),
-        _ => None,
+/// Heights of the lines of a pressure-angle limit, degrees.
+fn pressure_lines(check: &Check) -> Vec<f64> {
+    let shown = check.name.limit().and_then(|kind| kind.facts().diagram);
+    match shown {
+        Some((Diagram::PressureAngle, lines)) => lines.heights(check.limit.to_degrees(), 0.0),
+        _ => Vec::new(),
     }
 }

@@ -81,7 +81,7 @@ export class Chart {
     if (this.panel.isDifference) return `Δ ${name}`;
     if (this.id !== "speed") return name;
     const speeds = this.panel.lines[0].y;
-    const ripple = (Math.max(...speeds) - Math.min(...speeds)) / this.panel.levels[0];
+    const ripple = (Math.max(...speeds) - Math.min(...speeds)) / this.panel.levels[0].y;
     return t("studio-chart-ripple", { ripple: quantity(100 * ripple, "%", 3) });
   }
 
@@ -104,7 +104,7 @@ export class Chart {
     const [a, b] = this.ends ?? [0, 0];
     if (this.isMoving && this.endsOf === this.panel.unit && low >= a && high <= b && span > 0.5 * (b - a)) return this.ends;
     // Limits far away would flatten the curve.
-    for (const level of handles.levels(this.panel, this.fields)) if (level > low - 0.8 * span && level < high + 0.8 * span) take(level);
+    for (const { y: level } of this.panel.levels) if (level > low - 0.8 * span && level < high + 0.8 * span) take(level);
     if (["force", "s"].includes(this.id) && low > 0 && low < 0.6 * high) low = 0;
     if (high - low < 1e-9 * Math.max(Math.abs(high), 1e-9)) { low -= 1; high += 1; }
     const room = 0.07 * (high - low);
@@ -294,7 +294,7 @@ export class Chart {
     const [theta, y] = this.under(event);
     const { limit, segment, knot, begins, gesture } = this.held;
     this.held.begins = false;
-    if (limit) this.onLimit(limit, handles.valueOf(this, y), gesture);
+    if (limit) this.onLimit(limit, handles.valueOf(this, y, limit), gesture);
     else if (segment) this.onSegment(handles.moveSegment(this, segment, theta, y), gesture);
     else if (knot) this.onKnot(Number(knot), (theta - this.curves.start) / this.curves.length, y, begins);
     else clock.set(theta);

@@ -3,48 +3,15 @@
 import { svg, clear } from "../core/dom.js";
 import { t, quantity, language } from "../core/words.js";
 
-// The limits of each diagram, the ones for its upper and its lower half; of several the first that the scene has.
-const LIMITS = {
-  s: [["limits.stroke"], []],
-  v: [["limits.velocity"], ["limits.velocity"]],
-  a: [["limits.acceleration"], ["limits.acceleration"]],
-  j: [["limits.jerk"], ["limits.jerk"]],
-  torque: [["limits.torque"], ["limits.torque"]],
-  power: [["limits.power"], ["limits.power"]],
-  radius: [["limits.curvature"], ["limits.curvature"]],
-  "pressure-angle": [["limits.pressure_angle_rise", "limits.pressure_angle"], ["limits.pressure_angle_fall", "limits.pressure_angle"]],
-};
-
-// The key of a limit line; null where no limit of the scene is drawn there.
-export function keyOf(id, level, fields, middle) {
-  if (id === "force") return level <= middle ? "limits.force_min" : "limits.force_max";
-  const keys = LIMITS[id]?.[level < 0 ? 1 : 0] ?? [];
-  return keys.find((k) => fields[k]?.text) ?? keys.at(-1) ?? null;
-}
-
 // A unit as a scene file takes it.
 export const written = (unit) => unit.replace("°", "deg").replaceAll("·", " ").replace("²", "^2").replace("³", "^3");
 
 // Three digits: what a hand can place on a screen.
 export const rounded = (x) => Number(x.toPrecision(3));
 
-// The stroke's limit is no level of the curve: it lies that far above its lowest point.
-export function levels({ id, levels: drawn, lines, unit }, fields) {
-  if (id !== "s") return drawn;
-  const [, number, of] = /^([\d.eE+-]+) ?(.*)$/.exec(fields["limits.stroke"]?.text ?? "") ?? [];
-  // Of lengths both are known in millimetres.
-  const size = { mm: 1, in: 25.4 };
-  const factor = of === written(unit) ? 1 : size[of] / size[unit];
-  if (number === undefined || !Number.isFinite(factor)) return drawn;
-  const low = Math.min(...lines[0].y.filter((y) => y !== null));
-  return [...drawn, low + factor * Number(number)];
-}
-
 // Draws what is dragged on a chart, where it is not as it was.
 export function draw(chart, group, place) {
-  const main = chart.panel.lines[0].y.filter((y) => y !== null);
-  const middle = main.reduce((sum, y) => sum + y, 0) / main.length;
-  const lines = levels(chart.panel, chart.fields).map((level) => [level, keyOf(chart.id, level, chart.fields, middle)]);
+  const lines = chart.panel.levels;
   const knots = knotsOf(chart);
   const seen = JSON.stringify([lines, knots, place, chart.ends, chart.curves.from, chart.curves.span, chart.panel.unit, language(), Boolean(chart.onLimit)]);
   if (seen === chart.handled) return;
@@ -56,7 +23,7 @@ export function draw(chart, group, place) {
 
 // The limit lines; each is a slider that is also moved by the arrow keys.
 function drawLimits(chart, plot, lines, { left, right, top, bottom, width }) {
-  for (const [level, key] of lines) {
+  for (const { y: level, key } of lines) {
     const at = chart.y(level);
     if (at < top - 1 || at > bottom + 1) continue;
     plot.append(svg("path", { class: "level", d: `M${left} ${at}H${width - right}` }));
@@ -72,7 +39,7 @@ function drawLimits(chart, plot, lines, { left, right, top, bottom, width }) {
       if (!step) return;
       event.preventDefault();
       event.stopPropagation();
-      chart.onLimit(key, valueOf(chart, level + step * Math.abs(level || 1)), `line ${key}`);
+      chart.onLimit(key, valueOf(chart, level + step * Math.abs(level || 1), key), `line ${key}`);
       chart.refocus = key;
     });
     plot.append(grip);
@@ -80,11 +47,10 @@ function drawLimits(chart, plot, lines, { left, right, top, bottom, width }) {
   }
 }
 
-// What a limit's key is set to by a line at this height.
-export function valueOf(chart, y) {
-  const base = chart.id === "s" ? Math.min(...chart.panel.lines[0].y.filter((v) => v !== null)) : 0;
-  const size = chart.id === "force" ? y : Math.abs(y - base);
-  return `${rounded(size)} ${written(chart.panel.unit)}`;
+// What a limit's key is set to by its line at this height.
+export function valueOf(chart, y, key) {
+  const from = chart.panel.levels.find((l) => l.key === key)?.from ?? null;
+  return `${rounded(from === null ? y : Math.abs(y - from))} ${written(chart.panel.unit)}`;
 }
 
 // Borders of the segments of a programme over the angle: [{number, theta, lift}].

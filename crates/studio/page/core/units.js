@@ -52,5 +52,5 @@ export function panel(whole) {
   const [to, factor] = unit(whole.unit);
   if (factor === 1) return whole;
   const scaled = (y) => (y === null ? null : y * factor);
-  return { ...whole, unit: to, lines: whole.lines.map((l) => ({ ...l, y: l.y.map(scaled) })), levels: whole.levels.map(scaled) };
+  return { ...whole, unit: to, lines: whole.lines.map((l) => ({ ...l, y: l.y.map(scaled) })), levels: whole.levels.map((l) => ({ ...l, y: scaled(l.y), from: scaled(l.from) })) };
 }

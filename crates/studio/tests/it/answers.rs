@@ -94,7 +94,7 @@ fn the_speed_of_a_shaft_under_its_motor_is_a_diagram_of_its_own() {
     let low = speed.iter().copied().fold(f64::INFINITY, f64::min);
     let high = speed.iter().copied().fold(0.0, f64::max);
     // The ripple of the guide's example.
-    let ripple = (high - low) / panel["levels"][0].as_f64().unwrap();
+    let ripple = (high - low) / panel["levels"][0]["y"].as_f64().unwrap();
     assert!((ripple - 0.2544).abs() < 1e-3, "{ripple}");
     // Power is torque times the speed there.
     let [torque, power] = ["torque", "power"].map(|id| values(&diagram(&motor, id).unwrap()));

@@ -5,9 +5,11 @@ mod walkers;
 use serde::{Deserialize, Serialize};
 
 use gaitcam::cam::{Cam, Check, Criterion, LimitKind, Measures, ProfilePoint, Unit};
+use gaitcam::criterion::Diagram;
 use gaitcam::dynamics::hertz::{STEEL, line, modulus};
 use gaitcam::dynamics::touch;
 use gaitcam::law::Svaj;
+use gaitcam::scene::keys;
 use gaitcam::synth::Design;
 use gaitcam_output::curve;
 
@@ -63,8 +65,19 @@ pub struct Panel {
     pub unit: &'static str,
     /// Its curves by their part: `main`, `target`, `low`, `high`, `worst`.
     pub lines: Vec<Line>,
-    /// Limits, by value.
-    pub levels: Vec<Shown>,
+    /// Lines of its limits.
+    pub levels: Vec<Level>,
+}
+
+/// The line of a limit in a diagram.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Level {
+    /// Height of the line.
+    pub y: Shown,
+    /// Key of the scene that sets the limit; empty where none does.
+    pub key: &'static str,
+    /// Height from which the limit is measured up or down; null where the line's height is the limit.
+    pub from: Shown,
 }
 
 /// A curve.
@@ -195,13 +208,13 @@ fn panels(design: &Design, samples: &[Sample]) -> Vec<Panel> {
     let measures = design.cam.follower.measures();
     let speed = design.drive.speed;
     let mut out = vec![force(design, samples)];
-    let picks: [(&str, Pick); 4] = [
-        ("s", |m| m.s),
-        ("v", |m| m.v),
-        ("a", |m| m.a),
-        ("j", |m| m.j),
+    let picks: [(Diagram, Pick); 4] = [
+        (Diagram::Lift, |m| m.s),
+        (Diagram::Velocity, |m| m.v),
+        (Diagram::Acceleration, |m| m.a),
+        (Diagram::Jerk, |m| m.j),
     ];
-    for (order, (id, pick)) in picks.into_iter().enumerate() {
+    for (order, (diagram, pick)) in picks.into_iter().enumerate() {
         let unit = if order == 0 {
             measures.lift(0)
         } else {
@@ -209,7 +222,7 @@ fn panels(design: &Design, samples: &[Sample]) -> Vec<Panel> {
         };
         let factor = unit.factor * speed.powi(order as i32);
         let line = line_of("main", samples, |s| factor * pick(&s.at));
-        out.push(panel(design, id, unit, vec![line]));
+        out.push(panel(design, diagram, unit, vec![line]));
     }
     out.push(radius(design, samples));
     out.push(contact(design, samples));
@@ -220,26 +233,35 @@ fn panels(design: &Design, samples: &[Sample]) -> Vec<Panel> {
     };
     let unit = |name| Unit { factor: 1.0, name };
     let line = line_of("main", samples, |s| s.force * s.at.v);
-    out.push(panel(design, "torque", unit(torque), vec![line]));
+    out.push(panel(design, Diagram::Torque, unit(torque), vec![line]));
     let turning = |s: &Sample| design.speed_and_time(s.theta).0;
     let line = line_of("main", samples, |s| s.force * s.at.v * turning(s));
-    out.push(panel(design, "power", unit("W"), vec![line]));
+    out.push(panel(design, Diagram::Power, unit("W"), vec![line]));
     if design.shaft.is_some() {
         let line = line_of("main", samples, turning);
         out.push(Panel {
-            levels: vec![short(speed)],
-            ..panel(design, "speed", unit("rad/s"), vec![line])
+            levels: vec![Level {
+                y: short(speed),
+                key: "",
+                from: None,
+            }],
+            ..panel(design, Diagram::Speed, unit("rad/s"), vec![line])
         });
     }
     out
 }
 
-fn panel(design: &Design, id: &'static str, unit: Unit, lines: Vec<Line>) -> Panel {
+fn panel(design: &Design, diagram: Diagram, unit: Unit, lines: Vec<Line>) -> Panel {
+    let shown = lines
+        .first()
+        .into_iter()
+        .flat_map(|line| line.y.iter().flatten());
+    let lowest = shown.fold(f64::INFINITY, |low, y| low.min(*y));
     Panel {
-        id,
+        id: diagram.name(),
         unit: unit.name,
+        levels: levels(design, diagram, unit.factor, lowest),
         lines,
-        levels: levels(design, id, unit.factor),
     }
 }
 
@@ -261,7 +283,7 @@ fn force(design: &Design, samples: &[Sample]) -> Panel {
         }));
     }
     lines.extend(walkers::lines(design, samples));
-    panel(design, "force", unit, lines)
+    panel(design, Diagram::Force, unit, lines)
 }
 
 fn radius(design: &Design, samples: &[Sample]) -> Panel {
@@ -277,7 +299,7 @@ fn radius(design: &Design, samples: &[Sample]) -> Panel {
     };
     panel(
         design,
-        "radius",
+        Diagram::Radius,
         LENGTH,
         vec![line_of("main", samples, rho)],
     )
@@ -288,7 +310,7 @@ fn contact(design: &Design, samples: &[Sample]) -> Panel {
     let cam = &design.cam;
     if cam.contact_travel().is_some() {
         let line = line_of("main", samples, |s| MM * cam.contact_along(s.at));
-        return panel(design, "contact", LENGTH, vec![line]);
+        return panel(design, Diagram::Contact, LENGTH, vec![line]);
     }
     let angle = |s: &Sample| match &design.groove {
         Some(groove) => groove.pressure_angle(s.theta, groove.depth().0),
@@ -299,27 +321,39 @@ fn contact(design: &Design, samples: &[Sample]) -> Panel {
         name: "°",
     };
     let line = line_of("main", samples, |s| angle(s).to_degrees());
-    panel(design, "pressure-angle", unit, vec![line])
+    panel(design, Diagram::PressureAngle, unit, vec![line])
 }
 
-/// Limits that stand in a diagram; those of an absolute value on both sides.
-fn levels(design: &Design, id: &str, factor: f64) -> Vec<Shown> {
+/// Lines of the limits that a diagram shows.
+fn levels(design: &Design, diagram: Diagram, factor: f64, lowest: f64) -> Vec<Level> {
     let mut out = Vec::new();
     for check in &design.checks {
-        let level = short(factor * check.limit);
-        match (id, check.name.name()) {
-            ("force", "force_min" | "force_max") | ("radius", "curvature") => out.push(level),
-            ("v", "velocity") | ("a", "acceleration") | ("j", "jerk") | ("torque", "torque") => {
-                out.extend([level, level.map(|x| -x)]);
-            }
-            ("power", "power") | ("pressure-angle", "pressure_angle_rise") => out.push(level),
-            ("pressure-angle", "pressure_angle") => out.extend([level, level.map(|x| -x)]),
-            ("pressure-angle", "pressure_angle_fall") => out.push(level.map(|x| -x.abs())),
-            _ => {}
-        }
+        let Some(kind) = check.name.limit() else {
+            continue;
+        };
+        let Some((_, lines)) = kind.facts().diagram.filter(|shown| shown.0 == diagram) else {
+            continue;
+        };
+        let key = key(design, kind);
+        let from = lines.origin(lowest).and_then(short);
+        let heights = lines.heights(factor * check.limit, lowest).into_iter();
+        let level = |y: f64| Level {
+            y: short(y),
+            key,
+            from,
+        };
+        out.extend(heights.map(level).filter(|level| level.y.is_some()));
     }
-    out.retain(Option::is_some);
     out
+}
+
+/// Key that sets a limit: of one side of the pressure angle that of both sides, unless the scene limits that side alone.
+fn key(design: &Design, kind: LimitKind) -> &'static str {
+    let both = LimitKind::PressureAngle;
+    let alone = design.problem.value(kind.into()).is_some();
+    let is_of_both = both.is_measured_by(kind.into()) && !alone;
+    let own = if is_of_both { both } else { kind };
+    keys::of_limit(own).map_or("", |key| key.path)
 }
 
 fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Contour {

@@ -1,0 +1,246 @@
+//! What is true of each limit: one row per limit, from which everything that differs between limits is read.
+
+use super::LimitKind;
+
+/// Side of its bound on which a value is allowed.
+///
+/// ```
+/// use gaitcam::criterion::{Direction, LimitKind};
+///
+/// assert_eq!(LimitKind::Curvature.facts().direction, Direction::AtLeast);
+/// assert_eq!(Direction::AtLeast.excess(4.0, 5.0), 1.0);
+/// assert!(Direction::AtMost.keeps(4.0, 5.0));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// The value must not exceed the bound; a larger bound permits more.
+    AtMost,
+    /// The value must not fall below the bound; a smaller bound permits more.
+    AtLeast,
+}
+
+impl Direction {
+    /// Sign of the change of a bound that permits more.
+    pub const fn sign(self) -> f64 {
+        match self {
+            Direction::AtMost => 1.0,
+            Direction::AtLeast => -1.0,
+        }
+    }
+
+    /// Distance of a value beyond a bound; negative where it keeps the bound.
+    pub fn excess(self, value: f64, bound: f64) -> f64 {
+        self.sign() * (value - bound)
+    }
+
+    /// Whether a value keeps a bound.
+    pub fn keeps(self, value: f64, bound: f64) -> bool {
+        match self {
+            Direction::AtMost => value <= bound,
+            Direction::AtLeast => value >= bound,
+        }
+    }
+}
+
+/// What a limited quantity depends on. It decides what a varying speed of the shaft and several walkers do to the limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DependsOn {
+    /// The cam alone: speed and walker do not change it.
+    Cam,
+    /// A derivative of the lift by time, of this order: it grows with this power of the speed.
+    Motion(usize),
+    /// The contact force, which is linear in the force at rest and in the walker's factor.
+    Force,
+    /// Force and cam together: no factor carries it from the machine of one walker to that of another.
+    Load,
+    /// Vibration of a compliant follower at constant speed, checked for every walker.
+    Vibration,
+}
+
+impl DependsOn {
+    /// Whether a varying speed of the shaft changes it.
+    pub fn varies_with_speed(self) -> bool {
+        match self {
+            DependsOn::Motion(_) | DependsOn::Force | DependsOn::Load => true,
+            DependsOn::Cam | DependsOn::Vibration => false,
+        }
+    }
+}
+
+/// Diagram over the cam angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Diagram {
+    /// Contact force.
+    Force,
+    /// Lift.
+    Lift,
+    /// Velocity by time.
+    Velocity,
+    /// Acceleration by time.
+    Acceleration,
+    /// Jerk by time.
+    Jerk,
+    /// Radius of curvature.
+    Radius,
+    /// Pressure angle.
+    PressureAngle,
+    /// Place of the contact on a flat face.
+    Contact,
+    /// Shaft torque.
+    Torque,
+    /// Shaft power.
+    Power,
+    /// Speed of the shaft.
+    Speed,
+}
+
+impl Diagram {
+    /// Its name in data.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Diagram::Force => "force",
+            Diagram::Lift => "s",
+            Diagram::Velocity => "v",
+            Diagram::Acceleration => "a",
+            Diagram::Jerk => "j",
+            Diagram::Radius => "radius",
+            Diagram::PressureAngle => "pressure-angle",
+            Diagram::Contact => "contact",
+            Diagram::Torque => "torque",
+            Diagram::Power => "power",
+            Diagram::Speed => "speed",
+        }
+    }
+}
+
+/// Lines by which a diagram shows a bound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lines {
+    /// At the bound.
+    AtBound,
+    /// At the bound and at its negative.
+    BothSides,
+    /// At the negative of the bound.
+    AtNegative,
+    /// That far above the lowest point of the curve.
+    AboveLowest,
+}
+
+impl Lines {
+    /// Heights of the lines of a bound on a curve with this lowest value.
+    ///
+    /// ```
+    /// use gaitcam::criterion::Lines;
+    ///
+    /// assert_eq!(Lines::BothSides.heights(2.0, -1.0), [2.0, -2.0]);
+    /// assert_eq!(Lines::AboveLowest.heights(2.0, -1.0), [1.0]);
+    /// ```
+    pub fn heights(self, bound: f64, lowest: f64) -> Vec<f64> {
+        match self {
+            Lines::AtBound => vec![bound],
+            Lines::BothSides => vec![bound, -bound],
+            Lines::AtNegative => vec![-bound],
+            Lines::AboveLowest => vec![lowest + bound],
+        }
+    }
+
+    /// Height from which the bound is measured up or down to its line; `None` where the line's height is the bound.
+    pub fn origin(self, lowest: f64) -> Option<f64> {
+        match self {
+            Lines::AtBound => None,
+            Lines::BothSides | Lines::AtNegative => Some(0.0),
+            Lines::AboveLowest => Some(lowest),
+        }
+    }
+}
+
+/// Rank of a failed check among the reasons of a verdict, the gravest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// The profile cannot be made.
+    Profile,
+    /// The follower touches another part of the cam.
+    Interference,
+    /// The follower leaves the cam.
+    Contact,
+    /// The follower may jam in its guide.
+    PressureAngle,
+    /// The force is not the required one.
+    ForceError,
+    /// A limit of the scene is broken.
+    Limit,
+}
+
+/// The row of a limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct LimitFacts {
+    /// Side of the bound on which the value is allowed.
+    pub direction: Direction,
+    /// What the value depends on.
+    pub depends_on: DependsOn,
+    /// Whether another bound on the end of a compliant follower brings the cam nearer to its own bound.
+    pub moves_with_end: bool,
+    /// Diagram that shows the value, and how it shows the bound.
+    pub diagram: Option<(Diagram, Lines)>,
+    /// Rank of its failed check.
+    pub severity: Severity,
+}
+
+impl LimitKind {
+    /// The row of the limit.
+    #[rustfmt::skip]
+    pub const fn facts(self) -> LimitFacts {
+        use DependsOn::{Cam, Force, Load, Motion, Vibration};
+        use Direction::{AtLeast, AtMost};
+        use Lines::{AboveLowest, AtBound, AtNegative, BothSides};
+        use Severity::{Contact, Limit, PressureAngle, Profile};
+        match self {
+            //                                                direction depends on moves  diagram                                    severity
+            LimitKind::Stroke            => LimitFacts::row(AtMost,  Cam,       true,  Some((Diagram::Lift, AboveLowest)),        Limit),
+            LimitKind::Velocity          => LimitFacts::row(AtMost,  Motion(1), true,  Some((Diagram::Velocity, BothSides)),      Limit),
+            LimitKind::Acceleration      => LimitFacts::row(AtMost,  Motion(2), true,  Some((Diagram::Acceleration, BothSides)),  Limit),
+            LimitKind::Jerk              => LimitFacts::row(AtMost,  Motion(3), true,  Some((Diagram::Jerk, BothSides)),          Limit),
+            LimitKind::ForceMin          => LimitFacts::row(AtLeast, Force,     false, Some((Diagram::Force, AtBound)),           Contact),
+            LimitKind::ForceMax          => LimitFacts::row(AtMost,  Force,     false, Some((Diagram::Force, AtBound)),           Limit),
+            LimitKind::Curvature         => LimitFacts::row(AtLeast, Cam,       true,  Some((Diagram::Radius, AtBound)),          Profile),
+            LimitKind::PressureAngle     => LimitFacts::row(AtMost,  Cam,       true,  Some((Diagram::PressureAngle, BothSides)), PressureAngle),
+            LimitKind::PressureAngleRise => LimitFacts::row(AtMost,  Cam,       true,  Some((Diagram::PressureAngle, AtBound)),   PressureAngle),
+            LimitKind::PressureAngleFall => LimitFacts::row(AtMost,  Cam,       true,  Some((Diagram::PressureAngle, AtNegative)), PressureAngle),
+            LimitKind::PrimeRadius       => LimitFacts::row(AtMost,  Cam,       true,  None,                                      Limit),
+            LimitKind::FaceWidth         => LimitFacts::row(AtMost,  Cam,       false, Some((Diagram::Contact, AboveLowest)),     Limit),
+            LimitKind::Torque            => LimitFacts::row(AtMost,  Load,      true,  Some((Diagram::Torque, BothSides)),        Limit),
+            LimitKind::Power             => LimitFacts::row(AtMost,  Load,      true,  Some((Diagram::Power, BothSides)),         Limit),
+            LimitKind::TorqueRate        => LimitFacts::row(AtMost,  Load,      true,  None,                                      Limit),
+            LimitKind::HertzPressure     => LimitFacts::row(AtMost,  Load,      true,  None,                                      Limit),
+            LimitKind::Residual          => LimitFacts::row(AtMost,  Vibration, false, None,                                      Limit),
+        }
+    }
+
+    /// Limits on derivatives of the lift by time, with their orders.
+    pub fn by_time() -> impl Iterator<Item = (LimitKind, usize)> {
+        let order = |kind: &LimitKind| match kind.facts().depends_on {
+            DependsOn::Motion(order) => Some((*kind, order)),
+            _ => None,
+        };
+        LimitKind::ALL.iter().filter_map(order)
+    }
+}
+
+impl LimitFacts {
+    const fn row(
+        direction: Direction,
+        depends_on: DependsOn,
+        moves_with_end: bool,
+        diagram: Option<(Diagram, Lines)>,
+        severity: Severity,
+    ) -> LimitFacts {
+        LimitFacts {
+            direction,
+            depends_on,
+            moves_with_end,
+            diagram,
+            severity,
+        }
+    }
+}
