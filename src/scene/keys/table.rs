@@ -145,7 +145,7 @@ pub static KEYS: &[Key] = &[
     row("limits.pressure_angle_rise", number(Angle, Acute).or(NONE), "", one_side!(PressureAngleRise)).limit(LimitKind::PressureAngleRise),
     row("limits.pressure_angle_fall", number(Angle, Acute).or(NONE), "", one_side!(PressureAngleFall)).limit(LimitKind::PressureAngleFall),
     limit!("limits.prime_radius",   PrimeRadius,   number(Length, Positive)),
-    limit!("limits.face_width",     FaceWidth,     number(Length, Positive)).idle_when(no_flat_face),
+    limit!("limits.face_width",     FaceWidth,     number(Length, Positive)).idle_when(no_face),
     limit!("limits.torque",         Torque,        number(Torque, Positive)),
     limit!("limits.power",          Power,         number(Power, Positive)),
     limit!("limits.torque_rate",    TorqueRate,    number(AngularRate, Positive)),
@@ -320,8 +320,10 @@ fn flat_translating(scene: &Scene) -> Option<Idle> {
 }
 
 /// Only a flat face has a width and an end.
-fn no_flat_face(scene: &Scene) -> Option<Idle> {
-    (!is_flat(scene)).then_some(Idle::Follower)
+/// A roller and a knife edge have no face on which the contact wanders.
+fn no_face(scene: &Scene) -> Option<Idle> {
+    let has_face = is_flat(scene) || scene.cam.follower.is_mushroom();
+    (!has_face).then_some(Idle::Follower)
 }
 
 fn hydraulic(scene: &Scene) -> Option<Idle> {
