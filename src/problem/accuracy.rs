@@ -82,11 +82,22 @@ impl Problem {
         (!is_minimised && self.mean_force_gap().is_none()).then_some(asked)
     }
 
+    /// Whether one cam serves several walkers, or one in several cycles.
+    pub fn serves_several(&self) -> bool {
+        self.walkers.as_ref().is_some_and(|w| w.each.len() > 1)
+    }
+
+    /// The force error above which the design of one force misses it: of several walkers not the error of their mean is judged
+    /// but theirs.
+    pub fn judged_error(&self) -> Option<f64> {
+        self.allowed_error().filter(|_| !self.serves_several())
+    }
+
     /// Mean target force less the weight that a moving axis carries, N: no cam changes the mean over a turn
     /// (theory §1). `None` within the rounding of a mass.
     pub fn mean_force_gap(&self) -> Option<f64> {
         let gap = self.target_mean() - self.drive.rest_force;
-        let judged = self.drive.kind == DriveKind::MovingAxis && self.allowed_error().is_some();
+        let judged = self.drive.kind == DriveKind::MovingAxis && self.judged_error().is_some();
         (judged && gap.abs() > SAME_MEAN * self.target_mean()).then_some(gap)
     }
 

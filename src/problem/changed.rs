@@ -2,6 +2,7 @@
 
 use super::Problem;
 use crate::cam::{Criterion, LimitKind};
+use crate::drive::Drive;
 
 impl Problem {
     /// The value of a limit, of the accuracy or of a given size; `None` where the problem leaves it open.
@@ -34,6 +35,14 @@ impl Problem {
             Criterion::GivenPrimeRadius => out.cam.prime_radius = value,
             _ => {}
         }
+        out
+    }
+
+    /// The same problem on another drive.
+    #[must_use]
+    pub fn with_drive(&self, drive: Drive) -> Problem {
+        let mut out = self.clone();
+        out.required.drive = drive;
         out
     }
 }

@@ -3,7 +3,10 @@
 //! Every one of these is a convex limit, so holding it at a value and minimising the force error gives a
 //! point of the front, and no point of the front is missed.
 
-use super::{Design, FIGURES, Figure, Figures, Search, design};
+use super::design::Design;
+use super::design::figures::{FIGURES, Figure, Figures};
+use super::search::Search;
+use super::synthesis::design;
 use crate::cam::Criterion;
 use crate::drive::DriveKind;
 use crate::error::{Placed, Result, SweepError, SynthError};

@@ -10,8 +10,13 @@ use std::f64::consts::TAU;
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentOpt;
 
+use super::families;
+use super::limits::force_report;
+use super::optimum::NoLaw;
+use super::search::Search;
 use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
+use crate::scene::Minimise;
 
 /// Phases looked at before the search.
 const VISITED: usize = 36;
@@ -20,12 +25,28 @@ const RESOLVED: f64 = 1e-6;
 /// Steps of the search.
 const STEPS: u64 = 60;
 
-/// The problem at the phase of least force error where its phase is free; otherwise as it is. `error` is the RMS force
-/// error of the best law of a problem, N; `None` where limits leave no law.
+/// The problem at the phase of least force error where its phase is free; otherwise as it is.
 ///
 /// # Errors
 /// No phase has a law, and at some the input is at fault.
-pub fn resolve(
+pub fn best<'p>(problem: &'p Problem, search: &Search) -> Result<Cow<'p, Problem>> {
+    deepest(problem, |at| least_error(&at, search))
+}
+
+/// The RMS force error of the best law under the limits of a problem, N; `None` where they leave no law.
+fn least_error(problem: &Problem, search: &Search) -> Result<Option<f64>> {
+    let of_force = problem.limited_error().is_some() && !problem.is_weighed();
+    let of_force = of_force.then(|| problem.minimising(Minimise::ForceError));
+    let problem = of_force.as_ref().unwrap_or(problem);
+    match families::law(problem, search) {
+        Ok(found) => Ok(Some(force_report(problem, &found.law).rms_error_n)),
+        Err(NoLaw::Refused(_)) => Ok(None),
+        Err(NoLaw::Fault(fault)) => Err(fault),
+    }
+}
+
+/// The problem at the phase at which an error is least.
+fn deepest(
     problem: &Problem,
     error: impl Fn(Problem) -> Result<Option<f64>>,
 ) -> Result<Cow<'_, Problem>> {

@@ -150,7 +150,7 @@ pub fn accuracy_check(design: &Finished) -> Option<Check> {
         check.pass = worst.value <= slack(design);
         return Some(check);
     }
-    let limit = problem.allowed_error()?;
+    let limit = problem.judged_error()?;
     let worst = Extreme {
         at: 0.0,
         value: force.rms_error_n,

@@ -1,8 +1,36 @@
-//! Laws corrected for the machine: for a follower that gives, for a shaft whose speed varies, for a floor that moves. Each
+//! Laws for a machine that responds to the cam: a follower that gives, a shaft whose speed varies, a floor that moves. Each
 //! designs for a rigid machine at constant speed, runs it, and designs again for what that says.
 
 mod added;
-pub mod on_machine;
-pub mod polydyne;
+mod in_motion;
+mod polydyne;
 mod runner;
 pub mod sensitivity;
+
+use super::design::Design;
+use super::search::Search;
+use crate::error::Result;
+use crate::problem::Problem;
+
+/// Whether the machine that a problem is designed for responds to the cam.
+pub fn responds(problem: &Problem) -> bool {
+    let machine = &problem.machine;
+    if problem.law.polydyne {
+        // A fault of the follower is found by the design.
+        return !matches!(problem.train(), Ok(None));
+    }
+    machine.motor().is_some() || machine.floor().is_some() || !machine.learned_force.is_empty()
+}
+
+/// The design for such a machine.
+///
+/// # Errors
+/// Faults of the input; the shaft stops; the rounds do not contract; an undamped mode in resonance.
+pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
+    if problem.law.polydyne
+        && let Some(train) = problem.train()?
+    {
+        return polydyne::designed(problem, search, &train);
+    }
+    in_motion::designed(problem, search)
+}

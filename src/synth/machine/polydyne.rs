@@ -4,12 +4,14 @@
 use crate::cam::Criterion;
 use crate::dynamics::Train;
 use crate::dynamics::flexible::polydyne::{end_error, polydyne};
-use crate::error::{Error, Placed};
+use crate::error::{Error, Placed, Result};
 use crate::law::Law;
 use crate::problem::Problem;
 use crate::scene::Limits;
-use crate::synth::SizedLaw;
-use crate::synth::families;
+use crate::synth::attempt::{Attempt, attempt};
+use crate::synth::design::Design;
+use crate::synth::families::{self, SolvedLaw};
+use crate::synth::finish::{Reports, finished};
 use crate::synth::optimum::NoLaw;
 use crate::synth::report::end::End;
 use crate::synth::search::Search;
@@ -22,63 +24,55 @@ const AIM: f64 = 1e-6;
 /// A limit that binds the end is reached by the cam when it is this near to its own.
 const NEAR: f64 = 1e-4;
 
-/// The law of the end and the cam that gives it. The law is found for `asked`, which is the problem itself, or the
-/// problem without the limits that leave none.
+/// The design of the law of the end and the cam that gives it.
 ///
 /// Limits of the program hold for the end; the cam's law differs from it by the follower's give. Where the
 /// cam breaks a limit, or keeps away from one that binds the end, the end's limit moves by as much and the
 /// law is found again.
-pub fn design(
-    problem: &Problem,
-    asked: &Problem,
-    search: &Search,
-    train: &Train,
-) -> Result<SizedLaw, NoLaw> {
-    let mut moved = asked.clone();
-    let mut best = one(problem, &moved, search, train)?;
+pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Design> {
+    let first = attempt(problem, search)?;
+    let mut best = Attempt {
+        refusal: first.refusal,
+        ..on_train(problem, first.law, train)?
+    };
+    let rounds = if best.refusal.is_none() { ROUNDS } else { 0 };
+    let mut moved = problem.clone();
     let mut last = best.clone();
-    for _ in 0..ROUNDS {
+    for _ in 0..rounds {
         if !move_limits(&last, &mut moved.limits) {
             break;
         }
-        last = match one(problem, &moved, search, train) {
-            Ok(round) => round,
+        last = match families::law(&moved, search) {
+            Ok(law) => on_train(problem, law, train)?,
             // Tightened limits may leave no law: then the checks of the round before show what is violated.
             Err(NoLaw::Refused(_)) => break,
-            Err(fault) => return Err(fault),
+            Err(NoLaw::Fault(fault)) => return Err(fault),
         };
-        if last.checked.broken().is_none() || best.checked.broken().is_some() {
+        if last.cam.broken().is_none() || best.cam.broken().is_some() {
             best = last.clone();
         }
     }
-    let wanted = best.checked.pressing().clone();
-    best.end = Some(end_of(problem, train, &best.checked.cam.law, wanted));
-    Ok(best)
+    let wanted = best.cam.pressing().clone();
+    let reports = Reports {
+        end: Some(end_of(problem, train, &best.cam.cam.law, wanted)),
+        ..Reports::default()
+    };
+    Ok(finished(problem, search, best, reports))
 }
 
-/// One round: the law under the limits as they stand, and its cam with the checks of the problem.
-fn one(
-    problem: &Problem,
-    moved: &Problem,
-    search: &Search,
-    train: &Train,
-) -> Result<SizedLaw, NoLaw> {
-    let law = families::law(moved, search)?;
+/// The law of the end on the cam that gives it, with the checks of the problem.
+fn on_train(problem: &Problem, law: SolvedLaw, train: &Train) -> Result<Attempt> {
     let key = |e: Error| e.at_key("law.polydyne");
     let whole = polydyne(&law.law, &problem.drive, train).map_err(key)?;
-    let checked = checked_cam(problem, &whole, None, Some(&law.law))?;
-    Ok(SizedLaw {
-        law,
-        checked,
-        end: None,
-    })
+    let cam = checked_cam(problem, &whole, None, Some(&law.law))?;
+    Ok(Attempt::of(law, cam))
 }
 
 /// Moves the end's limits by what the cam lacks or leaves of its own; `false` where none had to be.
-fn move_limits(sized: &SizedLaw, limits: &mut Limits) -> bool {
+fn move_limits(tried: &Attempt, limits: &mut Limits) -> bool {
     let mut any = false;
-    for check in &sized.checked.checks {
-        let binds = sized.law.binding.iter().any(|b| b.limit == check.name);
+    for check in &tried.cam.checks {
+        let binds = tried.law.binding.iter().any(|b| b.limit == check.name);
         let apart = check.worst - check.limit;
         let idle = binds && apart.abs() > NEAR * check.limit.abs();
         if check.pass && !idle {

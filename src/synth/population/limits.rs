@@ -5,7 +5,7 @@ use crate::criterion::{DependsOn, Direction, LimitKind};
 use crate::error::Result;
 use crate::problem::{Problem, Served, Walkers};
 use crate::synth::families::SolvedLaw;
-use crate::synth::sizing::checked_cam::{CheckedCam, checked_cam};
+use crate::synth::sizing::checked_cam::{CheckedCam, SizedCam};
 
 /// The problem at its reference machine whose limits on motion and force are those of the walker who needs most; `loads` is the
 /// part of the limits on loads that the reference machine may use.
@@ -35,14 +35,22 @@ pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
     out
 }
 
-/// A law on its cam, every limit checked at the machine of the walker for whom it is nearest to its bound.
+/// A law on the largest of the cams that the walkers need, each limit checked at the machine of its most critical walker.
 pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Result<CheckedCam> {
-    let (law, circle) = (&solved.law, solved.circle);
-    let mut out = checked_cam(problem, law, circle, None)?;
-    for walker in extremes(problem, walkers) {
-        let mut own = problem.clone();
-        own.required.drive = walker.drive;
-        let of_walker = checked_cam(&own, law, circle, None)?;
+    let extremes = extremes(problem, walkers).into_iter();
+    let machines: Vec<Problem> = extremes.map(|w| problem.with_drive(w.drive)).collect();
+    let sized = |own| SizedCam::of(own, &solved.law, solved.circle, None);
+    let mut largest = sized(problem)?;
+    for own in machines.iter().map(sized) {
+        let own = own?;
+        let radius = |sized: &SizedCam| sized.cam.follower.prime_radius();
+        if radius(&own) > radius(&largest) {
+            largest = own;
+        }
+    }
+    let mut out = largest.clone().checked(problem)?;
+    for own in &machines {
+        let of_walker = largest.clone().checked(own)?;
         for (worst, check) in out.checks.iter_mut().zip(of_walker.checks) {
             if worst.name == check.name && check.excess() > worst.excess() {
                 *worst = check;

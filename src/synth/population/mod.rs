@@ -12,23 +12,24 @@ pub mod phase;
 pub mod report;
 pub mod weights;
 
-use std::sync::Arc;
-
 use crate::cam::{Check, Criterion};
 use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::Extreme;
-use crate::problem::{Note, Problem, Walkers};
+use crate::problem::{Problem, Walkers};
 use crate::scene::{Family, LawSpec, Minimise, Robust};
+use crate::synth::attempt::{Attempt, attempt};
 use crate::synth::design::Design;
 use crate::synth::families::{self, SolvedLaw};
+use crate::synth::finish::{Reports, finished};
 use crate::synth::optimum::NoLaw;
+use crate::synth::phase::best as at_best_phase;
 use crate::synth::qp::{Certificate, PROVED};
 use crate::synth::report::proof::Doubt;
 use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
-use crate::synth::{SizedLaw, at_best_phase, finished, solved};
+use crate::synth::sizing::checked_cam::CheckedCam;
 use errors::{Aim, Nodes};
 use weights::Weights;
 
@@ -49,16 +50,16 @@ const SLACK: f64 = 1e-9;
 /// A setting that has no form for several walkers; as of one walker.
 pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result<Design> {
     refuse_unknown(problem, walkers)?;
-    let one = at_best_phase(&bare(problem), search)?;
-    let problem = &problem.at_phase(one.phase);
+    let phase = at_best_phase(&bare(problem), search)?.phase;
+    let problem = &problem.at_phase(phase);
     let walkers = problem.walkers.as_deref().unwrap_or(walkers);
     let mut loads = 1.0;
     for round in 0.. {
         let limited = limits::for_all(&bare(problem), walkers, loads);
         let found = Found::at_best_phases(&limited, search, walkers)?;
-        let checked = limits::checked(&unjudged(problem), walkers, &found.sized.law)?;
+        let checked = limits::checked(problem, walkers, &found.attempt.law)?;
         if let Some(part) = limits::less_loaded(&checked.checks).filter(|_| round < LOAD_ROUNDS)
-            && found.infeasible.is_none()
+            && found.attempt.refusal.is_none()
         {
             loads *= part * (1.0 - LOAD_ROOM);
             continue;
@@ -70,8 +71,7 @@ pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result
 
 /// Whether the force errors of several walkers are judged.
 pub fn is_judged(problem: &Problem) -> bool {
-    let several = problem.walkers.as_ref().is_some_and(|w| w.each.len() > 1);
-    several && problem.accuracy.is_some()
+    problem.serves_several() && problem.accuracy.is_some()
 }
 
 /// The problem of the mean of the walkers under the limits of all, as of one walker whose error is not judged.
@@ -82,21 +82,15 @@ pub fn of_mean(problem: &Problem) -> Problem {
     }
 }
 
-/// The reference problem alone.
+/// The reference problem alone. The force error of the mean is not judged: that of several walkers is.
 fn bare(problem: &Problem) -> Problem {
-    let mut out = unjudged(problem);
+    let mut out = if problem.serves_several() {
+        problem.without_accuracy()
+    } else {
+        problem.clone()
+    };
     out.walkers = None;
     out
-}
-
-/// The force error of the mean is not judged: that of the walkers is. One walker is today's design.
-fn unjudged(problem: &Problem) -> Problem {
-    let is_one = (problem.walkers.as_ref()).is_none_or(|w| w.each.len() == 1);
-    if is_one {
-        problem.clone()
-    } else {
-        problem.without_accuracy()
-    }
 }
 
 /// Settings without a form for several walkers.
@@ -129,8 +123,7 @@ fn refuse_unknown(problem: &Problem, walkers: &Walkers) -> Result<()> {
 
 /// The law for the walkers, with its evidence.
 struct Found {
-    sized: SizedLaw,
-    infeasible: Option<crate::synth::report::limited::Infeasible>,
+    attempt: Attempt,
     squares: Vec<f64>,
     upper: f64,
     lower: f64,
@@ -148,10 +141,10 @@ impl Found {
         let is_free = walkers.adjust.phase && walkers.each.len() > 1;
         let turns = if is_free { PHASE_ROUNDS } else { 0 };
         for _ in 0..turns {
-            if found.infeasible.is_some() || search.halt.is_asked() {
+            if found.attempt.refusal.is_some() || search.halt.is_asked() {
                 break;
             }
-            let force = phase::of_law(&limited.drive, &found.sized.law.law);
+            let force = phase::of_law(&limited.drive, &found.attempt.law.law);
             phases = walkers
                 .each
                 .iter()
@@ -182,7 +175,7 @@ impl Found {
             return Ok(best);
         }
         let mut larger = best.held(limited);
-        while best.infeasible.is_none() && !search.halt.is_asked() {
+        while best.attempt.refusal.is_none() && !search.halt.is_asked() {
             let law = &mut larger.law;
             let sizes = [&mut law.spans, &mut law.harmonics];
             let Some(size) = sizes.into_iter().flatten().next() else {
@@ -192,7 +185,7 @@ impl Found {
             let is_telling = *size >= families::TELLING;
             let next = Found::of(&larger, search, walkers)?;
             let gains = next.upper.sqrt() < (1.0 - families::WORTHWHILE) * best.upper.sqrt();
-            if next.infeasible.is_some() || is_telling && !gains {
+            if next.attempt.refusal.is_some() || is_telling && !gains {
                 break;
             }
             if gains {
@@ -204,7 +197,7 @@ impl Found {
 
     /// The problem whose laws have family and size of this one, where it is one of a size.
     fn held(&self, limited: &Problem) -> Problem {
-        let (mut out, law) = (limited.clone(), &self.sized.law);
+        let (mut out, law) = (limited.clone(), &self.attempt.law);
         if matches!(law.family, Family::Spline | Family::Harmonic) {
             hold(&mut out.law, law.family, &law.law, law.coefficients.len());
         }
@@ -213,25 +206,24 @@ impl Found {
 
     fn of(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
         let shares: Vec<f64> = walkers.each.iter().map(|w| w.share).collect();
-        let (sized, infeasible) = solved(&weighed(limited, walkers, &shares), search)?;
-        let nodes = Nodes::of(&sized.law.law);
+        let first = attempt(&weighed(limited, walkers, &shares), search)?;
+        let nodes = Nodes::of(&first.law.law);
         let aims: Vec<Aim> = walkers.each.iter().map(|w| nodes.aim(w)).collect();
         let mut weights = Weights::new(walkers.robust, &shares, &aims);
-        let mut laws = vec![sized.law.clone()];
+        let mut laws = vec![first.law.clone()];
         weights.take(
             &shares,
             nodes.force(&limited.drive, &laws[0].law),
             gap(&laws[0]),
         );
         let mut fixed = limited.clone();
-        let first = &laws[0];
         hold(
             &mut fixed.law,
-            first.family,
-            &first.law,
-            first.coefficients.len(),
+            laws[0].family,
+            &laws[0].law,
+            laws[0].coefficients.len(),
         );
-        let is_searched = infeasible.is_none() && walkers.robust != Robust::Mean;
+        let is_searched = first.refusal.is_none() && walkers.robust != Robust::Mean;
         while is_searched && !weights.is_proved() && laws.len() < ROUNDS && !search.halt.is_asked()
         {
             let combines = laws.iter().all(|law| law.solver.tier != Tier::Scp);
@@ -256,11 +248,10 @@ impl Found {
             lower: weights.lower,
             rounds: laws.len(),
             phases: vec![0.0; walkers.each.len()],
-            sized: SizedLaw {
+            attempt: Attempt {
                 law: combined(&weights.best, laws),
-                ..sized
+                ..first
             },
-            infeasible,
         })
     }
 
@@ -270,14 +261,13 @@ impl Found {
         problem: &Problem,
         search: &Search,
         walkers: &Walkers,
-        mut checked: crate::synth::sizing::checked_cam::CheckedCam,
+        checked: CheckedCam,
         is_tightened: bool,
     ) -> Result<Design> {
-        let mut sized = self.sized;
-        sized
-            .law
-            .functions
-            .raise(&mut sized.law.coefficients, checked.raised);
+        let mut attempt = Attempt {
+            refusal: self.attempt.refusal,
+            ..Attempt::of(self.attempt.law, checked)
+        };
         let phases: Vec<f64> = self.phases.iter().map(|p| problem.phase + p).collect();
         let mut report = report::report(walkers, &self.squares, &phases);
         report.rounds = self.rounds;
@@ -285,8 +275,8 @@ impl Found {
         let is_free = walkers.adjust.phase && walkers.each.len() > 1;
         report.bound_percent = is_free.then(|| 100.0 * phase::bound(walkers).max(0.0).sqrt());
         if walkers.each.len() > 1 {
-            checked.checks.extend(accuracy(problem, self.upper));
-            let solver = &mut sized.law.solver;
+            attempt.cam.checks.extend(accuracy(problem, self.upper));
+            let solver = &mut attempt.law.solver;
             if let Some(proof) = &mut solver.certificate {
                 proof.relative_gap = proof.relative_gap.max(report.gap);
                 proof.global_gap = proof.global_gap.map(|gap| gap.max(report.gap));
@@ -301,24 +291,11 @@ impl Found {
                 solver.doubt = solver.doubt.or(Some(why));
             }
         }
-        sized.checked = checked;
-        let mut design = finished(&unjudged(problem), search, sized, self.infeasible)?;
-        design.population = Some(report);
-        if walkers.each.len() > 1 {
-            // What would help is sought with the accuracy of the walkers, which is judged above.
-            let off = problem.limits.unjudged.accuracy;
-            let says_off = |note: &Note| {
-                matches!(
-                    note,
-                    Note::NotJudged {
-                        key: "accuracy.rms"
-                    }
-                )
-            };
-            design.notes.retain(|note| off || !says_off(note));
-            design.problem = Arc::new(problem.clone());
-        }
-        Ok(design)
+        let reports = Reports {
+            population: Some(report),
+            ..Reports::default()
+        };
+        Ok(finished(problem, search, attempt, reports))
     }
 }
 

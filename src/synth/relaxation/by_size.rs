@@ -2,11 +2,12 @@
 //! it exceeds the limit on the prime radius, and not only that it does.
 
 use super::relaxable::Relaxable;
-use crate::cam::{LimitKind, Verdict};
+use crate::cam::LimitKind;
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Design;
 use crate::synth::search::Search;
+use crate::synth::synthesis::kept;
 
 /// Trials of one value.
 const TRIALS: usize = 12;
@@ -37,7 +38,7 @@ impl<'a> BySize<'a> {
         }
         let open = problem.with(kind.into(), NO_LIMIT * most);
         let open = open.minimising(Minimise::Size);
-        let smallest = passing(&open, search)?;
+        let smallest = kept(&open, search).ok()??;
         (radius(&smallest) > most).then_some(BySize {
             open,
             search,
@@ -80,7 +81,7 @@ impl<'a> BySize<'a> {
                     fails + part * (inner - fails)
                 }
             };
-            let smallest = passing(&number.with(&self.open, value), self.search)?;
+            let smallest = kept(&number.with(&self.open, value), self.search).ok()??;
             let found = radius(&smallest) - self.most;
             if found > 0.0 && value == free {
                 return None;
@@ -118,10 +119,4 @@ impl<'a> BySize<'a> {
 
 fn radius(design: &Design) -> f64 {
     design.cam.follower.prime_radius()
-}
-
-/// The smallest cam of a problem, where it keeps every limit.
-fn passing(problem: &Problem, search: &Search) -> Option<Design> {
-    let design = crate::synth::passing_design(problem, search).ok()?;
-    (design.verdict != Verdict::Unacceptable).then_some(design)
 }

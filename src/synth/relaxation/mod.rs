@@ -21,6 +21,7 @@ use crate::synth::report::limited::{Conflicting, Relaxation};
 use crate::synth::report::reason::Reason;
 use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
+use crate::synth::synthesis;
 use crate::synth::verdict::verdict;
 use crate::units::Quantity;
 use beside::beside;
@@ -135,12 +136,10 @@ fn changed(problem: &Problem, values: &Values) -> Problem {
 /// A whole design that passes: where the accuracy is a limit, that of the least force error keeps it or none does, and is found
 /// soonest.
 fn passing(problem: &Problem, search: &Search) -> Option<Design> {
-    let search = search.for_passing_designs();
     let nearest = (problem.limited_error().is_some() && problem.law.family == Family::Spline)
         .then(|| problem.minimising(Minimise::ForceError));
     let problem = nearest.as_ref().unwrap_or(problem);
-    let design = crate::synth::passing_design(problem, &search).ok()?;
-    passes(&design).then_some(design)
+    synthesis::passing(problem, search).ok()?
 }
 
 struct Relaxing<'a> {
@@ -347,7 +346,7 @@ impl<'a> Relaxing<'a> {
         }
         let away = |&(number, from): &(Relaxable, f64)| (number, number.away(from, self.force));
         let free: Vec<(Relaxable, f64)> = numbers.iter().map(away).collect();
-        match crate::synth::design(&changed(self.problem, &free), self.search) {
+        match synthesis::design(&changed(self.problem, &free), self.search) {
             Ok(design) if !passes(&design) => {
                 let mut reasons = vec![Reason::NotTheLimits];
                 reasons.extend(design.reasons.into_iter().filter(|r| !known.contains(r)));

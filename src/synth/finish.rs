@@ -1,0 +1,94 @@
+//! The finished design: an attempt with its verdict, its notes, and what machine and population report.
+
+use std::sync::Arc;
+
+use super::attempt::Attempt;
+use super::design::Design;
+use super::families::stopped_at_noise;
+use super::report::end::End;
+use super::report::limited::Relaxation;
+use super::report::reason::Reason;
+use super::report::shaft::OnShaft;
+use super::report::walkers::OfPopulation;
+use super::search::Search;
+use super::{infeasible, sizing, verdict};
+use crate::cam::{Check, LimitKind, Verdict};
+use crate::dynamics::FloorMotion;
+use crate::problem::{Note, Problem};
+
+/// What a compliant follower, a motor, a moving floor and a population add to a design.
+#[derive(Default)]
+pub struct Reports {
+    pub end: Option<End>,
+    pub shaft: Option<OnShaft>,
+    pub floor: Option<FloorMotion>,
+    pub population: Option<OfPopulation>,
+    pub notes: Vec<Note>,
+    pub relaxations: Vec<Relaxation>,
+}
+
+/// The design of a problem.
+pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: Reports) -> Design {
+    let Attempt { law, cam, refusal } = attempt;
+    let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;
+    let infeasible = match refusal {
+        Some(refusal) => Some(infeasible::explain(problem, &refusal)),
+        None if cam.checks.iter().any(too_large) => infeasible::bore_against_size(problem),
+        None => None,
+    };
+    let (mut verdict, mut reasons) = verdict::verdict(problem, &cam.cam, &cam.checks, &cam.force);
+    if let Some(infeasible) = &infeasible {
+        verdict = Verdict::Unacceptable;
+        reasons.retain(|r| matches!(r, Reason::MeanForce { .. }));
+        reasons.extend(infeasible.reasons.iter().cloned());
+    }
+    let mut notes = problem.notes();
+    if matches!(reasons.first(), Some(Reason::MeanForce { .. })) {
+        notes.retain(|n| !matches!(n, Note::MeanForce { .. }));
+    }
+    if search.halt.is_asked() {
+        notes.push(Note::OutOfTime);
+    }
+    notes.extend(stopped_at_noise(problem, law.family));
+    let second = cam.conjugate.as_ref().map(|pair| &pair.second);
+    notes.extend(sizing::notes(problem, (&cam.cam, second), cam.pressing()));
+    let end = reports.end.as_ref();
+    notes.extend(end.map_or_else(Vec::new, |e| e.notes(problem.drive.speed)));
+    notes.extend(reports.notes);
+    Design {
+        name: problem.name.clone(),
+        shaft: reports.shaft,
+        floor: reports.floor,
+        population: reports.population,
+        phase: problem.phase,
+        weight_n: problem.weight_n,
+        band: problem.band.clone(),
+        target: problem.target.as_ref().map(|t| (*t.curve).clone()),
+        drive: problem.drive,
+        family: law.family.name().to_string(),
+        functions: law.functions,
+        coefficients: law.coefficients,
+        degree: law.degree,
+        cam: cam.cam,
+        end: reports.end,
+        conjugate: cam.conjugate,
+        groove: cam.groove,
+        bore: problem.cam.hole(),
+        mark: problem.cam.mark,
+        thickness: problem.cam.thickness,
+        making: problem.cam.making(),
+        force: cam.force,
+        infeasible,
+        relaxations: reports.relaxations,
+        together: Vec::new(),
+        verdict,
+        reasons,
+        checks: cam.checks,
+        binding: law.binding,
+        easing: law.easing,
+        solver: law.solver,
+        out_of_time: search.halt.is_asked(),
+        notes,
+        problem: Arc::new(problem.clone()),
+    }
+}

@@ -1,0 +1,244 @@
+//! A law for the speed that the motor gives the shaft, and for a floor that moves.
+//!
+//! The design at constant speed on a stiff floor is a motion in time. Run by the motor it fixes power and so ω(θ); at that
+//! speed the same motion in time is another law. The wanted force fixes z″ of the floor by one linear answer per harmonic. With
+//! ω(θ) and z″(θ) known the force is linear in the law ([`crate::problem`]): the program is solved again for what the law
+//! before makes of the machine, and so on; each round multiplies the change by about the ripple, and by what the law leaves of
+//! the target (theory §10).
+
+use super::added::Layout;
+use super::runner::{ROWS, Runner, angle, depends_on_speed, retimed};
+use crate::dynamics::FloorMotion;
+use crate::dynamics::fixed_point::{Round, Settled, largest_difference, settled};
+use crate::dynamics::machine_motion::MachineMotion;
+use crate::dynamics::shaft::Motion;
+use crate::error::{Placed, Result, SynthError};
+use crate::law::Law;
+use crate::problem::Problem;
+use crate::scene::{Family, ShaftSpeed};
+use crate::synth::attempt::{Attempt, attempt};
+use crate::synth::design::Design;
+use crate::synth::families::{SolvedLaw, TELLING};
+use crate::synth::finish::{Reports, finished};
+use crate::synth::report::shaft::{Forecast, OnShaft};
+use crate::synth::search::Search;
+use crate::synth::sizing::checked_cam::checked_cam;
+use crate::units::{Dimension, Quantity};
+
+/// Largest difference of target and force between what a law is designed for and what it makes, part of the mean, at which
+/// the design is final: where a limit depends on it or a floor moves, and at most; else this part of the accuracy.
+const SETTLED_AT_LIMITS: f64 = 1e-6;
+const SETTLED: f64 = 1e-4;
+const SETTLED_OF_ACCURACY: f64 = 0.1;
+/// Ripple at which the rounds usually agree.
+const CALM: f64 = 0.25;
+/// Rounds that come no nearer than one before them, after which the law gets more spans.
+const STALLED: usize = 3;
+
+/// One iterate: problem, law on its cam, and the motion that it makes of the machine.
+struct Iterate {
+    problem: Problem,
+    attempt: Attempt,
+    motion: MachineMotion,
+}
+
+/// The design of a problem, for the machine that it has; where limits leave no law at constant speed and the machine does not
+/// turn with the one without them, that one.
+///
+/// # Errors
+/// The shaft stops; the rounds do not contract; an undamped mode in resonance.
+pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
+    let (motor, floor) = (problem.machine.motor(), problem.machine.floor());
+    let first = attempt(problem, search)?;
+    let target = problem.target.as_ref().map(|t| &*t.curve);
+    let run = Runner::new(
+        problem,
+        &first.cam.cam,
+        target,
+        motor.as_ref(),
+        floor.as_ref(),
+    );
+    let found = run.and_then(|run| on_machine(problem, search, &first, &run));
+    if found.is_ok() || first.refusal.is_none() {
+        return found;
+    }
+    Ok(finished(problem, search, first, Reports::default()))
+}
+
+/// The design on its machine, with what that does.
+fn on_machine(problem: &Problem, search: &Search, first: &Attempt, run: &Runner) -> Result<Design> {
+    let law = &first.law.law;
+    let before = run.of_law(law, None)?;
+    let rows = before.shaft.clone().at_rows(ROWS);
+    let at_constant_speed = run.error(law, &before, &rows);
+    let forecast = run.forecast(problem, law);
+    let is_designed_for = |forecast: &Forecast| {
+        let fixed = problem.law.shaft == ShaftSpeed::Constant || forecast.is_negligible;
+        !fixed && !matches!(problem.law.family, Family::Program | Family::Polynomial)
+    };
+    let varies = forecast.as_ref().is_some_and(is_designed_for);
+    let floor = run.carrier.floor;
+    let has_force = floor.is_some() || !problem.machine.learned_force.is_empty();
+    let is_corrected = (varies || has_force) && problem.target.is_some();
+    let at_speed = if varies { run.clone() } else { run.evenly() };
+    let (mut last, rounds, contraction) = match is_corrected {
+        true => corrected(first, before, &at_speed, problem, search)?,
+        false => {
+            let plain = Iterate {
+                problem: problem.clone(),
+                attempt: first.clone(),
+                motion: before,
+            };
+            (plain, 0, None)
+        }
+    };
+    if is_corrected && !varies {
+        last.motion = run.of_law(&last.attempt.cam.cam.law, None)?;
+    }
+    let mut reports = Reports {
+        floor: floor.map(|_| FloorMotion::of(&last.motion.floor)),
+        ..Reports::default()
+    };
+    if let Some((motor, forecast)) = run.carrier.motor.zip(forecast) {
+        let law = &last.attempt.cam.cam.law;
+        let shaft = &last.motion.shaft;
+        let supply = shaft.check_supply(motor);
+        supply.map_err(|e| e.at_key("machine.motor"))?;
+        let rows = shaft.clone().at_rows(ROWS);
+        let force_time = run.error(law, &last.motion, &rows);
+        if let Some((note, relaxation)) = run.inertia_for_accuracy(&last.problem, law, force_time) {
+            reports.notes.push(note);
+            reports.relaxations.push(relaxation);
+        }
+        let report = shaft.report(motor, law.extremes(0).0.at);
+        reports.shaft = report.map(|shaft| OnShaft {
+            shaft,
+            force_time,
+            at_constant_speed,
+            rounds,
+            contraction,
+            forecast,
+            speed: rows.speed,
+            time: rows.time,
+            target: run.wanted.cloned(),
+        });
+    }
+    Ok(finished(&last.problem, search, last.attempt, reports))
+}
+
+/// The last round from the law for constant speed and its motion, judged in the state of the machine that it is settled in; with
+/// the number of rounds and the factor between their last changes.
+fn corrected(
+    first: &Attempt,
+    before: MachineMotion,
+    run: &Runner,
+    problem: &Problem,
+    search: &Search,
+) -> Result<(Iterate, usize, Option<f64>)> {
+    let (settled, layout) = rounds(first, before, run, problem, search)?;
+    let mut last = settled.design;
+    if let Some(state) = &settled.made {
+        let (phases, extra) = layout.extra(problem, state);
+        last.problem = problem.on_shaft(&phases, extra);
+        last.attempt.cam = checked_cam(
+            &last.problem,
+            &last.attempt.law.law,
+            last.attempt.law.circle,
+            None,
+        )?;
+    }
+    if run.carrier.motor.is_some() {
+        let force = &mut last.attempt.cam.force;
+        force.target_mean_n = problem.target_mean();
+        force.mean_n = mean_over_time(&last.problem, &last.attempt.law.law, &last.motion.shaft);
+    }
+    Ok((last, settled.rounds, settled.contraction))
+}
+
+/// Mean over the period of the force of a law, N.
+fn mean_over_time(problem: &Problem, law: &Law, shaft: &Motion) -> f64 {
+    let (mut sum, mut all) = (0.0, 0.0);
+    for x in (0..ROWS).map(angle) {
+        let time = 1.0 / shaft.speed_at(x)[0];
+        sum += time * (problem.drive.force(law.svaj(x)) + problem.extra_force(x));
+        all += time;
+    }
+    sum / all
+}
+
+/// Designs for the machine that the design before makes, from that of a law for constant speed on a stiff floor, until both
+/// agree.
+fn rounds(
+    first: &Attempt,
+    before: MachineMotion,
+    run: &Runner,
+    problem: &Problem,
+    search: &Search,
+) -> Result<(Settled<Iterate>, Layout)> {
+    let law = &first.law.law;
+    let diverges = |motion: &MachineMotion, contraction: Option<f64>| {
+        let speed = problem.drive.speed;
+        let calm = CALM.min(0.5 * motion.shaft.ripple());
+        let inertia = run.load_of_law(law).swing(speed) / (calm * speed * speed);
+        let fault = SynthError::ShaftDiverges {
+            inertia: Quantity::new(inertia, Dimension::Inertia),
+            ripple: Quantity::share(motion.shaft.ripple()),
+            calm: Quantity::share(calm),
+            contraction: contraction.unwrap_or(1.0),
+        };
+        fault.at_key("machine.inertia")
+    };
+    // The motion in time of a law for constant speed may stop a small wheel that the law itself turns.
+    let start = run.in_time(law, before.clone());
+    let mut motion = start.map_err(|_| diverges(&before, None))?;
+    let is_exact = depends_on_speed(problem) || run.carrier.floor.is_some();
+    let layout = Layout::new(problem, law, run.carrier.motor.is_some(), is_exact);
+    let state = layout.state(problem, &motion, &|x| retimed(law, &motion.shaft, x));
+    let allowed = if is_exact {
+        SETTLED_AT_LIMITS
+    } else {
+        let accuracy = problem
+            .allowed_error()
+            .map_or(0.0, |most| most / problem.target_mean());
+        (SETTLED_OF_ACCURACY * accuracy).max(SETTLED_AT_LIMITS)
+    };
+    // A round has no fewer spans than the one before, so that what depends on their number stays the same; and more, where
+    // rounds come no nearer with so few that very different laws are nearly as good.
+    let mut search = search.clone();
+    search.least_spans = first.law.spans;
+    let (mut nearest, mut stalled) = (f64::INFINITY, 0);
+    let last = settled(state, allowed, |state| {
+        let (phases, extra) = layout.extra(problem, state);
+        let own = problem.on_shaft(&phases, extra);
+        let attempt = attempt(&own, &search)?;
+        let SolvedLaw { law, spans, .. } = &attempt.law;
+        // A law of a round may stop the shaft that the first one does not.
+        motion = match run.of_law(law, Some(&motion)) {
+            Ok(next) => next,
+            Err(fault) if run.carrier.motor.is_none() => return Err(fault),
+            Err(_) => return Err(diverges(&motion, None)),
+        };
+        let made = layout.state(problem, &motion, &|x| law.svaj(x));
+        let off = largest_difference(&made, state);
+        stalled = if off < nearest { 0 } else { stalled + 1 };
+        nearest = off.min(nearest);
+        search.least_spans = match stalled < STALLED {
+            true => *spans,
+            false => (*spans).max(TELLING.min(2 * spans)),
+        };
+        Ok(Round {
+            made,
+            has_law: attempt.refusal.is_none(),
+            design: Iterate {
+                problem: own,
+                attempt,
+                motion: motion.clone(),
+            },
+        })
+    })?;
+    let disagrees = last.difference > allowed.max(SETTLED) && last.design.attempt.refusal.is_none();
+    if disagrees && run.carrier.motor.is_some() {
+        return Err(diverges(&last.design.motion, last.contraction));
+    }
+    Ok((last, layout))
+}

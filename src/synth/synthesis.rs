@@ -1,0 +1,73 @@
+//! From a problem to its design: one force or many walkers, a plain machine or one whose motion depends on the cam.
+
+use super::attempt::{attempt, under_limits};
+use super::design::Design;
+use super::finish::{Reports, finished};
+use super::machine;
+use super::optimum::NoLaw;
+use super::phase;
+use super::population;
+use super::search::Search;
+use super::sizing::check_arm;
+use crate::cam::Verdict;
+use crate::error::Result;
+use crate::problem::Problem;
+
+/// The design of a problem, complete even where no law keeps its limits.
+///
+/// # Errors
+/// Faults of the input.
+pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
+    check_arm(problem)?;
+    let is_plain = !machine::responds(problem);
+    let walkers = problem.walkers.as_deref();
+    if let Some(walkers) = walkers.filter(|w| w.each.len() > 1 || is_plain) {
+        return population::designed(problem, search, walkers);
+    }
+    let problem = &*phase::best(problem, search)?;
+    if !is_plain {
+        return machine::designed(problem, search);
+    }
+    let plain = attempt(problem, search)?;
+    Ok(finished(problem, search, plain, Reports::default()))
+}
+
+/// A design that keeps every limit, not the best of them: soon enough to follow a hand. `None` where none is found.
+///
+/// ```
+/// use gaitcam::synth::{Search, passing};
+/// use gaitcam::{Problem, scene};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let at = |stroke| -> gaitcam::error::Result<_> {
+///     let scene = scene.with("limits.stroke", stroke)?;
+///     passing(&Problem::resolve(&scene, scene.model_force()?.as_ref())?, &Search::default())
+/// };
+/// assert!(at("60 mm")?.is_some());
+/// assert!(at("1 mm")?.is_none());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Faults of the input.
+pub fn passing(problem: &Problem, search: &Search) -> Result<Option<Design>> {
+    kept(problem, &search.for_passing_designs())
+}
+
+/// The design of a problem where it keeps every limit; why there is none is not looked for.
+///
+/// # Errors
+/// Faults of the input.
+pub fn kept(problem: &Problem, search: &Search) -> Result<Option<Design>> {
+    let design = if machine::responds(problem) || population::is_judged(problem) {
+        Some(design(problem, search)?)
+    } else {
+        let problem = phase::best(&population::of_mean(problem), search)?.into_owned();
+        match under_limits(&problem, search) {
+            Ok(plain) => Some(finished(&problem, search, plain, Reports::default())),
+            Err(NoLaw::Refused(_)) => None,
+            Err(NoLaw::Fault(fault)) => return Err(fault),
+        }
+    };
+    Ok(design.filter(|design| design.verdict != Verdict::Unacceptable))
+}
