@@ -33,7 +33,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let design = synthesise(&scene, Some(&target))?;
 
     let (law, cam) = (&design.cam.law, &design.cam);
-    println!("{}: {}", design.name, design.verdict.name());
+    println!("{}: {}", design.problem.name, design.verdict.name());
     println!("stroke {:.2} mm", 1e3 * law.stroke());
     println!("base radius {:.2} mm", 1e3 * cam.follower.base_radius());
     println!("force error {:.3} N RMS", design.force.rms_error_n);

@@ -34,7 +34,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     };
     let design = synthesise(&scene, None)?;
 
-    println!("{}: {}", design.name, design.verdict.name());
+    println!("{}: {}", design.problem.name, design.verdict.name());
     for check in &design.checks {
         let outcome = if check.pass { "ok" } else { "fails" };
         println!(

@@ -22,7 +22,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     };
     let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 
-    let run = Run::new(design.cam.clone(), design.drive, 1440);
+    let run = Run::new(design.cam.clone(), design.problem.drive, 1440);
     let outcome = simulate(&run, Model::Auto)?;
     println!("model: {}", outcome.model.name());
     let force = outcome.force;

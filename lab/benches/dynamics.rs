@@ -71,7 +71,7 @@ fn run_on_a_shaft(bencher: divan::Bencher, shaft: &str) {
     let mut scene = on_shaft(shaft);
     scene.law.shaft = ShaftSpeed::Constant;
     let design = scene.design().expect("a design");
-    let run = design.emitted(&scene.machine, design.drive);
+    let run = design.emitted(&scene.machine, design.problem.drive);
     let run = run.expect("a rigid machine");
     bencher.bench(|| simulate(&run, Model::Rigid));
 }

@@ -167,7 +167,11 @@ impl Design {
     fn motion(slf: &Bound<'_, Self>) -> PyResult<Law> {
         let own = slf.get().shown()?;
         let design = slf.clone().into_any().unbind();
-        Ok(Law::of_design(&own.family, own.cam.law.clone(), design))
+        Ok(Law::of_design(
+            own.family.name(),
+            own.cam.law.clone(),
+            design,
+        ))
     }
 
     /// The scene that the design answers, with the force that was given.

@@ -59,20 +59,21 @@ pub fn simulate(
     if let Some(why) = cam.no_cam(Language::En) {
         return Err(NoSuchCam::new_err(why));
     }
-    let (spec, mut judged) = match machine {
+    let (spec, judged) = match machine {
         None => (design.input.scene.machine.clone(), cam.clone()),
         Some(changes) => machine_of(py, design, changes)?,
     };
-    let drive = judged.drive;
+    let drive = judged.problem.drive;
     let outcome = py.detach(|| dynamics::simulate(&judged.emitted(&spec, drive)?, model));
     let outcome = outcome.raise(py)?;
-    if outcome.contact_lost {
-        judged.loses_contact(outcome.lost_fraction);
-    }
+    let judged = match outcome.contact_lost {
+        true => judged.losing_contact(outcome.lost_fraction),
+        false => judged,
+    };
     Ok(Run {
         outcome,
         verdict: judged.verdict.name(),
-        name: judged.name,
+        name: judged.problem.name.clone(),
         design: made.clone().unbind(),
         asked: model,
         machine: machine.map(|m| m.copy()).transpose()?.map(Bound::unbind),
@@ -94,8 +95,7 @@ fn machine_of(
     }
     let scene = Scene::of_input(design.input.clone()).changed(py, changes)?;
     let scene = scene.input.scene;
-    let mut cam = design.shown()?.clone();
-    put_on(&mut cam, &scene).raise(py)?;
+    let (cam, _) = put_on(design.shown()?.clone(), &scene).raise(py)?;
     Ok((scene.machine, cam))
 }
 

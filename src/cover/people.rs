@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::error::Result;
 use crate::force::{ForceCurve, Population, Walker};
 use crate::problem::Problem;
-use crate::scene::{ErrorMeasure, Family, Robust, Scene};
+use crate::scene::{ErrorMeasure, Robust, Scene};
 use crate::synth::population::{alone::Point, hold};
 use crate::synth::{Design, Search, design};
 
@@ -80,11 +80,9 @@ impl<'a> People<'a> {
 /// The scene whose laws have family and size of a design.
 fn of_size(scene: &Scene, design: &Design) -> Scene {
     let mut out = scene.clone();
-    let family = Family::ALL.iter().find(|f| f.name() == design.family);
-    let family = family.copied().unwrap_or(scene.law.family);
     hold(
         &mut out.law,
-        family,
+        design.family,
         &design.cam.law,
         design.coefficients.len(),
     );

@@ -75,7 +75,7 @@ impl Under {
     /// # Errors
     /// A problem of one cycle.
     pub fn of(problem: &Problem, design: &Design) -> Result<Under> {
-        let problem = problem.at_phase(design.phase);
+        let problem = problem.at_phase(design.problem.phase);
         let walkers = problem.walkers.as_deref().ok_or_else(one_walker)?;
         let law = &design.cam.law;
         let mut phases = vec![0.0; walkers.each.len()];
@@ -95,7 +95,7 @@ impl Under {
         let aims: Vec<Aim> = each.iter().map(|w| nodes.aim(w)).collect();
         let squares: Vec<f64> = aims.iter().map(|aim| aim.square(&force)).collect();
         let parts = aims.iter().map(|aim| nodes.parts(aim, &force)).collect();
-        phases.iter_mut().for_each(|p| *p += design.phase);
+        phases.iter_mut().for_each(|p| *p += design.problem.phase);
         let report = report(walkers, &squares, &phases);
         Ok(Under {
             squares,

@@ -134,8 +134,8 @@ impl Parameter {
 /// let mut text = String::from("theta_rad,time_s,force_n\n");
 /// for i in 0..4000 {
 ///     let (time, scatter) = (0.002 * f64::from(i), f64::from(i * 7919 % 101) / 25.0 - 2.0);
-///     let theta = design.drive.speed * time;
-///     let a = design.cam.law.svaj(theta).a * design.drive.speed.powi(2);
+///     let theta = design.problem.drive.speed * time;
+///     let a = design.cam.law.svaj(theta).a * design.problem.drive.speed.powi(2);
 ///     text += &format!("{theta},{time},{}\n", 73.0 * (9.81 + a) + 5.0 + scatter);
 /// }
 /// let found = identify(&design, &scene, &Log::read("log.csv".as_ref(), text.as_bytes())?)?;
@@ -208,7 +208,7 @@ fn identified(design: &Design, scene: &Scene, fitted: &Fitted) -> Identified {
     let Fitted {
         cycles, terms, fit, ..
     } = fitted;
-    let lever = design.drive.lever;
+    let lever = design.problem.drive.lever;
     let mut parameters: Vec<Parameter> = (terms.iter().zip(&fit.each))
         .map(|(t, found)| match t.effect {
             Effect::Compliance => Parameter::inverse(t.key, *found),
@@ -231,7 +231,7 @@ fn identified(design: &Design, scene: &Scene, fitted: &Fitted) -> Identified {
         let values = fitted.clock.at_angles(harmonics);
         values
             .into_iter()
-            .map(|f| design.drive.newtons(f))
+            .map(|f| design.problem.drive.newtons(f))
             .collect()
     };
     Identified {
@@ -250,16 +250,16 @@ fn identified(design: &Design, scene: &Scene, fitted: &Fitted) -> Identified {
 impl Fitted {
     fn of(design: &Design, scene: &Scene, log: &Log) -> Result<Fitted> {
         let law = design.pressing();
-        if !law.is_closed() || law.extent() != (0.0, TAU) || design.drive.speed <= 0.0 {
+        if !law.is_closed() || law.extent() != (0.0, TAU) || design.problem.drive.speed <= 0.0 {
             return Err(log.refused(LogError::NoTurn));
         }
-        let speed = design.drive.speed;
+        let speed = design.problem.drive.speed;
         let still = Clock::steady(design);
         let machine = Machine::new(design, scene, &still);
         let wanted = still.harmonics(&machine.nominal_force(), ANGLES / 4 + 1);
         let mut cycles = Cycles::of(log, speed, held(&wanted))?;
-        if design.drive.lever != 1.0 {
-            let lever = design.drive.lever;
+        if design.problem.drive.lever != 1.0 {
+            let lever = design.problem.drive.lever;
             cycles.force = cycles.force.map(|c| c.iter().map(|f| lever * f).collect());
             cycles.noise_rms *= lever;
         }
@@ -315,7 +315,7 @@ impl Clock {
         Clock::of(
             design,
             &Cycles {
-                speed: design.drive.speed,
+                speed: design.problem.drive.speed,
                 by_angle: false,
                 force: none,
                 shaft: None,
@@ -350,7 +350,7 @@ fn check_size(
 ) -> Result<()> {
     let size = |x: &[f64]| fit::dot(&x[1..], &x[1..]).sqrt();
     let (found, known) = (size(measured), size(wanted));
-    let newtons = |x: f64| Quantity::force(design.drive.newtons(x / 2.0_f64.sqrt()));
+    let newtons = |x: f64| Quantity::force(design.problem.drive.newtons(x / 2.0_f64.sqrt()));
     let ratio = found / known;
     if ratio < NO_FORCE * 1e-3 {
         let (found, expected) = (newtons(found), newtons(known));

@@ -43,7 +43,7 @@ impl Clock {
                 angles.map(|x| value(&shaft.mean, x)).collect()
             }
             _ => {
-                let part = mean / design.drive.speed.abs();
+                let part = mean / design.problem.drive.speed.abs();
                 angles.map(|x| part * design.speed_and_time(x).0).collect()
             }
         };
@@ -148,7 +148,7 @@ pub(super) enum Effect {
 
 /// The parameters of a machine: what its scene has, the friction of its guide, and the zero of the load cell.
 pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
-    let drive = &design.drive;
+    let drive = &design.problem.drive;
     let on_arm = design.cam.follower.is_oscillating();
     let term = |key, nominal, effect| Term {
         key,
@@ -216,8 +216,8 @@ pub(super) struct Machine<'a> {
 impl<'a> Machine<'a> {
     pub fn new(design: &'a Design, scene: &Scene, clock: &'a Clock) -> Machine<'a> {
         let spec = &scene.drive;
-        let spring_unit = match design.drive.kind {
-            DriveKind::Hydraulic => design.drive.spring_rate / spec.pressure_per_volume,
+        let spring_unit = match design.problem.drive.kind {
+            DriveKind::Hydraulic => design.problem.drive.spring_rate / spec.pressure_per_volume,
             DriveKind::MovingAxis | DriveKind::FixedAxis => 1.0,
         };
         Machine {
@@ -273,7 +273,7 @@ impl<'a> Machine<'a> {
 
     /// Change of the force per compliance of the train: the mass follows s − F/k₁.
     fn compliance(&self) -> Vec<f64> {
-        let drive = &self.design.drive;
+        let drive = &self.design.problem.drive;
         let own: Vec<f64> = self
             .motion()
             .map(|(at, w, rate)| force(drive, at, w, rate))
@@ -291,7 +291,7 @@ impl<'a> Machine<'a> {
 
     /// The force that the design has at this speed, at equal angles: of its drive, and what was learned before.
     pub fn nominal_force(&self) -> Vec<f64> {
-        let (drive, problem) = (&self.design.drive, &self.design.problem);
+        let (drive, problem) = (&self.design.problem.drive, &self.design.problem);
         let learned = (0..ANGLES).map(|i| problem.learned_force(angle(i)));
         let own = self.motion().map(|(at, w, rate)| force(drive, at, w, rate));
         own.zip(learned).map(|(f, r)| f + r).collect()

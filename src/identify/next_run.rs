@@ -71,7 +71,7 @@ pub(super) fn next_run(
         .iter()
         .fold(0.0_f64, |m, v| m.max(*v));
     let variance = noise + fitted.fit.component;
-    let mass = design.drive.mass;
+    let mass = design.problem.drive.mass;
     let faster = SPEEDS.map(|by| {
         (
             Change::Speed {

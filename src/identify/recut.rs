@@ -58,7 +58,7 @@ pub fn recut(
     log: &Log,
     search: &Search,
 ) -> Result<(Scene, Recut, Identified)> {
-    let Some(target) = &design.target else {
+    let Some(target) = design.target() else {
         return Err(log.refused(LogError::NoTarget));
     };
     let fitted = Fitted::of(design, scene, log)?;
@@ -66,7 +66,7 @@ pub fn recut(
     let clock = &fitted.clock;
     let (measured, count) = (&fitted.fit.measured, fitted.cycles.force.mean.len());
     let noise = measured.variance();
-    let from = usize::from(design.drive.kind == DriveKind::MovingAxis);
+    let from = usize::from(design.problem.drive.kind == DriveKind::MovingAxis);
     // The wanted force is one over time: by the cam angle it is another where the speed varies than the design took it for.
     let in_time = design.target_in_time().unwrap_or(target);
     let wanted: Vec<f64> = clock.time.iter().map(|t| in_time.at(*t)).collect();
@@ -83,10 +83,10 @@ pub fn recut(
         false => AGAIN,
     };
     let speed = fitted.cycles.speed;
-    let part = |n: usize| whole * convergent(&design.drive, n as f64 * speed);
+    let part = |n: usize| whole * convergent(&design.problem.drive, n as f64 * speed);
     let (learned, left) = shrunk(&news, &noise, from, band, part);
     if learned.iter().all(|x| *x == 0.0) {
-        let newtons = |x: f64| Quantity::force(design.drive.newtons(x));
+        let newtons = |x: f64| Quantity::force(design.problem.drive.newtons(x));
         let scatter: f64 = noise[1..].iter().sum();
         let (residual, noise) = (newtons(rms(&news, from)), newtons((0.5 * scatter).sqrt()));
         return Err(log.refused(LogError::Noise { residual, noise }));
@@ -124,11 +124,12 @@ pub fn recut(
         made = synth::design(&Problem::resolve(&next, force)?, search)?;
     }
     let after = design
+        .problem
         .drive
         .newtons(left)
-        .hypot(design.drive.newtons(made.force.rms_error_n));
+        .hypot(design.problem.drive.newtons(made.force.rms_error_n));
     let recut = Recut {
-        before_rms_n: design.drive.newtons(before),
+        before_rms_n: design.problem.drive.newtons(before),
         predicted_rms_n: after,
     };
     Ok((next, recut, found))
@@ -139,7 +140,7 @@ fn joined(design: &Design, news: &[f64], band: usize, from: usize) -> Vec<Harmon
     let problem = &design.problem;
     let sum: Vec<f64> = (0..ANGLES)
         .map(|i| problem.learned_force(angle(i)) + news[i])
-        .map(|f| design.drive.newtons(f))
+        .map(|f| design.problem.drive.newtons(f))
         .collect();
     let terms = amplitudes(&sum);
     let mean = if from == 0 { terms[0].0 } else { 0.0 };

@@ -1,8 +1,9 @@
-//! A problem with another value of what searches change: a limit, the accuracy, a size of the cam.
+//! Variants of a problem: each constructor returns a new one that differs in what its name says.
 
 use super::Problem;
 use crate::cam::{Criterion, LimitKind};
 use crate::drive::Drive;
+use crate::scene::{LawSpec, Limits, Minimise};
 
 impl Problem {
     /// The value of a limit, of the accuracy or of a given size; `None` where the problem leaves it open.
@@ -36,6 +37,63 @@ impl Problem {
             _ => {}
         }
         out
+    }
+
+    /// The same problem under other limits.
+    #[must_use]
+    pub fn with_limits(&self, limits: Limits) -> Problem {
+        let mut out = self.clone();
+        out.limits = limits;
+        out
+    }
+
+    /// The same problem for a law of another family, size or objective.
+    #[must_use]
+    pub fn with_law(&self, law: LawSpec) -> Problem {
+        let mut out = self.clone();
+        out.law = law;
+        out
+    }
+
+    /// The same problem with the follower's line at an offset, m.
+    #[must_use]
+    pub fn at_offset(&self, offset: f64) -> Problem {
+        let mut out = self.clone();
+        out.cam.offset = Some(offset);
+        out
+    }
+
+    /// The same for the mean of its walkers as for one force; of several walkers its error is not judged.
+    #[must_use]
+    pub fn of_mean(&self) -> Problem {
+        let mut out = self.clone();
+        out.limits.unjudged.accuracy |= self.serves_several();
+        out.walkers = None;
+        out
+    }
+
+    /// The same whose force error is not judged.
+    #[must_use]
+    pub fn without_accuracy(&self) -> Problem {
+        let mut out = self.clone();
+        out.limits.unjudged.accuracy = true;
+        out
+    }
+
+    /// The same with another objective.
+    #[must_use]
+    pub fn minimising(&self, objective: Minimise) -> Problem {
+        let mut out = self.clone();
+        out.law.minimise = Some(objective);
+        out
+    }
+
+    /// The same with its force and demands, but without a limit, an accuracy and a band.
+    #[must_use]
+    pub fn without_limits(&self) -> Problem {
+        let mut out = self.clone();
+        (out.limits, out.band) = (Limits::default(), None);
+        out.without_accuracy()
     }
 
     /// The same problem on another drive.

@@ -14,6 +14,8 @@ mod on_shaft;
 mod requirements;
 mod size;
 mod target;
+#[cfg(test)]
+mod tests;
 mod walkers;
 
 use cycle::Cycle;
@@ -36,9 +38,7 @@ use crate::dynamics::Train;
 use crate::error::{Placed, Result, SynthError};
 use crate::force::{self, ForceCurve, OpenQuestion};
 use crate::law::Rise;
-use crate::scene::{
-    Family, Gait, Limits, MachineSpec, Minimise, Phase, PhaseWeight, Scene, Source,
-};
+use crate::scene::{Family, Gait, MachineSpec, Minimise, Phase, PhaseWeight, Scene, Source};
 use crate::units::G;
 
 /// Degree of spline laws; two more at the end of a damped polydyne follower, whose cam takes derivatives of the force up
@@ -79,8 +79,6 @@ pub struct Problem {
     pub length: f64,
     /// What is known of the machine beyond its drive.
     pub machine: MachineSpec,
-    /// The law has to stay above the base circle; dropped only to show what demands ask that cannot.
-    pub above_base_circle: bool,
     /// What is open about the recording and was not accepted.
     pub open_questions: Vec<(OpenQuestion, Vec<force::Note>)>,
     /// Weight of the walker that the target is of, N, scaled as the target is; `None` without a force.
@@ -170,7 +168,6 @@ impl Problem {
             phase: at,
             phase_is_free: cycle.is_some() && phase == Phase::Free,
             machine: scene.machine.clone(),
-            above_base_circle: true,
             open_questions: open_questions(gait, force),
             weight_n,
             walkers: walkers.map(|all| match at {
@@ -195,30 +192,6 @@ impl Problem {
         let turned = |all: &Arc<Walkers>| Arc::new(all.begun_at(phase - self.phase));
         out.walkers = self.walkers.as_ref().map(turned);
         out
-    }
-
-    /// The same whose force error is not judged.
-    #[must_use]
-    pub fn without_accuracy(&self) -> Problem {
-        let mut out = self.clone();
-        out.limits.unjudged.accuracy = true;
-        out
-    }
-
-    /// The same with another objective.
-    #[must_use]
-    pub fn minimising(&self, objective: Minimise) -> Problem {
-        let mut out = self.clone();
-        out.law.minimise = Some(objective);
-        out
-    }
-
-    /// The same with its force and demands, but without a limit, an accuracy and a band.
-    #[must_use]
-    pub fn without_limits(&self) -> Problem {
-        let mut out = self.clone();
-        (out.limits, out.band) = (Limits::default(), None);
-        out.without_accuracy()
     }
 
     /// What the law minimises: the force error where there is a target and no band, jerk otherwise.

@@ -8,9 +8,13 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use super::{Problem, Target};
+use crate::drive::Drive;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
+
+/// Parts of the period that differ from the cam angle by less, rad, are those of a constant speed.
+const EVEN: f64 = 1e-9;
 
 /// What a varying speed, or a floor that moves, adds by the cam angle.
 ///
@@ -28,7 +32,7 @@ use crate::poly::{Extreme, PiecewisePoly};
 /// assert!((targets[0] - targets[1] - 10.0).abs() < 1e-3);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Extra {
     /// Δ, N.
     pub force: PiecewisePoly,
@@ -67,14 +71,18 @@ impl Extra {
 /// assert_eq!(shaft.force_rate.eval(1.0), 0.0);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct OnShaft {
     /// What is added.
     pub extra: Extra,
     /// dΔ/dθ, N/rad.
     pub force_rate: PiecewisePoly,
-    /// The target, N.
+    /// The target by the cam angle, N.
     pub target: ForceCurve,
+    /// The target over the period, N.
+    pub in_time: Arc<ForceCurve>,
+    /// The band over the period, N.
+    pub band: Option<[ForceCurve; 2]>,
 }
 
 impl Problem {
@@ -94,8 +102,10 @@ impl Problem {
             curve.with_forces(forces.map(|(f, x)| f - x).collect())
         };
         let mut out = self.clone();
-        let target = self.target.as_ref().map(|t| (&*t.curve, at_cam(t)));
+        let target = self.target.as_ref().map(|t| (&t.curve, at_cam(t)));
         out.target = (target.as_ref()).map(|(curve, forces)| Target::new(less(curve, forces)));
+        let is_even = |(i, phase): (usize, &f64)| (phase - step * i as f64).abs() < EVEN;
+        let varies = !phases.iter().enumerate().all(is_even);
         let edge = |curve: &ForceCurve| less(curve, &at_cam(&Target::new(curve.clone())));
         out.band = self.band.as_ref().map(|edges| edges.each_ref().map(edge));
         out.phase_is_free = false;
@@ -108,7 +118,12 @@ impl Problem {
             Arc::new(OnShaft {
                 force_rate: extra.force.derivative(),
                 extra,
-                target: curve.with_forces(forces),
+                target: match varies {
+                    true => curve.with_forces(forces),
+                    false => (**curve).clone(),
+                },
+                in_time: Arc::clone(curve),
+                band: self.band.clone(),
             })
         });
         out
@@ -125,9 +140,40 @@ impl Problem {
         self.drive.lever * self.machine.learned_at(theta)
     }
 
-    /// A target over time at the cam angles.
-    pub fn target_at_cam<'a>(&'a self, target: &'a ForceCurve) -> &'a ForceCurve {
-        self.on_shaft.as_ref().map_or(target, |shaft| &shaft.target)
+    /// The target by the cam angle, whatever speed and floor add to the force.
+    pub fn target_at_cam(&self) -> Option<&ForceCurve> {
+        let shaft = self.on_shaft.as_ref().map(|shaft| &shaft.target);
+        shaft.or(self.target.as_ref().map(|target| &*target.curve))
+    }
+
+    /// The target over the period.
+    pub fn target_in_time(&self) -> Option<&ForceCurve> {
+        let shaft = self.on_shaft.as_ref().map(|shaft| &*shaft.in_time);
+        shaft.or(self.target.as_ref().map(|target| &*target.curve))
+    }
+
+    /// The band over the period.
+    pub fn band_in_time(&self) -> Option<&[ForceCurve; 2]> {
+        let shaft = self.on_shaft.as_ref();
+        shaft.map_or(self.band.as_ref(), |shaft| shaft.band.as_ref())
+    }
+
+    /// The same on another drive, against another target over the period; what speed and floor add stays.
+    #[must_use]
+    pub fn against(&self, drive: Drive, target: Option<ForceCurve>) -> Problem {
+        let mut out = self.with_drive(drive);
+        let curve = target.map(Arc::new);
+        out.on_shaft = self
+            .on_shaft
+            .as_ref()
+            .zip(curve.clone())
+            .map(|(shaft, curve)| {
+                let mut own = OnShaft::clone(shaft);
+                (own.target, own.in_time) = ((*curve).clone(), curve);
+                Arc::new(own)
+            });
+        out.target = curve.map(Target::new);
+        out
     }
 
     /// The force of a law over the turn, N, as a piecewise polynomial with exact extremes.

@@ -13,7 +13,7 @@ use super::search::Search;
 use super::sizing::checked_cam::{CheckedCam, checked_cam};
 use crate::error::{Placed, Result};
 use crate::problem::Problem;
-use crate::scene::Minimise;
+use crate::scene::{LawSpec, Minimise};
 
 /// A law on its cam.
 #[derive(Clone)]
@@ -83,28 +83,31 @@ fn without_limits(
     search: &Search,
     refusal: &Refusal,
 ) -> std::result::Result<Attempt, NoLaw> {
-    let endless = Search::default();
+    let endless = Search::default().below_base_circle();
     // Such laws are quickly found: where the time is over already, they get all that they take.
     let timely = if search.halt.is_asked() {
-        endless.clone()
+        Search::default()
     } else {
         Search::until(search.halt.clone())
     };
     let of_accuracy = refusal.is_of_accuracy();
-    let mut bare = if of_accuracy {
+    let bare = if of_accuracy {
         problem.without_accuracy()
     } else {
         problem.without_limits()
     };
-    bare.law.family = refusal.family();
-    if problem.limited_error().is_some() && problem.objective() != Minimise::PeakForceError {
-        bare.law.minimise = Some(Minimise::ForceError);
-    }
+    let of_force =
+        problem.limited_error().is_some() && problem.objective() != Minimise::PeakForceError;
+    let bare = bare.with_law(LawSpec {
+        family: refusal.family(),
+        minimise: match of_force {
+            true => Some(Minimise::ForceError),
+            false => bare.law.minimise,
+        },
+        ..bare.law.clone()
+    });
     let law = families::law(&bare, &timely).or_else(|no_law| match no_law {
-        NoLaw::Refused(_) => {
-            bare.above_base_circle = false;
-            families::law(&bare, &endless)
-        }
+        NoLaw::Refused(_) => families::law(&bare, &endless),
         fault => Err(fault),
     })?;
     let mut best = on_cam(problem, law)?;
@@ -117,4 +120,74 @@ fn without_limits(
         best.law.solver.doubt = Some(Doubt::Limits);
     }
     Ok(best)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cam::LimitKind;
+    use crate::scene::Scene;
+    use crate::units::G;
+
+    /// A force of one harmonic, 0.3 of the weight at 2 Hz, on a moving axis: a law of three numbers.
+    fn one_wave(limits: &str) -> Problem {
+        let text = format!(
+            "[gait]\nharmonics = [\"0.3\"]\nstep_frequency = \"2 Hz\"\n[drive]\nkind = \"moving-axis\"\n\
+             [law]\nfamily = \"harmonic\"\nharmonics = 1\n[cam]\nfollower = \"flat-translating\"\n\
+             [accuracy]\nrms = \"none\"\n[limits]\n{limits}"
+        );
+        let scene: Scene = crate::scene::parse(&text).unwrap();
+        Problem::resolve(&scene, scene.model_force().unwrap().as_ref()).unwrap()
+    }
+
+    /// Half the stroke, m, that gives the whole force: 0.3 g/ω².
+    fn amplitude(problem: &Problem) -> f64 {
+        0.3 * G / problem.drive.speed.powi(2)
+    }
+
+    #[test]
+    fn one_wave_without_limits_is_its_closed_form_on_the_base_circle() {
+        let problem = one_wave("");
+        let found = attempt(&problem, &Search::default()).unwrap();
+        let stroke = found.cam.cam.law.stroke();
+        assert!((stroke / (2.0 * amplitude(&problem)) - 1.0).abs() < 1e-9);
+        assert!(found.cam.force.rms_error_n < 1e-6 * problem.target_mean());
+        assert!(found.refusal.is_none() && found.cam.cam.law.extremes(0).0.value.abs() < 1e-12);
+        // The coefficients are those of the law where it stands.
+        assert!((found.law.coefficients[0] - amplitude(&problem)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn half_the_acceleration_leaves_half_the_wave_and_its_price_is_the_slope_of_the_error() {
+        let problem = one_wave(&format!("acceleration = \"{} m/s^2\"", 0.15 * G));
+        let found = attempt(&problem, &Search::default()).unwrap();
+        assert!((found.law.law.stroke() / amplitude(&problem) - 1.0).abs() < 1e-6);
+        let error = 0.15 * problem.target_mean() / 2.0_f64.sqrt();
+        assert!((found.cam.force.rms_error_n / error - 1.0).abs() < 1e-6);
+        assert_eq!(found.law.binding[0].limit, LimitKind::Acceleration);
+        // 1 % more acceleration is 1 % less of what is missing.
+        let easing = &found.law.easing[0];
+        let gained = (easing.before - easing.after) / (0.01 * error);
+        assert!((gained - 1.0).abs() < 0.02, "{gained}");
+    }
+
+    #[test]
+    fn where_limits_leave_no_law_the_best_without_them_is_shown_without_a_proof() {
+        // The mean of the force is the weight.
+        let problem = one_wave("force_min = \"2 kN\"");
+        let found = attempt(&problem, &Search::default()).unwrap();
+        assert!(found.refusal.is_some() && !found.law.solver.certified);
+        let stroke = found.law.law.stroke();
+        assert!((stroke / (2.0 * amplitude(&problem)) - 1.0).abs() < 1e-9);
+        assert!(under_limits(&problem, &Search::default()).is_err());
+    }
+
+    #[test]
+    fn the_smallest_flat_cam_of_one_wave_has_the_radius_that_is_asked_for() {
+        // s + a is constant: ρ = R + A.
+        let problem = one_wave("curvature = \"50 mm\"");
+        let found = attempt(&problem, &Search::default()).unwrap();
+        let base = found.cam.cam.follower.base_radius();
+        assert!((base + amplitude(&problem) - 0.05).abs() < 1e-9, "{base}");
+    }
 }

@@ -56,16 +56,11 @@ pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: R
     notes.extend(end.map_or_else(Vec::new, |e| e.notes(problem.drive.speed)));
     notes.extend(reports.notes);
     Design {
-        name: problem.name.clone(),
+        problem: Arc::new(problem.clone()),
         shaft: reports.shaft,
         floor: reports.floor,
         population: reports.population,
-        phase: problem.phase,
-        weight_n: problem.weight_n,
-        band: problem.band.clone(),
-        target: problem.target.as_ref().map(|t| (*t.curve).clone()),
-        drive: problem.drive,
-        family: law.family.name().to_string(),
+        family: law.family,
         functions: law.functions,
         coefficients: law.coefficients,
         degree: law.degree,
@@ -73,10 +68,6 @@ pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: R
         end: reports.end,
         conjugate: cam.conjugate,
         groove: cam.groove,
-        bore: problem.cam.hole(),
-        mark: problem.cam.mark,
-        thickness: problem.cam.thickness,
-        making: problem.cam.making(),
         force: cam.force,
         infeasible,
         relaxations: reports.relaxations,
@@ -89,6 +80,5 @@ pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: R
         solver: law.solver,
         out_of_time: search.halt.is_asked(),
         notes,
-        problem: Arc::new(problem.clone()),
     }
 }

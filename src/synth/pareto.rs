@@ -11,7 +11,7 @@ use crate::cam::Criterion;
 use crate::drive::DriveKind;
 use crate::error::{Placed, Result, SweepError, SynthError};
 use crate::problem::{Problem, Size};
-use crate::scene::{Family, LimitKind, Minimise};
+use crate::scene::{Family, LawSpec, LimitKind, Minimise};
 
 /// A point of the front.
 ///
@@ -138,21 +138,20 @@ impl Bound {
 
     /// The problem with the figure held at or below a value.
     fn held(self, problem: &Problem, value: f64) -> Problem {
-        let mut out = problem.clone();
         match self {
             Bound::LiftoffSpeed => {
                 // M(g + ωₗ²a) ≥ 0 bounds a, and with it the force at the speed of the machine.
                 let drive = &problem.drive;
                 let least = drive.rest_force * (1.0 - (drive.speed / value).powi(2));
-                let bound = &mut out.limits[LimitKind::ForceMin];
-                *bound = Some(bound.map_or(least, |own| own.max(least)));
+                let own = problem.limits[LimitKind::ForceMin];
+                let bound = own.map_or(least, |own| own.max(least));
+                problem.with(LimitKind::ForceMin.into(), bound)
             }
             Bound::Limit(kind) => {
-                let bound = &mut out.limits[kind];
-                *bound = Some(bound.map_or(value, |own| own.min(value)));
+                let bound = problem.limits[kind].map_or(value, |own| own.min(value));
+                problem.with(kind.into(), bound)
             }
         }
-        out
     }
 }
 
@@ -164,18 +163,18 @@ fn names(column: &str, word: &str) -> bool {
 
 /// The problem whose law only the bound of a point limits: a spline of least force error.
 fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
-    let mut open = problem.clone();
-    open.law.family = Family::Spline;
-    let first = design(&open, search)?;
-    // The accuracy would raise the number of spans and fail what the front is there to show.
-    open.accuracy = None;
-    open.limits.unjudged.accuracy = true;
-    open.law.minimise = Some(Minimise::ForceError);
-    if open.law.spans.is_none() && open.law.dwells.is_empty() {
+    let mut law = LawSpec {
+        family: Family::Spline,
+        ..problem.law.clone()
+    };
+    let first = design(&problem.with_law(law.clone()), search)?;
+    law.minimise = Some(Minimise::ForceError);
+    if law.spans.is_none() && law.dwells.is_empty() {
         let own = first.cam.law.poly().pieces();
-        open.law.spans = Some((MORE_SPANS * own).min(MOST_SPANS.max(own)));
+        law.spans = Some((MORE_SPANS * own).min(MOST_SPANS.max(own)));
     }
-    Ok(open)
+    // The accuracy would fail what the front is there to show.
+    Ok(problem.with_law(law).without_accuracy())
 }
 
 /// The front between force error and another quantity, from the tightest value to what the unlimited law

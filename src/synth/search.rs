@@ -22,6 +22,8 @@ pub struct Search {
     pub(crate) halt: Halt,
     /// Only a design that passes is of use: one that cannot reach the accuracy need not be finished.
     pub(super) only_passing: bool,
+    /// The law may dip below the base circle: shows what demands ask that no cam does.
+    pub(super) below_base_circle: bool,
     /// Spans with which a search for their number begins: those of a design for nearly the same problem.
     pub(super) least_spans: usize,
 }
@@ -41,6 +43,14 @@ impl Search {
     pub fn ended_by(&self, halt: &Halt) -> Search {
         Search {
             halt: halt.clone(),
+            ..self.clone()
+        }
+    }
+
+    /// The same search, for laws that may dip below the base circle.
+    pub(super) fn below_base_circle(&self) -> Search {
+        Search {
+            below_base_circle: true,
             ..self.clone()
         }
     }

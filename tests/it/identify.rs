@@ -55,7 +55,7 @@ const FAITHFUL: Made = Made {
 };
 
 fn text(design: &Design, made: Made) -> String {
-    let speed = design.drive.speed;
+    let speed = design.problem.drive.speed;
     let length = made.cycles * TAU / speed;
     let mut out = String::from("time_s,force_n");
     out += if made.has_angle { ",theta_rad\n" } else { "\n" };
@@ -336,7 +336,7 @@ fn damaged_logs_are_read_or_refused_by_what_they_show() {
             .collect();
         rows[0].push("speed_rad_per_s".to_string());
         for row in &mut rows[1..] {
-            row.push(shaker.1.drive.speed.to_string());
+            row.push(shaker.1.problem.drive.speed.to_string());
         }
         for k in 0..300 {
             match found(&damaged(&rows, k), &shaker) {
@@ -424,7 +424,7 @@ fn next_cam_cancels_what_repeats_and_noise_is_no_reason_for_one() {
         let cut = synthesise(&next, force.as_ref()).unwrap();
         // The true force of the new cam, by the law and the force that was hidden.
         let error = |of: &Design, shift: f64| {
-            let w = of.drive.speed;
+            let w = of.problem.drive.speed;
             let square = |i: usize| {
                 let x = TAU * i as f64 / 720.0;
                 let given = FAITHFUL.mass * (9.81 + w * w * of.cam.law.svaj(x).a) + extra(x);
@@ -462,11 +462,13 @@ fn learned_force_is_part_of_the_force_of_a_design_and_of_its_run() {
     let added = |x: f64| 10.0 * (x + TAU / 12.0).sin();
     for i in 0..24 {
         let x = TAU * f64::from(i) / 24.0;
-        let own = design.drive.force(design.cam.law.svaj(x)) + added(x);
+        let own = design.problem.drive.force(design.cam.law.svaj(x)) + added(x);
         assert!((design.force_at(x) - own).abs() < 0.01);
     }
     assert!(design.force.rms_error_percent_of_mean <= 0.5);
-    let run = design.emitted(&scene.machine, design.drive).unwrap();
+    let run = design
+        .emitted(&scene.machine, design.problem.drive)
+        .unwrap();
     let outcome = gaitcam::simulate(&run, gaitcam::dynamics::Model::Rigid).unwrap();
     let percent = 100.0 * outcome.force.rms_error.unwrap() / 700.0;
     assert!(
@@ -487,7 +489,7 @@ fn inertia_and_motor_line_follow_from_the_energy_of_a_cycle_whose_speed_was_logg
     let design = scene.design().unwrap();
     let step = TAU / 7200.0;
     let speed = |x: f64| design.speed_and_time(x.rem_euclid(TAU)).0;
-    let period = TAU / design.drive.speed;
+    let period = TAU / design.problem.drive.speed;
     let times: Vec<f64> = (0..=7200)
         .map(|i| match i {
             7200 => period,
@@ -506,7 +508,7 @@ fn inertia_and_motor_line_follow_from_the_energy_of_a_cycle_whose_speed_was_logg
             let (w, h) = (speed(x), 0.02);
             let rate = w * (speed(x + h) - speed(x - h)) / (2.0 * h);
             let at = design.cam.law.svaj(x);
-            let force = design.drive.mass * (9.81 + w * w * at.a + rate * at.v);
+            let force = design.problem.drive.mass * (9.81 + w * w * at.a + rate * at.v);
             let torque = 0.5 * rate + force * at.v + 1.5;
             let force = force + scatter(i as usize);
             let w = w + 0.01 * scatter(i as usize + 50_000);
@@ -529,7 +531,7 @@ fn inertia_and_motor_line_follow_from_the_energy_of_a_cycle_whose_speed_was_logg
         }
         let mass = parameter(&list, "drive.mass");
         assert!(
-            (mass.value / design.drive.mass - 1.0).abs() < 0.01,
+            (mass.value / design.problem.drive.mass - 1.0).abs() < 0.01,
             "{mass:?}"
         );
     }

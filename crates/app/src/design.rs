@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use gaitcam::Problem;
 use gaitcam::error::{Error, FileError, Placed, Result};
-use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
 use gaitcam::synth::Design;
 use gaitcam_output::{Timing, json};
@@ -34,41 +33,38 @@ pub fn is_of_machine(key: &str) -> bool {
     key.starts_with("drive.") || key.starts_with("machine.")
 }
 
-/// Puts a cam that is cut onto the machine of another scene: its drive and, at another speed, the force that a load model
-/// gives at the step frequency of that speed as the target. Returns why there is none, where the model is not defined there.
+/// A cam that is cut on the machine of another scene: its drive and, at another speed, the force that a load model gives at
+/// the step frequency of that speed as the target; and why there is none, where the model is not defined there.
 ///
 /// # Errors
 /// A drive without speed or mass.
-pub fn put_on(design: &mut Design, scene: &Scene) -> Result<Option<Error>> {
-    let drive = Problem::resolve(scene, design.target_in_time())?.drive;
-    let faster = (drive.speed / design.drive.speed).abs();
-    design.drive = drive;
+pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> {
+    let target = design.target_in_time().cloned();
+    let drive = Problem::resolve(scene, target.as_ref())?.drive;
+    let faster = (drive.speed / design.problem.drive.speed).abs();
+    let design = design.moved_to(drive, target);
     let Some(gait) = scene.gait.as_ref().filter(|_| faster != 1.0) else {
-        return Ok(None);
+        return Ok((design, None));
     };
     let mut gait = gait.clone();
     gait.step_frequency = match gait.step_frequencies.take() {
         // Of several walkers the one who takes the steps of this speed.
-        Some(_) => step_frequency(design),
+        Some(_) => step_frequency(&design),
         None => gait.step_frequency.map(|f| faster * f),
     };
     let (target, missing) = match gait.model_force() {
-        Ok(None) => return Ok(None),
+        Ok(None) => return Ok((design, None)),
         Ok(Some(force)) => {
             let mut scene = scene.clone();
             // The mass is that of the machine, whatever the mean force at this speed.
             let mass = (drive.mass > 0.0).then_some(drive.mass);
             scene.drive.mass = scene.drive.mass.or(mass);
-            let problem = Problem::resolve(&scene, Some(&force))?.at_phase(design.phase);
-            (problem.target.map(|t| ForceCurve::clone(&t.curve)), None)
+            let problem = Problem::resolve(&scene, Some(&force))?.at_phase(design.problem.phase);
+            (problem.target_in_time().cloned(), None)
         }
         Err(error) => (None, Some(error)),
     };
-    if let Some(shaft) = &mut design.shaft {
-        shaft.target = target.clone();
-    }
-    design.target = target;
-    Ok(missing)
+    Ok((design.moved_to(drive, target), missing))
 }
 
 /// Writes scene and summary and puts the whole result into place.
@@ -94,7 +90,7 @@ pub fn finish(
 /// Step frequency of a cam's drive, Hz.
 fn step_frequency(design: &Design) -> Option<f64> {
     let of_step = design.load_factors().first()?.of_step;
-    let period = design.cam.law.extent().1 / design.drive.speed.abs();
+    let period = design.cam.law.extent().1 / design.problem.drive.speed.abs();
     Some((1.0 / of_step).round() / period)
 }
 

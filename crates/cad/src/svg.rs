@@ -45,7 +45,7 @@ pub fn profile(synthesis: &Design, points: usize) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.3}mm\" height=\"{height:.3}mm\" \
          viewBox=\"{left:.3} {top:.3} {width:.3} {height:.3}\" fill=\"none\" stroke-width=\"0.2\">\n\
          <title>{}: cam profile, true scale, mm</title>",
-        escaped(&synthesis.name)
+        escaped(&synthesis.problem.name)
     );
     if !follower.is_unrolled() {
         circles(&mut out, synthesis, base, prime);
@@ -89,21 +89,24 @@ fn circles(out: &mut String, synthesis: &Design, base: f64, prime: f64) {
             "<circle id=\"prime-circle\" r=\"{prime:.6}\" stroke=\"#CC79A7\" stroke-dasharray=\"3 1 0.6 1\"/>"
         );
     }
-    if let Some(bore) = synthesis.bore {
+    if let Some(bore) = synthesis.problem.cam.hole() {
         let _ = writeln!(
             out,
             "<path id=\"bore\" d=\"{}\" stroke=\"#000000\"/>",
             hole(&bore)
         );
     }
-    let bore = synthesis.bore.map_or(0.0, |b| MM * b.reach());
+    let bore = synthesis.problem.cam.hole().map_or(0.0, |b| MM * b.reach());
     let [from, to] = zero_mark(base, bore);
     let _ = writeln!(
         out,
         "<path id=\"theta-zero\" d=\"M{:.3} {:.3}V{:.3}\" stroke=\"#000000\"/>",
         from[0], -from[1], -to[1]
     );
-    rotation(out, &Arrow::new(base, bore, synthesis.drive.speed < 0.0));
+    rotation(
+        out,
+        &Arrow::new(base, bore, synthesis.problem.drive.speed < 0.0),
+    );
 }
 
 /// The edge of the hole for the shaft as path data in mm with y down.

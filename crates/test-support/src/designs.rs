@@ -2,15 +2,13 @@
 
 use std::sync::Arc;
 
-use gaitcam::cam::{
-    Cam, Check, Criterion, Follower, LimitKind, Making, Verdict, smallest_base_radius,
-};
+use gaitcam::cam::{Cam, Check, Criterion, Follower, LimitKind, Verdict, smallest_base_radius};
 use gaitcam::drive::Drive;
 use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::poly::{Extreme, PiecewisePoly, bernstein};
 use gaitcam::problem::{Note, Problem};
-use gaitcam::scene::{DriveSpec, Scene};
+use gaitcam::scene::{CamSpec, DriveSpec, Family, KeywaySpec, Scene};
 use gaitcam::synth::{
     Binding, Conflicting, Design, ForceReport, Functions, Infeasible, Method, Reason, Relaxation,
     SolverReport, Tier,
@@ -20,20 +18,19 @@ use gaitcam::units::{G, LBF, Quantity};
 const TAU: f64 = std::f64::consts::TAU;
 const INCH: f64 = 0.0254;
 
-/// A problem without force, demand or limit: these designs are not made from one.
-fn empty_problem() -> Arc<Problem> {
-    let drive = DriveSpec {
+/// A problem without demand or limit: these designs are not made from one.
+fn problem(name: &str, drive: Drive, target: Option<ForceCurve>) -> Problem {
+    let spec = DriveSpec {
         speed: Some(1.0),
         ..DriveSpec::moving_axis(1.0)
     };
-    let problem = Problem::resolve(
-        &Scene {
-            drive,
-            ..Scene::default()
-        },
-        None,
-    );
-    Arc::new(problem.unwrap())
+    let scene = Scene {
+        name: name.into(),
+        drive: spec,
+        ..Scene::default()
+    };
+    let problem = Problem::resolve(&scene, None).unwrap();
+    problem.against(drive, target)
 }
 
 /// No limit active, certified.
@@ -50,44 +47,17 @@ fn solved_by(tier: Tier, iterations: usize) -> SolverReport {
     }
 }
 
-/// A design of this cam without anything beside it: no target, pair, bore or note, and no limit asked for.
-fn plain(name: &str, drive: Drive, cam: Cam, force: ForceReport) -> Design {
-    Design {
-        shaft: None,
-        floor: None,
-        population: None,
-        name: name.into(),
-        weight_n: None,
-        target: None,
-        drive,
-        family: String::new(),
-        functions: Functions::Fourier,
-        coefficients: Vec::new(),
-        degree: 0,
-        end: None,
-        conjugate: None,
-        groove: None,
-        bore: None,
-        mark: false,
-        thickness: 0.01,
-        making: Making::default(),
-        force,
-        infeasible: None,
-        relaxations: Vec::new(),
-        together: Vec::new(),
-        verdict: Verdict::Acceptable,
-        easing: Vec::new(),
-        phase: 0.0,
-        band: None,
-        reasons: Vec::new(),
-        checks: Vec::new(),
-        binding: Vec::new(),
-        solver: solved_by(Tier::Spectral, 0),
-        out_of_time: false,
-        notes: Vec::new(),
-        problem: empty_problem(),
-        cam,
-    }
+/// A design of this cam without anything beside it: no pair, bore or note, and no limit asked for.
+fn plain(problem: Problem, cam: Cam, force: ForceReport) -> Design {
+    let mut out = crate::design::<&str>(gaitcam::scene::DEFAULT, &[]).unwrap();
+    out.problem = Arc::new(problem);
+    (out.cam, out.force) = (cam, force);
+    (out.functions, out.coefficients, out.degree) = (Functions::Fourier, Vec::new(), 0);
+    (out.verdict, out.reasons) = (Verdict::Acceptable, Vec::new());
+    (out.checks, out.binding, out.easing) = (Vec::new(), Vec::new(), Vec::new());
+    out.solver = solved_by(Tier::Spectral, 0);
+    out.notes = Vec::new();
+    out
 }
 
 /// Amplitude over weight, and phase, of the first harmonics of both feet.
@@ -152,24 +122,23 @@ pub fn footbridge() -> Design {
         max_n: high.value,
     };
     let phase = Quantity::angle(0.5);
-    Design {
-        target: Some(both_feet(weight)),
-        family: "harmonic".into(),
-        coefficients: terms.iter().flat_map(|t| [t.0, t.1]).collect(),
-        reasons: vec![Reason::AllHold],
-        checks: vec![
-            Check::of(LimitKind::Stroke, stroke, 0.06, 1e-9),
-            Check::of(LimitKind::Curvature, sharpest, rho, 1e-9),
-            Check::of(LimitKind::ForceMin, low, 0.0, 1e-9),
-        ],
-        binding: vec![Binding {
-            limit: LimitKind::Curvature.into(),
-            multiplier: 1.0,
-            at: sharpest.at,
-        }],
-        notes: vec![Note::NoBaseCircle, Note::Phase { phase }],
-        ..plain("footbridge", drive, cam, force)
-    }
+    let problem = problem("footbridge", drive, Some(both_feet(weight)));
+    let mut out = plain(problem, cam, force);
+    out.family = Family::Harmonic;
+    out.coefficients = terms.iter().flat_map(|t| [t.0, t.1]).collect();
+    out.reasons = vec![Reason::AllHold];
+    out.checks = vec![
+        Check::of(LimitKind::Stroke, stroke, 0.06, 1e-9),
+        Check::of(LimitKind::Curvature, sharpest, rho, 1e-9),
+        Check::of(LimitKind::ForceMin, low, 0.0, 1e-9),
+    ];
+    out.binding = vec![Binding {
+        limit: LimitKind::Curvature.into(),
+        multiplier: 1.0,
+        at: sharpest.at,
+    }];
+    out.notes = vec![Note::NoBaseCircle, Note::Phase { phase }];
+    out
 }
 
 /// The critical points of Vargas and León (2024), s and lb, joined by cubic steps.
@@ -230,29 +199,29 @@ pub fn heel_tester() -> Design {
         max_n: high.value,
     };
     let at = Quantity::angle(0.0);
-    Design {
-        target: Some(critical_points()),
-        family: "polynomial".into(),
-        functions: Functions::Monomial { range: [0.0, TAU] },
-        coefficients: c.to_vec(),
-        degree: 8,
-        verdict: Verdict::NotForHighSpeed,
-        reasons: vec![Reason::AccelerationJumps { at }],
-        checks: vec![
-            Check::of(LimitKind::PressureAngleRise, phi_high, limit, 1e-9),
-            Check::of(LimitKind::PressureAngleFall, falling, limit, 1e-9),
-            Check::of(LimitKind::Curvature, cam.curvature().convex, 0.005, 1e-9),
-        ],
-        solver: solved_by(Tier::Equality, 1),
-        ..plain("heel_tester", drive, cam, force)
-    }
+    let convex = cam.curvature().convex;
+    let problem = problem("heel_tester", drive, Some(critical_points()));
+    let mut out = plain(problem, cam, force);
+    out.family = Family::Polynomial;
+    out.functions = Functions::Monomial { range: [0.0, TAU] };
+    out.coefficients = c.to_vec();
+    out.degree = 8;
+    out.verdict = Verdict::NotForHighSpeed;
+    out.reasons = vec![Reason::AccelerationJumps { at }];
+    out.checks = vec![
+        Check::of(LimitKind::PressureAngleRise, phi_high, limit, 1e-9),
+        Check::of(LimitKind::PressureAngleFall, falling, limit, 1e-9),
+        Check::of(LimitKind::Curvature, convex, 0.005, 1e-9),
+    ];
+    out.solver = solved_by(Tier::Equality, 1);
+    out
 }
 
 /// A scene that cannot be: the footbridge with far too little stroke.
 #[allow(dead_code)] // not every user of these designs needs it
 pub fn impossible() -> Design {
     let mut s = footbridge();
-    s.name = "footbridge <stroke & limit>".into();
+    Arc::make_mut(&mut s.problem).name = "footbridge <stroke & limit>".into();
     s.infeasible = Some(Infeasible {
         conflict: vec![
             Conflicting::Limit(LimitKind::Stroke.into()),
@@ -293,10 +262,26 @@ pub fn odd_ones() -> Vec<Design> {
         offset: 0.01,
         roller_radius: 0.0,
     };
-    knife.target = None;
+    Arc::make_mut(&mut knife.problem).target = None;
     let mut open = footbridge();
     let rise = PiecewisePoly::new(vec![0.5, 2.0], 3, vec![0.0, 0.0, 0.01, 0.01]);
     open.cam.law = Law::from_poly(rise, false);
-    open.name = String::new();
+    Arc::make_mut(&mut open.problem).name = String::new();
     vec![still, knife, open]
+}
+
+/// A design whose cam is asked for with other numbers, without another synthesis.
+#[must_use]
+pub fn with_cam(mut design: Design, change: impl FnOnce(&mut CamSpec)) -> Design {
+    change(&mut Arc::make_mut(&mut design.problem).cam);
+    design
+}
+
+/// A design with a bore of some diameter, m, and the keyway of the standard where it is keyed.
+#[must_use]
+pub fn with_bore(design: Design, diameter: f64, is_keyed: bool) -> Design {
+    with_cam(design, |cam| {
+        cam.bore = Some(diameter);
+        cam.keyway = is_keyed.then_some(KeywaySpec::Auto);
+    })
 }

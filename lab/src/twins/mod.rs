@@ -60,7 +60,7 @@ impl Case {
         let target = scene.model_force()?;
         let design = synthesise(&scene, target.as_ref())?;
         let target = target.ok_or_else(|| crate::fault("no force"))?;
-        let twin = draw(class, &design.drive, &mut dice);
+        let twin = draw(class, &design.problem.drive, &mut dice);
         Ok(Case {
             scene,
             target,

@@ -76,7 +76,11 @@ fn least_squares_by_faer_gives_the_same_law() {
     let scene = scene::read(&table).unwrap();
     let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
     let design = synthesise(&scene, Some(&target)).unwrap();
-    let c = coefficients(&target, design.drive.mass, design.drive.speed);
+    let c = coefficients(
+        &target,
+        design.problem.drive.mass,
+        design.problem.drive.speed,
+    );
     let (low, high) = design.cam.law.extremes(2);
     let size = high.value.max(-low.value);
     let mut worst = 0.0_f64;

@@ -53,8 +53,8 @@ pub struct Making {
 /// let mut scene = scene::built_in("camdas_03_flat")?.scene()?;
 /// scene.cam.hub_diameter = Some(0.03);
 /// let design = synthesise(&scene, None)?;
-/// let hub = design.making.hub.unwrap();
-/// assert_eq!((hub.diameter, hub.length), (0.03, design.thickness));
+/// let hub = design.problem.cam.making().hub.unwrap();
+/// assert_eq!((hub.diameter, hub.length), (0.03, design.problem.cam.thickness));
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -107,11 +107,10 @@ impl MadeCam {
 }
 
 fn behaviour(design: &Design, pressing: &Law, cut: &Law) -> Behaviour {
-    let (drive, problem) = (&design.drive, &design.problem);
+    let (drive, problem) = (&design.problem.drive, &design.problem);
     let (low, high) = problem.force_extremes(pressing);
     let (least, most) = pressing.extremes(2);
     let error = |target: &crate::force::ForceCurve| {
-        let target = problem.target_at_cam(target);
         let (mut square, mut largest) = (0.0, 0.0_f64);
         for i in 0..POINTS {
             let theta = TAU * i as f64 / POINTS as f64;
@@ -122,7 +121,7 @@ fn behaviour(design: &Design, pressing: &Law, cut: &Law) -> Behaviour {
         }
         (square.sqrt(), largest)
     };
-    let error = design.target.as_ref().map(error);
+    let error = design.target().map(error);
     let made = Cam {
         law: cut.clone(),
         follower: design.cam.follower,

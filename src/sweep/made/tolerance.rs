@@ -191,10 +191,9 @@ impl Scatter {
     /// A design without a target force, which has no force error; an arm, whose lift changes with a profile error
     /// differently at every angle.
     pub fn new(design: &Design) -> Result<Self> {
-        let Some(target) = &design.target else {
+        let Some(target) = design.target() else {
             return Err(SweepError::NoForceError.into());
         };
-        let target = design.problem.target_at_cam(target);
         let count = FIXED + 2 * LOBES.count();
         if design.cam.follower.is_oscillating() {
             return Err(SweepError::ScatterOfArm.into());
@@ -205,7 +204,8 @@ impl Scatter {
             let theta = TAU * i as f64 / POINTS as f64;
             let at = design.cam.law.svaj(theta);
             row[..FIXED].copy_from_slice(&[
-                design.drive.force(at) + design.problem.extra_force(theta) - target.at(theta),
+                design.problem.drive.force(at) + design.problem.extra_force(theta)
+                    - target.at(theta),
                 1.0,
                 at.v,
                 at.a,
@@ -221,7 +221,7 @@ impl Scatter {
             }
         }
         Ok(Scatter {
-            drive: design.drive,
+            drive: design.problem.drive,
             mean: target.mean_n(),
             products,
         })
@@ -386,12 +386,12 @@ mod tests {
             Tolerance::parse("mass=10 %").unwrap(),
             Tolerance::parse("speed=5 %").unwrap(),
         ];
-        let target = design.target.as_ref().unwrap();
+        let target = design.target().unwrap();
         for i in 0..8 {
             let made = scatter.sample(&t, i, 8, 3);
             let (m, w) = (
-                design.drive.mass + made.mass_kg,
-                design.drive.speed + made.speed_rad_per_s,
+                design.problem.drive.mass + made.mass_kg,
+                design.problem.drive.speed + made.speed_rad_per_s,
             );
             let n = 20_000;
             let square: f64 = (0..n)

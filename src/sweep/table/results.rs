@@ -130,11 +130,11 @@ impl Row {
     /// The row of a finished design. An infeasible one has no cam, so only its demand is given.
     pub fn of(design: &Design) -> Row {
         let mut row = Row::error(String::new());
-        row.warnings = design.target.as_ref().map(warnings).unwrap_or_default();
+        row.warnings = design.target().map(warnings).unwrap_or_default();
         if let Some(infeasible) = &design.infeasible {
-            row.numbers[3] = design.target.as_ref().map_or(f64::NAN, |t| t.mean_n());
-            row.numbers[7] = design.drive.mass;
-            row.numbers[8] = design.drive.speed;
+            row.numbers[3] = design.target().map_or(f64::NAN, |t| t.mean_n());
+            row.numbers[7] = design.problem.drive.mass;
+            row.numbers[8] = design.problem.drive.speed;
             row.outcome = Outcome::Infeasible;
             row.binding = joined(infeasible.names().into_iter());
             row.verdict = Some(Verdict::Unacceptable);
@@ -142,7 +142,7 @@ impl Row {
         }
         let figures = Figures::of(design);
         row.numbers = FIGURES.each_ref().map(|f| f.value(&figures));
-        if design.target.is_none() {
+        if design.target().is_none() {
             // Without a target there is no force error.
             for number in &mut row.numbers[..4] {
                 *number = f64::NAN;

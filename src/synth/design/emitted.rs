@@ -38,7 +38,7 @@ impl Design {
             second_cam: spec.second_cam,
             conjugate: self.conjugate.as_ref().map(|pair| pair.second.clone()),
             face: Some(Face {
-                length: self.thickness,
+                length: self.problem.cam.thickness,
                 cam: STEEL,
                 follower: STEEL,
             }),

@@ -49,11 +49,11 @@ pub struct Figures {
 impl Figures {
     /// Of a finished design.
     pub fn of(design: &Design) -> Figures {
-        let (cam, speed) = (&design.cam, design.drive.speed);
+        let (cam, speed) = (&design.cam, design.problem.drive.speed);
         let (follower, (low, high)) = (&cam.follower, design.pressure_angle_extremes());
         Figures {
-            force: design.force.newtons(&design.drive),
-            mass: design.drive.mass,
+            force: design.force.newtons(&design.problem.drive),
+            mass: design.problem.drive.mass,
             speed,
             stroke: cam.law.stroke(),
             peaks: [1, 2, 3].map(|order| {

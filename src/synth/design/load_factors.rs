@@ -54,7 +54,7 @@ impl Design {
         let Some(target) = self.target_in_time() else {
             return Vec::new();
         };
-        let weight = self.weight_n.unwrap_or(target.mean_n());
+        let weight = self.problem.weight_n.unwrap_or(target.mean_n());
         if weight <= 0.0 || self.is_idle() {
             return Vec::new();
         }
@@ -67,7 +67,7 @@ impl Design {
             of(angles().map(|t| target.at(t)).collect())
         };
         let given = of(angles().map(|t| achieved.eval(self.angle_at(t))).collect());
-        let turns_per_s = self.drive.speed.abs() / TAU;
+        let turns_per_s = self.problem.drive.speed.abs() / TAU;
         let steps = steps_per_turn(&wanted);
         let part = |amplitudes: &[(f64, f64)], k: usize| {
             let (amplitude, phase) = harmonic(amplitudes, k);

@@ -94,7 +94,7 @@ impl Design {
         let mut report = MachineReport::of_torque(
             [low.value, high.value],
             [torque.integral() / length, rms],
-            self.drive.speed,
+            self.problem.drive.speed,
         );
         let (low, high) = power_curve(&self.problem, torque).extremes();
         report.power_max_w = Some(high.value.max(-low.value));
@@ -110,9 +110,17 @@ impl Design {
     /// The hole that balances each cam, where the scene wants it and it has room: of a pair the second as it stands on
     /// the shaft, turned by half a turn.
     pub fn balance_holes(&self) -> Vec<Option<Hole>> {
-        let first = self.making.balance_hole(&self.cam, self.bore);
+        let first = self
+            .problem
+            .cam
+            .making()
+            .balance_hole(&self.cam, self.problem.cam.hole());
         let second = self.conjugate.as_ref().map(|pair| {
-            let hole = self.making.balance_hole(&pair.second, self.bore);
+            let hole = self
+                .problem
+                .cam
+                .making()
+                .balance_hole(&pair.second, self.problem.cam.hole());
             hole.map(|hole| Hole {
                 centre: hole.centre.map(|x| -x),
                 ..hole
@@ -127,7 +135,7 @@ impl Design {
         if self.problem.on_shaft.is_some() || held(&self.cam, second) {
             return None;
         }
-        liftoff_speed(self.pressing(), &self.drive)
+        liftoff_speed(self.pressing(), &self.problem.drive)
     }
 
     /// Highest pressure on any of its contacts.

@@ -10,15 +10,17 @@ pub mod resonance;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use serde::Serialize;
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
-use crate::cam::{BarrelGroove, Bore, Cam, Check, Conjugate, LimitKind, Making, Verdict};
+use crate::cam::{BarrelGroove, Cam, Check, Conjugate, LimitKind, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::FloorMotion;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Note, Problem};
+use crate::scene::Family;
 use crate::synth::report::end::End;
 use crate::synth::report::force::ForceReport;
 use crate::synth::report::limited::{Binding, Easing, Infeasible, Relaxation};
@@ -42,25 +44,17 @@ use crate::wording::Language;
 /// // As data: what the law is, what the cam measures, why the verdict is what it is.
 /// let data = serde_json::to_value(&design).unwrap();
 /// assert_eq!(data["verdict"], "acceptable");
-/// assert_eq!(data["drive"]["mass"], 700.0 / 9.81);
+/// assert_eq!(data["problem"]["drive"]["mass"], 700.0 / 9.81);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct Design {
-    /// The scene's name.
-    pub name: String,
-    /// Target force, in step with the cam: θ = 2π·i/n. `None` for classical programmes.
-    pub target: Option<ForceCurve>,
-    /// Weight that load factors are parts of, N: the walker's, as the scene scales it; `None` without a force.
-    pub weight_n: Option<f64>,
-    /// Lowest and highest force of the band that replaces the curve.
-    pub band: Option<[ForceCurve; 2]>,
-    /// Phase of the force cycle at cam angle 0, rad.
-    pub phase: f64,
-    /// How lift becomes force.
-    pub drive: Drive,
-    /// Family of the law as users name it: `spline`, `polynomial`, `program` …
-    pub family: String,
+    /// What it is the design of; as data its name, drive and phase.
+    #[serde(serialize_with = "in_short")]
+    pub problem: Arc<Problem>,
+    /// Family of the law.
+    pub family: Family,
     /// The functions that the law's coefficients belong to.
     pub functions: Functions,
     /// Coefficients of the law (of a polydyne cam: of the follower's end), m.
@@ -75,14 +69,6 @@ pub struct Design {
     pub conjugate: Option<Conjugate>,
     /// The groove of a barrel cam with both walls.
     pub groove: Option<BarrelGroove>,
-    /// The hole for the shaft.
-    pub bore: Option<Bore>,
-    /// Whether θ = 0 is engraved on the solid.
-    pub mark: bool,
-    /// Thickness of the plate, m.
-    pub thickness: f64,
-    /// Material, surface and what is added to the plate.
-    pub making: Making,
     /// Distance of the force from the target.
     pub force: ForceReport,
     /// `None` when built; otherwise why no such cam exists.
@@ -113,9 +99,14 @@ pub struct Design {
     pub floor: Option<FloorMotion>,
     /// How well it serves each of several walkers; `None` for one cycle.
     pub population: Option<OfPopulation>,
-    /// What it is the design of.
-    #[serde(skip)]
-    pub problem: Arc<Problem>,
+}
+
+fn in_short<S: Serializer>(problem: &Problem, to: S) -> Result<S::Ok, S::Error> {
+    let mut out = to.serialize_struct("Problem", 3)?;
+    out.serialize_field("name", &problem.name)?;
+    out.serialize_field("drive", &problem.drive)?;
+    out.serialize_field("phase", &problem.phase)?;
+    out.end()
 }
 
 impl Design {
@@ -130,13 +121,24 @@ impl Design {
         self.notes.iter().map(said).collect()
     }
 
-    /// What a run of the emitted cam adds to the verdict, where that judges contact: the follower is off the cam for
-    /// this share of the motion.
-    pub fn loses_contact(&mut self, share: f64) {
+    /// The target force by the cam angle, in step with the cam: θ = 2π·i/n. `None` for classical programmes.
+    pub fn target(&self) -> Option<&ForceCurve> {
+        self.problem.target_at_cam()
+    }
+
+    /// Lowest and highest force of the band that replaces the target.
+    pub fn band(&self) -> Option<&[ForceCurve; 2]> {
+        self.problem.band_in_time()
+    }
+
+    /// The same design with the verdict of a run of the emitted cam in which the follower is off the cam for this share of the
+    /// motion, where contact is judged.
+    #[must_use]
+    pub fn losing_contact(self, share: f64) -> Design {
         let limits = &self.problem.limits;
         let pulls_allowed = limits[LimitKind::ForceMin].is_some_and(|low| low < 0.0);
         if limits.unjudged.contact_force || pulls_allowed {
-            return;
+            return self;
         }
         let known = |r: &Reason| {
             matches!(
@@ -146,37 +148,50 @@ impl Design {
                     | Reason::LiftsOffAsPrescribed { .. }
             )
         };
-        if !self.reasons.iter().any(known) {
-            let share = Quantity::share(share);
-            self.reasons.retain(|r| *r != Reason::AllHold);
-            self.reasons.insert(0, Reason::ContactLostInRun { share });
+        let is_known = self.reasons.iter().any(known);
+        let share = Quantity::share(share);
+        let own = (!is_known).then_some(Reason::ContactLostInRun { share });
+        let others = self.reasons.into_iter();
+        let others = others.filter(|r| is_known || *r != Reason::AllHold);
+        Design {
+            verdict: Verdict::Unacceptable,
+            reasons: own.into_iter().chain(others).collect(),
+            ..self
         }
-        self.verdict = Verdict::Unacceptable;
+    }
+
+    /// The same cam on another drive, against another target over time.
+    #[must_use]
+    pub fn moved_to(self, drive: Drive, target: Option<ForceCurve>) -> Design {
+        Design {
+            problem: Arc::new(self.problem.against(drive, target)),
+            ..self
+        }
     }
 
     /// Whether the drive presses with nothing: no mass, spring, damping or preload is given.
     pub fn is_idle(&self) -> bool {
-        self.drive.is_idle()
+        self.problem.drive.is_idle()
     }
 
     /// Contact force over the law, N, at the speed that the shaft has.
     pub fn force_curve(&self) -> PiecewisePoly {
         let law = self.pressing();
         match &self.problem.on_shaft {
-            None => self.drive.force_curve(law),
+            None => self.problem.drive.force_curve(law),
             Some(_) => self.problem.force_curve(law),
         }
     }
 
     /// Contact force at a cam angle, N, at the speed that the shaft has there.
     pub fn force_at(&self, theta: f64) -> f64 {
-        self.drive.force(self.pressing().svaj(theta)) + self.problem.extra_force(theta)
+        self.problem.drive.force(self.pressing().svaj(theta)) + self.problem.extra_force(theta)
     }
 
     /// Speed of the shaft, rad/s, and time since cam angle 0, s, at a cam angle of the first turn.
     pub fn speed_and_time(&self, theta: f64) -> (f64, f64) {
         let Some(shaft) = &self.shaft else {
-            let speed = self.drive.speed;
+            let speed = self.problem.drive.speed;
             return (speed, theta / speed);
         };
         let n = shaft.speed.len();
@@ -186,7 +201,7 @@ impl Design {
             let [a, b] = [i, i + 1].map(|k| values[k % n] + if k >= n { wrap } else { 0.0 });
             a + u * (b - a)
         };
-        let period = TAU / self.drive.speed.abs();
+        let period = TAU / self.problem.drive.speed.abs();
         (mix(&shaft.speed, 0.0), mix(&shaft.time, period))
     }
 
@@ -195,7 +210,7 @@ impl Design {
         let Some(shaft) = &self.shaft else {
             return phase;
         };
-        let period = TAU / self.drive.speed.abs();
+        let period = TAU / self.problem.drive.speed.abs();
         let time = phase / TAU * period;
         let i = shaft.time.partition_point(|t| *t <= time).max(1);
         let from = shaft.time[i - 1];
@@ -205,8 +220,7 @@ impl Design {
 
     /// The target over one period of time, N, in step with the cam at its angle 0.
     pub fn target_in_time(&self) -> Option<&ForceCurve> {
-        let own = self.shaft.as_ref().and_then(|shaft| shaft.target.as_ref());
-        own.or(self.target.as_ref())
+        self.problem.target_in_time()
     }
 
     /// Smallest and largest pressure angle, rad; of a barrel at the floor of its groove, where the roller

@@ -50,7 +50,7 @@ impl Design {
         let mut at: Vec<f64> = (0..count).map(|i| first + step * i as f64).collect();
         for mode in &floor.modes {
             // Alone, and with the mass of the shaker.
-            let carried = self.drive.mass * mode.ordinate.powi(2) / mode.mass;
+            let carried = self.problem.drive.mass * mode.ordinate.powi(2) / mode.mass;
             for frequency in [mode.frequency, mode.frequency / (1.0 + carried).sqrt()] {
                 for harmonic in 1..=MOST_RESONANT {
                     let peak = steps * frequency / f64::from(harmonic);
@@ -72,7 +72,7 @@ impl Design {
             let answer = floor.acceleration(speed, &all).ok()?;
             let drive = Drive {
                 speed,
-                ..self.drive
+                ..self.problem.drive
             };
             let still = sampled(&|x| drive.force(self.cam.law.svaj(x)));
             let own = floor.pressed(drive.mass, speed, &still, &others).ok()?;

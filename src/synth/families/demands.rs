@@ -7,6 +7,7 @@ use crate::poly::Span;
 use crate::problem::Problem;
 use crate::scene::{Dwell, LimitKind};
 use crate::synth::qp::{Basis, Demand, Entries, Equality, Given};
+use crate::synth::search::Search;
 use crate::units::Quantity;
 
 /// Lift, velocity, acceleration, jerk and force at the points of the law.
@@ -57,7 +58,7 @@ const TOUCHES: f64 = 1e-12;
 /// demands fill, the law touches its bound, and its velocity is zero there; with an acceleration of zero so is
 /// its jerk. Written down, the touching point is one equality; otherwise limits would close in on it from both
 /// sides without an end.
-pub fn implied_by_limits(problem: &Problem, basis: &Basis) -> Vec<Equality> {
+pub fn implied_by_limits(problem: &Problem, search: &Search, basis: &Basis) -> Vec<Equality> {
     let law = &problem.law;
     let dwelt = law.dwells.iter().filter_map(|d| d.lift);
     let lifts = || (law.points.iter().filter_map(|p| p.lift)).chain(dwelt.clone());
@@ -68,7 +69,7 @@ pub fn implied_by_limits(problem: &Problem, basis: &Basis) -> Vec<Equality> {
     let filled =
         (problem.limits[LimitKind::Stroke]).is_some_and(|h| (most - least - h).abs() <= near);
     let touches = |lift: f64| {
-        let base = problem.above_base_circle && lift.abs() <= near;
+        let base = !search.below_base_circle && lift.abs() <= near;
         base || filled && (lift - least <= near || most - lift <= near)
     };
     let mut out = Vec::new();

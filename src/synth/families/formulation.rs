@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::demands::{dwell_demands, implied_by_limits, point_demands};
+use crate::criterion::Criterion;
 use crate::error::{Placed, Result, SynthError};
 use crate::law::Law;
 use crate::poly::{SplineSpace, gauss_legendre};
@@ -10,7 +11,7 @@ use crate::problem::{Problem, Size, Target};
 use crate::scene::{Dwell, Minimise, Weigh};
 use crate::synth::limits;
 use crate::synth::optimum::Formulation;
-use crate::synth::qp::{self, Basis, MeanSquare, PEAK, Program, Quadratic};
+use crate::synth::qp::{self, Basis, Limit, MeanSquare, PEAK, Program, Quadratic};
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
@@ -28,7 +29,7 @@ const SAME_ANGLE: f64 = 1e-12;
 pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Program, Quadratic)> {
     let (basis, whole, force) = objective(problem, spans)?;
     let mut equalities = point_demands(problem, &basis)?;
-    equalities.extend(implied_by_limits(problem, &basis));
+    equalities.extend(implied_by_limits(problem, search, &basis));
     equalities.extend(dwell_demands(&problem.law.dwells, &basis));
     if equalities.len() > MOST_DEMANDS {
         let (given, most) = (equalities.len(), MOST_DEMANDS);
@@ -40,13 +41,20 @@ pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Pr
     Ok((program, force))
 }
 
+/// The limits over the whole turn that a search keeps.
+fn rows(problem: &Problem, search: &Search) -> Vec<Limit> {
+    let mut out = limits::rows(problem);
+    out.retain(|l| l.name != Criterion::BaseCircle || !search.below_base_circle);
+    out
+}
+
 /// A spline law under every convex limit.
 pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<Formulation> {
     let stiffness = stiffness(problem);
     let (mut program, force) = unlimited(problem, search, spans)?;
     let accuracy = limits::accuracy(problem, || mean_square(problem, &program.basis));
     program.rms.extend(accuracy);
-    let mut rows = limits::rows(problem);
+    let mut rows = rows(problem, search);
     if problem.law.monotone {
         rows.extend(limits::monotone(problem));
     }
@@ -64,7 +72,7 @@ pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<For
         program,
         force,
         stiffness,
-        above_base_circle: limits::above_base_circle(problem),
+        above_base_circle: (!search.below_base_circle).then(|| limits::above_base_circle(problem)),
         pieces: spans,
     })
 }
@@ -85,7 +93,7 @@ pub fn of_harmonics(
     program.halt = search.halt.clone();
     let accuracy = limits::accuracy(problem, || mean_square(problem, &program.basis));
     program.rms.extend(accuracy);
-    program.limits = limits::rows(problem);
+    program.limits = rows(problem, search);
     let on_shaft = limits::rows_on_shaft(problem, &mut program);
     program.limits.extend(on_shaft);
     if !problem.level_is_known() {
@@ -95,7 +103,7 @@ pub fn of_harmonics(
         program,
         force,
         stiffness,
-        above_base_circle: limits::above_base_circle(problem),
+        above_base_circle: (!search.below_base_circle).then(|| limits::above_base_circle(problem)),
         pieces: 2 * count,
     }
 }

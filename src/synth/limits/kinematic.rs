@@ -14,7 +14,7 @@ const NO_LIFT: f64 = 1e-15;
 /// The law stays above its base circle.
 pub fn base_circle(problem: &Problem) -> Vec<Limit> {
     let stroke = problem.limits[LimitKind::Stroke];
-    if !problem.above_base_circle || !(problem.level_is_known() || stroke.is_some()) {
+    if !(problem.level_is_known() || stroke.is_some()) {
         return Vec::new();
     }
     let scale = stroke.map_or(problem.length, |h| h.min(problem.length));
@@ -22,10 +22,8 @@ pub fn base_circle(problem: &Problem) -> Vec<Limit> {
 }
 
 /// The same with the size of the cam among the variables.
-pub fn above_base_circle(problem: &Problem) -> Option<Limit> {
-    let length = problem.length;
-    let limit = structural(Criterion::BaseCircle, only(0, -1.0), 0.0, length);
-    problem.above_base_circle.then_some(limit)
+pub fn above_base_circle(problem: &Problem) -> Limit {
+    structural(Criterion::BaseCircle, only(0, -1.0), 0.0, problem.length)
 }
 
 /// The law's zero is its base circle: it does not dip below.

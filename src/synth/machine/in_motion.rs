@@ -120,7 +120,6 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt, run: &Runner)
             forecast,
             speed: rows.speed,
             time: rows.time,
-            target: run.wanted.cloned(),
         });
     }
     Ok(finished(&last.problem, search, last.attempt, reports))

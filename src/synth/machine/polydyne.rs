@@ -36,13 +36,13 @@ pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Des
         ..on_train(problem, first.law, train)?
     };
     let rounds = if best.refusal.is_none() { ROUNDS } else { 0 };
-    let mut moved = problem.clone();
+    let mut limits = problem.limits.clone();
     let mut last = best.clone();
     for _ in 0..rounds {
-        if !move_limits(&last, &mut moved.limits) {
+        if !move_limits(&last, &mut limits) {
             break;
         }
-        last = match families::law(&moved, search) {
+        last = match families::law(&problem.with_limits(limits.clone()), search) {
             Ok(law) => on_train(problem, law, train)?,
             // Tightened limits may leave no law: then the checks of the round before show what is violated.
             Err(NoLaw::Refused(_)) => break,
@@ -108,5 +108,36 @@ fn end_of(problem: &Problem, train: &Train, own: &Law, wanted: Law) -> End {
         miss: miss(own),
         plain_miss: miss(&wanted),
         law: wanted,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::built_in;
+
+    /// s = y + F(y)/k: of one harmonic the cam has 1 − (ω/ωₙ)² of the end's stroke.
+    #[test]
+    fn the_cam_of_one_wave_has_the_stroke_of_its_end_less_what_the_follower_gives() {
+        let scene = built_in("footbridge").unwrap().scene().unwrap();
+        let changes = [
+            ("law.family", "harmonic"),
+            ("law.harmonics", "1"),
+            ("law.polydyne", "true"),
+            ("machine.natural_frequency", "12 Hz"),
+            ("accuracy.rms", "none"),
+        ];
+        let scene = (changes.iter()).fold(scene, |s, (key, value)| s.with(key, value).unwrap());
+        let force = scene.model_force().unwrap();
+        let problem = Problem::resolve(&scene, force.as_ref()).unwrap();
+        let train = problem.train().unwrap().unwrap();
+        let design = designed(&problem, &Search::default(), &train).unwrap();
+        let end = design.end.as_ref().unwrap();
+        let ratio = problem.drive.speed / (std::f64::consts::TAU * 12.0);
+        let part = design.cam.law.stroke() / end.law.stroke();
+        assert!((part - (1.0 - ratio * ratio)).abs() < 1e-9, "{part}");
+        // The coefficients are those of the end where it stands.
+        let [level, cosine] = [design.coefficients[0], design.coefficients[1]];
+        assert!((level + cosine - end.law.svaj(0.0).s).abs() < 1e-12);
     }
 }

@@ -39,9 +39,7 @@ const INERTIA_PART: f64 = 1e-4;
 pub struct Runner<'a> {
     /// Drive, motor and floor.
     pub carrier: Carrier<'a>,
-    /// The target over the period.
-    pub wanted: Option<&'a ForceCurve>,
-    /// The same at equal parts of it, N.
+    /// The target at equal parts of the period, N.
     target: Option<Vec<f64>>,
     /// The learned force, N.
     learned: Vec<f64>,
@@ -77,7 +75,6 @@ impl<'a> Runner<'a> {
                 friction: problem.machine.friction,
                 steps: STEPS,
             },
-            wanted: target,
             target: target.map(|curve| at(ROWS, curve)),
             learned: (0..ROWS).map(|i| problem.learned_force(angle(i))).collect(),
         })
@@ -249,4 +246,26 @@ pub fn depends_on_speed(problem: &Problem) -> bool {
         .iter()
         .any(|kind| problem.limits[*kind].is_some() && kind.facts().depends_on.varies_with_speed());
     is_limited || problem.band.is_some() || problem.objective() != Minimise::ForceError
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_law_over_the_angle_of_an_even_shaft_stays_the_same() {
+        let law = Law::harmonic(0.01, &[(0.004, 0.001), (0.0, 0.002)]);
+        let even = Motion::even(7.0);
+        for x in [0.0, 0.4, 2.0, 6.2] {
+            let (own, moved) = (law.svaj(x), retimed(&law, &even, x));
+            for (a, b) in [
+                (own.s, moved.s),
+                (own.v, moved.v),
+                (own.a, moved.a),
+                (own.j, moved.j),
+            ] {
+                assert!((a - b).abs() < 1e-12, "{x}: {a} {b}");
+            }
+        }
+    }
 }

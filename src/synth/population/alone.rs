@@ -1,7 +1,7 @@
 //! The cam that each walker would have alone.
 
 use super::errors::{Aim, Nodes};
-use super::{bare, gap, limits, phase, weighed};
+use super::{gap, limits, phase, weighed};
 use crate::error::Result;
 use crate::problem::{Problem, Walkers};
 use crate::synth::families;
@@ -40,9 +40,11 @@ pub fn points(problem: &Problem, search: &Search) -> Result<Vec<Point>> {
             each: vec![walker.clone()],
             ..walkers.clone()
         };
-        let mut limited = limits::for_all(&bare(problem), &alone, 1.0);
+        let limited = limits::for_all(&problem.of_mean(), &alone, 1.0);
         // Of the machine of another walker they say nothing.
-        limits::loads().for_each(|kind| limited.limits[kind] = None);
+        let mut left = limited.limits.clone();
+        limits::loads().for_each(|kind| left[kind] = None);
+        let limited = limited.with_limits(left);
         let own = families::law(&weighed(&limited, &alone, &[1.0]), search);
         let Some(law) = own.ok().filter(|law| law.solver.tier != Tier::Scp) else {
             return Ok(Vec::new());

@@ -10,8 +10,7 @@ use crate::synth::sizing::checked_cam::{CheckedCam, SizedCam};
 /// The problem at its reference machine whose limits on motion and force are those of the walker who needs most; `loads` is the
 /// part of the limits on loads that the reference machine may use.
 pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
-    let mut out = problem.clone();
-    let (drive, limits) = (problem.drive, &mut out.limits);
+    let (drive, mut limits) = (problem.drive, problem.limits.clone());
     let fastest = walkers
         .each
         .iter()
@@ -32,7 +31,7 @@ pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
         };
         limits[kind] = limits[kind].map(for_all);
     }
-    out
+    problem.with_limits(limits)
 }
 
 /// A law on the largest of the cams that the walkers need, each limit checked at the machine of its most critical walker.

@@ -50,12 +50,12 @@ const SLACK: f64 = 1e-9;
 /// A setting that has no form for several walkers; as of one walker.
 pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result<Design> {
     refuse_unknown(problem, walkers)?;
-    let phase = at_best_phase(&bare(problem), search)?.phase;
+    let phase = at_best_phase(&problem.of_mean(), search)?.phase;
     let problem = &problem.at_phase(phase);
     let walkers = problem.walkers.as_deref().unwrap_or(walkers);
     let mut loads = 1.0;
     for round in 0.. {
-        let limited = limits::for_all(&bare(problem), walkers, loads);
+        let limited = limits::for_all(&problem.of_mean(), walkers, loads);
         let found = Found::at_best_phases(&limited, search, walkers)?;
         let checked = limits::checked(problem, walkers, &found.attempt.law)?;
         if let Some(part) = limits::less_loaded(&checked.checks).filter(|_| round < LOAD_ROUNDS)
@@ -78,19 +78,8 @@ pub fn is_judged(problem: &Problem) -> bool {
 pub fn of_mean(problem: &Problem) -> Problem {
     match problem.walkers.as_deref() {
         None => problem.clone(),
-        Some(walkers) => limits::for_all(&bare(problem), walkers, 1.0),
+        Some(walkers) => limits::for_all(&problem.of_mean(), walkers, 1.0),
     }
-}
-
-/// The reference problem alone. The force error of the mean is not judged: that of several walkers is.
-fn bare(problem: &Problem) -> Problem {
-    let mut out = if problem.serves_several() {
-        problem.without_accuracy()
-    } else {
-        problem.clone()
-    };
-    out.walkers = None;
-    out
 }
 
 /// Settings without a form for several walkers.
@@ -174,16 +163,15 @@ impl Found {
         if !is_open || walkers.robust == Robust::Mean {
             return Ok(best);
         }
-        let mut larger = best.held(limited);
+        let mut law = best.held(limited).law.clone();
         while best.attempt.refusal.is_none() && !search.halt.is_asked() {
-            let law = &mut larger.law;
             let sizes = [&mut law.spans, &mut law.harmonics];
             let Some(size) = sizes.into_iter().flatten().next() else {
                 break;
             };
             *size = families::larger(*size);
             let is_telling = *size >= families::TELLING;
-            let next = Found::of(&larger, search, walkers)?;
+            let next = Found::of(&limited.with_law(law.clone()), search, walkers)?;
             let gains = next.upper.sqrt() < (1.0 - families::WORTHWHILE) * best.upper.sqrt();
             if next.attempt.refusal.is_some() || is_telling && !gains {
                 break;
@@ -197,11 +185,11 @@ impl Found {
 
     /// The problem whose laws have family and size of this one, where it is one of a size.
     fn held(&self, limited: &Problem) -> Problem {
-        let (mut out, law) = (limited.clone(), &self.attempt.law);
-        if matches!(law.family, Family::Spline | Family::Harmonic) {
-            hold(&mut out.law, law.family, &law.law, law.coefficients.len());
+        let law = &self.attempt.law;
+        match law.family {
+            Family::Spline | Family::Harmonic => held(limited, law),
+            _ => limited.clone(),
         }
-        out
     }
 
     fn of(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
@@ -216,13 +204,7 @@ impl Found {
             nodes.force(&limited.drive, &laws[0].law),
             gap(&laws[0]),
         );
-        let mut fixed = limited.clone();
-        hold(
-            &mut fixed.law,
-            laws[0].family,
-            &laws[0].law,
-            laws[0].coefficients.len(),
-        );
+        let fixed = held(limited, &laws[0]);
         let is_searched = first.refusal.is_none() && walkers.robust != Robust::Mean;
         while is_searched && !weights.is_proved() && laws.len() < ROUNDS && !search.halt.is_asked()
         {
@@ -340,7 +322,14 @@ fn accuracy(problem: &Problem, square: f64) -> Option<Check> {
     Some(Check::of(Criterion::RmsError, worst, asked, SLACK))
 }
 
-/// Gives a law's family and size: every round is over the same functions.
+/// The problem for laws over the functions of one: every round is.
+fn held(problem: &Problem, law: &SolvedLaw) -> Problem {
+    let mut spec = problem.law.clone();
+    hold(&mut spec, law.family, &law.law, law.coefficients.len());
+    problem.with_law(spec)
+}
+
+/// Gives a law's family and size.
 pub fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) {
     spec.family = family;
     match family {

@@ -17,7 +17,7 @@ use crate::problem::{Note, Problem};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Design;
 use crate::synth::infeasible::reasons::{changes, smallest_relaxations};
-use crate::synth::report::limited::{Conflicting, Relaxation};
+use crate::synth::report::limited::{Conflicting, Infeasible, Relaxation};
 use crate::synth::report::reason::Reason;
 use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
@@ -74,7 +74,7 @@ impl Design {
     }
 }
 
-fn with_relaxations(problem: &Problem, search: &Search, mut design: Design) -> Design {
+fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Design {
     let numbers = relaxables(problem);
     if numbers.is_empty() {
         return design;
@@ -86,36 +86,60 @@ fn with_relaxations(problem: &Problem, search: &Search, mut design: Design) -> D
     } else {
         (vec![relaxing.cure(&found)], Vec::new())
     };
-    if let Some(infeasible) = &mut design.infeasible {
-        // Members of the conflict whose change does not help are listed without a value.
-        let mut helpless = std::mem::take(&mut infeasible.relaxations);
-        helpless.retain(|k| {
-            !found.iter().any(|f| f.limit == k.limit)
-                && infeasible.conflict.contains(&Conflicting::Limit(k.limit))
-        });
-        helpless.iter_mut().for_each(|k| k.to = None);
-        infeasible.reasons.truncate(1);
-        infeasible.reasons.extend(cures);
-        infeasible.relaxations = [found.clone(), helpless].concat();
-        design.reasons.clone_from(&infeasible.reasons);
-    } else {
-        // With the size in the relaxation the law changes too: the radius that this law needs does not apply.
-        let is_found = |key: &str| found.iter().any(|f| f.key == key);
-        let resized = (numbers.iter())
-            .any(|(number, _)| number.key.section() == "cam" && is_found(number.key.path));
-        let own = |r: &Reason| matches!(r, Reason::BaseRadiusWorks { .. });
-        design.reasons.retain(|r| !(resized && own(r)));
-        design.reasons.extend(cures);
-    }
+    let (infeasible, reasons) = match design.infeasible {
+        Some(why) => {
+            let why = with_cures(why, &found, cures);
+            let reasons = why.reasons.clone();
+            (Some(why), reasons)
+        }
+        None => {
+            // With the size in the relaxation the law changes too: the radius that this law needs does not apply.
+            let is_found = |key: &str| found.iter().any(|f| f.key == key);
+            let resized = (numbers.iter())
+                .any(|(number, _)| number.key.section() == "cam" && is_found(number.key.path));
+            let own = |r: &Reason| matches!(r, Reason::BaseRadiusWorks { .. });
+            let known = design.reasons.into_iter().filter(|r| !(resized && own(r)));
+            (None, known.chain(cures).collect())
+        }
+    };
     // What the machine needs does not change with a limit of the cam.
-    design.relaxations.retain(|r| r.limit == Criterion::Inertia);
-    design.relaxations.extend(found);
-    if search.halt.is_asked() && !design.out_of_time {
-        design.out_of_time = true;
-        design.notes.push(Note::OutOfTime);
+    let of_machine = design.relaxations.into_iter();
+    let of_machine = of_machine.filter(|r| r.limit == Criterion::Inertia);
+    let out_of_time = search.halt.is_asked() && !design.out_of_time;
+    let notes = design.notes.into_iter();
+    Design {
+        infeasible,
+        reasons,
+        relaxations: of_machine.chain(found).collect(),
+        together,
+        out_of_time: design.out_of_time || out_of_time,
+        notes: notes
+            .chain(out_of_time.then_some(Note::OutOfTime))
+            .collect(),
+        ..design
     }
-    design.together = together;
-    design
+}
+
+/// A conflict with what would help; members whose change does not help are listed without a value.
+fn with_cures(why: Infeasible, found: &[Relaxation], cures: Vec<Reason>) -> Infeasible {
+    let Infeasible {
+        conflict,
+        relaxations,
+        reasons,
+    } = why;
+    let is_helpless = |k: &Relaxation| {
+        !found.iter().any(|f| f.limit == k.limit) && conflict.contains(&Conflicting::Limit(k.limit))
+    };
+    let helpless: Vec<Relaxation> = relaxations
+        .into_iter()
+        .filter(is_helpless)
+        .map(|k| Relaxation { to: None, ..k })
+        .collect();
+    Infeasible {
+        relaxations: [found.to_vec(), helpless].concat(),
+        reasons: reasons.into_iter().take(1).chain(cures).collect(),
+        conflict,
+    }
 }
 
 fn passes(design: &Design) -> bool {
@@ -153,7 +177,7 @@ struct Relaxing<'a> {
 
 impl<'a> Relaxing<'a> {
     fn of(problem: &'a Problem, search: &'a Search, design: &Design) -> Self {
-        let (mean, rest) = (design.force.target_mean_n, design.drive.rest_force);
+        let (mean, rest) = (design.force.target_mean_n, design.problem.drive.rest_force);
         Relaxing {
             problem,
             search,

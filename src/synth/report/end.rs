@@ -17,7 +17,7 @@ use crate::units::{Dimension, Quantity};
 /// let scene = scene.with("machine.natural_frequency", "12 Hz")?.with("law.degree", "7")?.with("law.polydyne", "true")?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 /// let end = design.end.as_ref().unwrap();
-/// let stiffness = design.drive.mass * (std::f64::consts::TAU * 12.0).powi(2);
+/// let stiffness = design.problem.drive.mass * (std::f64::consts::TAU * 12.0).powi(2);
 /// assert!((end.stiffness / stiffness - 1.0).abs() < 1e-9);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```

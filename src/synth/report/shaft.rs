@@ -3,7 +3,6 @@
 use serde::Serialize;
 
 use crate::dynamics::{InTime, Shaft};
-use crate::force::ForceCurve;
 
 /// The design on its shaft.
 ///
@@ -45,9 +44,6 @@ pub struct OnShaft {
     /// Time there since cam angle 0, s.
     #[serde(skip)]
     pub time: Vec<f64>,
-    /// The target over time.
-    #[serde(skip)]
-    pub target: Option<ForceCurve>,
 }
 
 /// Ripple and change of the force by a varying speed, estimated from inertia and the energy that swings.

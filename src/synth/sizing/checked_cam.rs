@@ -128,9 +128,7 @@ fn cam_about(
     let Some(circle) = circle.filter(|circle| circle.radius < smaller) else {
         return Ok(own);
     };
-    let mut at_offset = problem.clone();
-    at_offset.cam.offset = Some(circle.offset);
-    let other = sizing::cam(&at_offset, law, pressing)?;
+    let other = sizing::cam(&problem.at_offset(circle.offset), law, pressing)?;
     Ok(if radius(&other) < smaller { other } else { own })
 }
 

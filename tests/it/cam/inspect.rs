@@ -247,8 +247,8 @@ fn the_force_of_a_made_cam_is_that_of_its_waves() {
     assert_eq!(made.waves, 7);
     assert!(made.left < 1e-12);
     // M (g + ω² a) with a″ = −49 δ cos(7θ + 0.4) added.
-    let drive = &design.drive;
-    let target = design.target.as_ref().unwrap();
+    let drive = &design.problem.drive;
+    let target = design.target().unwrap();
     let n = 20_000;
     let (mut square, mut least, mut top) = (0.0, f64::INFINITY, 0.0_f64);
     for i in 0..n {

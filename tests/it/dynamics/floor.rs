@@ -122,7 +122,7 @@ fn limits_of_the_force_hold_for_the_true_force_on_the_moving_floor() {
         let found = design(&changes);
         assert_eq!(found.verdict, Verdict::Acceptable, "{mass} {damping}");
         let floor = found.problem.machine.floor().unwrap();
-        let (drive, law) = (found.drive, &found.cam.law);
+        let (drive, law) = (found.problem.drive, &found.cam.law);
         let still = |x: f64| drive.force(law.svaj(x));
         let rows = integrated(&floor.modes, drive.mass, drive.speed, still);
         let forces = rows.iter().enumerate().map(|(i, x)| {
@@ -148,7 +148,7 @@ fn limits_by_time_are_those_of_the_law_on_a_moving_floor() {
         let found = design(&changes);
         assert_eq!(found.verdict, Verdict::Acceptable, "{key}");
         let (low, high) = found.cam.law.extremes(order);
-        let largest = high.value.max(-low.value) * found.drive.speed.powi(order as i32);
+        let largest = high.value.max(-low.value) * found.problem.drive.speed.powi(order as i32);
         assert!((largest / limit - 1.0).abs() < 1e-6, "{key}: {largest}");
     }
 }
@@ -156,9 +156,11 @@ fn limits_by_time_are_those_of_the_law_on_a_moving_floor() {
 #[test]
 fn the_shaft_works_as_much_as_the_damping_of_the_floor_uses() {
     let found = design(&bridge("10000 kg", "1.85 Hz", "0.01"));
-    let run = found.emitted(&found.problem.machine, found.drive).unwrap();
-    let worked = simulate(&run, Model::Auto).unwrap().torque.mean * found.drive.speed;
-    let drive = found.drive;
+    let run = found
+        .emitted(&found.problem.machine, found.problem.drive)
+        .unwrap();
+    let worked = simulate(&run, Model::Auto).unwrap().torque.mean * found.problem.drive.speed;
+    let drive = found.problem.drive;
     let floor = found.problem.machine.floor().unwrap();
     let [m] = floor.modes[..] else { panic!() };
     let still = |x: f64| drive.force(found.cam.law.svaj(x));
@@ -189,7 +191,7 @@ fn the_resonance_curve_of_the_cam_is_that_of_simulations_at_other_speeds() {
     let found = design(&bridge("10000 kg", "1.7 Hz", "0.01"));
     let curve = found.resonance();
     for at in curve.iter().step_by(23) {
-        let mut drive = found.drive;
+        let mut drive = found.problem.drive;
         drive.speed *= at.step_frequency / 1.85;
         let run = found.emitted(&found.problem.machine, drive).unwrap();
         let moved = simulate(&run, Model::Rigid).unwrap().floor.unwrap();
@@ -205,7 +207,9 @@ fn the_resonance_curve_of_the_cam_is_that_of_simulations_at_other_speeds() {
 #[test]
 fn only_the_rigid_model_has_a_floor() {
     let found = design(&bridge("10000 kg", "1.85 Hz", "0.01"));
-    let run = found.emitted(&found.problem.machine, found.drive).unwrap();
+    let run = found
+        .emitted(&found.problem.machine, found.problem.drive)
+        .unwrap();
     for model in [Model::Contact, Model::Flexible] {
         let error = simulate(&run, model).unwrap_err();
         assert!(error.place.to_string().contains("machine.floor"));
@@ -293,7 +297,9 @@ fn the_force_on_the_moving_floor_is_the_wanted_one() {
         let found = design(&changes);
         let percent = found.force.rms_error_percent_of_mean;
         assert_eq!(found.verdict, Verdict::Acceptable, "{mass} {frequency}");
-        let run = found.emitted(&found.problem.machine, found.drive).unwrap();
+        let run = found
+            .emitted(&found.problem.machine, found.problem.drive)
+            .unwrap();
         let out = simulate(&run, Model::Auto).unwrap();
         let simulated = 100.0 * out.force.rms_error.unwrap() / found.force.mean_n;
         assert!((simulated - percent).abs() < 0.01, "{simulated} {percent}");
@@ -302,7 +308,9 @@ fn the_force_on_the_moving_floor_is_the_wanted_one() {
         assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
         // The law for a stiff floor misses there.
         let still = design(&[]);
-        let run = still.emitted(&found.problem.machine, still.drive).unwrap();
+        let run = still
+            .emitted(&found.problem.machine, still.problem.drive)
+            .unwrap();
         let missed = simulate(&run, Model::Auto)
             .unwrap()
             .force

@@ -27,7 +27,7 @@ fn motor<'a>(slope: &'a str, inertia: &'a str) -> Vec<(&'a str, &'a str)> {
 /// Force error over time, percent of the mean, of the emitted cam: simulate knows nothing of the rounds of the design.
 fn emitted_error(design: &Design) -> f64 {
     let run = design
-        .emitted(&design.problem.machine, design.drive)
+        .emitted(&design.problem.machine, design.problem.drive)
         .unwrap();
     let out = simulate(&run, Model::Rigid).unwrap();
     assert!(!out.contact_lost);
@@ -70,7 +70,7 @@ fn limits_on_the_force_hold_at_every_angle_at_the_speed_that_the_shaft_has() {
         let design = footbridge(&changes).design().unwrap();
         assert_eq!(design.verdict, Verdict::Acceptable, "{:?}", design.reasons);
         let run = design
-            .emitted(&design.problem.machine, design.drive)
+            .emitted(&design.problem.machine, design.problem.drive)
             .unwrap();
         let out = simulate(&run, Model::Rigid).unwrap();
         let worst = if side > 0.0 {
@@ -99,7 +99,7 @@ fn limits_by_time_hold_at_the_speed_that_the_shaft_has() {
         assert_eq!(design.verdict, Verdict::Acceptable, "{:?}", design.reasons);
         // The velocity and acceleration of the emitted cam over time, by differences of its rows.
         let run = design
-            .emitted(&design.problem.machine, design.drive)
+            .emitted(&design.problem.machine, design.problem.drive)
             .unwrap();
         let rows = simulate(&run, Model::Rigid).unwrap().rows;
         let n = rows.len();
@@ -171,7 +171,7 @@ fn limits_on_the_loads_hold_at_the_speed_that_the_shaft_has_and_on_the_floor_tha
             );
             // From the rows of the emitted cam on its machine: simulate knows no limits.
             let run = design
-                .emitted(&design.problem.machine, design.drive)
+                .emitted(&design.problem.machine, design.problem.drive)
                 .unwrap();
             let out = simulate(&run, Model::Rigid).unwrap();
             let column = |of: fn(&gaitcam::dynamics::Row) -> f64| out.rows.iter().map(of).collect();
@@ -208,7 +208,7 @@ fn in_time(
         design.problem.machine.floor(),
     );
     let mode = floor.unwrap().modes[0];
-    let (own, mass) = (TAU * mode.frequency, design.drive.mass);
+    let (own, mass) = (TAU * mode.frequency, design.problem.drive.mass);
     // J α = T − v F, F = M (g + ω² a + α v + φ q″), m q″ = −φ F − m (2ζω₁ q′ + ω₁² q).
     let rates = |[theta, w, q, p]: [f64; 4]| {
         let at = law.svaj(theta);
@@ -221,8 +221,8 @@ fn in_time(
         let slope = [w, (torque - at.v * force) / motor.inertia, p, fall];
         (slope, force, mode.ordinate * fall)
     };
-    let h = TAU / design.drive.speed / 2000.0;
-    let mut state = [0.0, design.drive.speed, 0.0, 0.0];
+    let h = TAU / design.problem.drive.speed / 2000.0;
+    let mut state = [0.0, design.problem.drive.speed, 0.0, 0.0];
     let (mut force, mut speed, mut peak) =
         ([f64::INFINITY, 0.0_f64], [f64::INFINITY, 0.0_f64], 0.0_f64);
     let turns = 200.0 * TAU;
@@ -286,7 +286,7 @@ fn shaft_and_floor_together_move_as_in_an_independent_integration_in_time() {
             "{percent} {emitted}"
         );
         let run = design
-            .emitted(&design.problem.machine, design.drive)
+            .emitted(&design.problem.machine, design.problem.drive)
             .unwrap();
         let out = simulate(&run, Model::Rigid).unwrap();
         let (shaft, floor) = (out.shaft.unwrap(), out.floor.unwrap());
@@ -298,7 +298,7 @@ fn shaft_and_floor_together_move_as_in_an_independent_integration_in_time() {
         same(shaft.min, speed[0]);
         same(shaft.max, speed[1]);
         same(floor.acceleration_peak_m_per_s2, peak);
-        assert!((period * design.drive.speed / TAU - 1.0).abs() < 1e-6);
+        assert!((period * design.problem.drive.speed / TAU - 1.0).abs() < 1e-6);
         assert!(shaft.energy_balance.abs() < 1e-9);
         let own = design.floor.unwrap().acceleration_peak_m_per_s2;
         assert!((own / peak - 1.0).abs() < 1e-3, "{own} {peak}");
@@ -372,7 +372,7 @@ fn the_inertia_that_meets_the_accuracy_at_constant_speed_is_that_of_a_bisection_
     assert_eq!(noted(&design), Some(stated));
     let meets = |inertia: f64| {
         let mut run = design
-            .emitted(&design.problem.machine, design.drive)
+            .emitted(&design.problem.machine, design.problem.drive)
             .unwrap();
         run.machine.motor.as_mut().unwrap().inertia = inertia;
         let out = simulate(&run, Model::Rigid).unwrap();
@@ -409,7 +409,7 @@ fn rounds_with_few_spans_that_come_no_nearer_get_more_and_a_refusal_names_a_larg
     assert_eq!(design.verdict, Verdict::Acceptable, "{:?}", design.reasons);
     assert!(design.coefficients.len() > 3);
     let run = design
-        .emitted(&design.problem.machine, design.drive)
+        .emitted(&design.problem.machine, design.problem.drive)
         .unwrap();
     let out = simulate(&run, Model::Rigid).unwrap();
     let pressure = out.hertz.unwrap().contact.pressure;
@@ -443,7 +443,7 @@ fn a_machine_that_differs_is_that_of_a_simulation_of_the_same_cam() {
     for (index, one) in stated.iter().enumerate() {
         for (side, part) in [0.9, 1.1].into_iter().enumerate() {
             let mut run = design
-                .emitted(&design.problem.machine, design.drive)
+                .emitted(&design.problem.machine, design.problem.drive)
                 .unwrap();
             let motor = run.machine.motor.as_mut().unwrap();
             match index {

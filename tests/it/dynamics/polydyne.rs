@@ -15,7 +15,7 @@ fn design(text: &str, changes: &[&str]) -> Design {
 /// RMS distance of the end's force from the one that law.csv states, N, by the follower's own transfer of
 /// every harmonic of the emitted lift: y = s (k₁ + i c₁ nω)/(k₁ − m n²ω² + i c₁ nω) (moving axis).
 fn miss(s: &Design, stiffness: f64, damping: f64) -> f64 {
-    let (m, w) = (s.drive.mass, s.drive.speed);
+    let (m, w) = (s.problem.drive.mass, s.problem.drive.speed);
     let lifts: Vec<f64> = (0..POINTS)
         .map(|i| s.cam.law.svaj(TAU * i as f64 / POINTS as f64).s)
         .collect();
@@ -46,6 +46,7 @@ fn miss(s: &Design, stiffness: f64, damping: f64) -> f64 {
     let square: f64 = (0..POINTS)
         .map(|i| {
             let stated = s
+                .problem
                 .drive
                 .force(s.pressing().svaj(TAU * i as f64 / POINTS as f64));
             (m * (9.81 + acceleration[i]) - stated).powi(2)
@@ -56,7 +57,7 @@ fn miss(s: &Design, stiffness: f64, damping: f64) -> f64 {
 
 /// What `gaitcam simulate --model flexible` says of the emitted profile.
 fn run(s: &Design, scene: &scene::Scene) -> f64 {
-    let target = s.target.as_ref().unwrap();
+    let target = s.target().unwrap();
     let run = Run {
         profile: s.cam.profile(POINTS),
         target: Some(
@@ -65,9 +66,9 @@ fn run(s: &Design, scene: &scene::Scene) -> f64 {
                 .collect(),
         ),
         cam: s.cam.clone(),
-        drive: s.drive,
+        drive: s.problem.drive,
         machine: Machine {
-            train: scene.machine.train(&s.drive).unwrap(),
+            train: scene.machine.train(&s.problem.drive).unwrap(),
             ..Machine::default()
         },
     };
@@ -87,8 +88,8 @@ fn the_end_of_a_soft_follower_gives_the_force_that_the_plain_cam_misses() {
     assert!(s.checks.iter().all(|c| c.pass), "{:?}", s.checks);
     // The end's law, and with it the stated force, is the law that a stiff machine would have.
     assert!((s.force.rms_error_n - plain.force.rms_error_n).abs() < 1e-9);
-    let stiffness = s.drive.mass * (TAU * 12.0).powi(2);
-    let damping = 2.0 * 0.05 * s.drive.mass * TAU * 12.0;
+    let stiffness = s.problem.drive.mass * (TAU * 12.0).powi(2);
+    let damping = 2.0 * 0.05 * s.problem.drive.mass * TAU * 12.0;
     let (own, other) = (
         miss(&s, stiffness, damping),
         miss(&plain, stiffness, damping),
@@ -111,7 +112,7 @@ fn without_damping_nothing_is_missed() {
         scene::DEFAULT,
         &[SOFT[0], "machine.damping_ratio=0", "law.polydyne=true"],
     );
-    let stiffness = s.drive.mass * (TAU * 12.0).powi(2);
+    let stiffness = s.problem.drive.mass * (TAU * 12.0).powi(2);
     assert!(miss(&s, stiffness, 0.0) < 1e-3);
     assert!(s.end.unwrap().miss.unwrap().force_max < 1e-6);
 }
@@ -134,7 +135,7 @@ fn limits_are_those_of_the_cam_not_of_the_end() {
         let (low, high) = free.cam.law.extremes(order);
         let most = match order {
             0 => high.value - low.value,
-            _ => high.value.max(-low.value) * free.drive.speed.powi(order as i32),
+            _ => high.value.max(-low.value) * free.problem.drive.speed.powi(order as i32),
         };
         let change = format!("limits.{key}={} {unit}", 0.95 * most);
         let s = design(
@@ -145,7 +146,7 @@ fn limits_are_those_of_the_cam_not_of_the_end() {
         assert!(check.pass, "{check:?}");
         assert!(check.worst > 0.999 * check.limit, "{check:?}");
         // The emitted law, sampled, keeps it; the end's differs from it.
-        let per_time = s.drive.speed.powi(order as i32);
+        let per_time = s.problem.drive.speed.powi(order as i32);
         let values = (0..20_011).map(|i| {
             let at = s.cam.law.svaj(TAU * f64::from(i) / 20_011.0);
             [at.s, at.v, at.a, at.j][order] * per_time

@@ -29,7 +29,7 @@ fn built(more: &str) -> Design {
 fn four_harmonics_of_youngs_load_are_its_law() {
     let design = built("");
     assert_eq!(
-        (design.family.as_str(), design.solver.tier.name()),
+        (design.family.name(), design.solver.tier.name()),
         ("harmonic", "spectral")
     );
     // Young's model has the mean and four harmonics (theory §12): the inverse leaves nothing.
@@ -49,9 +49,9 @@ fn a_lower_accuracy_takes_fewer_harmonics() {
 fn a_limit_that_harmonics_break_hands_over_to_a_spline_and_says_so() {
     let free = built("");
     let (low, high) = free.cam.law.extremes(3);
-    let peak = high.value.max(-low.value) * free.drive.speed.powi(3);
+    let peak = high.value.max(-low.value) * free.problem.drive.speed.powi(3);
     let design = built(&format!("[limits]\njerk = \"{} m/s^3\"\n", 0.8 * peak));
-    assert_eq!(design.family, "spline");
+    assert_eq!(design.family.name(), "spline");
     assert!(
         design
             .checks
@@ -81,5 +81,5 @@ fn what_only_splines_have_asks_for_a_spline() {
     assert_eq!(read("[law]\nharmonics = 3\n").law.family, Family::Harmonic);
     assert_eq!(read("[law]\nfamily = \"ladder\"\n"), read(""));
     let dwell = "[law]\nfamily = \"ladder\"\n[[law.dwell]]\nfrom = \"10 deg\"\nto = \"40 deg\"\n";
-    assert_eq!(built(dwell).family, "spline");
+    assert_eq!(built(dwell).family.name(), "spline");
 }

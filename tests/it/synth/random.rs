@@ -94,7 +94,7 @@ struct Scan {
 }
 
 fn scan(design: &Design) -> Result<Scan, TestCaseError> {
-    let speed = design.drive.speed;
+    let speed = design.problem.drive.speed;
     let (mut low, mut high, mut a, mut j, mut force) =
         (f64::MAX, f64::MIN, 0.0_f64, 0.0_f64, f64::MAX);
     for i in 0..SCANNED {
@@ -106,7 +106,7 @@ fn scan(design: &Design) -> Result<Scan, TestCaseError> {
         (low, high) = (low.min(at.s), high.max(at.s));
         a = a.max(at.a.abs() * speed.powi(2));
         j = j.max(at.j.abs() * speed.powi(3));
-        force = force.min(design.drive.force(at));
+        force = force.min(design.problem.drive.force(at));
     }
     Ok(Scan {
         stroke: high - low,

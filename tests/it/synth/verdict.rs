@@ -379,8 +379,7 @@ fn a_limit_that_is_broken_is_unacceptable_and_all_reasons_are_told() {
 
 #[test]
 fn contact_lost_in_a_run_is_no_good_cam() {
-    let mut design = programme("3-4-5", FLAT, &[]);
-    design.loses_contact(0.1);
+    let design = programme("3-4-5", FLAT, &[]).losing_contact(0.1);
     judged(&design, Verdict::Unacceptable, "reason-contact-lost-in-run");
     assert_eq!(codes(&design).len(), 1);
 }

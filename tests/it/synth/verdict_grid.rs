@@ -213,7 +213,7 @@ fn a_limit_holds_on_one_side_and_is_broken_on_the_other_for_every_follower() {
             "{cam}: {:?}",
             free.reasons
         );
-        let speed = free.drive.speed;
+        let speed = free.problem.drive.speed;
         let (low, high) = free.cam.law.extremes(2);
         let most = high.value.max(-low.value) * speed * speed;
         let unit = if swings(cam) { "rad/s^2" } else { "m/s^2" };

@@ -128,8 +128,8 @@ impl Workshop {
         language: Language,
     ) -> Made {
         let plate = || solid::Plate {
-            thickness: design.thickness,
-            bore: design.bore,
+            thickness: design.problem.cam.thickness,
+            bore: design.problem.cam.hole(),
             points: VERTICES,
         };
         match piece {
@@ -170,7 +170,7 @@ impl Workshop {
         let options = dxf::Options {
             points: VERTICES,
             version: dxf::Version::R2000,
-            bore: design.bore,
+            bore: design.problem.cam.hole(),
             content: self.drawn,
             units: self.units,
         };

@@ -166,7 +166,7 @@ impl<'a> Barrel<'a> {
         pen.cross(centre, reach, Stroke::Centre);
         pen.circle(centre, round, Stroke::Outline);
         pen.circle(centre, scale * floor, Stroke::Hidden);
-        if let Some(bore) = &self.design.bore {
+        if let Some(bore) = &self.design.problem.cam.hole() {
             let ring: Vec<[f64; 2]> = (bore_edge(bore, POINTS).iter())
                 .map(|[x, y]| [cx + scale * x, cy + scale * y])
                 .collect();
@@ -175,7 +175,7 @@ impl<'a> Barrel<'a> {
         let mark = [[cx, cy + scale * floor], [cx, cy + round]];
         pen.line(&mark, Stroke::Outline);
         pen.note("θ = 0", [cx, cy + reach + 1.5]);
-        let clockwise = self.design.drive.speed < 0.0;
+        let clockwise = self.design.problem.drive.speed < 0.0;
         pen.rotation(centre, round + 3.0, ARROW, clockwise);
         self.labels(pen, centre, scale, words);
     }
@@ -206,7 +206,7 @@ impl<'a> Barrel<'a> {
         }
         let cut = [cx, cy - 0.5 * scale * (floor + surface)];
         label(cutter, cut, -1.0, -0.75);
-        let Some(bore) = self.design.bore else {
+        let Some(bore) = self.design.problem.cam.hole() else {
             return;
         };
         let edge = at(scale * bore.radius(), 3.0);

@@ -52,7 +52,7 @@ fn making(design: &Design, allowed: f64) -> Option<Scattered> {
         let error = Spread::of(&errors, None).map_or(f64::NAN, |s| s.quantiles[2]);
         Scattered { tolerance, error }
     };
-    if let Some(given) = design.making.tolerance {
+    if let Some(given) = design.problem.cam.making().tolerance {
         return Some(of(given));
     }
     let own = design.force.rms_error_percent_of_mean;
@@ -80,8 +80,8 @@ pub fn draw(
     let under = area.top - FIRST;
     pen.line(&[[left, under], [right, under]], Stroke::Thin);
     let head = match name {
-        Some(which) => format!("{} – {}", design.name, words.text(which)),
-        None => design.name.clone(),
+        Some(which) => format!("{} – {}", design.problem.name, words.text(which)),
+        None => design.problem.name.clone(),
     };
     pen.text_within(&head, [left + 2.0, under + 3.0], HEAD, right - left - 4.0);
     let wide = (right - left) / layout.blocks as f64;
@@ -116,13 +116,13 @@ fn fields(
         None => field("drawing-roller", format!("Ø {}", long(2.0 * roller))),
     };
     let speed = match cam.follower.measures() {
-        Measures::Straight => format!("{} m/s", number(design.drive.speed.abs(), 4)),
+        Measures::Straight => format!("{} m/s", number(design.problem.drive.speed.abs(), 4)),
         Measures::Translating | Measures::Oscillating => {
-            let rpm = design.drive.speed * 30.0 / std::f64::consts::PI;
+            let rpm = design.problem.drive.speed * 30.0 / std::f64::consts::PI;
             format!("{} rpm", number(rpm.abs(), 4))
         }
     };
-    let made = &design.making;
+    let made = design.problem.cam.making();
     let steel = || words.text("drawing-steel");
     let mut material = made.material.clone().unwrap_or_else(steel);
     if let Some(hardness) = made.hardness {
@@ -172,7 +172,7 @@ fn accuracy(design: &Design, title: &Title, words: &Labels) -> (String, String) 
         }
         None => words.text("drawing-no-force"),
     };
-    let tolerance = making.map_or(design.making.tolerance, |m| Some(m.tolerance));
+    let tolerance = making.map_or(design.problem.cam.making().tolerance, |m| Some(m.tolerance));
     let units = words.units();
     let within = |t: f64| format!("± {} {}", short(units.per_metre() * t), units.name());
     let tolerance = tolerance.map_or("–".to_string(), within);

@@ -129,7 +129,7 @@ pub fn pdf(design: &Design, title: &Title, language: Language) -> Vec<u8> {
         .pages(tree)
         .lang(TextStr(words.tag()));
     pdf.document_info(info)
-        .title(TextStr(&design.name))
+        .title(TextStr(&design.problem.name))
         .creator(TextStr("gaitcam"));
     pdf.pages(tree)
         .kids(sheets.iter().map(|s| s.0))

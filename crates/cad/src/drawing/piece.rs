@@ -39,12 +39,12 @@ impl<'a> Piece<'a> {
                 cam,
                 edge,
                 name,
-                bore: design.bore,
+                bore: design.problem.cam.hole(),
                 balance,
                 // The hub of a pair stands on its upper cam.
-                hub: design.making.hub.filter(|_| k == last),
-                thickness: design.thickness,
-                clockwise: design.drive.speed < 0.0,
+                hub: design.problem.cam.making().hub.filter(|_| k == last),
+                thickness: design.problem.cam.thickness,
+                clockwise: design.problem.drive.speed < 0.0,
             })
             .collect()
     }

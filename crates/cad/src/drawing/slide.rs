@@ -56,7 +56,7 @@ impl<'a> Slide<'a> {
 
     pub fn layout(&self) -> Layout {
         let (long, high) = (MM * (self.ends[1] - self.ends[0]), MM * self.high());
-        let thick = MM * self.design.thickness;
+        let thick = MM * self.design.problem.cam.thickness;
         Layout::fitting(|scale| {
             [
                 scale * (long + thick) + LEFT + BETWEEN + RIGHT,
@@ -70,7 +70,7 @@ impl<'a> Slide<'a> {
         let scale = MM * layout.scale.factor();
         let area = layout.views;
         let long = scale * (self.ends[1] - self.ends[0]);
-        let wide = long + scale * self.design.thickness + LEFT + BETWEEN + RIGHT;
+        let wide = long + scale * self.design.problem.cam.thickness + LEFT + BETWEEN + RIGHT;
         let high = scale * self.high();
         let [x, y] = [
             area.left + 0.5 * (area.width() - wide) + LEFT,
@@ -91,7 +91,7 @@ impl<'a> Slide<'a> {
         let level = y + high + 6.0;
         pen.line(&[[x, level - 3.0], [x, level + 2.0]], Stroke::Outline);
         pen.note("θ = 0", [x, level + 4.0]);
-        let sense = if self.design.drive.speed < 0.0 {
+        let sense = if self.design.problem.drive.speed < 0.0 {
             1.0
         } else {
             -1.0
@@ -106,13 +106,13 @@ impl<'a> Slide<'a> {
 
     /// From the right.
     fn side(&self, pen: &mut Pen, [left, foot]: [f64; 2], scale: f64, words: &Labels) {
-        let right = left + scale * self.design.thickness;
+        let right = left + scale * self.design.problem.cam.thickness;
         let top = foot + scale * self.top;
         pen.frame([left, foot], [right, top], Stroke::Outline);
         let [first, last] = [0, self.points.len() - 1].map(|i| foot + scale * self.points[i][1]);
         pen.line(&[[left, first], [right, first]], Stroke::Hidden);
         pen.line(&[[left, last], [right, last]], Stroke::Thin);
-        let thick = words.length(self.design.thickness, 2);
+        let thick = words.length(self.design.problem.cam.thickness, 2);
         pen.level(&thick, [left, right], foot, foot - 10.0);
         pen.upright(&words.length(self.top, 3), [foot, top], left, left - 8.0);
     }

@@ -98,7 +98,7 @@ pub fn profile(
     let options = Options {
         points,
         version: Version::R12,
-        bore: synthesis.bore,
+        bore: synthesis.problem.cam.hole(),
         content,
         units,
     };
@@ -264,7 +264,7 @@ impl Sheet {
         self.circle("REF_BASE_CIRCLE", base);
         let bore = self.options.bore.map_or(0.0, |b| MM * b.reach());
         self.zero(zero_mark(base, bore), 0.08 * base);
-        self.rotation(&Arrow::new(base, bore, synthesis.drive.speed < 0.0));
+        self.rotation(&Arrow::new(base, bore, synthesis.problem.drive.speed < 0.0));
     }
 
     fn circle(&mut self, layer: &'static str, radius: f64) {

@@ -259,7 +259,7 @@ fn held_against(design: &Design, motion: &Law) -> Replayed {
     let drive = match is_idle {
         // Its force is the acceleration.
         true => Drive::fixed_axis(1.0, 0.0, 1.0),
-        false => design.drive,
+        false => design.problem.drive,
     };
     let target = design.target_in_time().filter(|_| !is_idle);
     let rule = gauss_legendre(GAUSS);

@@ -71,7 +71,7 @@ impl Table {
             ]
         };
         Table {
-            name: design.name.clone(),
+            name: design.problem.name.clone(),
             x_unit,
             y_unit,
             factors: [x, y],

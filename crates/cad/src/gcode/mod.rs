@@ -111,7 +111,7 @@ struct Path {
 /// cutter that does not fit a hollow or is not the groove's.
 pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     let tool = cutter::positive(cut.tool)?;
-    let least = design.thickness / MOST_PASSES;
+    let least = design.problem.cam.thickness / MOST_PASSES;
     if let Some(pass) = cut
         .pass
         .filter(|p| !(p.is_finite() && *p > 0.0 && *p >= least))
@@ -121,7 +121,7 @@ pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
         return Err(WriteError::DepthOfPass { pass, least }.into());
     }
     if let Some(groove) = &design.groove {
-        return Ok(vec![groove::program(groove, &design.name, cut)?]);
+        return Ok(vec![groove::program(groove, &design.problem.name, cut)?]);
     }
     let program = |edge: &Edge| {
         let path = outside::path(edge, tool, Lead::Arcs).ok_or(WriteError::NoCutterPath)?;
@@ -157,7 +157,7 @@ pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
 
 /// The round part of the bore; a cutter too wide for it leaves it to a drill.
 fn bore(out: &mut Program, design: &Design, cut: &Milling) {
-    let Some(bore) = design.bore else {
+    let Some(bore) = design.problem.cam.hole() else {
         return;
     };
     if bore.keyway.is_some() {
@@ -193,8 +193,8 @@ pub fn wire(design: &Design, radius: f64, units: Units) -> Result<String> {
         "WIRE AND GAP {size}, NO COMPENSATION, FEED BY THE GENERATOR"
     ));
     out.begin_plane(design);
-    if let Some(bore) = &design.bore {
-        let hole = wire::hole(bore, radius).ok_or(WriteError::WireTooThick {
+    if let Some(bore) = design.problem.cam.hole() {
+        let hole = wire::hole(&bore, radius).ok_or(WriteError::WireTooThick {
             radius: Quantity::length(radius),
         })?;
         if bore.keyway.is_some() {
@@ -218,9 +218,9 @@ struct Program {
 impl Program {
     fn new(design: &Design, units: Units) -> Program {
         Program {
-            text: format!("%\n({})\n", comment(&design.name)),
+            text: format!("%\n({})\n", comment(&design.problem.name)),
             units,
-            thickness: design.thickness,
+            thickness: design.problem.cam.thickness,
         }
     }
 

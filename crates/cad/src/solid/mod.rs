@@ -28,5 +28,5 @@ pub fn stl(design: &Design, form: Plate) -> Result<Vec<u8>> {
 
 /// The plate as 3MF, mm. Fails as [`plate`] does.
 pub fn threemf(design: &Design, form: Plate) -> Result<Vec<u8>> {
-    threemf::package(&plate(design, form)?, &design.name)
+    threemf::package(&plate(design, form)?, &design.problem.name)
 }

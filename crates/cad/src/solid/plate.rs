@@ -72,7 +72,7 @@ pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
             .into());
         }
     }
-    let balance = synthesis.making.balance_hole(cam, plate.bore);
+    let balance = synthesis.problem.cam.making().balance_hole(cam, plate.bore);
     match (balance, plate.bore) {
         (Some(hole), bore) => pierced(outline, bore, hole, thickness),
         (None, None) => Ok(full(&outline, thickness)),

@@ -44,7 +44,7 @@ pub fn solid(design: &Design) -> Result<Vec<u8>> {
     } else {
         plates(&mut file, design)?
     };
-    Ok(file.finish(&solids, &design.name))
+    Ok(file.finish(&solids, &design.problem.name))
 }
 
 /// Heights between which a barrel's solid lies, m.
@@ -53,7 +53,7 @@ pub fn barrel_ends(groove: &BarrelGroove) -> [f64; 2] {
 }
 
 fn plates(file: &mut File, synthesis: &Design) -> Result<Vec<usize>> {
-    let thickness = positive(synthesis.thickness)?;
+    let thickness = positive(synthesis.problem.cam.thickness)?;
     if !synthesis.cam.law.is_closed() {
         return Err(WriteError::OpenProfile.into());
     }
@@ -70,11 +70,11 @@ fn plates(file: &mut File, synthesis: &Design) -> Result<Vec<usize>> {
         let foot = 2.0 * MM * thickness * k as f64;
         let body = Body {
             outline: outline.into_iter().map(Piece::Spline).collect(),
-            hole: synthesis.bore,
+            hole: synthesis.problem.cam.hole(),
             balance,
             // The hub of a pair stands on its upper cam.
             hub: hub.filter(|_| k == last),
-            dot: Dot::of(synthesis).filter(|_| k == 0 && synthesis.mark),
+            dot: Dot::of(synthesis).filter(|_| k == 0 && synthesis.problem.cam.mark),
             z: [foot, foot + MM * thickness],
         };
         solids.push(body.add_to(file));
@@ -84,7 +84,7 @@ fn plates(file: &mut File, synthesis: &Design) -> Result<Vec<usize>> {
 
 /// The hub, where it stands within the profile.
 fn hub(design: &Design) -> Result<Option<Hub>> {
-    let Some(hub) = design.making.hub else {
+    let Some(hub) = design.problem.cam.making().hub else {
         return Ok(None);
     };
     let edges = Edge::all(design);
@@ -124,10 +124,20 @@ impl Dot {
     /// Halfway between hub or hole for the shaft and the base circle; `None` where there is no room.
     fn of(design: &Design) -> Option<Dot> {
         let base = MM * design.cam.follower.base_radius();
-        let hub = design.making.hub.map_or(0.0, |hub| 0.5 * MM * hub.diameter);
-        let reach = design.bore.map_or(0.0, |b| MM * b.reach()).max(hub);
+        let hub = design
+            .problem
+            .cam
+            .making()
+            .hub
+            .map_or(0.0, |hub| 0.5 * MM * hub.diameter);
+        let reach = design
+            .problem
+            .cam
+            .hole()
+            .map_or(0.0, |b| MM * b.reach())
+            .max(hub);
         let room = 0.5 * (base - reach);
-        let dot = Dot::at([0.0, reach + room], room, MM * design.thickness);
+        let dot = Dot::at([0.0, reach + room], room, MM * design.problem.cam.thickness);
         (room > LEAST_ROOM).then_some(dot)
     }
 

@@ -12,7 +12,7 @@ const MM: f64 = 1000.0;
 
 /// Adds the slide's solid to a file.
 pub fn add(file: &mut File, design: &Design) -> Result<usize> {
-    let z = [0.0, MM * positive(design.thickness)?];
+    let z = [0.0, MM * positive(design.problem.cam.thickness)?];
     let edge = Edge::of(&design.cam);
     if edge.is_undercut() {
         return Err(WriteError::UndercutProfile.into());

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use gaitcam::cam::{Bore, Keyway, Wall};
+use gaitcam::Drive;
+use gaitcam::cam::{Bore, Wall};
 use gaitcam::synth::Design;
 use gaitcam_cad::Units;
 use gaitcam_cad::dxf::{Content, Curves};
@@ -11,7 +12,7 @@ use gaitcam_test_support::designed;
 use gaitcam_test_support::readers::{attribute, elements};
 
 use crate::drawing::{Drawing, read};
-use gaitcam_test_support::designs::{footbridge, heel_tester, impossible};
+use gaitcam_test_support::designs::{footbridge, heel_tester, impossible, with_bore, with_cam};
 
 fn drawn(s: &Design) -> Drawing {
     read(&gaitcam_cad::dxf::profile(
@@ -159,8 +160,8 @@ fn what_is_cut_lies_on_its_own_layers_and_can_be_had_alone() {
         designed("camdas_07_conjugate_roller"),
         designed("thesis_barrel"),
     ] {
-        let scene = s.name.clone();
-        s.bore = Some(Bore::plain(0.01));
+        let scene = s.problem.name.clone();
+        s = with_bore(s, 0.01, false);
         let all = drawn(&s);
         let cut = read(&gaitcam_cad::dxf::profile(
             &s,
@@ -190,9 +191,13 @@ fn what_is_cut_lies_on_its_own_layers_and_can_be_had_alone() {
 
 #[test]
 fn the_arrow_turns_as_the_machine_does() {
-    let mut s = footbridge();
     for speed in [4.0, -4.0] {
-        s.drive.speed = speed;
+        let own = footbridge();
+        let drive = Drive {
+            speed,
+            ..own.problem.drive
+        };
+        let s = own.moved_to(drive, None);
         let (arc, _) = drawn(&s).outline("REF_ROTATION");
         let (a, b) = (arc[0], arc[1]);
         // Counter-clockwise as θ grows: the cross product of start and end has the sign of the speed.
@@ -214,7 +219,7 @@ fn instances(text: &str) -> std::collections::HashMap<usize, String> {
 #[test]
 fn a_step_file_refers_only_to_what_it_holds_and_closes_its_shell() {
     for mut s in [footbridge(), heel_tester()] {
-        s.bore = Some(Bore::plain(0.01));
+        s = with_bore(s, 0.01, false);
         let bytes = gaitcam_cad::step::solid(&s).unwrap();
         assert_eq!(bytes, gaitcam_cad::step::solid(&s).unwrap());
         let text = String::from_utf8(bytes).unwrap();
@@ -258,13 +263,10 @@ fn a_keyway_and_a_dot_add_their_faces_and_a_pair_has_two_solids() {
         let count = |name: &str| all.values().filter(|e| e.starts_with(name)).count();
         (count("ADVANCED_FACE"), count("MANIFOLD_SOLID_BREP"))
     };
-    s.bore = Some(Bore {
-        diameter: 0.02,
-        keyway: Keyway::for_shaft(0.02),
-    });
+    s = with_bore(s, 0.02, true);
     // Four walls, three sides of the keyway, two arcs of the bore, below and above; two walls of the dot and its floor.
     assert_eq!(faces(&s), (11, 1));
-    s.mark = true;
+    s = with_cam(s, |cam| cam.mark = true);
     assert_eq!(faces(&s), (14, 1));
     assert_eq!(faces(&designed("camdas_07_conjugate_roller")).1, 2);
 }
@@ -287,11 +289,8 @@ fn area(vertices: &[[f64; 3]]) -> f64 {
 #[test]
 fn the_keyway_is_cut_as_the_standard_has_it() {
     let mut s = footbridge();
-    let bore = Bore {
-        diameter: 0.02,
-        keyway: Keyway::for_shaft(0.02),
-    };
-    s.bore = Some(bore);
+    s = with_bore(s, 0.02, true);
+    let bore = s.problem.cam.hole().unwrap();
     let (edge, closed) = drawn(&s).outline("CUT_BORE");
     assert!(closed);
     // DIN 6885-1, shaft of 20 mm: 6 mm wide, 2.8 mm deep in the hub: 22.8 mm over the bore.

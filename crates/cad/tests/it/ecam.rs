@@ -103,11 +103,15 @@ fn every_built_in_law_is_carried_within_the_stated_bound_or_refused_for_a_jump_o
             match make(&design, dialect, None) {
                 Ok(made) => {
                     carried += 1;
-                    assert!(made.replayed.share <= 0.05, "{} {dialect:?}", design.name);
+                    assert!(
+                        made.replayed.share <= 0.05,
+                        "{} {dialect:?}",
+                        design.problem.name
+                    );
                     let total = made.replayed.error.unwrap_or(0.0);
                     assert!(
                         total
-                            <= design.force.newtons(&design.drive).rms_error_n
+                            <= design.force.newtons(&design.problem.drive).rms_error_n
                                 + made.replayed.added.unwrap_or(0.0)
                                 + 1e-6 * total
                     );
@@ -118,7 +122,7 @@ fn every_built_in_law_is_carried_within_the_stated_bound_or_refused_for_a_jump_o
                         error.code(),
                         "write-ecam-law",
                         "{} {dialect:?}",
-                        design.name
+                        design.problem.name
                     );
                     let jumps = design
                         .cam
@@ -126,7 +130,7 @@ fn every_built_in_law_is_carried_within_the_stated_bound_or_refused_for_a_jump_o
                         .joints()
                         .iter()
                         .any(|j| j.jump.a.abs() > 1e-9);
-                    assert!(jumps, "{} {dialect:?}: {error}", design.name);
+                    assert!(jumps, "{} {dialect:?}: {error}", design.problem.name);
                 }
             }
         }

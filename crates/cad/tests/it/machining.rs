@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use gaitcam::cam::{Bore, Follower, Keyway, Wall};
+use gaitcam::cam::{Follower, Wall};
 use gaitcam::law::Law;
 use gaitcam::synth::Design;
 use gaitcam_cad::Units;
@@ -10,7 +10,7 @@ use gaitcam_cad::gcode::{self, Milling};
 
 use gaitcam_test_support::designed;
 
-use gaitcam_test_support::designs::{footbridge, heel_tester};
+use gaitcam_test_support::designs::{footbridge, heel_tester, with_bore, with_cam};
 
 /// One cut: a line or an arc, mm, with its feed.
 #[derive(Debug, Clone, Copy)]
@@ -132,7 +132,7 @@ fn the_swept_cutter_leaves_the_cam_to_a_micrometre() {
     ] {
         let program = &gcode::milling(&design, &Milling::of(tool)).unwrap()[0];
         let cuts = run(program);
-        assert!(cuts.len() > 10, "{}", design.name);
+        assert!(cuts.len() > 10, "{}", design.problem.name);
         for pair in cuts.windows(2) {
             assert_eq!(pair[0].to, pair[1].from);
         }
@@ -144,7 +144,7 @@ fn the_swept_cutter_leaves_the_cam_to_a_micrometre() {
         assert!(
             gouged < 1e-3 && left < 1e-3,
             "{}: {gouged} {left}",
-            design.name
+            design.problem.name
         );
         // A wider cutter on this path would gouge: the sweep is able to see it.
         let [gouged, _] = swept(&design, &cuts, 1e3 * tool + 0.01);
@@ -154,14 +154,10 @@ fn the_swept_cutter_leaves_the_cam_to_a_micrometre() {
 
 #[test]
 fn the_bore_is_milled_before_the_outside_where_the_cutter_has_room() {
-    let mut design = footbridge();
-    for (bore, keyway) in [(0.012, None), (0.03, Keyway::for_shaft(0.03))] {
-        design.bore = Some(Bore {
-            diameter: bore,
-            keyway,
-        });
+    for (bore, is_keyed) in [(0.012, false), (0.03, true)] {
+        let design = with_bore(footbridge(), bore, is_keyed);
         let program = &gcode::milling(&design, &Milling::of(0.004)).unwrap()[0];
-        assert_eq!(program.contains("KEYWAY IS NOT MILLED"), keyway.is_some());
+        assert_eq!(program.contains("KEYWAY IS NOT MILLED"), is_keyed);
         let cuts = run(program);
         // The contact on the bore moves with the feed of the profile.
         let path = 500.0 * bore - 4.0;
@@ -182,7 +178,8 @@ fn the_bore_is_milled_before_the_outside_where_the_cutter_has_room() {
             assert!(left.abs() < 1e-3, "{bore} at {i}: {left}");
         }
     }
-    let wide = &gcode::milling(&design, &Milling::of(0.016)).unwrap()[0];
+    let wide =
+        &gcode::milling(&with_bore(footbridge(), 0.03, true), &Milling::of(0.016)).unwrap()[0];
     assert!(wide.contains("BORE IS NOT MILLED") && !wide.contains("BORE, TOOL"));
 }
 
@@ -338,12 +335,8 @@ fn the_swept_cutter_leaves_the_groove_of_a_barrel_to_a_micrometre() {
 
 #[test]
 fn a_wire_cuts_hole_keyway_and_outside_from_its_start_holes() {
-    let mut design = hollow();
-    let bore = Bore {
-        diameter: 0.02,
-        keyway: Keyway::for_shaft(0.02),
-    };
-    design.bore = Some(bore);
+    let design = with_bore(hollow(), 0.02, true);
+    let bore = design.problem.cam.hole().unwrap();
     let wire = 0.14;
     let program = gcode::wire(&design, 1e-3 * wire, Units::Millimetres).unwrap();
     let cuts = run(&program);
@@ -398,12 +391,8 @@ fn a_program_in_inches_leaves_the_same_cam() {
 
 #[test]
 fn passes_reach_the_bottom_of_the_plate_and_each_runs_the_whole_path() {
-    let mut design = footbridge();
-    design.thickness = 0.01;
-    design.bore = Some(Bore {
-        diameter: 0.014,
-        keyway: None,
-    });
+    let thin = with_cam(footbridge(), |cam| cam.thickness = 0.01);
+    let design = with_bore(thin, 0.014, false);
     let whole = Milling::of(0.003);
     let in_passes = |pass: f64| {
         let pass = Some(pass);

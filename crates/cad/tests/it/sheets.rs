@@ -1,6 +1,6 @@
 //! `drawing.pdf`, read back as text: its numbers are those of the cam.
 
-use gaitcam::cam::{Bore, Follower, Keyway};
+use gaitcam::cam::Follower;
 use gaitcam::law::Law;
 use gaitcam::wording::Language;
 use gaitcam_cad::Units;
@@ -8,7 +8,7 @@ use gaitcam_cad::drawing::{self, Title};
 
 use gaitcam_test_support::designed;
 
-use gaitcam_test_support::designs::{footbridge, heel_tester};
+use gaitcam_test_support::designs::{footbridge, heel_tester, with_bore};
 
 const TITLE: Title = Title {
     revision: Some(0x0bad_cafe),
@@ -143,11 +143,7 @@ fn the_title_block_names_scene_revision_date_and_what_the_tolerance_does_to_the_
 
 #[test]
 fn bore_and_keyway_are_dimensioned_as_they_are_measured() {
-    let mut design = heel_tester();
-    design.bore = Some(Bore {
-        diameter: 0.012,
-        keyway: Keyway::for_shaft(0.012),
-    });
+    let design = with_bore(heel_tester(), 0.012, true);
     let pdf = drawing::pdf(&design, &TITLE, Language::En);
     let sheet = &sheets(&pdf)[0];
     // DIN 6885-1: a keyway of 4 mm, 1.8 mm deep, in a hub of 12 mm.
@@ -158,11 +154,7 @@ fn bore_and_keyway_are_dimensioned_as_they_are_measured() {
 
 #[test]
 fn a_sheet_in_inches_has_the_numbers_of_the_one_in_millimetres_over_25_4() {
-    let mut design = footbridge();
-    design.bore = Some(Bore {
-        diameter: 0.0127,
-        keyway: None,
-    });
+    let design = with_bore(footbridge(), 0.0127, false);
     let title = |units| Title { units, ..TITLE };
     let [mm, inches] = [Units::Millimetres, Units::Inches]
         .map(|units| sheets(&drawing::pdf(&design, &title(units), Language::En)).remove(0));

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
-use gaitcam::cam::{Bore, Follower, Hub, Keyway};
+use gaitcam::cam::Follower;
 use gaitcam::law::Law;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
@@ -15,27 +15,21 @@ use gaitcam_test_support::designed;
 
 use crate::drawing::groups;
 use crate::sheets::sheets;
-use gaitcam_test_support::designs::{footbridge, heel_tester};
+use gaitcam_test_support::designs::{footbridge, heel_tester, with_bore, with_cam};
 
 /// A disc of little eccentricity with keyway, hub and balance hole.
 fn furnished() -> Design {
-    let mut design = heel_tester();
+    let mut design = with_cam(with_bore(heel_tester(), 0.02, true), |cam| {
+        cam.making.balance = true;
+        (cam.hub_diameter, cam.hub_length) = (Some(0.036), Some(0.012));
+        cam.mark = true;
+    });
     design.cam.law = Law::harmonic(0.0015, &[(0.0, 0.0015), (0.0, 0.0005)]);
     design.cam.follower = Follower::RollerTranslating {
         prime_radius: 0.07,
         offset: 0.0,
         roller_radius: 0.01,
     };
-    design.bore = Some(Bore {
-        diameter: 0.02,
-        keyway: Keyway::for_shaft(0.02),
-    });
-    design.making.balance = true;
-    design.making.hub = Some(Hub {
-        diameter: 0.036,
-        length: 0.012,
-    });
-    design.mark = true;
     design
 }
 
@@ -56,9 +50,7 @@ fn uses(text: &str) -> HashMap<&str, [usize; 2]> {
 fn every_edge_of_a_solid_bounds_two_faces_in_opposite_senses() {
     let slide = designed("translating_cam");
     let barrel = designed("thesis_barrel");
-    let mut bored = barrel.clone();
-    bored.bore = furnished().bore;
-    bored.mark = true;
+    let bored = with_cam(with_bore(barrel.clone(), 0.02, true), |cam| cam.mark = true);
     let pair = designed("camdas_07_conjugate_roller");
     for design in [footbridge(), furnished(), pair, slide, barrel, bored] {
         let text = String::from_utf8(step::solid(&design).unwrap()).unwrap();
@@ -67,28 +59,29 @@ fn every_edge_of_a_solid_bounds_two_faces_in_opposite_senses() {
             .filter(|line| line.contains("=EDGE_CURVE("))
             .count();
         let uses = uses(&text);
-        assert_eq!(uses.len(), edges, "{}", design.name);
-        assert!(uses.values().all(|n| *n == [1, 1]), "{}", design.name);
+        assert_eq!(uses.len(), edges, "{}", design.problem.name);
+        assert!(
+            uses.values().all(|n| *n == [1, 1]),
+            "{}",
+            design.problem.name
+        );
     }
 }
 
 #[test]
 fn a_hub_wider_than_the_cam_and_a_bore_wider_than_the_groove_make_no_solid() {
-    let mut design = furnished();
-    let hub = design.making.hub.as_mut().unwrap();
-    hub.diameter = 0.2;
+    let design = with_cam(furnished(), |cam| cam.hub_diameter = Some(0.2));
     assert!(step::solid(&design).is_err());
-    let mut barrel = designed("thesis_barrel");
-    barrel.bore = Some(Bore::plain(0.041));
+    let barrel = with_bore(designed("thesis_barrel"), 0.041, false);
     assert!(step::solid(&barrel).is_err());
 }
 
 #[test]
 fn the_bored_mesh_is_closed_and_its_centre_lies_on_the_shaft() {
-    let mut design = furnished();
+    let design = furnished();
     let plate = |design: &Design| solid::Plate {
-        thickness: design.thickness,
-        bore: design.bore,
+        thickness: design.problem.cam.thickness,
+        bore: design.problem.cam.hole(),
         points: 2880,
     };
     // Volume and moment of a closed mesh by the tetrahedra over its triangles.
@@ -119,7 +112,7 @@ fn the_bored_mesh_is_closed_and_its_centre_lies_on_the_shaft() {
             .all(|((a, b), n)| *n == 1 && edges.contains_key(&(*b, *a)))
     );
     let [volume, x, y] = moments(&balanced);
-    design.making.balance = false;
+    let design = with_cam(design, |cam| cam.making.balance = false);
     let [whole, u, v] = moments(&solid::plate(&design, plate(&design)).unwrap());
     assert!(whole > volume);
     // Polygons in place of circles leave a little.
@@ -181,7 +174,7 @@ fn splines_of_a_drawing_follow_the_profile_to_a_tenth_of_a_micrometre() {
         let drawn = crate::drawing::read(&bytes);
         assert_eq!(drawn.header["$ACADVER"][1].1, "AC1015");
         let all = splines(&bytes);
-        assert_eq!(all.len(), 1, "{}", design.name);
+        assert_eq!(all.len(), 1, "{}", design.problem.name);
         let (knots, control) = &all[0];
         let profile = design.cam.profile(400_000);
         let n = profile.len();
@@ -201,7 +194,7 @@ fn splines_of_a_drawing_follow_the_profile_to_a_tenth_of_a_micrometre() {
                 (px - u * dx).hypot(py - u * dy)
             });
             let off = off.fold(f64::INFINITY, f64::min);
-            assert!(off < 1e-4, "{}: {off} mm at {p:?}", design.name);
+            assert!(off < 1e-4, "{}: {off} mm at {p:?}", design.problem.name);
         }
     }
     let barrel = designed("thesis_barrel");
@@ -302,11 +295,12 @@ fn the_sheet_of_a_slide_has_the_heights_under_the_roller() {
 
 #[test]
 fn hub_balance_hole_material_and_tolerance_stand_on_the_sheet() {
-    let mut design = furnished();
-    design.making.material = Some("42CrMo4".to_string());
-    design.making.hardness = gaitcam::cam::Hardness::parse("55 HRC");
-    design.making.roughness = Some(4e-7);
-    design.making.tolerance = Some(1e-5);
+    let design = with_cam(furnished(), |cam| {
+        cam.making.material = Some("42CrMo4".to_string());
+        cam.making.hardness = gaitcam::cam::Hardness::parse("55 HRC");
+        cam.making.roughness = Some(4e-7);
+        cam.making.tolerance = Some(1e-5);
+    });
     let hole = design.balance_holes()[0].unwrap();
     let pdf = drawing::pdf(&design, &TITLE, Language::En);
     let sheets = sheets(&pdf);
@@ -327,7 +321,7 @@ fn hub_balance_hole_material_and_tolerance_stand_on_the_sheet() {
         assert!(has(text), "{text}");
     }
     // The hole takes away what is too much: area times distance is the moment of the plate.
-    let moment = design.cam.body(design.bore).unwrap().moment();
+    let moment = design.cam.body(design.problem.cam.hole()).unwrap().moment();
     let taken = 0.25 * PI * hole.diameter.powi(2) * hole.centre[0].hypot(hole.centre[1]);
     assert!((taken / moment - 1.0).abs() < 1e-9);
     for design in [

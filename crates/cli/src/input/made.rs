@@ -88,12 +88,11 @@ impl Made {
     /// # Errors
     /// Faults of the scene, its force or the other drive.
     pub fn design(&self) -> Result<(Design, Option<Error>)> {
-        let mut design = searching::design(&self.input)?;
-        let missing = match self.other_machine {
-            true => put_on(&mut design, &self.running)?,
-            false => None,
-        };
-        Ok((design, missing))
+        let design = searching::design(&self.input)?;
+        match self.other_machine {
+            true => put_on(design, &self.running),
+            false => Ok((design, None)),
+        }
     }
 }
 

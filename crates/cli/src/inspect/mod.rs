@@ -165,9 +165,9 @@ fn summary_json(design: &Design, inspected: &Inspection, made: Option<&MadeCam>)
     let place = |d: Option<gaitcam::cam::Deviation>| {
         d.map(|d| json!({"deviation_m": d.normal, "at_rad": d.theta}))
     };
-    let drive = &design.drive;
+    let drive = &design.problem.drive;
     json!({
-        "name": design.name,
+        "name": design.problem.name,
         "points": inspected.deviations.len(),
         "turn_rad": inspected.turn,
         "centre_m": inspected.centre,
@@ -197,7 +197,7 @@ fn text(design: &Design, inspected: &Inspection, made: Option<&MadeCam>) -> Stri
     let micro = |x: f64| fixed(1e6 * x, 2);
     let degrees = |x: f64| fixed(x.to_degrees(), 4);
     let place = |x: f64| words::decimal(measures.place(x, 1));
-    let mut lines = vec![format!("{}:", design.name)];
+    let mut lines = vec![format!("{}:", design.problem.name)];
     let mut line = |key: &str, data: Value| lines.push(format!("  {}", words::fill(key, &data)));
     let centre = inspected.centre.map(|x| fixed(1e3 * x, 4));
     line(
@@ -259,7 +259,7 @@ fn comparison(design: &Design, made: &MadeCam, measures: Measures) -> Vec<String
         Some(format!("  {}", words::fill(key, &data)))
     };
     let mut out: Vec<String> = defined.filter_map(line).collect();
-    let speed = design.drive.speed.abs();
+    let speed = design.problem.drive.speed.abs();
     let lifts = made.made.liftoff_speed.is_some_and(|w| w < speed);
     if lifts {
         out.push(format!("  {}", words::text("inspect-lifts-off")));

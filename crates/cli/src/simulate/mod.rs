@@ -124,7 +124,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
             .map_err(|e| e.placed(Place::Argument("--out".to_string())))?;
     }
     let solving = Instant::now();
-    let (mut design, untargeted) = match made.design() {
+    let (design, untargeted) = match made.design() {
         Err(error) if is_no_cam(&error) => {
             return no_cam(args.json, input, Some(folder), &error, start);
         }
@@ -150,9 +150,10 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     }
     let run = emitted(args, &made.running, &design)?;
     let outcome = simulate(&run, model)?;
-    if outcome.contact_lost {
-        design.loses_contact(outcome.lost_fraction);
-    }
+    let design = match outcome.contact_lost {
+        true => design.losing_contact(outcome.lost_fraction),
+        false => design,
+    };
     let running = Running {
         outcome: &outcome,
         second_cam: run.machine.second_cam,
@@ -201,7 +202,7 @@ fn no_target(why: &Error) -> String {
 /// Prints verdict, reason, remarks and the table of the run.
 fn describe(design: &Design, remarks: impl Iterator<Item = String>, outcome: &Outcome) {
     let verdict = words::name(design.verdict.name());
-    print(&format!("{}: {verdict}", design.name));
+    print(&format!("{}: {verdict}", design.problem.name));
     print(&format!("  {}", design.reason(language::current())));
     for remark in remarks {
         print(&format!("  {remark}"));
@@ -224,17 +225,17 @@ fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
 /// Which cam was run where that may be mistaken.
 fn remark(args: &SimulateArgs, made: &Made, design: &Design) -> Option<String> {
     if made.other_machine {
-        let rpm = words::fixed(design.drive.speed * 30.0 / PI, 3);
+        let rpm = words::fixed(design.problem.drive.speed * 30.0 / PI, 3);
         return Some(words::fill("simulate-as-made", &json!({"rpm": rpm})));
     }
     let speed = |change: &String| change.trim_start().starts_with("drive.speed");
-    let again = design.target.is_some() && args.scene.set.iter().any(speed);
+    let again = design.target().is_some() && args.scene.set.iter().any(speed);
     again.then(|| words::text("simulate-designed-again"))
 }
 
 /// The emitted profile of the design on that machine.
 fn emitted(args: &SimulateArgs, scene: &Scene, design: &Design) -> Result<Run> {
-    let run = design.emitted(&scene.machine, design.drive);
+    let run = design.emitted(&scene.machine, design.problem.drive);
     run.map_err(|e| match args.natural_frequency {
         Some(_) => e.placed(Place::Argument("--natural-frequency".to_string())),
         None => e,

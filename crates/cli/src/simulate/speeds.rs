@@ -57,7 +57,7 @@ pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
     let rows = speeds.iter().map(&mut row).collect::<Result<Vec<Row>>>()?;
     let measures = design.cam.follower.measures();
     let ran: Vec<AtSpeed> = rows.iter().map(|r| r.at).collect();
-    let picture = plots::speeds(&design.name, &ran, measures, language::current());
+    let picture = plots::speeds(&design.problem.name, &ran, measures, language::current());
     folder.write("speeds.csv", csv(&rows).as_bytes())?;
     folder.write("speeds.svg", picture.svg().as_bytes())?;
     folder.write("speeds.png", &picture.png())?;
@@ -116,11 +116,11 @@ fn at(
 ) -> Result<Row> {
     let mut scene = made.running.clone();
     scene.drive.speed = Some(speed);
-    let mut moved = design.clone();
-    if let Some(why) = put_on(&mut moved, &scene)? {
+    let (moved, missing) = put_on(design.clone(), &scene)?;
+    if let Some(why) = missing {
         untargeted.get_or_insert(why);
     }
-    let run = moved.emitted(&scene.machine, moved.drive)?;
+    let run = moved.emitted(&scene.machine, moved.problem.drive)?;
     let outcome = match simulate(&run, model) {
         Ok(outcome) => outcome,
         Err(error) if stands(&error) => {
@@ -137,7 +137,10 @@ fn at(
     };
     let factors = design.load_factors();
     let steps = factors.first().map_or(1.0, |f| (1.0 / f.of_step).round());
-    let weight = design.weight_n.filter(|w| *w > 0.0 && !factors.is_empty());
+    let weight = design
+        .problem
+        .weight_n
+        .filter(|w| *w > 0.0 && !factors.is_empty());
     let period = design.cam.law.extent().1 / speed;
     let own = |k: f64| amplitude(&outcome, steps * k * TAU / period) / outcome.lever;
     let torque = outcome.torque;

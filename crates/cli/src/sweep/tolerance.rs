@@ -69,7 +69,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         .ok_or_else(|| CliError::NoSample.at_argument("--sample"))?;
     let own = design.force.rms_error_percent_of_mean;
     let page = with_ending(&args.out, ".report.html");
-    let html = report(args, &design.name, own, percents, &spread, band);
+    let html = report(args, &design.problem.name, own, percents, &spread, band);
     write_whole(&page, html.as_bytes())?;
     if args.json {
         let object = json!({
@@ -79,7 +79,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         });
         print_json(&object);
     } else {
-        print(&summary(&design.name, own, count, &spread, band));
+        print(&summary(&design.problem.name, own, count, &spread, band));
         let (file, page) = (args.out.display().to_string(), page.display().to_string());
         let files = json!({"file": file, "page": page});
         print(&words::fill("sweep-scatter-files", &files));

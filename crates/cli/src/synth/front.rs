@@ -93,7 +93,7 @@ fn title(name: &str, against: &Figure) -> String {
 
 /// Force against target, N.
 fn force(t: &Trade) -> ForceReport {
-    t.design.force.newtons(&t.design.drive)
+    t.design.force.newtons(&t.design.problem.drive)
 }
 
 /// Value of a figure in a design, SI.

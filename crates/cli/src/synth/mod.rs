@@ -233,7 +233,7 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
         print(&sequence::text(design));
     }
     if let Some(lines) = &explained {
-        print(&explain::text(&design.name, lines));
+        print(&explain::text(&design.problem.name, lines));
     }
     if let Some((_, _, lines)) = &answer.more {
         print(&format!("  {}", lines.join("\n  ")));

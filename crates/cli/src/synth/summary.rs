@@ -22,7 +22,11 @@ const NOTES: usize = 3;
 pub fn text(design: &Design, time: Timing) -> String {
     let language = language::current();
     let mut out = vec![
-        format!("{}: {}", design.name, words::name(design.verdict.name())),
+        format!(
+            "{}: {}",
+            design.problem.name,
+            words::name(design.verdict.name())
+        ),
         format!("  {}", sentences(&design.reasons, language)),
     ];
     out.extend(failed_checks(design));
@@ -112,10 +116,10 @@ fn passed_checks(design: &Design) -> Vec<String> {
 }
 
 fn force(design: &Design) -> Vec<String> {
-    if design.target.is_none() {
+    if design.target().is_none() {
         return Vec::new();
     }
-    let f = design.force.newtons(&design.drive);
+    let f = design.force.newtons(&design.problem.drive);
     let factors = load_factors(design);
     let mut rows = vec![
         filled(
@@ -160,21 +164,24 @@ fn law(design: &Design) -> String {
     filled(
         "law",
         "synth-law",
-        json!({"family": words::name(&design.family), "degree": design.degree, "pieces": pieces,
+        json!({"family": words::name(design.family.name()), "degree": design.degree, "pieces": pieces,
                 "stroke": lift.after(&stroke)}),
     )
 }
 
 fn drive(design: &Design) -> String {
     let measures = design.cam.follower.measures();
-    let mass = match design.drive.mass {
+    let mass = match design.problem.drive.mass {
         0.0 => String::new(),
         mass => format!("{} {}, ", fixed(mass, 4), measures.mass().name),
     };
-    let speed = words::decimal(measures.speed_words(design.drive.speed, 4));
+    let speed = words::decimal(measures.speed_words(design.problem.drive.speed, 4));
     row(
         "drive",
-        &format!("{}, {mass}{speed}", words::name(design.drive.kind.name())),
+        &format!(
+            "{}, {mass}{speed}",
+            words::name(design.problem.drive.kind.name())
+        ),
     )
 }
 
@@ -215,7 +222,7 @@ fn machine(design: &Design) -> Option<String> {
         }),
         m.hertz_pressure_max_pa
             .filter(|p| p.is_finite())
-            .map(|p| hertz(p, design.making.hardness)),
+            .map(|p| hertz(p, design.problem.cam.making().hardness)),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     (!parts.is_empty()).then(|| row("machine", &parts.join(", ")))

@@ -87,11 +87,11 @@ pub fn law(synthesis: &Design, points: usize) -> String {
 pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     let cam = &synthesis.cam;
     let names = named(LAW, cam.follower.is_oscillating());
-    let drive = &synthesis.drive;
+    let drive = &synthesis.problem.drive;
     let rows = angles(&cam.law, points).map(|theta| {
         let at = cam.law.svaj(theta);
         let force = synthesis.force_at(theta);
-        let target = synthesis.target.as_ref();
+        let target = synthesis.target();
         let target = target.map_or(f64::NAN, |t| target_at(t, &cam.law, theta));
         let [force, target] = [force, target].map(|f| drive.newtons(f));
         let (speed, time) = synthesis.speed_and_time(theta);

@@ -17,7 +17,7 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     let mut out = Map::new();
     let mut put = |key: &str, value: Value| out.insert(key.to_string(), value);
     let is_infeasible = design.infeasible.is_some();
-    put("name", json!(design.name));
+    put("name", json!(design.problem.name));
     put(
         "outcome",
         json!(if is_infeasible { "infeasible" } else { "built" }),
@@ -40,7 +40,7 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     if !load_factors.is_empty() {
         put("load_factors", json!(load_factors));
     }
-    let target = design.target.as_ref();
+    let target = design.target();
     if let Some(recording) = target.and_then(|t| t.recording.as_ref()) {
         put("recording", recording.json());
     }
@@ -132,11 +132,11 @@ fn real(x: f64) -> Value {
 
 /// Null where nothing presses; without a target its values and those of the error are null.
 fn force(design: &Design) -> Value {
-    if design.drive.is_idle() && design.target.is_none() {
+    if design.problem.drive.is_idle() && design.target().is_none() {
         return Value::Null;
     }
-    let mut out = json!(design.force.newtons(&design.drive));
-    if design.target.is_none() {
+    let mut out = json!(design.force.newtons(&design.problem.drive));
+    if design.target().is_none() {
         for key in [
             "rms_error_n",
             "max_error_n",
@@ -150,7 +150,7 @@ fn force(design: &Design) -> Value {
 }
 
 fn drive(design: &Design) -> Value {
-    let drive = &design.drive;
+    let drive = &design.problem.drive;
     json!({"kind": drive.kind.name(), "mass_kg": drive.mass, "speed_rad_per_s": drive.speed})
 }
 
@@ -165,7 +165,7 @@ fn law(design: &Design) -> Value {
         "functions": design.functions,
         "coefficients": design.coefficients,
         // Phase of the force cycle at cam angle 0.
-        "phase_rad": design.phase,
+        "phase_rad": design.problem.phase,
         "stroke_m": law.stroke(),
         "v_max_m_per_rad": real(v_max.value),
         "v_min_m_per_rad": real(v_min.value),
@@ -175,7 +175,7 @@ fn law(design: &Design) -> Value {
         "j_min_m_per_rad3": real(j_min.value),
     });
     if let Some(end) = &design.end {
-        out["polydyne"] = polydyne(end, &design.drive);
+        out["polydyne"] = polydyne(end, &design.problem.drive);
     }
     out
 }
@@ -233,7 +233,7 @@ fn machine(design: &Design) -> Value {
     let figures = Figures::of(design);
     let own = FIGURES.iter().filter(|f| f.section == "machine");
     let own = own.map(|f| (f.key, f.value(&figures)));
-    let hardness = design.making.hardness;
+    let hardness = design.problem.cam.making().hardness;
     let allowable = hardness.map_or(f64::NAN, |h| h.allowable_pressure());
     let all = own.chain([("hertz_pressure_allowable_pa", allowable)]);
     all.map(|(key, x)| (key, real(x))).collect()

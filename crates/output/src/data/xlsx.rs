@@ -66,7 +66,7 @@ fn build(
     time: Timing,
     words: &Words,
 ) -> std::result::Result<Vec<u8>, XlsxError> {
-    let mut book = book(&synthesis.name)?;
+    let mut book = book(&synthesis.problem.name)?;
     cam_sheet(book.add_worksheet(), synthesis, words)?;
     let sheet = book.add_worksheet();
     sheet.set_name("summary")?;
@@ -133,13 +133,13 @@ fn head(
     let name = words.name(follower.name());
     let title = words.fill("sheet-title", &[("follower", &name)]);
     sheet.write_with_format(0, 0, title, &bold)?;
-    sheet.write_with_format(1, 0, &synthesis.name, &bold)?;
+    sheet.write_with_format(1, 0, &synthesis.problem.name, &bold)?;
     let verdict = words.name(synthesis.verdict.name());
     let reason = synthesis.reason(words.language());
     sheet.write(2, 0, format!("{verdict}: {reason}"))?;
     let length = |x: f64| format!("{:.6} mm", MM * x);
     let speed = follower.measures().speed();
-    let speed = speed.after(&format!("{:.6}", synthesis.drive.speed));
+    let speed = speed.after(&format!("{:.6}", synthesis.problem.drive.speed));
     let lines = [
         ("sheet-base-radius", length(follower.base_radius())),
         ("sheet-prime-radius", length(follower.prime_radius())),
@@ -172,13 +172,13 @@ type Column = (u8, &'static str, fn(&Design, &Row) -> f64);
 const EVERY: [Column; 9] = [
     (b'B', "sheet-lift", |_, r| r.lift * r.motion.s),
     (b'C', "sheet-velocity", |s, r| {
-        r.lift * r.motion.v * s.drive.speed
+        r.lift * r.motion.v * s.problem.drive.speed
     }),
     (b'D', "sheet-acceleration", |s, r| {
-        r.lift * r.motion.a * s.drive.speed.powi(2)
+        r.lift * r.motion.a * s.problem.drive.speed.powi(2)
     }),
     (b'E', "sheet-jerk", |s, r| {
-        r.lift * r.motion.j * s.drive.speed.powi(3)
+        r.lift * r.motion.j * s.problem.drive.speed.powi(3)
     }),
     (b'F', "sheet-curvature", |_, r| MM * r.point.rho),
     (b'I', "sheet-contour-radius", |_, r| {

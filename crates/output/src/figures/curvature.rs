@@ -23,7 +23,7 @@ const CAP: f64 = 2.2;
 pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
     layout.picture(words.language(), |f| {
         let measures = synthesis.cam.follower.measures();
-        f.title(&synthesis.name, &words.text("figure-curvature"))?;
+        f.title(&synthesis.problem.name, &words.text("figure-curvature"))?;
         let frames = strips(layout.frame(), &[1.0, 1.0], 1.2 * f.e);
         radius(&f, synthesis, frames[0], words)?;
         let place = |e: Extreme, value: f64| (measures.angle().factor * e.at, value);

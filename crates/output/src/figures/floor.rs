@@ -27,7 +27,7 @@ fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Picture {
     };
     let (wanted, own) = (curve(|p| p.motion), curve(|p| p.of_cam));
     layout.picture(words.language(), |f| {
-        f.title(&design.name, &words.text("figure-floor"))?;
+        f.title(&design.problem.name, &words.text("figure-floor"))?;
         let ends = wanted.first().zip(wanted.last());
         let x = ends.map_or([0.0, 1.0], |(a, b)| [a.0, b.0]);
         let most = wanted.iter().chain(&own).map(|p| p.1).fold(0.0, f64::max);

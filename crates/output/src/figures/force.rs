@@ -29,11 +29,11 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
     layout.picture(words.language(), |f| {
         let e = f.e;
         let names = Names::new(synthesis, words);
-        f.title(&synthesis.name, &names.head)?;
+        f.title(&synthesis.problem.name, &names.head)?;
         let frame = force_frame(layout);
         let legend = [frame.left, frame.top - 1.1 * e];
         let achieved = Achieved::new(synthesis);
-        let Some(target) = &synthesis.target else {
+        let Some(target) = synthesis.target() else {
             let panel = achieved.panel(&f, synthesis, frame, std::iter::empty())?;
             panel.curve(&achieved.curve, BLUE, 2.6)?;
             achieved.marks(&panel)?;
@@ -97,7 +97,7 @@ impl Achieved {
     fn new(synthesis: &Design) -> Self {
         let law = synthesis.pressing();
         let factor = synthesis.cam.follower.measures().angle().factor;
-        let mut drive = synthesis.drive;
+        let mut drive = synthesis.problem.drive;
         if synthesis.is_idle() {
             // Where nothing presses, the force of one unit of moved mass is drawn.
             drive.mass = 1.0;
@@ -245,7 +245,7 @@ type Band = (Vec<(f64, f64)>, Vec<(f64, f64)>);
 
 /// Upper and lower edge of the tolerance band of the scene, at the angles of the target.
 fn tolerance_band(synthesis: &Design, desired: &[(f64, f64)]) -> Option<Band> {
-    let [low, high] = synthesis.band.as_ref()?;
+    let [low, high] = synthesis.band()?;
     let cam = &synthesis.cam;
     let factor = cam.follower.measures().angle().factor;
     let edge = |curve: &ForceCurve| {
@@ -263,7 +263,7 @@ fn apart(curve: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<(f64, f64)> {
 
 /// Upper and lower edge of the step-to-step spread about the target force.
 fn spread(synthesis: &Design, desired: &[(f64, f64)]) -> Option<Band> {
-    let target = synthesis.target.as_ref()?;
+    let target = synthesis.target()?;
     let sd = target.spread_n.as_ref()?;
     let n = sd.len();
     if n == 0 {

@@ -37,7 +37,10 @@ pub fn diagram(
             (0..=POINTS)
                 .map(|i| {
                     let theta = std::f64::consts::TAU * i as f64 / POINTS as f64;
-                    (theta.to_degrees(), design.drive.force(law.svaj(theta)))
+                    (
+                        theta.to_degrees(),
+                        design.problem.drive.force(law.svaj(theta)),
+                    )
                 })
                 .collect()
         };
@@ -57,7 +60,7 @@ pub fn diagram(
     let names = ["figure-as-made", "figure-as-designed"].map(|key| words.text(key));
     let across = words::across(&words, measures);
     let what = words.text("figure-inspection");
-    diagrams_over(&across, &design.name, &what, &names, &rows)
+    diagrams_over(&across, &design.problem.name, &what, &names, &rows)
 }
 
 /// The profile with the deviations drawn along its normals, exaggerated by a round factor.
@@ -89,7 +92,7 @@ pub fn polar(design: &Design, inspected: &Inspection, language: Language) -> Pic
         words.fill("figure-exaggerated", &[("factor", &shown)]),
     ];
     let what = words.text("figure-inspection");
-    profiles(&design.name, &what, &names, &[exact, measured])
+    profiles(&design.problem.name, &what, &names, &[exact, measured])
 }
 
 /// The largest of 1, 2, 5, 10, 20 … that is not above `x`, at least 1.

@@ -25,7 +25,7 @@ pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Pict
         let names = ["s", "v", "a", "j"];
         let pick: [fn(&Svaj) -> f64; 4] = [|m| m.s, |m| m.v, |m| m.a, |m| m.j];
         let colours = [BLUE, GREEN, RED, PURPLE];
-        f.title(&synthesis.name, &words.text("figure-law"))?;
+        f.title(&synthesis.problem.name, &words.text("figure-law"))?;
         let frames = strips(layout.frame(), &[1.0; 4], 0.9 * f.e);
         for k in 0..4 {
             let Unit { factor, name: unit } = measures.lift(k);

@@ -38,7 +38,7 @@ impl Shown<'_> {
 
     /// Time of one turn, s.
     fn period(&self) -> f64 {
-        TAU / self.synthesis.drive.speed.abs()
+        TAU / self.synthesis.problem.drive.speed.abs()
     }
 
     /// Place of a sample on the axis.
@@ -78,7 +78,7 @@ impl Shown<'_> {
             false => target_at(t, law, within(i)),
         };
         let target = target.map(|t| self.curve(|i| wanted(t, i)));
-        let rigid = |i: usize| self.synthesis.drive.force(law.svaj(within(i)));
+        let rigid = |i: usize| self.synthesis.problem.drive.force(law.svaj(within(i)));
         let apart = self.outcome.model != Model::Rigid || on_shaft;
         let mut rigid = apart.then(|| self.curve(rigid));
         if on_shaft {

@@ -46,7 +46,7 @@ fn walkers_in(design: &Design, layout: Layout, words: &Words) -> Picture {
         }
     }
     layout.picture(words.language(), |f| {
-        f.title(&design.name, &words.text("figure-walkers"))?;
+        f.title(&design.problem.name, &words.text("figure-walkers"))?;
         let frame = layout.frame();
         let curves = [&low, &high, &given, &wanted];
         let values = curves.into_iter().flatten().map(|p| p.1);

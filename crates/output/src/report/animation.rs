@@ -352,7 +352,7 @@ fn controls(out: &mut String, synthesis: &Design, running: Option<&Running>, wor
         );
     }
     out.push_str("</table>\n");
-    if synthesis.drive.kind == gaitcam::drive::DriveKind::MovingAxis {
+    if synthesis.problem.drive.kind == gaitcam::drive::DriveKind::MovingAxis {
         let _ = writeln!(out, "<p class=\"note\">{}</p>", text("report-inverted"));
     }
     out.push_str("</div>\n");

@@ -87,7 +87,7 @@ fn force(out: &mut String, synthesis: &Design, words: &Words) {
 
 /// The recording that the target was made from, with every contact.
 fn recording(out: &mut String, synthesis: &Design, words: &Words) {
-    let target = synthesis.target.as_ref();
+    let target = synthesis.target();
     let Some(understood) = target.and_then(|t| t.recording.as_ref()) else {
         return;
     };
@@ -109,7 +109,7 @@ fn force_words(synthesis: &Design, words: &Words) -> String {
     let shown = |x: f64, digits| format!("{} {unit}", number(x, digits));
     let (low, high) = (shown(force.min_n, 4), shown(force.max_n, 4));
     let ends = [("low", low.as_str()), ("high", &high)];
-    if synthesis.target.is_none() {
+    if synthesis.target().is_none() {
         return words.fill("report-alt-force-alone", &ends);
     }
     let rms = shown(force.rms_error_n, 3);
@@ -141,7 +141,7 @@ fn cam_words(synthesis: &Design, words: &Words) -> String {
 
 /// The force error, with the step-to-step variation of the recording if known.
 fn comparison(out: &mut String, synthesis: &Design, words: &Words) {
-    let Some(target) = &synthesis.target else {
+    let Some(target) = synthesis.target() else {
         return;
     };
     let unit = synthesis.cam.follower.measures().force().name;

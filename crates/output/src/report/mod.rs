@@ -59,7 +59,7 @@ pub fn html_of_run(
 fn page(synthesis: &Design, time: Timing, running: Option<&Running>, language: Language) -> String {
     let words = words::words(language);
     let mut out = String::with_capacity(1 << 18);
-    let title = words.fill("report-title", &[("name", &synthesis.name)]);
+    let title = words.fill("report-title", &[("name", &synthesis.problem.name)]);
     head(&mut out, &title, &words);
     headline(&mut out, synthesis, &words);
     if synthesis.infeasible.is_some() {
@@ -136,7 +136,7 @@ fn headline(out: &mut String, synthesis: &Design, words: &Words) {
         out,
         "<header><div class=\"light {light}\"></div><div><h1>{}</h1>\n\
          <p><span class=\"verdict {light}\">{}.</span> {}</p></div></header>\n<main>",
-        escaped(&synthesis.name),
+        escaped(&synthesis.problem.name),
         escaped(&words.text(verdict)),
         escaped(&reason)
     );
@@ -230,7 +230,7 @@ fn cards_of(synthesis: &Design, words: &Words) -> Vec<Card> {
         millimetres(sharpest.value, 4),
         words.fill("report-at", &[("place", &place)]),
     ));
-    let speed = synthesis.drive.speed;
+    let speed = synthesis.problem.drive.speed;
     let own = measures.speed().after(&number(speed, 4));
     let (value, more) = match measures {
         Measures::Straight => (own, String::new()),
@@ -265,7 +265,7 @@ fn force_cards(synthesis: &Design, words: &Words) -> Vec<Card> {
             worst,
             words.fill("report-worst-walker", &who),
         ));
-    } else if synthesis.target.is_some() {
+    } else if synthesis.target().is_some() {
         let percent = number(force.rms_error_percent_of_mean, 3);
         cards.push((
             words.text("report-force-error-rms"),

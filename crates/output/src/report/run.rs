@@ -100,7 +100,7 @@ fn liftoff(synthesis: &Design, outcome: &Outcome, words: &Words) -> (String, Str
     let speed = |w: f64| measures.speed().after(&number(w, 5));
     match outcome.liftoff_speed {
         Some(w) => {
-            let own = speed(synthesis.drive.speed);
+            let own = speed(synthesis.problem.drive.speed);
             (speed(w), words.fill("report-runs-at", &[("speed", &own)]))
         }
         None if outcome.floor.is_some() => ("–".to_string(), String::new()),

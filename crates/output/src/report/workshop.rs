@@ -44,7 +44,7 @@ fn cutting(design: &Design, words: &Words) -> Rows {
             words.fill("report-times-roller", &[("ratio", &ratio)]),
         ));
     }
-    if let Some(bore) = design.bore {
+    if let Some(bore) = design.problem.cam.hole() {
         let wall = least_wall(design, &bore);
         let thick = millimetres(wall, 3);
         let least = millimetres(LEAST_WALL, 2);
@@ -69,22 +69,22 @@ fn least_wall(design: &Design, bore: &Bore) -> f64 {
 }
 
 fn balance(design: &Design, words: &Words) -> Rows {
-    let Some(body) = design.cam.body(design.bore) else {
+    let Some(body) = design.cam.body(design.problem.cam.hole()) else {
         return Vec::new();
     };
-    let per_area = STEEL * design.thickness;
+    let per_area = STEEL * design.problem.cam.thickness;
     let grams = |kilograms: f64| format!("{} g", number(1e3 * kilograms, 4));
     let mut rows = vec![("report-cam-mass", grams(per_area * body.area))];
     rows.push(("report-centroid", polar(body.centroid)));
     let unbalance = 1e6 * per_area * body.moment();
     rows.push(("report-unbalance", format!("{} g·mm", number(unbalance, 4))));
-    let push = per_area * body.moment() * design.drive.speed * design.drive.speed;
+    let push = per_area * body.moment() * design.problem.drive.speed * design.problem.drive.speed;
     rows.push(("report-unbalance-force", format!("{} N", number(push, 3))));
     let making = Making {
         balance: true,
-        ..design.making.clone()
+        ..design.problem.cam.making().clone()
     };
-    let hole = match making.balance_hole(&design.cam, design.bore) {
+    let hole = match making.balance_hole(&design.cam, design.problem.cam.hole()) {
         Some(Hole { centre, diameter }) => {
             let (diameter, place) = (millimetres(diameter, 4), polar(centre));
             words.fill(

@@ -25,7 +25,7 @@ fn report_is_one_file_that_asks_nothing_of_the_network() {
         // The walker's own variation stands beside the error where it is known.
         assert_eq!(
             html.contains("Step-to-step"),
-            s.target.unwrap().spread_n.is_some()
+            s.target().unwrap().spread_n.is_some()
         );
         let data = html.split("id=\"motion\">").nth(1).unwrap();
         let data: Value = serde_json::from_str(data.split("</script>").next().unwrap()).unwrap();
@@ -47,15 +47,21 @@ fn the_report_of_an_impossible_cam_says_why_and_shows_none() {
 
 #[test]
 fn the_report_of_a_run_moves_the_follower_as_it_ran() {
+    use gaitcam::Drive;
     use gaitcam::dynamics::{Machine, Model, Run, simulate};
     use gaitcam_output::report::{Running, html_of_run};
     // Far above lift-off: the follower flies for a part of every turn.
-    let mut s = footbridge();
-    s.drive.speed *= 2.2;
+    let own = footbridge();
+    let drive = Drive {
+        speed: 2.2 * own.problem.drive.speed,
+        ..own.problem.drive
+    };
+    let target = own.target().cloned();
+    let s = own.moved_to(drive, target);
     let run = Run {
         profile: s.cam.profile(720),
         cam: s.cam.clone(),
-        drive: s.drive,
+        drive: s.problem.drive,
         target: None,
         machine: Machine {
             restitution: 0.3,

@@ -13,7 +13,7 @@ use gaitcam_test_support::designed;
 #[test]
 fn the_files_of_a_simulation_have_the_documented_keys_and_columns() {
     let design = designed("footbridge");
-    let mut run = Run::new(design.cam, design.drive, 1440);
+    let mut run = Run::new(design.cam, design.problem.drive, 1440);
     // Fast enough to lose contact, so that every key has a value.
     run.drive.speed *= 3.0;
     run.machine.restitution = 0.5;

@@ -122,17 +122,17 @@ fn without_a_target_there_is_no_error_and_where_nothing_presses_no_force() {
 
 /// Where `summary.json` has a number or name of the design, and where the design's own data has it.
 const CORE: [(&str, &str); 26] = [
-    ("/name", "/name"),
+    ("/name", "/problem/name"),
     ("/verdict", "/verdict"),
     ("/force", "/force"),
-    ("/drive/kind", "/drive/kind"),
-    ("/drive/mass_kg", "/drive/mass"),
-    ("/drive/speed_rad_per_s", "/drive/speed"),
+    ("/drive/kind", "/problem/drive/kind"),
+    ("/drive/mass_kg", "/problem/drive/mass"),
+    ("/drive/speed_rad_per_s", "/problem/drive/speed"),
     ("/law/family", "/family"),
     ("/law/degree", "/degree"),
     ("/law/functions", "/functions"),
     ("/law/coefficients", "/coefficients"),
-    ("/law/phase_rad", "/phase"),
+    ("/law/phase_rad", "/problem/phase"),
     ("/checks/0/name", "/checks/0/name"),
     ("/checks/0/worst", "/checks/0/worst"),
     ("/checks/0/limit", "/checks/0/limit"),

@@ -129,11 +129,11 @@ fn texts_of_designs_and_runs_keep_their_places_in_both_languages() {
     let designs = designs();
     assert!(designs.len() > 20, "{}", designs.len());
     for design in &designs {
-        let mut run = Run::new(design.cam.clone(), design.drive, 720);
+        let mut run = Run::new(design.cam.clone(), design.problem.drive, 720);
         run.drive.speed *= 2.2;
         let outcome = simulate(&run, Model::Rigid).ok();
         for language in LANGUAGES {
-            let of = format!("{} {language:?}", design.name);
+            let of = format!("{} {language:?}", design.problem.name);
             for (name, picture) in [
                 ("svaj", plots::svaj(design, language)),
                 ("force", plots::force(design, language)),

@@ -59,7 +59,7 @@ fn a_program_on_the_edge_of_feasibility_is_answered_either_way() {
         finite(&answer);
         if answer.infeasible.is_none() {
             let (down, up) = answer.cam.law.extremes(2);
-            let worst = up.value.max(-down.value) * answer.drive.speed.powi(2);
+            let worst = up.value.max(-down.value) * answer.problem.drive.speed.powi(2);
             assert!(worst <= most * (1.0 + 1e-6), "{worst} {most}");
         }
     }

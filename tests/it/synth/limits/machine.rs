@@ -25,7 +25,7 @@ fn check<'a>(s: &'a Design, name: &str) -> &'a gaitcam::cam::Check {
 fn peak_torque(s: &Design) -> f64 {
     (0..20_011)
         .map(|i| s.cam.law.svaj(TAU * f64::from(i) / 20_011.0))
-        .map(|at| (s.drive.force(at) * at.v).abs())
+        .map(|at| (s.problem.drive.force(at) * at.v).abs())
         .fold(0.0, f64::max)
 }
 
@@ -62,9 +62,9 @@ fn a_pressure_limit_under_a_flat_face_is_a_row_of_the_program() {
         (0..7213)
             .map(|i| {
                 let at = s.cam.law.svaj(TAU * f64::from(i) / 7213.0);
-                let force = s.drive.force(at);
-                let here = touch(&s.cam.follower, s.drive.speed, 0.0, at, force);
-                hertz::line(here.normal, s.thickness, here.curvature, steel).pressure
+                let force = s.problem.drive.force(at);
+                let here = touch(&s.cam.follower, s.problem.drive.speed, 0.0, at, force);
+                hertz::line(here.normal, s.problem.cam.thickness, here.curvature, steel).pressure
             })
             .fold(0.0, f64::max)
     };
@@ -188,7 +188,11 @@ fn an_arm_has_inertia_not_mass() {
         ],
     );
     assert_eq!(
-        (s.drive.mass, s.drive.rest_force, s.drive.spring_rate),
+        (
+            s.problem.drive.mass,
+            s.problem.drive.rest_force,
+            s.problem.drive.spring_rate
+        ),
         (0.02, 2.0, 3.0)
     );
     assert!(fault(&arm, "drive.mass=1 kg").contains("inertia"));
@@ -208,7 +212,7 @@ fn an_eccentric_asks_of_the_machine_what_its_closed_form_says() {
         [[law.segment]]\nmotion = \"simple-harmonic\"\nlift = \"-20 mm\"\nangle = \"180 deg\"\n";
     let s = design(text, &[]);
     let (mass, e, speed) = (2.0, 0.01, 12.0_f64);
-    let g = s.drive.rest_force / mass;
+    let g = s.problem.drive.rest_force / mass;
     let bend = speed * speed * e;
     let machine = s.machine();
     let near = |value: Option<f64>, wanted: f64| {
@@ -246,14 +250,14 @@ fn sampled_in_groove(s: &Design, radius: f64) -> f64 {
             .cam
             .law
             .svaj(std::f64::consts::TAU * f64::from(i) / 40_000.0);
-        let force = s.drive.force(at);
+        let force = s.problem.drive.force(at);
         let length = (1.0 + (at.v / radius).powi(2)).sqrt();
         // The upper wall bears a pull, and bends the other way.
         let bulge = -force.signum() * at.a / (radius * radius * length.powi(3));
         force.abs() * length / (roller * (1.0 - roller * bulge))
     });
     let most = square.fold(0.0, f64::max);
-    (most * steel / (std::f64::consts::PI * s.thickness)).sqrt()
+    (most * steel / (std::f64::consts::PI * s.problem.cam.thickness)).sqrt()
 }
 
 #[test]
@@ -306,9 +310,9 @@ fn a_flat_face_presses_where_force_over_radius_is_highest() {
                 .law
                 .svaj(std::f64::consts::TAU * f64::from(i) / 60_000.0)
         })
-        .map(|at| s.drive.force(at) / (0.06 + at.s + at.a))
+        .map(|at| s.problem.drive.force(at) / (0.06 + at.s + at.a))
         .fold(0.0, f64::max);
-    let pressed = hertz::line(most, s.thickness, 1.0, steel).pressure;
+    let pressed = hertz::line(most, s.problem.cam.thickness, 1.0, steel).pressure;
     let told = s.machine().hertz_pressure_max_pa.unwrap();
     assert!(
         told >= pressed && told < pressed * (1.0 + 1e-7),

@@ -65,7 +65,7 @@ fn a_power_limit_shapes_the_law_as_the_same_torque_does() {
         scene::DEFAULT,
         &[&open[..], &["limits.power=1 kW"]].concat(),
     );
-    let (most, speed) = (power(&free).worst, free.drive.speed);
+    let (most, speed) = (power(&free).worst, free.problem.drive.speed);
     let held = |limit: String| design(scene::DEFAULT, &[&open[..], &[limit.as_str()]].concat());
     let by_power = held(format!("limits.power={} W", 0.85 * most));
     let by_torque = held(format!("limits.torque={} N m", 0.85 * most / speed));

@@ -20,10 +20,10 @@ pub fn solved(changes: &[&str], target: &ForceCurve) -> Design {
 
 /// Force less target at many angles, N.
 fn errors(design: &Design) -> Vec<f64> {
-    let target = design.target.as_ref().unwrap();
+    let target = design.target().unwrap();
     (0..100_000)
         .map(|i| TAU * f64::from(i) / 100_000.0)
-        .map(|x| design.drive.force(design.cam.law.svaj(x)) - target.at(x))
+        .map(|x| design.problem.drive.force(design.cam.law.svaj(x)) - target.at(x))
         .collect()
 }
 
@@ -175,8 +175,11 @@ fn the_least_largest_error_is_below_that_of_least_squares_and_touches_often() {
     let top = largest(&b);
     for k in 0..20 {
         let other = solved(&["law.spans=10"], &target.begun_at(0.3 * f64::from(k)));
-        let forces =
-            |d: &Design, i: usize| d.drive.force(d.cam.law.svaj(TAU * i as f64 / 10_000.0));
+        let forces = |d: &Design, i: usize| {
+            d.problem
+                .drive
+                .force(d.cam.law.svaj(TAU * i as f64 / 10_000.0))
+        };
         for step in [-0.02, -1e-3, 1e-3, 0.02] {
             let beside = (0..10_000).fold(0.0_f64, |m, i| {
                 m.max((b[10 * i] + step * (forces(&other, i) - forces(&peak, i))).abs())
@@ -230,7 +233,7 @@ fn a_free_phase_finds_the_shift_of_the_force() {
     }
     let shifted = target.begun_at(1.0);
     let again = solved(&[base[0], base[1], base[2], "gait.phase=free"], &shifted);
-    let turn = (free.phase - again.phase - 1.0).rem_euclid(TAU);
+    let turn = (free.problem.phase - again.problem.phase - 1.0).rem_euclid(TAU);
     // Two humps of equal shape leave two phases of nearly one error.
     assert!((again.force.rms_error_n / free.force.rms_error_n - 1.0).abs() < 1e-3);
     assert!(

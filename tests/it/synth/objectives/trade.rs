@@ -155,7 +155,7 @@ fn the_law_of_an_arm_gives_way_to_pressure_angle_and_curvature() {
 /// (e/e₁)² + R/R₁ + (j/j₁)² of a finished design, jerk by a dense scan in time.
 fn price(design: &Design, one: [Option<f64>; 3]) -> f64 {
     let force = design.force.rms_error_n / design.force.target_mean_n;
-    let jerk = mean_square_jerk(design).sqrt() * design.drive.speed.powi(3);
+    let jerk = mean_square_jerk(design).sqrt() * design.problem.drive.speed.powi(3);
     let radius = design.cam.follower.prime_radius();
     one[0].map_or(0.0, |e| (force / e).powi(2))
         + one[1].map_or(0.0, |r| radius / r)
@@ -299,8 +299,11 @@ fn a_weighed_jerk_is_at_its_least_along_every_other_law() {
                 .map(|x| {
                     let (a, b) = (weighed.cam.law.svaj(x), other.cam.law.svaj(x));
                     let mix = |p: f64, q: f64| p + part * (q - p);
-                    let force = mix(weighed.drive.force(a), weighed.drive.force(b)) - target.at(x);
-                    let jerk = mix(a.j, b.j) * weighed.drive.speed.powi(3);
+                    let force = mix(
+                        weighed.problem.drive.force(a),
+                        weighed.problem.drive.force(b),
+                    ) - target.at(x);
+                    let jerk = mix(a.j, b.j) * weighed.problem.drive.speed.powi(3);
                     (force / 700.0 / 0.02).powi(2) + (jerk / 150.0).powi(2)
                 })
                 .collect();

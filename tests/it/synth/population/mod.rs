@@ -227,6 +227,61 @@ fn limits_on_loads_and_force_hold_for_every_walker_of_random_populations() {
     assert!(built >= 12, "{built} of 16 were built");
 }
 
+/// Pressure of every walker's machine on the emitted cam, from law, mass, speed and base radius alone; and its curvature.
+#[test]
+fn the_checks_are_those_of_the_emitted_cam_where_its_size_is_automatic() {
+    use gaitcam::dynamics::hertz::{STEEL, modulus};
+    let mut built = 0;
+    for (count, bound) in [(5, "300 MPa"), (20, "250 MPa"), (60, "400 MPa")] {
+        for (family, robust) in [("harmonic", "mean"), ("spline", "worst")] {
+            let scene = with(&[
+                ("law.family", family),
+                ("law.robust", robust),
+                ("limits.hertz_pressure", bound),
+                ("cam.bore", "12 mm"),
+                ("accuracy.rms", "none"),
+            ]);
+            let mut people = people(count, 4, 0.3);
+            let mut random = Random(count as u64 * 0x9e37_79b9_7f4a_7c15);
+            for (walker, _) in &mut people {
+                let factor = 0.6 + random.next();
+                let force = walker.curve.force_n.iter().map(|f| factor * f).collect();
+                walker.curve = walker.curve.with_forces(force);
+            }
+            let design = scene.design_for(&force(&people)).unwrap();
+            let (law, base) = (&design.cam.law, design.cam.follower.base_radius());
+            let unit =
+                modulus(STEEL, STEEL) / (std::f64::consts::PI * design.problem.cam.thickness);
+            let mut worst = 0.0_f64;
+            for walker in &design.population.as_ref().unwrap().each {
+                let (mass, speed) = (walker.mass_kg, walker.speed_rad_per_s);
+                for i in 0..3600 {
+                    let at = law.svaj(TAU * f64::from(i) / 3600.0);
+                    let force = mass * (9.81 + speed * speed * at.a);
+                    worst = worst.max(unit * force / (base + at.s + at.a));
+                }
+            }
+            let check = |name: &str| {
+                let named = |c: &&gaitcam::cam::Check| c.name.name() == name;
+                design.checks.iter().find(named).unwrap()
+            };
+            let pressure = check("hertz_pressure");
+            let part = worst.sqrt() / pressure.worst;
+            assert!(
+                part < 1.0 + 1e-9 && part > 0.999,
+                "{count}: {part} of {pressure:?}"
+            );
+            let convex = design.cam.curvature().convex.value;
+            assert!(
+                (check("curvature").worst / convex - 1.0).abs() < 1e-9,
+                "{count}: {convex}"
+            );
+            built += usize::from(design.infeasible.is_none() && pressure.pass);
+        }
+    }
+    assert!(built >= 4, "{built} of 6 were built");
+}
+
 #[test]
 fn settings_without_a_form_for_several_walkers_are_refused_with_their_key() {
     let people = people(3, 4, 0.3);

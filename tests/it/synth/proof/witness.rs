@@ -126,14 +126,14 @@ fn design(scene: &(&str, &[&str], u32, &str), limits: &[(&str, f64)]) -> Design 
 /// What a design has of every limited quantity.
 fn values(design: &Design) -> Vec<(&'static str, f64)> {
     let law = &design.cam.law;
-    let speed = design.drive.speed;
+    let speed = design.problem.drive.speed;
     let peak = |order: usize| {
         let (low, high) = law.extremes(order);
         high.value.max(-low.value) * speed.powi(order as i32)
     };
     let torque = |at: f64| {
         let at = law.svaj(at);
-        (design.drive.force(at) * at.v).abs()
+        (design.problem.drive.force(at) * at.v).abs()
     };
     let angles = (0..36_000).map(|i| f64::from(i) * std::f64::consts::TAU / 36_000.0);
     let mut out = vec![

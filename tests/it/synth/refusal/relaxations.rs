@@ -223,7 +223,7 @@ fn a_stroke_counts_from_the_lowest_lift() {
     assert!(narrow.binding.iter().any(|b| b.limit.name() == "stroke"));
     // A law cut at both ends of the range misses the force by half of what is cut, at most: the best one
     // misses it by less, and by more than nothing.
-    let cut = 0.005 * stroke * narrow.drive.weights()[0];
+    let cut = 0.005 * stroke * narrow.problem.drive.weights()[0];
     let missed = narrow.force.rms_error_n;
     assert!(missed > 0.05 * cut && missed < cut, "{missed} N of {cut} N");
 }

@@ -170,7 +170,7 @@ pub fn curves(design: &Design, colour: Colour) -> Curves {
 }
 
 fn samples(design: &Design) -> Vec<Sample> {
-    let mut drive = design.drive;
+    let mut drive = design.problem.drive;
     if design.is_idle() {
         // Where nothing presses, the force of one unit of moved mass is shown.
         drive.mass = 1.0;
@@ -206,7 +206,7 @@ fn line_of(role: &'static str, samples: &[Sample], value: impl Fn(&Sample) -> f6
 
 fn panels(design: &Design, samples: &[Sample]) -> Vec<Panel> {
     let measures = design.cam.follower.measures();
-    let speed = design.drive.speed;
+    let speed = design.problem.drive.speed;
     let mut out = vec![force(design, samples)];
     let picks: [(Diagram, Pick); 4] = [
         (Diagram::Lift, |m| m.s),
@@ -269,12 +269,12 @@ fn force(design: &Design, samples: &[Sample]) -> Panel {
     let law = &design.cam.law;
     let unit = design.cam.follower.measures().force();
     let mut lines = vec![line_of("main", samples, |s| s.force)];
-    if let Some(target) = &design.target {
+    if let Some(target) = design.target() {
         lines.push(line_of("target", samples, |s| {
             curve::target_at(target, law, s.theta)
         }));
     }
-    if let Some([low, high]) = &design.band {
+    if let Some([low, high]) = design.band() {
         lines.push(line_of("low", samples, |s| {
             curve::target_at(low, law, s.theta)
         }));
@@ -419,10 +419,16 @@ fn hertz(design: &Design, s: &Sample) -> f64 {
     if design.is_idle() || sharp || s.force <= 0.0 {
         return f64::NAN;
     }
-    let here = touch(follower, design.drive.speed.abs(), 0.0, s.at, s.force);
+    let here = touch(
+        follower,
+        design.problem.drive.speed.abs(),
+        0.0,
+        s.at,
+        s.force,
+    );
     1e-6 * line(
         here.normal,
-        design.thickness,
+        design.problem.cam.thickness,
         here.curvature,
         modulus(STEEL, STEEL),
     )

@@ -16,10 +16,10 @@ pub fn lines(design: &Design, samples: &[Sample]) -> Vec<Line> {
     else {
         return Vec::new();
     };
-    let rest = design.drive.rest_force;
+    let rest = design.problem.drive.rest_force;
     let wanted = |i: usize, theta: f64| {
         let walker = &all.each[i];
-        let later = report.each[i].phase_rad - design.phase;
+        let later = report.each[i].phase_rad - design.problem.phase;
         let force = curve::target_at(&walker.target, &design.cam.law, theta + later);
         rest + (force - walker.drive.rest_force) / walker.factor
     };

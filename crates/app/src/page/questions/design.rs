@@ -261,7 +261,7 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
     Answer {
         design_hash: kept.hash.clone(),
         force_hash: kept.force.clone(),
-        name: design.name.clone(),
+        name: design.problem.name.clone(),
         scene: toml::to_string(&kept.table).unwrap_or_default(),
         fields: fields(&kept.table, scene, Some(design)),
         verdict: design.verdict.name(),

@@ -35,7 +35,7 @@ pub fn simulate(files: &Files, which: &Which) -> Result<Value> {
     if let Some(why) = design.no_cam(language) {
         return Ok(json!({"why": why}));
     }
-    let run = design.emitted(&made.scene.machine, design.drive)?;
+    let run = design.emitted(&made.scene.machine, design.problem.drive)?;
     let outcome = dynamics::simulate(&run, Model::Auto)?;
     let measures = design.cam.follower.measures();
     Ok(json!({

@@ -162,7 +162,7 @@ pub fn front(files: &Files, asked: &Trade) -> Result<Value> {
     let language = words::current();
     let points = front.iter().map(|point| {
         let x = factor * against.value(&Figures::of(&point.design));
-        let y = point.design.drive.newtons(point.design.force.rms_error_n);
+        let y = point.design.problem.drive.newtons(point.design.force.rms_error_n);
         json!({
             "x": x, "y": y,
             "shown": [format!("{} {unit}", number(language, round(x))), format!("{} N", number(language, round(y)))],

@@ -42,7 +42,12 @@ pub fn add(file: &mut File, groove: &BarrelGroove, design: &Design) -> Result<us
     {
         return Err(WriteError::UndercutProfile.into());
     }
-    if let Some(bore) = design.bore.filter(|b| b.reach() + LEAST_WALL > inner) {
+    if let Some(bore) = design
+        .problem
+        .cam
+        .hole()
+        .filter(|b| b.reach() + LEAST_WALL > inner)
+    {
         return Err(WriteError::BoreTooLarge {
             bore: Quantity::length(bore.diameter),
             free: Quantity::length(2.0 * (inner - LEAST_WALL)),
@@ -324,7 +329,7 @@ impl Barrel<'_> {
 
     /// Both ends, the hole for the shaft, the mark of θ = 0, and the whole.
     fn close(mut self, arcs: [Vec<usize>; 2], design: &Design) -> usize {
-        let hole = (design.bore).map(|bore| {
+        let hole = (design.problem.cam.hole()).map(|bore| {
             // On a barrel θ = 0 is at +x: the keyway is turned there.
             let turn = |[x, y]: [f64; 2]| [y, -x];
             let pieces: Vec<Piece> = (hole_pieces(&bore).into_iter())
@@ -344,8 +349,8 @@ impl Barrel<'_> {
                 .collect();
             self.file.wall(&pieces, self.ends, true, &mut self.faces)
         });
-        let dot = design.mark.then(|| {
-            let reach = design.bore.map_or(0.0, |b| b.reach());
+        let dot = design.problem.cam.mark.then(|| {
+            let reach = design.problem.cam.hole().map_or(0.0, |b| b.reach());
             let place = 0.5 * (reach + self.groove.depth().1);
             let dot = Dot::at(
                 [MM * place, 0.0],

@@ -50,7 +50,7 @@ pub fn choices(scene: &Scene, design: &Design) -> Vec<Choice> {
 fn accuracy(scene: &Scene, design: &Design) -> String {
     let percent = fixed(design.force.rms_error_percent_of_mean, 4);
     match scene.rms {
-        _ if design.target.is_none() => text("explain-no-force"),
+        _ if design.target().is_none() => text("explain-no-force"),
         Some(rms) => {
             let allowed = fixed(100.0 * rms, 4);
             let values = json!({"percent": percent, "allowed": allowed});
@@ -75,7 +75,7 @@ fn family(scene: &Scene, design: &Design) -> Choice {
         Family::Ladder => fill("explain-simplest-solver", &json!({"status": status})),
         _ => asked_for(scene, design),
     };
-    let (next, richer) = match design.family.as_str() {
+    let (next, richer) = match design.family.name() {
         "double-harmonic" => ("explain-to-harmonics", Some(Family::Harmonic)),
         "harmonic" => ("explain-to-spline", Some(Family::Spline)),
         "spline" => ("explain-more-spans", None),
@@ -85,7 +85,7 @@ fn family(scene: &Scene, design: &Design) -> Choice {
         subject: "family",
         chosen: fill(
             "explain-family-degree",
-            &json!({"family": design.family, "degree": design.degree}),
+            &json!({"family": design.family.name(), "degree": design.degree}),
         ),
         because,
         next: text(next),
@@ -95,7 +95,7 @@ fn family(scene: &Scene, design: &Design) -> Choice {
 
 /// Spans or harmonics, doubled: the richer law contains the chosen one.
 fn size(scene: &Scene, design: &Design) -> Option<Choice> {
-    let (subject, count): (_, usize) = match design.family.as_str() {
+    let (subject, count): (_, usize) = match design.family.name() {
         "spline" => (
             "spans",
             (scene.law.spans).unwrap_or_else(|| design.cam.law.poly().pieces()),
@@ -187,7 +187,7 @@ pub fn force_change(one: &Design, other: &Design) -> f64 {
 }
 
 fn rms_difference(design: &Design, one: &Law, other: &Law) -> f64 {
-    let drive = &design.drive;
+    let drive = &design.problem.drive;
     let square: f64 = (0..ANGLES)
         .map(|i| TAU * (i as f64 + 0.5) / ANGLES as f64)
         .map(|x| (drive.force(one.svaj(x)) - drive.force(other.svaj(x))).powi(2))
@@ -233,7 +233,7 @@ pub fn run(design: &Design, points: usize) -> Run {
         profile: design.cam.profile(points),
         target: None,
         cam: design.cam.clone(),
-        drive: design.drive,
+        drive: design.problem.drive,
         machine: Machine::default(),
     }
 }

@@ -48,7 +48,7 @@ pub fn lines(
 }
 
 fn changed(design: &Design, other: &Design) -> String {
-    let newtons = |force: f64| design.drive.newtons(force);
+    let newtons = |force: f64| design.problem.drive.newtons(force);
     let [change, mean] = [force_change(design, other), design.force.mean_n.abs()].map(newtons);
     let [before, after] = [design, other].map(|d| newtons(d.force.rms_error_n));
     let mut values = json!({"change": fixed(change, 4), "before": fixed(before, 4),

@@ -40,7 +40,7 @@ pub fn cam(synthesis: &Design, language: Language) -> Picture {
 
 pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
     layout.picture(words.language(), |f| {
-        f.title(&synthesis.name, &words.text("figure-cam"))?;
+        f.title(&synthesis.problem.name, &words.text("figure-cam"))?;
         let e = f.e;
         let (width, height) = (f64::from(layout.size.0), f64::from(layout.size.1));
         let top = if layout.title { 4.2 * e } else { e };
@@ -233,7 +233,13 @@ impl<'a> Scene<'a> {
         if !self.is_straight() {
             dashed(plane, circle(self.base), GREEN, BASE)?;
         }
-        if let Some(bore) = self.synthesis.bore.filter(|_| !self.is_straight()) {
+        if let Some(bore) = self
+            .synthesis
+            .problem
+            .cam
+            .hole()
+            .filter(|_| !self.is_straight())
+        {
             let mut angles: Vec<f64> = (0..=360).map(|i| f64::from(i).to_radians()).collect();
             angles.extend(bore.corners().iter().map(|a| a.rem_euclid(TAU)));
             angles.sort_by(f64::total_cmp);
@@ -318,7 +324,7 @@ impl<'a> Scene<'a> {
         // Counter-clockwise as θ grows, on the side where the cam has most room for it.
         let r = (0.45 * self.base.min(self.reach)).max(0.22 * self.reach);
         let middle = self.bulk().unwrap_or(0.7);
-        let sense = if self.synthesis.drive.speed < 0.0 {
+        let sense = if self.synthesis.problem.drive.speed < 0.0 {
             -1.0
         } else {
             1.0

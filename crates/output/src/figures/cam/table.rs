@@ -82,7 +82,7 @@ impl Scene<'_> {
             let phi = format!("{} … {}", degrees(low.value), degrees(high.value));
             facts.push(("figure-phi", phi));
         }
-        let speed = number(self.synthesis.drive.speed, 4);
+        let speed = number(self.synthesis.problem.drive.speed, 4);
         facts.push(("figure-speed", measures.speed().after(&speed)));
         let named = |(key, value): (&str, String)| (words.text(key), value);
         facts.into_iter().map(named).collect()

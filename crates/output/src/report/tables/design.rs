@@ -35,8 +35,11 @@ fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
     if all.is_empty() {
         return;
     }
-    let weight = synthesis.weight_n.unwrap_or(synthesis.force.target_mean_n);
-    let weight = number(synthesis.drive.newtons(weight), 4);
+    let weight = synthesis
+        .problem
+        .weight_n
+        .unwrap_or(synthesis.force.target_mean_n);
+    let weight = number(synthesis.problem.drive.newtons(weight), 4);
     let name = escaped(&words.fill("report-load-factors", &[("weight", &weight)]));
     let _ = write!(out, "<div><h3>{name}</h3><table><tr>");
     let heads = [
@@ -73,7 +76,7 @@ fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
 }
 
 fn drive(synthesis: &Design, words: &Words) -> Rows {
-    let d = &synthesis.drive;
+    let d = &synthesis.problem.drive;
     let measures = synthesis.cam.follower.measures();
     let shown = |unit: Unit, x: f64| unit.after(&number(unit.factor * x, 5));
     let round = match measures {
@@ -114,7 +117,7 @@ fn drive(synthesis: &Design, words: &Words) -> Rows {
 
 fn law(synthesis: &Design, words: &Words) -> Rows {
     let law = &synthesis.cam.law;
-    let mut rows = vec![("report-family", words.name(&synthesis.family))];
+    let mut rows = vec![("report-family", words.name(synthesis.family.name()))];
     // A harmonic law is one piece of no degree.
     if synthesis.degree > 0 {
         rows.push(("report-pieces", law.poly().pieces().to_string()));
@@ -136,7 +139,7 @@ fn law(synthesis: &Design, words: &Words) -> Rows {
             unit.after(&range(scale * low.value, scale * high.value, 4))
         };
         rows.push((name[0], shown(measures.lift(order), 1.0)));
-        let rate = synthesis.drive.speed.powi(order as i32);
+        let rate = synthesis.problem.drive.speed.powi(order as i32);
         rows.push((name[1], shown(measures.by_time(order), rate)));
     }
     rows
@@ -202,7 +205,7 @@ fn machine(synthesis: &Design, words: &Words) -> Rows {
 
 /// Pressure that the hardness of the surface bears, with the margin.
 fn allowable(synthesis: &Design, words: &Words) -> Option<String> {
-    let hardness = synthesis.making.hardness?;
+    let hardness = synthesis.problem.cam.making().hardness?;
     let borne = hardness.allowable_pressure();
     let pressure = synthesis.machine().hertz_pressure_max_pa;
     let margin = pressure
