@@ -1,6 +1,6 @@
-//! Mean total force of a walker while both feet are on record, from two whole stances in turn.
+//! Mean total force of a walker while both feet are on record: over a stride it is the weight.
 //!
-//! Over a stride it is the weight. Two stances in turn show the total force from the toe-off of the foot before to that of
+//! A record of one stride has it although neither foot's stances may be whole. Otherwise two stances in turn show the total force from the toe-off of the foot before to that of
 //! the first, and from the heel strike of the second to the next one: two half strides. Their mean force hardly depends on
 //! the stride time, which only places their outer ends; the impulse of both stances over the stride time does.
 
@@ -12,11 +12,37 @@ use crate::statistics::mean;
 /// Largest part of their sum by which the impulses of two stances may differ.
 const UNEVEN: f64 = 0.05;
 
+/// Lowest total force, as a part of its mean, where both feet are on record.
+const LOADED: f64 = 0.3;
+/// A record may lack this part of a stride: the samples at its ends.
+const LACKING: f64 = 0.02;
+
+/// Mean force of all plates, N, over whole strides of a record in which it never falls far below its mean; `None` for
+/// any other record.
+fn mean_of_plates(recording: &Recording, period_s: f64) -> Option<f64> {
+    let plates: Vec<&[f64]> = recording.live().map(|(_, c)| &c.force_n[..]).collect();
+    let samples = plates.iter().map(|p| p.len()).min()?;
+    let total = |i: usize| plates.iter().map(|p| p[i]).sum::<f64>();
+    let total: Vec<f64> = (0..samples).map(total).collect();
+    let least = LOADED * mean(&total);
+    let stride = (period_s * recording.rate_hz).round();
+    let length = (stride as usize).min(samples);
+    let is_long = length >= 10 && length as f64 > (1.0 - LACKING) * stride;
+    if plates.len() < 2 || !is_long || total.iter().any(|x| *x <= least) {
+        return None;
+    }
+    let strides = total.windows(length).step_by((length / 4).max(1));
+    Some(mean(&strides.map(mean).collect::<Vec<f64>>()))
+}
+
 /// Mean total force, N, at a stride time; `None` without two whole stances in turn that carry alike: of a limping walker
 /// two half strides are no whole one.
 pub(super) fn mean_total(recording: &Recording, stances: &Stances, period_s: f64) -> Option<f64> {
     if recording.has_rows() || recording.runs() {
         return None;
+    }
+    if let Some(force) = mean_of_plates(recording, period_s) {
+        return Some(force);
     }
     let impulse = |fall: &Footfall, from_s: f64, to_s: f64| impulse(recording, fall, from_s, to_s);
     let whole = |f: &Footfall| f.rejected.is_none() && !f.unlike;

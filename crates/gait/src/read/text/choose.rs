@@ -3,7 +3,7 @@
 use super::by_numbers;
 use super::delimited::TextFile;
 use super::header::Table;
-use super::table::numbers;
+use super::table::{Numbers, numbers};
 use super::units::check_unit;
 use crate::error::{Placed, ReadError, Result, nearest};
 use crate::read::columns::{Role, foot, role, words};
@@ -29,6 +29,8 @@ pub(in crate::read) struct Columns {
     pub insole: bool,
     /// What was guessed in the choice.
     pub notes: Vec<Note>,
+    /// All columns of a table without names, which were read to choose from.
+    pub read: Option<Numbers>,
 }
 
 /// A column of force with what its name says.
@@ -100,8 +102,9 @@ fn by_names(table: &Table, stated: Option<usize>) -> Columns {
 /// `stated` is the place of the time column that the user names.
 fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Columns> {
     let all: Vec<usize> = (0..table.width.min(WIDEST)).collect();
-    let columns = numbers(file, table, &all, None)?.columns;
-    let time = stated.or_else(|| by_numbers::time_column(&columns));
+    let read = numbers(file, table, &all, None)?;
+    let columns = &read.columns;
+    let time = stated.or_else(|| by_numbers::time_column(columns));
     let mut chosen = Columns {
         time,
         counts: time.is_some_and(|t| by_numbers::counts_samples(&columns[t])),
@@ -109,9 +112,10 @@ fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Col
     };
     let is_short = columns.first().map_or(0, Vec::len) < FEWEST;
     if is_short || !file.options.force.is_empty() {
+        chosen.read = Some(read);
         return Ok(chosen);
     }
-    let force = by_numbers::force_columns(&columns, time);
+    let force = by_numbers::force_columns(columns, time);
     if force.is_empty() {
         return Err(ReadError::NamelessColumns.at_line(file.path, table.start.line));
     }
@@ -127,6 +131,7 @@ fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Col
         foot: sides.map(|s| s[k]),
     };
     chosen.force = force.into_iter().enumerate().map(column).collect();
+    chosen.read = Some(read);
     Ok(chosen)
 }
 

@@ -3,7 +3,7 @@
 use super::choose::Columns;
 use super::delimited::TextFile;
 use super::header::Table;
-use super::table::numbers;
+use super::table::{Numbers, numbers};
 use crate::error::{Error, Placed, ReadError, Result};
 use crate::quantity::{self, hertz};
 use crate::read::keys::Keys;
@@ -18,9 +18,8 @@ pub(in crate::read) struct Samples {
     /// Seconds per unit of the times, if the column gives it.
     pub time_unit: Option<f64>,
     /// Whether times count samples.
-    counts: bool,
+    pub counts: bool,
     pub forces: Vec<RawForce>,
-    count: usize,
     /// Whether the forces are those of pressure insoles.
     pub insole: bool,
     /// First lines that hold no row.
@@ -39,9 +38,14 @@ impl Samples {
         let mut places: Vec<usize> = forces.chain(columns.time).collect();
         places.sort_unstable();
         places.dedup();
+        let mut read = match columns.read {
+            Some(all) => part(file, table, all, &places, columns.time)?,
+            None => {
+                let slot = |place| places.binary_search(&place).unwrap_or(0);
+                numbers(file, table, &places, columns.time.map(slot))?
+            }
+        };
         let slot = |place: usize| places.binary_search(&place).unwrap_or(0);
-        let mut read = numbers(file, table, &places, columns.time.map(slot))?;
-        let count = read.columns.first().map_or(0, Vec::len);
         let mut take = |place: usize| std::mem::take(&mut read.columns[slot(place)]);
         let times = columns.time.map(&mut take);
         let name = |i: usize| match table.names.get(i) {
@@ -60,7 +64,6 @@ impl Samples {
             times,
             time_unit: columns.time.and_then(|t| table.time_unit(t)),
             counts: columns.counts,
-            count,
             insole: columns.insole,
             skipped: read.skipped,
             notes: columns.notes,
@@ -75,7 +78,8 @@ impl Samples {
         keys: &Keys,
         format: Format,
     ) -> Result<Recording> {
-        let (path, samples) = (file.path, self.count);
+        let path = file.path;
+        let samples = self.forces.first().map_or(0, |f| f.values.len());
         if samples < 2 {
             return Err(ReadError::FewSamples { samples }.at_line(path, table.start.line));
         }
@@ -152,6 +156,37 @@ impl Samples {
         }
         Ok(base)
     }
+}
+
+/// The chosen ones of all columns, as they are read alone: rows without a time are left out, times must not fall.
+fn part(
+    file: &TextFile,
+    table: &Table,
+    mut all: Numbers,
+    places: &[usize],
+    time: Option<usize>,
+) -> Result<Numbers> {
+    if let Some(t) = time {
+        let mut times = std::mem::take(&mut all.columns[t]);
+        if let Some(row) = times.windows(2).position(|w| w[1] < w[0]) {
+            // Rows follow each other without gaps in such files, so the line is the row.
+            let (after, time) = (times[row], times[row + 1]);
+            let fault = ReadError::TimeBackwards { time, after };
+            return Err(fault.at_line(file.path, table.start.line + row + 1));
+        }
+        if let Some(row) = times.iter().position(|t| t.is_nan()) {
+            all.skipped.push(table.start.line + row);
+            for column in &mut all.columns {
+                let mut times = times.iter();
+                column.retain(|_| times.next().is_some_and(|t| t.is_finite()));
+            }
+            times.retain(|t| t.is_finite());
+        }
+        all.columns[t] = times;
+    }
+    let columns = places.iter().map(|&i| std::mem::take(&mut all.columns[i]));
+    all.columns = columns.collect();
+    Ok(all)
 }
 
 /// The note that the user's rate takes the place of a time column that gives another.

@@ -10,7 +10,8 @@ use contacts::{cross_overs, cross_talk, heel_and_toe, partial, two_steps};
 use files::{anc, asc, c3d, components, forces, open_sim, plates_in_a_row};
 use movements::{bending, hopping, jumping, rising, running, running_asked, standing};
 use readings::{
-    columns_twice, coupled_plates, hum, loadsol, odd_numbers, spikes, visual3d, words_for_unloaded,
+    columns_twice, coupled_plates, hum, loadsol, odd_numbers, one_stride, spikes, visual3d,
+    words_for_unloaded,
 };
 use walking::{
     changing_speed, children, counting, limping, milliseconds, one_foot, slow, total, units,
@@ -72,6 +73,7 @@ pub const FAMILIES: &[Family] = &[
     ("odd numbers", 40, odd_numbers),
     ("loadsol", 40, loadsol),
     ("Visual3D with blanks", 40, visual3d),
+    ("one stride of unlike feet", 60, one_stride),
     ("components beside the vertical", 100, components),
     ("one foot", 100, one_foot),
     ("total of both feet", 100, total),

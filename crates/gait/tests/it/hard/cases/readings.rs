@@ -208,3 +208,40 @@ pub fn visual3d(dice: &mut Dice) -> Case {
     made.options.rate_hz = Some(plate.rate_hz);
     made
 }
+
+/// Exactly one stride on two belts, from heel strike to heel strike, of feet that carry unlike.
+pub fn one_stride(dice: &mut Dice) -> Case {
+    let plate = Plate {
+        noise_n: dice.of(&[0.0, 1.0]),
+        ..Plate::thresholded(dice)
+    };
+    let mut person = some_walker(dice);
+    let uneven = dice.between(-0.08, 0.08);
+    for step in &mut person.steps {
+        step.factor *= if step.left {
+            1.0 + uneven
+        } else {
+            1.0 - uneven
+        };
+    }
+    let from = person.steps[2].at;
+    let seconds = person.steps[4].at - from;
+    let of = |dice: &mut Dice, left: bool| {
+        plate.samples(dice, seconds, |t| {
+            person.feet(t + from, |_, s| s.left == left)
+        })
+    };
+    let table = Table {
+        rate_hz: plate.rate_hz,
+        names: dice.of(&SIDES).map(str::to_string).to_vec(),
+        columns: vec![of(dice, true), of(dice, false)],
+    };
+    let text = table.delimited(seconds_clock(dice), false);
+    // The stride itself, or its one whole step twice.
+    let step = person.steps[3].at - from;
+    let truth = Truth {
+        strides: vec![seconds, 2.0 * step],
+        ..truth(&person)
+    };
+    case("one stride of unlike feet", text, truth, false)
+}
