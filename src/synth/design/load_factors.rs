@@ -10,12 +10,16 @@ use crate::poly::amplitudes;
 
 /// Harmonics of the step frequency that are quoted.
 const HARMONICS: usize = 6;
-/// Samples of a turn that the harmonics are taken from.
-const SAMPLES: usize = 1024;
+/// Samples of a turn that the harmonics are taken from: a force whose slope jumps, as at the joints of segments, has its
+/// factors to 2e-5 of themselves; 1024 samples left 8e-4.
+const SAMPLES: usize = 8192;
+/// Samples of the target of a load model, which is a sum of few harmonics.
+const MODEL_SAMPLES: usize = 1024;
 /// A harmonic below this part of the weight is rounding: it has no phase.
 const ROUNDING: f64 = 1e-13;
 
-/// One harmonic of the target and of the achieved force: F = F₀ + W Σ αₖ sin(kθ − φₖ), W the weight of the walker.
+/// One harmonic of the target and of the achieved force: F = F₀ + W Σ αₖ sin(kθ − φₖ), W the weight of the walker. The phase
+/// is subtracted, unlike in `gait.harmonics`, where it is added.
 ///
 /// ```
 /// use gaitcam::{scene, synthesise};
@@ -61,7 +65,7 @@ impl Design {
         let achieved = self.force_curve();
         let angles = || (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
         let of = |samples: Vec<f64>| amplitudes(&samples);
-        let wanted = if target.force_n.len() == SAMPLES {
+        let wanted = if target.force_n.len() == MODEL_SAMPLES {
             amplitudes(&target.force_n)
         } else {
             of(angles().map(|t| target.at(t)).collect())
