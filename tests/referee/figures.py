@@ -1,0 +1,325 @@
+"""Recomputations of law, cam, force and machine."""
+
+import math
+
+import numpy as np
+
+from cam import Cam
+from force import harmonics
+from result import Unknown, close, field, place, presses, size_of
+from units import quantity
+
+
+@field(r"law\.(stroke|v_max|v_min|a_max|a_min|j_max|j_min)_.*")
+def extreme_of_law(r, m):
+    name = m[1]
+    if name == "stroke":
+        return close(r.law.extreme(lambda *x: x[1])[0] - r.law.extreme(lambda *x: x[1], False)[0])
+    order = "svaj".index(name[0])
+    for below in range(order):
+        jump, size = r.law.jumps(below)
+        if below > 0 and jump > 1e-7 * max(size, 1e-12) or below == 0 and jump > 1e-7 * max(size, 1e-12):
+            return (math.inf if name.endswith("max") else -math.inf), 0.0, 0.0
+    return close(r.law.extreme(lambda *x: x[1 + order], name.endswith("max"))[0], 1e-6, 1e-9 * max(1e-6, r.law.jumps(order)[1]))
+
+
+@field(r"continuity\.([svaj])")
+def continuity(r, m):
+    order = "svaj".index(m[1])
+    jump, size = r.law.jumps(order)
+    return bool(jump <= 1e-7 * max(size, 1e-12)), 0, 0
+
+
+@field(r"law\.coefficients\[(\d+)\]")
+def coefficient(r, m):
+    """The law of all stated coefficients has the rows of law.csv; then every one of them is right."""
+    i = int(m[1])
+    stated = r.summary["law"]["coefficients"]
+    if r.summary["law"]["functions"] == "segments":
+        return close(r.segments()[i][1], 1e-9)
+    sizes = [max(float(np.max(np.abs(r.rows[r.columns[k + 1]]))), 1e-300) for k in range(3)]
+    worst = max(float(np.max(np.abs(r.law(r.theta, k) - r.rows[r.columns[k + 1]]))) / sizes[k] for k in range(3))
+    return (stated[i] if worst < 1e-9 else math.nan), 1e-12, 1e-12
+
+
+@field(r"law\.functions\.b-spline\.knots_rad\[(\d+)\]")
+def knot(r, m):
+    return coefficient_like(r, r.summary["law"]["functions"]["b-spline"]["knots_rad"][int(m[1])])
+
+
+@field(r"law\.functions\.monomial\.range_rad\[(\d+)\]")
+def monomial_range(r, m):
+    return coefficient_like(r, r.summary["law"]["functions"]["monomial"]["range_rad"][int(m[1])])
+
+
+def coefficient_like(r, stated):
+    sizes = [max(float(np.max(np.abs(r.rows[r.columns[k + 1]]))), 1e-300) for k in range(3)]
+    worst = max(float(np.max(np.abs(r.law(r.theta, k) - r.rows[r.columns[k + 1]]))) / sizes[k] for k in range(3))
+    return (stated if worst < 1e-9 else math.nan), 1e-12, 1e-12
+
+
+@field(r"law\.functions")
+def functions(r, m):
+    return r.summary["law"]["functions"], 0, 0
+
+
+@field(r"law\.degree")
+def degree(r, m):
+    """Pieces of this degree vanish at the next derivative; 0 stands for functions that are not polynomials."""
+    kind = r.summary["law"]["functions"]
+    if kind == "segments":
+        degrees = {"3-4-5": 5, "4-5-6-7": 7, "5-6-7-8-9": 9, "berzak-d": 7, "parabolic": 2, "cubic": 3, "constant-velocity": 1}
+        used = [degrees.get(name, 0) for name, lift, _ in r.segments() if name != "dwell"]
+        return (max(used) if used and all(used) else 0), 0, 0
+    if kind == "fourier":
+        return 0, 0, 0
+    return (len(r.summary["law"]["coefficients"]) - 1 if "monomial" in kind else r.summary["law"]["degree"]), 0, 0
+
+
+@field(r"law\.pieces")
+def pieces(r, m):
+    kind = r.summary["law"]["functions"]
+    if kind == "fourier":
+        return r.summary["law"]["pieces"], 0, 0
+    return len(r.law.pieces), 0, 0
+
+
+@field(r"law\.phase_rad")
+def phase(r, m):
+    return close(quantity(r.scene.get("gait", {}).get("phase", 0.0)) or 0.0, 1e-9)
+
+
+@field(r"law\.family|cam\.follower|drive\.kind")
+def named(r, m):
+    section, key = m[0].split(".")
+    default = {"family": None, "follower": "flat-translating", "kind": None}[key]
+    stated = r.scene[section].get(key, default)
+    kind = r.summary["law"]["functions"]
+    by_functions = {"fourier": "harmonic", "segments": "program"}.get(kind) if isinstance(kind, str) else ("polynomial" if "monomial" in kind else "spline")
+    if key == "family":
+        return by_functions, 0, 0
+    if key == "kind" and stated is None:
+        return r.summary["drive"]["kind"], 0, 0
+    return stated, 0, 0
+
+
+@field(r"drive\.mass_kg")
+def mass(r, m):
+    own = r.scene["drive"].get("mass", r.scene["drive"].get("inertia"))
+    value = quantity(own) if own not in (None, "auto") else None
+    if value is not None:
+        return close(value, 1e-12)
+    if r.target is not None and r.drive.kind == "moving-axis":
+        return close(float(np.mean(r.target)) / r.drive.gravity, 1e-5)
+    return close(0.0)
+
+
+@field(r"drive\.speed_rad_per_s")
+def speed(r, m):
+    value = quantity(r.scene["drive"].get("speed", "auto"))
+    if value is not None:
+        return close(value, 1e-12)
+    gait = r.scene.get("gait", {})
+    if gait.get("feet", "both") == "both" and quantity(gait.get("step_frequency")):
+        return close(2 * math.pi * quantity(gait["step_frequency"]), 1e-12)
+    raise Unknown("automatic speed of a recording")
+
+
+@field(r"cam\.(prime_radius|base_radius|offset)_m")
+def size(r, m):
+    """Sizes: the profile of the rows belongs to them, and a size that the scene gives is it."""
+    z = r.cam.size
+    stated = {"prime_radius": z["prime"], "base_radius": z["base"], "offset": r.summary["cam"]["offset_m"]}[m[1]]
+    given = quantity(r.scene["cam"].get(m[1], 0.0 if m[1] == "offset" else None))
+    if m[1] == "base_radius" and not r.cam.is_face and r.cam.kind != "barrel":
+        return close(z["prime"] - z["roller"], 1e-9)
+    if m[1] == "prime_radius" and r.cam.is_face or m[1] == "prime_radius" and r.cam.kind == "barrel":
+        return close(z["base"], 1e-9)
+    if given is not None:
+        return close(given, 1e-9)
+    return (stated if profile_fits(r) else math.nan), 1e-9, 1e-15
+
+
+def profile_fits(r):
+    contact, pitch, rho, angle = r.cam.at(r.theta, *(r.law(r.theta, k) for k in range(3)))
+    worst = 0.0
+    for own, names in ((contact, ("x_m", "y_m")), (pitch, ("pitch_x_m", "pitch_y_m"))):
+        for value, name in zip(r.cam.on_cam(own, r.theta), names):
+            worst = max(worst, float(np.max(np.abs(value - r.profile[name]))))
+    return worst < 1e-9
+
+
+@field(r"cam\.rho_min_m")
+def rho_min(r, m):
+    return close(r.law.extreme(r.radius, False)[0], 1e-7, 1e-9)
+
+
+@field(r"cam\.rho_min_at_rad")
+def rho_min_at(r, m):
+    return place(r, r.radius, r.summary["cam"]["rho_min_at_rad"], r.law.extreme(r.radius, False)[0])
+
+
+@field(r"cam\.pressure_angle_(max|min)_rad")
+def pressure(r, m):
+    return close(r.law.extreme(r.pressure_angle, m[1] == "max")[0], 1e-7, 1e-9)
+
+
+@field(r"cam\.face_width_m")
+def face_width(r, m):
+    if r.cam.kind == "flat-translating":
+        return close(r.law.extreme(lambda *x: x[2])[0] - r.law.extreme(lambda *x: x[2], False)[0], 1e-7)
+    if r.cam.kind.startswith("mushroom"):
+        high, low = (r.law.extreme(r.pressure_angle, side)[0] for side in (True, False))
+        return close(r.cam.size["roller"] * (math.sin(high) - math.sin(low)), 1e-7)
+    if r.cam.kind == "flat-oscillating":
+        def along(theta, s, v, a, j=None):
+            side = math.copysign(1.0, r.cam.size["pivot"])
+            xi = math.asin((r.cam.size["base"] - r.cam.size["face_offset"]) / abs(r.cam.size["pivot"])) + s
+            return abs(r.cam.size["pivot"]) * np.cos(xi) / (1 + side * v)
+        return close(r.law.extreme(along)[0] - r.law.extreme(along, False)[0], 1e-7)
+    return None, 0, 0
+
+
+@field(r"cam\.second\.(base_radius_m|prime_radius_m)")
+def second_size(r, m):
+    distance = quantity(r.scene["cam"].get("conjugate", {}).get("distance"))
+    if distance is None:
+        raise Unknown("conjugate pair by angle")
+    depth = math.sqrt(r.cam.size["prime"] ** 2 - r.cam.size["offset"] ** 2) if not r.cam.is_face else r.cam.size["base"]
+    prime = distance - depth - r.law.extreme(lambda *x: x[1])[0]
+    roller = quantity(r.scene["cam"]["conjugate"].get("roller_radius")) or r.cam.size["roller"]
+    return close(prime - (roller if m[1].startswith("base") else 0.0), 1e-9)
+
+
+class Second:
+    """The cam of the opposite follower: its lift is what the first one lacks to its highest point."""
+
+    def __init__(self, r):
+        self.top = r.law.extreme(lambda *x: x[1])[0]
+        second = r.summary["cam"]["second"]
+        roller = quantity(r.scene["cam"]["conjugate"].get("roller_radius")) or r.cam.size["roller"]
+        self.cam = Cam(r.cam.kind, None, dict(r.cam.size, prime=second["prime_radius_m"], base=second["base_radius_m"], roller=roller))
+
+    def at(self, theta, s, v, a):
+        return self.cam.at(theta, self.top - s, -v, -a)
+
+    def radius(self, theta, s, v, a, j=None):
+        rho = self.at(theta, s, v, a)[2]
+        return np.where(rho >= -self.cam.roller, rho, np.inf) if not self.cam.is_face else rho
+
+    def concave(self, theta, s, v, a, j=None):
+        rho = self.at(theta, s, v, a)[2]
+        return np.where(rho < -self.cam.roller, -rho, np.inf)
+
+    def by_motion(self, rising):
+        def value(theta, s, v, a, j=None):
+            moves = -v > 0 if rising else -v < 0
+            return np.where(moves, np.abs(self.at(theta, s, v, a)[3]), 0.0)
+        return value
+
+
+def second_cam(r):
+    return Second(r).radius
+
+
+@field(r"cam\.second\.rho_min_m")
+def second_rho(r, m):
+    return close(r.law.extreme(second_cam(r), False)[0], 1e-7, 1e-9)
+
+
+@field(r"cam\.second\.rho_min_at_rad")
+def second_rho_at(r, m):
+    return place(r, second_cam(r), r.summary["cam"]["second"]["rho_min_at_rad"], r.law.extreme(second_cam(r), False)[0])
+
+
+@field(r"force")
+def no_force(r, m):
+    return (None if not presses(r) else math.nan), 0, 0
+
+
+@field(r"force\.(.*)")
+def force(r, m):
+    name = m[1]
+    if name in ("mean_n", "min_n", "max_n"):
+        if name == "mean_n":
+            return close(r.law.mean(r.force), 1e-7)
+        return close(r.law.extreme(r.force, name == "max_n")[0], 1e-7, 1e-9)
+    if r.target is None:
+        return None, 0, 0
+    error = r.force(r.theta, *(r.law(r.theta, k) for k in range(3))) - r.target
+    mean = float(np.mean(r.target))
+    rms = math.sqrt(float(np.mean(error**2)))
+    if name == "target_mean_n":
+        return close(mean, 2e-4)
+    if name == "rms_error_n":
+        return close(rms, 4e-4)
+    if name == "rms_error_percent_of_mean":
+        return close(100 * rms / mean, 4e-4)
+    if name == "max_error_n":
+        return close(peak_between_rows(np.abs(error)), 4e-4)
+    raise Unknown(name)
+
+
+def peak_between_rows(values):
+    """Highest value of a parabola through the highest row and its neighbours."""
+    i = int(np.argmax(values))
+    a, b, c = values[i - 1], values[i], values[(i + 1) % len(values)]
+    bend = a - 2 * b + c
+    return float(b if bend >= 0 else b - (c - a) ** 2 / (8 * bend))
+
+
+@field(r"machine\.(.*)")
+def machine(r, m):
+    name = m[1]
+    if name == "hertz_pressure_allowable_pa":
+        if r.scene["cam"].get("hardness") is None:
+            return None, 0, 0
+        raise Unknown("hardness")
+    if not presses(r):
+        return None, 0, 0
+    high, low = (r.law.extreme(r.torque, side)[0] for side in (True, False))
+    if name == "torque_max_n_m":
+        return close(max(high, -low), 1e-7)
+    if name == "torque_rms_n_m":
+        return close(math.sqrt(r.law.mean(lambda *x: r.torque(*x) ** 2)), 1e-7)
+    if name == "power_max_w":
+        return close(max(high, -low) * r.drive.speed, 1e-7)
+    if name == "power_mean_w":
+        return close(r.law.mean(r.torque) * r.drive.speed, 1e-6, 1e-9 * max(high, -low) * r.drive.speed)
+    if name == "liftoff_speed_rad_per_s":
+        return close(r.drive.liftoff(r.law), 1e-7) if r.drive.liftoff(r.law) is not None else (None, 0, 0)
+    if name == "hertz_pressure_max_pa":
+        if rho_min(r, None)[0] <= 1e-9 * size_of(r):
+            return None, 0, 0
+        return close(r.law.extreme(r.hertz)[0], 1e-6)
+    raise Unknown(name)
+
+
+@field(r"load_factors\[(\d+)\]\.(.*)")
+def load_factor(r, m):
+    row = r.summary["load_factors"][int(m[1])]
+    gait = r.scene.get("gait", {})
+    steps = 2 if gait.get("model") in ("li-2010", "iso-22675") and gait.get("feet") in ("one", "left", "right") else 1
+    n = int(m[1]) + 1
+    if m[2] == "harmonic":
+        return n, 0, 0
+    if m[2] == "of_step":
+        return close(n / steps, 1e-12)
+    if m[2] == "frequency_hz":
+        return close(n * r.drive.speed / (2 * math.pi), 1e-12)
+    if m[2].startswith("target"):
+        amplitude, angle = harmonics(r.target, n)[n - 1]
+    else:
+        cos = 2 * r.law.mean(lambda *x: r.force(*x) * np.cos(n * x[0]))
+        sin = 2 * r.law.mean(lambda *x: r.force(*x) * np.sin(n * x[0]))
+        amplitude, angle = math.hypot(cos, sin), math.atan2(cos, sin)
+    # Stated as A sin(nθ − φ).
+    angle = -angle
+    weight = float(np.mean(r.target))
+    if not m[2].endswith("phase_rad"):
+        return close(amplitude / weight, 2e-4, 1e-8)
+    stated = row[m[2]]
+    if amplitude < 1e-9 * weight:
+        return close(0.0)
+    turns = round((stated - angle) / (2 * math.pi))
+    return close(angle + 2 * math.pi * turns, 2e-4, 1e-6)

@@ -1,0 +1,97 @@
+"""The optimum: what is proved, what binds, what relaxing it buys."""
+
+import math
+
+import numpy as np
+
+import law as laws
+from figures import force
+from optimum import Program
+from result import Unknown, close, field
+from units import quantity
+
+
+def program_of(r, relaxed=None):
+    """The convex program of a law without other demands than limits that are linear in it; `Unknown` elsewhere."""
+    law, scene = r.summary["law"], r.scene
+    if isinstance(law["functions"], str) and law["functions"] != "fourier" or "monomial" in law["functions"]:
+        raise Unknown("certificate of this family")
+    if scene["law"].get("minimise", "force-error") != "force-error" or r.target is None:
+        raise Unknown("certificate of this objective")
+    if any(key in scene["law"] for key in ("point", "dwell", "monotone", "polydyne")) or "weight" in scene.get("gait", {}):
+        raise Unknown("certificate with demands")
+    if "machine" in scene:
+        raise Unknown("certificate of a machine")
+    count, degree = len(law["coefficients"]), law["degree"]
+    if law["functions"] == "fourier":
+        law_of = laws.fourier
+    else:
+        knots = law["functions"]["b-spline"]["knots_rad"]
+        law_of = lambda c: laws.spline(knots, degree, c)
+    program = Program(law_of, count, r.drive, (r.theta, r.target))
+    w = r.drive.speed
+    for name, value in scene.get("limits", {}).items():
+        bound = quantity(value)
+        if bound is None:
+            continue
+        bound *= 1.01 if name == relaxed else 1.0
+        if name == "stroke":
+            program.add(name, program.basis[0], bound)
+        elif name in ("velocity", "acceleration", "jerk"):
+            k = {"velocity": 1, "acceleration": 2, "jerk": 3}[name]
+            for sign in (1, -1):
+                program.add(name, sign * w**k * program.basis[k], bound)
+        elif name in ("force_min", "force_max"):
+            sign = 1 if name == "force_max" else -1
+            program.add(name, sign * program.force, sign * (bound - program.rest))
+        elif name in ("curvature", "bore") and r.cam.kind == "flat-translating" and r.scene["cam"].get("base_radius", "auto") == "auto":
+            continue  # the base circle grows until the limit holds
+        else:
+            raise Unknown(f"certificate under limits.{name}")
+    if r.drive.kind == "moving-axis" and "force_min" not in scene.get("limits", {}):
+        program.add("force_min", -program.force, program.rest)
+    return program
+
+
+@field(r"solver\.certified")
+def certified(r, m):
+    """Prescribed laws have nothing to prove; otherwise no law of the family is better than the stated one."""
+    if isinstance(r.summary["law"]["functions"], str) and r.summary["law"]["functions"] != "fourier" or "monomial" in r.summary["law"]["functions"]:
+        return True, 0, 0
+    program = program_of(r)
+    _, least, _ = program.best()
+    error = r.force(program.theta, *(r.law(program.theta, k) for k in range(3))) - program.wanted
+    own = float(np.mean(error**2))
+    return bool(own <= least * (1 + 2e-5) + 1e-12 * float(np.mean(program.wanted)) ** 2), 0, 0
+
+
+@field(r"binding\[(\d+)\]\.(.*)")
+def binding(r, m):
+    row = r.summary["binding"][int(m[1])]
+    program = program_of(r)
+    _, _, dual = program.best()
+    names = np.array(program.names)
+    if m[2] == "limit":
+        return (row["limit"] if row["limit"] in names else math.nan), 0, 0
+    if m[2] == "multiplier":
+        same = [other["multiplier"] for other in r.summary["binding"] if other["limit"] == row["limit"]]
+        return close(float(np.sum(dual[names == row["limit"]])) - (sum(same) - row["multiplier"]), 5e-4, 1e-9)
+    theta = np.concatenate([program.theta] * (len(names) // len(program.theta)))
+    strong = (names == row["limit"]) & (dual > 1e-4 * np.max(dual))
+    away = np.abs((theta[strong] - row["at_rad"] + math.pi) % (2 * math.pi) - math.pi)
+    return (row["at_rad"] if away.size and np.min(away) < 4 * math.pi / len(program.theta) else math.nan), 0, 1e-12
+
+
+@field(r"easing\[(\d+)\]\.(.*)")
+def easing(r, m):
+    row = r.summary["easing"][int(m[1])]
+    limit = row["limit"]
+    if m[2] == "limit":
+        return (limit if limit in r.scene.get("limits", {}) else math.nan), 0, 0
+    if m[2] == "objective":
+        return "rms_error_n", 0, 0
+    if m[2] in ("from", "to"):
+        return close(quantity(r.scene["limits"][limit]) * (1.01 if m[2] == "to" else 1.0), 1e-9)
+    if m[2] == "before":
+        return force(r, [None, "rms_error_n"])
+    return close(math.sqrt(program_of(r, relaxed=limit).best()[1]), 2e-4)

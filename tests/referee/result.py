@@ -1,0 +1,150 @@
+"""A result folder: what its files state, and the quantities of its law, cam and drive over the cycle."""
+
+import csv
+import json
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+
+import law as laws
+from cam import Cam
+from force import CONTACT_MODULUS, Drive
+from units import quantity
+
+# (pattern of a field, function of (result, match) that returns own value, relative and absolute tolerance)
+FIELDS = []
+
+
+def field(pattern):
+    """Registers the recomputation of all fields that match a pattern."""
+    def register(function):
+        FIELDS.append((re.compile(pattern + "$"), function))
+        return function
+    return register
+
+
+def close(own, relative=1e-6, absolute=1e-12):
+    return own, relative, absolute
+
+
+class Unknown(Exception):
+    """A field without a recomputation."""
+
+
+def read_rows(path):
+    with open(path, newline="") as file:
+        rows = list(csv.reader(file))
+    columns = {name: np.array([float(row[i]) if row[i] else math.nan for row in rows[1:]]) for i, name in enumerate(rows[0])}
+    return rows[0], columns
+
+
+class Result:
+    """A result folder with the law, cam and drive that its summary states."""
+
+    def __init__(self, folder, summary=None, simulation=None):
+        self.folder = Path(folder)
+        self.summary = summary or json.loads((self.folder / "summary.json").read_text())
+        self.scene = self.summary["scene"]
+        self.is_built = "law" in self.summary
+        run = self.folder / "simulation.json"
+        self.simulation = simulation or (json.loads(run.read_text()) if run.exists() else None)
+        if not self.is_built:
+            return
+        names, self.rows = read_rows(self.folder / "law.csv")
+        self.theta = self.rows[names[0]]
+        self.columns = names
+        if self.simulation:
+            self.run_columns = read_rows(self.folder / "dynamics.csv")[1]
+            self.run_theta = self.run_columns["theta_rad"]
+        self.profile = read_rows(self.folder / "profile.csv")[1]
+        self.law = self.stated_law()
+        self.cam = Cam(self.summary["cam"]["follower"], self.law, self.sizes(self.summary["cam"]))
+        drive = self.summary["drive"]
+        lever = quantity(self.scene["drive"].get("lever")) or abs(self.cam.size["arm"] or self.cam.size["pivot"] or 1.0)
+        is_arm = "oscillating" in self.cam.kind
+        self.drive = Drive(self.scene, drive["mass_kg"], drive["speed_rad_per_s"], lever if is_arm else 1.0)
+        self.target = self.rows["target_n"] if np.isfinite(self.rows["target_n"]).all() else None
+
+    def stated_law(self):
+        law = self.summary["law"]
+        functions, coefficients = law["functions"], law["coefficients"]
+        if functions == "fourier":
+            return laws.fourier(coefficients)
+        if functions == "segments":
+            return laws.programme(self.segments())
+        if "monomial" in functions:
+            return laws.monomial(functions["monomial"]["range_rad"], coefficients)
+        if "b-spline" in functions:
+            return laws.spline(functions["b-spline"]["knots_rad"], law["degree"], coefficients)
+        raise Unknown(f"law.functions {functions}")
+
+    def segments(self):
+        found = []
+        for row in self.scene["law"]["segment"]:
+            motion = row.get("motion", "dwell")
+            if motion not in laws.MOTIONS:
+                raise Unknown(f"motion {motion}")
+            length = quantity(row.get("angle", row.get("length")))
+            found.append((motion, quantity(row.get("lift", 0.0)) or 0.0, length))
+        if "breadth" in self.scene["cam"]:
+            found += [(motion, -lift, length) for motion, lift, length in found]
+        return found
+
+    def sizes(self, cam):
+        own = self.scene["cam"]
+        value = lambda key, default=None: quantity(own.get(key, default))
+        roller = value("roller_radius", own.get("arc_radius")) or 0.0
+        return {
+            "prime": cam["prime_radius_m"], "base": cam["base_radius_m"], "offset": cam.get("offset_m") or 0.0, "roller": roller,
+            "arm": value("arm"), "pivot": value("pivot_distance"), "face_offset": value("face_offset", 0.0),
+            "depth": value("depth") or 2 * roller, "eccentricity": value("roller_eccentricity", 0.0) or 0.0,
+        }
+
+    # --- quantities over the cycle -------------------------------------------------------------
+
+    def pressure_angle(self, theta, s, v, a, j=None):
+        if self.cam.kind == "barrel":
+            return np.arctan(v / (self.cam.size["base"] - self.cam.size["depth"]))
+        return self.cam.at(theta, s, v, a)[3]
+
+    def radius(self, theta, s, v, a, j=None):
+        rho = self.cam.at(theta, s, v, a)[2]
+        return np.where(rho >= -self.cam.roller, rho, np.inf) if not self.cam.is_face else rho
+
+    def force(self, theta, s, v, a, j=None):
+        return self.drive.force(theta, s, v, a) / self.drive.lever
+
+    def torque(self, theta, s, v, a, j=None):
+        return self.drive.force(theta, s, v, a) * v
+
+    def hertz(self, theta, s, v, a, j=None):
+        size = self.cam.size
+        normal = self.drive.force(theta, s, v, a) / (size["arm"] if "oscillating" in self.cam.kind else 1.0)
+        normal = normal * self.cam.normal_force_factor(theta, s, v, a)
+        length = quantity(self.scene["cam"].get("thickness", 0.010))
+        curvature = self.cam.curvature_sum(theta, s, v, a)
+        return np.sqrt(np.maximum(normal * curvature, 0.0) * CONTACT_MODULUS / (math.pi * length))
+
+
+def place(r, value, stated, worst):
+    """The stated place where the quantity has its worst value."""
+    if stated is None:
+        return None, 0, 0
+    nearest = math.inf
+    for start, end, function in r.law.pieces:
+        if start - 1e-9 <= stated <= end + 1e-9:
+            theta = np.array([min(max(stated, start), end)])
+            found = float(np.ravel(value(theta, *(function(theta, k) for k in range(4))))[0])
+            nearest = min(nearest, abs(found - worst))
+    return (stated if nearest <= 3e-8 * max(abs(worst), 1e-3 * size_of(r)) else math.nan), 0, 1e-12
+
+
+def size_of(r):
+    return max(r.cam.size["prime"], r.cam.size["base"])
+
+
+def presses(r):
+    d = r.drive
+    return bool(d.rest or d.stiffness or d.damping or d.inertia)
