@@ -9,9 +9,11 @@
 pub mod benchmarks;
 pub(crate) mod chart;
 pub(crate) mod experiment;
+pub(crate) mod markdown;
 pub mod measure;
 pub mod reproduce;
 pub mod tiers;
+pub(crate) mod timing;
 pub mod twins;
 
 /// An internal error of this crate.

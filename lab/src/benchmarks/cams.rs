@@ -8,7 +8,7 @@ use gaitcam::law::{Extent, Law};
 
 use super::cases::turn;
 use super::table::Report;
-use super::timing::{Times, times};
+use crate::timing::{Times, times};
 
 pub(crate) fn roller(report: &mut Report) {
     let cam = Cam {

@@ -10,7 +10,7 @@ use gaitcam::law::Svaj;
 use gaitcam_test_support::thesis;
 
 use super::table::Report;
-use super::timing::times;
+use crate::timing::times;
 
 pub(crate) fn dynamics(report: &mut Report) {
     let cam = thesis::double_harmonic();

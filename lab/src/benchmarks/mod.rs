@@ -10,7 +10,6 @@ mod sweeps;
 mod synthesis;
 mod table;
 mod tested;
-mod timing;
 
 use std::path::Path;
 

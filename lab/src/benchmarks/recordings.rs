@@ -7,7 +7,7 @@ use std::path::Path;
 use gaitcam::force::{Feet, ReadOptions, cycle, read, stances};
 
 use super::table::Report;
-use super::timing::times;
+use crate::timing::times;
 
 /// A walk at 1 kHz of so many rows: time, left and right force.
 fn walk(rows: usize) -> Vec<u8> {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::table::{Line, Report};
-use super::timing::Times;
+use crate::timing::Times;
 
 /// What `gaitcam-lab chart` and lab/peers/speed/run.py last wrote.
 pub(crate) fn charts(report: &mut Report, reports: &Path) {
@@ -69,11 +69,7 @@ fn process(report: &mut Report, cells: &[&str]) {
     };
     let time = cells.get(2).and_then(|c| c.strip_suffix(" ms"));
     if let Some(milliseconds) = time.and_then(|t| t.parse::<f64>().ok()) {
-        let median = 1e-3 * milliseconds;
-        let found = Times {
-            median,
-            fastest: median,
-        };
+        let found = Times::known(1e-3 * milliseconds);
         report.time("main job", asked.0, asked.1, found);
     }
 }

@@ -7,7 +7,7 @@ use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Runner, Sampling};
 
 use super::table::Report;
-use super::timing::{Times, times};
+use crate::timing::{Times, times};
 
 fn none(_: usize, _: &Scene) -> Result<ForceCurve> {
     Err(Error::own("no-recordings", "no recordings"))

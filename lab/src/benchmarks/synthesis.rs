@@ -12,7 +12,7 @@ use gaitcam::synth::synthesise;
 
 use super::cases::{footbridge, scene_with, turn};
 use super::table::Report;
-use super::timing::times;
+use crate::timing::times;
 
 pub(crate) fn main_job(report: &mut Report) {
     let (target, _) = footbridge();

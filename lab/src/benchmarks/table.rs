@@ -1,9 +1,8 @@
 //! The table: a line for each number that was asked for, and the page that shows it.
 
-use std::fmt::Write as _;
-
 use super::tested::TESTED;
-use super::timing::Times;
+use crate::markdown::{duration, table};
+use crate::timing::Times;
 
 /// One line of the table.
 pub(crate) struct Line {
@@ -119,14 +118,6 @@ impl Report {
     }
 }
 
-fn duration(s: f64) -> String {
-    match s {
-        s if s < 1e-3 => format!("{:.1} µs", 1e6 * s),
-        s if s < 1.0 => format!("{:.2} ms", 1e3 * s),
-        s => format!("{s:.2} s"),
-    }
-}
-
 /// Why a number is missed: how its line begins, and the reason.
 const REASONS: &[(&str, &str)] = &[
     (
@@ -157,27 +148,22 @@ pub(crate) fn markdown(lines: &[Line]) -> String {
     let mut out = String::from(
         "# Benchmarks\n\nWritten by `cargo run --release -p gaitcam-lab -- benchmarks`: medians after a warm-up, release build, \
          on the wall; the fastest run beside them, because other programs ran on the machine too. Peers and whole processes \
-         are time of the processor, of the last run of lab/peers/speed/run.py.\n\n\
-         | area | what | asked | median | fastest | |\n|---|---|---|---|---|---|\n",
+         are time of the processor, of the last run of lab/peers/speed/run.py.\n\n",
     );
-    for l in lines {
+    let row = |l: &Line| {
         let mark = match (l.met, l.met_once) {
             _ if l.asked.is_empty() => String::new(),
             (true, _) => "met".to_string(),
             (false, true) => "met when undisturbed".to_string(),
             (false, false) => format!("**missed**: {}", reason(l.what).unwrap_or("not explained")),
         };
-        let _ = writeln!(
-            out,
-            "| {} | {} | {} | {} | {} | {mark} |",
-            l.area, l.what, l.asked, l.measured, l.fastest
-        );
-    }
-    out.push_str(
-        "\nNumbers of accuracy hold or a test fails:\n\n| area | number | held by |\n|---|---|---|\n",
-    );
-    for (area, number, by) in TESTED {
-        let _ = writeln!(out, "| {area} | {number} | {by} |");
-    }
-    out
+        let [area, what] = [l.area, l.what].map(String::from);
+        let [asked, measured, fastest] = [&l.asked, &l.measured, &l.fastest].map(Clone::clone);
+        vec![area, what, asked, measured, fastest, mark]
+    };
+    let head = ["area", "what", "asked", "median", "fastest", ""];
+    out.push_str(&table(&head, lines.iter().map(row)));
+    out.push_str("\nNumbers of accuracy hold or a test fails:\n\n");
+    let tested = TESTED.map(|(area, number, by)| [area, number, by].map(String::from).to_vec());
+    out + &table(&["area", "number", "held by"], tested)
 }

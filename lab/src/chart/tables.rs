@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use super::{Across, Chart};
+use super::{Across, Chart, Row};
+use crate::markdown::{duration, table};
 
 /// Every row of every chart.
 pub fn csv(charts: &[Chart]) -> String {
@@ -83,47 +84,34 @@ pub fn section(out: &mut String, chart: &Chart, drawn: bool) {
             chart.title, chart.file, chart.advice
         );
     }
-    let (points, rule) = if chart.across == Across::Points {
-        (" points |", "---|")
-    } else {
-        ("", "")
-    };
-    // A column of marks where there are any.
+    // Columns of marks and points where there are any.
     let is_marked = !front.is_empty() || chart.rows.iter().any(|r| r.default);
-    let (marks, marks_rule) = if is_marked { ("| ", "|---") } else { ("", "") };
-    let _ = write!(
-        out,
-        "{marks}| method | size | {} | time | quartiles |{points} remark |\n{marks_rule}|---|---|---|---|---|{rule}---|\n",
-        chart.error,
-    );
-    for (i, r) in chart.rows.iter().enumerate() {
-        let mut mark = String::from(marks);
-        if front.contains(&i) {
-            mark.push('●');
-        }
-        if r.default {
-            mark.push('★');
-        }
-        if is_marked {
-            mark.push(' ');
-        }
-        let points = match (chart.across, r.points) {
-            (Across::Points, Some(p)) => format!(" {p} |"),
-            (Across::Points, None) => " |".to_string(),
-            _ => String::new(),
-        };
-        let _ = writeln!(
-            out,
-            "{mark}| {} | {} | {} | {} | {} … {} |{points} {} |",
-            r.method,
-            r.size,
-            size_of(r.error),
-            duration(r.seconds),
-            duration(r.quartiles.0),
-            duration(r.quartiles.1),
-            r.note
-        );
+    let has_points = chart.across == Across::Points;
+    let mut head = vec!["method", "size", &chart.error, "time", "quartiles"];
+    head.extend(has_points.then_some("points"));
+    head.push("remark");
+    if is_marked {
+        head.insert(0, "");
     }
+    let row = |(i, r): (usize, &Row)| {
+        let [low, high] = [r.quartiles.0, r.quartiles.1].map(duration);
+        let mut cells = vec![r.method.clone(), r.size.clone(), size_of(r.error)];
+        cells.extend([duration(r.seconds), format!("{low} … {high}")]);
+        cells.extend(has_points.then(|| r.points.map_or(String::new(), |p| p.to_string())));
+        cells.push(r.note.clone());
+        if is_marked {
+            let marks = [(front.contains(&i), "●"), (r.default, "★")];
+            cells.insert(
+                0,
+                marks
+                    .into_iter()
+                    .filter_map(|(is, mark)| is.then_some(mark))
+                    .collect(),
+            );
+        }
+        cells
+    };
+    out.push_str(&table(&head, chart.rows.iter().enumerate().map(row)));
 }
 
 fn size_of(error: f64) -> String {
@@ -133,18 +121,5 @@ fn size_of(error: f64) -> String {
         "0".to_string()
     } else {
         format!("{error:.2e}")
-    }
-}
-
-/// A time in the unit that suits it.
-fn duration(seconds: f64) -> String {
-    if seconds < 1e-6 {
-        format!("{:.0} ns", 1e9 * seconds)
-    } else if seconds < 1e-3 {
-        format!("{:.1} µs", 1e6 * seconds)
-    } else if seconds < 1.0 {
-        format!("{:.2} ms", 1e3 * seconds)
-    } else {
-        format!("{seconds:.2} s")
     }
 }

@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use super::limits::{peak, violation};
-use super::{Timing, Watch, footbridge, force_error};
+use super::{footbridge, force_error};
 use crate::chart::{self, Across, Chart, Row};
 use crate::tiers::{self, Bound, Task};
+use crate::timing::{Times, Watch};
 use gaitcam::cam::smallest_prime_circle;
 use gaitcam::error::Result;
 use gaitcam::force::{self, Feet, ForceCurve, ReadOptions};
@@ -21,7 +22,7 @@ const HELD: [f64; 3] = [0.95, 0.6, 0.3];
 const SPANS: usize = 32;
 
 /// A row of a rung: the tier, its problem, and what the error is against.
-fn line(tier: &str, problem: impl Into<String>, timing: Timing, error: f64, against: &str) -> Row {
+fn line(tier: &str, problem: impl Into<String>, timing: Times, error: f64, against: &str) -> Row {
     timing.row(tier, problem, error).noted(against)
 }
 
@@ -196,7 +197,7 @@ fn against_spans(watch: &Watch) -> Result<Chart> {
     for &spans in sizes {
         let free = Task::quintic(&target, drive, spans);
         let (answer, timing) = watch.time(|| free.free());
-        let mut push = |method: &str, timing: Timing| {
+        let mut push = |method: &str, timing: Times| {
             let seconds = timing.median;
             let row = timing.row(method, format!("{spans} spans"), seconds);
             rows.push(Row {

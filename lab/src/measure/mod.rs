@@ -11,12 +11,11 @@ mod motor;
 mod reference;
 mod walkers;
 
-use std::hint::black_box;
-use std::time::{Duration, Instant};
-
 use std::path::Path;
+use std::time::Instant;
 
 use crate::chart::{self, Row};
+use crate::timing::{Times, Watch};
 use gaitcam::drive::Drive;
 use gaitcam::error::Result;
 use gaitcam::force::{Feet, ForceCurve, model};
@@ -31,7 +30,7 @@ use gaitcam_output::folder::Folder;
 pub fn write(quick: bool, out: &Path, say: &mut dyn FnMut(&str)) -> Result<()> {
     let folder = Folder::open(out)?;
     let start = Instant::now();
-    let watch = Watch { quick };
+    let watch = Watch::new(quick);
     let mut charts = Vec::new();
     for measure in [
         force::smooth,
@@ -113,55 +112,7 @@ fn machine(quick: bool) -> String {
     )
 }
 
-/// Takes medians.
-struct Watch {
-    quick: bool,
-}
-
-/// A median with its quartiles, s.
-struct Timing {
-    median: f64,
-    quartiles: (f64, f64),
-    runs: usize,
-}
-
-/// A timed batch lasts at least this long, so that the clock's own grain is lost in it.
-const BATCH: Duration = Duration::from_micros(100);
-
-impl Watch {
-    /// Result of `f` and how long it takes: one warm-up, then batches until the budget is spent.
-    fn time<T>(&self, mut f: impl FnMut() -> T) -> (T, Timing) {
-        let (budget, most) = if self.quick {
-            (Duration::from_millis(30), 15)
-        } else {
-            (Duration::from_millis(400), 101)
-        };
-        let answer = f();
-        let once = Instant::now();
-        black_box(f());
-        let once = once.elapsed().max(Duration::from_nanos(10));
-        let inner = (BATCH.as_nanos() / once.as_nanos()).max(1) as usize;
-        let mut times = Vec::new();
-        let start = Instant::now();
-        while times.len() < 3 || (times.len() < most && start.elapsed() < budget) {
-            let batch = Instant::now();
-            for _ in 0..inner {
-                black_box(f());
-            }
-            times.push(batch.elapsed().as_secs_f64() / inner as f64);
-        }
-        times.sort_by(f64::total_cmp);
-        let at = |share: f64| times[((times.len() - 1) as f64 * share).round() as usize];
-        let timing = Timing {
-            median: at(0.5),
-            quartiles: (at(0.25), at(0.75)),
-            runs: times.len(),
-        };
-        (answer, timing)
-    }
-}
-
-impl Timing {
+impl Times {
     fn row(self, method: &str, size: impl Into<String>, error: f64) -> Row {
         Row {
             method: method.to_string(),
