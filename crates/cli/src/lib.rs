@@ -17,7 +17,7 @@ mod scene;
 mod simulate;
 mod studio;
 mod sweep;
-pub mod synth;
+mod synth;
 
 use std::ffi::OsString;
 

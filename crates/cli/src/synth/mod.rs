@@ -1,6 +1,6 @@
 //! `gaitcam synth`: force curve or classical programme → law → cam → checks → files.
 
-pub mod explain;
+mod explain;
 mod front;
 mod remark;
 mod sequence;
@@ -61,7 +61,7 @@ pub struct SynthArgs {
     /// Print every step of a sequence of convex programs with its merit
     #[arg(short, long)]
     pub verbose: bool,
-    /// Explain the model selection: criterion, and cost and effect of the next richer model
+    /// Explain the model selection: the models selected, and why others were passed over
     #[arg(long)]
     pub explain: bool,
     /// Rows of law.csv and profile.csv (default 1440), or points of the front (default 20)
@@ -88,7 +88,6 @@ struct Request {
 
 /// A design with the problem that it answers.
 struct Answer {
-    target: Option<ForceCurve>,
     design: Design,
     solve_s: f64,
     start: Instant,
@@ -155,7 +154,6 @@ fn design_of(
     let design = design.relaxed_with(&search);
     drop(shown);
     let answer = Answer {
-        target,
         design,
         solve_s,
         start,
@@ -208,8 +206,7 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
     }
     let mut explained = None;
     if args.explain && design.infeasible.is_none() {
-        let (target, points) = (answer.target.as_ref(), request.contents.points);
-        explained = Some(explain::lines(&input.scene, target, design, points)?);
+        explained = Some(explain::lines(design, request.contents.points));
     }
     let scene = input.resolved();
     let time = answer.time();

@@ -415,18 +415,7 @@ laws-joins = joins
 # synth --explain.
 explain-title = { $name }: model selection
 explain-because = because { $reason }
-explain-next = next richer model { $next }
-explain-no-force = there is no target force
-explain-accuracy = force error { $percent } % RMS of the mean
-explain-accuracy-of = force error { $percent } % RMS of the mean, { $allowed } % is allowed
-explain-simplest = the simplest that passes every check: { $status }
-explain-simplest-solver = the simplest solver that passes every check: { $status }
-explain-asked = the scene asks for it; { $accuracy }
-explain-fewest = the fewest tried; { $accuracy }
-explain-to-harmonics = harmonics
-explain-to-spline = a spline, which also holds dwells and points
-explain-more-spans = none: a spline follows any force; give it more spans
-explain-law-given = none: the scene gives the law itself
+explain-none-passed-over = no simpler family was passed over
 explain-family-degree = { $family } of degree { $degree }
 explain-constant-speed = constant speed
 explain-motor = the speed that the motor gives
@@ -434,24 +423,6 @@ explain-forecast = inertia and the energy that swings forecast a ripple of { $ri
         [true] {": "}constant speed is enough
        *[other] {""}
     }
-explain-with-rows = a program with the limits as rows: an optimum that satisfies all of them stays the optimum, so nothing would change
-explain-cone = a cone program with the cam's size among its variables, when the size is to be found
-explain-sequence = a sequence of convex programs, when the limit on the roller's curvature is not satisfied
-explain-none = none
-explain-solver = { $status }; { $limits ->
-        [one] { $limits } active limit
-       *[other] { $limits } active limits
-    }, { $iterations ->
-        [one] { $iterations } iteration
-       *[other] { $iterations } iterations
-    }
-explain-no-law = no law satisfies the limits
-explain-instead = { $next }: { $change }; { $time } instead of { $own }
-explain-change = the force changes by { $change } N RMS, its error from { $before } to { $after } N
-explain-change-of-mean = the force changes by { $change } N RMS ({ $percent } % of the mean), its error from { $before } to { $after } N
-explain-forces-move = the smallest and the largest force change by { $least } and { $most } N
-explain-chords = chords { $chord } µm from the profile
-explain-chords-force = chords { $chord } µm from the profile, the force of the points { $force } N RMS from the law's
 
 # keys.
 keys-default = default { $text }

@@ -415,18 +415,7 @@ laws-joins = enlaza con
 # synth --explain.
 explain-title = { $name }: selección del modelo
 explain-because = porque { $reason }
-explain-next = siguiente modelo más completo { $next }
-explain-no-force = no hay fuerza objetivo
-explain-accuracy = error de fuerza { $percent } % RMS de la media
-explain-accuracy-of = error de fuerza { $percent } % RMS de la media, se admite { $allowed } %
-explain-simplest = es la más sencilla que pasa todas las comprobaciones: { $status }
-explain-simplest-solver = es el método más sencillo que pasa todas las comprobaciones: { $status }
-explain-asked = la escena lo pide; { $accuracy }
-explain-fewest = es el menor número probado; { $accuracy }
-explain-to-harmonics = armónicos
-explain-to-spline = una spline, que también admite detenimientos y puntos
-explain-more-spans = ninguno: una spline sigue cualquier fuerza; dele más tramos
-explain-law-given = ninguno: la escena da la propia ley
+explain-none-passed-over = no se descartó ninguna familia más sencilla
 explain-family-degree = { $family } de grado { $degree }
 explain-constant-speed = velocidad constante
 explain-motor = la velocidad que da el motor
@@ -434,24 +423,6 @@ explain-forecast = la inercia y la energía que oscila prevén una oscilación d
         [true] {": "}basta la velocidad constante
        *[other] {""}
     }
-explain-with-rows = un programa con los límites como filas: un óptimo que los cumple todos sigue siendo el óptimo, así que nada cambiaría
-explain-cone = un programa cónico con el tamaño de la leva entre sus variables, cuando hay que hallar el tamaño
-explain-sequence = una secuencia de programas convexos, cuando no se cumple el límite de curvatura del rodillo
-explain-none = ninguno
-explain-solver = { $status }; { $limits ->
-        [one] { $limits } límite activo
-       *[other] { $limits } límites activos
-    }, { $iterations ->
-        [one] { $iterations } iteración
-       *[other] { $iterations } iteraciones
-    }
-explain-no-law = ninguna ley cumple los límites
-explain-instead = { $next }: { $change }; { $time } en lugar de { $own }
-explain-change = la fuerza cambia { $change } N RMS, su error pasa de { $before } a { $after } N
-explain-change-of-mean = la fuerza cambia { $change } N RMS ({ $percent } % de la media), su error pasa de { $before } a { $after } N
-explain-forces-move = las fuerzas mínima y máxima cambian { $least } y { $most } N
-explain-chords = cuerdas a { $chord } µm del perfil
-explain-chords-force = cuerdas a { $chord } µm del perfil, la fuerza de los puntos a { $force } N RMS de la de la ley
 
 # keys.
 keys-default = por defecto { $text }

@@ -1,0 +1,105 @@
+//! `gaitcam synth --explain`: the models that were selected, and why others were passed over.
+
+use gaitcam::dynamics::{Machine, Model, Run, simulate};
+use gaitcam::synth::{Design, PassedOver};
+use serde_json::{Value, json};
+
+use crate::console::language;
+use crate::console::words::{self, fill, fixed, name};
+
+/// One model that was selected.
+pub struct Choice {
+    /// What was selected: "family", "solver", "shaft" or "dynamics".
+    subject: &'static str,
+    chosen: String,
+    because: String,
+}
+
+/// The selected models of a design, with `points` points on its profile.
+pub fn lines(design: &Design, points: usize) -> Vec<Choice> {
+    let mut out = vec![family(design), solver(design)];
+    out.extend(shaft(design));
+    out.extend(dynamics(design, points));
+    out
+}
+
+/// The family; a simpler one that was passed over, with what it misses.
+fn family(design: &Design) -> Choice {
+    let values = json!({"family": design.family.name(), "degree": design.degree});
+    let passed_over = design.solver.passed_over.as_ref();
+    let missed = |p: &PassedOver| p.sentence(language::current());
+    Choice {
+        subject: "family",
+        chosen: fill("explain-family-degree", &values),
+        because: passed_over.map_or_else(|| words::text("explain-none-passed-over"), missed),
+    }
+}
+
+fn solver(design: &Design) -> Choice {
+    let solver = &design.solver;
+    Choice {
+        subject: "solver",
+        chosen: name(solver.tier.name()),
+        because: solver.method.sentence(language::current()),
+    }
+}
+
+/// The speed that the law is designed for, from the forecast of inertia and energy.
+fn shaft(design: &Design) -> Option<Choice> {
+    let on_shaft = design.shaft.as_ref()?;
+    let forecast = on_shaft.forecast;
+    let percent = |x: f64| fixed(x, 3);
+    let values = json!({"ripple": percent(100.0 * forecast.ripple),
+        "change": percent(forecast.force_change_percent_of_mean),
+        "neglected": percent(forecast.neglected_percent_of_mean),
+        "enough": forecast.is_negligible.to_string()});
+    let chosen = match on_shaft.rounds {
+        0 => "explain-constant-speed",
+        _ => "explain-motor",
+    };
+    Some(Choice {
+        subject: "shaft",
+        chosen: words::text(chosen),
+        because: fill("explain-forecast", &values),
+    })
+}
+
+/// The model that a simulation of the profile on a machine without spring or slack selects.
+fn dynamics(design: &Design, points: usize) -> Option<Choice> {
+    let run = Run {
+        profile: design.cam.profile(points),
+        target: None,
+        cam: design.cam.clone(),
+        drive: design.problem.drive,
+        machine: Machine::default(),
+    };
+    let closed = design.cam.law.is_closed();
+    let chosen = closed.then(|| simulate(&run, Model::Auto).ok()).flatten()?;
+    Some(Choice {
+        subject: "dynamics",
+        chosen: name(chosen.model.name()),
+        because: chosen.why.sentence(language::current()),
+    })
+}
+
+/// For people.
+pub fn text(name: &str, lines: &[Choice]) -> String {
+    let subjects: Vec<String> = lines.iter().map(|l| words::name(l.subject)).collect();
+    let width = subjects.iter().map(|s| s.chars().count()).max();
+    let width = width.unwrap_or(0);
+    let mut out = vec![fill("explain-title", &json!({"name": name}))];
+    for (line, subject) in lines.iter().zip(&subjects) {
+        let because = fill("explain-because", &json!({"reason": line.because}));
+        out.push(format!("  {subject:<width$}  {}", line.chosen));
+        out.push(format!("  {:width$}  {because}", ""));
+    }
+    out.join("\n")
+}
+
+/// For programs: `explain` of summary.json.
+pub fn json(lines: &[Choice]) -> Value {
+    lines
+        .iter()
+        .map(|l| json!({"subject": l.subject, "chosen": l.chosen, "because": l.because}))
+        .collect()
+}
