@@ -130,10 +130,8 @@ pub enum SceneError {
     NoPhases { from: Quantity, to: Quantity },
     /// Every phase has weight zero.
     NothingWeighed,
-    /// A weighted objective without weights.
-    EmptyWeigh,
-    /// An objective given twice.
-    MinimiseAndWeigh,
+    /// The weighted objective `law.weigh`, which was removed.
+    WeighRemoved,
     /// A force objective without a force.
     NoForceToFollow,
     /// A weight on the size of a cam whose size is given.

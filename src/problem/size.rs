@@ -39,7 +39,6 @@ impl Problem {
     fn size_is_wanted(&self) -> bool {
         let priced = match self.objective() {
             Minimise::Size => true,
-            Minimise::Weighed(weigh) if weigh.prime_radius.is_some() => true,
             _ => self.limits[LimitKind::PrimeRadius].is_some(),
         };
         // Where the lengths allow no size, sizing after the law reports them.

@@ -22,7 +22,7 @@ pub use parts::{
     Adjust, Band, CamSpec, ConjugateSpec, DriveSpec, Dwell, ErrorMeasure, Family, FloorSpec,
     ForceScale, Gait, Harmonic, KeywaySpec, LawPoint, LawSpec, Limits, MachineSpec, Minimise,
     MotorSpec, Phase, PhaseWeight, Robust, SegmentSpec, ShaftSpeed, Source, StepFrequencies,
-    WalkersSpec, Weigh,
+    WalkersSpec,
 };
 pub use read::{parse, read, read_keys, table};
 pub use rules::check;

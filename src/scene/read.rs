@@ -170,6 +170,9 @@ fn unknown(leaves: &[Leaf], scene: &Scene) -> Result<()> {
 }
 
 fn no_such_key(leaf: &Leaf, scene: &Scene) -> SceneError {
+    if leaf.pattern.starts_with("law.weigh") {
+        return SceneError::WeighRemoved;
+    }
     let start = leaf.pattern.rfind('.').map_or(0, |dot| dot + 1);
     let (parent, name) = leaf.pattern.split_at(start);
     let mut known: Vec<&str> = Vec::new();

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use toml::{Table, Value as Toml};
 
-use super::{Family, KeywaySpec, LimitKind, Minimise, Scene, Source, Weigh};
+use super::{Family, KeywaySpec, LimitKind, Minimise, Scene, Source};
 use crate::cam::Keyway;
 use crate::drive::DriveKind;
 use crate::error::{Placed, Result, SceneError};
@@ -131,30 +131,13 @@ fn force(scene: &Scene, typed: Typed) -> Verdict {
     Ok(())
 }
 
-fn objective(scene: &Scene, typed: Typed) -> Verdict {
+fn objective(scene: &Scene, _: Typed) -> Verdict {
     let (law, cam) = (&scene.law, &scene.cam);
-    let empty = law.minimise == Some(Minimise::Weighed(Weigh::default()));
-    let says_nothing = matches!(typed.value("law.weigh"), Some(Toml::Table(t)) if t.is_empty());
-    if empty || says_nothing {
-        return Err(("law.weigh", SceneError::EmptyWeigh));
-    }
-    if typed.gives("law.weigh") && typed.gives("law.minimise") {
-        return Err(("law.minimise", SceneError::MinimiseAndWeigh));
-    }
     let no_force = scene.gait.is_none();
     let sized = cam.follower.has_size_beside_law();
     match law.minimise {
         Some(Minimise::ForceError | Minimise::PeakForceError) if no_force => {
             return Err(("law.minimise", SceneError::NoForceToFollow));
-        }
-        Some(Minimise::Weighed(weigh)) => {
-            if weigh.force_error.is_some() && no_force {
-                return Err(("law.weigh.force_error", SceneError::NoForceToFollow));
-            }
-            let free = cam.prime_radius.is_none() && cam.base_radius.is_none();
-            if weigh.prime_radius.is_some() && !(sized && free) {
-                return Err(("law.weigh.prime_radius", SceneError::SizeNotFree));
-            }
         }
         Some(Minimise::Size) if !sized => {
             return Err(("law.minimise", SceneError::SizeNotFree));
@@ -370,7 +353,7 @@ fn splines(scene: &Scene, _: Typed) -> Verdict {
     let Some(gait) = &scene.gait else {
         return Ok(());
     };
-    if matches!(law.family, Family::Spline | Family::Ladder) {
+    if matches!(law.family, Family::Spline | Family::Auto) {
         return Ok(());
     }
     let key = if gait.band.is_some() {
@@ -380,7 +363,6 @@ fn splines(scene: &Scene, _: Typed) -> Verdict {
     } else {
         match law.minimise {
             Some(Minimise::PeakForceError) => "law.minimise",
-            Some(Minimise::Weighed(_)) => "law.weigh",
             _ => return Ok(()),
         }
     };
@@ -397,7 +379,7 @@ fn polydyne(scene: &Scene, _: Typed) -> Verdict {
     if machine.natural_frequency.is_none() && machine.stiffness.is_none() {
         return Err(("machine.stiffness", SceneError::PolydyneWithoutStiffness));
     }
-    if matches!(law.family, Family::Auto | Family::DoubleHarmonic) {
+    if law.family == Family::DoubleHarmonic {
         let family = law.family.name();
         return Err(("law.family", SceneError::PolydyneFamily { family }));
     }

@@ -37,7 +37,7 @@
 //! v − e ≤ tan φ₁ (s + D),   −(v − e) ≤ tan φ₂ (s + D),   R ≥ ‖(D, e)‖
 //! ```
 //!
-//! with R minimised, bounded or weighed, (e/e₁)² + R/R₁ + (j/j₁)²; under a flat face R + s + a ≥ ρ instead. Clarabel, on
+//! with R minimised or bounded; under a flat face R + s + a ≥ ρ instead. Clarabel, on
 //! exchanged rows.
 //!
 //! **SCP.** What is not convex: h(s, v, a, j, D, e) ≥ 0 for a roller's curvature, for curvature and pressure angle

@@ -118,7 +118,7 @@ impl Bound {
         if problem.target.is_none() {
             return Err(SynthError::NoTarget.at_key("gait"));
         }
-        if !matches!(problem.law.family, Family::Spline | Family::Ladder) {
+        if !matches!(problem.law.family, Family::Spline | Family::Auto) {
             return Err(SynthError::OnlySplines.at_key("law.family"));
         }
         let fixed = matches!(problem.size(), Size::Given { .. });

@@ -91,11 +91,9 @@ fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> 
     // No limit shapes a law that is prescribed.
     match problem.law.family {
         Family::Program | Family::Polynomial => Reason::LiftsOffAsPrescribed { at, pull, speed },
-        Family::Spline
-        | Family::Auto
-        | Family::Ladder
-        | Family::Harmonic
-        | Family::DoubleHarmonic => Reason::LiftsOff { at, pull, speed },
+        Family::Spline | Family::Auto | Family::Harmonic | Family::DoubleHarmonic => {
+            Reason::LiftsOff { at, pull, speed }
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::field::Access;
 use super::value::{Value, written};
-use crate::scene::{Harmonic, LimitKind, Limits, Minimise, Scene, Source, Weigh};
+use crate::scene::{Harmonic, LimitKind, Limits, Source};
 use crate::units::Dimension;
 
 /// The word that switches a default bound off.
@@ -206,27 +206,4 @@ macro_rules! limit {
     };
 }
 
-/// Access to one weight of the objective.
-macro_rules! weigh {
-    ($field:ident) => {
-        Access {
-            get: |s, _| match s.law.minimise? {
-                Minimise::Weighed(weigh) => weigh.$field.value(),
-                _ => None,
-            },
-            set: |s, _, v| weights(s).$field.assign(v),
-        }
-    };
-}
-pub(super) use {limit, one_side, weigh};
-
-/// The weights of the objective, created if missing.
-pub(super) fn weights(scene: &mut Scene) -> &mut Weigh {
-    if !matches!(scene.law.minimise, Some(Minimise::Weighed(_))) {
-        scene.law.minimise = Some(Minimise::Weighed(Weigh::default()));
-    }
-    match &mut scene.law.minimise {
-        Some(Minimise::Weighed(weigh)) => weigh,
-        _ => unreachable!("it was set above"),
-    }
-}
+pub(super) use {limit, one_side};

@@ -9,7 +9,7 @@ use super::kind::{Idle, Kind, Measure, Range};
 use super::row::Key;
 use super::special::{
     ACCURACY, FILE, FORCE_MIN, HARMONICS, LEARNED_FORCE, MATERIAL, MODEL, NONE, OFFSET,
-    PRESSURE_ANGLE, STEP_FREQUENCY, both_sides, limit, one_side, weigh, weights,
+    PRESSURE_ANGLE, STEP_FREQUENCY, both_sides, limit, one_side,
 };
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
@@ -112,9 +112,6 @@ pub static KEYS: &[Key] = &[
     row("law.spans",                count(MOST_SPANS),                   "auto",  field!(law.spans)).idle_when(not_fitted),
     row("law.harmonics",            count(MOST_HARMONICS),               "auto",  field!(law.harmonics)).idle_when(not_harmonic),
     row("law.minimise",             words::<Minimise>(),                 "",      field!(law.minimise)).idle_when(not_fitted),
-    row("law.weigh.force_error",    number(Percent, Positive),           "",      weigh!(force_error)).read_again().idle_when(not_fitted),
-    row("law.weigh.prime_radius",   number(Length, Positive),            "",      weigh!(prime_radius)).read_again().idle_when(not_fitted),
-    row("law.weigh.jerk",           by_arm(Jerk, AngularJerk, Positive), "",      weigh!(jerk)).read_again().idle_when(not_fitted),
     row("law.robust",               TEXT,                                "mean",  field!(law.robust)).idle_when(no_force),
     row("law.error",                words::<ErrorMeasure>(),             "relative", field!(law.error)).idle_when(no_force),
     row("law.monotone",             FLAG,                                "false", field!(law.monotone)).idle_when(not_fitted),
@@ -364,7 +361,7 @@ fn unless(scene: &Scene, families: &[Family]) -> Option<Idle> {
 }
 
 fn not_fitted(scene: &Scene) -> Option<Idle> {
-    unless(scene, &[Family::Auto, Family::Ladder, Family::Spline])
+    unless(scene, &[Family::Auto, Family::Spline])
 }
 
 fn neither_fitted_nor_polynomial(scene: &Scene) -> Option<Idle> {
@@ -372,7 +369,7 @@ fn neither_fitted_nor_polynomial(scene: &Scene) -> Option<Idle> {
 }
 
 fn not_harmonic(scene: &Scene) -> Option<Idle> {
-    unless(scene, &[Family::Auto, Family::Ladder, Family::Harmonic])
+    unless(scene, &[Family::Auto, Family::Harmonic])
 }
 
 fn no_program(scene: &Scene) -> Option<Idle> {

@@ -10,7 +10,7 @@ use crate::law::Rise;
 /// use gaitcam::{Scene, scene};
 ///
 /// assert_eq!(Family::DoubleHarmonic.name(), "double-harmonic");
-/// // A scene file that names none gets the ladder: harmonics while they suffice.
+/// // A scene file that names none gets harmonics while they suffice.
 /// let read: Scene = scene::built_in("footbridge")?.scene()?.with("law.family", "harmonic")?;
 /// assert_eq!(read.law.family, Family::Harmonic);
 /// # Ok::<(), gaitcam::error::Error>(())
@@ -30,11 +30,9 @@ use crate::law::Rise;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Family {
-    /// The simplest of the others that meets accuracy and limits.
-    Auto,
     /// Harmonics in closed form if they meet accuracy and limits, a spline otherwise: the default of scenes
     /// without keys that only one family has.
-    Ladder,
+    Auto,
     /// Splines.
     #[default]
     Spline,
@@ -115,28 +113,6 @@ pub enum Minimise {
     PeakForceError,
     /// The base circle of a flat-faced cam, the prime circle of a roller cam: law and size as one program.
     Size,
-    /// Weighted sum of force error, size and jerk (`law.weigh`).
-    Weighed(Weigh),
-}
-
-/// Reference values of the weighted objective (e/e₁)² + R/R₁ + (j/j₁)², e and j root mean squares, R the prime
-/// radius; terms without a reference value are left out.
-///
-/// ```
-/// use gaitcam::scene::{Minimise, Weigh};
-///
-/// // 1 % of force error costs as much as a prime radius of 50 mm.
-/// let weigh = Weigh { force_error: Some(0.01), prime_radius: Some(0.05), jerk: None };
-/// assert!(matches!(Minimise::Weighed(weigh), Minimise::Weighed(w) if w.jerk.is_none()));
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Weigh {
-    /// e₁, part of the mean force.
-    pub force_error: Option<f64>,
-    /// R₁, m.
-    pub prime_radius: Option<f64>,
-    /// j₁, m/s³.
-    pub jerk: Option<f64>,
 }
 
 impl Minimise {
@@ -320,7 +296,7 @@ impl LawSpec {
         }
     }
 
-    /// The default family: the ladder, unless a key needs a spline.
+    /// The default family: automatic, unless a key needs a spline.
     pub fn usual_family(&self, gait: Option<&Gait>) -> Family {
         let follows_a_plain_force = gait.is_some_and(|g| g.band.is_none() && g.weights.is_empty());
         let of_splines = self.degree.is_some()
@@ -330,7 +306,7 @@ impl LawSpec {
             || matches!(self.minimise, Some(m) if m != Minimise::ForceError)
             || !(self.points.is_empty() && self.dwells.is_empty() && self.segments.is_empty());
         match (follows_a_plain_force && !of_splines, self.harmonics) {
-            (true, None) => Family::Ladder,
+            (true, None) => Family::Auto,
             (true, Some(_)) => Family::Harmonic,
             (false, _) => Family::Spline,
         }

@@ -15,7 +15,7 @@ pub use drive::DriveSpec;
 pub use floor::{FloorSpec, WalkersSpec};
 pub use gait::{Band, ForceScale, Gait, Phase, PhaseWeight, Source};
 pub use harmonic::Harmonic;
-pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, ShaftSpeed, Weigh};
+pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, ShaftSpeed};
 pub use limits::Limits;
 pub use machine::{MachineSpec, MotorSpec};
 pub use population::{Adjust, ErrorMeasure, Robust, StepFrequencies};

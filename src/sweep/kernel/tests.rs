@@ -314,7 +314,7 @@ fn keys_of_force_machine_and_lists_give_what_a_single_synthesis_gives() {
         (&roller, "limits.hertz_pressure=400 MPa"),
         (&["limits.torque=30 N m", size], "machine.friction=0.1"),
         (&[], "machine.natural_frequency=40 Hz"),
-        (&["law.harmonics=4"], "law.family=ladder"),
+        (&["law.harmonics=4"], "law.family=auto"),
         (&["cam.bore=20 mm"], "cam.thickness=12 mm"),
     ] {
         let pair = swept_and_single(changes, vary);

@@ -8,7 +8,7 @@ use crate::error::{Placed, Result, SynthError};
 use crate::law::Law;
 use crate::poly::{SplineSpace, gauss_legendre};
 use crate::problem::{Problem, Size, Target};
-use crate::scene::{Dwell, Minimise, Weigh};
+use crate::scene::{Dwell, Minimise};
 use crate::synth::limits;
 use crate::synth::optimum::Formulation;
 use crate::synth::qp::{self, Basis, Limit, MeanSquare, PEAK, Program, Quadratic};
@@ -114,16 +114,6 @@ fn stiffness(problem: &Problem) -> Option<f64> {
     let force = problem.least_weight() * inertia * inertia;
     let alpha = match problem.objective() {
         Minimise::ForceError => force,
-        Minimise::Weighed(weigh) => {
-            let by_force = weigh.force_error.map_or(0.0, |part| {
-                2.0 * force / (part * problem.target_mean()).powi(2)
-            });
-            // |n|⁶ ≥ |n|⁴ on every harmonic of the turn.
-            let by_jerk = weigh
-                .jerk
-                .map_or(0.0, |one| 2.0 / (one / problem.drive.speed.powi(3)).powi(2));
-            by_force + by_jerk
-        }
         Minimise::Energy(order) if order >= 2 => 1.0,
         Minimise::Energy(_) | Minimise::Peak(_) | Minimise::PeakForceError | Minimise::Size => 0.0,
     };
@@ -138,12 +128,11 @@ fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadr
     let force = force_distance(problem, &basis);
     let mut whole = match problem.objective() {
         Minimise::ForceError => force.clone(),
-        Minimise::Weighed(weigh) => weighed(problem, &basis, &force, weigh),
         _ => Quadratic::zero(&basis),
     };
     match problem.objective() {
         Minimise::Energy(order) => whole.add_energy(&basis, order, 1.0),
-        Minimise::Peak(_) | Minimise::PeakForceError | Minimise::Weighed(_) => {}
+        Minimise::Peak(_) | Minimise::PeakForceError => {}
         Minimise::Size => {
             let length = problem.length * problem.lever();
             whole.add_energy(&basis, 3, qp::smoothing(length, problem.length));
@@ -252,28 +241,6 @@ fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
     }
     out.retain(|r| r.1 > r.0);
     Ok(out)
-}
-
-/// The quadratic part of (e/e₁)² + R/R₁ + (j/j₁)²; `force` holds ½e².
-fn weighed(problem: &Problem, basis: &Basis, force: &Quadratic, weigh: Weigh) -> Quadratic {
-    let mean = problem.target_mean();
-    let mut sum = Quadratic::zero(basis);
-    if let Some(part) = weigh.force_error {
-        sum = force.times(2.0 / (part * mean).powi(2));
-    }
-    if let Some(one) = weigh.jerk {
-        let by_angle = one / problem.drive.speed.powi(3);
-        sum.add_energy(basis, 3, 2.0 / (by_angle * by_angle));
-    } else {
-        // What force and size leave open, as where size alone is minimised.
-        let radius = weigh.prime_radius.unwrap_or(problem.length);
-        sum.add_energy(
-            basis,
-            3,
-            qp::smoothing(problem.length / radius, problem.length),
-        );
-    }
-    sum
 }
 
 /// ½ mean((F − F*)²) over the turn, weighed by phase where the problem says so; 0 where no force is wanted.

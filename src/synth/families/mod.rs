@@ -17,19 +17,19 @@ use super::optimum::NoLaw;
 use super::search::Search;
 use crate::problem::Problem;
 use crate::scene::Family;
-use choose::Simpler;
+use choose::ClosedForm;
 
-/// The law of the problem's family; a spline where the family is open and no simpler one passes every check.
+/// The law of the problem's family; a spline where the family is open and the closed form does not pass every check.
 pub fn law(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
     let passed_over = match problem.law.family {
         Family::Polynomial => return Ok(polynomial::polynomial_law(problem)?),
         Family::Program => return Ok(program::program_law(problem)?),
         Family::DoubleHarmonic => return Ok(double_harmonic::double_harmonic_law(problem)?),
         Family::Harmonic => return harmonic::harmonic_law(problem, search),
-        Family::Spline => Vec::new(),
-        Family::Auto | Family::Ladder => match choose::simpler(problem, search)? {
-            Simpler::Passes(law) => return Ok(*law),
-            Simpler::Missed(passed_over) => passed_over,
+        Family::Spline => None,
+        Family::Auto => match choose::closed_form(problem)? {
+            ClosedForm::Passes(law) => return Ok(*law),
+            ClosedForm::Missed(passed_over) => passed_over,
         },
     };
     let mut law = spline::spline_law(problem, search)?;

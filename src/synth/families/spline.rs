@@ -176,11 +176,11 @@ fn solve(problem: &Problem, search: &Search, spans: usize) -> std::result::Resul
     optimum::solve(problem, search, formulation)
 }
 
-/// Where the spread, not the accuracy, ended the choice of spans (or harmonics, on the ladder).
+/// Where the spread, not the accuracy, ended the choice of spans (or harmonics in closed form).
 pub fn stopped_at_noise(problem: &Problem, family: Family) -> Option<Note> {
     let auto = match problem.law.family {
         Family::Spline => problem.law.spans.is_none(),
-        asked => asked == Family::Ladder,
+        asked => asked == Family::Auto,
     };
     let size = if family == Family::Spline {
         "spans"

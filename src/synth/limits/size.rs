@@ -9,15 +9,12 @@ use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::qp::{Limit, Meaning, OFFSET, Program, RADIUS, RISE, Variable, structural};
 
-/// Cost of a size among the variables, the limit on it, and the cone Rp ≥ ‖(D, e)‖ of an open offset, or of
-/// a radius that is weighed.
+/// Cost of a size among the variables, the limit on it, and the cone Rp ≥ ‖(D, e)‖ of an open offset.
 pub fn priced(problem: &Problem, program: &mut Program) {
     let cost = match problem.objective() {
         Minimise::Size => 1.0,
-        Minimise::Weighed(weigh) => weigh.prime_radius.map_or(0.0, |one| 1.0 / one),
         _ => 0.0,
     };
-    let weighed = cost != 0.0 && !matches!(problem.objective(), Minimise::Size);
     let limit = problem.limits[LimitKind::PrimeRadius];
     // No cam is smaller than its bore, and none has a negative base radius. A limit below that is for the checks to report.
     let least = problem.hub_radius() + problem.cam.roller_radius;
@@ -37,7 +34,7 @@ pub fn priced(problem: &Problem, program: &mut Program) {
         limits.extend(limit.map(|r| at_most(problem, r, RADIUS)));
         limits.push(at_least(problem, least, RADIUS));
         program.cost[RADIUS] = cost;
-    } else if let Some(offset) = problem.offset().filter(|e| *e == 0.0 || !weighed) {
+    } else if let Some(offset) = problem.offset() {
         // With the offset given, the prime radius grows with D alone; a price on it is none on D.
         let rise = |r: f64| (r * r - offset * offset).max(0.0).sqrt();
         limits.extend(limit.map(|r| at_most(problem, rise(r), RISE)));
@@ -48,11 +45,6 @@ pub fn priced(problem: &Problem, program: &mut Program) {
         limits.push(at_least(problem, least, RADIUS));
         // The cone alone would let D be negative.
         limits.push(at_least(problem, 0.0, RISE));
-        if let Some(offset) = problem.offset() {
-            // The cone makes the offset no larger than it has to be.
-            let side = -offset.signum();
-            limits.push(on_size(problem, OFFSET, side, side * offset));
-        }
         program.cost[RADIUS] = cost;
         program.cone(Criterion::BaseCircle, RADIUS, &[RISE, OFFSET]);
     }

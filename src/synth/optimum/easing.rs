@@ -70,12 +70,6 @@ fn measured(
             let peak = solution.extra[PEAK];
             (Minimised::MaxError, peak, peak - gain)
         }
-        Minimise::Weighed(_) => {
-            let costs = SIZES.map(|k| program.cost[k] * solution.extra[k]);
-            let sizes: f64 = costs.iter().sum();
-            let before = 0.5 * mean_square + sizes;
-            (Minimised::Weighed, before, before - gain)
-        }
         Minimise::Size => {
             let radius = if !program.cones.is_empty() {
                 solution.extra[RADIUS]

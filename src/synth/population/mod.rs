@@ -85,12 +85,7 @@ pub fn of_mean(problem: &Problem) -> Problem {
 /// Settings without a form for several walkers.
 fn refuse_unknown(problem: &Problem, walkers: &Walkers) -> Result<()> {
     let law = &problem.law;
-    let families = [
-        Family::Auto,
-        Family::Ladder,
-        Family::Spline,
-        Family::Harmonic,
-    ];
+    let families = [Family::Auto, Family::Spline, Family::Harmonic];
     let is_robust = walkers.robust != Robust::Mean;
     let unknown = [
         ("gait.band", problem.band.is_some()),

@@ -121,8 +121,6 @@ pub enum Minimised {
     RmsDerivative(usize),
     /// Largest value of a derivative by cam angle, m/radᵏ.
     PeakDerivative(usize),
-    /// Force error, radius and jerk weighed against each other.
-    Weighed,
 }
 
 impl Minimised {
@@ -135,7 +133,6 @@ impl Minimised {
             Minimised::Radius => "radius_m".to_string(),
             Minimised::RmsDerivative(order) => format!("rms_derivative_{order}"),
             Minimised::PeakDerivative(order) => format!("peak_derivative_{order}"),
-            Minimised::Weighed => "weighed".to_string(),
         }
     }
 }
@@ -195,7 +192,6 @@ impl Easing {
             Minimised::RmsDerivative(order) | Minimised::PeakDerivative(order) => {
                 measures.lift(order)
             }
-            Minimised::Weighed => Unit::of(Dimension::Ratio),
         };
         let name = wording::catalogue(language).name(&self.objective.name());
         (name, unit.name, unit.factor)

@@ -4,7 +4,6 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use super::limited::Conflicting;
 use crate::cam::Criterion;
 use crate::units::Quantity;
 use crate::wording::{self, Language};
@@ -89,7 +88,7 @@ pub enum Ended {
     SmallGain,
 }
 
-/// What a simpler family missed.
+/// What the harmonics in closed form missed.
 ///
 /// ```
 /// use gaitcam::scene::{Family, Gait, LawSpec};
@@ -99,14 +98,14 @@ pub enum Ended {
 /// // Harmonics that reach the accuracy need more stroke than is allowed: a spline takes over.
 /// let scene = Scene {
 ///     gait: Some(Gait { step_frequency: Some(1.85), ..Gait::model("young") }),
-///     law: LawSpec::of(Family::Ladder),
+///     law: LawSpec::of(Family::Auto),
 ///     limits: Limits::default().with(LimitKind::Stroke, 0.045),
 ///     rms: Some(0.005),
 ///     ..Scene::default()
 /// };
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 /// assert_eq!(design.family, "spline");
-/// assert!(matches!(design.solver.passed_over[0], PassedOver::Check { .. } | PassedOver::Limits { .. } | PassedOver::Accuracy { .. }));
+/// assert!(matches!(design.solver.passed_over, Some(PassedOver::Check { .. } | PassedOver::Accuracy { .. })));
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
@@ -126,11 +125,6 @@ pub enum PassedOver {
         check: Criterion,
         value: Quantity,
         limit: Quantity,
-    },
-    /// Limits that leave it no law.
-    Limits {
-        family: &'static str,
-        limits: Vec<Conflicting>,
     },
     /// It cannot be had at all.
     Fault { family: &'static str, fault: String },

@@ -31,7 +31,7 @@ pub struct Step {
     pub taken: f64,
 }
 
-/// Which method of the ladder gave the law.
+/// Which method gave the law.
 ///
 /// ```
 /// use gaitcam::synth::Tier;
@@ -87,8 +87,8 @@ pub struct SolverReport {
     pub tier: Tier,
     /// Its details.
     pub method: Method,
-    /// Simpler families that were tried first, and what they missed.
-    pub passed_over: Vec<PassedOver>,
+    /// What the harmonics in closed form missed, where they were tried first.
+    pub passed_over: Option<PassedOver>,
     /// Iterations over all solves.
     pub iterations: usize,
     /// Limits hold on the continuous law, and no law of the family is better by more than 1e-6 of the objective.
@@ -107,7 +107,7 @@ impl SolverReport {
         SolverReport {
             tier,
             method,
-            passed_over: Vec::new(),
+            passed_over: None,
             iterations,
             certified: true,
             doubt: None,

@@ -105,7 +105,6 @@ name-rms-derivative-4 = snap (RMS)
 name-peak-derivative-2 = peak acceleration
 name-peak-derivative-3 = peak jerk
 name-peak-derivative-4 = peak snap
-name-weighed = objective
 name-acceptable = acceptable
 name-not-for-high-speed = not-for-high-speed
 name-unacceptable = unacceptable

@@ -89,10 +89,8 @@ scene-no-phases = { $from } to { $to } is not a valid range of phases
     .help = phases run from 0 to 360 deg; in a range across the end of the cycle, to is smaller than from
 scene-nothing-weighed = all phases of the cycle have weight 0
     .help = give at least one range a weight above 0
-scene-empty-weigh = no weight is given
-    .help = give the amount that counts as one unit: force_error = "1 %", prime_radius = "20 mm", jerk = "100 m/s^3"
-scene-minimise-and-weigh = law.weigh already defines the objective
-    .help = remove one of the two
+scene-weigh-removed = law.weigh was removed
+    .help = the trade-off is shown by gaitcam synth --front force_error:prime_radius; choose a point of it and set its limits
 scene-no-force-to-follow = no target force is given
     .help = add [gait], or minimise "jerk", "peak-acceleration" …
 scene-size-not-free = the size of this cam is not free

@@ -38,7 +38,6 @@ doubt-local = the problem is not convex, so only a local optimum is found; the g
 # Why a simpler family was rejected.
 passed-over-accuracy = { $family } exceeds the allowed force error by { $excess }
 passed-over-check = { $family } violates { $check } (value { $value }, limit { $limit })
-passed-over-limits = { $family } cannot satisfy { $limits }
 passed-over-fault = { $family } is not possible: { $fault }
 
 # Why a solver of convex programs stopped without a result.

@@ -105,7 +105,6 @@ name-rms-derivative-4 = cuarta derivada (RMS)
 name-peak-derivative-2 = aceleración máxima
 name-peak-derivative-3 = sobreaceleración máxima
 name-peak-derivative-4 = cuarta derivada máxima
-name-weighed = objetivo
 name-acceptable = aceptable
 name-not-for-high-speed = no apta para alta velocidad
 name-unacceptable = inaceptable

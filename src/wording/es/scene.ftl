@@ -89,10 +89,8 @@ scene-no-phases = de { $from } a { $to } no es un intervalo de fases válido
     .help = las fases van de 0 a 360 deg; en un intervalo que pasa por el final del ciclo, to es menor que from
 scene-nothing-weighed = todas las fases del ciclo tienen peso 0
     .help = dé al menos a un intervalo un peso mayor que 0
-scene-empty-weigh = no se da ningún peso
-    .help = indique la cantidad que cuenta como una unidad: force_error = "1 %", prime_radius = "20 mm", jerk = "100 m/s^3"
-scene-minimise-and-weigh = law.weigh ya define el objetivo
-    .help = quite uno de los dos
+scene-weigh-removed = law.weigh se ha eliminado
+    .help = gaitcam synth --front force_error:prime_radius muestra el compromiso; elija un punto y fije sus límites
 scene-no-force-to-follow = no se da ninguna fuerza objetivo
     .help = añada [gait] o minimice "jerk", "peak-acceleration" …
 scene-size-not-free = el tamaño de esta leva no es libre

@@ -38,7 +38,6 @@ doubt-local = el problema no es convexo y solo se obtiene un óptimo local; la b
 # Por qué se descartó una familia más sencilla.
 passed-over-accuracy = { $family }: supera el error de fuerza admitido en { $excess }
 passed-over-check = { $family }: incumple «{ $check }» (valor { $value }, límite { $limit })
-passed-over-limits = { $family }: no puede cumplir { $limits }
 passed-over-fault = { $family }: no es posible: { $fault }
 
 # Por qué se detuvo sin resultado un algoritmo de programas convexos.

@@ -230,7 +230,7 @@ fn what_a_polydyne_cam_cannot_be_is_refused_in_words() {
     for (change, words) in [
         ("machine.natural_frequency=60 Hz", "remove one of the two"),
         ("machine.stiffness=0 N/m", "not positive"),
-        ("law.family=auto", "four continuous derivatives"),
+        ("law.family=double-harmonic", "four continuous derivatives"),
         ("law.polydyne=yes", "true or false"),
     ] {
         let got = fault(change);

@@ -349,7 +349,7 @@ fn sensitivities(design: &Design) -> Vec<String> {
     at_most(SENSITIVITIES, lines.collect(), "more-relaxing")
 }
 
-/// The solver's method, and the errors of simpler families.
+/// The solver's method, and what the closed form missed.
 fn status(solver: &SolverReport) -> String {
     let language = language::current();
     let missed = solver.passed_over.iter().map(|p| p.sentence(language));

@@ -15,12 +15,6 @@ pub enum Objective {
     Peak(usize),
     /// Base radius of a flat-faced cam.
     Size,
-    /// (e/e₁)² + R/R₁ + (j/j₁)² under a flat face: a part of the mean force, m, m/s³.
-    Weighed {
-        error: Option<f64>,
-        radius: Option<f64>,
-        jerk: f64,
-    },
 }
 
 /// A range of the cycle whose force error counts more or less.
@@ -227,19 +221,6 @@ impl Asked {
             Objective::Energy(k) => writeln!(out, "minimise = \"{}\"", derivative(k))?,
             Objective::Peak(k) => writeln!(out, "minimise = \"peak-{}\"", derivative(k))?,
             Objective::Size => writeln!(out, "minimise = \"size\"")?,
-            Objective::Weighed {
-                error,
-                radius,
-                jerk,
-            } => {
-                writeln!(out, "[law.weigh]\njerk = \"{jerk} m/s^3\"")?;
-                if let Some(part) = error {
-                    writeln!(out, "force_error = \"{} %\"", 100.0 * part)?;
-                }
-                if let Some(one) = radius {
-                    writeln!(out, "prime_radius = \"{one} m\"")?;
-                }
-            }
         }
         Ok(())
     }

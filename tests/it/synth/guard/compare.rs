@@ -157,9 +157,6 @@ fn size(reference: &Reference, value: f64) -> (f64, bool) {
     let floor = match reference.asked.objective {
         super::asked::Objective::ForceError => 0.5 * (FORCE_FLOOR * mean).powi(2) / AGREED,
         super::asked::Objective::PeakForceError => FORCE_FLOOR * mean / AGREED,
-        super::asked::Objective::Weighed {
-            radius: Some(one), ..
-        } => HELD * reference.asked.length() / AGREED / one,
         // The radius is a limit as well as the objective: its tolerance is that of a limit.
         super::asked::Objective::Size => HELD * reference.asked.length() / AGREED,
         _ => 0.0,

@@ -53,7 +53,6 @@ fn share(kind: Kind) -> (usize, usize) {
         Kind::Peaks => (220, 190),
         Kind::Ranges => (120, 110),
         Kind::Bands => (120, 60),
-        Kind::Weighed => (120, 110),
         Kind::Many => (80, 50),
         Kind::Long => (60, 45),
         Kind::Residual => (160, 130),

@@ -316,13 +316,6 @@ fn nodes(asked: &Asked, splines: &Splines) -> Vec<Node> {
         Objective::ForceError => vec![(None, 1.0)],
         Objective::Energy(order) => vec![(Some(order), 1.0)],
         Objective::Size => vec![(Some(3), 1.0 / (asked.length() * SIZE_JERK * SIZE_JERK))],
-        Objective::Weighed { error, jerk, .. } => {
-            let mean = asked.target.as_ref().map_or(0.0, |t| t.0.mean_n());
-            let by_angle = jerk / asked.speed.powi(3);
-            let of_jerk = (Some(3), 2.0 / (by_angle * by_angle));
-            let of_force = error.map(|part| (None, 2.0 / (part * mean).powi(2)));
-            of_force.into_iter().chain([of_jerk]).collect()
-        }
         Objective::Peak(_) | Objective::PeakForceError => Vec::new(),
     };
     let one = |(order, factor)| part(asked, splines, order, factor);

@@ -130,7 +130,6 @@ impl List {
                 let rho = limits.curvature.unwrap_or(0.0);
                 let cost = match asked.objective {
                     Objective::Size => Some(1.0),
-                    Objective::Weighed { radius, .. } => radius.map(|one| 1.0 / one),
                     _ => None,
                 };
                 if let Some(cost) = cost {

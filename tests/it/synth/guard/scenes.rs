@@ -31,10 +31,8 @@ pub enum Kind {
     Peaks,
     /// Force error that counts more in parts of the cycle, whose edges lie inside spans.
     Ranges,
-    /// Force error, radius of a flat face and jerk together, also where no radius is left.
-    Weighed,
     /// A limit under which peaks and energies have many spans.
-    Many,
+    Many = 11,
     /// Any of these on 4 to 200 spans.
     Long,
     /// The force inside a band about the target.
@@ -43,7 +41,7 @@ pub enum Kind {
     Residual,
 }
 
-pub const KINDS: [Kind; 15] = [
+pub const KINDS: [Kind; 14] = [
     Kind::Moving,
     Kind::Fixed,
     Kind::Hydraulic,
@@ -54,7 +52,6 @@ pub const KINDS: [Kind; 15] = [
     Kind::PressureAngle,
     Kind::Peaks,
     Kind::Ranges,
-    Kind::Weighed,
     Kind::Many,
     Kind::Long,
     Kind::Bands,
@@ -85,7 +82,6 @@ pub fn scene(kind: Kind, seed: usize) -> Asked {
         Kind::Peaks => peaks(r),
         Kind::Ranges => ranges(r),
         Kind::Bands => bands(r),
-        Kind::Weighed => weighed(r),
         Kind::Many => many(r),
         Kind::Residual => residual(r),
         Kind::Long => match r.below(8) {
@@ -187,31 +183,6 @@ fn residual(r: &mut Random) -> Asked {
     asked
 }
 
-fn weighed(r: &mut Random) -> Asked {
-    let mut asked = if r.chance(0.5) {
-        fixed(r)
-    } else {
-        hydraulic(r)
-    };
-    if asked.weights[0] == 0.0 {
-        asked = hydraulic(r);
-    }
-    asked.degree = asked.degree.max(4);
-    let Some(free) = free(&asked) else {
-        return asked;
-    };
-    let largest = free.ranges[3].1.max(-free.ranges[3].0) * asked.speed.powi(3);
-    let radius = r.within(0.01, 0.1);
-    asked.objective = Objective::Weighed {
-        error: Some(r.within(0.02, 0.3)),
-        radius: r.maybe(0.8, radius),
-        jerk: r.within(0.2, 2.0) * largest,
-    };
-    let rho = r.within(0.0, 0.03);
-    asked.limits.curvature = r.maybe(0.6, rho);
-    asked
-}
-
 fn many(r: &mut Random) -> Asked {
     let mut asked = if r.chance(0.5) { points(r) } else { dwells(r) };
     asked.spans = [4, 5, 6, 48, 64, 100][r.below(6)];
@@ -301,7 +272,7 @@ fn free(asked: &Asked) -> Option<Free> {
     own.limits = Limits::default();
     own.objective = match asked.objective {
         Objective::Peak(_) | Objective::Size => Objective::Energy(asked.degree.min(4) - 1),
-        Objective::PeakForceError | Objective::Weighed { .. } => Objective::ForceError,
+        Objective::PeakForceError => Objective::ForceError,
         other => other,
     };
     let reference = Reference::new(&own);

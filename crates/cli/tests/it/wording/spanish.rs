@@ -148,18 +148,18 @@ fn designs_in_spanish_hold_no_english_word_and_no_decimal_point() {
         let point = shown.lines().find(|line| has_decimal_point(line));
         assert_eq!(point, None, "{scene}");
     }
-    // The simpler families that a ladder tries are named where it leaves them.
+    // The closed form is named where it is passed over.
     for limit in ["limits.stroke=48.5 mm", "limits.jerk=65 m/s^3"] {
-        let ladder = [
+        let automatic = [
             "synth",
             "footbridge",
             "--set",
-            "law.family=ladder",
+            "law.family=auto",
             "--set",
             limit,
             "--out",
         ];
-        let shown = said(&[&ladder[..], &[&path("ladder")]].concat(), 0);
+        let shown = said(&[&automatic[..], &[&path("auto")]].concat(), 0);
         assert!(shown.contains("la inversa por armónicos"), "{shown}");
         assert!(!shown.contains("inverse"), "{shown}");
     }
