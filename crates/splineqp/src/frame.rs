@@ -61,6 +61,31 @@ impl Frame {
 
     /// Takes plane `j` out of Q and R.
     pub fn remove(&mut self, j: usize) {
+        self.rotate_out(j, &mut []);
+        self.forget_last();
+    }
+
+    /// The same, and moves a normal's part along the direction that leaves the span to its rest: no second split.
+    pub fn remove_beside(&mut self, j: usize, apart: &mut Apart) {
+        self.rotate_out(j, &mut apart.along);
+        let n = apart.rest.len();
+        let last = &self.q[self.r.len() * n..];
+        if let Some(part) = apart.along.pop() {
+            for (rest, q) in apart.rest.iter_mut().zip(last) {
+                *rest += part * q;
+            }
+        }
+        apart.left = square(&apart.rest);
+        self.forget_last();
+    }
+
+    fn forget_last(&mut self) {
+        let planes = self.r.len();
+        self.q.truncate(self.q.len() / (planes + 1) * planes);
+    }
+
+    /// Takes column `j` out of R and rotates Q until its last vector is the direction that leaves, coordinates in Q with it.
+    fn rotate_out(&mut self, j: usize, along: &mut [f64]) {
         let n = self.q.len() / self.r.len();
         self.r.remove(j);
         let k = self.r.len();
@@ -74,6 +99,9 @@ impl Frame {
                 column[i + 1] = c * q - s * p;
             }
             self.r[i].truncate(i + 1);
+            if let Some([p, q]) = along.get_mut(i..i + 2) {
+                (*p, *q) = (c * *p + s * *q, c * *q - s * *p);
+            }
             let (left, right) = self.q[i * n..].split_at_mut(n);
             for (p, q) in left.iter_mut().zip(right) {
                 let (a, b) = (*p, *q);
@@ -81,7 +109,6 @@ impl Frame {
                 *q = c * b - s * a;
             }
         }
-        self.q.truncate(k * n);
     }
 
     /// R⁻¹d.
@@ -138,4 +165,58 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
 /// Square length.
 pub fn square(a: &[f64]) -> f64 {
     dot(a, a)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Normals in four dimensions, none of which depends on the others.
+    const NORMALS: [[f64; 4]; 4] = [
+        [1.0, 2.0, 0.0, -1.0],
+        [0.0, 1.0, 1.0, 3.0],
+        [2.0, 0.0, -1.0, 1.0],
+        [1.0, 1.0, 1.0, 1.0],
+    ];
+
+    fn frame(of: &[usize]) -> Frame {
+        let mut frame = Frame::default();
+        for &i in of {
+            let apart = frame.split(&NORMALS[i]);
+            frame.push(apart);
+        }
+        frame
+    }
+
+    #[test]
+    fn a_split_follows_a_plane_that_leaves() {
+        for j in 0..3 {
+            let mut frame = frame(&[0, 1, 2]);
+            let mut kept = frame.split(&NORMALS[3]);
+            frame.remove_beside(j, &mut kept);
+            let anew = frame.split(&NORMALS[3]);
+            let near = |a: &[f64], b: &[f64]| {
+                assert_eq!(a.len(), b.len());
+                a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-14)
+            };
+            assert!(near(&kept.along, &anew.along) && near(&kept.rest, &anew.rest));
+            assert!((kept.left - anew.left).abs() < 1e-14, "{j}");
+        }
+    }
+
+    /// The point nearest to (1, 1, 1, 1) on two planes has the planes' values and differs by multiples of their normals.
+    #[test]
+    fn the_nearest_point_lies_on_the_planes() {
+        let bounds = [0.5, -2.0];
+        let own = frame(&[0, 2]);
+        let (point, away) = own.nearest(&[1.0; 4], &bounds);
+        let multipliers = own.back_substituted(&away);
+        for (&i, bound) in [0, 2].iter().zip(bounds) {
+            assert!((dot(&NORMALS[i], &point) - bound).abs() < 1e-14);
+        }
+        for k in 0..4 {
+            let moved = multipliers[0] * NORMALS[0][k] + multipliers[1] * NORMALS[2][k];
+            assert!((1.0 - point[k] - moved).abs() < 1e-14);
+        }
+    }
 }

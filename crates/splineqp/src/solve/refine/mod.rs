@@ -32,7 +32,7 @@ use crate::basis::{Basis, apply, row_unit};
 use crate::certificate::certificate;
 use crate::poly::{Peak, PiecewisePoly};
 use crate::program::{Limit, PEAK, Program, Row, Solution, Variable};
-use crate::solve::active_set::dual::with_rounding;
+use crate::solve::active_set::dual;
 
 struct Contacts<'a, N: Names> {
     program: &'a Program<N>,
@@ -97,7 +97,7 @@ fn rounding<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
             limit.size(limit.room(&solution.extra))
         };
         let size = row.limit.map_or(row.scale, of_limit);
-        (size > 0.0).then(|| with_rounding(&row.entries, &solution.x).1 / size)
+        (size > 0.0).then(|| dual::rounding(&row.entries, &solution.x) / size)
     };
     (solution.active.iter().filter_map(of_row)).fold(0.0, f64::max)
 }
