@@ -13,6 +13,7 @@ mod active_set;
 pub mod exchange;
 mod refine;
 mod rms;
+mod row_solver;
 
 use crate::Names;
 use crate::basis::apply;
@@ -20,6 +21,7 @@ use crate::equality::{self, Unlimited};
 use crate::program::{Failure, PEAK, Program, Solution, Stop, Values, Variable};
 use crate::settings::TOLERANCE;
 use active_set::proximal;
+use exchange::clarabel::InteriorPoint;
 
 impl<N: Names> Program<N> {
     /// The optimum under all limits, on the continuum.
@@ -98,7 +100,7 @@ impl<N: Names> Program<N> {
                 let solution = self.or_by_exchange(solution);
                 Ok(self.inside(&unlimited, &solution).unwrap_or(solution))
             }
-            Err(rows) => exchange::from_rows(self, rows),
+            Err(rows) => exchange::from_rows(self, rows, &mut InteriorPoint::default()),
         }
     }
 

@@ -11,9 +11,10 @@ use crate::Names;
 use crate::band::ArrowFactor;
 use crate::equality::Unlimited;
 use crate::poly::Peak;
-use crate::program::{Program, Row, Solution, Values};
+use crate::program::{Failure, Program, Row, Solution, Stop, Values};
 use crate::settings::ActiveSetSettings;
 use crate::solve::refine;
+use crate::solve::row_solver::{Point, RowSolver};
 use dual::{Dual, Plane, Stuck};
 
 /// Solves a program over the coefficients alone, starting from its optimum without limits.
@@ -44,19 +45,26 @@ pub fn solve<N: Names>(
         if program.halt.is_asked() {
             break;
         }
-        if set.settle(program, &rows).is_err() {
+        let Ok(Point { x, iterations, .. }) = set.solve(program, &mut rows, 0.0) else {
             return best
                 .filter(|b| b.violation < settings.resolved_at_last)
                 .ok_or(rows);
-        }
+        };
         let refinement = &program.settings.refinement;
-        let peaks = program.peaks_near(&set.dual.x, &none, refinement.below);
-        let violation = program.worst(&peaks, &set.dual.x, &none);
-        let candidate = set.solution(&rows, violation, round);
+        let peaks = program.peaks_near(&x, &none, refinement.below);
+        let broken = program.broken_among(&peaks, &x, &none);
+        let candidate = Solution {
+            violation: program.worst(&peaks, &x, &none),
+            x,
+            extra: none,
+            active: set.active(&rows),
+            used_rows: true,
+            iterations,
+            rounds: round,
+        };
         if candidate.violation <= program.settings.tolerance {
             return Ok(candidate);
         }
-        let broken = program.broken_among(&peaks, &set.dual.x, &none);
         if candidate.violation < refinement.from && refinements < settings.refinements {
             refinements += 1;
             let refined = refine::on_band(program, unlimited, &candidate, peaks, set.pinned_at);
@@ -92,7 +100,7 @@ fn add_rows<N: Names>(
         let row = program.row(limit, peak);
         match rows.iter().position(|r| r.coincides(&row, coincident)) {
             Some(at) => {
-                set.dual.forget(at);
+                RowSolver::<N>::replaced(set, at);
                 rows[at] = row;
             }
             None => rows.push(row),
@@ -133,11 +141,16 @@ impl<'a> ActiveSet<'a> {
     }
 
     /// Until no row is violated and an open level is constant.
-    fn settle<N: Names>(&mut self, program: &Program<N>, rows: &[Row<N>]) -> Result<(), Stuck> {
+    fn settle<N: Names>(
+        &mut self,
+        program: &Program<N>,
+        rows: &[Row<N>],
+        margin: f64,
+    ) -> Result<(), Stuck> {
         let planes: Vec<Plane> = (rows.iter())
             .map(|row| {
                 let size = row.limit.map_or(row.scale, |i| program.limits[i].scale);
-                let (entries, bound) = (&row.entries, row.bound);
+                let (entries, bound) = (&row.entries, row.bound - margin * row.scale);
                 let unit = size.max(bound.abs());
                 Plane {
                     entries,
@@ -182,16 +195,30 @@ impl<'a> ActiveSet<'a> {
         });
         rows.collect()
     }
+}
 
-    fn solution<N: Names>(&self, rows: &[Row<N>], violation: f64, rounds: usize) -> Solution<N> {
-        Solution {
-            violation,
+impl<N: Names> RowSolver<N> for ActiveSet<'_> {
+    /// Begins at the active rows of the last solution, and leaves its working set as it is where it fails.
+    fn solve(
+        &mut self,
+        program: &Program<N>,
+        rows: &mut [Row<N>],
+        margin: f64,
+    ) -> Result<Point<N>, Failure<N>> {
+        (self.settle(program, rows, margin)).map_err(|_| Stop::NoProgress)?;
+        rows.iter_mut().for_each(|row| row.multiplier = 0.0);
+        for (row, multiplier) in self.dual.multipliers() {
+            rows[row].multiplier = multiplier;
+        }
+        Ok(Point {
             x: self.dual.x.clone(),
             extra: Values::NONE,
-            active: self.active(rows),
-            used_rows: true,
+            tangents: Vec::new(),
             iterations: self.dual.steps,
-            rounds,
-        }
+        })
+    }
+
+    fn replaced(&mut self, row: usize) {
+        self.dual.forget(row);
     }
 }

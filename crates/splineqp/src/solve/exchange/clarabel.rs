@@ -9,12 +9,9 @@ use clarabel::solver::{
 
 use crate::basis::{Entries, row_unit};
 use crate::program::{Ball, Failure, PEAK, Program, RmsLimit, Row, Stop, Values, Variable};
+use crate::solve::row_solver::{Point, RowSolver};
 
-/// Minimise ½xᵀPx + qᵀx with b − Ax in the cones, in the solver's hands. Clarabel's code is generic: every crate that makes or
-/// runs a solver of its own compiles it whole, so all ask here.
-///
-/// # Errors
-/// Where sizes do not agree.
+/// Minimise ½xᵀPx + qᵀx with b − Ax in the cones, in the solver's hands; an error where sizes do not agree.
 pub fn prepared(
     p: &CscMatrix<f64>,
     q: &[f64],
@@ -31,21 +28,29 @@ pub fn run(solver: &mut DefaultSolver<f64>) {
     solver.solve();
 }
 
-/// What the interior-point method returns, in the program's own units.
-pub struct Point<N: Names> {
-    /// Coefficients.
-    pub x: Vec<f64>,
-    /// Further variables.
-    pub extra: Values,
-    /// Tangents of the limits on root mean squares, with their multipliers.
-    pub tangents: Vec<Row<N>>,
-    /// Iterations.
-    pub iterations: usize,
+/// The interior-point method, which begins anew with every set of rows. It alone takes cones and limits on root mean squares.
+#[derive(Default)]
+pub struct InteriorPoint {
+    iterations: usize,
 }
 
-/// Solves with the rows given; multipliers are written back into them. `margin` (relative to each
-/// limit's scale) is kept free inside every limit.
-pub fn solve<N: Names>(
+impl<N: Names> RowSolver<N> for InteriorPoint {
+    fn solve(
+        &mut self,
+        program: &Program<N>,
+        rows: &mut [Row<N>],
+        margin: f64,
+    ) -> Result<Point<N>, Failure<N>> {
+        let point = solved(program, rows, margin)?;
+        self.iterations += point.iterations;
+        Ok(Point {
+            iterations: self.iterations,
+            ..point
+        })
+    }
+}
+
+fn solved<N: Names>(
     program: &Program<N>,
     rows: &mut [Row<N>],
     margin: f64,

@@ -9,7 +9,8 @@ use crate::equality;
 use crate::poly::Peak;
 use crate::program::{Failure, PEAK, Program, Row, Solution, Stop, Values};
 use crate::solve::refine;
-use clarabel::Point;
+use crate::solve::row_solver::{Point, RowSolver};
+use clarabel::InteriorPoint;
 
 /// The optimum by the interior-point method on exchanged rows, which begin with the program's seeds. Seeds of a law that differs
 /// by rounding may be so alike that the method does not end: then as without seeds.
@@ -26,7 +27,7 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> 
     program.seed_rows(&mut own);
     own.retain(|r| r.entries.iter().all(|e| e.1 == 0.0));
     let rows = program.fixed.iter().chain(contacts).cloned().chain(own);
-    match from_rows(program, rows.collect()) {
+    match from_rows(program, rows.collect(), &mut InteriorPoint::default()) {
         Err(Failure::Numerical { stop }) if stop != Stop::OutOfTime => without_seeds(program),
         found => found,
     }
@@ -45,16 +46,17 @@ fn without_seeds<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<
         add_rows(program, &mut rows, program.broken(&x, &Values::NONE));
         program.add_neighbours(&mut rows, &x);
     }
-    from_rows(program, rows)
+    from_rows(program, rows, &mut InteriorPoint::default())
 }
 
-/// From these rows.
+/// From these rows, by a solver.
 pub fn from_rows<N: Names>(
     program: &Program<N>,
     mut rows: Vec<Row<N>>,
+    solver: &mut impl RowSolver<N>,
 ) -> Result<Solution<N>, Failure<N>> {
     let settings = &program.settings.exchange;
-    let (mut iterations, mut refinements) = (0, 0);
+    let mut refinements = 0;
     let mut best: Option<Solution<N>> = None;
     // Room left inside every limit for what the solver does not resolve; grows only when needed. With a cone there is no
     // refinement, so there it is kept from the start.
@@ -68,7 +70,7 @@ pub fn from_rows<N: Names>(
         if program.halt.is_asked() {
             return best.ok_or(Stop::OutOfTime.into());
         }
-        let point = match (clarabel::solve(program, &mut rows, margin), &best) {
+        let point = match (solver.solve(program, &mut rows, margin), &best) {
             (Ok(point), _) => point,
             // With the room kept free there is no solution; the rows themselves may leave one.
             (Err(_), Some(_)) if margin > 0.0 => {
@@ -80,12 +82,11 @@ pub fn from_rows<N: Names>(
             }
             (Err(failure), _) => return Err(failure),
         };
-        iterations += point.iterations;
         let Point {
             x,
             mut extra,
             tangents,
-            ..
+            iterations,
         } = point;
         // A law that exceeds its minimised peak by less than a gap which needs no refinement has the peak that it attains.
         let peak = program.own_peak(&x, &extra);
