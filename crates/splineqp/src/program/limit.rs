@@ -19,6 +19,13 @@ pub enum Derivative {
     Fourth,
 }
 
+impl Derivative {
+    /// Weights of this derivative alone, by the order of the derivative.
+    pub fn weights(self) -> [f64; 5] {
+        LeftSide::from(self).weights()
+    }
+}
+
 /// A linear combination of the law and its derivatives.
 ///
 /// ```
@@ -69,7 +76,7 @@ impl Neg for LeftSide {
     }
 }
 
-/// A linear limit on the law over a range of angles.
+/// A linear limit on the law, everywhere or over a range of angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit<N: Names> {
     /// Name as users know it; both signs of a two-sided limit share it.
@@ -104,7 +111,7 @@ pub struct Limited<N: Names> {
 }
 
 impl<N: Names> Limited<N> {
-    /// At most this bound over one turn. A violation counts as a part of the bound, or of 1 where that is 0.
+    /// At most this bound everywhere. A violation counts as a part of the bound, or of 1 where that is 0.
     pub fn at_most(self, bound: f64) -> Limit<N> {
         Limit {
             name: self.name,
@@ -113,7 +120,7 @@ impl<N: Names> Limited<N> {
             extra: Values::NONE,
             shape: None,
             from_reference: false,
-            domain: (0.0, std::f64::consts::TAU),
+            domain: (f64::MIN, f64::MAX),
             scale: if bound == 0.0 { 1.0 } else { bound.abs() },
             has_room: true,
             is_window: false,
@@ -121,7 +128,7 @@ impl<N: Names> Limited<N> {
         }
     }
 
-    /// At least this bound over one turn.
+    /// At least this bound everywhere.
     pub fn at_least(self, bound: f64) -> Limit<N> {
         let side = -self.side;
         Limited { side, ..self }.at_most(-bound)

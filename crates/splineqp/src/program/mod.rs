@@ -186,6 +186,11 @@ impl<N: Names> Program<N> {
         limit.room(extra) + limit.weights[0] * lowest
     }
 
+    /// A derivative of a solution's law, or a combination of derivatives.
+    pub fn curve(&self, solution: &Solution<N>, side: impl Into<LeftSide>) -> PiecewisePoly {
+        self.basis.combination(&solution.x, &side.into().weights())
+    }
+
     /// Has limits count the law from its value at an angle, rad.
     pub fn count_from(&mut self, angle: f64) {
         self.reference = Some(self.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]));

@@ -98,7 +98,7 @@ impl<N: Names> Program<N> {
                 pieces.peaks_above(space, limit, level, &mut room, |peak| visit(index, peak));
                 continue;
             }
-            let curve = self.curve(x, limit);
+            let curve = self.left_side(x, limit);
             for mut peak in curve.peaks_above(level, limit.domain.0, limit.domain.1) {
                 // A shape subdivides the curve; report the place on the pieces of the basis.
                 (peak.piece, peak.u) = self.basis.locate(peak.at);
@@ -199,7 +199,7 @@ impl<N: Names> Program<N> {
     }
 
     /// Left side of a limit less its shape, over the whole law.
-    fn curve(&self, x: &[f64], limit: &Limit<N>) -> PiecewisePoly {
+    fn left_side(&self, x: &[f64], limit: &Limit<N>) -> PiecewisePoly {
         let mut curve = self.basis.combination(x, &limit.weights);
         if let Some(shape) = limit.shape.map(|i| &self.shapes[i]) {
             let own = curve.cut_at(shape.breaks());

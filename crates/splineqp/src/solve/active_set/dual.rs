@@ -300,3 +300,73 @@ pub fn rounding(entries: &Entries, x: &[f64]) -> f64 {
     let size: f64 = entries.iter().map(|&(i, a)| (a * x[i]).abs()).sum();
     4.0 * f64::EPSILON * size
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::band::ArrowMatrix;
+
+    const DEPENDENT: f64 = 1e-13;
+
+    /// ½(x² + 4y²).
+    fn factor() -> ArrowFactor {
+        let mut matrix = ArrowMatrix::zero(2, 0, 2);
+        matrix.add(0, 0, 1.0);
+        matrix.add(1, 1, 4.0);
+        matrix.factor().unwrap()
+    }
+
+    /// Minimises ½(x² + 4y²) − 2x − 4y, least at (2, 1), under planes.
+    fn solved(rows: &[([f64; 2], f64)]) -> Result<([f64; 2], Vec<f64>), Stuck> {
+        let entries: Vec<Entries> = rows
+            .iter()
+            .map(|r| vec![(0, r.0[0]), (1, r.0[1])])
+            .collect();
+        let planes = entries.iter().zip(rows);
+        let planes: Vec<Plane> = planes
+            .map(|(entries, &(_, bound))| Plane {
+                entries,
+                bound,
+                unit: 1.0,
+            })
+            .collect();
+        let factor = factor();
+        let mut dual = Dual::new(&factor, vec![2.0, 4.0], vec![2.0, 1.0], DEPENDENT, 20);
+        dual.settle(&planes, 1e-12, 2, &Halt::never())?;
+        let mut multipliers = vec![0.0; rows.len()];
+        dual.multipliers().for_each(|(i, m)| multipliers[i] = m);
+        Ok(([dual.x[0], dual.x[1]], multipliers))
+    }
+
+    fn near(a: &[f64], b: &[f64]) -> bool {
+        a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-14)
+    }
+
+    #[test]
+    fn an_idle_plane_has_no_multiplier() {
+        let (x, multipliers) = solved(&[([1.0, 0.0], 3.0)]).ok().unwrap();
+        assert!(near(&x, &[2.0, 1.0]) && multipliers == [0.0]);
+    }
+
+    /// x + y ≤ 2: with multiplier λ, x = 2 − λ and y = 1 − λ/4, so λ = 0.8.
+    #[test]
+    fn one_plane_takes_its_share_of_the_gradient() {
+        let (x, multipliers) = solved(&[([1.0, 1.0], 2.0)]).ok().unwrap();
+        assert!(near(&x, &[1.2, 0.8]) && near(&multipliers, &[0.8]));
+    }
+
+    /// x ≤ 1 enters first, and holds by itself under x + 2y ≤ 1.
+    #[test]
+    fn a_plane_leaves_when_another_makes_it_idle() {
+        let rows = [([1.0, 0.0], 1.0), ([0.1, 0.2], 0.1)];
+        let (x, multipliers) = solved(&rows).ok().unwrap();
+        // x = 2 − 0.1 λ, 4y = 4 − 0.2 λ and x + 2y = 4 − 0.2 λ = 1.
+        assert!(near(&x, &[0.5, 0.25]) && near(&multipliers, &[0.0, 15.0]));
+    }
+
+    #[test]
+    fn planes_that_exclude_each_other_are_stuck() {
+        let rows = [([1.0, 0.0], 0.0), ([-1.0, 0.0], -1.0)];
+        assert!(solved(&rows).is_err_and(|stuck| stuck.excess.is_finite()));
+    }
+}
