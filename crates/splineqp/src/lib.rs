@@ -18,6 +18,7 @@
 //! | file | |
 //! |---|---|
 //! | `program` | the program, its limits, rows and solution |
+//! | `variable` | variables beside the coefficients, and their cones |
 //! | `basis` | B-splines or harmonics, rows on their coefficients |
 //! | `objective` | H and g of a distance or an energy |
 //! | `band` | Cholesky factor of a banded matrix with a border |
@@ -29,6 +30,7 @@
 //! | `proximal` | the same for a peak that is minimised |
 //! | `frame` | active planes as an orthonormal basis and a triangle |
 //! | `solve` | which method solves |
+//! | `row_solver` | what the rounds ask of a solver of finitely many rows |
 //! | `exchange` | rounds of separation and solution |
 //! | `clarabel` | interior-point method, by Clarabel |
 //! | `rms` | a limit on a root mean square, by the weight at which it holds with equality |

@@ -106,7 +106,7 @@ settings! {
         compared: f64 = 1e-4,
         /// Rounds of rows and centres; 20 are usual.
         rounds: usize = 150,
-        /// A law whose certificate is open by no more than so many times what needs no refinement is left to that.
+        /// Stop within this factor of the refinement threshold.
         accepted: f64 = 1e3,
         /// Rounds without a better certificate that end the search.
         patience: usize = 25,

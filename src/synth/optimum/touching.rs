@@ -215,7 +215,7 @@ impl Search {
         (0..self.nodes.len()).min_by(by_value).unwrap_or(0)
     }
 
-    /// Looks on both sides of the best angle: under a symmetric force the best may be the worst of its neighbours.
+    /// A symmetric target can make the stationary angle a local maximum: tries ±¼ span about the best angle.
     fn beside(&mut self) {
         let at = self.nodes[self.best()].at;
         let part = 0.25 * self.program.width(0);

@@ -6,8 +6,10 @@
 //! | proximal steps of the dual active set | a peak that is minimised | `active_set/proximal` |
 //! | dual active set | the coefficients alone, at most 1000 rows | `active_set` |
 //! | interior point on exchanged rows | sizes, a peak or a cone among the variables; what the active set leaves open | `exchange` |
-//! | the weight of its mean square in the objective | a limit on a root mean square, but beside a peak with sizes: `exchange` | `rms` |
+//! | search for the weight of the mean square in the objective | a limit on a root mean square; beside a peak and sizes: `exchange` | `rms` |
 //! | Newton's method on the contacts | every solution whose certificate is open | `refine` |
+//!
+//! Between two separations `active_set` and `exchange` solve under finitely many rows, by the trait in `row_solver`.
 
 mod active_set;
 pub mod exchange;
@@ -45,7 +47,7 @@ impl<N: Names> Program<N> {
         Ok(solution)
     }
 
-    /// The solution with the limit on a root mean square as a cone beside that of the sizes, where that keeps all limits.
+    /// The solution by one cone program, for a root mean square beside a peak and sizes; `None` where it exceeds a limit.
     fn with_its_cone(&self) -> Option<Solution<N>> {
         let present = self.present();
         let is_least = |k: Variable| self.least_values().any(|least| least.0 == k);
@@ -64,7 +66,7 @@ impl<N: Names> Program<N> {
     }
 
     fn solved(&self) -> Result<Solution<N>, Failure<N>> {
-        // A range of values whose place is free adds two unknowns: only where the law without them exceeds it.
+        // A range of free place adds an unknown: first solve without it, and keep that solution where it fits into the range.
         if let Some(free) = self.without_windows() {
             let mut solution = refine::refined(&free, free.by_the_first_method()?);
             let windows = self.windows(&solution.x);
@@ -104,8 +106,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// A law of the active set, or where its progress ended above the tolerance the one that exchange finds, if that is better:
-    /// keeping the limits counts for more than a proof.
+    /// The active set's solution, refined where it exceeds its limits. Where that fails, the exchange's solution replaces it if it
+    /// keeps the limits or is closer to a proof.
     fn or_by_exchange(&self, solution: Solution<N>) -> Solution<N> {
         if refine::keeps_limits(self, &solution) {
             return solution;
@@ -126,8 +128,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Of a solution that exceeds limits by the rounding of their rows, the one under limits narrower by twice as much, where that
-    /// keeps these: the proof counts what it costs.
+    /// Solves again with limits tightened by twice the rounding violation of a solution. The gap includes the cost. `None` where the
+    /// solution keeps its limits, or the tightened one does not.
     fn inside(&self, unlimited: &Unlimited, solution: &Solution<N>) -> Option<Solution<N>> {
         if solution.violation <= self.settings.tolerance || !refine::keeps_limits(self, solution) {
             return None;

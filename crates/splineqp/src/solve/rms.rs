@@ -28,20 +28,21 @@ use crate::program::{
 };
 use crate::solve::exchange;
 
-/// Root mean square, as a part of what is allowed, below which none is smaller.
+/// Relative root mean square treated as zero.
 const SMALL: f64 = 1e-2;
-/// An optimum on the way.
+
+/// One iterate of the search: the optimum at a weight or at a peak.
 struct Tried<N: Names> {
     /// ln of the weight or of the peak.
     number: f64,
-    /// μ; 0 where the peak that is held holds nothing.
+    /// μ; 0 where no limit of the peak is active.
     weight: f64,
     /// ln of the root mean square over what is allowed.
     excess: f64,
     solution: Solution<N>,
 }
 
-/// The number that is sought.
+/// The quantity that the search varies.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
     Weight,
@@ -52,7 +53,7 @@ struct Search<'a, N: Names> {
     program: &'a Program<N>,
     limit: &'a RmsLimit<N>,
     way: Way,
-    /// Contacts of the last optimum.
+    /// Active rows of the last optimum.
     seeds: Vec<Row<N>>,
     /// The law of the least peak under the other limits, where that exceeds the limit.
     least: Option<Solution<N>>,
@@ -258,7 +259,7 @@ impl<'a, N: Names> Search<'a, N> {
         (solution, weight)
     }
 
-    /// Whether a number beside one that failed may have an answer.
+    /// Whether a nearby value may be solvable after this failure.
     fn may_differ_beside(&self, failure: &Failure<N>) -> bool {
         match failure {
             Failure::Infeasible => self.way == Way::Peak,
@@ -267,7 +268,7 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// Optima that keep the limit and exceed it; `None` where no number tried does one of both.
+    /// Two optima that enclose the limit: one within it, one beyond it; `None` where the search finds only one kind.
     fn bracket(&mut self, mut here: Tried<N>) -> Result<Option<[Tried<N>; 2]>, Failure<N>> {
         let settings = self.program.settings.rms;
         let holds = here.excess <= 0.0;
@@ -341,7 +342,7 @@ impl<'a, N: Names> Search<'a, N> {
         Ok(self.met(inside, &outside))
     }
 
-    /// Whether the law between two optima is one to the accuracy wanted: its gap is below Δμ Δq.
+    /// Whether interpolation between two optima is accurate enough: its gap is below Δμ Δq.
     fn is_one(&self, inside: &Tried<N>, outside: &Tried<N>) -> bool {
         let weights = (inside.weight - outside.weight).abs();
         let squares = self.limit.most.powi(2) * (outside.excess - inside.excess);
@@ -351,7 +352,7 @@ impl<'a, N: Names> Search<'a, N> {
             && weights * squares <= settings.rms.gap.max(0.01 * settings.tolerance) * size
     }
 
-    /// The law between two optima at which q is what is allowed, with the rows of both and the tangent of the limit.
+    /// Interpolates between two optima to where the limit holds with equality; takes the rows of both and the limit's tangent.
     fn met(&self, inside: Tried<N>, outside: &Tried<N>) -> Solution<N> {
         let (limit, other) = (self.limit, &outside.solution);
         let mut out = inside.solution;

@@ -48,8 +48,8 @@ struct Start<N: Names> {
     peak: f64,
 }
 
-/// The law of least mean square of what the peak is of. Without demands that is a constant, which says nothing of the size of a
-/// peak: then it is sought under the other limits, such as a band, and where they leave none there is no least peak.
+/// Start: least squares of the quantity whose peak is minimised. If that is constant, the start is the least-squares solution under
+/// the other limits; an error where these leave none.
 fn start<N: Names>(program: &Program<N>) -> Result<Option<Start<N>>, Failure<N>> {
     let Some(limit) = program.limits.iter().find(|l| l.is_peak()) else {
         return Ok(None);
