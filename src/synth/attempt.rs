@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::families::{self, SolvedLaw};
 use super::infeasible;
-use super::optimum::{NoLaw, Refusal};
+use super::optimum::{Refusal, Sought};
 use super::report::proof::Doubt;
 use super::search::Search;
 use super::sizing::checked_cam::{CheckedCam, checked_cam};
@@ -33,19 +33,17 @@ pub struct Attempt {
 /// # Errors
 /// Faults of the input; demands that no law meets even without limits.
 pub fn attempt(problem: &Problem, search: &Search) -> Result<Attempt> {
-    let refusal = match under_limits(problem, search) {
+    let refusal = match under_limits(problem, search)? {
         Ok(attempt) => return Ok(attempt),
-        Err(NoLaw::Fault(fault)) => return Err(fault),
-        Err(NoLaw::Refused(refusal)) => refusal,
+        Err(refusal) => refusal,
     };
     // The law first: what is shown matters more than why, and the time may end before both are found.
-    match without_limits(problem, search, &refusal) {
+    match without_limits(problem, search, &refusal)? {
         Ok(attempt) => Ok(Attempt {
             refusal: Some(Arc::from(refusal)),
             ..attempt
         }),
-        Err(NoLaw::Fault(fault)) => Err(fault),
-        Err(NoLaw::Refused(_)) => {
+        Err(_) => {
             let why = infeasible::explain(problem, &refusal);
             Err(why.no_law().at_key(why.key_of_demands()))
         }
@@ -53,14 +51,24 @@ pub fn attempt(problem: &Problem, search: &Search) -> Result<Attempt> {
 }
 
 /// The law under the limits of a problem on the given or the smallest cam.
-pub fn under_limits(problem: &Problem, search: &Search) -> std::result::Result<Attempt, NoLaw> {
+///
+/// # Errors
+/// Faults of the input.
+pub fn under_limits(problem: &Problem, search: &Search) -> Sought<Attempt> {
     on_cam(problem, families::law(problem, search)?)
 }
 
 /// A law on the given or the smallest cam of a problem.
-fn on_cam(problem: &Problem, law: SolvedLaw) -> std::result::Result<Attempt, NoLaw> {
+fn on_cam(
+    problem: &Problem,
+    sought: std::result::Result<SolvedLaw, Box<Refusal>>,
+) -> Sought<Attempt> {
+    let law = match sought {
+        Ok(law) => law,
+        Err(refusal) => return Ok(Err(refusal)),
+    };
     let cam = checked_cam(problem, &law.law, law.circle, None)?;
-    Ok(Attempt::of(law, cam))
+    Ok(Ok(Attempt::of(law, cam)))
 }
 
 impl Attempt {
@@ -78,11 +86,7 @@ impl Attempt {
 
 /// The best law without the accuracy where the other limits have one, without any limit, or without the base circle
 /// either. Where the accuracy is a limit and the objective no force, the best is that of the least force error.
-fn without_limits(
-    problem: &Problem,
-    search: &Search,
-    refusal: &Refusal,
-) -> std::result::Result<Attempt, NoLaw> {
+fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Sought<Attempt> {
     let endless = Search::default().below_base_circle();
     // Such laws are quickly found: where the time is over already, they get all that they take.
     let timely = if search.halt.is_asked() {
@@ -106,20 +110,23 @@ fn without_limits(
         },
         ..bare.law.clone()
     });
-    let law = families::law(&bare, &timely).or_else(|no_law| match no_law {
-        NoLaw::Refused(_) => families::law(&bare, &endless),
-        fault => Err(fault),
-    })?;
-    let mut best = on_cam(problem, law)?;
+    let law = match families::law(&bare, &timely)? {
+        Err(_) => families::law(&bare, &endless)?,
+        law => law,
+    };
     // The optimum under the limits that misses the accuracy keeps its proof, as where the force error is minimised.
-    if !of_accuracy {
-        // Nothing is proved of a law that breaks the limits.
-        best.law.easing.clear();
-        best.law.solver.certificate = None;
-        best.law.solver.certified = false;
-        best.law.solver.doubt = Some(Doubt::Limits);
+    if of_accuracy {
+        return on_cam(problem, law);
     }
-    Ok(best)
+    // Nothing is proved of a law that breaks the limits.
+    let unproved = |mut law: SolvedLaw| {
+        law.easing.clear();
+        law.solver.certificate = None;
+        law.solver.certified = false;
+        law.solver.doubt = Some(Doubt::Limits);
+        law
+    };
+    on_cam(problem, law.map(unproved))
 }
 
 #[cfg(test)]
@@ -179,7 +186,8 @@ mod tests {
         assert!(found.refusal.is_some() && !found.law.solver.certified);
         let stroke = found.law.law.stroke();
         assert!((stroke / (2.0 * amplitude(&problem)) - 1.0).abs() < 1e-9);
-        assert!(under_limits(&problem, &Search::default()).is_err());
+        let strict = under_limits(&problem, &Search::default()).unwrap();
+        assert!(strict.is_err());
     }
 
     #[test]

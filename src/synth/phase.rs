@@ -12,7 +12,6 @@ use argmin::solver::brent::BrentOpt;
 
 use super::families;
 use super::limits::force_report;
-use super::optimum::NoLaw;
 use super::search::Search;
 use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
@@ -38,11 +37,8 @@ fn least_error(problem: &Problem, search: &Search) -> Result<Option<f64>> {
     let of_force = problem.limited_error().is_some() && !problem.is_weighed();
     let of_force = of_force.then(|| problem.minimising(Minimise::ForceError));
     let problem = of_force.as_ref().unwrap_or(problem);
-    match families::law(problem, search) {
-        Ok(found) => Ok(Some(force_report(problem, &found.law).rms_error_n)),
-        Err(NoLaw::Refused(_)) => Ok(None),
-        Err(NoLaw::Fault(fault)) => Err(fault),
-    }
+    let found = families::law(problem, search)?.ok();
+    Ok(found.map(|found| force_report(problem, &found.law).rms_error_n))
 }
 
 /// The problem at the phase at which an error is least.

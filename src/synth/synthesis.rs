@@ -4,7 +4,6 @@ use super::attempt::{attempt, under_limits};
 use super::design::Design;
 use super::finish::{Reports, finished};
 use super::machine;
-use super::optimum::NoLaw;
 use super::phase;
 use super::population;
 use super::search::Search;
@@ -63,11 +62,8 @@ pub fn kept(problem: &Problem, search: &Search) -> Result<Option<Design>> {
         Some(design(problem, search)?)
     } else {
         let problem = phase::best(&population::of_mean(problem), search)?.into_owned();
-        match under_limits(&problem, search) {
-            Ok(plain) => Some(finished(&problem, search, plain, Reports::default())),
-            Err(NoLaw::Refused(_)) => None,
-            Err(NoLaw::Fault(fault)) => return Err(fault),
-        }
+        let plain = under_limits(&problem, search)?.ok();
+        plain.map(|plain| finished(&problem, search, plain, Reports::default()))
     };
     Ok(design.filter(|design| design.verdict != Verdict::Unacceptable))
 }

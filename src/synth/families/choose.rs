@@ -2,9 +2,9 @@
 
 use super::harmonic::inverted;
 use super::solved::SolvedLaw;
+use crate::error::Result;
 use crate::problem::Problem;
 use crate::scene::Minimise;
-use crate::synth::optimum::NoLaw;
 use crate::synth::report::method::PassedOver;
 use crate::synth::report::reason::quantity;
 use crate::synth::sizing::checked_cam::checked_cam;
@@ -22,7 +22,7 @@ pub enum ClosedForm {
 const FAMILY: &str = "inverse-by-harmonics";
 
 /// The harmonics in closed form, or what they miss.
-pub fn closed_form(problem: &Problem) -> Result<ClosedForm, NoLaw> {
+pub fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     if !suits(problem) {
         return Ok(ClosedForm::Missed(None));
     }

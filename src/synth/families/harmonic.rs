@@ -5,7 +5,7 @@ use super::solved::{SolvedLaw, solved_law};
 use crate::error::{Error, Placed, Result, SynthError};
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
-use crate::synth::optimum::{self, NoLaw};
+use crate::synth::optimum::{self, Sought};
 use crate::synth::report::method::Method;
 use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::{SolverReport, Tier};
@@ -39,16 +39,19 @@ pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<
 }
 
 /// The harmonics that the problem asks for, inverted, or solved for with the limits where those are broken.
-pub fn harmonic_law(problem: &Problem, search: &Search) -> std::result::Result<SolvedLaw, NoLaw> {
+pub fn harmonic_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     let wanted = problem.asked_error();
     let (found, _) = inverted(problem, problem.law.harmonics, wanted)?;
     let count = found.law.waves(0).len();
     // When every limit holds the spectral inverse is already the optimum (theory §1).
     let formulation = formulation::of_harmonics(problem, search, count, &found.law);
     if !formulation.is_broken_by(&found.coefficients) {
-        return Ok(found);
+        return Ok(Ok(found));
     }
-    let optimum = optimum::convex(formulation)?;
+    let optimum = match optimum::convex(formulation) {
+        Ok(optimum) => optimum,
+        Err(refusal) => return Ok(Err(refusal)),
+    };
     let solution = &optimum.solution;
     let method = Method::Harmonics {
         harmonics: count,
@@ -56,13 +59,13 @@ pub fn harmonic_law(problem: &Problem, search: &Search) -> std::result::Result<S
         violation: solution.violation,
     };
     let report = optimum.proved(SolverReport::of(Tier::Qp, method, solution.iterations));
-    Ok(solved_law(
+    Ok(Ok(solved_law(
         problem,
         &optimum,
         Family::Harmonic,
         Minimise::ForceError,
         report,
-    ))
+    )))
 }
 
 /// The refusal of families that follow a force where there is none.

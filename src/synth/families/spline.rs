@@ -5,7 +5,7 @@ use super::solved::{SolvedLaw, solved_law};
 use crate::error::Result;
 use crate::problem::{Note, Problem};
 use crate::scene::{Family, Minimise};
-use crate::synth::optimum::{self, NoLaw, Optimum};
+use crate::synth::optimum::{self, Optimum, Sought};
 use crate::synth::qp;
 use crate::synth::search::Search;
 use crate::units::Quantity;
@@ -28,15 +28,18 @@ pub const WORTHWHILE: f64 = 0.02;
 pub const TELLING: usize = 12;
 
 /// The problem's spline with how it was found.
-pub fn spline_law(problem: &Problem, search: &Search) -> std::result::Result<SolvedLaw, NoLaw> {
-    let (mut optimum, spans) = fit(problem, search)?;
+pub fn spline_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
+    let (mut optimum, spans) = match fit(problem, search)? {
+        Ok(found) => found,
+        Err(refusal) => return Ok(Err(refusal)),
+    };
     optimum::with_profile(problem, search, &mut optimum);
     let (objective, report) = (problem.objective(), optimum.report());
-    Ok(SolvedLaw {
+    Ok(Ok(SolvedLaw {
         degree: problem.spline_degree,
         spans,
         ..solved_law(problem, &optimum, Family::Spline, objective, report)
-    })
+    }))
 }
 
 /// How many spans a law gets.
@@ -51,14 +54,16 @@ enum Spans {
 
 /// The fit with the problem's own number of spans, or with the fewest that reach the accuracy; and the number that was enough,
 /// which may be smaller than that of the best fit.
-fn fit(problem: &Problem, search: &Search) -> std::result::Result<(Optimum, usize), NoLaw> {
+fn fit(problem: &Problem, search: &Search) -> Sought<(Optimum, usize)> {
     let optimum = match spans(problem, search)? {
         Spans::Given(spans) => solve(problem, search, spans)?,
         Spans::Fewest(from, most) => fewest(problem, search, from, most)?,
         Spans::AtLeast(spans, wanted) => return while_worthwhile(problem, search, spans, wanted),
     };
-    let spans = optimum.formulation.pieces;
-    Ok((optimum, spans))
+    Ok(optimum.map(|optimum| {
+        let spans = optimum.formulation.pieces;
+        (optimum, spans)
+    }))
 }
 
 /// The number of spans with which the search begins.
@@ -112,24 +117,25 @@ fn while_worthwhile(
     search: &Search,
     mut spans: usize,
     wanted: f64,
-) -> std::result::Result<(Optimum, usize), NoLaw> {
+) -> Sought<(Optimum, usize)> {
     let mut best: Option<(f64, Optimum)> = None;
     loop {
-        let optimum = match (solve(problem, search, spans), best.take()) {
-            (Err(NoLaw::Refused(_)), Some((_, earlier))) => {
+        let optimum = match (solve(problem, search, spans)?, best.take()) {
+            (Err(_), Some((_, earlier))) => {
                 let spans = earlier.formulation.pieces;
-                return Ok((earlier, spans));
+                return Ok(Ok((earlier, spans)));
             }
-            (Err(NoLaw::Refused(why)), None)
+            (Err(why), None)
                 if !search.halt.is_asked()
                     && (spans < TELLING || spans < MOST_IN_BAND && why.is_of_accuracy()) =>
             {
                 spans = (2 * spans).max(TELLING);
                 continue;
             }
-            (outcome, earlier) => {
+            (Err(why), None) => return Ok(Err(why)),
+            (Ok(optimum), earlier) => {
                 best = earlier;
-                outcome?
+                optimum
             }
         };
         let error = optimum.force_error();
@@ -142,7 +148,7 @@ fn while_worthwhile(
             _ => (error, optimum),
         };
         if reached || enough.is_some() || spans >= MOST_AUTO_SPANS || search.halt.is_asked() {
-            return Ok((better.1, enough.unwrap_or(spans)));
+            return Ok(Ok((better.1, enough.unwrap_or(spans))));
         }
         best = Some(better);
         spans = larger(spans);
@@ -150,30 +156,25 @@ fn while_worthwhile(
 }
 
 /// The fewest spans that have a law; with none, the answer of the most. Spans serve band and accuracy only.
-fn fewest(
-    problem: &Problem,
-    search: &Search,
-    mut spans: usize,
-    most: usize,
-) -> std::result::Result<Optimum, NoLaw> {
+fn fewest(problem: &Problem, search: &Search, mut spans: usize, most: usize) -> Sought<Optimum> {
     loop {
-        match solve(problem, search, spans) {
-            Err(NoLaw::Refused(why))
+        match solve(problem, search, spans)? {
+            Err(why)
                 if spans < most
                     && !search.halt.is_asked()
                     && (problem.band.is_some() || why.is_of_accuracy()) =>
             {
                 spans = ((spans as f64 * GROWTH) as usize).min(most);
             }
-            outcome => return outcome,
+            outcome => return Ok(outcome),
         }
     }
 }
 
 /// The optimum with a given number of spans.
-fn solve(problem: &Problem, search: &Search, spans: usize) -> std::result::Result<Optimum, NoLaw> {
+fn solve(problem: &Problem, search: &Search, spans: usize) -> Sought<Optimum> {
     let formulation = formulation::of_spline(problem, search, spans)?;
-    optimum::solve(problem, search, formulation)
+    Ok(optimum::solve(problem, search, formulation))
 }
 
 /// Where the spread, not the accuracy, ended the choice of spans (or harmonics in closed form).
@@ -216,10 +217,10 @@ mod tests {
         let force = scene.model_force().unwrap();
         let problem = Problem::resolve(&scene, force.as_ref()).unwrap();
         let search = Search::default();
-        assert!(spline_law(&problem, &search).is_ok());
+        assert!(spline_law(&problem, &search).unwrap().is_ok());
         let search = search.for_passing_designs();
-        assert!(spline_law(&problem, &search).is_err());
+        assert!(spline_law(&problem, &search).unwrap().is_err());
         let wide = problem.with(LimitKind::Stroke.into(), 1.0);
-        assert!(spline_law(&wide, &search).is_ok());
+        assert!(spline_law(&wide, &search).unwrap().is_ok());
     }
 }

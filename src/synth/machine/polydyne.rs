@@ -12,7 +12,6 @@ use crate::synth::attempt::{Attempt, attempt};
 use crate::synth::design::Design;
 use crate::synth::families::{self, SolvedLaw};
 use crate::synth::finish::{Reports, finished};
-use crate::synth::optimum::NoLaw;
 use crate::synth::report::end::End;
 use crate::synth::search::Search;
 use crate::synth::sizing::checked_cam::checked_cam;
@@ -42,11 +41,10 @@ pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Des
         if !move_limits(&last, &mut limits) {
             break;
         }
-        last = match families::law(&problem.with_limits(limits.clone()), search) {
+        last = match families::law(&problem.with_limits(limits.clone()), search)? {
             Ok(law) => on_train(problem, law, train)?,
             // Tightened limits may leave no law: then the checks of the round before show what is violated.
-            Err(NoLaw::Refused(_)) => break,
-            Err(NoLaw::Fault(fault)) => return Err(fault),
+            Err(_) => break,
         };
         if last.cam.broken().is_none() || best.cam.broken().is_some() {
             best = last.clone();

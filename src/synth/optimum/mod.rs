@@ -6,7 +6,7 @@ mod refusal;
 pub mod scp;
 mod touching;
 
-pub use refusal::{NoLaw, Refusal};
+pub use refusal::{Refusal, Sought};
 
 use super::limits::{self, ENLARGED, NonconvexLimits};
 use super::qp::{
@@ -111,10 +111,13 @@ pub fn solve(
     problem: &Problem,
     search: &Search,
     formulation: Formulation,
-) -> Result<Optimum, NoLaw> {
+) -> Result<Optimum, Box<Refusal>> {
     let mut optimum = convex(formulation)?;
     if search.only_passing && misses_accuracy(problem, &optimum) {
-        return Err(Refusal::of(optimum.formulation.program, Failure::Infeasible).into());
+        return Err(Refusal::of(
+            optimum.formulation.program,
+            Failure::Infeasible,
+        ));
     }
     without_vibration(problem, &mut optimum);
     match with_loads(problem, search, &mut optimum) {
@@ -129,7 +132,7 @@ pub fn solve(
                 nonconvex: Some(limits),
                 ..*Refusal::of(optimum.formulation.program, failure)
             };
-            Err(NoLaw::Refused(Box::new(refusal)))
+            Err(Box::new(refusal))
         }
     }
 }

@@ -1,19 +1,13 @@
 //! Why a problem has no law.
 
 use crate::criterion::Criterion;
-use crate::error::Error;
+use crate::error::Result;
 use crate::scene::Family;
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::qp::{Basis, Failure, Program};
 
-/// Why a problem has no law.
-#[allow(clippy::large_enum_variant)] // a fault ends the run
-pub enum NoLaw {
-    /// The input is at fault.
-    Fault(Error),
-    /// No law keeps the demands and the limits.
-    Refused(Box<Refusal>),
-}
+/// What is sought, or why the limits leave none; the outer error is a fault of the input.
+pub type Sought<T> = Result<std::result::Result<T, Box<Refusal>>>;
 
 /// A program without solution.
 pub struct Refusal {
@@ -47,17 +41,5 @@ impl Refusal {
             Basis::Spline { .. } => Family::Spline,
             Basis::Harmonic { .. } => Family::Harmonic,
         }
-    }
-}
-
-impl From<Error> for NoLaw {
-    fn from(error: Error) -> Self {
-        NoLaw::Fault(error)
-    }
-}
-
-impl From<Box<Refusal>> for NoLaw {
-    fn from(refusal: Box<Refusal>) -> Self {
-        NoLaw::Refused(refusal)
     }
 }

@@ -46,7 +46,11 @@ pub fn points(problem: &Problem, search: &Search) -> Result<Vec<Point>> {
         limits::loads().for_each(|kind| left[kind] = None);
         let limited = limited.with_limits(left);
         let own = families::law(&weighed(&limited, &alone, &[1.0]), search);
-        let Some(law) = own.ok().filter(|law| law.solver.tier != Tier::Scp) else {
+        let Some(law) = own
+            .ok()
+            .and_then(Result::ok)
+            .filter(|law| law.solver.tier != Tier::Scp)
+        else {
             return Ok(Vec::new());
         };
         let nodes = Nodes::of(&law.law);

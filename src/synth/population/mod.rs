@@ -23,7 +23,6 @@ use crate::synth::attempt::{Attempt, attempt};
 use crate::synth::design::Design;
 use crate::synth::families::{self, SolvedLaw};
 use crate::synth::finish::{Reports, finished};
-use crate::synth::optimum::NoLaw;
 use crate::synth::phase::best as at_best_phase;
 use crate::synth::qp::{Certificate, PROVED};
 use crate::synth::report::proof::Doubt;
@@ -210,10 +209,8 @@ impl Found {
             if weights.is_proved() {
                 break;
             }
-            let law = match families::law(&weighed(&fixed, walkers, &next), search) {
-                Ok(law) => law,
-                Err(NoLaw::Fault(fault)) => return Err(fault),
-                Err(NoLaw::Refused(_)) => break,
+            let Ok(law) = families::law(&weighed(&fixed, walkers, &next), search)? else {
+                break;
             };
             weights.take(&next, nodes.force(&limited.drive, &law.law), gap(&law));
             laws.push(law);
