@@ -4,6 +4,7 @@ mod cam;
 mod dynamics;
 mod examples;
 mod identify;
+mod immutable;
 mod law;
 mod layering;
 mod public_examples;
