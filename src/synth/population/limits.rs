@@ -5,7 +5,7 @@ use crate::criterion::{DependsOn, Direction, LimitKind};
 use crate::error::Result;
 use crate::problem::{Problem, Served, Walkers};
 use crate::synth::families::SolvedLaw;
-use crate::synth::sizing::checked_cam::{CheckedCam, SizedCam};
+use crate::synth::sizing::checked_cam::{CheckedCam, checked_cam};
 
 /// The problem at its reference machine whose limits on motion and force are those of the walker who needs most; `loads` is the
 /// part of the limits on loads that the reference machine may use.
@@ -38,18 +38,18 @@ pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
 pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Result<CheckedCam> {
     let extremes = extremes(problem, walkers).into_iter();
     let machines: Vec<Problem> = extremes.map(|w| problem.with_drive(w.drive)).collect();
-    let sized = |own| SizedCam::of(own, &solved.law, solved.circle, None);
-    let mut largest = sized(problem)?;
-    for own in machines.iter().map(sized) {
+    let alone = |own| checked_cam(own, &solved.law, solved.circle, None);
+    let mut largest = alone(problem)?;
+    for own in machines.iter().map(alone) {
         let own = own?;
-        let radius = |sized: &SizedCam| sized.cam.follower.prime_radius();
+        let radius = |checked: &CheckedCam| checked.cam.follower.prime_radius();
         if radius(&own) > radius(&largest) {
             largest = own;
         }
     }
-    let mut out = largest.clone().checked(problem)?;
+    let mut out = largest.at(problem)?;
     for own in &machines {
-        let of_walker = largest.clone().checked(own)?;
+        let of_walker = largest.at(own)?;
         for (worst, check) in out.checks.iter_mut().zip(of_walker.checks) {
             if worst.name == check.name && check.excess() > worst.excess() {
                 *worst = check;

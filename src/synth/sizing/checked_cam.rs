@@ -39,69 +39,49 @@ pub fn checked_cam(
     circle: Option<PrimeCircle>,
     end: Option<&Law>,
 ) -> Result<CheckedCam> {
-    SizedCam::of(problem, law, circle, end)?.checked(problem)
+    let own = on_base_circle(problem, law);
+    let start = law.extent().0;
+    let raised = own.svaj(start).s - law.svaj(start).s;
+    let end = end.map(|end| end.raised(raised));
+    let cam = cam_about(problem, own.clone(), end.as_ref().unwrap_or(&own), circle)?;
+    checked(problem, cam, raised, end)
 }
 
-/// A law on its cam, before any check.
-#[derive(Clone)]
-pub struct SizedCam {
-    /// The cam of the law, whose lowest point stands on the base circle where nothing fixes the level.
-    pub cam: Cam,
-    raised: f64,
-    end: Option<Law>,
-}
-
-impl SizedCam {
-    /// The cam of the given or the smallest size, from what [`checked_cam`] takes.
-    ///
-    /// # Errors
-    /// Lengths that fix no cam.
-    pub fn of(
-        problem: &Problem,
-        law: &Law,
-        circle: Option<PrimeCircle>,
-        end: Option<&Law>,
-    ) -> Result<SizedCam> {
-        let own = on_base_circle(problem, law);
-        let start = law.extent().0;
-        let raised = own.svaj(start).s - law.svaj(start).s;
-        let end = end.map(|end| end.raised(raised));
-        let cam = cam_about(problem, own.clone(), end.as_ref().unwrap_or(&own), circle)?;
-        Ok(SizedCam { cam, raised, end })
-    }
-
-    /// The same cam with the checks of a problem.
-    ///
-    /// # Errors
-    /// Lengths that fix no second cam or groove.
-    pub fn checked(self, problem: &Problem) -> Result<CheckedCam> {
-        let SizedCam { cam, raised, end } = self;
-        let conjugate = sizing::conjugate(problem, &cam)?;
-        let groove = sizing::groove(problem, &cam)?;
-        let pressing = end.as_ref().unwrap_or(&cam.law);
-        let force = force_report(problem, pressing);
-        let finished = Finished {
-            problem,
-            cam: &cam,
-            second: conjugate.as_ref().map(|pair| &pair.second),
-            groove: groove.as_ref(),
-            pressing,
-            force: &force,
-        };
-        let checks = finished.checks();
-        Ok(CheckedCam {
-            cam,
-            raised,
-            end,
-            conjugate,
-            groove,
-            force,
-            checks,
-        })
-    }
+/// The checks of a problem on a cam.
+fn checked(problem: &Problem, cam: Cam, raised: f64, end: Option<Law>) -> Result<CheckedCam> {
+    let conjugate = sizing::conjugate(problem, &cam)?;
+    let groove = sizing::groove(problem, &cam)?;
+    let pressing = end.as_ref().unwrap_or(&cam.law);
+    let force = force_report(problem, pressing);
+    let finished = Finished {
+        problem,
+        cam: &cam,
+        second: conjugate.as_ref().map(|pair| &pair.second),
+        groove: groove.as_ref(),
+        pressing,
+        force: &force,
+    };
+    let checks = finished.checks();
+    Ok(CheckedCam {
+        cam,
+        raised,
+        end,
+        conjugate,
+        groove,
+        force,
+        checks,
+    })
 }
 
 impl CheckedCam {
+    /// The same cam with the force and the checks of another problem.
+    ///
+    /// # Errors
+    /// Lengths that fix no second cam or groove.
+    pub fn at(&self, problem: &Problem) -> Result<CheckedCam> {
+        checked(problem, self.cam.clone(), self.raised, self.end.clone())
+    }
+
     /// The law that makes the force.
     pub fn pressing(&self) -> &Law {
         self.end.as_ref().unwrap_or(&self.cam.law)
