@@ -15,6 +15,10 @@ use crate::problem::Problem;
 /// Whether the machine that a problem is designed for responds to the cam.
 pub fn responds(problem: &Problem) -> bool {
     let machine = &problem.machine;
+    if problem.on_shaft.is_some() {
+        // The problem is that of a machine in a known motion.
+        return false;
+    }
     if problem.law.polydyne {
         // A fault of the follower is found by the design.
         return !matches!(problem.train(), Ok(None));
