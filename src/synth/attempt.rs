@@ -133,28 +133,12 @@ fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Soug
 mod tests {
     use super::*;
     use crate::cam::LimitKind;
-    use crate::scene::Scene;
+    use crate::synth::samples::{FLAT, amplitude, one_wave};
     use crate::units::G;
-
-    /// A force of one harmonic, 0.3 of the weight at 2 Hz, on a moving axis: a law of three numbers.
-    fn one_wave(limits: &str) -> Problem {
-        let text = format!(
-            "[gait]\nharmonics = [\"0.3\"]\nstep_frequency = \"2 Hz\"\n[drive]\nkind = \"moving-axis\"\n\
-             [law]\nfamily = \"harmonic\"\nharmonics = 1\n[cam]\nfollower = \"flat-translating\"\n\
-             [accuracy]\nrms = \"none\"\n[limits]\n{limits}"
-        );
-        let scene: Scene = crate::scene::parse(&text).unwrap();
-        Problem::resolve(&scene, scene.model_force().unwrap().as_ref()).unwrap()
-    }
-
-    /// Half the stroke, m, that gives the whole force: 0.3 g/ω².
-    fn amplitude(problem: &Problem) -> f64 {
-        0.3 * G / problem.drive.speed.powi(2)
-    }
 
     #[test]
     fn one_wave_without_limits_is_its_closed_form_on_the_base_circle() {
-        let problem = one_wave("");
+        let problem = one_wave(FLAT, "");
         let found = attempt(&problem, &Search::default()).unwrap();
         let stroke = found.cam.cam.law.stroke();
         assert!((stroke / (2.0 * amplitude(&problem)) - 1.0).abs() < 1e-9);
@@ -166,7 +150,7 @@ mod tests {
 
     #[test]
     fn half_the_acceleration_leaves_half_the_wave_and_its_price_is_the_slope_of_the_error() {
-        let problem = one_wave(&format!("acceleration = \"{} m/s^2\"", 0.15 * G));
+        let problem = one_wave(FLAT, &format!("acceleration = \"{} m/s^2\"", 0.15 * G));
         let found = attempt(&problem, &Search::default()).unwrap();
         assert!((found.law.law.stroke() / amplitude(&problem) - 1.0).abs() < 1e-6);
         let error = 0.15 * problem.target_mean() / 2.0_f64.sqrt();
@@ -181,7 +165,7 @@ mod tests {
     #[test]
     fn where_limits_leave_no_law_the_best_without_them_is_shown_without_a_proof() {
         // The mean of the force is the weight.
-        let problem = one_wave("force_min = \"2 kN\"");
+        let problem = one_wave(FLAT, "force_min = \"2 kN\"");
         let found = attempt(&problem, &Search::default()).unwrap();
         assert!(found.refusal.is_some() && !found.law.solver.certified);
         let stroke = found.law.law.stroke();
@@ -193,7 +177,7 @@ mod tests {
     #[test]
     fn the_smallest_flat_cam_of_one_wave_has_the_radius_that_is_asked_for() {
         // s + a is constant: ρ = R + A.
-        let problem = one_wave("curvature = \"50 mm\"");
+        let problem = one_wave(FLAT, "curvature = \"50 mm\"");
         let found = attempt(&problem, &Search::default()).unwrap();
         let base = found.cam.cam.follower.base_radius();
         assert!((base + amplitude(&problem) - 0.05).abs() < 1e-9, "{base}");

@@ -73,6 +73,8 @@ pub(crate) mod population;
 mod qp;
 mod relaxation;
 mod report;
+#[cfg(test)]
+mod samples;
 mod search;
 mod sizing;
 pub(crate) mod spectral;

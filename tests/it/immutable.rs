@@ -21,15 +21,17 @@ fn sources(dir: &Path, out: &mut Vec<(String, String)>) {
     }
 }
 
+/// What follows the path of fields with which a text begins.
+fn after_path(text: &str) -> Option<&str> {
+    let end = text.find(|c: char| !(c.is_ascii_alphanumeric() || "._".contains(c)))?;
+    Some(text[end..].trim_start())
+}
+
 /// Whether a line assigns to a field of a variable, or takes it by a mutable reference.
 fn changes(line: &str, variable: &str, kind: &str) -> bool {
-    let path = |rest: &str| {
-        let end = rest.find(|c: char| !(c.is_ascii_alphanumeric() || "._".contains(c)));
-        end.map(|end| rest[end..].trim_start())
-    };
     let assigns = line
         .match_indices(&format!("{variable}."))
-        .filter_map(|(at, _)| path(&line[at..]))
+        .filter_map(|(at, _)| after_path(&line[at..]))
         .any(|after| {
             let after = after.strip_prefix(['+', '-', '*', '/']).unwrap_or(after);
             after.starts_with("= ")

@@ -48,7 +48,7 @@ pub fn points(problem: &Problem, search: &Search) -> Result<Vec<Point>> {
         let own = families::law(&weighed(&limited, &alone, &[1.0]), search);
         let Some(law) = own
             .ok()
-            .and_then(Result::ok)
+            .and_then(std::result::Result::ok)
             .filter(|law| law.solver.tier != Tier::Scp)
         else {
             return Ok(Vec::new());

@@ -430,3 +430,66 @@ fn follower(
         }
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synth::samples::{FLAT, amplitude, one_wave};
+
+    /// s = A (1 − cos θ), on its base circle.
+    fn wave(problem: &Problem) -> Law {
+        let a = amplitude(problem);
+        Law::harmonic(a, &[(-a, 0.0)])
+    }
+
+    fn sized(problem: &Problem) -> Cam {
+        let law = wave(problem);
+        cam(problem, law.clone(), &law).unwrap()
+    }
+
+    /// tan φ = A sin θ/(D + A − A cos θ) is largest where D = A (1/sin φ − 1).
+    #[test]
+    fn the_smallest_roller_cam_of_one_wave_has_the_pressure_angle_that_is_allowed() {
+        let follower =
+            "follower = \"roller-translating\"\nroller_radius = \"1 mm\"\noffset = \"0 mm\"";
+        for degrees in [15.0_f64, 20.0, 28.0] {
+            let problem = one_wave(follower, &format!("pressure_angle = \"{degrees} deg\""));
+            let prime = sized(&problem).follower.prime_radius();
+            let wanted = amplitude(&problem) * (1.0 / degrees.to_radians().sin() - 1.0);
+            assert!(
+                (prime / wanted - 1.0).abs() < 1e-6,
+                "{degrees}: {prime} {wanted}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_flat_cam_is_as_large_as_curvature_and_hub_ask() {
+        // s + a = A everywhere: ρ = R + A.
+        let problem = one_wave(FLAT, "curvature = \"60 mm\"");
+        let base = sized(&problem).follower.base_radius();
+        assert!((base + amplitude(&problem) - 0.06).abs() < 1e-12);
+        let bored = one_wave(
+            &format!("{FLAT}\nbore = \"80 mm\""),
+            "curvature = \"60 mm\"",
+        );
+        assert_eq!(sized(&bored).follower.base_radius(), bored.hub_radius());
+        let given = one_wave(&format!("{FLAT}\nbase_radius = \"33 mm\""), "");
+        assert_eq!(sized(&given).follower.base_radius(), 0.033);
+    }
+
+    #[test]
+    fn an_arm_that_does_not_reach_its_cam_is_refused_before_any_law() {
+        let arm = |length: &str| {
+            one_wave(
+                &format!(
+                    "follower = \"roller-oscillating\"\nroller_radius = \"5 mm\"\npivot_distance = \"100 mm\"\n\
+                     arm = \"{length}\"\nbase_radius = \"40 mm\""
+                ),
+                "",
+            )
+        };
+        assert!(check_arm(&arm("80 mm")).is_ok());
+        assert!(check_arm(&arm("20 mm")).is_err());
+    }
+}

@@ -1,0 +1,23 @@
+//! Problems of few numbers whose laws and cams are known in closed form.
+
+use crate::problem::Problem;
+use crate::units::G;
+
+/// A force of one harmonic, 0.3 of the weight at 2 Hz, on a moving axis: a law of three numbers. `cam` and `limits` are the
+/// lines of these tables of the scene.
+pub fn one_wave(cam: &str, limits: &str) -> Problem {
+    let text = format!(
+        "[gait]\nharmonics = [\"0.3\"]\nstep_frequency = \"2 Hz\"\n[drive]\nkind = \"moving-axis\"\n\
+         [law]\nfamily = \"harmonic\"\nharmonics = 1\n[cam]\n{cam}\n[accuracy]\nrms = \"none\"\n[limits]\n{limits}"
+    );
+    let scene = crate::scene::parse(&text).unwrap();
+    Problem::resolve(&scene, scene.model_force().unwrap().as_ref()).unwrap()
+}
+
+/// Under a flat face of automatic size.
+pub const FLAT: &str = "follower = \"flat-translating\"";
+
+/// Half the stroke, m, that gives the whole force: 0.3 g/ω².
+pub fn amplitude(problem: &Problem) -> f64 {
+    0.3 * G / problem.drive.speed.powi(2)
+}
