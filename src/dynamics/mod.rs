@@ -4,12 +4,11 @@
 //! ([`mod@recover`]) and runs it under one of three models:
 //!
 //! - [`rigid`]: F = F₀ + k s + c ω v + m ω² a, torque, contact pressure ([`rigid::hertz`]);
-//! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::linear`]);
+//! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::Linear`]);
 //! - `machine_motion`: the rigid follower on a shaft whose speed its motor and its inertia give, on a floor that moves;
 //! - [`contact`]: lift-off, flight, impact and rest, one event after the other.
 //!
-//! The simplest sufficient model is chosen automatically, with its reason; [`flexible::polydyne`] computes the cam
-//! under which the output of a compliant follower follows a target law.
+//! The simplest sufficient model is chosen automatically, with its reason.
 
 pub mod contact;
 pub(crate) mod fixed_point;

@@ -6,7 +6,7 @@ use super::Watch;
 use crate::chart::Chart;
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, Limits};
-use gaitcam::dynamics::flexible::linear::Linear;
+use gaitcam::dynamics::flexible::Linear;
 use gaitcam::dynamics::flexible::{Train, steady};
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::error::Result;

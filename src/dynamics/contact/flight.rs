@@ -12,7 +12,7 @@ const SERIES_TERMS: usize = 24;
 /// One flight, by the angle since its start.
 ///
 /// ```
-/// use gaitcam::dynamics::contact::flight::Flight;
+/// use gaitcam::dynamics::contact::Flight;
 ///
 /// // Without spring and damper a parabola: y = 0.02 t − 0.05 t².
 /// let flight = Flight { start: 0.0, y: 0.0, rate: 0.02, curvature: -0.1, kappa: 0.0, gamma: 0.0 };

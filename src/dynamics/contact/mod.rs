@@ -6,13 +6,13 @@
 //! grazing touch is missed. Bounces that shrink to nothing end in contact.
 
 mod events;
-pub mod flight;
-pub mod impact;
-pub mod two_cams;
+pub(crate) mod flight;
+pub(crate) mod impact;
+pub(crate) mod two_cams;
 
 pub use events::run;
+pub use flight::Flight;
 
-use flight::Flight;
 use impact::Pulse;
 use std::f64::consts::TAU;
 

@@ -6,11 +6,12 @@
 //! own piecewise polynomial, so each piece has a closed form ([`Linear`]); steps of velocity or lift in
 //! the law kick the state.
 
-pub mod linear;
-pub mod polydyne;
+mod linear;
+pub(crate) mod polydyne;
 mod rest;
-pub mod train;
+mod train;
 
+pub use linear::Linear;
 pub use rest::in_rests;
 pub use train::Train;
 
@@ -18,8 +19,7 @@ use crate::drive::{Drive, DriveKind};
 use crate::error::{DynamicsError, Error, Result};
 use crate::law::{Joint, Law};
 use crate::poly::{Extreme, PiecewisePoly};
-use linear::Linear;
-use nalgebra::{Matrix2, Vector2};
+pub use nalgebra::{Matrix2, Vector2};
 
 /// Steady motion of a flexible machine at equal or unequal angles (the breaks of the forcing).
 ///

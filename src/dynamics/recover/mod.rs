@@ -26,7 +26,7 @@ use std::f64::consts::TAU;
 /// Angles of a profile may differ from equal steps by this part of a step: rounding in a file.
 const STEP_SLACK: f64 = 1e-3;
 /// Fewest rows, on average, of a stretch between two breakpoints.
-pub const ROWS_BETWEEN_BREAKS: usize = 6;
+const ROWS_BETWEEN_BREAKS: usize = 6;
 
 /// The motion that an emitted profile gives its follower.
 ///
@@ -97,7 +97,9 @@ impl Cycle {
 /// The lift that `points` (equal steps of θ over one turn) give `follower`, smooth all the way round.
 ///
 /// # Errors
-/// As [`recover_over`].
+/// On fewer than 8 points, on angles that are not equal steps of the turn, on coordinates that are not
+/// finite or out of the follower's reach, and on a profile with a concave or undercut stretch under a flat
+/// face.
 pub fn recover(follower: &Follower, points: &[ProfilePoint]) -> Result<Emitted> {
     recover_over(follower, points, &[], Cycle::TURN)
 }
@@ -109,7 +111,7 @@ pub fn recover(follower: &Follower, points: &[ProfilePoint]) -> Result<Emitted> 
 ///
 /// # Errors
 /// As [`recover_over`].
-pub fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> Result<Emitted> {
+pub(crate) fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> Result<Emitted> {
     let few = |breaks: &Vec<[ProfilePoint; 2]>| ROWS_BETWEEN_BREAKS * breaks.len() <= points.len();
     let breaks = [3, 2]
         .into_iter()
@@ -129,7 +131,7 @@ pub fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> Result<E
 /// On fewer than 8 points, on angles that are not equal steps of the cycle, on coordinates that are not
 /// finite or out of the follower's reach, and on a profile with a concave or undercut stretch under a flat
 /// face.
-pub fn recover_over(
+fn recover_over(
     follower: &Follower,
     points: &[ProfilePoint],
     breaks: &[[ProfilePoint; 2]],

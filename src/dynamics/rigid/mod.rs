@@ -4,7 +4,7 @@
 //! T = F·v, plus μ|F|·d against the turning under a flat face (Campillo de Blas 2017, eq. 27).
 
 pub mod hertz;
-pub mod touch;
+pub(crate) mod touch;
 
 use super::surface::NO_PULL;
 use crate::cam::Follower;
@@ -20,7 +20,7 @@ const NO_PULL_AT_REST: f64 = 1e-6;
 
 /// Height over the centre at which friction acts when s = 0: the base radius under a flat face; a
 /// roller's friction is in its bearing and is left out.
-pub fn reach(follower: &Follower) -> f64 {
+pub(crate) fn reach(follower: &Follower) -> f64 {
     if let Follower::FlatTranslating { base_radius } = follower {
         *base_radius
     } else {

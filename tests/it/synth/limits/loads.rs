@@ -1,7 +1,7 @@
 //! Limits on what shaft and contact bear: torque, its rate, pressure; as rows, and where they leave no law.
 
 use gaitcam::cam::Check;
-use gaitcam::dynamics::{hertz, rigid::touch::touch};
+use gaitcam::dynamics::{hertz, touch};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Design, Tier, synthesise};

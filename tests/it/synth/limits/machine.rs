@@ -1,7 +1,7 @@
 //! What is said of the machine in a scene: limits that shape the law, keys that the run takes up.
 
 use gaitcam::cam::LimitKind;
-use gaitcam::dynamics::{hertz, rigid::touch::touch};
+use gaitcam::dynamics::{hertz, touch};
 use gaitcam::law::Law;
 use gaitcam::problem::Note;
 use gaitcam::scene;
