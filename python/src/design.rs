@@ -252,7 +252,7 @@ impl Design {
         let mut table = asked.table.clone();
         let learned = next.to_table()["machine"]["learned_force"].clone();
         set_value(&mut table, "machine.learned_force", learned).raise(py)?;
-        let scene = Scene::of_table(py, table, asked.folder.clone(), asked.file.clone())?;
+        let scene = Scene::of_table(py, table, asked.files.clone(), asked.file.clone())?;
         let mut cut = answer(py, scene, self.force.clone(), self.time_limit)?;
         cut.recut = Some(figures);
         Ok(cut)

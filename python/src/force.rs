@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use gaitcam::error::{Placed, SceneError, SweepError};
 use gaitcam::force::{self, ForceCurve, Walker};
-use gaitcam::scene::{self, PopulationReader, is_table_of_walkers};
-use gaitcam_app::{Input, target};
+use gaitcam::scene::{self, BETWEEN_PLATES, Files, content, plates};
+use gaitcam_app::{Disk, Input, disk};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -50,10 +51,35 @@ pub enum Origin {
         /// Keys of `[gait]`.
         gait: Table,
         /// The file.
-        bytes: Arc<[u8]>,
+        bytes: Arc<Vec<u8>>,
         /// The table of subjects in its folder.
         metadata: Option<Vec<u8>>,
     },
+}
+
+impl Files for Origin {
+    fn has(&self, name: &Path) -> bool {
+        self.read(name).is_ok()
+    }
+
+    fn read(&self, name: &Path) -> gaitcam::error::Result<Arc<Vec<u8>>> {
+        let missing = || SweepError::NotCarried.in_file(name);
+        let Origin::Recording {
+            gait,
+            bytes,
+            metadata,
+        } = self
+        else {
+            return Err(missing());
+        };
+        let file = gait.get("file").and_then(Value::as_str).map(Path::new);
+        if file == Some(name) {
+            return Ok(Arc::clone(bytes));
+        }
+        let beside = file.and_then(force::metadata_name);
+        let metadata = metadata.clone().filter(|_| beside.as_deref() == Some(name));
+        metadata.map(Arc::new).ok_or_else(missing)
+    }
 }
 
 /// Keys of `[gait]` that name and read a force.
@@ -92,32 +118,22 @@ impl Force {
     fn of_recording(
         py: Python<'_>,
         gait: Table,
-        bytes: Arc<[u8]>,
+        bytes: Arc<Vec<u8>>,
         metadata: Option<Vec<u8>>,
     ) -> PyResult<Force> {
         let table = Table::from_iter([("gait".to_string(), Value::Table(gait.clone()))]);
         let scene = scene::read_keys(&table).raise(py)?;
-        let read = || {
-            let gait = scene.gait.unwrap_or_default();
-            let path = match &gait.source {
-                scene::Source::File(path) => path.clone(),
-                scene::Source::Model(name) => PathBuf::from(name),
-                scene::Source::Harmonics(_) => PathBuf::new(),
-            };
-            if is_table_of_walkers(&path, &bytes) {
-                let mut reader = PopulationReader::new(&gait);
-                reader.take(&path, &bytes, || None);
-                return reader.mean(&path);
-            }
-            let options = gait.read_options(metadata.clone())?;
-            force::force_curve(&path, &bytes, &options, gait.feet)
-        };
-        let curve = py.detach(read).raise(py)?;
+        let given = scene.gait.unwrap_or_default();
         let origin = Origin::Recording {
             gait,
             bytes,
             metadata,
         };
+        let read = || {
+            let curve = given.force(&origin)?;
+            curve.ok_or_else(|| SceneError::NoForceNamed.into())
+        };
+        let curve = py.detach(read).raise(py)?;
         Ok(Force { curve, origin })
     }
 
@@ -136,17 +152,14 @@ impl Force {
         Force::of_recording(py, gait, table.into_bytes().into(), None)
     }
 
-    /// The content of a file of this force: of the recording, or of [`FILE`].
-    pub fn content(&self, path: &Path) -> Option<Vec<u8>> {
+    /// The content of a file of this force: of the recording, of the subjects beside it, or of [`FILE`].
+    pub fn content(&self, path: &Path) -> Option<Arc<Vec<u8>>> {
         match &self.origin {
             Origin::Arrays => {
                 let text = self.curve.to_csv(&[&self.curve.name]);
-                (path == Path::new(FILE)).then(|| text.into_bytes())
+                (path == Path::new(FILE)).then(|| Arc::new(text.into_bytes()))
             }
-            Origin::Recording { gait, bytes, .. } => {
-                let file = gait.get("file").and_then(Value::as_str);
-                (file.map(Path::new) == Some(path)).then(|| bytes.to_vec())
-            }
+            recording => recording.read(path).ok(),
         }
     }
 
@@ -341,7 +354,8 @@ impl Force {
         if let Ok(bytes) = second.cast::<PyBytes>() {
             let gait = first.parse().unwrap_or_default();
             let metadata: Option<Vec<u8>> = third.extract()?;
-            return Force::of_recording(py, gait, bytes.as_bytes().into(), metadata);
+            let bytes = Arc::new(bytes.as_bytes().to_vec());
+            return Force::of_recording(py, gait, bytes, metadata);
         }
         let samples = convert::numbers(third, "f_n")?;
         let samples = samples.as_array().to_vec();
@@ -379,18 +393,21 @@ pub fn read_gait(
     options: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Force> {
     let paths = match path {
-        Paths::One(path) => target::plates(Path::new(""), &path).unwrap_or_else(|| vec![path]),
+        Paths::One(path) => plates(&Disk::default(), &path),
         Paths::Several(paths) => paths,
     };
-    let bytes = py.detach(|| target::joined(&paths)).raise(py)?;
+    let names: Vec<_> = paths.iter().map(|p| p.to_string_lossy()).collect();
+    let name = names.join(BETWEEN_PLATES);
+    let bytes = py.detach(|| content(&Disk::default(), Path::new(&name)));
+    let bytes = bytes.raise(py)?;
     let place = |path: &PathBuf| {
         let place = std::path::absolute(path).unwrap_or_else(|_| path.clone());
         place.to_string_lossy().into_owned()
     };
     let places: Vec<String> = paths.iter().map(place).collect();
-    let gait = gait(options, Path::new(&places.join(target::AND)))?;
-    let metadata = paths.first().and_then(|path| target::metadata(path));
-    Force::of_recording(py, gait, bytes.into(), metadata)
+    let gait = gait(options, Path::new(&places.join(BETWEEN_PLATES)))?;
+    let metadata = paths.first().and_then(|path| disk::metadata(path));
+    Force::of_recording(py, gait, bytes, metadata)
 }
 
 /// A recording in one file, or the plates of one trial in a file each.

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use gaitcam::error::{Error, SceneError};
 use gaitcam::scene;
-use gaitcam_app::Input;
 use gaitcam_app::scene::parse;
+use gaitcam_app::{Disk, Input};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -38,10 +38,10 @@ impl Scene {
     pub fn of_table(
         py: Python<'_>,
         table: toml::Table,
-        folder: PathBuf,
+        files: Disk,
         file: Option<PathBuf>,
     ) -> PyResult<Scene> {
-        let input = py.detach(|| Input::new(table.clone(), folder.clone(), file.clone()));
+        let input = py.detach(|| Input::new(table.clone(), files.clone(), file.clone()));
         let fault = match input {
             Ok(input) => return Ok(Scene::of_input(input)),
             Err(fault) => fault,
@@ -53,13 +53,13 @@ impl Scene {
         if !open {
             return Err(raised(py, fault));
         }
-        let whole = gaitcam_app::scene::with_motions(&table, &folder).raise(py)?;
+        let whole = files.with_motions(&table).raise(py)?;
         let scene = scene::read_keys(&whole).raise(py)?;
         let input = Input {
             scene,
             table,
             whole,
-            folder,
+            files,
             file,
         };
         Ok(Scene {
@@ -102,8 +102,8 @@ impl Scene {
             let (key, value) = convert::entry(key.extract()?, &value)?;
             scene::set_value(&mut table, &key, value).raise(py)?;
         }
-        let (folder, file) = (self.input.folder.clone(), self.input.file.clone());
-        Scene::of_table(py, table, folder, file)
+        let (files, file) = (self.input.files.clone(), self.input.file.clone());
+        Scene::of_table(py, table, files, file)
     }
 }
 
@@ -117,22 +117,21 @@ impl Scene {
     #[pyo3(signature = (sections = None))]
     fn new(py: Python<'_>, sections: Option<&Bound<'_, PyDict>>) -> PyResult<Scene> {
         let table = sections.map_or(Ok(toml::Table::new()), |s| convert::table(s, ""))?;
-        Scene::of_table(py, table, PathBuf::from("."), None)
+        Scene::of_table(py, table, Disk::default(), None)
     }
 
     /// Reads a scene file (TOML), or the scene in a ``summary.json``.
     #[staticmethod]
     fn load(py: Python<'_>, path: PathBuf) -> PyResult<Scene> {
         let table = gaitcam_app::scene::table(&path).raise(py)?;
-        let folder = gaitcam_app::scene::folder_of(&path);
-        Scene::of_table(py, table, folder, Some(path))
+        Scene::of_table(py, table, Disk::beside(&path), Some(path))
     }
 
     /// A scene that comes with the package, by its name; see :meth:`builtins`.
     #[staticmethod]
     fn builtin(py: Python<'_>, name: &str) -> PyResult<Scene> {
         let table = parse(scene::built_in(name).raise(py)?.toml, None).raise(py)?;
-        Scene::of_table(py, table, PathBuf::from("."), None)
+        Scene::of_table(py, table, Disk::default(), None)
     }
 
     /// Names of the scenes that come with the package.
@@ -151,8 +150,7 @@ impl Scene {
         file: Option<PathBuf>,
     ) -> PyResult<Scene> {
         let table = parse(text, file.as_deref()).raise(py)?;
-        let folder = folder.unwrap_or_else(|| PathBuf::from("."));
-        Scene::of_table(py, table, folder, file)
+        Scene::of_table(py, table, Disk { folder }, file)
     }
 
     /// A new scene with values changed by their dotted keys: ``scene.set({"limits.stroke": "40 mm"})`` or, as a number in SI,
@@ -191,7 +189,8 @@ impl Scene {
         let restore = py.get_type::<Scene>().getattr("from_toml")?;
         let table = toml::to_string(&self.input.whole).unwrap_or_default();
         let absolute = |path: &Path| std::path::absolute(path).ok();
-        let folder = absolute(&self.input.folder);
+        let folder = self.input.files.folder.as_deref();
+        let folder = folder.and_then(|folder| absolute(&folder.join(".")));
         let file = self.input.file.as_deref().and_then(absolute);
         Ok((restore, (table, folder, file)))
     }

@@ -4,6 +4,7 @@
 //! relaxing a scene all go through that table.
 
 mod builtin;
+mod files;
 pub mod keys;
 mod motion_file;
 mod notes;
@@ -16,6 +17,7 @@ mod write;
 
 pub use crate::cam::LimitKind;
 pub use builtin::{BuiltIn, DEFAULT, SCENES, built_in, built_in_file};
+pub use files::{BETWEEN_PLATES, Files, content, plates};
 pub use keys::schema;
 pub use motion_file::{LARGEST_MOTION, motion_files, with_motions};
 pub use parts::{
@@ -27,7 +29,6 @@ pub use parts::{
 pub use read::{parse, read, read_keys, table};
 pub use rules::check;
 pub use set::{set, set_value};
-pub use walkers::{PopulationReader, is_table_of_walkers, may_be_table};
 pub use {serde_json, toml};
 
 use crate::error::Result;

@@ -7,24 +7,11 @@ use crate::error::{Error, FileError, Placed, Result};
 use crate::force::{self, ForceCurve, Walker, WalkerFault, WalkerRow, walker_faults};
 use crate::wording::InLanguages;
 
-/// Endings of tables; a recording of gigabytes is not read to find out.
+/// Endings of tables.
 const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
 
 /// Reads a population file by file; what cannot be taken is named at the end.
-///
-/// ```
-/// use gaitcam::force::{ForceCurve, Walker, population_csv};
-/// use gaitcam::scene::{Gait, PopulationReader};
-///
-/// let cycle = |g: f64| ForceCurve::from_samples("", 0.5, vec![g, 1.2 * g, g, 0.8 * g]);
-/// let table = population_csv(&[Walker::new("A", cycle(600.0)?), Walker::new("B", cycle(800.0)?)]);
-/// let gait = Gait::default();
-/// let mut reader = PopulationReader::new(&gait);
-/// reader.take("walkers.csv".as_ref(), table.as_bytes(), || None);
-/// assert_eq!(reader.mean("walkers.csv".as_ref())?.population.unwrap().count(), 2);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
-pub struct PopulationReader<'a> {
+pub(super) struct PopulationReader<'a> {
     gait: &'a Gait,
     walkers: Vec<Walker>,
     /// Why files hold no cycle.
@@ -101,23 +88,10 @@ impl<'a> PopulationReader<'a> {
     }
 }
 
-/// Whether a file is a table of walkers.
-///
-/// ```
-/// assert!(gaitcam::scene::is_table_of_walkers("w.csv".as_ref(), b"walker,period_s,f_000\n"));
-/// ```
-pub fn is_table_of_walkers(path: &Path, bytes: &[u8]) -> bool {
-    may_be_table(path) && force::is_population(bytes)
-}
-
-/// Whether a file is called as tables of walkers are.
-///
-/// ```
-/// assert!(!gaitcam::scene::may_be_table("walk.c3d".as_ref()));
-/// ```
-pub fn may_be_table(path: &Path) -> bool {
+/// Whether a file is a table of walkers, by its ending and its header.
+pub(super) fn is_table_of_walkers(path: &Path, bytes: &[u8]) -> bool {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
-    TABLES.contains(&ending.to_lowercase().as_str())
+    TABLES.contains(&ending.to_lowercase().as_str()) && force::is_population(bytes)
 }
 
 /// The walker of a recording.

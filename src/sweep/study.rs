@@ -2,7 +2,7 @@
 //!
 //! Row i follows from the study and from i alone: recordings are part of it by their content, not by their path.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -15,9 +15,9 @@ use super::plan::axis::Values as AxisValues;
 use super::plan::{Plan, row_count};
 use super::runner::Runner;
 use super::table::records::Records;
-use crate::error::{ForceError, Placed, Result, SweepError};
-use crate::force::{self, ForceCurve};
-use crate::scene::{PopulationReader, Scene, Source, is_table_of_walkers};
+use crate::error::{Placed, Result, SweepError};
+use crate::force::ForceCurve;
+use crate::scene::{self, Gait, Scene, Source};
 
 /// A file that rows name: index of the base scene, and the path as the scene writes it.
 pub type Named = (usize, String);
@@ -31,7 +31,7 @@ pub type Named = (usize, String);
 /// files.insert((0, "walk.csv".to_string()), b"time,Fz\n".to_vec().into());
 /// assert_eq!(files[&(0, "walk.csv".to_string())].len(), 8);
 /// ```
-pub type Files = BTreeMap<Named, Arc<[u8]>>;
+pub type Files = BTreeMap<Named, Arc<Vec<u8>>>;
 
 /// Contents of the rows.
 ///
@@ -77,37 +77,29 @@ pub struct Study {
 }
 
 impl Study {
-    /// A study; `read` gives the files that a name in a base scene stands for, by their names: one, or those of a folder.
+    /// A study; `files` gives the files of a base scene by its index.
     ///
     /// # Errors
     /// A recording that is not there, a folder without one, and as [`Plan::validate`].
-    pub fn new(
+    pub fn new<'a, F: scene::Files + 'a>(
         subject: Subject,
-        mut read: impl FnMut(usize, &Path) -> Result<Vec<(PathBuf, Vec<u8>)>>,
+        files: impl Fn(usize) -> &'a F,
     ) -> Result<Study> {
-        let mut files = Files::new();
-        let mut contents: HashMap<(usize, u64), Arc<[u8]>> = HashMap::new();
-        for (scene, name) in subject.recordings()? {
-            let own = read(scene, Path::new(&name))?;
-            if own.is_empty() {
-                return Err(ForceError::NoWalkers.in_file(Path::new(&name)));
-            }
-            let beside: BTreeSet<PathBuf> = own
-                .iter()
-                .filter_map(|file| force::metadata_name(&file.0))
-                .collect();
-            let subjects = beside.iter().filter_map(|path| read(scene, path).ok());
-            let all: Vec<(PathBuf, Vec<u8>)> = own.into_iter().chain(subjects.flatten()).collect();
-            for (path, bytes) in all {
+        let mut carried = Files::new();
+        let mut contents: HashMap<(usize, u64), Arc<Vec<u8>>> = HashMap::new();
+        for (scene, gait) in subject.recordings()? {
+            let files = files(scene);
+            for name in gait.files(files)? {
+                let bytes = files.read(&name)?;
                 // Equal files are held once.
                 let shared = contents
                     .entry((bytes.len(), checksum(&bytes)))
-                    .or_insert_with(|| bytes.into());
-                let name = path.to_string_lossy().into_owned();
-                files.insert((scene, name), Arc::clone(shared));
+                    .or_insert(bytes);
+                let name = name.to_string_lossy().into_owned();
+                carried.insert((scene, name), Arc::clone(shared));
             }
         }
-        Study::with_files(subject, files)
+        Study::with_files(subject, carried)
     }
 
     /// A study from files that were read before.
@@ -200,66 +192,58 @@ impl Study {
 
     /// The force curve of a recording.
     fn target(&self, index: usize, scene: &Scene) -> Result<ForceCurve> {
-        let Some((gait, Source::File(path))) = scene.gait.as_ref().map(|g| (g, &g.source)) else {
-            return Err(SweepError::NoForceError.into());
+        let carried = Carried {
+            files: &self.files,
+            scene: index,
         };
-        let content = |path: &Path| {
-            let name = path.to_string_lossy().into_owned();
-            self.files.get(&(index, name)).map(|b| &b[..])
-        };
-        let carried = |path: &Path| {
-            let missing = || SweepError::NotCarried.in_file(path);
-            content(path).ok_or_else(missing)
-        };
-        let metadata = |path: &Path| Some(content(&force::metadata_name(path)?)?.to_vec());
-        let named = std::iter::once(path).chain(&gait.more_files);
-        let all: Vec<PathBuf> = named.flat_map(|path| self.files_at(index, path)).collect();
-        let is_one = matches!(&all[..], [one] if one == path);
-        if !is_one || is_table_of_walkers(path, carried(path)?) {
-            let mut reader = PopulationReader::new(gait);
-            for path in &all {
-                match carried(path) {
-                    Ok(bytes) => reader.take(path, bytes, || metadata(path)),
-                    Err(why) => reader.refuse(path, why),
-                }
-            }
-            return reader.mean(path);
-        }
-        let options = gait.read_options(metadata(path))?;
-        force::force_curve(path, carried(path)?, &options, gait.feet)
-    }
-
-    /// The files that a name stands for: itself, or those that are carried of a folder.
-    fn files_at(&self, scene: usize, path: &Path) -> Vec<PathBuf> {
-        let of_scene = self.files.keys().filter(|key| key.0 == scene);
-        let own = of_scene.map(|key| PathBuf::from(&key.1));
-        let inside = own.filter(|file| file.starts_with(path) && !is_about_subjects(file));
-        let mut inside: Vec<PathBuf> = inside.collect();
-        inside.sort();
-        if inside.is_empty() {
-            inside.push(path.to_path_buf());
-        }
-        inside
+        let gait = scene.gait.as_ref();
+        let force = gait.map(|gait| gait.force(&carried)).transpose()?;
+        force
+            .flatten()
+            .ok_or_else(|| SweepError::NoForceError.into())
     }
 }
 
-/// Whether a file is a table of subjects, which stands beside recordings and is none.
-fn is_about_subjects(file: &Path) -> bool {
-    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-    stem.to_lowercase().ends_with("metadata")
+/// The files that a study carries for one base scene.
+struct Carried<'a> {
+    files: &'a Files,
+    scene: usize,
+}
+
+impl Carried<'_> {
+    fn find(&self, name: &Path) -> Option<&Arc<Vec<u8>>> {
+        self.files
+            .get(&(self.scene, name.to_string_lossy().into_owned()))
+    }
+}
+
+impl scene::Files for Carried<'_> {
+    fn has(&self, name: &Path) -> bool {
+        self.find(name).is_some()
+    }
+
+    fn read(&self, name: &Path) -> Result<Arc<Vec<u8>>> {
+        let missing = || SweepError::NotCarried.in_file(name);
+        self.find(name).cloned().ok_or_else(missing)
+    }
+
+    fn names(&self) -> Vec<PathBuf> {
+        let own = self.files.keys().filter(|key| key.0 == self.scene);
+        own.map(|key| PathBuf::from(&key.1)).collect()
+    }
 }
 
 impl Subject {
-    /// The names of recordings in rows, each with its base scene.
+    /// The recordings that rows name, each with the index of its base scene.
     ///
     /// # Errors
     /// A value of `gait.file` that is none.
-    fn recordings(&self) -> Result<Vec<Named>> {
+    fn recordings(&self) -> Result<Vec<(usize, Gait)>> {
         let plan = match self {
             Subject::Designs(plan) => plan,
             Subject::Scatter(scatter) => {
-                let own = files_of(&scatter.scene.table);
-                return Ok(own.into_iter().map(|name| (0, name)).collect());
+                let own = gait_of(&scatter.scene.table);
+                return Ok(own.into_iter().map(|gait| (0, gait)).collect());
             }
         };
         let lists = plan.list.iter().flat_map(|l| l.columns.iter());
@@ -270,30 +254,31 @@ impl Subject {
         for (scene, named) in plan.scenes.iter().enumerate() {
             let Some((axis, AxisValues::Words(values))) = varied.map(|axis| (axis, &axis.values))
             else {
-                out.extend(files_of(&named.table).into_iter().map(|name| (scene, name)));
+                out.extend(gait_of(&named.table).map(|gait| (scene, gait)));
                 continue;
             };
             for value in values {
                 let mut table = toml::Table::new();
                 axis.key.write_words(&mut table, value)?;
-                out.extend(files_of(&table).into_iter().map(|name| (scene, name)));
+                out.extend(gait_of(&table).map(|gait| (scene, gait)));
             }
         }
-        out.sort();
-        out.dedup();
         Ok(out)
     }
 }
 
-/// The files that a scene names.
-fn files_of(table: &toml::Table) -> Vec<String> {
-    let file = table.get("gait").and_then(|gait| gait.get("file"));
-    let names = match file {
-        Some(toml::Value::Array(all)) => all.iter().collect(),
-        one => Vec::from_iter(one),
+/// The recordings that a scene names.
+fn gait_of(table: &toml::Table) -> Option<Gait> {
+    let names = match table.get("gait")?.get("file")? {
+        toml::Value::Array(all) => all.iter().collect(),
+        one => vec![one],
     };
-    let names = names.into_iter().filter_map(toml::Value::as_str);
-    names.map(str::to_string).collect()
+    let mut names = names.into_iter().filter_map(toml::Value::as_str);
+    Some(Gait {
+        source: Source::File(names.next()?.into()),
+        more_files: names.map(PathBuf::from).collect(),
+        ..Gait::default()
+    })
 }
 
 /// FNV-1a, 64 bits (Fowler, Noll, Vo).

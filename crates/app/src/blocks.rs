@@ -250,8 +250,7 @@ mod tests {
             axes: vec![Axis::parse(vary, false).unwrap()],
             sampling: Sampling::Grid,
         };
-        let none = |_: usize, path: &Path| Err(FileError::Folder.in_file(path));
-        Study::new(Subject::Designs(plan), none).unwrap()
+        Study::with_files(Subject::Designs(plan), Default::default()).unwrap()
     }
 
     #[test]

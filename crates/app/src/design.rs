@@ -113,8 +113,7 @@ pub fn write_scene(folder: &ResultFolder, input: &Input, text: &str) -> Result<(
 /// # Errors
 /// The input that would be replaced.
 pub fn check_inputs_stay(folder: &Path, input: &Input) -> Result<()> {
-    let inputs = [input.file.clone(), input.recording()];
-    for path in inputs.into_iter().flatten().chain(input.motions()) {
+    for path in input.paths()? {
         let beside = path.file_name().map(|name| folder.join(name));
         let replaced = beside.is_some_and(|b| same(&path, &b) && !b.ends_with(SCENE));
         if replaced && is_written(&path) {

@@ -2,10 +2,9 @@
 
 use std::fs::{self, File, Metadata};
 use std::io::{ErrorKind, Read};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use gaitcam::error::{Error, FileError, Placed, Result};
-use gaitcam::force;
 use gaitcam::scene::LARGEST_MOTION;
 
 /// Largest scene file, bytes.
@@ -107,19 +106,4 @@ pub fn cannot_be_read(path: &Path, e: &std::io::Error) -> Error {
         _ => e.to_string(),
     };
     FileError::CannotRead { fault }.in_file(path)
-}
-
-/// A path of a scene: relative to the scene file if it exists there, else to the working directory.
-pub fn find(folder: &Path, path: &Path) -> PathBuf {
-    let beside = folder.join(path);
-    if beside.exists() {
-        beside
-    } else {
-        path.to_path_buf()
-    }
-}
-
-/// The table of subjects in the folder of a table of stances, if there is one.
-pub fn metadata(path: &Path) -> Option<Vec<u8>> {
-    read_bytes(&force::metadata_name(path)?).ok()
 }

@@ -1,16 +1,17 @@
-//! Scenes from files, with the folder that their paths are relative to.
+//! Scenes from files, with the files that they name.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use toml::{Table, Value};
 
-use crate::{read, target};
+use crate::disk::Disk;
+use crate::read;
 use gaitcam::error::{Error, FileError, Place, Placed, Result};
 use gaitcam::force::ForceCurve;
-use gaitcam::scene::{self, Scene, Source};
+use gaitcam::scene::{self, BETWEEN_PLATES, Files, Scene, Source, plates};
 
-/// A scene with the folder that its paths are relative to.
+/// A scene with the files that it names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Input {
     /// The scene.
@@ -19,8 +20,8 @@ pub struct Input {
     pub table: Table,
     /// The same with the rows of every motion in place of the file that it names.
     pub whole: Table,
-    /// The folder that its paths are relative to.
-    pub folder: PathBuf,
+    /// The files that it names.
+    pub files: Disk,
     /// The file that it was read from.
     pub file: Option<PathBuf>,
 }
@@ -30,15 +31,15 @@ impl Input {
     ///
     /// # Errors
     /// Keys and values that are wrong, with the file where there is one.
-    pub fn new(table: Table, folder: PathBuf, file: Option<PathBuf>) -> Result<Input> {
+    pub fn new(table: Table, files: Disk, file: Option<PathBuf>) -> Result<Input> {
         let named = |e| name_file(file.as_deref(), e);
-        let whole = with_motions(&table, &folder).map_err(named)?;
+        let whole = files.with_motions(&table).map_err(named)?;
         let scene = scene::read(&whole).map_err(named)?;
         Ok(Input {
             scene,
             table,
             whole,
-            folder,
+            files,
             file,
         })
     }
@@ -48,55 +49,65 @@ impl Input {
     /// # Errors
     /// Files that cannot be read, and as [`Input::new`].
     pub fn open(path: &Path) -> Result<Input> {
-        Input::new(table(path)?, folder_of(path), Some(path.to_path_buf()))
+        Input::new(table(path)?, Disk::beside(path), Some(path.to_path_buf()))
     }
 
     /// The resolved scene, changes included, independent of the folder it is read from: the path of a
     /// recording is absolute, rows of motions replace their files.
     pub fn resolved(&self) -> Table {
         let mut table = self.whole.clone();
-        let whole = |path: &Path| Some(fs::canonicalize(path).ok()?.to_string_lossy().into_owned());
-        let file = self.recording().and_then(|path| {
-            let plates = target::plates(&self.folder, &path);
-            let files = plates.unwrap_or_else(|| vec![path]);
-            let files: Option<Vec<String>> = files.iter().map(|f| whole(f)).collect();
-            Some(files?.join(target::AND))
-        });
-        let more = self.scene.gait.as_ref().map_or(&[][..], |g| &g.more_files);
-        let absolute = |path: &PathBuf| {
-            let place = target::find(&self.folder, path);
-            whole(&place).unwrap_or_else(|| place.to_string_lossy().into_owned())
+        let absolute = |name: &PathBuf| {
+            let place = self.files.place(name);
+            let whole = place.and_then(|place| fs::canonicalize(place).ok());
+            whole
+                .as_ref()
+                .unwrap_or(name)
+                .to_string_lossy()
+                .into_owned()
         };
-        let gait = table.get_mut("gait").and_then(Value::as_table_mut);
-        if let (Some(file), Some(gait)) = (file, gait) {
-            let mut all = vec![Value::String(file)];
-            all.extend(more.iter().map(|path| Value::String(absolute(path))));
-            let value = match all.len() {
-                1 => all.remove(0),
-                _ => Value::Array(all),
+        let whole = |name: &PathBuf| {
+            let all = plates(&self.files, name);
+            let all: Vec<String> = all.iter().map(absolute).collect();
+            Value::String(all.join(BETWEEN_PLATES))
+        };
+        if let (Some((first, more)), Some(gait)) = (
+            self.recordings(),
+            table.get_mut("gait").and_then(Value::as_table_mut),
+        ) {
+            let value = match more {
+                [] => whole(first),
+                more => Value::Array(std::iter::once(first).chain(more).map(whole).collect()),
             };
             gait.insert("file".to_string(), value);
         }
         table
     }
 
-    /// The recording that the scene names, if it names one.
-    pub fn recording(&self) -> Option<PathBuf> {
-        match &self.scene.gait.as_ref()?.source {
-            Source::File(path) if !path.as_os_str().is_empty() => {
-                Some(target::find(&self.folder, path))
-            }
+    /// The recording that the scene names, with those of further walkers.
+    fn recordings(&self) -> Option<(&PathBuf, &[PathBuf])> {
+        let gait = self.scene.gait.as_ref()?;
+        match &gait.source {
+            Source::File(name) if !name.as_os_str().is_empty() => Some((name, &gait.more_files)),
             Source::File(_) | Source::Model(_) | Source::Harmonics(_) => None,
         }
     }
 
-    /// The files that its motions name.
-    pub fn motions(&self) -> Vec<PathBuf> {
-        let files = scene::motion_files(&self.table);
-        files
-            .iter()
-            .map(|f| target::find(&self.folder, f))
-            .collect()
+    /// The path of the recording that the scene names, if it names one.
+    pub fn recording(&self) -> Option<PathBuf> {
+        Some(self.files.shown(self.recordings()?.0))
+    }
+
+    /// The paths of all files that it was read from: its own, its recordings and its motions.
+    ///
+    /// # Errors
+    /// A folder of recordings that cannot be read.
+    pub fn paths(&self) -> Result<Vec<PathBuf>> {
+        let gait = self.scene.gait.as_ref();
+        let of_force = gait.map(|gait| gait.files(&self.files)).transpose()?;
+        let motions = scene::motion_files(&self.table);
+        let named = of_force.into_iter().flatten().chain(motions);
+        let named = named.filter_map(|name| self.files.place(&name));
+        Ok(self.file.iter().cloned().chain(named).collect())
     }
 
     /// Title block of a drawing of the scene.
@@ -113,21 +124,12 @@ impl Input {
     /// # Errors
     /// Faults of the load model, the file or the recording.
     pub fn target(&self) -> Result<Option<ForceCurve>> {
-        target::target(&self.scene, &self.folder)
+        let gait = self.scene.gait.as_ref();
+        Ok(gait
+            .map(|gait| gait.force(&self.files))
+            .transpose()?
+            .flatten())
     }
-}
-
-/// The table of a scene with the rows of every motion in place of the file that it names; paths are relative to
-/// `folder` first.
-///
-/// # Errors
-/// Files that cannot be read or hold no motion.
-pub fn with_motions(table: &Table, folder: &Path) -> Result<Table> {
-    scene::with_motions(table, &mut |file| {
-        let path = target::find(folder, file);
-        let bytes = read::read_motion(&path)?;
-        Ok((path, bytes))
-    })
 }
 
 /// Day on which a file was last changed, counted from 1970-01-01 (UTC).
@@ -136,11 +138,6 @@ fn last_change(file: &Path) -> Option<u64> {
     const SECONDS: u64 = 86_400;
     let time = fs::metadata(file).ok()?.modified().ok()?;
     Some(time.duration_since(std::time::UNIX_EPOCH).ok()?.as_secs() / SECONDS)
-}
-
-/// The folder that paths in a scene file are relative to.
-pub fn folder_of(path: &Path) -> PathBuf {
-    path.parent().unwrap_or(Path::new(".")).to_path_buf()
 }
 
 /// The table of a TOML file, or of the scene in a `summary.json`.

@@ -171,7 +171,7 @@ pub fn recut(args: &RecutArgs) -> Result<u8> {
         gaitcam::identify::recut(&design, &input.scene, target.as_ref(), &log, &search)?;
     let key = "machine.learned_force";
     let table = carried(&scene.to_table(), &input, std::iter::once(key))?;
-    let next = Input::new(table, input.folder.clone(), None)?;
+    let next = Input::new(table, input.files.clone(), None)?;
     let out = match (&args.out, args.json) {
         (None, true) => None,
         (out, _) => Some(input::result_folder(&next, out.as_deref(), "_recut")?),

@@ -6,9 +6,12 @@
 
 pub mod designs;
 mod fluent;
+mod memory;
 pub mod readers;
 pub mod thesis;
 pub mod words;
+
+pub use memory::Memory;
 
 use std::path::Path;
 

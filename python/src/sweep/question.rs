@@ -9,7 +9,7 @@ use gaitcam::scene;
 use gaitcam::sweep::{
     Axis, Files, Key, List, Method, NamedScene, Plan, Sampling, Scattered, Study, Subject, Values,
 };
-use gaitcam_app::{Input, target};
+use gaitcam_app::{Disk, Input};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyList, PyString};
@@ -48,6 +48,42 @@ pub struct Question {
     method: String,
     seed: u64,
     tolerances: Vec<String>,
+}
+
+/// The files of a base scene: those of the force that is given, then those on the disk.
+struct Given {
+    force: Option<Force>,
+    disk: Disk,
+}
+
+impl Given {
+    fn content(&self, name: &Path) -> Option<Arc<Vec<u8>>> {
+        self.force.as_ref()?.content(name)
+    }
+}
+
+impl scene::Files for Given {
+    fn has(&self, name: &Path) -> bool {
+        self.content(name).is_some() || self.disk.has(name)
+    }
+
+    fn read(&self, name: &Path) -> Result<Arc<Vec<u8>>> {
+        match self.content(name) {
+            Some(content) => Ok(content),
+            None => self.disk.read(name),
+        }
+    }
+
+    fn folder(&self, name: &Path) -> Result<Option<Vec<PathBuf>>> {
+        match self.content(name) {
+            Some(_) => Ok(None),
+            None => self.disk.folder(name),
+        }
+    }
+
+    fn shown(&self, name: &Path) -> PathBuf {
+        self.disk.shown(name)
+    }
 }
 
 /// Base scenes of a list.
@@ -219,13 +255,13 @@ impl Question {
         for scene in &mut self.scenes {
             let Input {
                 mut table,
-                folder,
+                files,
                 file,
                 ..
             } = scene.input.clone();
             let recording = toml::Value::from(first.as_str());
             scene::set_value(&mut table, "gait.file", recording).raise(py)?;
-            *scene = Scene::of_table(py, table, folder, file)?;
+            *scene = Scene::of_table(py, table, files, file)?;
         }
         self.vary
             .insert(0, Asked::Listed(("gait.file".to_string(), names)));
@@ -256,15 +292,12 @@ impl Question {
         if let Some(files) = files {
             return Study::with_files(subject, files);
         }
-        Study::new(subject, |index, path| {
-            let given = self.force.as_ref().and_then(|force| force.content(path));
-            if let Some(content) = given {
-                return Ok(vec![(path.to_path_buf(), content)]);
-            }
-            let scene = self.scenes.get(index);
-            let folder = scene.map_or(Path::new("."), |s| &s.input.folder);
-            target::contents(folder, path)
-        })
+        let given = |scene: &Scene| Given {
+            force: self.force.clone(),
+            disk: scene.input.files.clone(),
+        };
+        let files: Vec<Given> = self.scenes.iter().map(given).collect();
+        Study::new(subject, |index| &files[index])
     }
 
     fn subject(&self) -> Result<Subject> {
@@ -311,11 +344,11 @@ impl Question {
     /// What travels: scenes as text, the rest as it was given, and the content of every file once.
     pub fn state<'py>(&self, py: Python<'py>, files: &Files) -> PyResult<Bound<'py, PyAny>> {
         // The same object twice is pickled once.
-        let mut contents: HashMap<*const u8, Bound<'py, PyBytes>> = HashMap::new();
+        let mut contents: HashMap<*const Vec<u8>, Bound<'py, PyBytes>> = HashMap::new();
         let mut carried = Vec::new();
         for ((scene, name), bytes) in files {
             let content = contents
-                .entry(bytes.as_ptr())
+                .entry(Arc::as_ptr(bytes))
                 .or_insert_with(|| PyBytes::new(py, bytes));
             carried.push((*scene, name.clone(), content.clone()));
         }
@@ -336,12 +369,12 @@ impl Question {
     pub fn restore(state: &Bound<'_, PyAny>) -> PyResult<(Question, Files)> {
         let item = |i: usize| state.get_item(i);
         let mut files = Files::new();
-        let mut contents: HashMap<*mut pyo3::ffi::PyObject, Arc<[u8]>> = HashMap::new();
+        let mut contents: HashMap<*mut pyo3::ffi::PyObject, Arc<Vec<u8>>> = HashMap::new();
         for entry in item(7)?.try_iter()? {
             let (scene, name, bytes): (usize, String, Bound<'_, PyBytes>) = entry?.extract()?;
             let content = contents
                 .entry(bytes.as_ptr())
-                .or_insert_with(|| bytes.as_bytes().into());
+                .or_insert_with(|| Arc::new(bytes.as_bytes().to_vec()));
             files.insert((scene, name), Arc::clone(content));
         }
         let question = Question {

@@ -22,9 +22,11 @@ use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::force::{
     self, Cycle, Feet, ForceCurve, Interpretation, OpenQuestion, ReadOptions, Walker,
 };
+use gaitcam::scene::{BETWEEN_PLATES, content};
 use gaitcam::units::Dimension;
+use gaitcam_app::Disk;
+use gaitcam_app::disk::metadata;
 use gaitcam_app::read::read_bytes;
-use gaitcam_app::target::{joined, metadata};
 use gaitcam_output as output;
 use gaitcam_output::folder::write_whole;
 use gaitcam_output::gait as tables;
@@ -209,9 +211,10 @@ fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: bool) -> Resul
         metadata: metadata(path),
         ..options
     };
-    let bytes = joined(paths)?;
+    let shown = |path: &Path| path.display().to_string();
+    let bytes = content(&Disk::default(), Path::new(&together(paths, shown)))?;
     let place = || Place::File(path.to_path_buf());
-    let heading = together(paths, |path| path.display().to_string());
+    let heading = together(paths, shown);
     if let Some(curve) = force::one_cycle(path, &bytes, &options)? {
         let table = tables::cycle_table(&curve, language::current());
         return Ok(Read {
@@ -261,7 +264,7 @@ fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: bool) -> Resul
 /// The files of a recording, named one by one.
 fn together(paths: &[PathBuf], name: impl Fn(&Path) -> String) -> String {
     let names = paths.iter().map(|path| name(path));
-    names.collect::<Vec<_>>().join(" + ")
+    names.collect::<Vec<_>>().join(BETWEEN_PLATES)
 }
 
 impl Read {

@@ -67,7 +67,7 @@ impl Made {
                 _ => e,
             }
         };
-        let running = Input::new(table, input.folder.clone(), None).map_err(of_flag)?;
+        let running = Input::new(table, input.files.clone(), None).map_err(of_flag)?;
         let running = running.scene;
         let another = !on_machine.is_empty() || running.drive != input.scene.drive;
         Ok(Made {

@@ -15,8 +15,9 @@ use crate::console::internal;
 use gaitcam::error::{Error, Placed, Result, SceneError};
 use gaitcam::scene;
 use gaitcam::units::{Dimension, parse as parse_quantity};
+use gaitcam_app::Disk;
 use gaitcam_app::read::read_standard_input;
-use gaitcam_app::scene::{folder_of, parse, table};
+use gaitcam_app::scene::{parse, table};
 
 pub use gaitcam_app::Input;
 
@@ -40,29 +41,29 @@ impl SceneArgs {
 
 /// Reads the scene (or the built-in one) and applies the changes.
 pub fn scene(args: &SceneArgs) -> Result<Input> {
-    let (mut table, folder, file) = written(args)?;
+    let (mut table, files, file) = written(args)?;
     for change in &args.set {
         scene::set(&mut table, change).map_err(at_flag("--set"))?;
     }
     internal::keep(&table);
-    Input::new(table, folder, file)
+    Input::new(table, files, file)
 }
 
-/// The table of a scene as it is written, the folder that its paths are relative to, and its file.
-pub fn written(args: &SceneArgs) -> Result<(Table, PathBuf, Option<PathBuf>)> {
-    let here = || PathBuf::from(".");
+/// The table of a scene as it is written, the files that it may name, and its own file.
+pub fn written(args: &SceneArgs) -> Result<(Table, Disk, Option<PathBuf>)> {
+    let none = Disk::default;
     Ok(match &args.scene {
-        None => (parse(scene::DEFAULT, None)?, here(), None),
+        None => (parse(scene::DEFAULT, None)?, none(), None),
         Some(path) if path == Path::new("-") => {
-            (parse(&read_standard_input()?, None)?, here(), None)
+            (parse(&read_standard_input()?, None)?, none(), None)
         }
         // The name of a file that exists is not looked for among the others.
         Some(path) => match path.to_str().filter(|name| is_name(name) && !path.exists()) {
             Some(name) => {
                 let text = scene::built_in(name)?.toml;
-                (parse(text, Some(path))?, here(), Some(path.clone()))
+                (parse(text, Some(path))?, none(), Some(path.clone()))
             }
-            None => (table(path)?, folder_of(path), Some(path.clone())),
+            None => (table(path)?, Disk::beside(path), Some(path.clone())),
         },
     })
 }

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use crate::console::error::CliError;
 use gaitcam::error::{Placed, Result};
-use gaitcam_app::population::{ENDINGS, inside};
 use gaitcam_app::read::cannot_be_read;
+use gaitcam_app::recordings::{ENDINGS, inside};
 
 /// Recordings given by name or inside folders.
 #[derive(Default)]

@@ -10,7 +10,7 @@ use gaitcam::Problem;
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::{self, Feet, Interpretation, ReadOptions};
-use gaitcam::scene::{self, Scene, Source};
+use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Search, design, sentences};
 use serde_json::json;
 use toml::Table;
@@ -22,10 +22,8 @@ use crate::console::words;
 use crate::input::searching::TimeLimit;
 use crate::input::{self, SceneArgs};
 use gaitcam_app::Input;
-use gaitcam_app::population::population;
+use gaitcam_app::disk::metadata;
 use gaitcam_app::read::read_bytes;
-use gaitcam_app::scene::with_motions;
-use gaitcam_app::target::{content, find, metadata};
 
 const EXAMPLES: &str = "Examples:
   gaitcam doctor my.toml
@@ -77,13 +75,13 @@ fn finding(key: &str, data: &serde_json::Value) -> String {
 }
 
 fn examine_scene(args: &DoctorArgs) -> Result<u8> {
-    let (table, folder, _) = input::written(&SceneArgs::of(args.file.clone()))?;
+    let (table, files, _) = input::written(&SceneArgs::of(args.file.clone()))?;
     let file = args.file.display().to_string();
     good(&finding(
         "toml",
         &json!({"file": file, "keys": leaves(&table)}),
     ));
-    let whole = with_motions(&table, &folder)?;
+    let whole = files.with_motions(&table)?;
     let (scene, faults) = read_what_is_right(&whole);
     for fault in &faults {
         bad(&fault.sentence(language::current()));
@@ -97,16 +95,13 @@ fn examine_scene(args: &DoctorArgs) -> Result<u8> {
         scene,
         table,
         whole,
-        folder,
+        files,
         file: None,
     };
     if let Some(gait) = &input.scene.gait
-        && let Source::File(path) = &gait.source
-        && population(gait, &input.folder, path)?.is_none()
+        && let Some((place, bytes, options)) = gait.recording(&input.files)?
     {
-        let place = find(&input.folder, path);
-        let bytes = content(&input.folder, path)?;
-        let code = examine_recording(&place, &bytes, &gait.read_options(metadata(&place))?)?;
+        let code = examine_recording(&place, &bytes, &options)?;
         if code != BUILT {
             return Ok(code);
         }

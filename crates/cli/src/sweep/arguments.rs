@@ -15,15 +15,15 @@ use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::table::cell_text;
 use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values};
+use gaitcam_app::Disk;
 use gaitcam_app::read::read_bytes;
-use gaitcam_app::target::target;
 
-/// A plan with the folders that the paths of its scenes are relative to.
+/// A plan with the files of its scenes.
 pub struct Sweep {
     /// The plan.
     pub plan: Plan,
-    /// One folder per base scene.
-    pub folders: Vec<PathBuf>,
+    /// The files of each base scene.
+    pub files: Vec<Disk>,
     /// Files in the folders of recordings that are none.
     pub skipped: Vec<String>,
 }
@@ -35,7 +35,7 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
         scenes => scenes.iter().map(Some).collect(),
     };
     let mut scenes = Vec::new();
-    let mut folders = Vec::new();
+    let mut disks = Vec::new();
     let Recordings {
         files: records,
         skipped,
@@ -54,7 +54,7 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
             name: file.map_or(input.scene.name.clone(), |f| f.display().to_string()),
             table: input.whole,
         });
-        folders.push(input.folder);
+        disks.push(input.files);
     }
     let mut axes = Vec::new();
     if !records.is_empty() {
@@ -85,7 +85,7 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
             axes,
             sampling,
         },
-        folders,
+        files: disks,
         skipped,
     })
 }
@@ -93,7 +93,8 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
 /// What a sweep that is resumed must agree with: the plan, and the program, since another version may design otherwise.
 pub fn description(sweep: &Sweep) -> Value {
     let mut description = sweep.plan.description();
-    for (i, folder) in sweep.folders.iter().enumerate() {
+    for (i, files) in sweep.files.iter().enumerate() {
+        let folder = files.folder.as_deref().unwrap_or(Path::new("."));
         description["scenes"][i]["folder"] = json!(folder.display().to_string());
     }
     description["version"] = json!(env!("CARGO_PKG_VERSION"));
@@ -173,10 +174,12 @@ pub fn in_list(fault: Error, plan: &Plan, path: Option<&Path>) -> Error {
 }
 
 /// Reads the force curves that scenes name.
-pub fn targets(folders: &[PathBuf]) -> impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync {
+pub fn targets(files: &[Disk]) -> impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync {
     |index, scene| {
-        let folder = folders.get(index).map_or(Path::new("."), PathBuf::as_path);
-        let curve = target(scene, folder)?;
-        curve.ok_or_else(|| CliError::NoCurve.at_key("gait"))
+        let gait = scene.gait.as_ref();
+        let curve = gait.map(|gait| gait.force(&files[index])).transpose()?;
+        curve
+            .flatten()
+            .ok_or_else(|| CliError::NoCurve.at_key("gait"))
     }
 }

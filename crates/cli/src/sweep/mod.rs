@@ -137,7 +137,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         terminal::report(damaged);
     }
     let clock = || start.elapsed().as_secs_f64();
-    let targets = arguments::targets(&sweep.folders);
+    let targets = arguments::targets(&sweep.files);
     let halts = || args.time.of_row();
     let runner = Runner::of_plan(plan, &targets, &halts, Some(&clock));
     let stop = work::stop_on_ctrl_c();

@@ -12,7 +12,6 @@ use crate::console::terminal::{self, print, print_json};
 use crate::{console::language, console::words};
 use gaitcam::sweep::{Plan, Study, Subject};
 use gaitcam_app::blocks::{BLOCK_ROWS, SharedBlocks};
-use gaitcam_app::target::contents;
 
 /// A share of equal shares. They may be counted from 0 or from 1: share 0 of N is share N.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,12 +40,8 @@ pub fn run(args: &SweepArgs, shard: Shard) -> gaitcam::error::Result<u8> {
     let sweep = arguments::plan(args)?;
     check_size(args, &sweep.plan)?;
     check_values(args, &sweep.plan)?;
-    let folders = sweep.folders;
     let subject = Subject::Designs(named_by_scene(sweep.plan));
-    let study = Study::new(subject, |index, path| {
-        let folder = folders.get(index).map_or(".".as_ref(), |f| f.as_path());
-        contents(folder, path)
-    })?;
+    let study = Study::new(subject, |index| &sweep.files[index])?;
     let rows = args.block_rows.unwrap_or(BLOCK_ROWS);
     let blocks = SharedBlocks::open(
         &args.out,

@@ -5,6 +5,8 @@ use gaitcam::halt::Halt;
 use gaitcam::scene;
 use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
 
+use gaitcam_test_support::Memory;
+
 use super::{force, people, with};
 
 #[test]
@@ -26,10 +28,8 @@ fn rows_of_a_sweep_over_a_table_of_walkers_are_their_designs_and_a_walker_in_kil
             axes: vec![axis],
             sampling: Sampling::Grid,
         };
-        Study::new(Subject::Designs(plan), |_, path| {
-            Ok(vec![(path.to_path_buf(), bytes.clone())])
-        })
-        .unwrap()
+        let files = Memory::from([("walkers.csv", bytes)]);
+        Study::new(Subject::Designs(plan), |_| &files).unwrap()
     };
     let run = |study: &Study| {
         study
@@ -76,17 +76,13 @@ fn a_sweep_carries_what_folders_and_lists_of_walkers_hold() {
         axes: vec![Axis::parse(values, false).unwrap()],
         sampling: Sampling::Grid,
     };
-    let study = Study::new(Subject::Designs(plan), |_, path| {
-        let file = |name: &str, own: &[Walker]| (path.join(name), table(own));
-        let whole = |own: &[Walker]| (path.to_path_buf(), table(own));
-        Ok(match path.to_str().unwrap() {
-            "people" | "people/" => vec![file("x.csv", &all[..1]), file("in/y.csv", &all[1..3])],
-            "a.csv" => vec![whole(&all[3..5])],
-            "b.csv" => vec![whole(&all[5..])],
-            other => panic!("{other}"),
-        })
-    })
-    .unwrap();
+    let files = Memory::from([
+        ("people/x.csv", table(&all[..1])),
+        ("people/in/y.csv", table(&all[1..3])),
+        ("a.csv", table(&all[3..5])),
+        ("b.csv", table(&all[5..])),
+    ]);
+    let study = Study::new(Subject::Designs(plan), |_| &files).unwrap();
     let again = Study::with_files(study.subject.clone(), study.files().clone()).unwrap();
     let run = |study: &Study| {
         let records = study.run(0..4, 1, &Halt::never, &|| false).unwrap();

@@ -1,12 +1,10 @@
-//! Populations of walkers from folders, lists of files, and tables.
+//! The recordings in a folder.
 
 use std::path::{Path, PathBuf};
 
 use gaitcam::error::Result;
-use gaitcam::force::ForceCurve;
-use gaitcam::scene::{Gait, PopulationReader, is_table_of_walkers, may_be_table};
 
-use crate::read::{cannot_be_read, find, metadata, read_bytes};
+use crate::read::cannot_be_read;
 
 /// Endings of recordings; a folder may also hold other files.
 pub const ENDINGS: [&str; 13] = [
@@ -74,41 +72,6 @@ fn is_called_a_recording(name: &str) -> bool {
     ENDINGS.contains(&ending)
         && !ABOUT.iter().any(|about| stem.starts_with(about))
         && !stem.ends_with("metadata")
-}
-
-/// The mean cycle of the walkers that a scene names, with the walkers; `None` where it names one recording.
-///
-/// # Errors
-/// Every walker who cannot be taken, with the reason; only those that the scene leaves out are.
-pub fn population(gait: &Gait, folder: &Path, path: &Path) -> Result<Option<ForceCurve>> {
-    let place = find(folder, path);
-    if !place.is_dir() && gait.more_files.is_empty() {
-        let is_table = place.is_file()
-            && may_be_table(&place)
-            && is_table_of_walkers(&place, &read_bytes(&place)?);
-        if !is_table {
-            return Ok(None);
-        }
-    }
-    let mut reader = PopulationReader::new(gait);
-    for path in std::iter::once(path).chain(gait.more_files.iter().map(PathBuf::as_path)) {
-        let place = find(folder, path);
-        let files = match place.is_dir() {
-            true => inside(&place)?.recordings,
-            false => vec![place],
-        };
-        for file in files
-            .iter()
-            .filter(|f| !reader.leaves_out(f))
-            .collect::<Vec<_>>()
-        {
-            match read_bytes(file) {
-                Ok(bytes) => reader.take(file, &bytes, || metadata(file)),
-                Err(why) => reader.refuse(file, why),
-            }
-        }
-    }
-    reader.mean(&place).map(Some)
 }
 
 #[cfg(all(test, unix))]

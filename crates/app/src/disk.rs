@@ -1,0 +1,92 @@
+//! Files on the disk, by the names that a scene gives them.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use gaitcam::error::Result;
+use gaitcam::force;
+use gaitcam::scene::{self, Files};
+use toml::Table;
+
+use crate::read::{read_bytes, read_motion};
+use crate::recordings::inside;
+
+/// Files by the names that a scene gives them.
+///
+/// A name is looked up beside the scene file, then among the files that came with the program, then in the working
+/// directory. A scene that was read from no file, such as a built-in one, has nothing beside it.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Disk {
+    /// The folder of the scene file.
+    pub folder: Option<PathBuf>,
+}
+
+impl Disk {
+    /// The files beside a scene file.
+    pub fn beside(file: &Path) -> Disk {
+        let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
+        Disk {
+            folder: Some(folder),
+        }
+    }
+
+    /// The file of a name beside the scene.
+    fn own(&self, name: &Path) -> Option<PathBuf> {
+        let beside = self.folder.as_ref()?.join(name);
+        beside.exists().then_some(beside)
+    }
+
+    /// The path of a name; `None` for a file that came with the program.
+    pub fn place(&self, name: &Path) -> Option<PathBuf> {
+        match (self.own(name), scene::built_in_file(name)) {
+            (Some(place), _) => Some(place),
+            (None, Some(_)) => None,
+            (None, None) => Some(name.to_path_buf()),
+        }
+    }
+
+    /// The table of a scene with the rows of every motion in place of the file that it names.
+    ///
+    /// # Errors
+    /// Files that cannot be read or hold no motion.
+    pub fn with_motions(&self, table: &Table) -> Result<Table> {
+        scene::with_motions(table, &mut |file| {
+            let path = self.shown(file);
+            let bytes = read_motion(&path)?;
+            Ok((path, bytes))
+        })
+    }
+}
+
+impl Files for Disk {
+    fn has(&self, name: &Path) -> bool {
+        self.place(name).is_none_or(|place| place.exists())
+    }
+
+    fn read(&self, name: &Path) -> Result<Arc<Vec<u8>>> {
+        let bytes = match (self.own(name), scene::built_in_file(name)) {
+            (Some(place), _) => read_bytes(&place)?,
+            (None, Some(bytes)) => bytes.to_vec(),
+            (None, None) => read_bytes(name)?,
+        };
+        Ok(Arc::new(bytes))
+    }
+
+    fn folder(&self, name: &Path) -> Result<Option<Vec<PathBuf>>> {
+        let place = self.shown(name);
+        if !place.is_dir() {
+            return Ok(None);
+        }
+        let named = |file: &PathBuf| name.join(file.strip_prefix(&place).unwrap_or(file));
+        Ok(Some(inside(&place)?.recordings.iter().map(named).collect()))
+    }
+
+    fn shown(&self, name: &Path) -> PathBuf {
+        self.own(name).unwrap_or_else(|| name.to_path_buf())
+    }
+}
+
+/// The table of subjects in the folder of a table of stances, if there is one.
+pub fn metadata(path: &Path) -> Option<Vec<u8>> {
+    read_bytes(&force::metadata_name(path)?).ok()
+}

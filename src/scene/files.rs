@@ -1,0 +1,206 @@
+//! The force that a scene names, from the content of its files.
+
+use std::iter::once;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::walkers::{PopulationReader, is_table_of_walkers};
+use super::{Gait, Source};
+use crate::error::{ForceError, Placed, ReadError, Result};
+use crate::force::{self, ForceCurve, ReadOptions};
+
+/// Separates the files of the plates of one trial in the name of a recording.
+pub const BETWEEN_PLATES: &str = " + ";
+
+/// Files by the names that a scene gives them: on the disk, in memory or in a browser.
+///
+/// ```
+/// use std::path::Path;
+/// use std::sync::Arc;
+///
+/// use gaitcam::error::Result;
+/// use gaitcam::scene::{Files, Gait};
+///
+/// /// One file, whatever its name.
+/// struct One(&'static str);
+///
+/// impl Files for One {
+///     fn has(&self, _: &Path) -> bool {
+///         true
+///     }
+///
+///     fn read(&self, _: &Path) -> Result<Arc<Vec<u8>>> {
+///         Ok(Arc::new(self.0.into()))
+///     }
+/// }
+///
+/// let gait = Gait { period: Some(1.0), ..Gait::file("cycle.csv") };
+/// let force = gait.force(&One("time,Fz\n0,600\n0.25,800\n0.5,600\n0.75,400\n"))?.unwrap();
+/// assert!((force.mean_n() - 600.0).abs() < 1e-6);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+pub trait Files {
+    /// Whether there is a file of this name.
+    fn has(&self, name: &Path) -> bool;
+
+    /// The content of a file.
+    ///
+    /// # Errors
+    /// A file that is not there or cannot be read.
+    fn read(&self, name: &Path) -> Result<Arc<Vec<u8>>>;
+
+    /// The names of all files, where they are in memory.
+    fn names(&self) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
+    /// The names of the recordings in a folder, in order; `None` for a name that is not a folder.
+    ///
+    /// # Errors
+    /// A folder that cannot be read.
+    fn folder(&self, name: &Path) -> Result<Option<Vec<PathBuf>>> {
+        let mut inside = self.names();
+        inside.retain(|file| file.starts_with(name) && file != name && !is_about_subjects(file));
+        inside.sort();
+        Ok((!inside.is_empty()).then_some(inside))
+    }
+
+    /// The path that messages show for a name.
+    fn shown(&self, name: &Path) -> PathBuf {
+        name.to_path_buf()
+    }
+}
+
+impl Gait {
+    /// The force that the scene names; `None` where the caller gives it.
+    ///
+    /// # Errors
+    /// Faults of the load model, of a file or of a recording; every walker of a population who cannot be taken.
+    pub fn force(&self, files: &dyn Files) -> Result<Option<ForceCurve>> {
+        let Source::File(first) = &self.source else {
+            return self.model_force();
+        };
+        if first.as_os_str().is_empty() {
+            return Ok(None);
+        }
+        if let Some((place, bytes, options)) = self.recording(files)? {
+            return force::force_curve(&place, &bytes, &options, self.feet).map(Some);
+        }
+        let mut reader = PopulationReader::new(self);
+        for name in self.recordings(files)? {
+            let place = files.shown(&name);
+            if reader.leaves_out(&place) {
+                continue;
+            }
+            match content(files, &name) {
+                Ok(bytes) => reader.take(&place, &bytes, || subjects(files, &name)),
+                Err(why) => reader.refuse(&place, why),
+            }
+        }
+        reader.mean(&files.shown(first)).map(Some)
+    }
+
+    /// The path, the content and the reader's options of the only recording that the scene names; `None` for a load
+    /// model and for several walkers.
+    ///
+    /// # Errors
+    /// A file that cannot be read; an unknown unit.
+    pub fn recording(
+        &self,
+        files: &dyn Files,
+    ) -> Result<Option<(PathBuf, Arc<Vec<u8>>, ReadOptions)>> {
+        let Source::File(name) = &self.source else {
+            return Ok(None);
+        };
+        let is_one = self.more_files.is_empty() && files.folder(name)?.is_none();
+        if !is_one || name.as_os_str().is_empty() {
+            return Ok(None);
+        }
+        let bytes = content(files, name)?;
+        if is_table_of_walkers(name, &bytes) {
+            return Ok(None);
+        }
+        let options = self.read_options(subjects(files, name))?;
+        Ok(Some((files.shown(name), bytes, options)))
+    }
+
+    /// The names of all files that the force is read from: recordings, each plate of a trial by itself, and the tables
+    /// of subjects beside them.
+    ///
+    /// # Errors
+    /// A folder that cannot be read or holds no recording.
+    pub fn files(&self, files: &dyn Files) -> Result<Vec<PathBuf>> {
+        let mut out = Vec::new();
+        for name in self.recordings(files)? {
+            for plate in plates(files, &name) {
+                let subjects = force::metadata_name(&plate).filter(|name| files.has(name));
+                out.extend(subjects.into_iter().chain([plate]));
+            }
+        }
+        out.sort();
+        out.dedup();
+        Ok(out)
+    }
+
+    /// The names of the recordings, folders opened.
+    fn recordings(&self, files: &dyn Files) -> Result<Vec<PathBuf>> {
+        let Source::File(first) = &self.source else {
+            return Ok(Vec::new());
+        };
+        let mut out = Vec::new();
+        let names = once(first).chain(&self.more_files);
+        for name in names.filter(|name| !name.as_os_str().is_empty()) {
+            match files.folder(name)? {
+                None => out.push(name.clone()),
+                Some(inside) if inside.is_empty() => {
+                    return Err(ForceError::NoWalkers.in_file(&files.shown(name)));
+                }
+                Some(inside) => out.extend(inside),
+            }
+        }
+        Ok(out)
+    }
+}
+
+/// Whether a file is a table of subjects beside recordings.
+fn is_about_subjects(file: &Path) -> bool {
+    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+    stem.to_lowercase().ends_with("metadata")
+}
+
+/// The content of a recording; the plates of one trial are joined.
+///
+/// # Errors
+/// A file that cannot be read, files of several trials or without the name of a plate.
+pub fn content(files: &dyn Files, name: &Path) -> Result<Arc<Vec<u8>>> {
+    let plates = plates(files, name);
+    if let [file] = &plates[..] {
+        return files.read(file);
+    }
+    let read = |name: &PathBuf| Ok(files.read(name)?.to_vec());
+    let all: Vec<Vec<u8>> = plates.iter().map(read).collect::<Result<_>>()?;
+    force::joined_plates(&all).map(Arc::new).ok_or_else(|| {
+        let shown = plates
+            .iter()
+            .map(|name| files.shown(name).display().to_string());
+        let shown = shown.collect::<Vec<_>>().join(BETWEEN_PLATES);
+        ReadError::NotPlatesOfOneTrial.in_file(Path::new(&shown))
+    })
+}
+
+/// The files that the name of a recording stands for: the plates of a trial, else itself.
+pub fn plates(files: &dyn Files, name: &Path) -> Vec<PathBuf> {
+    match name.to_str() {
+        Some(text) if text.contains(BETWEEN_PLATES) && !files.has(name) => text
+            .split(BETWEEN_PLATES)
+            .map(|n| PathBuf::from(n.trim()))
+            .collect(),
+        _ => vec![name.to_path_buf()],
+    }
+}
+
+/// The table of subjects in the folder of a table of stances, if there is one.
+fn subjects(files: &dyn Files, name: &Path) -> Option<Vec<u8>> {
+    let bytes = files.read(&force::metadata_name(name)?).ok()?;
+    Some(bytes.to_vec())
+}
