@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use gaitcam::cam::Verdict;
-use gaitcam::error::{Result, is_no_cam};
+use gaitcam::error::Result;
 use gaitcam::identify::{Log, Recut, identify, recut};
 use gaitcam::scene::set_value;
-use gaitcam::synth::Search;
+use gaitcam::synth::{Outcome, Search};
 use gaitcam_app::design::{self, check_inputs_stay, finish};
 use gaitcam_app::files::{self, Source};
 use gaitcam_app::read::read_bytes;
@@ -32,7 +32,7 @@ use crate::table::Table;
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Design {
     /// The design itself; where there is none to show, why.
-    pub(crate) made: Result<gaitcam::Design>,
+    pub(crate) outcome: Outcome,
     /// The scene that it answers, with the force that was given in its `[gait]`.
     pub input: Input,
     pub(crate) asked: Scene,
@@ -50,8 +50,10 @@ impl Argument for Design {
 impl Design {
     /// The design, also one that breaks limits.
     pub fn shown(&self) -> PyResult<&gaitcam::Design> {
-        let made = self.made.as_ref();
-        made.map_err(|why| NoSuchCam::new_err(why.sentence(Language::En)))
+        match &self.outcome {
+            Outcome::Built(design) => Ok(design),
+            Outcome::NoCam(why) => Err(NoSuchCam::new_err(why.sentence(Language::En))),
+        }
     }
 
     fn cam(&self, py: Python<'_>) -> PyResult<&gaitcam::Design> {
@@ -63,24 +65,24 @@ impl Design {
     }
 
     fn summarised(&self, scene: &toml::Table) -> Value {
-        match &self.made {
-            Ok(made) => {
-                let mut summary = design::summary(made, scene, self.time);
+        match &self.outcome {
+            Outcome::Built(design) => {
+                let mut summary = design::summary(design, scene, self.time);
                 if let Some(recut) = self.recut {
                     summary["recut"] = serde_json::json!(recut);
                 }
                 summary
             }
-            Err(why) => {
+            Outcome::NoCam(why) => {
                 design::summary_without_cam(&self.input.scene.name, why, scene, self.time.total_s)
             }
         }
     }
 
     fn said(&self, language: Language) -> String {
-        match &self.made {
-            Ok(design) => design.reason(language),
-            Err(why) => why.sentence(language),
+        match &self.outcome {
+            Outcome::Built(design) => design.reason(language),
+            Outcome::NoCam(why) => why.sentence(language),
         }
     }
 
@@ -90,7 +92,7 @@ impl Design {
         contents: &Contents,
         mut put: impl FnMut(&str, &[u8]) -> Result<()>,
     ) -> Result<()> {
-        if let Ok(design) = &self.made {
+        if let Outcome::Built(design) = &self.outcome {
             files::write(&Source::new(design, self.time, contents), &mut put)?;
         }
         match self.force.as_ref().and_then(|f| f.content(Path::new(FILE))) {
@@ -105,8 +107,10 @@ impl Design {
     /// Class of the cam: ``acceptable``, ``not-for-high-speed`` or ``unacceptable``.
     #[getter]
     fn verdict(&self) -> &'static str {
-        let verdict = self.made.as_ref().map(|design| design.verdict);
-        verdict.unwrap_or(Verdict::Unacceptable).name()
+        match &self.outcome {
+            Outcome::Built(design) => design.verdict.name(),
+            Outcome::NoCam(_) => Verdict::Unacceptable.name(),
+        }
     }
 
     /// Why the verdict is what it is, as sentences.
@@ -243,7 +247,7 @@ impl Design {
         });
         interrupt.result()?;
         let (next, figures, _) = match found {
-            Err(why) if is_no_cam(&why) => {
+            Err(why) if why.is_answer() => {
                 return Err(NoSuchCam::new_err(why.sentence(Language::En)));
             }
             found => found.raise(py)?,
@@ -366,7 +370,7 @@ impl Design {
     fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
         let said = format!("{}. {}", self.verdict(), self.said(Language::En));
         let head = html::head(self.name(), &said);
-        let Some(design) = self.made.as_ref().ok().filter(|d| d.infeasible.is_none()) else {
+        let Some(design) = self.shown().ok().filter(|d| d.infeasible.is_none()) else {
             return Ok(head);
         };
         let pictures = py.detach(|| {

@@ -2,9 +2,8 @@
 
 use std::sync::Arc;
 
-use gaitcam::Problem;
-use gaitcam::error::{Result, is_no_cam};
-use gaitcam::synth::Search;
+use gaitcam::error::Result;
+use gaitcam::synth::{Outcome, Search};
 use gaitcam_app::Input;
 use gaitcam_output::Timing;
 use pyo3::exceptions::PyTypeError;
@@ -82,7 +81,7 @@ pub(crate) fn answer(
         total_s: interrupt.elapsed_s(),
     };
     Ok(Design {
-        made,
+        outcome: made,
         input,
         asked,
         force,
@@ -96,19 +95,15 @@ fn made(
     input: &Input,
     force: Option<&Force>,
     interrupt: &Arc<Interrupt>,
-) -> Result<(Result<gaitcam::Design>, f64)> {
+) -> Result<(Outcome, f64)> {
     let named = match force {
         Some(_) => None,
         None => input.target()?,
     };
     let target = force.map(|f| &f.curve).or(named.as_ref());
     let search = Search::until(interrupt.halt());
-    let problem = Problem::resolve(&input.scene, target)?;
     let begun = interrupt.elapsed_s();
-    let design = gaitcam::synth::design(&problem, &search);
+    let outcome = gaitcam::synth::answer(&input.scene, target, &search)?;
     let solve_s = interrupt.elapsed_s() - begun;
-    Ok(match design {
-        Err(why) if is_no_cam(&why) => (Err(why), solve_s),
-        design => (Ok(design?.relaxed_with(&search)), solve_s),
-    })
+    Ok((outcome.relaxed_with(&search), solve_s))
 }

@@ -5,7 +5,9 @@
 //! side, and so does a pivot (its sign).
 
 use super::{Cam, Follower, ProfilePoint, SizeLimits, smallest_for};
-use crate::error::{CamError, Result};
+use serde_json::json;
+
+use crate::error::{CamError, CamInputError, Result};
 use crate::units::Quantity;
 use serde::Serialize;
 
@@ -94,10 +96,10 @@ impl Conjugate {
                 second.follower = second.follower.with_base_radius(base);
             }
             Closure::Distance(_) if first.follower.is_oscillating() => {
-                return Err(CamError::ArmsByDistance.into());
+                return Err(CamInputError::ArmsByDistance.into());
             }
             Closure::Angle(_) if !first.follower.is_oscillating() => {
-                return Err(CamError::SlidesByAngle.into());
+                return Err(CamInputError::SlidesByAngle.into());
             }
             Closure::Distance(total) | Closure::Angle(total) => {
                 let start = total - reach;
@@ -107,12 +109,13 @@ impl Conjugate {
                     .ok_or_else(|| no_conjugate(&second, reach, total))?;
             }
         }
-        check(&second).map_err(|e| match e.fault::<CamError>() {
-            Some(because) => CamError::SecondCam {
-                because: Box::new(because.clone()),
-            }
-            .into(),
-            None => e,
+        check(&second).map_err(|e| {
+            let because = match (e.fault::<CamError>(), e.fault::<CamInputError>()) {
+                (Some(fault), _) => json!(fault),
+                (None, Some(fault)) => json!(fault),
+                (None, None) => return e,
+            };
+            CamError::SecondCam { because }.into()
         })?;
         let total = reach + second.follower.start_place();
         Ok(Conjugate {
@@ -182,7 +185,7 @@ fn opposite(first: &Follower, radius: f64) -> Result<Follower> {
         }
         Follower::FlatOscillating { pivot_distance, .. } => *pivot_distance = -*pivot_distance,
         Follower::TranslatingCam { .. } | Follower::Barrel { .. } => {
-            return Err(CamError::NoConjugateOf {
+            return Err(CamInputError::NoConjugateOf {
                 follower: first.kind().name(),
             }
             .into());

@@ -1,7 +1,7 @@
 //! The smallest cam for a law: closed forms of theory §6.
 
 use super::{Cam, Follower};
-use crate::error::{CamError, Result};
+use crate::error::{CamError, CamInputError, Result};
 use crate::law::Law;
 
 /// A prime circle and the offset of the follower's line of motion, m.
@@ -138,7 +138,7 @@ pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
         return Ok(smallest_base_radius(&cam.law, limits.rho_min));
     }
     if matches!(cam.follower, Follower::TranslatingCam { .. }) {
-        return Err(CamError::TranslatingHeight.into());
+        return Err(CamInputError::TranslatingHeight.into());
     }
     let at = |base: f64| Cam {
         law: cam.law.clone(),

@@ -1,11 +1,12 @@
 //! Faults in the lengths of a cam and its follower: no cam has them.
 
 use serde::Serialize;
+use serde_json::Value;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// What is wrong with a follower, a size, a conjugate pair or a groove.
+/// Why no cam has the lengths of a follower, a size, a conjugate pair or a groove.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -24,10 +25,6 @@ use crate::units::Quantity;
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum CamError {
-    /// A length has to be more than 0.
-    NotPositive { length: CamLength, value: Quantity },
-    /// A length is not a finite number.
-    NotFinite { length: CamLength },
     /// Roller or arc are as large as the prime circle.
     RollerFillsCam { radius: Quantity, prime: Quantity },
     /// The offset is not smaller than the prime radius.
@@ -71,14 +68,8 @@ pub enum CamError {
         reach: Quantity,
         at: Quantity,
     },
-    /// A distance does not define a pair of oscillating followers.
-    ArmsByDistance,
-    /// An angle does not define a pair of translating followers.
-    SlidesByAngle,
-    /// The follower has no conjugate cam.
-    NoConjugateOf { follower: &'static str },
-    /// The second cam of a pair does not exist.
-    SecondCam { because: Box<CamError> },
+    /// The second cam of a pair does not exist; the reason is a fault of it as it serialises.
+    SecondCam { because: Value },
     /// No second cam closes the pair at this total.
     NoConjugate {
         total: Quantity,
@@ -86,8 +77,6 @@ pub enum CamError {
         least: Option<Quantity>,
         base: Option<Quantity>,
     },
-    /// The base height of a translating cam has no smallest value.
-    TranslatingHeight,
     /// No base radius satisfies the limits.
     NoSize { follower: &'static str },
     /// The floor of a groove is not below its surface.
@@ -99,6 +88,38 @@ pub enum CamError {
     },
     /// The roller is as large as the floor radius of its groove.
     GrooveFloor { radius: Quantity, floor: Quantity },
+}
+
+/// What is wrong with lengths that are given, or with measured points.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::error::CamInputError;
+/// use gaitcam::law::Law;
+///
+/// let follower = Follower::RollerTranslating { prime_radius: -0.05, offset: 0.0, roller_radius: 0.01 };
+/// let error = Cam::new(Law::harmonic(0.0, &[]), follower).unwrap_err();
+/// assert!(matches!(error.fault(), Some(CamInputError::NotPositive { .. })));
+/// assert!(!error.is_answer());
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // the fields are named in the messages
+pub enum CamInputError {
+    /// A length has to be more than 0.
+    NotPositive { length: CamLength, value: Quantity },
+    /// A length is not a finite number.
+    NotFinite { length: CamLength },
+    /// A distance does not define a pair of oscillating followers.
+    ArmsByDistance,
+    /// An angle does not define a pair of translating followers.
+    SlidesByAngle,
+    /// The follower has no conjugate cam.
+    NoConjugateOf { follower: &'static str },
+    /// The base height of a translating cam has no smallest value.
+    TranslatingHeight,
     /// Too few measured points.
     MeasuredFew { points: usize, least: usize },
     /// A measured point is not finite.
@@ -119,12 +140,12 @@ pub enum CamError {
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
-/// use gaitcam::error::{CamError, CamLength};
+/// use gaitcam::error::{CamInputError, CamLength};
 /// use gaitcam::law::Law;
 ///
 /// let follower = Follower::RollerTranslating { prime_radius: 0.05, offset: f64::NAN, roller_radius: 0.01 };
 /// let error = Cam::new(Law::harmonic(0.0, &[]), follower).unwrap_err();
-/// assert_eq!(error.fault(), Some(&CamError::NotFinite { length: CamLength::Offset }));
+/// assert_eq!(error.fault(), Some(&CamInputError::NotFinite { length: CamLength::Offset }));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]

@@ -56,29 +56,6 @@ pub enum LawError {
         first: SegmentName,
         second: SegmentName,
     },
-    /// The lift jumps between two segments.
-    LiftJump {
-        before: SegmentName,
-        after: SegmentName,
-        at: Quantity,
-        jump: Quantity,
-    },
-    /// The velocity jumps between two segments.
-    VelocityJump {
-        before: SegmentName,
-        after: SegmentName,
-        at: Quantity,
-        jump: Quantity,
-        from: Quantity,
-        to: Quantity,
-        cure: JoinCure,
-    },
-    /// The lift falls below the base circle.
-    BelowBaseCircle {
-        segment: SegmentName,
-        depth: Quantity,
-        at: Quantity,
-    },
     /// The half turn of a constant-breadth cam is not half a turn.
     BreadthAngle { covered: Quantity },
     /// A general polynomial in the half turn of a constant-breadth cam.
@@ -173,6 +150,49 @@ pub enum LawError {
     SplineLevel { spline: String },
 }
 
+/// Why a programme of segments gives no law that a follower can run.
+///
+/// ```
+/// use gaitcam::error::JoinError;
+/// use gaitcam::law::{Extent, Rise, Segment, program};
+///
+/// // The lift does not return to its start.
+/// let up = Segment { motion: Rise::Poly345, lift: 0.02, angle: std::f64::consts::TAU };
+/// let error = program(&[up], Extent::TURN).unwrap_err();
+/// assert!(matches!(error.fault(), Some(JoinError::LiftJump { .. })));
+/// assert!(error.is_answer());
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // the fields are named in the messages
+pub enum JoinError {
+    /// The lift jumps between two segments.
+    LiftJump {
+        before: SegmentName,
+        after: SegmentName,
+        at: Quantity,
+        jump: Quantity,
+    },
+    /// The velocity jumps between two segments.
+    VelocityJump {
+        before: SegmentName,
+        after: SegmentName,
+        at: Quantity,
+        jump: Quantity,
+        from: Quantity,
+        to: Quantity,
+        cure: JoinCure,
+    },
+    /// The lift falls below the base circle.
+    BelowBaseCircle {
+        segment: SegmentName,
+        depth: Quantity,
+        at: Quantity,
+    },
+}
+
 /// A segment of a programme in a message.
 ///
 /// ```
@@ -209,7 +229,7 @@ impl SegmentName {
 /// Change that makes the velocity continuous between two segments.
 ///
 /// ```
-/// use gaitcam::error::{JoinCure, LawError};
+/// use gaitcam::error::{JoinCure, JoinError};
 /// use gaitcam::law::{Extent, Rise, Segment, program};
 ///
 /// // Constant velocity next to a dwell is a jump of velocity.
@@ -221,7 +241,7 @@ impl SegmentName {
 ///     segment(Rise::Poly345, -0.02, pi),
 /// ];
 /// let error = program(&list, Extent::TURN).unwrap_err();
-/// let Some(LawError::VelocityJump { cure, .. }) = error.fault() else { panic!("{error}") };
+/// let Some(JoinError::VelocityJump { cure, .. }) = error.fault() else { panic!("{error}") };
 /// let JoinCure::PutBetween { segment } = cure else { panic!("{cure:?}") };
 /// assert_eq!(segment.number(), 1);
 /// ```

@@ -63,6 +63,23 @@ pub enum LogError {
     NoTurn,
     /// Nothing to correct a force to.
     NoTarget,
+}
+
+/// Why a log gives no new cam.
+///
+/// ```
+/// use gaitcam::error::{Error, NoNewCamError};
+/// use gaitcam::units::Quantity;
+///
+/// let [residual, noise] = [0.2, 0.3].map(Quantity::force);
+/// assert!(Error::from(NoNewCamError::Noise { residual, noise }).is_answer());
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // the fields are named in the messages
+pub enum NoNewCamError {
     /// What repeats is no more than noise.
     Noise { residual: Quantity, noise: Quantity },
 }

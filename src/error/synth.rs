@@ -65,25 +65,12 @@ pub enum SynthError {
     NotOfPopulation,
     /// Several cams for one walker.
     OneWalker,
-    /// No law even without the limits; a [`Reason`](crate::synth::Reason) as it serialises.
-    /// No law exists, with the reason as data.
-    NoLaw { reason: Value },
     /// The solver failed.
     SearchFailed { fault: String },
     /// More harmonics than the samples of the force hold.
     TooManyHarmonics { samples: usize, most: usize },
     /// Spring and inertia cancel at a harmonic of the force.
     Resonance { harmonic: usize },
-    /// The law does not keep a breadth.
-    NoConstantBreadth {
-        sum: Quantity,
-        miss: Quantity,
-        at: Quantity,
-    },
-    /// The breadth is smaller than base circle and lift need.
-    BreadthTooSmall { breadth: Quantity, lift: Quantity },
-    /// No prime circle is large enough.
-    NoPrimeCircle,
     /// The follower needs this key.
     FollowerNeeds,
     /// A range of angles is not within one turn.
@@ -112,8 +99,6 @@ pub enum SynthError {
     PointsEmpty,
     /// The family follows a force.
     FamilyNeedsForce,
-    /// The search found no double harmonic law.
-    NoDoubleHarmonic,
     /// No double harmonic comes nearer to the force than rest.
     DoubleHarmonicUseless,
     /// Two dwells overlap.
@@ -122,4 +107,38 @@ pub enum SynthError {
     DwellsFillTurn,
     /// A point lies outside the turn.
     PointOutside { at: Quantity },
+}
+
+/// Why no cam does what a scene asks for.
+///
+/// ```
+/// use gaitcam::error::NoDesignError;
+/// use gaitcam::scene;
+///
+/// // A cam of constant breadth under a law that has none.
+/// let scene = scene::built_in("camdas_06_constant_breadth")?.scene()?;
+/// let error = scene.with("cam.breadth", "10 mm")?.design().unwrap_err();
+/// assert!(matches!(error.fault(), Some(NoDesignError::BreadthTooSmall { .. })), "{error}");
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // the fields are named in the messages
+pub enum NoDesignError {
+    /// No law exists even without the limits; the reason is a [`Reason`](crate::synth::Reason) as it serialises.
+    NoLaw { reason: Value },
+    /// The law does not keep a breadth.
+    NoConstantBreadth {
+        sum: Quantity,
+        miss: Quantity,
+        at: Quantity,
+    },
+    /// The breadth is smaller than base circle and lift need.
+    BreadthTooSmall { breadth: Quantity, lift: Quantity },
+    /// No prime circle is large enough.
+    NoPrimeCircle,
+    /// The search found no double harmonic law.
+    NoDoubleHarmonic,
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
 
-use crate::error::{Error, LogError, Placed, Result};
+use crate::error::{Error, Fault, LogError, Placed, Result};
 use crate::force::NumberTable;
 
 /// Columns of a log, in the order of [`Log::columns`].
@@ -117,7 +117,7 @@ impl Log {
     }
 
     /// A fault of the whole log.
-    pub(super) fn refused(&self, fault: LogError) -> Error {
+    pub(super) fn refused(&self, fault: impl Fault) -> Error {
         fault.in_file(&self.path)
     }
 

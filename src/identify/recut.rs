@@ -7,7 +7,7 @@ use super::log::Log;
 use super::model::{ANGLES, Machine, Term, angle};
 use super::{Fitted, Identified, held, identified};
 use crate::drive::{Drive, DriveKind};
-use crate::error::{LogError, Result};
+use crate::error::{LogError, NoNewCamError, Result};
 use crate::force::ForceCurve;
 use crate::poly::amplitudes;
 use crate::problem::Problem;
@@ -89,7 +89,7 @@ pub fn recut(
         let newtons = |x: f64| Quantity::force(design.problem.drive.newtons(x));
         let scatter: f64 = noise[1..].iter().sum();
         let (residual, noise) = (newtons(rms(&news, from)), newtons((0.5 * scatter).sqrt()));
-        return Err(log.refused(LogError::Noise { residual, noise }));
+        return Err(log.refused(NoNewCamError::Noise { residual, noise }));
     }
     let is_used = |(i, _): &(usize, &Term)| found.parameters[*i].identifiable;
     let used: Vec<(f64, &Term)> = (fitted.terms.iter().enumerate().filter(is_used))

@@ -5,8 +5,9 @@ use std::collections::BTreeSet;
 use gaitcam::cam::{Criterion, LimitKind};
 use gaitcam::dynamics::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
 use gaitcam::error::{
-    CamError, DynamicsError, Error, FileError, JoinCure, LawError, LogError, SceneError,
-    SegmentName, SweepError, SynthError, WriteError,
+    CamError, CamInputError, DynamicsError, Error, FileError, JoinCure, JoinError, LawError,
+    LogError, NoDesignError, NoNewCamError, SceneError, SegmentName, SweepError, SynthError,
+    WriteError,
 };
 use gaitcam::law::End;
 use gaitcam::problem;
@@ -24,6 +25,7 @@ use gaitcam_test_support::words::assert_same_messages;
 fn areas() -> Vec<(&'static str, &'static [&'static str])> {
     vec![
         ("cam", CamError::VARIANTS),
+        ("cam", CamInputError::VARIANTS),
         ("dynamics", DynamicsError::VARIANTS),
         ("model", ModelReason::VARIANTS),
         ("model", LiftoffMargin::VARIANTS),
@@ -31,9 +33,11 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("model", Vibration::VARIANTS),
         ("run", RunNote::VARIANTS),
         ("law", LawError::VARIANTS),
+        ("law", JoinError::VARIANTS),
         ("law", SegmentName::VARIANTS),
         ("law", JoinCure::VARIANTS),
         ("log", LogError::VARIANTS),
+        ("log", NoNewCamError::VARIANTS),
         ("scene", SceneError::VARIANTS),
         ("reason", Reason::VARIANTS),
         ("reason", Change::VARIANTS),
@@ -47,6 +51,7 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("differs", Difference::VARIANTS),
         ("sweep", SweepError::VARIANTS),
         ("synth", SynthError::VARIANTS),
+        ("synth", NoDesignError::VARIANTS),
         ("write", WriteError::VARIANTS),
     ]
 }

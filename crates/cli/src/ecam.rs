@@ -52,7 +52,7 @@ pub fn run(args: &EcamArgs) -> Result<u8> {
         set: Vec::new(),
     };
     let made = Made::read(&named, &[])?;
-    let (design, _) = made.design()?;
+    let design = made.design()?.0.built()?;
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("ecam-no-cam", &json!({"why": why})));
         return Ok(NO_SUCH_CAM);

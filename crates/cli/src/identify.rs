@@ -81,7 +81,7 @@ impl LoggedArgs {
     fn read(&self) -> Result<Option<(Input, Design, Log)>> {
         let log = Log::read(&self.log, &read_bytes(&self.log)?)?;
         let made = Made::read(&SceneArgs::of(self.design.clone()), &[])?;
-        let design = made.design()?.0;
+        let design = made.design()?.0.built()?;
         if let Some(why) = design.no_cam(language::current()) {
             report(words::fill("identify-no-cam", &json!({"why": why})));
             return Ok(None);

@@ -2,7 +2,7 @@
 
 use super::Geometry;
 use crate::cam::{Cam, Follower};
-use crate::error::{ArmFault, CamError, CamLength, Result};
+use crate::error::{ArmFault, CamError, CamInputError, CamLength, Result};
 use crate::units::Quantity;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -13,7 +13,7 @@ impl Cam {
     /// Undercut and steep pressure angles are not errors of the input; the verdict of a synthesis reports them.
     ///
     /// # Errors
-    /// The length or angle at fault, as a [`CamError`].
+    /// The length or angle at fault, as a [`CamError`] or a [`CamInputError`].
     pub fn check(&self) -> Result<()> {
         self.check_beside()?;
         match self.follower.pivot() {
@@ -156,7 +156,7 @@ impl Cam {
 }
 
 fn check_lengths(follower: &Follower) -> Result<()> {
-    let faulty = |length: CamLength, x: f64| CamError::NotPositive {
+    let faulty = |length: CamLength, x: f64| CamInputError::NotPositive {
         length,
         value: Quantity::length(x),
     };
@@ -169,7 +169,7 @@ fn check_lengths(follower: &Follower) -> Result<()> {
     };
     let finite = |length: CamLength, x: f64| match x.is_finite() {
         true => Ok(()),
-        false => Err(CamError::NotFinite { length }),
+        false => Err(CamInputError::NotFinite { length }),
     };
     let radius = follower.roller_radius();
     if follower.kind().is_mushroom() {

@@ -13,7 +13,7 @@ mod pose;
 use nalgebra::{Matrix3, Vector3};
 
 use super::{Cam, ProfilePoint};
-use crate::error::{CamError, Result};
+use crate::error::{CamInputError, Result};
 use crate::units::Quantity;
 use pose::{Pose, middle, wrapped};
 
@@ -157,7 +157,7 @@ impl Cam {
         let far = |pose: &Pose| pose.centre()[0].hypot(pose.centre()[1]);
         fits[..equal].sort_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
         let Some((least, pose, feet)) = fits.first() else {
-            return Err(CamError::MeasuredCircle.into());
+            return Err(CamInputError::MeasuredCircle.into());
         };
         if *least > OTHER * (high - low) {
             // Steps towards the points of another cam may lead ever farther away; laid on its middle they are near.
@@ -170,7 +170,7 @@ impl Cam {
             };
             let feet = points.iter().map(|m| exact.foot(laid.seen(*m)));
             let laid = rms(&feet.collect::<Vec<Foot>>());
-            return Err(CamError::MeasuredOther {
+            return Err(CamInputError::MeasuredOther {
                 distance: Quantity::length(least.min(laid)),
                 low: Quantity::length(low),
                 high: Quantity::length(high),
@@ -178,7 +178,7 @@ impl Cam {
             .into());
         }
         if !is_determined(feet, pose, high) {
-            return Err(CamError::MeasuredCircle.into());
+            return Err(CamInputError::MeasuredCircle.into());
         }
         let mut turns = vec![wrapped(-pose.angle)];
         for (off, pose, _) in &fits[1..] {
@@ -199,14 +199,14 @@ impl Cam {
     fn refuse_unfit(&self, points: &[[f64; 2]]) -> Result<()> {
         if self.follower.is_unrolled() {
             let follower = self.follower.name();
-            return Err(CamError::MeasuredUnrolled { follower }.into());
+            return Err(CamInputError::MeasuredUnrolled { follower }.into());
         }
         if let Some(row) = points.iter().position(|p| p.iter().any(|x| !x.is_finite())) {
-            return Err(CamError::MeasuredNotFinite { row: row + 1 }.into());
+            return Err(CamInputError::MeasuredNotFinite { row: row + 1 }.into());
         }
         if points.len() < FEWEST {
             let (points, least) = (points.len(), FEWEST);
-            return Err(CamError::MeasuredFew { points, least }.into());
+            return Err(CamInputError::MeasuredFew { points, least }.into());
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! Checks of a programme: total length, neighbouring segments, jumps at joints, lift below the base circle.
 
 use super::{Draft, Extent, JUMP, ROUNDING, Segment, name};
-use crate::error::{JoinCure, LawError, Result};
+use crate::error::{JoinCure, JoinError, LawError, Result};
 use crate::law::{Joint, Rise};
 use crate::units::{Dimension, Quantity};
 
@@ -98,7 +98,7 @@ pub fn joints(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()>
         let (before, after) = (name(segments, first), name(segments, second));
         let at = extent.quantity(joint.at);
         if joint.jump.s.abs() > JUMP * lift {
-            return Err(LawError::LiftJump {
+            return Err(JoinError::LiftJump {
                 before,
                 after,
                 at,
@@ -107,7 +107,7 @@ pub fn joints(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()>
             .into());
         }
         if joint.jump.v.abs() > JUMP * velocity {
-            return Err(LawError::VelocityJump {
+            return Err(JoinError::VelocityJump {
                 before,
                 after,
                 at,
@@ -158,7 +158,7 @@ pub fn base_circle(draft: &Draft, segments: &[Segment], extent: Extent) -> Resul
     let first = peaks.first();
     let (at, by) = first.map_or((low.at, -low.value), |peak| (peak.at, peak.value));
     let i = draft.holding(at) - 1;
-    Err(LawError::BelowBaseCircle {
+    Err(JoinError::BelowBaseCircle {
         segment: name(segments, i),
         depth: Quantity::length(by),
         at: extent.quantity(at),

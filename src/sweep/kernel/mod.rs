@@ -13,17 +13,17 @@ use std::sync::{Arc, OnceLock, RwLock};
 use toml::Table;
 
 use crate::cam::Verdict;
-use crate::error::{Error, Result, SweepError, is_no_cam};
+use crate::error::{Error, Result, SweepError};
 use crate::force::ForceCurve;
 use crate::halt::Halt;
-use crate::problem::{MeanForce, Problem, Requirements, open_questions};
+use crate::problem::{MeanForce, Requirements, open_questions};
 use crate::scene::{self, Gait, Scene, Source};
 use crate::sweep::plan::NamedScene;
 use crate::sweep::plan::batch::{Batch, Column};
 use crate::sweep::plan::key::Key;
 use crate::sweep::table::results::{Outcome, Row};
 use crate::synth::spectral::{self, Series};
-use crate::synth::{Search, design};
+use crate::synth::{self, Search, answer};
 
 /// Gives the force curve that a scene names in a file; the first argument is the base scene's index.
 pub type Targets<'a> = &'a (dyn Fn(usize, &Scene) -> Result<ForceCurve> + Sync);
@@ -244,18 +244,17 @@ impl<'a> Kernel<'a> {
         let search = Search::until((self.halts)());
         let answer = self
             .curve(index, scene, source)
-            .and_then(|force| Problem::resolve(scene, force.as_ref()))
-            .and_then(|problem| design(&problem, &search));
+            .and_then(|force| answer(scene, force.as_ref(), &search));
         match answer {
             // A result that a clock cut short differs from run to run.
-            Ok(design) if design.out_of_time => {
+            Ok(synth::Outcome::Built(design)) if design.out_of_time => {
                 Row::error(Error::from(SweepError::OutOfTime).to_string())
             }
-            Ok(design) => Row::of(&design),
-            Err(e) if is_no_cam(&e) => Row {
+            Ok(synth::Outcome::Built(design)) => Row::of(&design),
+            Ok(synth::Outcome::NoCam(why)) => Row {
                 outcome: Outcome::Infeasible,
                 verdict: Some(Verdict::Unacceptable),
-                ..Row::error(e.to_string())
+                ..Row::error(why.to_string())
             },
             Err(e) => Row::error(e.to_string()),
         }

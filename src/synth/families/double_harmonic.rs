@@ -13,7 +13,7 @@ use argmin_math::{ArgminAdd, ArgminMul, ArgminSub};
 use super::harmonic::no_force;
 use super::solved::SolvedLaw;
 use crate::drive::Drive;
-use crate::error::{Placed, Result, SynthError};
+use crate::error::{NoDesignError, Placed, Result, SynthError};
 use crate::law::{Extent, Law, Rise, Segment, assemble};
 use crate::poly::gauss_legendre;
 use crate::problem::Problem;
@@ -145,7 +145,7 @@ impl Search<'_> {
                 }
             }
         }
-        let (cost, raw) = best.ok_or(SynthError::NoDoubleHarmonic)?;
+        let (cost, raw) = best.ok_or(NoDesignError::NoDoubleHarmonic)?;
         Ok((cost, admissible(raw), evaluations))
     }
 

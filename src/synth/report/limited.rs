@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 use super::named::key_of;
 use super::reason::{Reason, sentences};
 use crate::cam::{Criterion, Measures, Unit};
-use crate::error::SynthError;
+use crate::error::NoDesignError;
 use crate::synth::qp::Demand;
 use crate::units::Dimension;
 use crate::wording::{self, Language};
@@ -22,9 +22,9 @@ impl Infeasible {
     }
 
     /// The same as the fault of a scene for which there is nothing to show.
-    pub(in crate::synth) fn no_law(&self) -> SynthError {
+    pub(in crate::synth) fn no_law(&self) -> NoDesignError {
         let reason = serde_json::to_value(self.reasons.first()).unwrap_or_default();
-        SynthError::NoLaw { reason }
+        NoDesignError::NoLaw { reason }
     }
 
     /// The key of the demands at fault; that of the law where points and dwells are.

@@ -9,7 +9,7 @@ use crate::cam::{
     PrimeCircle, Rollers, SizeLimits, least_between, smallest_base_radius, smallest_for,
     smallest_prime_circle,
 };
-use crate::error::{Error, Placed, Result, SynthError};
+use crate::error::{Error, NoDesignError, Placed, Result, SynthError};
 use crate::law::Law;
 use crate::problem::{Note, Problem, Size, USUAL_PRESSURE_ANGLE};
 use crate::synth::limits::{self, NEARLY_RIGHT};
@@ -127,7 +127,7 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
         .map(|theta| (theta, (sum(theta) - lift).abs()))
         .max_by(|a, b| a.1.total_cmp(&b.1));
     if let Some((at, miss)) = worst.filter(|w| w.1 > BREADTH * law.stroke()) {
-        return Err(key(SynthError::NoConstantBreadth {
+        return Err(key(NoDesignError::NoConstantBreadth {
             sum: Quantity::length(lift),
             miss: Quantity::length(miss),
             at: Quantity::angle(at),
@@ -138,7 +138,7 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
     let place = 0.5 * (breadth - lift);
     let offset = spec.offset.unwrap_or(0.0);
     if place <= 0.0 {
-        return Err(key(SynthError::BreadthTooSmall {
+        return Err(key(NoDesignError::BreadthTooSmall {
             breadth: Quantity::length(breadth),
             lift: Quantity::length(lift),
         }
@@ -283,7 +283,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     let high = (0..GROWTHS)
         .map(|k| first * GROWTH.powi(k))
         .find(|&d| holds(d))
-        .ok_or_else(|| SynthError::NoPrimeCircle.at_key("limits.curvature"))?;
+        .ok_or_else(|| NoDesignError::NoPrimeCircle.at_key("limits.curvature"))?;
     let distance = least_between(lift, high, BISECTION, holds);
     make(distance.hypot(offset), offset)
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use gaitcam::cam::{Cam, Deviation, Follower, Inspection};
-use gaitcam::error::{CamError, Error};
+use gaitcam::error::{CamInputError, Error};
 use gaitcam::law::Law;
 use gaitcam::sweep::MadeCam;
 use gaitcam::synth::Design;
@@ -144,10 +144,10 @@ fn a_cam_that_repeats_itself_fits_at_every_repetition() {
     }
 }
 
-fn fault(result: Result<Inspection, Error>) -> CamError {
+fn fault(result: Result<Inspection, Error>) -> CamInputError {
     let error = result.unwrap_err();
     error
-        .fault::<CamError>()
+        .fault::<CamInputError>()
         .cloned()
         .expect("a fault of the cam")
 }
@@ -159,7 +159,7 @@ fn points_that_say_nothing_about_this_cam_are_refused() {
     let few = cam.inspect(&points[..11], 0.0);
     assert!(matches!(
         fault(few),
-        CamError::MeasuredFew {
+        CamInputError::MeasuredFew {
             points: 11,
             least: 12
         }
@@ -168,16 +168,17 @@ fn points_that_say_nothing_about_this_cam_are_refused() {
     bad[6][1] = f64::NAN;
     assert!(matches!(
         fault(cam.inspect(&bad, 0.0)),
-        CamError::MeasuredNotFinite { row: 7 }
+        CamInputError::MeasuredNotFinite { row: 7 }
     ));
     assert!(matches!(
         fault(flat(0.04).inspect(&points, 0.0)),
-        CamError::MeasuredOther { .. }
+        CamInputError::MeasuredOther { .. }
     ));
     // Other units: laid on one another, no point is farther from the profile than both together are wide.
     for scale in [3.0, 10.0, 25.4, 1e3] {
         let other: Vec<[f64; 2]> = points.iter().map(|p| p.map(|x| scale * x)).collect();
-        let CamError::MeasuredOther { distance, high, .. } = fault(cam.inspect(&other, 0.0)) else {
+        let CamInputError::MeasuredOther { distance, high, .. } = fault(cam.inspect(&other, 0.0))
+        else {
             panic!("{scale}");
         };
         let reach = other.iter().map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
@@ -193,7 +194,7 @@ fn points_that_say_nothing_about_this_cam_are_refused() {
     )
     .unwrap();
     let round = disc.inspect(&measured(&disc, &[0.0; POINTS], 0.0), 0.0);
-    assert!(matches!(fault(round), CamError::MeasuredCircle));
+    assert!(matches!(fault(round), CamInputError::MeasuredCircle));
 }
 
 #[test]
@@ -217,7 +218,7 @@ fn a_disc_with_a_second_sine_of_a_micrometre_is_no_circle() {
             let rough = |i: usize| 20.0 * small * (37.0 * i as f64).sin();
             let scatter: Vec<f64> = (0..POINTS).map(rough).collect();
             let rough = cam.inspect(&measured(&cam, &scatter, 0.0), 0.0);
-            assert!(small > 1e-4 || matches!(fault(rough), CamError::MeasuredCircle));
+            assert!(small > 1e-4 || matches!(fault(rough), CamInputError::MeasuredCircle));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Programmes of motions against CAM-DAS's printed figures, and programmes that cannot be.
 
-use gaitcam::error::{JoinCure, LawError};
+use gaitcam::error::{Fault, JoinCure, JoinError, LawError};
 use gaitcam::law::{Extent, Law, Rise, Segment, constant_breadth, program};
 use gaitcam::units::Quantity;
 use gaitcam_test_support::segments;
@@ -136,12 +136,9 @@ fn general_polynomials_take_their_ends_from_their_neighbours() {
 }
 
 /// The fault of a programme that is refused.
-fn fault(segments: &[(&str, f64, f64)]) -> LawError {
+fn fault<F: Fault + Clone>(segments: &[(&str, f64, f64)]) -> F {
     let error = turn(segments).unwrap_err();
-    error
-        .fault::<LawError>()
-        .cloned()
-        .expect("a fault of the law")
+    error.fault::<F>().cloned().expect("a fault of the law")
 }
 
 fn is_near(x: Quantity, wanted: f64) -> bool {
@@ -150,7 +147,7 @@ fn is_near(x: Quantity, wanted: f64) -> bool {
 
 #[test]
 fn refused_programmes_name_the_segment() {
-    let short = fault(&[
+    let short: LawError = fault(&[
         ("3-4-5", 1.0, 90.0),
         ("dwell", 0.0, 90.0),
         ("3-4-5", -1.0, 90.0),
@@ -160,18 +157,18 @@ fn refused_programmes_name_the_segment() {
         matches!(short, LawError::Uncovered { missing, .. } if is_near(missing, 10f64.to_radians())),
         "{short:?}"
     );
-    let below = fault(&[
+    let below: JoinError = fault(&[
         ("3-4-5", -0.01, 90.0),
         ("dwell", 0.0, 90.0),
         ("3-4-5", 0.01, 90.0),
         ("dwell", 0.0, 90.0),
     ]);
     assert!(
-        matches!(&below, LawError::BelowBaseCircle { segment, depth, .. }
+        matches!(&below, JoinError::BelowBaseCircle { segment, depth, .. }
             if segment.number() == 1 && is_near(*depth, 0.01)),
         "{below:?}"
     );
-    let twins = fault(&[
+    let twins: LawError = fault(&[
         ("polynomial-5", 1.0, 90.0),
         ("polynomial-7", -1.0, 90.0),
         ("dwell", 0.0, 180.0),
@@ -181,9 +178,9 @@ fn refused_programmes_name_the_segment() {
             if first.number() == 1 && second.number() == 2),
         "{twins:?}"
     );
-    let moving = fault(&[("dwell", 0.1, 360.0)]);
+    let moving: LawError = fault(&[("dwell", 0.1, 360.0)]);
     assert!(matches!(moving, LawError::DwellLift { .. }), "{moving:?}");
-    let negative = fault(&[("3-4-5", 1.0, -10.0), ("3-4-5", -1.0, 370.0)]);
+    let negative: LawError = fault(&[("3-4-5", 1.0, -10.0), ("3-4-5", -1.0, 370.0)]);
     assert!(
         matches!(&negative, LawError::SegmentLength { segment, .. } if segment.number() == 1),
         "{negative:?}"
@@ -192,29 +189,29 @@ fn refused_programmes_name_the_segment() {
 
 #[test]
 fn jumps_between_segments_are_refused_with_their_cure() {
-    let line = fault(&[
+    let line: JoinError = fault(&[
         ("constant-velocity", 1.0, 90.0),
         ("dwell", 0.0, 90.0),
         ("3-4-5", -1.0, 180.0),
     ]);
     assert!(
-        matches!(&line, LawError::VelocityJump { after, cure: JoinCure::PutBetween { .. }, .. }
+        matches!(&line, JoinError::VelocityJump { after, cure: JoinCure::PutBetween { .. }, .. }
             if after.number() == 1),
         "{line:?}"
     );
-    let open = fault(&[("3-4-5", 1.0, 180.0), ("3-4-5", -0.5, 180.0)]);
+    let open: JoinError = fault(&[("3-4-5", 1.0, 180.0), ("3-4-5", -0.5, 180.0)]);
     assert!(
-        matches!(&open, LawError::LiftJump { before, .. } if before.number() == 2),
+        matches!(&open, JoinError::LiftJump { before, .. } if before.number() == 2),
         "{open:?}"
     );
-    let half = fault(&[
+    let half: JoinError = fault(&[
         ("semicycloidal-start", 1.0, 60.0),
         ("constant-velocity", 1.0, 40.0),
         ("semicycloidal-end", 1.0, 60.0),
         ("3-4-5", -3.0, 200.0),
     ]);
     assert!(
-        matches!(half, LawError::VelocityJump { cure: JoinCure::LetCover { length, .. }, .. }
+        matches!(half, JoinError::VelocityJump { cure: JoinCure::LetCover { length, .. }, .. }
             if is_near(length, 30f64.to_radians())),
         "{half:?}"
     );

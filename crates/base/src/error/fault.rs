@@ -41,6 +41,8 @@ pub trait Fault: Serialize + PartialEq + Debug + Send + Sync + 'static {
     const CODES: &'static str = Self::AREA;
     /// Its sentences.
     const WORDS: &'static Catalogue;
+    /// Whether its faults are answers: the input can be read, but nothing does what it asks for.
+    const IS_ANSWER: bool = false;
 }
 
 /// A fault of any area, or one with a sentence of its own.
@@ -49,6 +51,9 @@ pub trait AnyFault: Debug + Send + Sync {
     fn what(&self, language: Language) -> String;
     fn help(&self, _: Language) -> Option<String> {
         None
+    }
+    fn is_answer(&self) -> bool {
+        false
     }
     fn as_any(&self) -> &dyn Any;
     fn equals(&self, other: &dyn Any) -> bool;
@@ -65,6 +70,10 @@ impl<F: Fault> AnyFault for F {
 
     fn help(&self, language: Language) -> Option<String> {
         F::WORDS.of(language).help(F::AREA, self)
+    }
+
+    fn is_answer(&self) -> bool {
+        F::IS_ANSWER
     }
 
     fn as_any(&self) -> &dyn Any {

@@ -101,6 +101,11 @@ impl Error {
         self.fault.code()
     }
 
+    /// Whether it is an answer: the input can be read, but nothing does what it asks for.
+    pub fn is_answer(&self) -> bool {
+        self.fault.is_answer()
+    }
+
     /// What is wrong, without the place.
     pub fn what(&self, language: Language) -> String {
         self.fault.what(language)

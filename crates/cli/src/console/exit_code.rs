@@ -1,7 +1,7 @@
 //! Exit codes of the command.
 
 use gaitcam::cam::Verdict;
-use gaitcam::error::{Error, is_no_cam};
+use gaitcam::error::Error;
 
 /// Built, and every check passes.
 pub const BUILT: u8 = 0;
@@ -16,7 +16,7 @@ pub const INTERRUPTED: u8 = 130;
 
 /// The exit code of an error.
 pub fn of_error(error: &Error) -> u8 {
-    if is_no_cam(error) {
+    if error.is_answer() {
         NO_SUCH_CAM
     } else {
         BAD_INPUT

@@ -7,11 +7,10 @@ use serde_json::{Value, json};
 use super::cover::{aligned, folder_of, of_unit, reason, scene_of};
 use crate::console::error::CliError;
 use crate::console::words::{self, fixed};
-use gaitcam::Problem;
 use gaitcam::cover::{Assigned, served_by};
 use gaitcam::error::{Placed, Result};
 use gaitcam::force::{ForceCurve, Walker};
-use gaitcam::synth::{Search, design};
+use gaitcam::synth::{Search, answer};
 use gaitcam_app::Input;
 use gaitcam_app::read::read_text;
 
@@ -75,8 +74,8 @@ fn serving(folder: &Path, cams: usize, force: &ForceCurve) -> Result<Vec<Assigne
     let (mut designs, mut scene) = (Vec::new(), None);
     for cam in 0..cams {
         let input = Input::open(&folder.join(scene_of(cam)))?;
-        let problem = Problem::resolve(&input.scene, input.target()?.as_ref())?;
-        designs.push(design(&problem, &Search::default())?);
+        let outcome = answer(&input.scene, input.target()?.as_ref(), &Search::default())?;
+        designs.push(outcome.built()?);
         scene = Some(input.scene);
     }
     scene.map_or(Ok(Vec::new()), |scene| served_by(&scene, &designs, force))

@@ -8,7 +8,7 @@ use crate::console::language;
 use crate::input::searching;
 use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::scene::{Scene, set};
-use gaitcam::synth::Design;
+use gaitcam::synth::Outcome;
 use gaitcam_app::design::{is_of_machine, put_on};
 
 /// A flag that stands for a key of the machine.
@@ -87,11 +87,13 @@ impl Made {
     ///
     /// # Errors
     /// Faults of the scene, its force or the other drive.
-    pub fn design(&self) -> Result<(Design, Option<Error>)> {
-        let design = searching::design(&self.input)?;
-        match self.other_machine {
-            true => put_on(design, &self.running),
-            false => Ok((design, None)),
+    pub fn design(&self) -> Result<(Outcome, Option<Error>)> {
+        match searching::answer(&self.input)? {
+            Outcome::Built(design) if self.other_machine => {
+                let (design, missing) = put_on(*design, &self.running)?;
+                Ok((Outcome::Built(Box::new(design)), missing))
+            }
+            outcome => Ok((outcome, None)),
         }
     }
 }

@@ -4,10 +4,9 @@ use std::sync::mpsc::RecvTimeoutError;
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use gaitcam::Problem;
 use gaitcam::error::{Placed, Result};
 use gaitcam::halt::Halt;
-use gaitcam::synth::{self, Design, Search};
+use gaitcam::synth::{self, Outcome, Search};
 use gaitcam_app::{Input, PATIENCE};
 use serde_json::json;
 
@@ -77,11 +76,9 @@ impl TimeLimit {
     }
 }
 
-/// The design of a scene within the usual time.
-pub fn design(input: &Input) -> Result<Design> {
-    let target = input.target()?;
-    let problem = Problem::resolve(&input.scene, target.as_ref())?;
-    synth::design(&problem, &search())
+/// The answer to a scene within the usual time.
+pub fn answer(input: &Input) -> Result<Outcome> {
+    synth::answer(&input.scene, input.target()?.as_ref(), &search())
 }
 
 /// The search for a design on the way to another answer.

@@ -69,7 +69,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         set: args.set.clone(),
     };
     let made = Made::read(&named, &[])?;
-    let (design, input) = (made.design()?.0, made.input);
+    let (design, input) = (made.design()?.0.built()?, made.input);
     if let Some(infeasible) = &design.infeasible {
         let why = sentences(&infeasible.reasons, language::current());
         report(words::fill("inspect-no-cam", &json!({"why": why})));

@@ -6,12 +6,11 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use gaitcam::Problem;
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::{self, Feet, Interpretation, ReadOptions};
 use gaitcam::scene::{self, Scene};
-use gaitcam::synth::{Search, design, sentences};
+use gaitcam::synth::{Search, answer, sentences};
 use serde_json::json;
 use toml::Table;
 
@@ -226,12 +225,12 @@ fn examine_design(input: &Input, time: TimeLimit) -> Result<u8> {
     let target = input.target()?;
     let shown = time.shown();
     let search = Search::until(time.of_design());
-    let problem = Problem::resolve(&input.scene, target.as_ref());
-    let design = match problem.and_then(|problem| design(&problem, &search)) {
-        Ok(design) => design.relaxed_with(&search),
+    let outcome = answer(&input.scene, target.as_ref(), &search);
+    let design = match outcome.and_then(|outcome| outcome.relaxed_with(&search).built()) {
+        Ok(design) => design,
         Err(fault) => {
             bad(&fault.sentence(language::current()));
-            return Ok(BAD_INPUT);
+            return Ok(exit_code::of_error(&fault));
         }
     };
     drop(shown);

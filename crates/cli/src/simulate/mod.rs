@@ -18,9 +18,9 @@ use crate::input::made::{Flag, Made};
 use crate::input::{self, SceneArgs};
 use crate::synth::{files_in, no_cam};
 use gaitcam::dynamics::{Model, Outcome, Run, simulate};
-use gaitcam::error::{Error, Place, Placed, Result, is_no_cam};
+use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::scene::Scene;
-use gaitcam::synth::Design;
+use gaitcam::synth::{self, Design};
 use gaitcam_app::design::{check_inputs_stay, finish, of_another_design, summary, write_scene};
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_output::report::{Running, html_of_run};
@@ -124,11 +124,12 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
             .map_err(|e| e.placed(Place::Argument("--out".to_string())))?;
     }
     let solving = Instant::now();
-    let (design, untargeted) = match made.design() {
-        Err(error) if is_no_cam(&error) => {
-            return no_cam(args.json, input, Some(folder), &error, start);
+    let (outcome, untargeted) = made.design()?;
+    let design = match outcome {
+        synth::Outcome::Built(design) => *design,
+        synth::Outcome::NoCam(why) => {
+            return no_cam(args.json, input, Some(folder), &why, start);
         }
-        design => design?,
     };
     let solve_s = solving.elapsed().as_secs_f64();
     if let Some(why) = design.no_cam(language::current()) {

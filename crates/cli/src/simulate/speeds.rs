@@ -17,8 +17,8 @@ use crate::input::{self, at_flag};
 use crate::synth::{files_in, no_cam};
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{Model, Outcome, simulate};
-use gaitcam::error::{DynamicsError, Error, Placed, Result, is_no_cam};
-use gaitcam::synth::Design;
+use gaitcam::error::{DynamicsError, Error, Placed, Result};
+use gaitcam::synth::{self, Design};
 use gaitcam::units::{Dimension, parse};
 use gaitcam_app::design::{put_on, write_scene};
 use gaitcam_app::{PATIENCE, ResultFolder};
@@ -42,11 +42,11 @@ pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
     let speeds = read(speeds, made.running.cam.is_straight())?;
     let place = input::result_folder(&made.input, args.out.as_deref(), "_speeds")?;
     let folder = ResultFolder::open(&place, PATIENCE)?;
-    let design = match made.design() {
-        Err(error) if is_no_cam(&error) => {
-            return no_cam(args.json, &made.input, Some(folder), &error, start);
+    let design = match made.design()?.0 {
+        synth::Outcome::Built(design) => *design,
+        synth::Outcome::NoCam(why) => {
+            return no_cam(args.json, &made.input, Some(folder), &why, start);
         }
-        design => design?.0,
     };
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("simulate-no-cam", &json!({"why": why})));

@@ -51,7 +51,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         scene: args.scenes.first().cloned(),
         set: args.set.clone(),
     })?;
-    let design = searching::design(&input)?;
+    let design = searching::answer(&input)?.built()?;
     if let Some(infeasible) = &design.infeasible {
         let why = sentences(&infeasible.reasons, language::current());
         let why = json!({"why": why});

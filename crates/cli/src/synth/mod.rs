@@ -20,12 +20,11 @@ use crate::console::terminal::{print, print_json};
 use crate::console::words;
 use crate::input::searching::TimeLimit;
 use crate::input::{self, Input, SceneArgs};
-use gaitcam::Problem;
 use gaitcam::cam::Verdict;
-use gaitcam::error::{Error, Place, Placed, Result, is_no_cam};
+use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::halt::Halt;
-use gaitcam::synth::{self, Design, Search};
+use gaitcam::synth::{self, Design, Outcome, Search};
 use gaitcam_app::design::{self, check_inputs_stay};
 use gaitcam_app::files::{self, Source};
 use gaitcam_app::{Contents, ResultFolder};
@@ -143,16 +142,16 @@ fn design_of(
     let solving = Instant::now();
     let shown = args.time.shown();
     let search = Search::until(limit.unwrap_or_else(|| args.time.of_design()));
-    let problem = Problem::resolve(&input.scene, target.as_ref())?;
-    let design = match synth::design(&problem, &search) {
-        Err(error) if is_no_cam(&error) => {
-            return no_cam(args.json, input, request.folder, &error, start);
-        }
-        design => design?,
-    };
+    let outcome = synth::answer(&input.scene, target.as_ref(), &search)?;
     let solve_s = solving.elapsed().as_secs_f64();
-    let design = design.relaxed_with(&search);
+    let outcome = outcome.relaxed_with(&search);
     drop(shown);
+    let design = match outcome {
+        Outcome::Built(design) => *design,
+        Outcome::NoCam(why) => {
+            return no_cam(args.json, input, request.folder, &why, start);
+        }
+    };
     let answer = Answer {
         design,
         solve_s,

@@ -169,9 +169,9 @@ pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
         return Ok(known);
     }
     let solving = files.host.seconds();
-    let problem = Problem::resolve(&scene, target.as_ref())?;
     let halt = files.host.halt();
-    let design = synth::design(&problem, &Search::until(halt.clone()))?;
+    let search = Search::until(halt.clone());
+    let design = synth::answer(&scene, target.as_ref(), &search)?.built()?;
     let end = files.host.seconds();
     let time = Timing {
         solve_s: end - solving,
@@ -199,7 +199,6 @@ fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     let start = files.host.seconds();
     let (scene, whole) = files.scene(table)?;
     let (target, force) = files.target(&scene)?.unzip();
-    let problem = |scene: &Scene| Problem::resolve(scene, target.as_ref());
     let is_sought = scene.law.minimise == Some(Minimise::Size)
         && scene.cam.roller_radius > 0.0
         && scene.cam.given_radii().is_none();
@@ -209,13 +208,13 @@ fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     };
     let passing = |scene: &Scene| {
         let search = Search::until(files.host.halt().or_after(LOOKS));
-        synth::passing(&problem(scene).ok()?, &search)
-            .ok()
-            .flatten()
+        let problem = Problem::resolve(scene, target.as_ref()).ok()?;
+        synth::passing(&problem, &search).ok().flatten()
     };
     let at_once = || {
         let search = Search::until(Halt::when(|| true));
-        synth::design(&problem(&scene).ok()?, &search).ok()
+        let outcome = synth::answer(&scene, target.as_ref(), &search).ok()?;
+        outcome.built().ok()
     };
     let found = tried.iter().find_map(passing).or_else(at_once);
     let Some(design) = found else {

@@ -1,0 +1,71 @@
+//! The answer to a scene.
+
+use super::{Design, Search, design};
+use crate::error::{Error, Result};
+use crate::force::ForceCurve;
+use crate::problem::Problem;
+use crate::scene::Scene;
+
+/// The answer to a scene: a design, or the reason for which none can be shown.
+///
+/// ```
+/// use gaitcam::scene;
+/// use gaitcam::synth::{Outcome, Search, answer};
+///
+/// let arm = scene::built_in("camdas_02_oscillating_roller")?.scene()?;
+/// assert!(matches!(answer(&arm, None, &Search::default())?, Outcome::Built(_)));
+/// // The arm would swing beyond the line through pivot and cam centre.
+/// let impossible = arm.with("law.segment.1.lift", "170 deg")?.with("law.segment.3.lift", "-170 deg")?;
+/// assert!(matches!(answer(&impossible, None, &Search::default())?, Outcome::NoCam(_)));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub enum Outcome {
+    /// A design. Its verdict says whether it keeps the limits; where none does, it is the best without them.
+    Built(Box<Design>),
+    /// There is no cam to show, for this reason.
+    NoCam(Error),
+}
+
+/// Answers a scene. `force` is one cycle of the target force, where the scene has one.
+///
+/// # Errors
+/// Faults of the input.
+pub fn answer(scene: &Scene, force: Option<&ForceCurve>, search: &Search) -> Result<Outcome> {
+    let problem = Problem::resolve(scene, force);
+    Outcome::of(problem.and_then(|problem| design(&problem, search)))
+}
+
+impl Outcome {
+    /// The outcome of a synthesis.
+    ///
+    /// # Errors
+    /// Faults of the input.
+    pub fn of(design: Result<Design>) -> Result<Outcome> {
+        match design {
+            Ok(design) => Ok(Outcome::Built(Box::new(design))),
+            Err(why) if why.is_answer() => Ok(Outcome::NoCam(why)),
+            Err(fault) => Err(fault),
+        }
+    }
+
+    /// The design.
+    ///
+    /// # Errors
+    /// The reason for which there is none.
+    pub fn built(self) -> Result<Design> {
+        match self {
+            Outcome::Built(design) => Ok(*design),
+            Outcome::NoCam(why) => Err(why),
+        }
+    }
+
+    /// The design with the changes of its limits that would make it pass, where it breaks them.
+    #[must_use]
+    pub fn relaxed_with(self, search: &Search) -> Outcome {
+        match self {
+            Outcome::Built(design) => Outcome::Built(Box::new(design.relaxed_with(search))),
+            no_cam => no_cam,
+        }
+    }
+}
