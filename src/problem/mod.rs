@@ -133,12 +133,20 @@ impl Problem {
     /// The scene needs a force and none is given; the mean force is not positive on a moving axis; the drive
     /// relates no lift to force; the band asks for a spread that the force does not have.
     pub fn resolve(scene: &Scene, force: Option<&ForceCurve>) -> Result<Problem> {
-        let gait = scene.gait.as_ref();
-        let force = match (gait, force) {
+        let with_gait;
+        let scene = match (&scene.gait, force) {
             (Some(_), None) => return Err(SynthError::ForceNotRead.at_key("gait")),
-            (None, _) => None,
-            (Some(_), force) => force,
+            (None, Some(_)) => {
+                let gait = Some(Gait::given());
+                with_gait = Scene {
+                    gait,
+                    ..scene.clone()
+                };
+                &with_gait
+            }
+            (None, None) | (Some(_), Some(_)) => scene,
         };
+        let gait = scene.gait.as_ref();
         let required = Requirements::of(scene, force.map(MeanForce::of))?;
         let walkers = Walkers::of(scene, force, &required)?.map(Arc::new);
         let factor = required.scaling.factor;

@@ -135,6 +135,19 @@ impl Scene {
 
     /// The design of a scene for one cycle of force, such as a recording's mean cycle.
     ///
+    /// ```
+    /// use gaitcam::Scene;
+    /// use gaitcam::scene::Gait;
+    ///
+    /// // The force is used whether the scene has a section for it or not.
+    /// let force = Gait::model("young").model_force()?.unwrap();
+    /// let with = Scene { gait: Some(Gait::given()), ..Scene::default() };
+    /// let without = Scene::default().design_for(&force)?.cam.law.stroke();
+    /// assert_eq!(without, with.design_for(&force)?.cam.law.stroke());
+    /// assert!(without > 0.0);
+    /// # Ok::<(), gaitcam::error::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Faults of the scene, and a force that its drive cannot give.
     pub fn design_for(&self, force: &ForceCurve) -> Result<Design> {
