@@ -32,6 +32,8 @@ const AS_TYPED: &[&str] = &[
     "derivative",
     "example",
     "fault",
+    "file",
+    "folder",
     "from",
     "key",
     "known",
@@ -50,6 +52,9 @@ const AS_TYPED: &[&str] = &[
     "path",
     "text",
     "typed",
+    "walker",
+    "walkers",
+    "who",
     "word",
 ];
 
