@@ -59,8 +59,11 @@ pub trait Files {
     /// # Errors
     /// A folder that cannot be read.
     fn folder(&self, name: &Path) -> Result<Option<Vec<PathBuf>>> {
+        if self.has(name) {
+            return Ok(None);
+        }
         let mut inside = self.names();
-        inside.retain(|file| file.starts_with(name) && file != name && !is_about_subjects(file));
+        inside.retain(|file| file.starts_with(name) && !is_about_subjects(file));
         inside.sort();
         Ok((!inside.is_empty()).then_some(inside))
     }

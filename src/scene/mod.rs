@@ -28,7 +28,7 @@ pub use parts::{
 };
 pub use read::{parse, read, read_keys, table};
 pub use rules::check;
-pub use set::{set, set_value};
+pub use set::{set, set_value, unset};
 pub use {serde_json, toml};
 
 use crate::error::Result;

@@ -59,6 +59,40 @@ pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
     Ok(())
 }
 
+/// Takes a key such as `limits.stroke` or `law.segment.2.angle` out, and the tables that it leaves empty; whether it was
+/// there.
+///
+/// ```
+/// use gaitcam::scene::unset;
+///
+/// let mut table = "name = \"a\"\n[limits]\nstroke = \"40 mm\"".parse().unwrap();
+/// assert!(unset(&mut table, "limits.stroke") && !unset(&mut table, "limits.stroke"));
+/// assert_eq!(table.to_string(), "name = \"a\"\n");
+/// ```
+pub fn unset(table: &mut Table, key: &str) -> bool {
+    let Some((first, rest)) = key.split_once('.') else {
+        return table.remove(key).is_some();
+    };
+    let Some(entry) = table.get_mut(first) else {
+        return false;
+    };
+    let removed = match entry {
+        Value::Table(below) => unset(below, rest),
+        Value::Array(list) => {
+            let (number, inner) = rest.split_once('.').unwrap_or((rest, ""));
+            let index = number.parse::<usize>().ok().and_then(|n| n.checked_sub(1));
+            let entry = index.and_then(|i| list.get_mut(i));
+            let entry = entry.and_then(Value::as_table_mut);
+            entry.is_some_and(|entry| unset(entry, inner))
+        }
+        _ => false,
+    };
+    if entry.as_table().is_some_and(Table::is_empty) {
+        table.remove(first);
+    }
+    removed
+}
+
 /// The table at a path, created if missing.
 fn inside<'t>(
     table: &'t mut Table,

@@ -6,7 +6,7 @@ use toml::{Table, Value};
 use crate::page::fault::StudioError;
 use gaitcam::error::{Error, Place, Placed, Result, SceneError};
 use gaitcam::scene::keys::{self, Key, Kind};
-use gaitcam::scene::{self, Scene};
+use gaitcam::scene::{self, Scene, unset};
 use gaitcam::units::{Dimension, parse};
 
 /// One change.
@@ -65,7 +65,7 @@ pub type Read<'a> = dyn Fn(&Table) -> Result<Scene> + 'a;
 pub fn apply(table: &mut Table, edit: &Edit, read: &Read) -> Result<()> {
     match edit {
         Edit::Set { key, value } if value.trim().is_empty() => {
-            remove(table, key);
+            unset(table, key);
             Ok(())
         }
         Edit::Set { key, value } => {
@@ -84,7 +84,7 @@ pub fn apply(table: &mut Table, edit: &Edit, read: &Read) -> Result<()> {
             }
             entries.remove(number - 1);
             if entries.is_empty() {
-                remove(table, list);
+                unset(table, list);
             }
             Ok(())
         }
@@ -111,31 +111,6 @@ fn set(table: &mut Table, key: &str, value: &str) -> Result<()> {
         value.to_string()
     };
     scene::set(table, &format!("{key}={value}"))
-}
-
-/// Takes a key out, and the tables that it leaves empty. An empty `[gait]` means a force that is still to
-/// be named.
-fn remove(table: &mut Table, key: &str) {
-    let Some((first, rest)) = key.split_once('.') else {
-        table.remove(key);
-        return;
-    };
-    let (number, inner) = rest.split_once('.').unwrap_or((rest, ""));
-    match table.get_mut(first) {
-        Some(Value::Table(below)) => {
-            remove(below, rest);
-            if below.is_empty() {
-                table.remove(first);
-            }
-        }
-        Some(Value::Array(list)) => {
-            let index = number.parse::<usize>().ok().and_then(|n| n.checked_sub(1));
-            if let Some(Value::Table(entry)) = index.and_then(|i| list.get_mut(i)) {
-                remove(entry, inner);
-            }
-        }
-        _ => {}
-    }
 }
 
 fn no_entry(list: &str, number: usize) -> Error {
@@ -220,9 +195,11 @@ fn mend(table: &mut Table, read: &Read) {
             SceneError::NotOfFollower { .. }
             | SceneError::NotOfDrive { .. }
             | SceneError::MassOfArm => {
-                remove(table, path);
+                unset(table, path);
             }
-            SceneError::ArmOnMovingAxis => remove(table, "drive.kind"),
+            SceneError::ArmOnMovingAxis => {
+                unset(table, "drive.kind");
+            }
             _ => return,
         }
     }

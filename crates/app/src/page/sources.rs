@@ -223,6 +223,7 @@ mod tests {
     fn walkers() -> Vec<u8> {
         let model = |weight| {
             let mut gait = Gait::model("young");
+            gait.step_frequency = Some(1.85);
             gait.body_weight = Some(weight);
             gait.model_force().unwrap().unwrap()
         };
@@ -232,7 +233,7 @@ mod tests {
 
     /// Every kind of force that a scene can name: changes of a scene without a force.
     const KINDS: [&[&str]; 13] = [
-        &["gait.model=young"],
+        &["gait.model=young", "gait.step_frequency=1.85 Hz"],
         &["gait.model=young", "gait.step_frequency=1.6 Hz:2.2 Hz:4"],
         &[
             "gait.harmonics=[\"0.4\", \"0.1\"]",

@@ -141,30 +141,11 @@ fn read_what_is_right(table: &Table) -> (Option<Scene>, Vec<Error>) {
             _ => String::new(),
         };
         faults.push(fault);
-        if !set_aside(&mut left, &key) {
+        if !scene::unset(&mut left, &key) {
             break;
         }
     }
     (None, faults)
-}
-
-/// Takes a key such as `limits.stroke` or `law.segment.2.angle` out of a table; whether it was there.
-fn set_aside(table: &mut Table, key: &str) -> bool {
-    let Some((first, rest)) = key.split_once('.') else {
-        return table.remove(key).is_some();
-    };
-    match table.get_mut(first) {
-        Some(toml::Value::Table(inner)) => set_aside(inner, rest),
-        Some(toml::Value::Array(list)) => {
-            let (number, rest) = rest.split_once('.').unwrap_or((rest, ""));
-            let index = number.parse::<usize>().ok().and_then(|n| n.checked_sub(1));
-            let inner = index
-                .and_then(|i| list.get_mut(i))
-                .and_then(toml::Value::as_table_mut);
-            inner.is_some_and(|inner| set_aside(inner, rest))
-        }
-        _ => false,
-    }
 }
 
 fn examine_recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<u8> {
