@@ -8,13 +8,14 @@
 use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::fs;
+use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use crate::folder::{put_whole, write_whole};
 use gaitcam::error::{FileError, Placed, Result, WriteError};
 use gaitcam::sweep::{Study, agree};
 use gaitcam_output::Language;
-use gaitcam_output::folder::{put_whole, write_whole};
 use serde_json::{Value, json};
 
 use crate::lock::is_plain;
@@ -207,6 +208,22 @@ pub fn missing_rows(folder: &Path) -> Result<Vec<Range<u64>>> {
         next = next.max(rows.end);
     }
     Ok(out)
+}
+
+/// The checksum (CRC-32) of a file.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn checksum_of(path: &Path) -> Result<String> {
+    let (mut sum, mut part) = (crc32fast::Hasher::new(), vec![0; 1 << 20]);
+    let fault = |e: std::io::Error| cannot_be_read(path, &e);
+    let mut file = fs::File::open(path).map_err(fault)?;
+    loop {
+        match file.read(&mut part).map_err(fault)? {
+            0 => return Ok(format!("{:08x}", sum.finalize())),
+            length => sum.update(&part[..length]),
+        }
+    }
 }
 
 fn checksum(bytes: &[u8]) -> String {

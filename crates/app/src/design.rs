@@ -1,16 +1,21 @@
 //! Scene and summary of a design, and its folder.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use gaitcam::Problem;
-use gaitcam::error::{Error, FileError, Placed, Result};
+use gaitcam::error::{Error, Result};
 use gaitcam::scene::Scene;
 use gaitcam::synth::Design;
 use gaitcam_output::{Timing, json};
 use serde_json::Value;
 
 use crate::earlier::{self, SCENE, SCENE_BESIDE_INPUT, SUMMARY};
-pub use crate::earlier::{FORCE, OF_IDENTIFICATION, OF_INSPECTION, of_another_design};
+pub use crate::earlier::{
+    FORCE, MOST_CAMS, OF_COVER, OF_IDENTIFICATION, OF_INSPECTION, OF_RUN, of_another_design,
+    of_cover, scene_of_cover,
+};
+use crate::inputs;
 use crate::result_folder::ResultFolder;
 use crate::scene::Input;
 
@@ -108,27 +113,18 @@ pub fn write_scene(folder: &ResultFolder, input: &Input, text: &str) -> Result<(
     folder.write(name, text.as_bytes())
 }
 
-/// Refuses a folder in which the result would replace one of its own inputs.
+/// Refuses a folder in which a design would replace one of its own inputs.
 ///
 /// # Errors
 /// The input that would be replaced.
 pub fn check_inputs_stay(folder: &Path, input: &Input) -> Result<()> {
-    for path in input.paths()? {
-        let beside = path.file_name().map(|name| folder.join(name));
-        let replaced = beside.is_some_and(|b| same(&path, &b) && !b.ends_with(SCENE));
-        if replaced && is_written(&path) {
-            let file = path.display().to_string();
-            return Err(FileError::Replaced { file }.in_file(folder));
-        }
+    let paths = input.paths()?;
+    let inputs: BTreeSet<PathBuf> = paths.iter().filter_map(|p| p.canonicalize().ok()).collect();
+    let names = earlier::of_design().into_iter().chain([SCENE_BESIDE_INPUT]);
+    for name in names {
+        inputs::check_among(&inputs, &folder.join(name))?;
     }
-    Ok(())
-}
-
-/// Whether results have a file of this name.
-fn is_written(path: &Path) -> bool {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let name = name.as_ref();
-    earlier::of_design().contains(&name) || name == SCENE_BESIDE_INPUT
+    inputs::check_in(folder, earlier::of_design())
 }
 
 fn same(a: &Path, b: &Path) -> bool {

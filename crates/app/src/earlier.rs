@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use crate::files;
 use crate::lock::is_plain;
@@ -11,7 +12,7 @@ pub(crate) const SCENE: &str = "scene.toml";
 /// The same where the input itself has that name.
 pub(crate) const SCENE_BESIDE_INPUT: &str = "scene.used.toml";
 /// What `simulate` adds to the design that it runs.
-const OF_RUN: [&str; 6] = [
+pub const OF_RUN: [&str; 6] = [
     "dynamics.csv",
     "dynamics.xlsx",
     "simulation.json",
@@ -44,12 +45,48 @@ pub const FORCE: &str = "force.csv";
 /// Present only while the files of the folder belong together.
 pub(crate) const SUMMARY: &str = "summary.json";
 
+/// Most cams of a cover.
+pub const MOST_CAMS: usize = 50;
+
+/// The tables and the picture of a cover; the first is present only while the files of the folder belong together.
+pub const OF_COVER: [&str; 6] = [
+    "cover.csv",
+    "assignment.csv",
+    "folds.csv",
+    "cover.svg",
+    "cover.png",
+    "cycles.csv",
+];
+
+/// The scene of one of the cams of a cover, both counted from 1.
+pub fn scene_of_cover(cams: usize, cam: usize) -> String {
+    format!("cams_{cams}/cam_{cam}.toml")
+}
+
+/// Every file that a cover may have.
+pub fn of_cover() -> impl Iterator<Item = &'static str> {
+    static SCENES: LazyLock<Vec<String>> = LazyLock::new(|| {
+        let numbers = (1..=MOST_CAMS).flat_map(|cams| (1..=cams).map(move |cam| (cams, cam)));
+        numbers
+            .map(|(cams, cam)| scene_of_cover(cams, cam))
+            .collect()
+    });
+    OF_COVER
+        .into_iter()
+        .chain(SCENES.iter().map(String::as_str))
+}
+
 /// Every file that a result may have.
 pub(crate) fn own() -> impl Iterator<Item = &'static str> {
     let design = files::ALL.iter().map(|file| file.name);
     let rest = [SCENE, SCENE_BESIDE_INPUT, FORCE].into_iter().chain(OF_RUN);
     let added = OF_INSPECTION.into_iter().chain(OF_IDENTIFICATION);
-    design.chain(rest).chain(added)
+    design.chain(rest).chain(added).chain(of_cover())
+}
+
+/// Whether a file is present only while the files of its folder belong together.
+pub(crate) fn is_last(name: &str) -> bool {
+    name == SUMMARY || name == OF_COVER[0]
 }
 
 /// Every file that `synth` may write, and so may remove.

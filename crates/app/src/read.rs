@@ -7,6 +7,8 @@ use std::path::Path;
 use gaitcam::error::{Error, FileError, Placed, Result};
 use gaitcam::scene::LARGEST_MOTION;
 
+use crate::inputs;
+
 /// Largest scene file, bytes.
 const LARGEST_SCENE: u64 = 64 << 20;
 /// Largest other input that is held in memory, bytes.
@@ -56,6 +58,7 @@ fn checked(path: &Path) -> Result<Metadata> {
     if !about.is_file() && !is_open_already(path) {
         return Err(FileError::Device.in_file(path));
     }
+    inputs::note(path);
     Ok(about)
 }
 

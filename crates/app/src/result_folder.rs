@@ -16,7 +16,8 @@ use std::time::Duration;
 
 use gaitcam::error::{FileError, Placed, Result, WriteError};
 
-use crate::earlier::{SUMMARY, own};
+use crate::earlier::{is_last, own};
+use crate::inputs;
 use crate::lock::{Lock, is_plain};
 use crate::read::read_bytes;
 
@@ -71,11 +72,16 @@ impl ResultFolder {
     /// A file that cannot be written, or a folder in its place.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
         assert!(own().any(|own| own == name), "{name} would stay for ever");
-        check_place(&self.path.join(name))?;
-        fs::write(self.stage.join(name), bytes).map_err(|e| {
-            let fault = e.to_string();
-            WriteError::FileRefuses { fault }.in_file(&self.path.join(name))
-        })?;
+        inputs::check(&self.path.join(name))?;
+        check_place(&self.path, name)?;
+        let place = self.stage.join(name);
+        let parent = place.parent().map_or(Ok(()), fs::create_dir_all);
+        parent
+            .and_then(|()| fs::write(&place, bytes))
+            .map_err(|e| {
+                let fault = e.to_string();
+                WriteError::FileRefuses { fault }.in_file(&self.path.join(name))
+            })?;
         self.written.borrow_mut().push(name.to_string());
         Ok(())
     }
@@ -127,13 +133,14 @@ fn complete(path: &Path) -> Result<()> {
         return Ok(());
     }
     let foreign = || FileError::Foreign.in_file(&ready);
-    let new: Vec<&str> = own().filter(|name| is_plain(&ready.join(name))).collect();
-    let entries = fs::read_dir(&ready).map_err(|_| foreign())?.count();
-    if entries > new.len() + usize::from(is_plain(&ready.join(STALE))) {
+    let inside = names_in(&ready).map_err(|_| foreign())?;
+    let is_new = |own: &&str| inside.iter().any(|name| name == own) && is_plain(&ready.join(own));
+    let new: Vec<&str> = own().filter(is_new).collect();
+    if inside.len() > new.len() + usize::from(is_plain(&ready.join(STALE))) {
         return Err(foreign());
     }
     for name in &new {
-        check_place(&path.join(name))?;
+        check_place(path, name)?;
     }
     put(path, &ready, &new).map_err(|e| cannot_place(path, &e))?;
     discard(&ready).map_err(|_| foreign())
@@ -145,16 +152,19 @@ fn put(path: &Path, ready: &Path, new: &[&str]) -> io::Result<()> {
         true => fs::read_to_string(listed).unwrap_or_default(),
         false => String::new(),
     };
-    let (last, first): (Vec<&str>, Vec<&str>) = new.iter().partition(|name| **name == SUMMARY);
+    let (last, first): (Vec<&str>, Vec<&str>) = new.iter().partition(|name| is_last(name));
     for name in &last {
         remove_plain(&path.join(name))?;
     }
     for name in first {
-        fs::rename(ready.join(name), path.join(name))?;
+        let place = path.join(name);
+        place.parent().map_or(Ok(()), fs::create_dir_all)?;
+        fs::rename(ready.join(name), place)?;
     }
     for name in own().filter(|own| listed.lines().any(|line| line == *own)) {
-        if !new.contains(&name) {
+        if !new.contains(&name) && is_inside(path, name) {
             remove_plain(&path.join(name))?;
+            remove_empty_parent(path, name);
         }
     }
     for name in last {
@@ -163,12 +173,50 @@ fn put(path: &Path, ready: &Path, new: &[&str]) -> io::Result<()> {
     Ok(())
 }
 
-/// Refuses a folder where a file is to be put.
-fn check_place(place: &Path) -> Result<()> {
-    match is_folder(place) {
-        true => Err(FileError::Foreign.in_file(place)),
+/// Refuses a folder where a file is to be put, and anything but a folder where its folder is to be.
+fn check_place(path: &Path, name: &str) -> Result<()> {
+    match is_folder(&path.join(name)) || !is_inside(path, name) {
+        true => Err(FileError::Foreign.in_file(&path.join(name))),
         false => Ok(()),
     }
+}
+
+/// Whether the folder of a file is the result's or a real folder in it, there already or not, and no link to another.
+fn is_inside(path: &Path, name: &str) -> bool {
+    let parent = Path::new(name)
+        .parent()
+        .filter(|p| !p.as_os_str().is_empty());
+    parent.is_none_or(|parent| {
+        let parent = path.join(parent);
+        is_folder(&parent) || fs::symlink_metadata(&parent).is_err()
+    })
+}
+
+/// Removes the folder of a file inside a result where it is empty.
+fn remove_empty_parent(path: &Path, name: &str) {
+    if name.contains('/')
+        && let Some(parent) = path.join(name).parent()
+    {
+        let _ = fs::remove_dir(parent);
+    }
+}
+
+/// Names of the files in a folder and in those inside it, and of empty folders.
+fn names_in(folder: &Path) -> io::Result<Vec<String>> {
+    let mut out = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let inside = match is_folder(&entry.path()) {
+            true => names_in(&entry.path())?,
+            false => Vec::new(),
+        };
+        match inside[..] {
+            [] => out.push(name),
+            _ => out.extend(inside.iter().map(|file| format!("{name}/{file}"))),
+        }
+    }
+    Ok(out)
 }
 
 fn cannot_place(path: &Path, e: &io::Error) -> gaitcam::error::Error {
@@ -190,8 +238,11 @@ fn remove_plain(path: &Path) -> io::Result<()> {
 
 /// Removes a hidden folder with the files that gaitcam writes there; it stays where it holds others.
 fn discard(folder: &Path) -> io::Result<()> {
-    for name in own().chain([STALE]) {
-        remove_plain(&folder.join(name))?;
+    for name in names_in(folder)? {
+        if own().chain([STALE]).any(|own| own == name) {
+            remove_plain(&folder.join(&name))?;
+            remove_empty_parent(folder, &name);
+        }
     }
     fs::remove_dir(folder)
 }
@@ -288,6 +339,48 @@ mod tests {
         fs::write(ready.join("summary.json"), "new").unwrap();
         assert!(put(path, &ready, &["summary.json", "law.csv"]).is_err());
         assert_eq!(names(path), [READY, "law.csv"]);
+    }
+
+    #[test]
+    fn a_cover_replaces_the_one_before_as_a_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path();
+        for name in [
+            "cams_2/cam_1.toml",
+            "cams_3/cam_2.toml",
+            "cover.csv",
+            "cams_2/notes.txt",
+        ] {
+            fs::create_dir_all(path.join(name).parent().unwrap()).unwrap();
+            fs::write(path.join(name), "old").unwrap();
+        }
+        let result = ResultFolder::open(path, Duration::ZERO).unwrap();
+        result.write("cams_1/cam_1.toml", b"new").unwrap();
+        result.write("cover.csv", b"new").unwrap();
+        let others: Vec<&str> = crate::design::of_cover().collect();
+        result.commit(&others).unwrap();
+        assert_eq!(names(path), ["cams_1", "cams_2", "cover.csv"]);
+        assert_eq!(names(&path.join("cams_2")), ["notes.txt"]);
+        assert_eq!(
+            fs::read_to_string(path.join("cams_1/cam_1.toml")).unwrap(),
+            "new"
+        );
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn nothing_is_written_through_a_link_to_a_folder() {
+        let (folder, foreign) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+        fs::write(foreign.path().join("cam_1.toml"), "foreign").unwrap();
+        std::os::unix::fs::symlink(foreign.path(), folder.path().join("cams_1")).unwrap();
+        let result = ResultFolder::open(folder.path(), Duration::ZERO).unwrap();
+        assert!(result.write("cams_1/cam_1.toml", b"new").is_err());
+        result.write("cover.csv", b"new").unwrap();
+        result.commit(&["cams_1/cam_1.toml"]).unwrap();
+        assert_eq!(
+            fs::read_to_string(foreign.path().join("cam_1.toml")).unwrap(),
+            "foreign"
+        );
     }
 
     #[test]

@@ -15,13 +15,13 @@ use crate::input::made::Made;
 use crate::input::searching::TimeLimit;
 use crate::input::{self, SceneArgs};
 use crate::synth::{self, SynthArgs, files_in};
-use gaitcam::error::{FileError, Placed, Result};
+use gaitcam::error::Result;
 use gaitcam::identify::{Identified, Log};
 use gaitcam::scene::set_value;
 use gaitcam::synth::Design;
 use gaitcam_app::design::OF_IDENTIFICATION;
 use gaitcam_app::read::read_bytes;
-use gaitcam_app::{Input, PATIENCE, ResultFolder};
+use gaitcam_app::{Input, PATIENCE, ResultFolder, inputs};
 use gaitcam_output::{identification, identified};
 
 const IDENTIFY: &str = "Examples:
@@ -100,7 +100,7 @@ pub fn identify(args: &IdentifyArgs) -> Result<u8> {
         (None, true) => None,
         (out, _) => {
             let path = input::result_folder(&input, out.as_deref(), "_identified")?;
-            Some(write(&path, &args.run.log, &input, &design, &found)?)
+            Some(write(&path, &input, &design, &found)?)
         }
     };
     if args.json {
@@ -115,20 +115,8 @@ pub fn identify(args: &IdentifyArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-fn write(
-    path: &Path,
-    log: &Path,
-    input: &Input,
-    design: &Design,
-    found: &Identified,
-) -> Result<PathBuf> {
-    let inputs = [Some(log), input.file.as_deref()].map(|p| p.and_then(|p| p.canonicalize().ok()));
-    let beside = |name: &str| path.join(name).canonicalize().ok();
-    let replaced = |name: &&&str| beside(name).is_some_and(|b| inputs.contains(&Some(b)));
-    if let Some(file) = OF_IDENTIFICATION.iter().find(replaced) {
-        let file = (*file).to_string();
-        return Err(FileError::Replaced { file }.in_file(path));
-    }
+fn write(path: &Path, input: &Input, design: &Design, found: &Identified) -> Result<PathBuf> {
+    inputs::check_in(path, OF_IDENTIFICATION)?;
     let scene = found.scene(&input.scene)?.to_table();
     let known = found.parameters.iter().filter(|p| p.identifiable);
     let scene = carried(&scene, input, known.map(|p| p.key))?;

@@ -28,6 +28,7 @@ use console::terminal::{final_exit_code, print_json, record_write_error, report}
 use console::{help, internal, language, usage};
 use exit_code::BUILT;
 use gaitcam::error::{Error, Result};
+use gaitcam_app::inputs;
 use reference::{completions, keys, laws};
 use results::{compare, front};
 use scene::{doctor, init};
@@ -109,6 +110,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 }
 
 fn dispatch(cli: Cli) -> Result<u8> {
+    if !matches!(cli.command, Some(Command::Studio(_))) {
+        inputs::protect();
+    }
     match cli.command.unwrap_or_else(Command::main_job) {
         Command::Synth(args) => synth::run(&args),
         Command::Simulate(args) => simulate::run(&args),

@@ -10,7 +10,6 @@
 
 mod data;
 mod figures;
-pub mod folder;
 pub mod gait;
 pub mod identified;
 #[cfg(feature = "parquet")]

@@ -9,10 +9,10 @@ use serde::Serialize;
 
 use crate::lock;
 use gaitcam::error::{Error, Place, Placed, Result};
+use gaitcam_app::folder::write_new;
 use gaitcam_app::page::fault::StudioError;
 use gaitcam_app::page::{Hash, Recent};
 use gaitcam_app::read::read_at_most;
-use gaitcam_output::folder::write_new;
 
 /// The bytes of a file with their hash.
 type Content = (Hash, Arc<Vec<u8>>);

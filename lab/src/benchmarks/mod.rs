@@ -14,7 +14,7 @@ mod tested;
 use std::path::Path;
 
 use gaitcam::error::Result;
-use gaitcam_output::folder::Folder;
+use gaitcam_app::folder::Folder;
 use table::Report;
 
 /// Measures and writes benchmarks.md; what is missed without a reason in the table.

@@ -14,7 +14,7 @@ use gaitcam::force::{self, Feet, ForceCurve, ReadOptions};
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene;
 use gaitcam::synth::synthesise;
-use gaitcam_output::folder::Folder;
+use gaitcam_app::folder::Folder;
 
 /// Parts of the free law's peaks to which acceleration and jerk are held.
 const HELD: [f64; 3] = [0.95, 0.6, 0.3];

@@ -20,7 +20,7 @@ use gaitcam::drive::Drive;
 use gaitcam::error::Result;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::law::Law;
-use gaitcam_output::folder::Folder;
+use gaitcam_app::folder::Folder;
 
 /// Measures every chart and writes tables and pictures.
 ///

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::{Class, reproduce};
 use crate::experiment::{self, pictures::pictures};
 use gaitcam::error::Result;
-use gaitcam_output::folder::Folder;
+use gaitcam_app::folder::Folder;
 
 /// Writes reproduction.md, reproduction.csv and the pictures, and dynamics.md: the thesis's experiment.
 ///

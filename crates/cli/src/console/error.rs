@@ -31,7 +31,7 @@ pub enum CliError {
     CycleEnding {
         file: String,
     },
-    CycleOverRecording,
+    TableChanged,
     Cams {
         typed: String,
         most: usize,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::cover::{aligned, folder_of, of_unit, reason, scene_of};
+use super::cover::{aligned, of_unit, reason};
 use crate::console::error::CliError;
 use crate::console::words::{self, fixed};
 use gaitcam::cover::{Assigned, served_by};
@@ -12,6 +12,7 @@ use gaitcam::error::{Placed, Result};
 use gaitcam::force::{ForceCurve, Walker};
 use gaitcam::synth::{Search, answer};
 use gaitcam_app::Input;
+use gaitcam_app::design::scene_of_cover;
 use gaitcam_app::read::read_text;
 
 /// The cams of each number in a folder of `gaitcam cover` for each walker: table and data.
@@ -28,7 +29,7 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
         .collect();
     let numbers = numbers.filter(|n| table.starts_with("cams,") && !n.is_empty());
     let numbers = numbers.ok_or_else(|| CliError::NotCover.in_file(&path))?;
-    let first = Input::open(&folder.join(folder_of(numbers[0])).join(scene_of(0)))?;
+    let first = Input::open(&folder.join(scene_of_cover(numbers[0], 1)))?;
     // They have to be walkers as those of the cover are.
     let known = first.target()?.and_then(|f| f.population);
     let mut all = known.map_or(Vec::new(), |p| p.walkers.clone());
@@ -45,8 +46,8 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     let mut rows = vec![names.map(|c| words::text(&format!("against-{c}")))];
     let mut objects = Vec::new();
     for cams in numbers {
-        for served in serving(&folder.join(folder_of(cams)), cams, &force)? {
-            let file = format!("{}/{}", folder_of(cams), scene_of(served.cam));
+        for served in serving(folder, cams, &force)? {
+            let file = scene_of_cover(cams, served.cam + 1);
             objects.push(json!({"walker": served.error.walker, "cams": cams, "cam": served.cam + 1, "scene": file,
                 "rms_error_percent": served.error.rms_error_percent, "rms_error_n": served.error.rms_error_n}));
             let error = fixed(served.error.measured(measure), 3);
@@ -73,7 +74,7 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
 fn serving(folder: &Path, cams: usize, force: &ForceCurve) -> Result<Vec<Assigned>> {
     let (mut designs, mut scene) = (Vec::new(), None);
     for cam in 0..cams {
-        let input = Input::open(&folder.join(scene_of(cam)))?;
+        let input = Input::open(&folder.join(scene_of_cover(cams, cam + 1)))?;
         let outcome = answer(&input.scene, input.target()?.as_ref(), &Search::default())?;
         designs.push(outcome.built()?);
         scene = Some(input.scene);

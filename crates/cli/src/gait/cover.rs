@@ -20,10 +20,10 @@ use gaitcam::force::{ForceCurve, Walker, population_csv, read_population};
 use gaitcam::scene::{ErrorMeasure, Family, Robust, set_value};
 use gaitcam::sweep::table::text_cell;
 use gaitcam::synth::Search;
-use gaitcam_app::Input;
+use gaitcam_app::design::{MOST_CAMS as MOST, OF_COVER, of_cover, scene_of_cover};
+use gaitcam_app::{Input, ResultFolder, inputs};
 use gaitcam_output::Picture;
 use gaitcam_output::cover::{CoverWords, Curve, cover as cover_picture};
-use gaitcam_output::folder::Folder;
 
 const EXAMPLES: &str = "Examples:
   gaitcam cover recordings/ --cams 1:6 --out out/cover
@@ -31,8 +31,6 @@ const EXAMPLES: &str = "Examples:
   gaitcam cover --set 'gait.step_frequency=1.4 Hz:2.4 Hz:21' --out out/bridges
   gaitcam gait new.c3d --against out/cover";
 
-/// Most cams.
-const MOST: usize = 50;
 /// The cycles of all walkers, from which every cam is designed.
 const CYCLES: &str = "cycles.csv";
 /// What an error consists of.
@@ -72,10 +70,11 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
     if let Some(walkers) = &args.walkers {
         refuse_inside(&place, walkers)?;
     }
+    inputs::check_in(&place, of_cover())?;
     let read = input.target()?.and_then(|force| force.population);
     let read = read.ok_or_else(|| SynthError::OneWalker.at_key("gait.file"))?;
     let table = population_csv(&read.walkers);
-    let folder = Folder::open(&place)?;
+    let folder = ResultFolder::open(&place, args.time.patience())?;
     folder.write(CYCLES, table.as_bytes())?;
     // What is designed here is what the scenes that are written give.
     let walkers = read_population(&place.join(CYCLES), table.as_bytes())?;
@@ -89,13 +88,17 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
     found.retain(|c| c.cams.len() >= numbers.0);
     other.retain(|f| f.cams >= numbers.0);
     for cover in &found {
-        write_scenes(&place, &mut input, cover, &walkers)?;
+        write_scenes(&folder, &mut input, cover, &walkers)?;
     }
     let error = input.scene.law.error;
     folder.write("cover.csv", cover_csv(&found, error).as_bytes())?;
     folder.write("assignment.csv", assignment_csv(&found, error).as_bytes())?;
     folder.write("folds.csv", folds_csv(&other, error).as_bytes())?;
-    folder.write_picture("cover", &picture(&input, &found, &other))?;
+    let picture = picture(&input, &found, &other);
+    folder.write("cover.svg", picture.svg().as_bytes())?;
+    folder.write("cover.png", &picture.png())?;
+    let earlier = |name: &&str| place.join(OF_COVER[0]).is_file() && place.join(name).exists();
+    folder.commit(&of_cover().filter(earlier).collect::<Vec<_>>())?;
     if args.json {
         let covers: Vec<Value> = found.iter().map(|c| object(c, error)).collect();
         let folds: Vec<Value> = other.iter().map(|f| fold_object(f, error)).collect();
@@ -163,8 +166,12 @@ fn refuse_inside(out: &Path, walkers: &Path) -> Result<()> {
 }
 
 /// The scene of each cam: the walkers whom it does not serve are left out.
-fn write_scenes(place: &Path, input: &mut Input, cover: &Cover, walkers: &[Walker]) -> Result<()> {
-    let folder = Folder::open(&place.join(folder_of(cover.cams.len())))?;
+fn write_scenes(
+    folder: &ResultFolder,
+    input: &mut Input,
+    cover: &Cover,
+    walkers: &[Walker],
+) -> Result<()> {
     let law = &cover.scene.law;
     for (cam, design) in cover.cams.iter().enumerate() {
         let objective = design.population.as_ref().map(|p| p.robust.clone());
@@ -223,19 +230,9 @@ fn write_scenes(place: &Path, input: &mut Input, cover: &Cover, walkers: &[Walke
             set_value(&mut table, key, value)?;
         }
         let text = toml::to_string(&table).unwrap_or_default();
-        folder.write(&scene_of(cam), text.as_bytes())?;
+        folder.write(&scene_of_cover(cover.cams.len(), cam + 1), text.as_bytes())?;
     }
     Ok(())
-}
-
-/// Folder of the scenes of so many cams.
-pub fn folder_of(cams: usize) -> String {
-    format!("cams_{cams}")
-}
-
-/// Scene of a cam, counted from 0.
-pub fn scene_of(cam: usize) -> String {
-    format!("cam_{}.toml", cam + 1)
 }
 
 fn cover_csv(covers: &[Cover], error: ErrorMeasure) -> String {

@@ -26,9 +26,8 @@ use gaitcam::scene::{BETWEEN_PLATES, content};
 use gaitcam::units::Dimension;
 use gaitcam_app::Disk;
 use gaitcam_app::disk::metadata;
-use gaitcam_app::read::read_bytes;
+use gaitcam_app::folder::write_whole;
 use gaitcam_output as output;
-use gaitcam_output::folder::write_whole;
 use gaitcam_output::gait as tables;
 use places::Places;
 
@@ -150,7 +149,7 @@ fn wrote(folder: &Path, file: &Path) -> bool {
         let parent = file.parent().and_then(|p| p.canonicalize().ok());
         parent.is_some() && parent == folder.canonicalize().ok()
     };
-    let is_cycle = || read_bytes(file).is_ok_and(|b| b.starts_with(b"# cycle"));
+    let is_cycle = || std::fs::read(file).is_ok_and(|b| b.starts_with(b"# cycle"));
     (name.contains("_cycle") || name == places::JOINT_MEAN) && inside() && is_cycle()
 }
 

@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use crate::console::error::CliError;
 use gaitcam::error::{Placed, Result};
-use gaitcam_output::folder::Folder;
+use gaitcam_app::folder::Folder;
+use gaitcam_app::inputs;
 
 /// Name of the joint mean in a folder of cycles.
 pub const JOINT_MEAN: &str = "joint_mean.csv";
@@ -57,7 +58,9 @@ impl Places {
         };
         let all = places.each.iter().chain(&places.joint);
         for place in all {
-            refuse_recording(place, recordings)?;
+            for ending in ["csv", "svg", "png"] {
+                inputs::check(&place.with_extension(ending))?;
+            }
         }
         Ok(places)
     }
@@ -76,16 +79,4 @@ fn named(folder: &Path, recordings: &[Vec<PathBuf>]) -> Vec<PathBuf> {
         places.extend(free.find(|p| !places.contains(p)));
     }
     places
-}
-
-/// A recording is never replaced by a cycle.
-fn refuse_recording(place: &Path, recordings: &[Vec<PathBuf>]) -> Result<()> {
-    let Ok(place) = place.canonicalize() else {
-        return Ok(());
-    };
-    let same = |r: &PathBuf| r.canonicalize().is_ok_and(|r| r == place);
-    if recordings.iter().flatten().any(same) {
-        return Err(CliError::CycleOverRecording.at_argument("--out"));
-    }
-    Ok(())
 }

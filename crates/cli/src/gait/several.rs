@@ -11,8 +11,8 @@ use gaitcam_output::gait::{TrialRow, trials_json, trials_table};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
+use gaitcam_app::folder::write_whole;
 use gaitcam_output as output;
-use gaitcam_output::folder::write_whole;
 
 /// Prints the table with the joint mean, and writes the cycles that are asked for.
 ///

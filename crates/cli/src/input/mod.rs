@@ -15,9 +15,9 @@ use crate::console::internal;
 use gaitcam::error::{Error, Placed, Result, SceneError};
 use gaitcam::scene;
 use gaitcam::units::{Dimension, parse as parse_quantity};
-use gaitcam_app::Disk;
 use gaitcam_app::read::read_standard_input;
 use gaitcam_app::scene::{parse, table};
+use gaitcam_app::{Disk, inputs};
 
 pub use gaitcam_app::Input;
 
@@ -46,7 +46,14 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
         scene::set(&mut table, change).map_err(at_flag("--set"))?;
     }
     internal::keep(&table);
-    Input::new(table, files, file)
+    let input = Input::new(table, files, file)?;
+    // A folder that cannot be read is refused where its recordings are.
+    input
+        .paths()
+        .into_iter()
+        .flatten()
+        .for_each(|path| inputs::note(&path));
+    Ok(input)
 }
 
 /// The table of a scene as it is written, the files that it may name, and its own file.

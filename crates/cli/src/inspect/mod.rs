@@ -18,12 +18,12 @@ use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
 use gaitcam::cam::{Inspection, Measures};
 use gaitcam::drive::Drive;
-use gaitcam::error::{FileError, Place, Placed, Result};
+use gaitcam::error::{Place, Placed, Result};
 use gaitcam::sweep::{Behaviour, MadeCam};
 use gaitcam::synth::{Design, sentences};
 use gaitcam::units::Dimension;
 use gaitcam_app::design::OF_INSPECTION;
-use gaitcam_app::{PATIENCE, ResultFolder};
+use gaitcam_app::{PATIENCE, ResultFolder, inputs};
 use gaitcam_output::inspection;
 use points::Points;
 
@@ -84,7 +84,6 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
     let place = match folder(args, &input)? {
         Some(path) => Some(write(
             &path,
-            args,
             (&design, &inspected, made.as_ref()),
             (&points, &json),
         )?),
@@ -115,18 +114,10 @@ type Results<'a> = (&'a Design, &'a Inspection, Option<&'a MadeCam>);
 
 fn write(
     path: &Path,
-    args: &InspectArgs,
     (design, inspected, made): Results,
     (points, json): (&Points, &Value),
 ) -> Result<PathBuf> {
-    let measured = args.measured.canonicalize().ok();
-    let replaced = OF_INSPECTION
-        .iter()
-        .any(|name| measured.is_some() && path.join(name).canonicalize().ok() == measured);
-    if replaced {
-        let file = args.measured.display().to_string();
-        return Err(FileError::Replaced { file }.in_file(path));
-    }
+    inputs::check_in(path, OF_INSPECTION)?;
     let folder = ResultFolder::open(path, PATIENCE)?;
     folder.write("inspection.csv", table(inspected, points).as_bytes())?;
     let text = serde_json::to_string_pretty(json).unwrap_or_default();

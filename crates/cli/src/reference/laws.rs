@@ -12,7 +12,8 @@ use crate::console::terminal::{print, print_json};
 use crate::console::words::{self, fixed};
 use gaitcam::error::{Placed, Result, nearest};
 use gaitcam::law::{End, Ends, Factors, Rise};
-use gaitcam_output::{folder::Folder, laws_report};
+use gaitcam_app::folder::Folder;
+use gaitcam_output::laws_report;
 
 const EXAMPLES: &str = "Examples:
   gaitcam laws

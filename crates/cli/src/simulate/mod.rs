@@ -21,7 +21,8 @@ use gaitcam::dynamics::{Model, Outcome, Run, simulate};
 use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::scene::Scene;
 use gaitcam::synth::{self, Design};
-use gaitcam_app::design::{check_inputs_stay, finish, of_another_design, summary, write_scene};
+use gaitcam_app::design::{OF_RUN, finish, of_another_design, summary, write_scene};
+use gaitcam_app::inputs;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_output::report::{Running, html_of_run};
 use gaitcam_output::xlsx;
@@ -119,16 +120,15 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let folder = ResultFolder::open(&folder(args, &made)?, PATIENCE)?;
     let scene = toml::to_string(&input.resolved()).unwrap_or_default();
     let others = of_another_design(folder.path(), &scene);
-    if !others.is_empty() {
-        check_inputs_stay(folder.path(), input)
-            .map_err(|e| e.placed(Place::Argument("--out".to_string())))?;
-    }
+    inputs::check_in(folder.path(), OF_RUN.into_iter().chain(["report.html"]))?;
+    // The complete result of the same scene stays.
+    let stays = others.is_empty() && folder.path().join("summary.json").exists();
     let solving = Instant::now();
     let (outcome, untargeted) = made.design()?;
     let design = match outcome {
         synth::Outcome::Built(design) => *design,
         synth::Outcome::NoCam(why) => {
-            return no_cam(args.json, input, Some(folder), &why, start);
+            return no_cam(args.json, input, (!stays).then_some(folder), &why, start);
         }
     };
     let solve_s = solving.elapsed().as_secs_f64();
@@ -137,8 +137,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         if args.json {
             print_json(&json!({"model": null, "outcome": "infeasible", "why": why}));
         }
-        // The complete result of the same scene stays.
-        if !others.is_empty() || !folder.path().join("summary.json").exists() {
+        if !stays {
             let total_s = start.elapsed().as_secs_f64();
             let scene = input.resolved();
             let summary = summary(&design, &scene, Timing { solve_s, total_s });

@@ -20,7 +20,8 @@ use gaitcam::dynamics::{Model, Outcome, simulate};
 use gaitcam::error::{DynamicsError, Error, Placed, Result};
 use gaitcam::synth::{self, Design};
 use gaitcam::units::{Dimension, parse};
-use gaitcam_app::design::{put_on, write_scene};
+use gaitcam_app::design::{OF_RUN, put_on, write_scene};
+use gaitcam_app::inputs;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_output::plots::{self, AtSpeed};
 
@@ -42,6 +43,7 @@ pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
     let speeds = read(speeds, made.running.cam.is_straight())?;
     let place = input::result_folder(&made.input, args.out.as_deref(), "_speeds")?;
     let folder = ResultFolder::open(&place, PATIENCE)?;
+    inputs::check_in(folder.path(), OF_RUN)?;
     let design = match made.design()?.0 {
         synth::Outcome::Built(design) => *design,
         synth::Outcome::NoCam(why) => {

@@ -14,9 +14,9 @@ use crate::results::front::read::each_row;
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Placed, Result};
 use gaitcam::sweep::{Outcome, Records};
-use gaitcam_app::Lock;
 use gaitcam_app::blocks::{self, Blocks, PLAN};
-use gaitcam_output::folder::write_whole;
+use gaitcam_app::folder::write_whole;
+use gaitcam_app::{Lock, inputs};
 use serde_json::{Value, json};
 
 /// The file whose lock a process holds while it works on the folder.
@@ -110,6 +110,9 @@ impl Counts {
     }
 }
 
+/// Key of a finished sweep's description under which the checksum of its table stands.
+const CHECKSUM: &str = "table_crc32";
+
 /// The path with an ending added: FILE.csv.partial and FILE.csv.sweep.json lie in the folder of FILE.csv.
 pub fn with_ending(table: &Path, ending: &str) -> PathBuf {
     let mut name = table.as_os_str().to_owned();
@@ -128,13 +131,24 @@ impl PartialTable {
         sweep: &Value,
         resume: bool,
     ) -> Result<Option<PartialTable>> {
+        let description = with_ending(table, ".sweep.json");
+        for place in [table, &description] {
+            inputs::check(place)?;
+        }
         let folder = with_ending(table, ".partial");
         if resume
             && !folder.join(PLAN).exists()
             && table.exists()
-            && let Some(finished) = described(&with_ending(table, ".sweep.json"))
+            && let Some(mut finished) = described(&description)
         {
+            let written = finished[CHECKSUM].take();
+            if let Some(finished) = finished.as_object_mut() {
+                finished.remove(CHECKSUM);
+            }
             gaitcam::sweep::agree(table, &finished, sweep, language::current())?;
+            if written != json!(blocks::checksum_of(table)?) {
+                return Err(CliError::TableChanged.in_file(table));
+            }
             return Ok(None);
         }
         if folder.symlink_metadata().is_ok_and(|about| !about.is_dir()) {
@@ -211,8 +225,13 @@ impl PartialTable {
 
     /// Puts the complete table in its place and removes the blocks.
     pub fn finish(self, sweep: &Value) -> Result<Counts> {
-        let text = serde_json::to_string_pretty(sweep).unwrap_or_default();
-        write_whole(&with_ending(&self.table, ".sweep.json"), text.as_bytes())?;
+        inputs::check(&self.table)?;
+        let describe = |joined: &Path| {
+            let mut sweep = sweep.clone();
+            sweep[CHECKSUM] = json!(blocks::checksum_of(joined)?);
+            let text = serde_json::to_string_pretty(&sweep).unwrap_or_default();
+            write_whole(&with_ending(&self.table, ".sweep.json"), text.as_bytes())
+        };
         let fault = |e: std::io::Error| -> Error {
             let fault = e.to_string();
             CliError::AllRowsSafe { fault }.in_file(&self.table)
@@ -227,6 +246,7 @@ impl PartialTable {
             .map_err(fault)
             .and_then(|file| self.format.join(&paths, file))
             .and_then(|file| file.sync_all().map_err(fault))
+            .and_then(|()| describe(&joined))
             .and_then(|()| fs::rename(&joined, &self.table).map_err(fault));
         if placed.is_err() {
             let _ = fs::remove_file(&joined);

@@ -18,7 +18,7 @@ use gaitcam::error::{Placed, Result};
 use gaitcam::sweep::{Made, Scatter, Spread, Tolerance};
 use gaitcam::synth::sentences;
 use gaitcam::units::Dimension;
-use gaitcam_output::folder::write_whole;
+use gaitcam_app::folder::write_whole;
 use gaitcam_output::sweep_plots::{Quantity, histogram};
 use gaitcam_output::sweep_report::{Page, Table, html};
 

@@ -12,7 +12,7 @@ use gaitcam::Problem;
 use gaitcam::error::Result;
 use gaitcam::synth::{Figure, Figures, ForceReport, Trade, trade, traded};
 use gaitcam::wording::people;
-use gaitcam_output::folder::Folder;
+use gaitcam_app::folder::Folder;
 use gaitcam_output::sweep_plots::{self, Quantity};
 
 /// Points of the front when nothing is said.

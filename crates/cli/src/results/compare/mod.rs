@@ -14,8 +14,8 @@ use crate::console::terminal::{print, print_json};
 use crate::console::words;
 use gaitcam::cam::Verdict;
 use gaitcam::error::Result;
+use gaitcam_app::folder::Folder;
 use gaitcam_output::Picture;
-use gaitcam_output::folder::Folder;
 use gaitcam_output::overlay::{Strip, diagrams_over, profiles};
 use read::Design;
 

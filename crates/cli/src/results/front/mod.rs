@@ -22,8 +22,8 @@ use gaitcam::error::{FileError, Placed, Result};
 use gaitcam::sweep::table::text_cell;
 use gaitcam::sweep::{Admission, Front, Key, Objective, Point};
 use gaitcam_app::blocks::{self, PLAN};
+use gaitcam_app::folder::Folder;
 use gaitcam_app::{read::read_bytes, scene::not_json};
-use gaitcam_output::folder::Folder;
 use read::{Columns, Kept};
 
 const EXAMPLES: &str = "Examples:

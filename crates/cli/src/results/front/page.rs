@@ -9,8 +9,8 @@ use crate::console::language;
 use crate::console::words;
 use gaitcam::error::Result;
 use gaitcam::sweep::Point;
+use gaitcam_app::folder::Folder;
 use gaitcam_output::Picture;
-use gaitcam_output::folder::Folder;
 use gaitcam_output::sweep_plots::{self, Quantity, unit_for_people};
 use gaitcam_output::sweep_report;
 

@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use gaitcam::error::{Placed, Result};
 use gaitcam::scene::keys::{self, KEYS, Key};
 use gaitcam::wording::{Language, key_doc};
-use gaitcam_output::folder::write_whole;
+use gaitcam_app::folder::write_whole;
 use serde_json::json;
 
 use crate::console::error::CliError;

@@ -3,4 +3,5 @@
 mod folder;
 mod foreign;
 mod input_and_output;
+mod inputs;
 mod polish;

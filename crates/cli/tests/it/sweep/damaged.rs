@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::{rows, start, sweep};
-use crate::support::stderr;
+use crate::support::{run_in, stderr};
 
 /// The next of a fixed sequence of numbers below `most` (Knuth's linear congruential generator).
 fn next(seed: &mut u64, most: usize) -> usize {
@@ -109,4 +109,31 @@ fn a_hundred_random_damages_all_end_with_the_right_table() {
         assert_eq!(output.status.code(), Some(0), "{case}: {}", stderr(&output));
         assert!(rows(&out) == expected, "case {case}");
     }
+}
+
+#[test]
+fn a_finished_table_that_was_changed_is_not_believed() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let arguments = [
+        "sweep",
+        "--vary",
+        "limits.stroke=50 mm:60 mm:20",
+        "--out",
+        "t.csv",
+        "--resume",
+    ];
+    let run = || run_in(at, &arguments).status.code();
+    assert_eq!([run(), run()], [Some(0), Some(0)]);
+    let whole = fs::read(at.join("t.csv")).unwrap();
+    let mut swapped = whole.clone();
+    let digit = whole.iter().rposition(u8::is_ascii_digit).unwrap();
+    swapped[digit] ^= 1;
+    for damaged in [&whole[..0], &whole[..whole.len() / 2], &swapped] {
+        fs::write(at.join("t.csv"), damaged).unwrap();
+        assert_eq!(run(), Some(2));
+        assert_eq!(fs::read(at.join("t.csv")).unwrap(), damaged);
+    }
+    fs::write(at.join("t.csv"), &whole).unwrap();
+    assert_eq!(run(), Some(0));
 }

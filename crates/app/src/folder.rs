@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use gaitcam::error::{Placed, Result, WriteError};
 use tempfile::{Builder, NamedTempFile};
 
-use crate::Picture;
+use crate::inputs;
+use gaitcam_output::Picture;
 
 /// A folder that files can be written to.
 pub struct Folder {
@@ -81,6 +82,7 @@ fn through_temporary(
     bytes: &[u8],
     sync: impl FnOnce(&fs::File) -> std::io::Result<()>,
 ) -> Result<()> {
+    inputs::check(path)?;
     let written = temporary(path, prefix, bytes).and_then(|temporary| {
         sync(temporary.as_file())?;
         temporary.persist(path).map_err(|e| e.error)

@@ -1,0 +1,60 @@
+//! Inputs stay: a command replaces no file that it reads.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use gaitcam::error::{FileError, Placed, Result};
+
+/// The files that were read, links resolved; `None` where a program answers more than one question.
+static READ: Mutex<Option<BTreeSet<PathBuf>>> = Mutex::new(None);
+
+/// Protects every file that is read from here on, for a program that answers one question.
+pub fn protect() {
+    with(|read| *read = Some(BTreeSet::new()));
+}
+
+fn with<T>(act: impl FnOnce(&mut Option<BTreeSet<PathBuf>>) -> T) -> T {
+    act(&mut READ.lock().unwrap_or_else(PoisonError::into_inner))
+}
+
+/// Notes a file that is read.
+pub fn note(path: &Path) {
+    with(|read| {
+        if let Some(read) = read {
+            read.extend(path.canonicalize());
+        }
+    });
+}
+
+/// Refuses to replace a file that was read.
+///
+/// # Errors
+/// The file.
+pub fn check(place: &Path) -> Result<()> {
+    with(|read| match read {
+        Some(read) => check_among(read, place),
+        None => Ok(()),
+    })
+}
+
+/// Refuses to replace one of some files, given with their links resolved.
+///
+/// # Errors
+/// The file.
+pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
+    if !place.canonicalize().is_ok_and(|p| inputs.contains(&p)) {
+        return Ok(());
+    }
+    let file = place.display().to_string();
+    Err(FileError::Replaced { file }.in_file(place.parent().unwrap_or(place)))
+}
+
+/// The same before any work is done, for files of a folder.
+///
+/// # Errors
+/// The first file that would be replaced.
+pub fn check_in<'a>(folder: &Path, names: impl IntoIterator<Item = &'a str>) -> Result<()> {
+    let mut names = names.into_iter();
+    names.try_for_each(|name| check(&folder.join(name)))
+}
