@@ -35,18 +35,26 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> 
 
 /// From rows of the program's own, or from the worst points of its optimum without limits.
 fn without_seeds<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
-    let mut rows: Vec<Row<N>> = program.fixed.clone();
-    if !program.free_variables().is_empty() {
-        program.seed_rows(&mut rows);
-    } else {
+    let rows = if program.free_variables().is_empty() {
         let x = program.with_least_at_zero(equality::solve(program)?.x);
         if let Some(solution) = program.without_rows(&x) {
             return Ok(solution);
         }
-        add_rows(program, &mut rows, program.broken(&x, &Values::NONE));
-        program.add_neighbours(&mut rows, &x);
-    }
+        first_rows(program, &x)
+    } else {
+        let mut rows = program.fixed.clone();
+        program.seed_rows(&mut rows);
+        rows
+    };
     from_rows(program, rows, &mut InteriorPoint::default())
+}
+
+/// Fixed rows, and rows at and beside the worst points of the optimum without limits.
+pub fn first_rows<N: Names>(program: &Program<N>, x: &[f64]) -> Vec<Row<N>> {
+    let mut rows = program.fixed.clone();
+    add_rows(program, &mut rows, program.broken(x, &Values::NONE));
+    program.add_neighbours(&mut rows, x);
+    rows
 }
 
 /// From these rows, by a solver.
