@@ -36,7 +36,7 @@ fn mean_of_plates(recording: &Recording, period_s: f64) -> Option<f64> {
 }
 
 /// Mean total force, N, at a stride time; `None` without two whole stances in turn that carry alike: of a limping walker
-/// two half strides are no whole one.
+/// two half strides do not make a whole one.
 pub(super) fn mean_total(recording: &Recording, stances: &Stances, period_s: f64) -> Option<f64> {
     if recording.has_rows() || recording.runs() {
         return None;

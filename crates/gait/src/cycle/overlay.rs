@@ -6,7 +6,7 @@ use crate::recording::{Foot, Recording};
 use crate::stance::{Point, Stance, Stances};
 use crate::statistics::mean as average;
 
-/// Lays the used stances over each other; `None` where there is none.
+/// Lays the used stances over each other; `None` without used stances.
 ///
 /// At most `most` of them are returned, evenly spread over the recording; the means are of all but those that are
 /// outliers. Where stances have masses of their own, forces are scaled to the mean mass.
@@ -40,7 +40,7 @@ fn mean_of(recording: &Recording, own: &[&Stance]) -> MeanStanceCurve {
     let mean = mean_stance(recording, own, 0.0);
     let point = |of: fn(&Stance) -> Option<Point>| {
         let all: Vec<Point> = own.iter().filter_map(|s| of(s)).collect();
-        // A landmark that half of the stances lack is none.
+        // A landmark that half of the stances lack is left out.
         let of = |of: fn(&Point) -> f64| average(&all.iter().map(of).collect::<Vec<f64>>());
         (2 * all.len() > own.len()).then(|| Point {
             force_n: of(|p| p.force_n),

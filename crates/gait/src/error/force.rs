@@ -32,13 +32,13 @@ pub enum ForceError {
     PeriodNotPositive { period: Quantity },
     /// A word that names no feet.
     UnknownFeet { word: String },
-    /// A word that is no kind of movement.
+    /// A word that does not name a kind of movement.
     UnknownKind { word: String },
     /// A word that names no open question.
     UnknownDoubt { word: String },
     /// No recording gives a cycle for a joint mean.
     NoJointMean { trials: usize },
-    /// A word that is no unit of force.
+    /// A word that does not name a unit of force.
     UnknownUnit { word: String },
     /// No load model has this name.
     UnknownModel { name: String, known: String },
@@ -93,7 +93,7 @@ pub enum ForceError {
     WalkerImpossible { walker: String },
     /// A table of walkers lacks a column.
     WalkerColumnMissing { column: &'static str },
-    /// A value of a table of walkers is no number.
+    /// A value of a table of walkers is not a number.
     WalkerValue { column: String, value: String },
     /// Every stance is of the other foot.
     NoStanceOfFoot { foot: &'static str },

@@ -54,7 +54,7 @@ pub enum ReadError {
     },
     /// A nameless column was asked for by something else than its number.
     NoColumnNumber { column: String, count: usize },
-    /// The unit of a column of force is none of force.
+    /// A column of force states a unit that is not a unit of force.
     NoForceUnit { column: String, unit: String },
     /// The column of force is the one of time.
     ForceIsTime,
@@ -104,7 +104,7 @@ pub enum ReadError {
     /// A critical point beyond the period.
     PointBeyondPeriod { at: Quantity, period: Quantity },
 
-    /// The processor type of a C3D file is none that exists.
+    /// The processor type of a C3D file does not exist.
     Processor { code: u8 },
     /// A C3D file without analog samples.
     NoAnalog,

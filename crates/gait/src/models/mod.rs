@@ -93,7 +93,7 @@ fn cycle(name: &str, shape: &[f64], f: f64, body_weight_n: f64, feet: Feet) -> R
 }
 
 /// Period, s, and the (cosine, sine) amplitudes of harmonics 1, 2, … of a continuous model for one newton of
-/// body weight, whose mean is 1; `None` for single-foot models, which are no finite sums.
+/// body weight, whose mean is 1; `None` for single-foot models, which are not finite sums.
 ///
 /// # Errors
 /// Fails where [`model`] does.

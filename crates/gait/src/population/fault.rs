@@ -23,7 +23,7 @@ const STEPS: f64 = 1.45;
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker, WalkerFault, walker_faults};
 ///
-/// // 700 N on average are no force of a walker of 90 kg.
+/// // A walker of 90 kg does not press with 700 N on average.
 /// let mut cycle = ForceCurve::from_samples("W01", 0.5, vec![700.0, 800.0, 700.0, 600.0])?;
 /// cycle.mass_kg = Some(90.0);
 /// let walkers = [Walker::new("W01", cycle)];

@@ -55,7 +55,7 @@ pub struct WalkerRow {
     /// Its cycle.
     ///
     /// # Errors
-    /// With the line: a value that is no number, a cycle that is none.
+    /// With the line: a value that is not a number, forces that do not make a cycle.
     pub walker: Result<Walker>,
 }
 

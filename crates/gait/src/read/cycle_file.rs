@@ -124,7 +124,7 @@ fn samples(file: &TextFile, table: &Table) -> Result<(Samples, Option<f64>)> {
             return Err(ReadError::CycleValue.at_line(file.path, table.start.line + i));
         }
     }
-    // A bare `time` is in seconds; what has another unit, such as a percentage, is no clock.
+    // A bare `time` is in seconds; what has another unit, such as a percentage, is not a clock.
     let is_bare = (names.get(time)).is_some_and(|name| words(name).len() == 1);
     let unit = samples.time_unit.or(is_bare.then_some(1.0));
     Ok((samples, unit))

@@ -6,10 +6,10 @@ pub(super) const RIGHT: &str = "right r rfx rfy rfz rf rt rgr rgrf rechts rechte
     destra destro direita direito rhs rfs";
 /// A side that is a whole name: the column of an insole or a belt.
 pub(super) const SIDE: &str = "left l right r";
-/// Words for a force that stand for one beside any other word.
+/// Words that mean a force whatever the other words of the name are.
 pub(super) const STRONG_FORCE: &str = "force forces grf vgrf grfs reaction kraft fuerza forza força forca \
     bodenreaktionskraft load lgrf rgrf";
-/// Words for a force that stand for one beside nothing but a number or a side.
+/// Words that mean a force where the rest of the name is a number or a side.
 pub(super) const WEAK_FORCE: &str = "for f";
 pub(super) const VERTICAL: &str = "vertical vert vertikal verticale v normal up";
 pub(super) const VERTICAL_FORCE: &str = "vgrf fv grfv fvert vforce";

@@ -30,7 +30,7 @@ pub enum Kind {
     Jumping,
     /// The load rises from that of the feet alone to the weight, or falls back.
     SitToStand,
-    /// A movement that is none of these.
+    /// Another movement than these.
     Other,
 }
 
@@ -87,7 +87,7 @@ impl OpenQuestion {
     ///
     /// # Errors
     ///
-    /// On a word that is none of the three.
+    /// A word other than these three.
     pub fn list(words: &str) -> Result<Vec<OpenQuestion>> {
         let parts = words.split([',', ' ']).filter(|w| !w.is_empty());
         let accepted = |word: &str| {

@@ -120,7 +120,7 @@ pub enum Note {
     FeetGuessed,
     /// The file describes no force plate; channels were chosen by their labels.
     NoPlates,
-    /// A plate was left out: its TYPE is none of 1 to 7.
+    /// A plate was left out: its TYPE is not one of 1 to 7.
     PlateTypeUnknown { plate: usize, kind: i64 },
     /// A plate was left out: one of its channels is not in the file.
     PlateChannelMissing { plate: usize, channel: usize },

@@ -1,4 +1,4 @@
-//! Classification of contacts: whole stances, and the reason why another contact is none.
+//! Classification of contacts: whole stances, and the reason why another contact is not one.
 
 use super::contact::{Contact, SLOW_STEP_S, STANDING_S, TOUCH_S};
 use super::shape::Shape;
@@ -15,7 +15,7 @@ const LONG: f64 = 1.5;
 const LONG_WITH_HUMPS: f64 = 1.15;
 /// A contact of three humps or more is of both feet from this duration on, s.
 const TWO_STEPS_S: f64 = 0.8;
-/// A cut contact shorter than this part of a whole one is no stance.
+/// A cut contact shorter than this part of a whole one is not a stance.
 const FRAGMENT: f64 = 0.25;
 /// Missing samples up to this long are bridged, s.
 const BRIDGED_S: f64 = 0.05;
@@ -112,7 +112,7 @@ pub(super) struct Judged<'a> {
     pub beside: Beside,
 }
 
-/// Why a contact is no whole stance of walking or, where that is asked for, of running; `None` where it is one.
+/// Why a contact is not a whole stance of walking or, where that is asked for, of running; `None` where it is one.
 pub(super) fn rejection(judged: &Judged, usual: &Usual, kind: Kind) -> Option<RejectReason> {
     let (contact, shape) = (judged.contact, judged.shape);
     let duration = contact.duration_s();

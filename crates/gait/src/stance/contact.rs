@@ -9,7 +9,7 @@ const CONTACT_N: f64 = 20.0;
 const HYSTERESIS: f64 = 0.5;
 /// Noise of the unloaded plate is kept this many standard deviations below the threshold.
 const NOISE_MARGIN: f64 = 6.0;
-/// A contact shorter than this is no step, s.
+/// A contact shorter than this is not a step, s.
 pub(super) const TOUCH_S: f64 = 0.1;
 /// A contact longer than this is standing, s.
 pub(super) const STANDING_S: f64 = 1.8;
@@ -91,7 +91,7 @@ pub(super) fn contacts(index: usize, channel: &Channel, rate_hz: f64) -> Vec<Con
             _ => found.push(contact),
         }
     }
-    // Ripples of the unloaded plate just above the threshold are no contacts.
+    // Ripples of the unloaded plate just above the threshold are not contacts.
     found.retain(|c| c.peak_n > 2.0 * on || c.duration_s() > TOUCH_S);
     found
 }

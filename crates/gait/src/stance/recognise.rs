@@ -8,7 +8,7 @@ use crate::recording::{Foot, Idle, Kind, Recording};
 use crate::statistics::{mean_and_deviation, median};
 use crate::units::G;
 
-/// A contact this short is none of walking, s.
+/// Walking has no contact this short, s.
 const SHORT_S: f64 = 0.33;
 /// Contacts shorter than this confirm running where there is other evidence of it, s.
 const BRISK_S: f64 = 0.42;
@@ -151,7 +151,7 @@ fn duty(main: &[(&Contact, &Shape)]) -> Option<(f64, f64)> {
         let next = main[i + 1..].iter().find(|(b, _)| b.channel == a.channel);
         if let Some((b, _)) = next {
             let stride = b.start_s - a.start_s;
-            // A pause is no swing.
+            // A pause is not a swing.
             if stride < 3.5 * a.duration_s().max(0.15) {
                 all.push((a.duration_s() / stride, stride));
             }

@@ -171,7 +171,7 @@ fn leave_zones(table: &Table, force: &mut Vec<ForceColumn>) {
     }
 }
 
-/// Leaves out columns that state another unit than one of force; a fault if there is no other.
+/// Leaves out columns that state a unit of something else; a fault where no column is left.
 fn leave_foreign_units(file: &TextFile, table: &Table, force: &mut Vec<ForceColumn>) -> Result<()> {
     let first = force[0].place;
     force.retain(|f| table.foreign_unit(f.place).is_none());

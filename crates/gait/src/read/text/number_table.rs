@@ -50,7 +50,7 @@ impl<'a> NumberTable<'a> {
     /// The first table of a text; `path` serves messages only.
     ///
     /// # Errors
-    /// Files that are no text or hold no table of numbers.
+    /// Files that are not text or hold no table of numbers.
     pub fn find(path: &Path, bytes: &'a [u8]) -> Result<NumberTable<'a>> {
         if let Some(kind) = foreign(bytes) {
             return Err(ReadError::Foreign { kind }.in_file(path));

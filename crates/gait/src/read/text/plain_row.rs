@@ -3,37 +3,37 @@
 use super::delimited::{Delimiters, Separator};
 use crate::read::number::short;
 
-/// Reads the wanted fields (numbers from 0, ascending) of the row that `rest` begins with; the length of the row with
+/// Reads the chosen fields (numbers from 0, ascending) of the row that `rest` begins with; the length of the row with
 /// its line end.
 ///
 /// `None`, with `row` in any state, for a row that needs more care: one that has anything but a short number in a field
-/// up to the last wanted one, that lacks such a field, or is the last without a line end.
+/// up to the last chosen one, that lacks such a field, or is the last without a line end.
 #[inline]
 pub(super) fn plain_row(
     rest: &[u8],
     delimiters: Delimiters,
-    wanted: &[usize],
+    places: &[usize],
     row: &mut [f64],
 ) -> Option<usize> {
     let Separator::Byte(separator) = delimiters.separator else {
         return None;
     };
     let (mut at, mut next) = (0, 0);
-    for column in 0..=*wanted.last()? {
+    for column in 0..=*places.last()? {
         let (x, length) = short(&rest[at..], delimiters.comma)?;
         let end = *rest.get(at + length)?;
-        let is_last = next + 1 == wanted.len() && wanted[next] == column;
+        let is_last = next + 1 == places.len() && places[next] == column;
         let is_ended = end == separator || is_last && matches!(end, b'\n' | b'\r');
         if !is_ended {
             return None;
         }
-        if wanted[next] == column {
+        if places[next] == column {
             row[next] = x;
             next += 1;
         }
         at += length + 1;
     }
-    // The byte behind the last wanted field may be the line end.
+    // The byte behind the last chosen field may be the line end.
     let end = rest[at - 1..].iter().position(|&b| b == b'\n')?;
     Some(at + end)
 }
@@ -67,9 +67,9 @@ mod tests {
             (dot(b',', false), "-,1,2\n"),
             (dot(b',', false), "00:00.1,1,2\n"),
         ] {
-            let wanted = [0, 1, 2];
+            let places = [0, 1, 2];
             let mut row = [f64::NAN; 3];
-            let Some(length) = plain_row(text.as_bytes(), delimiters, &wanted, &mut row) else {
+            let Some(length) = plain_row(text.as_bytes(), delimiters, &places, &mut row) else {
                 continue;
             };
             plain += 1;

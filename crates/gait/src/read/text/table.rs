@@ -91,33 +91,33 @@ fn row_width(line: &[u8], delimiters: Delimiters) -> Option<usize> {
 /// Numbers of some columns of a table, NaN where a field holds none.
 #[derive(Debug)]
 pub(crate) struct Numbers {
-    /// One vector per wanted column, all of the same length.
+    /// One vector per chosen column, all of the same length.
     pub columns: Vec<Vec<f64>>,
     /// Lines that were skipped because they hold no row, up to the first few.
     pub skipped: Vec<usize>,
 }
 
-/// Reads the wanted columns (numbers from 0, ascending) of a table.
+/// Reads the chosen columns (numbers from 0, ascending) of a table.
 ///
-/// `time` is the place in `wanted` of a time column, which must not fall (equal values are kept because times
+/// `time` is the place in `places` of a time column, which must not fall (equal values are kept because times
 /// are rounded). Room is reserved for no more rows than there are line ends, and a row that lacks most of its
 /// fields ends the reading with an error, so that memory stays within a small multiple of the text.
 pub(crate) fn numbers(
     file: &TextFile,
     table: &Table,
-    wanted: &[usize],
+    places: &[usize],
     time: Option<usize>,
 ) -> Result<Numbers> {
     let (bytes, delimiters) = (file.bytes, file.delimiters);
     let body = bytes.get(table.start.offset..).unwrap_or(&[]);
-    let mut rows = Rows::new(line_ends(body) + 1, body.len(), wanted.len(), time);
-    let mut row = vec![f64::NAN; wanted.len()];
+    let mut rows = Rows::new(line_ends(body) + 1, body.len(), places.len(), time);
+    let mut row = vec![f64::NAN; places.len()];
     let mut absent = 0usize;
     let mut skipped = Vec::new();
     let mut lines = Lines::from(bytes, table.start);
     loop {
         let here = lines.at;
-        if let Some(length) = plain_row(&bytes[here.offset..], delimiters, wanted, &mut row) {
+        if let Some(length) = plain_row(&bytes[here.offset..], delimiters, places, &mut row) {
             rows.push(&row, table)
                 .map_err(|e| e.at_line(file.path, here.line))?;
             lines.at = Position {
@@ -129,7 +129,7 @@ pub(crate) fn numbers(
         let Some((at, line)) = lines.next() else {
             break;
         };
-        let present = wanted_fields(line, delimiters, wanted, &mut row, time);
+        let present = chosen_fields(line, delimiters, places, &mut row, time);
         let is_empty = !row.iter().any(|x| x.is_finite());
         if is_empty || time.is_some_and(|t| row[t].is_nan()) {
             let is_row = row_width(line, delimiters).is_some();
@@ -148,8 +148,8 @@ pub(crate) fn numbers(
             }
             continue;
         }
-        absent += wanted.len() - present;
-        if absent > rows.count() * wanted.len() / 2 + 64 * wanted.len().max(8) {
+        absent += places.len() - present;
+        if absent > rows.count() * places.len() / 2 + 64 * places.len().max(8) {
             return Err(ragged(table).at_line(file.path, at.line));
         }
         rows.push(&row, table)
@@ -250,20 +250,20 @@ fn is_comment(line: &[u8]) -> bool {
     matches!(line.trim_ascii(), [b'#' | b'%' | b'!' | b'/', ..])
 }
 
-/// Fills `row` with the wanted fields of a line; the number of them that the line has.
+/// Fills `row` with the chosen fields of a line; returns how many of them the line has.
 #[inline]
-fn wanted_fields(
+fn chosen_fields(
     line: &[u8],
     delimiters: Delimiters,
-    wanted: &[usize],
+    places: &[usize],
     row: &mut [f64],
     time: Option<usize>,
 ) -> usize {
     row.fill(f64::NAN);
     let mut next = 0;
     for (i, f) in Fields::new(line, delimiters).enumerate() {
-        if wanted.get(next) != Some(&i) {
-            if next >= wanted.len() {
+        if places.get(next) != Some(&i) {
+            if next >= places.len() {
                 break;
             }
             continue;

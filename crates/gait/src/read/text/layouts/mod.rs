@@ -46,7 +46,7 @@ const DELIMITED: Layout = Layout {
 };
 
 /// All layouts; the first that recognises a text counts.
-const LAYOUTS: [Layout; 11] = [
+const LAYOUTS: &[Layout] = &[
     Layout {
         program: Some("Motion Analysis (.anc)"),
         is_of: |text| text.starts("file_type"),

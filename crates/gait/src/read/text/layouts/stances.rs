@@ -243,7 +243,7 @@ fn masses(bytes: &[u8]) -> HashMap<String, f64> {
             let x = value(fields.get(i?)?, delimiters.comma);
             x.is_finite().then_some(x)
         };
-        // A weight beside no mass may be either; walkers of 200 N and 200 kg are both rare.
+        // A column of weight without one of mass may hold either; walkers of 200 N and 200 kg are both rare.
         let weighed = at(weight).map(|w| if w > 200.0 { w / G } else { w });
         if let (Some(id), Some(kg)) = (fields.first(), at(mass).or(weighed))
             && (3.0..=400.0).contains(&kg)
