@@ -27,7 +27,7 @@ pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) ->
     {
         return ForceError::TotalOfBothFeet { duration };
     }
-    let guessed = |n: &Note| matches!(n, Note::MillisecondsGuessed { .. });
+    let guessed = |n: &Note| matches!(n, Note::TimeUnitGuessed { .. });
     if recording.notes.iter().any(guessed) {
         // With a wrong clock, walking resembles running or standing.
         let rejected = stances.rejected.iter();

@@ -159,7 +159,7 @@ fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note
 /// Where it shows that the guess is wrong.
 pub(super) fn confirm_clock(recording: &Recording, cycle: &mut Cycle) -> Result<()> {
     let guessed = recording.notes.iter().find_map(|n| match n {
-        Note::MillisecondsGuessed { step } => Some(*step),
+        Note::TimeUnitGuessed { step, .. } => Some(*step),
         _ => None,
     });
     let Some(step) = guessed else {

@@ -68,8 +68,8 @@ pub enum Note {
     RateGuessed { rate: Quantity, stance: Quantity },
     /// The rate given takes the place of the time column.
     RateOverridesTimes { rate: Quantity, column: Quantity },
-    /// Steps of the time column were taken for milliseconds.
-    MillisecondsGuessed { step: f64 },
+    /// The time column gives no unit; its steps were taken for milliseconds, microseconds or nanoseconds.
+    TimeUnitGuessed { step: f64, unit: &'static str },
     /// Single samples are missing.
     SamplesMissing { count: usize, first: Quantity },
     /// Header and time column give different rates; the times count.

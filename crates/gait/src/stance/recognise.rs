@@ -34,6 +34,10 @@ const IMPACT_S: f64 = 0.25;
 /// An impact over the mean of its contact: above the fastest walking (1.67 at 1.7 to 2.3 m/s, Pataky et al. 2008) and
 /// below the made landings, which reach 2.6 to 3.6.
 const DROP: f64 = 1.9;
+/// The first peak of a landing comes before this part of its contact; that of walking between 0.18 and 0.3.
+const EARLY: f64 = 0.155;
+/// Contacts that are too few to show a rhythm.
+const FEW: usize = 2;
 /// Feet that land and leave within this are a jump, s.
 const TOGETHER_S: f64 = 0.08;
 /// A contact that reaches this part of the highest is a step.
@@ -85,6 +89,11 @@ pub(super) fn ballistic(
         || duration < BRISK_S && (peaked || hard || flies(&main));
     if runs {
         return Some(Kind::Running);
+    }
+    // Few contacts do not show a rhythm: one that rises at once is the landing of a jump on one leg.
+    let lands = |(_, s): &(&Contact, &Shape)| s.p1.at < EARLY;
+    if main.len() <= FEW && !main.is_empty() && main.iter().all(lands) {
+        return Some(Kind::Jumping);
     }
     // Hops on one spot: as long as steps, but each a single sharp hump.
     (peaked && main.len() >= 2).then_some(Kind::Jumping)

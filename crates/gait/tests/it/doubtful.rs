@@ -86,7 +86,7 @@ fn what_was_guessed_goes_with_the_curve() {
     });
     let options = ReadOptions::default();
     let curve = force_curve(Path::new("w.csv"), text.as_bytes(), &options, Feet::Both).unwrap();
-    let guessed = |n: &&Note| matches!(n, Note::MillisecondsGuessed { .. });
+    let guessed = |n: &&Note| matches!(n, Note::TimeUnitGuessed { .. });
     assert!(curve.warnings().any(|n| guessed(&n)));
     let understood = curve.recording.unwrap();
     assert_eq!(understood.doubts(), [OpenQuestion::Clock]);

@@ -199,16 +199,25 @@ fn overridden(times: &[f64], unit: Option<f64>, rate: f64) -> Option<Note> {
     })
 }
 
+/// Steps of a clock that counts small units: their name, seconds per unit, and steps that they may have.
+const SMALL_UNITS: [(&str, f64, std::ops::RangeInclusive<f64>); 3] = [
+    ("ms", 1e-3, 0.4..=60.0),
+    ("us", 1e-6, 200.0..=60e3),
+    ("ns", 1e-9, 200e3..=60e6),
+];
+
 /// Seconds per unit of a time column without a unit, with a note where nothing states it.
 fn guessed_unit(times: &[f64], key_rate: Option<f64>, note: &mut Option<Note>) -> f64 {
     let step = usual_step(times);
-    match key_rate {
+    if let Some(rate) = key_rate {
         // The column does not count seconds; the rate gives its unit.
-        Some(rate) if (step * rate - 1.0).abs() > 0.5 => 1.0 / (rate * step),
-        None if (0.4..=60.0).contains(&step) && times.len() > 20 => {
-            *note = Some(Note::MillisecondsGuessed { step });
-            1e-3
-        }
-        _ => 1.0,
+        let agrees = (step * rate - 1.0).abs() <= 0.5;
+        return if agrees { 1.0 } else { 1.0 / (rate * step) };
     }
+    let mut units = SMALL_UNITS.iter().filter(|_| times.len() > 20);
+    let Some((unit, scale, _)) = units.find(|(.., steps)| steps.contains(&step)) else {
+        return 1.0;
+    };
+    *note = Some(Note::TimeUnitGuessed { step, unit });
+    *scale
 }

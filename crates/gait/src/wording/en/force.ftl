@@ -71,7 +71,11 @@ note-masses-missing = the mass is known for { $known } of { $rows } stances; add
 note-durations-lost = all stances have { $samples } samples, so their durations are unknown; { $assumed } is assumed
 note-rate-guessed = the table gives no sampling rate; { $rate } is assumed, which gives stances of { $stance }; give the rate if this is wrong
 note-rate-overrides-times = the given rate of { $rate } replaces the time column, which gives { $column }
-note-milliseconds-guessed = the time column has steps of { $step }; it is taken as milliseconds
+note-time-unit-guessed = the time column has steps of { $step }; it is taken as { $unit ->
+        [ms] milliseconds
+        [us] microseconds
+       *[ns] nanoseconds
+    }
 note-samples-missing = { $count ->
         [one] one sample is missing
        *[other] { $count } samples are missing

@@ -71,7 +71,11 @@ note-masses-missing = la masa se conoce en { $known } de { $rows } apoyos; añad
 note-durations-lost = todos los apoyos tienen { $samples } muestras, de modo que se desconoce su duración; se supone { $assumed }
 note-rate-guessed = la tabla no da la frecuencia de muestreo; se supone { $rate }, lo que da apoyos de { $stance }; indíquela si no es correcta
 note-rate-overrides-times = la frecuencia de { $rate } indicada sustituye a la columna de tiempo, que da { $column }
-note-milliseconds-guessed = la columna de tiempo tiene incrementos de { $step }; se toma como milisegundos
+note-time-unit-guessed = la columna de tiempo tiene incrementos de { $step }; se toma como { $unit ->
+        [ms] milisegundos
+        [us] microsegundos
+       *[ns] nanosegundos
+    }
 note-samples-missing = { $count ->
         [one] falta una muestra
        *[other] faltan { $count } muestras

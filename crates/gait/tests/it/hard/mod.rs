@@ -71,7 +71,7 @@ fn concerns(note: &Note) -> bool {
         Note::SpeedChanges { .. }
             | Note::UnitGuessed { .. }
             | Note::UnitLabelRejected { .. }
-            | Note::MillisecondsGuessed { .. }
+            | Note::TimeUnitGuessed { .. }
             | Note::VerticalGuessed { .. }
             | Note::TotalColumn
             | Note::CountsScaled { .. }

@@ -245,3 +245,70 @@ pub fn one_stride(dice: &mut Dice) -> Case {
     };
     case("one stride of unlike feet", text, truth, false)
 }
+
+/// A jump down on one leg: one contact that rises at once, without a step before or after.
+pub fn landing(dice: &mut Dice) -> Case {
+    let plate = Plate {
+        rate_hz: dice.of(&[200.0, 500.0, 1000.0]),
+        ..Plate::of(dice)
+    };
+    let weight = G * dice.between(50.0, 90.0);
+    let (lasts, first) = (dice.between(0.55, 0.8), dice.between(0.09, 0.14));
+    let points = [
+        (0.0, 0.0),
+        (first, dice.between(1.75, 2.3)),
+        (first + 0.1, dice.between(1.5, 1.65)),
+        (0.7, dice.between(1.7, 1.85)),
+        (1.0, 0.0),
+    ];
+    let force = |t: f64| {
+        let x = (t - 1.0) / lasts;
+        let after = points.partition_point(|p| p.0 <= x);
+        let (Some(a), Some(b)) = (after.checked_sub(1).map(|i| points[i]), points.get(after))
+        else {
+            return 0.0;
+        };
+        let part = (x - a.0) / (b.0 - a.0);
+        weight * (a.1 + (b.1 - a.1) * 0.5 * (1.0 - (std::f64::consts::PI * part).cos()))
+    };
+    let table = Table {
+        rate_hz: plate.rate_hz,
+        names: vec!["Fz (N)".to_string()],
+        columns: vec![plate.samples(dice, 3.0, force)],
+    };
+    let truth = Truth {
+        kind: Kind::Jumping,
+        strides: Vec::new(),
+        mass: None,
+    };
+    let mut made = case(
+        "landing on one leg",
+        table.delimited(seconds_clock(dice), false),
+        truth,
+        false,
+    );
+    if dice.chance(50.0) {
+        made.options.mass_kg = Some(weight / G);
+    }
+    made
+}
+
+/// A clock of a computer: a large number of some unit, without a name of the unit.
+pub fn clock_units(dice: &mut Dice) -> Case {
+    let plate = dense(dice);
+    let (person, table) = belts(dice, &plate);
+    let (per_second, from) = dice.of(&[(1.0, 1.7e9), (1e3, 1.7e12), (1e6, 5e9), (1e9, 3e14)]);
+    let decimals = if per_second == 1.0 { 4 } else { 0 };
+    let mut text = "timestamp,left fz,right fz\n".to_string();
+    for i in 0..table.rows() {
+        let t = from + per_second * i as f64 / table.rate_hz;
+        let [left, right] = [0, 1].map(|k| table.columns[k][i]);
+        let _ = writeln!(text, "{t:.decimals$},{left:.2},{right:.2}");
+    }
+    case(
+        "clocks that start far from zero",
+        text,
+        truth(&person),
+        true,
+    )
+}
