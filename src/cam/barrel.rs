@@ -180,6 +180,12 @@ impl BarrelGroove {
         (angle(low), angle(high))
     }
 
+    /// Largest |pressure angle| on the axis at `radius`, rad, where the follower rises and where it falls.
+    pub fn pressure_angles_by_motion(&self, radius: f64) -> [Extreme; 2] {
+        let (low, high) = self.pressure_angle_extremes(radius);
+        [high, low.map(|angle| -angle)].map(|side| side.map(|angle| angle.max(0.0)))
+    }
+
     /// Radius of curvature of the unrolled groove's middle line at `radius`, m: positive where it bends
     /// towards −z (convex seen from below), infinite where straight.
     pub fn rho_pitch(&self, theta: f64, radius: f64) -> f64 {

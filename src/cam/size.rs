@@ -31,39 +31,55 @@ pub fn smallest_base_radius(law: &Law, rho_min: f64) -> f64 {
     (rho_min - low.value).max(0.0)
 }
 
-/// Smallest prime circle on which the pressure angle stays within `rise` (positive side) and −`fall`
-/// (negative side), rad, both in (0, π/2).
+/// Smallest prime circle on which the |pressure angle| is at most `rise` where the follower rises and at most `fall`
+/// where it falls, rad, both in (0, π/2).
 ///
-/// The limits v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D) are half planes of (D, e); the answer
-/// is their point nearest to the origin: a foot of a perpendicular or the corner. With a given `offset`
-/// only D is free.
+/// With tan φ = (v − e)/(s + D) the limits are v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D), and where the
+/// follower turns, |e| ≤ tan φ·(s + D) with the smaller of both. Between turns these imply the other two. All are half planes
+/// of (D, e); the answer is their point nearest to the origin: a foot of a perpendicular or a corner. With a given
+/// `offset` only D is free.
 pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64>) -> PrimeCircle {
     let (t1, t2) = (rise.tan(), fall.tan());
     let p1 = law.extremes_of([-t1, 1.0, 0.0, 0.0], 0.0).1.value;
     let p2 = law.extremes_of([-t2, -1.0, 0.0, 0.0], 0.0).1.value;
+    let turning = t1.min(t2);
+    let at_rest = -turning * law.extremes(0).0.value;
+    // Tangent t, sign of e and bound p of t·D ± e ≥ p.
+    let planes = [
+        (t1, 1.0, p1),
+        (t2, -1.0, p2),
+        (turning, 1.0, at_rest),
+        (turning, -1.0, at_rest),
+    ];
+    let circle = |(d, e): (f64, f64)| PrimeCircle {
+        radius: d.hypot(e),
+        offset: e,
+    };
     if let Some(e) = offset {
-        let d = ((p1 - e) / t1).max((p2 + e) / t2).max(0.0);
-        return PrimeCircle {
-            radius: d.hypot(e),
-            offset: e,
-        };
+        let least = planes.iter().map(|(t, side, p)| (p - side * e) / t);
+        return circle((least.fold(0.0, f64::max), e));
     }
-    // Candidates (D, e): feet of the perpendiculars on t1·D + e = p1 and t2·D − e = p2, then the corner.
-    let foot1 = (t1 * p1 / (1.0 + t1 * t1), p1 / (1.0 + t1 * t1));
-    let foot2 = (t2 * p2 / (1.0 + t2 * t2), -p2 / (1.0 + t2 * t2));
-    let d = (p1 + p2) / (t1 + t2);
-    let corner = (d, p1 - t1 * d);
     let slack = 1e-12 * (p1.abs() + p2.abs());
-    let allowed =
-        |&(d, e): &(f64, f64)| d >= 0.0 && t1 * d + e >= p1 - slack && t2 * d - e >= p2 - slack;
-    let best = [(0.0, 0.0), foot1, foot2]
+    let allowed = |(d, e): (f64, f64)| {
+        d >= 0.0
+            && planes
+                .iter()
+                .all(|(t, side, p)| t * d + side * e >= p - slack)
+    };
+    let foot = |(t, side, p): (f64, f64, f64)| (t * p / (1.0 + t * t), side * p / (1.0 + t * t));
+    let corner = |(t, side, p): (f64, f64, f64), (u, other, q): (f64, f64, f64)| {
+        let d = (q - other * side * p) / (u - other * side * t);
+        (d, side * (p - t * d))
+    };
+    let corners = (0..planes.len()).flat_map(|i| (0..i).map(move |k| corner(planes[k], planes[i])));
+    let candidates = [(0.0, 0.0)]
         .into_iter()
-        .find(allowed)
-        .unwrap_or(corner);
-    PrimeCircle {
-        radius: best.0.hypot(best.1),
-        offset: best.1,
-    }
+        .chain(planes.map(foot))
+        .chain(corners);
+    let nearest = candidates
+        .filter(|at| allowed(*at))
+        .min_by(|a, b| a.0.hypot(a.1).total_cmp(&b.0.hypot(b.1)));
+    circle(nearest.unwrap_or_else(|| corner(planes[0], planes[1])))
 }
 
 /// Limits of the search for the smallest cam.
@@ -83,9 +99,9 @@ pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64
 pub struct SizeLimits {
     /// Least convex radius of the finished cam, m; 0 stops at the cusp.
     pub rho_min: f64,
-    /// Largest pressure angle on the positive side, rad; π/2 for any.
+    /// Largest |pressure angle| where the follower rises, rad; π/2 for any.
     pub pressure_rise: f64,
-    /// Largest pressure angle on the negative side, rad; π/2 for any.
+    /// Largest |pressure angle| where the follower falls, rad; π/2 for any.
     pub pressure_fall: f64,
     /// The arm runs in another plane: its pivot may lie within the profile.
     pub pivot_beside: bool,
@@ -111,12 +127,12 @@ impl SizeLimits {
         if fits.is_err() {
             return false;
         }
-        let (low, high) = cam.pressure_angle_extremes();
+        let [rise, fall] = cam.pressure_angles_by_motion();
         // Rounding of the angle at the limit itself.
         let slack = 1e-12;
         cam.curvature().convex.value >= self.rho_min
-            && high.value <= self.pressure_rise + slack
-            && -low.value <= self.pressure_fall + slack
+            && rise.value <= self.pressure_rise + slack
+            && fall.value <= self.pressure_fall + slack
     }
 }
 

@@ -99,6 +99,42 @@ impl Law {
         stand_in(breaks, STAND_IN, |i, x| f(self.svaj_on(i, inside(i, x)))).extremes()
     }
 
+    /// The same where the lift rises and where it falls, ends of a rise or fall included; `None` where it never does.
+    pub(crate) fn extremes_on_rise_and_fall(
+        &self,
+        f: impl Fn(Svaj) -> f64,
+    ) -> [Option<Extremes>; 2] {
+        let breaks = self.breaks();
+        let inside = |i: usize, x: f64| (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
+        let values = stand_in(breaks, STAND_IN, |i, x| f(self.svaj_on(i, inside(i, x))));
+        let velocity = self.combination([0.0, 1.0, 0.0, 0.0], 0.0);
+        let values = values.cut_at(&velocity.roots());
+        let mut out = [None; 2];
+        for (piece, ends) in values.breaks().windows(2).enumerate() {
+            let speed = velocity.eval(0.5 * (ends[0] + ends[1]));
+            if speed == 0.0 {
+                continue;
+            }
+            let own = values.piece(piece).to_vec();
+            let (low, high) = PiecewisePoly::new(ends.to_vec(), values.degree(), own).extremes();
+            let side: &mut Option<Extremes> = &mut out[usize::from(speed < 0.0)];
+            let (lowest, highest) = side.unwrap_or((low, high));
+            *side = Some((
+                if low.value < lowest.value {
+                    low
+                } else {
+                    lowest
+                },
+                if high.value > highest.value {
+                    high
+                } else {
+                    highest
+                },
+            ));
+        }
+        out
+    }
+
     fn cached_extremes(&self, weights: [f64; 4]) -> Extremes {
         let search = || match self.harmonics() {
             Some(harmonics) => {

@@ -90,19 +90,18 @@ impl Problem {
         hub_radius(&self.cam, &self.limits)
     }
 
-    /// Pressure angles on rise and fall that size a cam: a side that is not limited beside one that is may
-    /// have any, and where neither is, the usual rule holds on both.
+    /// Pressure angles on rise and fall that size a cam, rad: those limited, otherwise the usual one. The size of a flat face
+    /// changes its pressure angle little, so that any will do; so it does where the scene says "none" beside the limit of a side.
     pub fn sizing_pressure_angles(&self) -> [f64; 2] {
-        let sides = [
-            self.limits[LimitKind::PressureAngleRise],
-            self.limits[LimitKind::PressureAngleFall],
-        ];
-        let other = if sides == [None, None] {
-            USUAL_PRESSURE_ANGLE
-        } else {
+        let sides = self.limits.pressure_angles();
+        let one_alone = sides[0].is_some() != sides[1].is_some();
+        let is_free = self.limits.unjudged.pressure_angle && one_alone;
+        let usual = if is_free || self.cam.follower.is_flat() {
             FRAC_PI_2
+        } else {
+            USUAL_PRESSURE_ANGLE
         };
-        sides.map(|side| side.unwrap_or(other))
+        sides.map(|side| side.unwrap_or(usual))
     }
 }
 

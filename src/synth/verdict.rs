@@ -1,6 +1,6 @@
 //! The class of a finished cam and all the reasons for it (docs/verdict.md).
 
-use super::limits::{GEOMETRY, usual_pressure_angle};
+use super::limits::{GEOMETRY, is_usual, usual_pressure_angle};
 use super::sizing::smallest_without_undercut;
 use crate::cam::{Cam, Check, Criterion, Follower, LimitKind, Verdict};
 use crate::drive::DriveKind;
@@ -105,14 +105,12 @@ fn preload_above(problem: &Problem) -> Option<[f64; 2]> {
     (held && drive.rest_force - least > problem.wanted_error()).then_some([drive.rest_force, least])
 }
 
-/// A pressure angle above the usual one, where the scene limits none.
+/// A pressure angle above the usual one, on a side that the scene does not limit.
 fn steep(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     let [usual, _] = usual_pressure_angle(problem)?;
-    let angles = checks
-        .iter()
-        .filter(|c| c.name.is_pressure_angle() && c.pass);
+    let angles = checks.iter().filter(|c| is_usual(problem, c.name));
     let worst = angles.max_by(|a, b| a.worst.total_cmp(&b.worst))?;
-    (worst.worst > usual * (1.0 + GEOMETRY)).then(|| Reason::LargePressureAngle {
+    (worst.pass && worst.worst > usual * (1.0 + GEOMETRY)).then(|| Reason::LargePressureAngle {
         at: place(cam.follower.measures(), worst.at),
         angle: Quantity::angle(worst.worst),
         usual: Quantity::angle(usual),

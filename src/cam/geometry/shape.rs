@@ -29,6 +29,26 @@ impl Cam {
         (angle(low), angle(high))
     }
 
+    /// Largest |pressure angle|, rad, where the follower rises (ds/dθ > 0) and where it falls; 0 where it never does.
+    pub fn pressure_angles_by_motion(&self) -> [Extreme; 2] {
+        let geometry = Geometry::new(&self.follower);
+        let on_axis = matches!(geometry, Geometry::Unrolled(_)) || self.follower.offset() == 0.0;
+        if on_axis && !self.follower.kind().is_oscillating() {
+            // tan φ has the sign of v.
+            let (low, high) = self.pressure_angle_extremes();
+            let size = |e: Extreme, sign: f64| e.map(|angle| (sign * angle).max(0.0));
+            return [size(high, 1.0), size(low, -1.0)];
+        }
+        let none = Extreme {
+            at: self.law.extent().0,
+            value: 0.0,
+        };
+        let tangents = self
+            .law
+            .extremes_on_rise_and_fall(|at| geometry.contact(at).tan_pressure);
+        tangents.map(|side| side.map_or(none, |range| Extreme::largest(range).map(f64::atan)))
+    }
+
     /// Curvature of the finished profile: where it is sharpest, on the convex and the concave side.
     ///
     /// Flat translating: exact extremes of Rb + s + a. A flat face cannot touch a concave flank, so its

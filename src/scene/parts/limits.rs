@@ -6,7 +6,7 @@ use crate::cam::LimitKind;
 
 /// Bounds of the design, by [`LimitKind`], in SI; `None` = no limit.
 ///
-/// [`LimitKind::PressureAngle`] is one bound for both sides: [`Limits::set`] and [`Limits::with`] set both.
+/// [`LimitKind::PressureAngle`] is one bound for rise and fall: [`Limits::set`] and [`Limits::with`] set both.
 ///
 /// ```
 /// use gaitcam::{LimitKind, Limits};
@@ -26,7 +26,7 @@ pub struct Limits {
 impl Index<LimitKind> for Limits {
     type Output = Option<f64>;
 
-    /// The bound of a limit; of [`LimitKind::PressureAngle`] that of the positive side.
+    /// The bound of a limit; of [`LimitKind::PressureAngle`] that of the rise.
     fn index(&self, kind: LimitKind) -> &Option<f64> {
         &self.bounds[place(kind)]
     }
@@ -61,7 +61,7 @@ impl Limits {
         self
     }
 
-    /// Largest pressure angles on the positive and on the negative side, rad.
+    /// Largest |pressure angle| on the rise and on the fall, rad.
     pub fn pressure_angles(&self) -> [Option<f64>; 2] {
         [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall].map(|side| self[side])
     }

@@ -26,7 +26,7 @@ pub use hertz_pressure::Press;
 pub use kinematic::{above_base_circle, monotone, peak};
 pub use loads::{bearable_on_some_size, largest, power_curve, smallest_base_radius, torque_curve};
 pub use nonconvex::{ENLARGED, NonconvexLimits, clearances, loaded, relative};
-pub use pressure_angle::{NEARLY_RIGHT, usual_pressure_angle};
+pub use pressure_angle::{NEARLY_RIGHT, is_usual, usual_pressure_angle};
 pub use profile::Profile;
 pub use slack::ProfileSize;
 
@@ -148,7 +148,7 @@ impl Finished<'_> {
         if !matches!(cam.follower, Follower::Barrel { .. }) {
             out.extend(pressure_angle::checks(
                 problem,
-                cam.pressure_angle_extremes(),
+                cam.pressure_angles_by_motion(),
             ));
         }
         out.extend(curvature::checks(problem, cam));
@@ -162,7 +162,7 @@ impl Finished<'_> {
 /// What the second cam of a conjugate pair must keep.
 fn second_cam(problem: &Problem, second: Option<&Cam>) -> Vec<Check> {
     let Some(cam) = second else { return Vec::new() };
-    let mut out = pressure_angle::checks(problem, cam.pressure_angle_extremes());
+    let mut out = pressure_angle::checks(problem, cam.pressure_angles_by_motion());
     out.extend(curvature::checks(problem, cam));
     out.extend(curvature::interference(cam));
     for check in &mut out {
@@ -177,7 +177,7 @@ fn groove(problem: &Problem, groove: Option<&BarrelGroove>) -> Vec<Check> {
         return Vec::new();
     };
     let floor = groove.depth().0;
-    let mut out = pressure_angle::checks(problem, groove.pressure_angle_extremes(floor));
+    let mut out = pressure_angle::checks(problem, groove.pressure_angles_by_motion(floor));
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     for (name, wall) in [
         (Criterion::UpperWall, Wall::Upper),

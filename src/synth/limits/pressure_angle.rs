@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::finished::GEOMETRY;
 use super::slack::Slack;
-use crate::cam::{Check, FollowerKind, LimitKind};
+use crate::cam::{Check, Criterion, FollowerKind, LimitKind};
 use crate::law::Svaj;
 use crate::poly::Extreme;
 use crate::problem::Problem;
@@ -18,6 +18,50 @@ pub const SIDES: [LimitKind; 2] = [LimitKind::PressureAngleRise, LimitKind::Pres
 /// Sign of velocity less offset at which each of them is active.
 const SIGNS: [f64; 2] = [1.0, -1.0];
 
+/// A row of the pressure angle: `side`·(m v − e) ≤ `tan`·(s + D), with m = 1 all round or 0 where the follower turns.
+///
+/// |φ| is limited by the side's own row while the follower moves to that side. Where it turns, v = 0, both limits hold, so that
+/// |e| ≤ tan φ·(s + D) with the smaller tangent; with these rows the other sign of φ is within its limit between turns, too.
+#[derive(Debug, Clone, Copy)]
+pub struct AngleRow {
+    /// The limit.
+    pub name: LimitKind,
+    /// Tangent of the angle allowed.
+    pub tan: f64,
+    /// +1 where a larger velocity is limited, −1 where a smaller one is.
+    pub side: f64,
+    /// m.
+    pub moves: bool,
+}
+
+/// The rows of limited tangents on rise and fall. At v = 0 the row of the smaller tangent is its own row at the turn; on the other
+/// side it is a row of its own.
+pub fn angle_rows(tangents: [Option<f64>; 2]) -> Vec<AngleRow> {
+    let row = |name: LimitKind, tan: f64, side: f64, moves: bool| AngleRow {
+        name,
+        tan,
+        side,
+        moves,
+    };
+    let mut out = Vec::new();
+    for (i, tan) in tangents.into_iter().enumerate() {
+        out.extend(tan.map(|tan| row(SIDES[i], tan, SIGNS[i], true)));
+        let other = tangents[1 - i];
+        if let Some(tan) = tan.filter(|tan| other.is_none_or(|other| *tan < other)) {
+            out.push(row(SIDES[i], tan, SIGNS[1 - i], false));
+        }
+    }
+    out
+}
+
+impl AngleRow {
+    /// For a roller that slides, with the lift scaled to `scale`; the bound without size and offset.
+    fn limit(self, scale: f64) -> Limit {
+        let velocity = if self.moves { self.side } else { 0.0 };
+        structural(self.name, [-self.tan, velocity, 0.0, 0.0, 0.0], 0.0, scale)
+    }
+}
+
 /// On a given prime circle: ±(v − e) ≤ tan φ·(s + D) (theory §6).
 pub fn rows(problem: &Problem) -> Vec<Limit> {
     let kind = problem.cam.follower;
@@ -27,55 +71,62 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     };
     let e = problem.cam.offset.unwrap_or(0.0);
     let rise = (prime * prime - e * e).max(0.0).sqrt();
-    (SIDES.into_iter().zip(SIGNS))
-        .filter_map(|(name, side)| {
-            let tan = problem.limits[name]?.tan();
-            let offset = side * e;
-            let meaning = Meaning::PrimeRadius { tan, offset };
-            let weights = [-tan, side, 0.0, 0.0, 0.0];
-            let limit = structural(name, weights, tan * rise + offset, prime);
-            Some(meaning.of(limit))
-        })
-        .collect()
+    let tangents = problem
+        .limits
+        .pressure_angles()
+        .map(|side| side.map(f64::tan));
+    // On the line through the centre nothing leans where the follower turns.
+    let rows = angle_rows(tangents)
+        .into_iter()
+        .filter(|row| row.moves || e != 0.0);
+    rows.map(|row| {
+        let (tan, offset) = (row.tan, row.side * e);
+        let mut limit = row.limit(prime);
+        limit.bound = tan * rise + offset;
+        Meaning::PrimeRadius { tan, offset }.of(limit)
+    })
+    .collect()
 }
 
 /// With D, and e where it is open, among the variables.
-pub fn rows_with_size(problem: &Problem) -> [Limit; 2] {
+pub fn rows_with_size(problem: &Problem) -> Vec<Limit> {
     let angles = problem.sizing_pressure_angles();
-    [0, 1].map(|i| {
-        let (name, side) = (SIDES[i], SIGNS[i]);
-        let t = angles[i].min(NEARLY_RIGHT).tan();
-        let bound = side * problem.offset().unwrap_or(0.0);
-        let weights = [-t, side, 0.0, 0.0, 0.0];
-        let limit = structural(name, weights, bound, problem.length);
-        let mut limit = Meaning::Sized.of(limit);
-        limit.extra[RISE] = -t;
-        if problem.offset().is_none() {
-            limit.extra[OFFSET] = -side;
+    let tangents = angles.map(|angle| Some(angle.min(NEARLY_RIGHT).tan()));
+    let offset = problem.offset();
+    let rows = angle_rows(tangents)
+        .into_iter()
+        .filter(|row| row.moves || offset != Some(0.0));
+    rows.map(|row| {
+        let mut limit = Meaning::Sized.of(row.limit(problem.length));
+        limit.bound = row.side * offset.unwrap_or(0.0);
+        limit.extra[RISE] = -row.tan;
+        if offset.is_none() {
+            limit.extra[OFFSET] = -row.side;
         }
         limit
     })
+    .collect()
 }
 
 /// Of a roller on an arm: t c sin ξ ∓ (A(1 + ξ′) − c cos ξ), from tan φ = (A(1 + ξ′) − c cos ξ)/(c sin ξ).
-pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, tan: f64, side: f64) -> Slack {
+pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack {
     let (sin, cos) = (rest + at.s).sin_cos();
-    let [rising, falling] = SIDES;
+    let (tan, side) = (row.tan, row.side);
+    let moves = if row.moves { 1.0 } else { 0.0 };
     Slack {
-        h: tan * c * sin - side * (arm * (1.0 + at.v) - c * cos),
+        h: tan * c * sin - side * (arm * (1.0 + moves * at.v) - c * cos),
         w: c,
         largest: tan * c + arm,
         by_lift: tan * c * cos - side * c * sin,
-        by_velocity: -side * arm,
-        ..Slack::none(if side > 0.0 { rising } else { falling })
+        by_velocity: -side * moves * arm,
+        ..Slack::none(row.name)
     }
 }
 
-/// Pressure angles up to which a cam is good for any machine and for slow ones, where the scene limits neither
-/// side: the bounds of CAM-DAS (Serrano Muñoz 2010). A flat face has none to judge.
+/// Pressure angles up to which a cam is good for any machine and for slow ones, on a side that the scene does not limit: the
+/// bounds of CAM-DAS (Serrano Muñoz 2010). A flat face has none to judge.
 pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
-    let limits = &problem.limits;
-    if SIDES.iter().any(|side| limits[*side].is_some()) || limits.unjudged.pressure_angle {
+    if problem.limits.unjudged.pressure_angle {
         return None;
     }
     let any_machine: f64 = match problem.cam.follower {
@@ -92,14 +143,24 @@ pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     Some([any_machine, 45.0].map(f64::to_radians))
 }
 
-/// Both sides of the finished cam's pressure angle against its limits, or against what is usual.
-pub fn checks(problem: &Problem, (low, high): (Extreme, Extreme)) -> Vec<Check> {
+/// The finished cam's pressure angle on rise and fall against the limits, or against what is usual.
+pub fn checks(problem: &Problem, worst: [Extreme; 2]) -> Vec<Check> {
     let usual = usual_pressure_angle(problem).map(|[_, slow]| slow);
-    let worst = [high, low.map(|angle| -angle)];
     (SIDES.into_iter().zip(worst))
         .filter_map(|(name, worst)| {
             let limit = problem.limits[name].or(usual)?;
             Some(Check::of(name, worst, limit, GEOMETRY))
         })
         .collect()
+}
+
+/// Checks of the sides that the scene does not limit, of either cam.
+pub fn is_usual(problem: &Problem, check: Criterion) -> bool {
+    let open = SIDES
+        .into_iter()
+        .filter(|side| problem.limits[*side].is_none());
+    let mut names = open
+        .map(Criterion::from)
+        .flat_map(|side| [side, side.of_second_cam()]);
+    names.any(|name| name == check)
 }

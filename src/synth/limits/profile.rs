@@ -68,7 +68,7 @@ impl Profile {
             }
             FollowerKind::RollerOscillating | FollowerKind::KnifeOscillating => {
                 let (pivot, arm) = (cam.pivot_distance?, cam.arm?);
-                let asked = pressure_angle::SIDES.map(|side| limits[side]);
+                let asked = limits.pressure_angles();
                 let (prime, angles) = match problem.size() {
                     Size::Given { prime, .. } => (prime, asked),
                     Size::Sought => (
@@ -118,11 +118,8 @@ impl Profile {
             } => {
                 let (rest, by_radius) = arm_at_rest(pivot, arm, prime);
                 let mut out = vec![curvature::arm_slack(at, pivot, arm, rest, rho)];
-                for (tan, side) in tan.into_iter().zip([1.0, -1.0]) {
-                    out.extend(
-                        tan.map(|t| pressure_angle::arm_slack(at, pivot, arm, rest, t, side)),
-                    );
-                }
+                let rows = pressure_angle::angle_rows(tan).into_iter();
+                out.extend(rows.map(|row| pressure_angle::arm_slack(at, pivot, arm, rest, row)));
                 with_size_at_rest(out, by_radius)
             }
             Profile::Face {

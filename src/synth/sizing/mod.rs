@@ -2,7 +2,7 @@
 
 pub mod checked_cam;
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 use crate::cam::{
     BarrelGroove, Cam, Conjugate, Follower, FollowerKind, LEAST_WALL, LimitKind, Measures,
@@ -308,14 +308,7 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
         return fitting(problem, law, follower);
     }
     let limits = &problem.limits;
-    let asked = limits[LimitKind::PressureAngleRise].is_some()
-        || limits[LimitKind::PressureAngleFall].is_some();
-    // The usual rule is one for rollers: the size of a flat face changes its pressure angle little.
-    let [pressure_rise, pressure_fall] = if follower.is_flat() && !asked {
-        [FRAC_PI_2; 2]
-    } else {
-        problem.sizing_pressure_angles()
-    };
+    let [pressure_rise, pressure_fall] = problem.sizing_pressure_angles();
     let limits = SizeLimits {
         rho_min: limits[LimitKind::Curvature].unwrap_or(0.0),
         pressure_rise,

@@ -275,9 +275,10 @@ fn the_smallest_prime_circle_is_the_nearest_point_of_its_half_planes() {
                 .map(|i| law.svaj(TAU * f64::from(i) / 7200.0))
                 .collect();
             let radius = |e: f64| {
+                let limit = |v: f64| if v > 0.0 { rise } else { fall };
                 let need = samples
                     .iter()
-                    .map(|at| ((at.v - e) / rise.tan() - at.s).max((e - at.v) / fall.tan() - at.s));
+                    .map(|at| (at.v - e).abs() / limit(at.v).tan() - at.s);
                 need.fold(0.0, f64::max).hypot(e)
             };
             let (mut low, mut high) = (-10.0, 10.0);

@@ -4,5 +4,6 @@ mod every_limit;
 mod loads;
 mod machine;
 mod power;
+mod pressure_angle;
 mod residual;
 mod widened;
