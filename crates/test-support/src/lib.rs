@@ -16,6 +16,7 @@ pub use memory::Memory;
 use std::path::Path;
 
 use gaitcam::error::Result;
+use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Design, synthesise};
@@ -56,6 +57,32 @@ pub fn scene<C: AsRef<str>>(text: &str, changes: &[C]) -> Result<Scene> {
 pub fn design<C: AsRef<str>>(text: &str, changes: &[C]) -> Result<Design> {
     let scene = scene(text, changes)?;
     synthesise(&scene, scene.model_force()?.as_ref())
+}
+
+/// As [`scene`], of a text and changes that are right.
+///
+/// # Panics
+/// Where the scene cannot be read.
+#[track_caller]
+pub fn scene_of(text: &str, changes: &[&str]) -> Scene {
+    scene(text, changes).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// As [`design`], where a design can be had.
+///
+/// # Panics
+/// Where it cannot.
+#[track_caller]
+pub fn design_of(text: &str, changes: &[&str]) -> Design {
+    design(text, changes).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The force of both feet of a walker of 700 N at 1.85 steps per second, by Young's model.
+///
+/// # Panics
+/// Where the model is missing.
+pub fn young() -> ForceCurve {
+    model("young", Some(1.85), 700.0, Feet::Both).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// The design of a scene of the folder `scenes`.

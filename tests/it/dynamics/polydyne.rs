@@ -3,14 +3,11 @@
 use gaitcam::dynamics::{Machine, Model, Run, simulate};
 use gaitcam::scene;
 use gaitcam::synth::{Design, synthesise};
+use gaitcam_test_support::design_of;
 use std::f64::consts::TAU;
 
 const SOFT: [&str; 2] = ["machine.natural_frequency=12 Hz", "law.degree=7"];
 const POINTS: usize = 1440;
-
-fn design(text: &str, changes: &[&str]) -> Design {
-    gaitcam_test_support::design(text, changes).unwrap()
-}
 
 /// RMS distance of the end's force from the one that law.csv states, N, by the follower's own transfer of
 /// every harmonic of the emitted lift: y = s (k₁ + i c₁ nω)/(k₁ − m n²ω² + i c₁ nω) (moving axis).
@@ -81,9 +78,9 @@ fn run(s: &Design, scene: &scene::Scene) -> f64 {
 
 #[test]
 fn the_end_of_a_soft_follower_gives_the_force_that_the_plain_cam_misses() {
-    let plain = design(scene::DEFAULT, &SOFT);
+    let plain = design_of(scene::DEFAULT, &SOFT);
     let changes = [SOFT[0], SOFT[1], "law.polydyne=true"];
-    let s = design(scene::DEFAULT, &changes);
+    let s = design_of(scene::DEFAULT, &changes);
     let scene = gaitcam_test_support::scene(scene::DEFAULT, &changes).unwrap();
     assert!(s.checks.iter().all(|c| c.pass), "{:?}", s.checks);
     // The end's law, and with it the stated force, is the law that a stiff machine would have.
@@ -108,7 +105,7 @@ fn the_end_of_a_soft_follower_gives_the_force_that_the_plain_cam_misses() {
 
 #[test]
 fn without_damping_nothing_is_missed() {
-    let s = design(
+    let s = design_of(
         scene::DEFAULT,
         &[SOFT[0], "machine.damping_ratio=0", "law.polydyne=true"],
     );
@@ -126,7 +123,7 @@ fn limits_are_those_of_the_cam_not_of_the_end() {
         "law.spans=12",
         "accuracy.rms=50 %",
     ];
-    let free = design(scene::DEFAULT, &base);
+    let free = design_of(scene::DEFAULT, &base);
     for (key, order, unit) in [
         ("stroke", 0, "m"),
         ("acceleration", 2, "m/s^2"),
@@ -138,7 +135,7 @@ fn limits_are_those_of_the_cam_not_of_the_end() {
             _ => high.value.max(-low.value) * free.problem.drive.speed.powi(order as i32),
         };
         let change = format!("limits.{key}={} {unit}", 0.95 * most);
-        let s = design(
+        let s = design_of(
             scene::DEFAULT,
             &[base.as_slice(), &[change.as_str()]].concat(),
         );
@@ -196,7 +193,7 @@ base_radius = "60 mm"
 
 #[test]
 fn a_programme_reaches_the_end_and_its_dwells_stay_dwells() {
-    let s = design(RISE, &[]);
+    let s = design_of(RISE, &[]);
     let end = s.end.as_ref().unwrap();
     assert!(end.miss.unwrap().lift.value < 1e-12, "{:?}", end.miss);
     assert!(end.plain_miss.unwrap().lift.value > 1e-4);

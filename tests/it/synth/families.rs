@@ -1,7 +1,6 @@
 //! What a scene gets that names no family: harmonics in closed form while they pass, a spline otherwise.
 
 use gaitcam::cam::LimitKind;
-use gaitcam::force::{Feet, model};
 use gaitcam::scene::{Family, Scene};
 use gaitcam::synth::{Design, PassedOver, synthesise};
 
@@ -21,7 +20,7 @@ fn read(more: &str) -> Scene {
 }
 
 fn built(more: &str) -> Design {
-    let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
+    let target = gaitcam_test_support::young();
     synthesise(&read(more), Some(&target)).unwrap()
 }
 

@@ -1,13 +1,8 @@
 //! Many spans and few: proofs that keep their digits, and searches that do not end with the first few spans.
 
-use super::refusal::relaxations::scene_of;
-use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene::{self, Minimise};
 use gaitcam::synth::{Binding, Design, Tier, synthesise};
-
-fn young() -> ForceCurve {
-    model("young", Some(1.85), 700.0, Feet::Both).unwrap()
-}
+use gaitcam_test_support::{scene_of, young};
 
 fn designed(changes: &[&str]) -> Design {
     let scene = scene_of(scene::DEFAULT, changes);

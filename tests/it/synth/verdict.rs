@@ -1,18 +1,11 @@
 //! Every row of the verdict's table (docs/verdict.md) from both sides of its bound. Codes are compared, not words.
 
 use gaitcam::cam::{Continuity, Verdict};
-use gaitcam::force::{Feet, ForceCurve, model};
+use gaitcam::force::ForceCurve;
 use gaitcam::problem::{Note, Problem};
 use gaitcam::scene;
 use gaitcam::synth::{Design, synthesise};
-
-fn young() -> ForceCurve {
-    model("young", Some(1.85), 700.0, Feet::Both).unwrap()
-}
-
-fn scene_of(text: &str, changes: &[&str]) -> gaitcam::scene::Scene {
-    gaitcam_test_support::scene(text, changes).unwrap()
-}
+use gaitcam_test_support::{scene_of, young};
 
 /// A programme of two rises and a dwell under a follower.
 fn programme(motion: &str, cam: &str, changes: &[&str]) -> Design {

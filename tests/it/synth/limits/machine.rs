@@ -6,11 +6,8 @@ use gaitcam::law::Law;
 use gaitcam::problem::Note;
 use gaitcam::scene;
 use gaitcam::synth::{Design, MachineReport};
+use gaitcam_test_support::design_of;
 use std::f64::consts::TAU;
-
-fn design(text: &str, changes: &[&str]) -> Design {
-    gaitcam_test_support::design(text, changes).unwrap()
-}
 
 fn fault(text: &str, change: &str) -> String {
     gaitcam_test_support::scene(text, &[change])
@@ -31,7 +28,7 @@ fn peak_torque(s: &Design) -> f64 {
 
 #[test]
 fn a_torque_limit_shapes_the_law_and_costs_accuracy() {
-    let free = design(scene::DEFAULT, &[]);
+    let free = design_of(scene::DEFAULT, &[]);
     let most = peak_torque(&free);
     let spans = format!("law.spans={}", free.cam.law.poly().pieces());
     let rms = "accuracy.rms=50 %";
@@ -39,7 +36,7 @@ fn a_torque_limit_shapes_the_law_and_costs_accuracy() {
     for share in [0.97, 0.9, 0.8] {
         let limit = share * most;
         let change = format!("limits.torque={limit} N m");
-        let s = design(scene::DEFAULT, &[&spans, rms, &change]);
+        let s = design_of(scene::DEFAULT, &[&spans, rms, &change]);
         assert!(check(&s, "torque").pass, "{share}");
         assert!(peak_torque(&s) <= limit * (1.0 + 1e-6), "{share}");
         // What is given up is not thrown away: the limit is reached.
@@ -49,14 +46,14 @@ fn a_torque_limit_shapes_the_law_and_costs_accuracy() {
         assert!(s.binding.iter().any(|b| b.limit.name() == "torque"));
     }
     // A limit that is not reached changes nothing.
-    let wide = design(scene::DEFAULT, &["limits.torque=1000 N m"]);
+    let wide = design_of(scene::DEFAULT, &["limits.torque=1000 N m"]);
     assert_eq!(wide.coefficients, free.coefficients);
 }
 
 #[test]
 fn a_pressure_limit_under_a_flat_face_is_a_row_of_the_program() {
     let base = ["cam.base_radius=40 mm", "accuracy.rms=50 %", "law.spans=8"];
-    let free = design(scene::DEFAULT, &base);
+    let free = design_of(scene::DEFAULT, &base);
     let steel = hertz::modulus(hertz::STEEL, hertz::STEEL);
     let worst = |s: &Design| {
         (0..7213)
@@ -73,7 +70,7 @@ fn a_pressure_limit_under_a_flat_face_is_a_row_of_the_program() {
     let change = format!("limits.hertz_pressure={limit} Pa");
     let mut changes = base.to_vec();
     changes.push(&change);
-    let s = design(scene::DEFAULT, &changes);
+    let s = design_of(scene::DEFAULT, &changes);
     assert!(s.infeasible.is_none() && check(&s, "hertz_pressure").pass);
     let held = worst(&s);
     assert!(
@@ -144,10 +141,10 @@ fn a_dwell_is_left_quiet_where_vibration_is_limited() {
     let ratio = TAU * 5.0 / 10.0;
     let motion = (60f64.to_radians(), 170f64.to_radians());
     let undamped = "machine.damping_ratio=0";
-    let free = design(RISE, &[undamped]);
+    let free = design_of(RISE, &[undamped]);
     let rings = left_over(&free.cam.law, motion.0, motion.1, ratio);
     assert!(rings > 1e-4, "{rings}");
-    let s = design(RISE, &[undamped, "limits.residual=0.001 mm"]);
+    let s = design_of(RISE, &[undamped, "limits.residual=0.001 mm"]);
     assert!(check(&s, "residual").pass, "{:?}", s.checks);
     for (from, to) in [motion, (230f64.to_radians(), TAU)] {
         let quiet = left_over(&s.cam.law, from, to, ratio);
@@ -155,7 +152,7 @@ fn a_dwell_is_left_quiet_where_vibration_is_limited() {
         assert!(quiet < 2e-6, "{quiet}");
     }
     // Asked for more than it leaves anyway, the law stays as it is.
-    let wide = design(RISE, &[undamped, "limits.residual=50 mm"]);
+    let wide = design_of(RISE, &[undamped, "limits.residual=50 mm"]);
     assert_eq!(wide.coefficients, free.coefficients);
 }
 
@@ -179,7 +176,7 @@ fn what_is_said_of_the_machine_must_make_sense() {
 #[test]
 fn an_arm_has_inertia_not_mass() {
     let arm = std::fs::read_to_string("scenes/camdas_02_oscillating_roller.toml").unwrap();
-    let s = design(
+    let s = design_of(
         &arm,
         &[
             "drive.inertia=0.02 kg m^2",
@@ -210,7 +207,7 @@ fn an_eccentric_asks_of_the_machine_what_its_closed_form_says() {
         [law]\nfamily = \"program\"\n\
         [[law.segment]]\nmotion = \"simple-harmonic\"\nlift = \"20 mm\"\nangle = \"180 deg\"\n\
         [[law.segment]]\nmotion = \"simple-harmonic\"\nlift = \"-20 mm\"\nangle = \"180 deg\"\n";
-    let s = design(text, &[]);
+    let s = design_of(text, &[]);
     let (mass, e, speed) = (2.0, 0.01, 12.0_f64);
     let g = s.problem.drive.rest_force / mass;
     let bend = speed * speed * e;
@@ -237,7 +234,7 @@ fn an_eccentric_asks_of_the_machine_what_its_closed_form_says() {
         "kind = \"moving-axis\", mass = \"2 kg\"",
         "kind = \"fixed-axis\"",
     );
-    assert_eq!(design(&idle, &[]).machine(), MachineReport::default());
+    assert_eq!(design_of(&idle, &[]).machine(), MachineReport::default());
 }
 
 /// Highest pressure at one depth of a groove, from its formulas at many angles.
@@ -273,7 +270,7 @@ fn a_groove_is_judged_at_its_floor_and_at_its_rim_on_the_wall_that_bears() {
         &["drive.mass=3 kg"],
         &["drive.mass=3 kg", "drive.preload=4 N"],
     ] {
-        let s = design(text, changes);
+        let s = design_of(text, changes);
         let (floor, rim) = s.groove.as_ref().unwrap().depth();
         let at = [floor, rim].map(|radius| sampled_in_groove(&s, radius));
         let most = at[0].max(at[1]);
@@ -286,7 +283,7 @@ fn a_groove_is_judged_at_its_floor_and_at_its_rim_on_the_wall_that_bears() {
         // The check is of the same number.
         for (part, pass) in [(1.001, true), (0.999, false)] {
             let limit = format!("limits.hertz_pressure={} Pa", part * told);
-            let limited = design(text, &[changes, &[&limit]].concat());
+            let limited = design_of(text, &[changes, &[&limit]].concat());
             let check = limited
                 .checks
                 .iter()
@@ -299,7 +296,7 @@ fn a_groove_is_judged_at_its_floor_and_at_its_rim_on_the_wall_that_bears() {
 
 #[test]
 fn a_flat_face_presses_where_force_over_radius_is_highest() {
-    let s = design(
+    let s = design_of(
         scene::DEFAULT,
         &["cam.base_radius=60 mm", "law.family=spline", "law.spans=9"],
     );
@@ -346,11 +343,11 @@ const ECCENTRIC: &str = r#"
 #[test]
 fn base_circle_and_hole_are_judged_by_the_shaft_that_carries_the_torque() {
     // A shaft that carries T at a shear stress of 40 MPa: T = π d³ τ/16.
-    let torque = peak_torque(&design(ECCENTRIC, &["cam.prime_radius=20 mm"]));
+    let torque = peak_torque(&design_of(ECCENTRIC, &["cam.prime_radius=20 mm"]));
     let shaft = (16.0 * torque / (std::f64::consts::PI * 40e6)).cbrt();
     for (share, told) in [(1e-3, true), (0.99, true), (1.01, false), (10.0, false)] {
         let prime = 10e-3 + 0.5 * share * shaft;
-        let design = design(ECCENTRIC, &[&format!("cam.prime_radius={prime} m")]);
+        let design = design_of(ECCENTRIC, &[&format!("cam.prime_radius={prime} m")]);
         let found = design.notes.iter().find_map(|note| match note {
             Note::ThinShaft { circle, shaft, .. } => Some((circle.value, shaft.value)),
             _ => None,
@@ -363,7 +360,7 @@ fn base_circle_and_hole_are_judged_by_the_shaft_that_carries_the_torque() {
     }
     // A hole is judged by the same shaft: one that is too thin breaks no rule, one eight times as wide is doubtful.
     for (share, told) in [(0.5, false), (7.9, false), (8.1, true), (25.4, true)] {
-        let design = design(ECCENTRIC, &[&format!("cam.bore={} m", share * shaft)]);
+        let design = design_of(ECCENTRIC, &[&format!("cam.bore={} m", share * shaft)]);
         let notes = design.notes.iter();
         let shafts = notes.filter_map(|note| match note {
             Note::LargeBore { bore, shaft, .. } => Some(bore.value / shaft.value / share),
@@ -403,7 +400,7 @@ fn a_hole_that_cannot_balance_the_cam_is_a_note_of_the_design() {
         (&twice("5 mm"), vec!["cam.balance=true"], false),
     ] {
         let all = [vec!["cam.prime_radius=60 mm", "cam.bore=12 mm"], changes].concat();
-        let design = design(text, &all);
+        let design = design_of(text, &all);
         let walls = design.notes.iter().filter_map(|note| match note {
             Note::NoBalanceHole { wall } => Some(wall.value),
             _ => None,

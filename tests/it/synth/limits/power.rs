@@ -1,17 +1,9 @@
 //! The limit on the shaft's power: a closed form, a law that it shapes, and where it leaves none.
 
 use gaitcam::cam::Check;
-use gaitcam::force::{Feet, model};
-use gaitcam::scene::{self, Scene};
+use gaitcam::scene::{self};
 use gaitcam::synth::{Design, synthesise};
-
-fn scene_of(text: &str, changes: &[&str]) -> Scene {
-    gaitcam_test_support::scene(text, changes).unwrap()
-}
-
-fn design(text: &str, changes: &[&str]) -> Design {
-    gaitcam_test_support::design(text, changes).unwrap()
-}
+use gaitcam_test_support::{design_of, scene_of};
 
 fn power(s: &Design) -> &Check {
     s.checks.iter().find(|c| c.name.name() == "power").unwrap()
@@ -47,7 +39,7 @@ fn the_power_of_an_eccentric_is_its_closed_form() {
     let k = w * w * e / g;
     let cos = ((1.0 + 8.0 * k * k).sqrt() - 1.0) / (4.0 * k);
     let most = m * w * e * (1.0 - cos * cos).sqrt() * (g + w * w * e * cos);
-    let s = design(text, &[]);
+    let s = design_of(text, &[]);
     let check = power(&s);
     assert!((check.worst / most - 1.0).abs() < 1e-9, "{check:?} {most}");
     assert!(
@@ -55,18 +47,18 @@ fn the_power_of_an_eccentric_is_its_closed_form() {
             || (check.at + cos.acos() - std::f64::consts::TAU).abs() < 1e-5
     );
     assert_eq!(check.pass, most <= 7.0);
-    assert!(power(&design(text, &["limits.power=6.8 W"])).pass == (most <= 6.8));
+    assert!(power(&design_of(text, &["limits.power=6.8 W"])).pass == (most <= 6.8));
 }
 
 #[test]
 fn a_power_limit_shapes_the_law_as_the_same_torque_does() {
     let open = ["accuracy.rms=50 %", "law.spans=12"];
-    let free = design(
+    let free = design_of(
         scene::DEFAULT,
         &[&open[..], &["limits.power=1 kW"]].concat(),
     );
     let (most, speed) = (power(&free).worst, free.problem.drive.speed);
-    let held = |limit: String| design(scene::DEFAULT, &[&open[..], &[limit.as_str()]].concat());
+    let held = |limit: String| design_of(scene::DEFAULT, &[&open[..], &[limit.as_str()]].concat());
     let by_power = held(format!("limits.power={} W", 0.85 * most));
     let by_torque = held(format!("limits.torque={} N m", 0.85 * most / speed));
     let check = power(&by_power);
@@ -89,7 +81,7 @@ fn a_power_limit_shapes_the_law_as_the_same_torque_does() {
 fn a_power_that_leaves_no_law_is_named_with_its_relaxation() {
     // A band keeps the force, so the follower cannot rest.
     let changes = ["gait.band=15 N", "law.spans=12"];
-    let force = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
+    let force = gaitcam_test_support::young();
     let with = |limit: &str| {
         let scene = scene_of(scene::DEFAULT, &[&changes[..], &[limit]].concat());
         let design = synthesise(&scene, Some(&force)).unwrap();

@@ -2,13 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use gaitcam::force::{Feet, ForceCurve, ReadOptions, force_curve, model};
+use gaitcam::force::{ForceCurve, ReadOptions, force_curve};
 use gaitcam::scene;
 use gaitcam::synth::{Design, synthesise};
-
-pub fn young() -> ForceCurve {
-    model("young", Some(1.85), 700.0, Feet::Both).unwrap()
-}
+use gaitcam_test_support::young;
 
 pub fn read(changes: &[&str]) -> gaitcam::scene::Scene {
     gaitcam_test_support::scene(scene::DEFAULT, changes).unwrap()

@@ -1,10 +1,11 @@
 //! What one good costs in another: fronts, law and size found together. Every claim is held against a
 //! dense scan or a second solve.
 
-use super::targets::{mean_square_jerk, read, young};
+use super::targets::{mean_square_jerk, read};
 use gaitcam::Problem;
 use gaitcam::scene;
 use gaitcam::synth::{Design, Figures, synthesise, trade, traded};
+use gaitcam_test_support::young;
 
 #[test]
 fn the_front_falls_and_ends_at_the_unlimited_law() {

@@ -4,11 +4,11 @@ use std::sync::{Arc, OnceLock};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use gaitcam::force::{Feet, model};
 use gaitcam::halt::Halt;
 use gaitcam::synth::{Search, synthesise};
 
-use super::relaxations::{good, scene_of};
+use super::relaxations::good;
+use gaitcam_test_support::{scene_of, young};
 
 /// Limits that leave no law near the force, on spans enough for the search to take its time.
 const CRAMPED: &str = r#"
@@ -42,7 +42,7 @@ pressure_angle = "40 deg"
 #[test]
 fn an_end_that_only_the_callers_thread_hears_is_heard_while_relaxations_run() {
     let scene = scene_of(CRAMPED, &[]);
-    let force = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
+    let force = young();
     let design = synthesise(&scene, Some(&force)).unwrap();
     assert!(!good(&design));
     let caller = thread::current().id();

@@ -1,7 +1,8 @@
 //! Limits that no small change mends are told as what they are.
 
-use super::relaxations::{HUMP, assignment, good, scene_of};
+use super::relaxations::{HUMP, assignment, good};
 use gaitcam::synth::{Reason, synthesise};
+use gaitcam_test_support::scene_of;
 
 /// Limits a hundred times below what any law has: no share of all of them is advice, the two values are.
 #[test]

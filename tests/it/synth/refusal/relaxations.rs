@@ -1,17 +1,10 @@
 //! A scene that is refused says what would do, and that does; a little less does not.
 
-use gaitcam::force::{Feet, ForceCurve, model};
+use gaitcam::force::ForceCurve;
 use gaitcam::problem::Note;
-use gaitcam::scene::{self, Scene};
+use gaitcam::scene::{self};
 use gaitcam::synth::{Design, Reason, synthesise};
-
-pub fn scene_of(text: &str, changes: &[&str]) -> Scene {
-    gaitcam_test_support::scene(text, changes).unwrap()
-}
-
-fn young() -> ForceCurve {
-    model("young", Some(1.85), 700.0, Feet::Both).unwrap()
-}
+use gaitcam_test_support::{scene_of, young};
 
 /// Rises of 10 mm and back over half a turn with the least jerk.
 pub const HUMP: &str = r#"

@@ -4,7 +4,8 @@ use gaitcam::force::{ForceCurve, force_curve};
 use gaitcam::scene::{self, Source};
 use gaitcam::synth::synthesise;
 
-use super::relaxations::{good, proved, scene_of};
+use super::relaxations::{good, proved};
+use gaitcam_test_support::scene_of;
 
 const HEEL: &str = include_str!("../../../../scenes/heel_tester_fitted.toml");
 
