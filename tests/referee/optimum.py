@@ -66,20 +66,32 @@ def longest(value, change):
     return min(1.0, float(np.min(-value[falling] / change[falling]))) if falling.any() else 1.0
 
 
+def cubic(theta, samples, span):
+    """Periodic samples at equal steps, joined by cubics through four neighbours."""
+    n = len(samples)
+    place = (theta - span[0]) / (span[1] - span[0]) * n
+    i = np.floor(place).astype(int)
+    u = place - i
+    a, b, c, d = (samples[(i + k) % n] for k in (-1, 0, 1, 2))
+    return (-a * u * (u - 1) * (u - 2) / 6 + b * (u + 1) * (u - 1) * (u - 2) / 2 - c * (u + 1) * u * (u - 2) / 2 + d * (u + 1) * u * (u - 1) / 6)
+
+
 class Program:
     """Force error as objective, limits at a grid of angles, demands as equalities."""
 
     def __init__(self, law_of, count, drive, target, span=(0.0, 2 * math.pi)):
-        theta = span[0] + (span[1] - span[0]) * np.arange(ANGLES) / ANGLES
+        # Midpoints, so that jumps at knots fall between them.
+        theta = span[0] + (span[1] - span[0]) * (np.arange(ANGLES) + 0.5) / ANGLES
         self.theta = theta
         self.basis = design_matrix(law_of, count, theta)
         w = drive.speed
         self.force = drive.stiffness * self.basis[0] + drive.damping * w * self.basis[1] + drive.inertia * w * w * self.basis[2]
         self.rest = drive.rest
-        wanted = np.interp(theta, np.append(target[0], span[1]), np.append(target[1], target[1][0])) if target else None
-        self.wanted = wanted
+        self.wanted = cubic(theta, target[1], span) if target else None
         self.rows, self.bounds, self.names = [], [], []
-        self.equalities, self.values = [np.zeros((0, count))], [np.zeros(0)]
+        self.equalities, self.values = [], []
+        self.span, self.law_of, self.count = span, law_of, count
+        self.objective = (self.force, self.wanted - self.rest) if target else None
         # The lowest point of the law lies on the base circle.
         self.add("base_circle", -self.basis[0], 0.0)
 
@@ -88,12 +100,33 @@ class Program:
         self.bounds.append(np.full(len(rows), bound))
         self.names += [name] * len(rows)
 
-    def best(self, objective=None):
-        """Coefficients, mean square of the objective's residual, and multipliers summed for each limit."""
-        residual = objective if objective is not None else (self.force, self.wanted - self.rest)
-        matrix, aim = residual
+    def demand(self, order, theta, value):
+        """The lift or a derivative has a value at some angles."""
+        self.equalities.append(design_matrix(self.law_of, self.count, np.asarray(theta, float))[order])
+        self.values.append(np.full(len(theta), value))
+
+    def value(self, coefficients):
+        """Mean square of the objective's residual."""
+        matrix, aim = self.objective
+        return float(np.mean((matrix @ np.asarray(coefficients) - aim) ** 2))
+
+    def size(self):
+        return float(np.mean(self.objective[1] ** 2))
+
+    def best(self):
+        """Coefficients, mean square of the objective's residual, and the multipliers of the rows of all limits."""
+        matrix, aim = self.objective
         n = len(self.theta)
-        h = matrix.T @ matrix / n
-        g = -matrix.T @ aim / n
-        x, dual = interior_point(h, g, np.vstack(self.rows), np.concatenate(self.bounds), np.vstack(self.equalities), np.concatenate(self.values))
-        return x, float(np.mean((matrix @ x - aim) ** 2)), dual
+        h, g = matrix.T @ matrix / n, -matrix.T @ aim / n
+        e, f = independent(self.equalities, self.values, self.count)
+        x, dual = interior_point(h, g, np.vstack(self.rows), np.concatenate(self.bounds), e, f)
+        return x, self.value(x), dual
+
+
+def independent(rows, values, count):
+    """Equations of full rank with the same solutions."""
+    if not rows:
+        return np.zeros((0, count)), np.zeros(0)
+    u, size, v = np.linalg.svd(np.vstack(rows), full_matrices=False)
+    kept = size > 1e-10 * size[0]
+    return v[kept], (u[:, kept].T @ np.concatenate(values)) / size[kept]
