@@ -9,12 +9,22 @@ use crate::stance::{RejectReason, Stances};
 use crate::statistics::mean;
 use crate::units::Quantity;
 
+/// Highest readings that are perhaps newtons per kilogram under a header of newtons.
+const PER_KILOGRAM: std::ops::Range<f64> = 5.0..40.0;
+
 /// The reason, from the contacts that were rejected and from what the header announces.
 pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> ForceError {
     let duration = seconds(recording.duration_s);
     let Some(first) = stances.rejected.first() else {
         if let Some(refusal) = another_movement(stances, duration) {
             return refusal;
+        }
+        let per_mass = recording.notes.iter().find_map(|note| match note {
+            Note::LowForce { peak } if PER_KILOGRAM.contains(&peak.value) => Some(*peak),
+            _ => None,
+        });
+        if let Some(peak) = per_mass {
+            return ForceError::ForceTooLow { duration, peak };
         }
         return if recording.channels.iter().all(|c| c.idle.is_some()) {
             ForceError::NoLiveChannel { duration }

@@ -83,6 +83,8 @@ pub enum ForceError {
         found: usize,
         reason: &'static str,
     },
+    /// No channel carries a load, but one reads as much as newtons per kilogram do.
+    ForceTooLow { duration: Quantity, peak: Quantity },
     /// Every channel is constant or empty.
     NoLiveChannel { duration: Quantity },
     /// No channel rises above the contact threshold.

@@ -98,6 +98,12 @@ pub enum Note {
         count: usize,
         first: Quantity,
     },
+    /// Readings of a loaded column are zero for some hundredths of a second: lost samples.
+    DropOuts {
+        column: String,
+        count: usize,
+        first: Quantity,
+    },
     /// The unloaded reading during the walk is another than at both ends of the recording.
     UnloadedDiffers {
         column: String,

@@ -1,5 +1,5 @@
 //! Missing samples: between contacts they mean an unloaded plate, elsewhere they are bridged. Single samples far from
-//! both neighbours count as missing.
+//! both neighbours count as missing, and so do zeros in the middle of a load: lost packets.
 
 use std::ops::Range;
 
@@ -17,6 +17,9 @@ const SPIKE: (f64, f64) = (0.5, 100.0);
 /// Largest part of the samples that are spikes; more are the noise of something else.
 const RARE: f64 = 0.005;
 
+/// Longest run of zeros, s, that is no swing where the readings beside it are loaded, and lowest rate, Hz, that shows it.
+const DROP_OUT: (f64, f64) = (0.08, 90.0);
+
 /// What was filled in.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Filled {
@@ -26,6 +29,8 @@ pub(super) struct Filled {
     pub unloaded: bool,
     /// Number of spikes, and the first of them.
     pub spikes: Option<(usize, usize)>,
+    /// Number of runs of lost samples, and the first of them.
+    pub drop_outs: Option<(usize, usize)>,
 }
 
 /// Fills missing samples: zero where the plate is unloaded, otherwise linearly and constant at the ends.
@@ -35,6 +40,7 @@ pub(super) fn fill(force: &mut [f64], rate_hz: f64) -> Filled {
     let reach = reach.fold(0.0, |m: f64, x| m.max(x.abs()));
     let mut filled = Filled {
         spikes,
+        drop_outs: remove_drop_outs(force, LOW * reach, rate_hz),
         ..Filled::default()
     };
     let mut from = 0;
@@ -80,6 +86,30 @@ fn bridge(force: &mut [f64], run: &Range<usize>) {
     for (k, x) in force[run.clone()].iter_mut().enumerate() {
         *x = a + (b - a) * (k as f64 + 1.0) / steps;
     }
+}
+
+/// Makes short runs of zeros between loaded readings missing; how many there are, and where the first begins.
+fn remove_drop_outs(force: &mut [f64], loaded: f64, rate_hz: f64) -> Option<(usize, usize)> {
+    if rate_hz < DROP_OUT.1 {
+        return None;
+    }
+    let (mut found, mut from) = (None, 1);
+    while let Some(start) = force.get(from..)?.iter().position(|x| *x == 0.0) {
+        let start = from + start;
+        let Some(length) = force[start..].iter().position(|x| *x != 0.0) else {
+            break;
+        };
+        let end = start + length;
+        let is_loaded = |x: f64| x.abs() > loaded;
+        let is_short = length as f64 <= DROP_OUT.0 * rate_hz;
+        if is_short && is_loaded(force[start - 1]) && is_loaded(force[end]) {
+            force[start..end].fill(f64::NAN);
+            let (count, first) = found.unwrap_or((0, start));
+            found = Some((count + 1, first));
+        }
+        from = end + 1;
+    }
+    found
 }
 
 /// Makes spikes missing; how many there are, and the first.
@@ -168,5 +198,20 @@ mod tests {
         let off = clean.iter().zip(&v).map(|(a, b)| (a - b).abs());
         assert!(off.fold(0.0, f64::max) < 2.0);
         assert_eq!(fill(&mut walk(5.0), 200.0), Filled::default());
+    }
+
+    #[test]
+    fn zeros_within_a_load_are_lost_samples() {
+        let clean = walk(0.0);
+        let mut v = clean.clone();
+        for lost in [30..42, 260..270] {
+            v[lost].fill(0.0);
+        }
+        let filled = fill(&mut v, 200.0);
+        assert_eq!(filled.drop_outs, Some((2, 30)));
+        assert_eq!(filled.bridged, [(30, 42), (260, 270)]);
+        let off = clean.iter().zip(&v).map(|(a, b)| (a - b).abs());
+        assert!(off.fold(0.0, f64::max) < 40.0);
+        assert_eq!(fill(&mut walk(0.0), 200.0), Filled::default());
     }
 }

@@ -46,18 +46,24 @@ pub(super) fn channel(
 ) -> Channel {
     let filled = fill(&mut raw, rate_hz);
     let missing: usize = filled.bridged.iter().map(|(a, b)| b - a).sum();
+    let at = |(count, i): (usize, usize)| (name.clone(), count, seconds(i as f64 / rate_hz));
     if filled.unloaded {
         let column = name.clone();
         notes.push(Note::MissingIsUnloaded { column });
     }
-    if let Some((count, at)) = filled.spikes {
-        let (column, first) = (name.clone(), seconds(at as f64 / rate_hz));
-        let note = Note::SpikesRemoved {
+    if let Some((column, count, first)) = filled.spikes.map(at) {
+        notes.push(Note::SpikesRemoved {
             column,
             count,
             first,
-        };
-        notes.push(note);
+        });
+    }
+    if let Some((column, count, first)) = filled.drop_outs.map(at) {
+        notes.push(Note::DropOuts {
+            column,
+            count,
+            first,
+        });
     }
     let samples = raw.len();
     let mut out = Channel {

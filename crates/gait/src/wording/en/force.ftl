@@ -53,6 +53,8 @@ force-no-stance = no complete walking stance in { $duration } of recording
     }; most frequent reason for rejection: { $reason }
 force-no-stance-file-cut = no complete walking stance in { $duration } of recording: the header states { $announced } rows, the file has { $found }
     .help = export the complete trial; most frequent reason for rejection: { $reason }
+force-force-too-low = no channel carries a load in { $duration } of recording: the highest force is { $peak }
+    .help = perhaps it is in N/kg or body weights under a header of N: give its unit (option unit) and the mass (option mass)
 force-no-live-channel = no complete walking stance in { $duration } of recording: no channel carries a load
     .help = name the force column (option force)
 force-no-contact = no complete walking stance in { $duration } of recording: no channel exceeds 20 N
@@ -99,6 +101,10 @@ note-spikes-removed = { $count ->
         [one] a single sample of { $column } at { $first } lies far from both neighbours and was
        *[other] { $count } single samples of { $column } lie far from both neighbours (the first at { $first }) and were
     } replaced by a straight line
+note-drop-outs = { $column } lost samples { $count ->
+        [one] once, at { $first }
+       *[other] { $count } times, first at { $first }
+    }: its readings are zero under load; stances with such gaps are not used
 note-unloaded-differs = { $column } reads { $level } between contacts and { $at_ends } at both ends of the recording: cross-talk of another plate or a changed offset makes the mass uncertain
 note-column-repeats = { $column } repeats { $original } (raw and filtered, or a copy) and was left out
 note-drift-removed = the unloaded reading of { $column } drifts by { $rise } per second; the drift was removed

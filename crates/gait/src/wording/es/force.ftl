@@ -53,6 +53,8 @@ force-no-stance = ningún apoyo completo de marcha en { $duration } de registro
     }; motivo de rechazo más frecuente: { $reason }
 force-no-stance-file-cut = ningún apoyo completo de marcha en { $duration } de registro: la cabecera indica { $announced } filas y el archivo tiene { $found }
     .help = exporte el ensayo completo; motivo de rechazo más frecuente: { $reason }
+force-force-too-low = ningún canal lleva carga en { $duration } de registro: la fuerza máxima es { $peak }
+    .help = quizá esté en N/kg o en pesos corporales bajo una cabecera de N: indique su unidad (opción unit) y la masa (opción mass)
 force-no-live-channel = ningún apoyo completo de marcha en { $duration } de registro: ningún canal lleva carga
     .help = indique la columna de fuerza (opción force)
 force-no-contact = ningún apoyo completo de marcha en { $duration } de registro: ningún canal supera 20 N
@@ -99,6 +101,10 @@ note-spikes-removed = { $count ->
         [one] una muestra aislada de { $column } en { $first } queda lejos de sus dos vecinas y se ha sustituido
        *[other] { $count } muestras aisladas de { $column } quedan lejos de sus dos vecinas (la primera en { $first }) y se han sustituido
     } por una línea recta
+note-drop-outs = { $column } perdió muestras { $count ->
+        [one] una vez, en { $first }
+       *[other] { $count } veces, la primera en { $first }
+    }: sus lecturas son cero bajo carga; los apoyos con esos huecos no se usan
 note-unloaded-differs = { $column } lee { $level } entre contactos y { $at_ends } en ambos extremos del registro: la diafonía de otra plataforma o un cambio de la lectura sin carga hace incierta la masa
 note-column-repeats = { $column } repite { $original } (sin filtrar y filtrada, o una copia) y se ha omitido
 note-drift-removed = la lectura sin carga de { $column } deriva { $rise } por segundo; la deriva se ha eliminado

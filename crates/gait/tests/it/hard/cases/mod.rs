@@ -10,8 +10,8 @@ use contacts::{cross_overs, cross_talk, heel_and_toe, partial, two_steps};
 use files::{anc, asc, c3d, components, forces, open_sim, plates_in_a_row};
 use movements::{bending, hopping, jumping, rising, running, running_asked, standing};
 use readings::{
-    clock_units, columns_twice, coupled_plates, hum, landing, loadsol, odd_numbers, one_stride,
-    spikes, visual3d, words_for_unloaded,
+    clock_units, columns_twice, coupled_plates, drop_outs, hum, landing, loadsol, odd_numbers,
+    one_stride, per_kilogram, spikes, visual3d, words_for_unloaded,
 };
 use walking::{
     changing_speed, children, counting, limping, milliseconds, one_foot, slow, total, units,
@@ -75,6 +75,8 @@ pub const FAMILIES: &[Family] = &[
     ("Visual3D with blanks", 40, visual3d),
     ("one stride of unlike feet", 60, one_stride),
     ("landing on one leg", 60, landing),
+    ("lost packets", 40, drop_outs),
+    ("N/kg under N", 20, per_kilogram),
     ("clocks that start far from zero", 40, clock_units),
     ("components beside the vertical", 100, components),
     ("one foot", 100, one_foot),

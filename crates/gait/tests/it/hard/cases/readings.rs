@@ -312,3 +312,36 @@ pub fn clock_units(dice: &mut Dice) -> Case {
         true,
     )
 }
+
+/// Packets that a wireless insole loses: zeros of some hundredths of a second.
+pub fn drop_outs(dice: &mut Dice) -> Case {
+    let plate = Plate {
+        rate_hz: dice.of(&[100.0, 200.0]),
+        ..Plate::thresholded(dice)
+    };
+    let person = walker(dice, 20.0);
+    let names = dice.of(&SIDES);
+    let mut table = sides(dice, &person, &plate, names);
+    let (rows, lost) = (table.rows() as f64, (0.055 * plate.rate_hz) as usize);
+    for _ in 0..dice.of(&[2, 5, 9]) {
+        let (column, row) = (dice.of(&[0, 1]), dice.between(1.0, rows - 20.0) as usize);
+        table.columns[column][row..row + lost].fill(0.0);
+    }
+    let text = table.delimited(seconds_clock(dice), false);
+    case("lost packets", text, truth(&person), false)
+}
+
+/// Newtons per kilogram under a header of newtons.
+pub fn per_kilogram(dice: &mut Dice) -> Case {
+    let plate = Plate {
+        offset_n: 0.0,
+        ..dense(dice)
+    };
+    let (person, mut table) = belts(dice, &plate);
+    table.names = ["Left Fz (N)", "Right Fz (N)"].map(str::to_string).to_vec();
+    for x in table.columns.iter_mut().flatten() {
+        *x /= person.mass;
+    }
+    let text = table.delimited(seconds_clock(dice), false);
+    case("N/kg under N", text, truth(&person), false)
+}
