@@ -25,18 +25,8 @@ CIRCLES = [
     {"dynamics::recover", "dynamics::recover::breaks"},
     {"dynamics::simulate", "dynamics::simulate::choose", "dynamics::simulate::models::contact", "dynamics::simulate::models::on_shaft",
      "dynamics::simulate::models::rigid", "dynamics::simulate::shaft"},
-    {"identify", "identify::motor", "identify::next_run"},
-    {"identify::cycles", "identify::period"},
     {"law", "law::extremes", "law::joint"},
     {"law::program", "law::program::checks"},
-    {"problem", "problem::notes"},
-    {"scene::parts::floor", "scene::parts::machine"},
-    {"synth", "synth::design", "synth::families", "synth::families::choose", "synth::families::double_harmonic",
-     "synth::families::formulation", "synth::families::harmonic", "synth::families::polynomial", "synth::families::program",
-     "synth::families::solved", "synth::families::spline", "synth::infeasible::iis", "synth::infeasible::reasons",
-     "synth::machine::on_machine", "synth::machine::polydyne", "synth::machine::runner", "synth::optimum",
-     "synth::optimum::easing", "synth::optimum::scp", "synth::population", "synth::population::limits", "synth::report::limited",
-     "synth::report::method", "synth::report::parameters", "synth::report::solver"},
 ]
 NOT_PRODUCT = re.compile(r"^crates/evidence/|^lab/|(^|/)tests/|tests\.rs$|^crates/test-support/|/examples/|/fuzz/")
 

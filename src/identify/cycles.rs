@@ -8,19 +8,15 @@ use std::f64::consts::TAU;
 use nalgebra::{DMatrix, DVector};
 
 use super::log::Log;
-use super::period::{drift, no_cycle, period};
+use super::period::{DRIFT, LEAST_CYCLES, drift, no_cycle, period};
 use crate::error::{LogError, Result};
 
 /// Most harmonics of a cycle.
 pub(super) const MOST: usize = 24;
 /// Fewest samples per cycle and harmonic: fewer leave the fit to the noise.
 const PER_HARMONIC: f64 = 2.5;
-/// Fewest whole cycles from which noise and what repeats can be told apart.
-pub(super) const LEAST_CYCLES: usize = 3;
 /// Speed of a log by its angle, as a part of the one that is expected: outside, the unit of a column is another.
 const SPEEDS: [f64; 2] = [1e-3, 1e3];
-/// Change of the speed over the log, part of the mean, above which it drifts: harmonic 5 then leaves its phase.
-pub(super) const DRIFT: f64 = 0.01;
 /// A change of the mean cycle within the log: this part of its alternating force, and this multiple of the scatter.
 const CHANGE: f64 = 0.05;
 const SURPRISE: f64 = 8.0;

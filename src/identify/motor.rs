@@ -5,8 +5,9 @@
 
 use super::cycles::derivative;
 use super::fit::{Column, fit};
+use super::fitted::Fitted;
 use super::model::{ANGLES, angle};
-use super::{Fitted, Parameter};
+use super::parameter::Parameter;
 use crate::synth::Design;
 
 /// Inertia, and slope or friction, as far as the log has them.

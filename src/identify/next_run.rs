@@ -8,8 +8,9 @@ use serde::Serialize;
 
 use super::cycles::derivative;
 use super::fit::t95;
+use super::fitted::Fitted;
 use super::model::{Clock, Effect, Machine};
-use super::{Fitted, Parameter, WIDEST};
+use super::parameter::{Parameter, WIDEST};
 use crate::scene::Scene;
 use crate::synth::Design;
 

@@ -2,11 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use super::cycles::{DRIFT, LEAST_CYCLES};
 use super::log::Log;
 use crate::error::{LogError, Result};
 use crate::units::{Dimension, Quantity};
 
+/// Fewest whole cycles from which noise and what repeats can be told apart.
+pub(super) const LEAST_CYCLES: usize = 3;
+/// Change of the speed over the log, part of the mean, above which it drifts: harmonic 5 then leaves its phase.
+pub(super) const DRIFT: f64 = 0.01;
 /// Cells of a cycle in which the period is looked for, and the range about the period that is expected.
 const CELLS: usize = 64;
 const RANGE: [f64; 2] = [0.55, 1.8];

@@ -3,9 +3,10 @@
 use serde::Serialize;
 
 use super::fit::{difference, dot};
+use super::fitted::{Fitted, held};
 use super::log::Log;
 use super::model::{ANGLES, Machine, Term, angle};
-use super::{Fitted, Identified, held, identified};
+use super::{Identified, identified};
 use crate::drive::{Drive, DriveKind};
 use crate::error::{LogError, NoNewCamError, Result};
 use crate::force::ForceCurve;

@@ -9,6 +9,7 @@ mod changed;
 mod cycle;
 mod machine;
 mod mean_force;
+mod note;
 mod notes;
 mod on_shaft;
 mod requirements;
@@ -20,7 +21,7 @@ mod walkers;
 
 use cycle::Cycle;
 pub use mean_force::MeanForce;
-pub use notes::Note;
+pub use note::Note;
 pub use on_shaft::{Extra, OnShaft};
 pub(crate) use on_shaft::{product, sum};
 pub use requirements::Requirements;
@@ -185,7 +186,7 @@ impl Problem {
             on_shaft: None,
             weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
             cycle: cycle.map(Arc::new),
-            remarks: notes::remarks(scene, force),
+            remarks: note::remarks(scene, force),
         })
     }
 

@@ -2,9 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::machine::MachineSpec;
-use crate::dynamics::{Floor, FloorMode};
-use crate::error::SceneError;
+use crate::dynamics::FloorMode;
 use crate::units::{Dimension, parse};
 
 /// A mode of the structure under the feet.
@@ -41,7 +39,7 @@ impl Default for FloorSpec {
 }
 
 impl FloorSpec {
-    fn mode(&self, key: &'static str) -> Option<FloorMode> {
+    pub(super) fn mode(&self, key: &'static str) -> Option<FloorMode> {
         Some(FloorMode {
             mass: self.mass?,
             frequency: self.frequency?,
@@ -51,7 +49,7 @@ impl FloorSpec {
         })
     }
 
-    fn is_given(&self) -> bool {
+    pub(super) fn is_given(&self) -> bool {
         self.mass.is_some() || self.frequency.is_some() || self.damping.is_some()
     }
 }
@@ -87,7 +85,7 @@ impl Default for WalkersSpec {
 
 impl WalkersSpec {
     /// The phases, rad; drawn ones are the same in every run.
-    fn angles(&self) -> Option<Vec<f64>> {
+    pub(super) fn angles(&self) -> Option<Vec<f64>> {
         if self.phases.is_empty() {
             let mut state = 0_u64;
             let drawn = (1..self.count).map(|_| {
@@ -104,7 +102,7 @@ impl WalkersSpec {
     }
 
     /// Weight of each as a part of the shaker's.
-    fn parts(&self) -> Option<Vec<f64>> {
+    pub(super) fn parts(&self) -> Option<Vec<f64>> {
         if self.weights.is_empty() {
             return Some(vec![1.0; self.count]);
         }
@@ -120,72 +118,5 @@ impl WalkersSpec {
             numbers.push(parse(text.trim(), dimension).ok()?);
         }
         (numbers.len() == self.count).then_some(numbers)
-    }
-}
-
-impl MachineSpec {
-    /// The structure with its walkers; `None` on a stiff floor.
-    pub fn floor(&self) -> Option<Floor> {
-        let single = self.floor.mode("machine.floor.damping");
-        let listed = self.modes.iter();
-        let listed = listed.filter_map(|m| m.mode("machine.floor.mode.N.damping"));
-        let modes: Vec<FloorMode> = single.into_iter().chain(listed).collect();
-        if modes.is_empty() {
-            return None;
-        }
-        let (angles, parts) = (self.walkers.angles()?, self.walkers.parts()?);
-        Some(Floor {
-            modes,
-            walkers: angles.into_iter().zip(parts).collect(),
-        })
-    }
-
-    /// Whether the floor moves.
-    pub fn has_floor(&self) -> bool {
-        self.floor.is_given() || !self.modes.is_empty()
-    }
-
-    /// A floor has all that a mode needs, and no flexible follower beside it.
-    pub(in crate::scene) fn check_floor(&self) -> Result<(), (&'static str, SceneError)> {
-        let floor = &self.floor;
-        if !self.has_floor() {
-            return Ok(());
-        }
-        let lacks = [
-            ("machine.floor.mass", floor.mass, "5000 kg"),
-            ("machine.floor.frequency", floor.frequency, "2 Hz"),
-            ("machine.floor.damping", floor.damping, "0.005"),
-        ];
-        if floor.is_given() {
-            if let Some((key, _, example)) = lacks.into_iter().find(|(_, given, _)| given.is_none())
-            {
-                let example = example.to_string();
-                return Err((key, SceneError::FloorLacks { example }));
-            }
-            if !self.modes.is_empty() {
-                return Err(("machine.floor.mode", SceneError::FloorTwice));
-            }
-        }
-        let count = self.walkers.count;
-        if self.walkers.angles().is_none() {
-            return Err(("machine.walkers.phases", SceneError::WalkerPhases { count }));
-        }
-        if self.walkers.parts().is_none() {
-            return Err((
-                "machine.walkers.weights",
-                SceneError::WalkerWeights { count },
-            ));
-        }
-        let rivals = [
-            (
-                "machine.natural_frequency",
-                self.natural_frequency.is_some(),
-            ),
-            ("machine.stiffness", self.stiffness.is_some()),
-        ];
-        match rivals.into_iter().find(|(_, given)| *given) {
-            Some((key, _)) => Err((key, SceneError::FloorAlone)),
-            None => Ok(()),
-        }
     }
 }

@@ -8,6 +8,7 @@ mod harmonic;
 mod law;
 mod limits;
 mod machine;
+mod machine_floor;
 mod population;
 
 pub use cam::{CamSpec, ConjugateSpec, KeywaySpec};
