@@ -1,7 +1,7 @@
 //! The best designs of a table.
 
 use gaitcam::sweep::{self, Admission, Objective};
-use gaitcam_base::text::number;
+use gaitcam_base::wording::{Language, exact};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 
@@ -207,7 +207,7 @@ impl Front {
     fn _repr_html_(&self) -> String {
         let names = [&["position".to_string()], &self.names[..]].concat();
         html::table(&names, self.positions.len(), |row| {
-            let values = self.values[row].iter().map(|x| number(*x, 6));
+            let values = self.values[row].iter().map(|x| exact(Language::En, *x));
             let position = self.positions[row].to_string();
             std::iter::once(position).chain(values).collect()
         })

@@ -1,7 +1,7 @@
 //! A table of named columns that numpy, pandas, polars and pyarrow read without copies.
 
 use gaitcam::sweep::{Field, FieldValues, Records, Words};
-use gaitcam_base::text::number;
+use gaitcam_base::wording::{Language, exact};
 use numpy::ndarray::ArrayView1;
 use numpy::{Element, PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyKeyError;
@@ -186,7 +186,7 @@ impl Table {
         html::table(&names, self.__len__(), |row| {
             let cell = |field: &Field| match &field.values {
                 FieldValues::Rows(x) => x[row].to_string(),
-                FieldValues::Numbers(x) => number(x[row], 6),
+                FieldValues::Numbers(x) => exact(Language::En, x[row]),
                 FieldValues::Words(words) => words.at(row).unwrap_or("").to_string(),
             };
             fields.iter().map(cell).collect()

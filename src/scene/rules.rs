@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use toml::{Table, Value as Toml};
 
 use super::{Family, KeywaySpec, LimitKind, Minimise, Scene, Source};
-use crate::cam::Keyway;
+use crate::cam::{Keyway, Unit};
 use crate::drive::DriveKind;
 use crate::error::{Placed, Result, SceneError};
 use crate::units::{Dimension, Quantity};
@@ -45,7 +45,10 @@ impl<'a> Typed<'a> {
     fn text(self, path: &str, value: f64, dimension: Dimension) -> String {
         match self.value(path) {
             Some(Toml::String(typed)) if typed != "auto" => typed.clone(),
-            _ => wording::quantity(Language::En, value, dimension.si()),
+            _ => {
+                let unit = Unit::of(dimension);
+                unit.after(&wording::exact(Language::En, unit.factor * value))
+            }
         }
     }
 }

@@ -5,7 +5,8 @@ mod words;
 use serde::Serialize;
 
 pub use gaitcam_base::wording::{
-    Catalogue, File, InLanguages, Language, Messages, code, fixed, number, people, quantity,
+    Catalogue, DIGITS, File, InLanguages, Language, Messages, code, degrees, exact, fixed, number,
+    people, quantity, range, rounded,
 };
 pub use words::Words;
 
@@ -16,6 +17,10 @@ pub const FILES: &[File] = &[
     [
         include_str!("en/dynamics.ftl"),
         include_str!("es/dynamics.ftl"),
+    ],
+    [
+        include_str!("en/figures.ftl"),
+        include_str!("es/figures.ftl"),
     ],
     [include_str!("en/file.ftl"), include_str!("es/file.ftl")],
     [include_str!("en/law.ftl"), include_str!("es/law.ftl")],

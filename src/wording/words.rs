@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use super::{Language, Messages, catalogue};
+use super::{Language, Messages, catalogue, degrees, number, range};
 
 /// The texts of a catalogue, and numbers and names in its language.
 ///
@@ -42,6 +42,40 @@ impl Words {
     /// A number with a fixed count of decimals, with the decimal sign of the language; zero has no sign.
     pub fn fixed(&self, value: f64, decimals: usize) -> String {
         self.0.fixed(value, decimals)
+    }
+
+    /// A number for people: at most four significant digits.
+    pub fn number(&self, value: f64) -> String {
+        number(self.language(), value)
+    }
+
+    /// A number for people; what is only rounding beside values as large as `scale` is 0.
+    ///
+    /// ```
+    /// use gaitcam::wording::{Language, WORDS, Words};
+    ///
+    /// let words = Words::new(WORDS.of(Language::En));
+    /// assert_eq!(words.number_beside(3e-15, 18.5), "0");
+    /// ```
+    pub fn number_beside(&self, value: f64, scale: f64) -> String {
+        let is_rounding = value.abs() < 1e-9 * scale.abs();
+        self.number(if is_rounding { 0.0 } else { value })
+    }
+
+    /// "low … high" for people.
+    pub fn range(&self, low: f64, high: f64) -> String {
+        range(self.language(), low, high)
+    }
+
+    /// A length given in m, in mm; what is below a picometre is 0.
+    pub fn millimetres(&self, length: f64) -> String {
+        let length = if length.abs() < 1e-12 { 0.0 } else { length };
+        format!("{} mm", self.number(1e3 * length))
+    }
+
+    /// An angle given in rad, in degrees to one decimal.
+    pub fn degrees(&self, theta: f64) -> String {
+        degrees(self.language(), theta)
     }
 
     /// A heading or label.

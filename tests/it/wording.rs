@@ -14,7 +14,7 @@ use gaitcam::problem;
 use gaitcam::scene::SCENES;
 use gaitcam::scene::keys::KEYS;
 use gaitcam::sweep::Difference;
-use gaitcam::synth::{Change, Demand, Doubt, Ended, Method, PassedOver, Reason};
+use gaitcam::synth::{Change, Demand, Doubt, Ended, FIGURES, Method, PassedOver, Reason};
 use gaitcam::units::Quantity;
 use gaitcam::wording::{FILES, Language, catalogue};
 use strum::{EnumCount, VariantNames};
@@ -68,6 +68,8 @@ fn every_code_has_a_sentence_and_every_sentence_a_code() {
             .map(|k| format!("key-{}", k.path.replace('.', "-"))),
     );
     codes.extend(SCENES.iter().map(|s| format!("built-in-{}", s.name)));
+    let figure = |column: &str| format!("figure-{}", column.replace('_', "-"));
+    codes.extend(FIGURES.iter().map(|f| figure(f.column)));
     codes.insert("scene-no-effect".to_string());
     codes.extend(
         End::JOINS

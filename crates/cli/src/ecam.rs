@@ -9,7 +9,7 @@ use serde_json::json;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
-use crate::console::words::{self, fixed, power};
+use crate::console::words::{self, power};
 use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use gaitcam::error::Result;
@@ -106,7 +106,7 @@ pub fn sentence(cam: &ElectronicCam) -> String {
         "points": cam.intervals,
         "curve": curve,
         "number": number,
-        "error": fixed(error, 2),
+        "error": words::number(error),
         "added": power(100.0 * replayed.share, 2),
     });
     words::fill(key, &fields)

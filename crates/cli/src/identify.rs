@@ -171,7 +171,7 @@ pub fn recut(args: &RecutArgs) -> Result<u8> {
         no_png: args.no_png,
         ..SynthArgs::default()
     };
-    let number = |x: f64| words::fixed(x, 2);
+    let number = words::number;
     let (before, after) = (figures.before_rms_n, figures.predicted_rms_n);
     let line = json!({"before": number(before), "after": number(after)});
     let mut lines = vec![words::fill("recut-error", &line)];

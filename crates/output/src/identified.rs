@@ -3,7 +3,7 @@
 use gaitcam::identify::{Change, Identified, Parameter};
 use gaitcam::scene::{Scene, keys};
 use gaitcam::units::Dimension;
-use gaitcam::wording::{Language, fixed, quantity};
+use gaitcam::wording::{Language, number, quantity};
 
 use crate::words;
 
@@ -28,7 +28,7 @@ pub fn no_angle(found: &Identified, language: Language) -> Option<String> {
 /// Noise and residual, each parameter with its interval, what this log cannot identify and the run that would.
 pub fn lines(scene: &Scene, found: &Identified, language: Language) -> Vec<String> {
     let words = words::words(language);
-    let number = |x: f64| fixed(language, x, 2);
+    let number = |x: f64| number(language, x);
     let speed = |x: f64| quantity(language, x, Dimension::AngularSpeed.si());
     let head = [
         ("name", &*scene.name),

@@ -9,6 +9,7 @@
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 mod data;
+pub mod facts;
 mod figures;
 pub mod gait;
 pub mod identified;

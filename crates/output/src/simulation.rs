@@ -120,7 +120,7 @@ fn contact(outcome: &Outcome, words: &Words) -> String {
     if !outcome.contact_lost {
         return words.text("simulation-contact-kept");
     }
-    let percent = words.fixed(100.0 * outcome.lost_fraction, 3);
+    let percent = words.number(100.0 * outcome.lost_fraction);
     words.fill("simulation-contact-lost", &[("percent", &percent)])
 }
 
@@ -131,7 +131,7 @@ pub fn floor(floor: &FloorMotion, language: Language) -> String {
         floor.acceleration_peak_m_per_s2,
         floor.acceleration_rms_m_per_s2,
     ]
-    .map(|x| words.fixed(x, 4));
+    .map(|x| words.number(x));
     let values = [
         ("peak", &*peak),
         ("rms", &*rms),
@@ -143,28 +143,31 @@ pub fn floor(floor: &FloorMotion, language: Language) -> String {
 
 /// Speed, motor, start and least inertia of the shaft.
 pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)> {
-    let number = |x: f64, digits: usize| words.fixed(x, digits);
     let speed = [
-        ("least", &*number(shaft.min, 4)),
-        ("most", &*number(shaft.max, 4)),
-        ("ripple", &*number(100.0 * shaft.ripple, 2)),
+        ("least", &*words.number(shaft.min)),
+        ("most", &*words.number(shaft.max)),
+        ("ripple", &*words.number(100.0 * shaft.ripple)),
     ];
+    let most_power = shaft.motor_torque_max_n_m * shaft.max;
     let motor = [
-        ("noload", &*number(shaft.no_load_speed, 4)),
-        ("rms", &*number(shaft.motor_torque_rms_n_m, 3)),
-        ("most", &*number(shaft.motor_torque_max_n_m, 3)),
-        ("power", &*number(shaft.motor_power_mean_w, 2)),
+        ("noload", &*words.number(shaft.no_load_speed)),
+        ("rms", &*words.number(shaft.motor_torque_rms_n_m)),
+        ("most", &*words.number(shaft.motor_torque_max_n_m)),
+        (
+            "power",
+            &*words.number_beside(shaft.motor_power_mean_w, most_power),
+        ),
     ];
     let start = match shaft.stops_at_rad {
         None => words.text("simulation-starts"),
         Some(at) => {
-            let degrees = number(at.to_degrees(), 1);
+            let degrees = words.number(at.to_degrees());
             words.fill("simulation-stops", &[("degrees", &degrees)])
         }
     };
     let least = match shaft.least_inertia_kg_m2 {
         0.0 => words.text("simulation-any-inertia"),
-        j => words.fill("simulation-least-inertia", &[("inertia", &number(j, 4))]),
+        j => words.fill("simulation-least-inertia", &[("inertia", &words.number(j))]),
     };
     vec![
         (
@@ -181,18 +184,17 @@ pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)>
 
 /// Force, its error, what the bearings carry, torque and pressure.
 fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
-    let number = |x: f64, digits: usize| words.fixed(x, digits);
     let force = measures.force().name;
-    let [low, high] = [outcome.force.min, outcome.force.max].map(|f| number(f, 4));
+    let [low, high] = [outcome.force.min, outcome.force.max].map(|f| words.number(f));
     let mut lines = vec![("simulation-force", format!("{low} … {high} {force}"))];
     if let Some(error) = outcome.force.rms_error {
-        let error = format!("{} {force} RMS", number(error, 4));
+        let error = format!("{} {force} RMS", words.number(error));
         lines.push(("simulation-error", error));
     }
     let loads = outcome.loads;
     let bearings = [
-        ("normal", &*number(loads.normal_force, 1)),
-        ("side", &*number(loads.side_thrust, 1)),
+        ("normal", &*words.number(loads.normal_force)),
+        ("side", &*words.number(loads.side_thrust)),
     ];
     let bearings = words.fill("simulation-bearings-values", &bearings);
     lines.push(("simulation-bearings", bearings));
@@ -202,19 +204,19 @@ fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static 
         Measures::Translating | Measures::Oscillating => ("simulation-torque", "N·m"),
     };
     let torque = [
-        ("least", &*number(t.min, 5)),
-        ("most", &*format!("{} {unit}", number(t.max, 5))),
-        ("mean", &*number(t.mean, 5)),
-        ("rms", &*number(t.rms, 5)),
+        ("least", &*words.number(t.min)),
+        ("most", &*format!("{} {unit}", words.number(t.max))),
+        ("mean", &*words.number_beside(t.mean, t.rms)),
+        ("rms", &*words.number(t.rms)),
     ];
     lines.push((label, words.fill("simulation-torque-values", &torque)));
     if let Some(p) = &outcome.hertz {
         let c = &p.contact;
         let pressure = [
-            ("pressure", &*(number(1e-6 * c.pressure, 1) + " MPa")),
-            ("at", &*words.decimal(measures.place(p.theta, 1))),
-            ("width", &*(number(1e3 * c.half_width, 4) + " mm")),
-            ("depth", &*(number(1e3 * c.shear_depth, 4) + " mm")),
+            ("pressure", &*(words.number(1e-6 * c.pressure) + " MPa")),
+            ("at", &*measures.place(p.theta, words.language())),
+            ("width", &*(words.number(1e3 * c.half_width) + " mm")),
+            ("depth", &*(words.number(1e3 * c.shear_depth) + " mm")),
         ];
         let text = words.fill("simulation-pressure-values", &pressure);
         lines.push(("simulation-pressure", text));
@@ -225,7 +227,7 @@ fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static 
 /// Lift-off, settling and impacts.
 fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
     let liftoff = match outcome.liftoff_speed {
-        Some(w) => Some(words.decimal(measures.speed_words(w, 6))),
+        Some(w) => Some(measures.speed_words(w, words.language())),
         None if outcome.floor.is_some() => None,
         None => Some(words.text("simulation-never")),
     };
@@ -250,13 +252,13 @@ fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static
         .iter()
         .max_by(|a, b| a.speed.total_cmp(&b.speed));
     if let Some(hit) = fastest {
-        let (lift, speed) = (measures.lift(0), measures.by_time(1).name);
-        let bounce = lift.after(&format!("{:.4}", lift.factor * bounce));
+        let (lift, speed) = (measures.lift(0), measures.by_time(1));
+        let bounce = lift.shown(bounce, words.language());
         let impacts = [
             ("count", &*outcome.impacts.len().to_string()),
-            ("speed", &*format!("{} {speed}", words.fixed(hit.speed, 4))),
-            ("at", &*words.decimal(measures.place(hit.at, 2))),
-            ("bounce", &*words.decimal(bounce)),
+            ("speed", &*speed.shown(hit.speed, words.language())),
+            ("at", &*measures.place(hit.at, words.language())),
+            ("bounce", &*bounce),
         ];
         lines.push((
             "simulation-impacts",
@@ -321,13 +323,9 @@ pub(crate) fn change(next: &Difference, lever: f64, words: &Words) -> String {
         return words.fill("simulation-next-same", &[("model", model)]);
     }
     let signed = |x: f64| {
-        let number = words.fixed(x, 4);
-        let sign = if x > 0.0 && number.contains(|c| ('1'..='9').contains(&c)) {
-            "+"
-        } else {
-            ""
-        };
-        format!("{sign}{number}")
+        let x = if x.abs() < LEAST_CHANGE { 0.0 } else { x };
+        let sign = if x > 0.0 { "+" } else { "" };
+        format!("{sign}{}", words.number(x))
     };
     let error = next.rms_error.map_or(String::new(), |e| {
         words.fill("simulation-next-rms", &[("rms", &signed(e / lever))])

@@ -10,6 +10,7 @@ use super::{Case, Class};
 use crate::fault;
 use gaitcam::error::Result;
 use gaitcam::identify::Parameter;
+use gaitcam_output::Language;
 use gaitcam_output::overlay::{Strip, diagrams_over};
 
 /// Twins whose cams are cut twice, and those of each class whose parameters are identified. The method was made with other
@@ -172,6 +173,7 @@ fn write(out: &Path, errors: &[Vec<f64>], found: &[(Class, Vec<Found>)]) -> Resu
         "force error",
         &names,
         &rows,
+        Language::En,
     );
     let put = |name: &str, text: &str| {
         std::fs::write(out.join(name), text).map_err(|e| fault(format!("{name}: {e}")))

@@ -2,7 +2,7 @@
 //! angles or slides along a length; forces or moments follow the lift.
 
 use crate::units::Dimension;
-use crate::wording::people;
+use crate::wording::{Language, degrees, fixed, number, people};
 
 /// A unit for output.
 ///
@@ -34,6 +34,19 @@ impl Unit {
     pub fn of(dimension: Dimension) -> Unit {
         let (name, factor) = people(dimension.si());
         Unit { factor, name }
+    }
+
+    /// A quantity in SI for people, with this unit.
+    ///
+    /// ```
+    /// use gaitcam::cam::Measures;
+    /// use gaitcam::wording::Language;
+    ///
+    /// let lift = Measures::Translating.lift(0);
+    /// assert_eq!(lift.shown(0.012_345_6, Language::Es), "12,35 mm");
+    /// ```
+    pub fn shown(self, value: f64, language: Language) -> String {
+        self.after(&number(language, self.factor * value))
     }
 
     /// A number written in this unit, with the unit: degrees stand close to their number.
@@ -117,11 +130,12 @@ impl Measures {
         }
     }
 
-    /// Where on the cam: "at 12.34°", "at 34.2 mm".
-    pub fn place(self, at: f64, decimals: usize) -> String {
-        let unit = self.angle();
-        // Adding zero turns −0 into 0.
-        unit.after(&format!("{:.decimals$}", unit.factor * at + 0.0))
+    /// Where on the cam, to one decimal: "12.3°", "34.2 mm".
+    pub fn place(self, at: f64, language: Language) -> String {
+        match self {
+            Measures::Straight => MM.after(&fixed(language, MM.factor * at, 1)),
+            Measures::Translating | Measures::Oscillating => degrees(language, at),
+        }
     }
 
     /// Speed of the cam.
@@ -129,13 +143,14 @@ impl Measures {
         unit(1.0, if self.is_straight() { "m/s" } else { "rad/s" })
     }
 
-    /// The speed of the cam in words: as it is, and in turns per minute where it turns.
-    pub fn speed_words(self, speed: f64, decimals: usize) -> String {
-        let own = format!("{speed:.decimals$} {}", self.speed().name);
+    /// The speed of the cam for people: as it is, and in turns per minute where it turns.
+    pub fn speed_words(self, speed: f64, language: Language) -> String {
+        let own = self.speed().shown(speed, language);
         if self.is_straight() {
             return own;
         }
-        format!("{own} ({:.2} rpm)", speed * 30.0 / std::f64::consts::PI)
+        let rpm = number(language, speed * 30.0 / std::f64::consts::PI);
+        format!("{own} ({rpm} rpm)")
     }
 
     /// Output of the drive: a force, or the moment on an arm.
@@ -179,8 +194,12 @@ mod tests {
 
     #[test]
     fn places_and_speeds_are_angles_or_of_a_slide_millimetres() {
-        assert_eq!(Measures::Straight.place(0.16, 1), "160.0 mm");
-        assert_eq!(Measures::Oscillating.place(-0.0, 1), "0.0°");
-        assert_eq!(Measures::Straight.speed_words(0.5, 2), "0.50 m/s");
+        let english = Language::En;
+        assert_eq!(Measures::Straight.place(0.16, english), "160.0 mm");
+        assert_eq!(Measures::Oscillating.place(-0.0, english), "0.0°");
+        assert_eq!(Measures::Translating.place(-0.5, Language::Es), "−28,6°");
+        assert_eq!(Measures::Straight.speed_words(0.5, english), "0.5 m/s");
+        let turning = Measures::Translating.speed_words(12.5664, Language::Es);
+        assert_eq!(turning, "12,57 rad/s (120 rpm)");
     }
 }

@@ -2,8 +2,10 @@
 
 use super::Design;
 use super::machine::MachineReport;
+use crate::cam::{Follower, Measures, Unit};
 use crate::criterion::{Direction, LimitKind as Limit};
 use crate::synth::report::force::ForceReport;
+use crate::wording::{DIGITS, Language, people, rounded, sentence};
 
 /// Figures of one design, SI.
 ///
@@ -90,6 +92,8 @@ pub struct Figure {
     pub column: &'static str,
     /// SI unit.
     pub unit: &'static str,
+    /// Most significant digits for people.
+    pub digits: usize,
     /// Table of `summary.json` that has it; empty where none has.
     pub section: &'static str,
     /// Key in that table; column of a front.
@@ -101,6 +105,8 @@ pub struct Figure {
     /// Key of the scene that it settles where the scene says `auto`.
     pub settles: Option<&'static str>,
     value: fn(&Figures) -> f64,
+    /// Its unit for people where that depends on how follower and cam move.
+    measured: Option<fn(Measures) -> Unit>,
 }
 
 impl Figure {
@@ -117,6 +123,70 @@ impl Figure {
     const fn settling(mut self, key: &'static str) -> Figure {
         self.settles = Some(key);
         self
+    }
+
+    const fn digits(mut self, digits: usize) -> Figure {
+        self.digits = digits;
+        self
+    }
+
+    const fn measured(mut self, unit: fn(Measures) -> Unit) -> Figure {
+        self.measured = Some(unit);
+        self
+    }
+
+    /// Its name for people, whatever the follower.
+    ///
+    /// ```
+    /// use gaitcam::synth::Figure;
+    /// use gaitcam::wording::Language;
+    ///
+    /// let stroke = Figure::of_column("stroke_m").unwrap();
+    /// assert_eq!(stroke.label(Language::Es), "carrera");
+    /// ```
+    pub fn label(&self, language: Language) -> String {
+        self.named_for("other", language)
+    }
+
+    /// Its name for people on a cam with this follower.
+    pub fn label_on(&self, follower: &Follower, language: Language) -> String {
+        let movement = match (follower, follower.measures()) {
+            (Follower::Barrel { .. }, _) => "barrel",
+            (_, Measures::Straight) => "straight",
+            (_, Measures::Oscillating) => "oscillating",
+            (_, Measures::Translating) => "other",
+        };
+        self.named_for(movement, language)
+    }
+
+    fn named_for(&self, movement: &str, language: Language) -> String {
+        let variant = self.column.replace('_', "-");
+        let message = serde_json::json!({ variant: { "movement": movement } });
+        sentence(language, "figure", &message)
+    }
+
+    /// The unit in which people read it.
+    pub fn unit_on(&self, measures: Measures) -> Unit {
+        let (name, factor) = people(self.unit);
+        let usual = Unit { factor, name };
+        self.measured.map_or(usual, |unit| unit(measures))
+    }
+
+    /// A value of it, SI, as people read it.
+    ///
+    /// ```
+    /// use gaitcam::cam::Measures;
+    /// use gaitcam::synth::Figure;
+    /// use gaitcam::wording::Language;
+    ///
+    /// let stroke = Figure::of_column("stroke_m").unwrap();
+    /// let shown = |measures| stroke.text(0.123_456, measures, Language::En);
+    /// assert_eq!(shown(Measures::Translating), "123.5 mm");
+    /// assert_eq!(shown(Measures::Oscillating), "7.074°");
+    /// ```
+    pub fn text(&self, value: f64, measures: Measures, language: Language) -> String {
+        let unit = self.unit_on(measures);
+        unit.after(&rounded(language, unit.factor * value, self.digits))
     }
 
     /// Its value, SI; NaN where a design has none.
@@ -149,19 +219,19 @@ impl Figure {
 /// No limit holds the speed of lift-off: a least force at the speed of the machine does.
 #[rustfmt::skip]
 pub static FIGURES: [Figure; 25] = [
-    figure("force_rms_error_n",         "N",     ["force",   "rms_error_n"],              |f| f.force.rms_error_n),
-    figure("force_rms_error_percent",   "%",     ["force",   "rms_error_percent_of_mean"], |f| f.force.rms_error_percent_of_mean),
-    figure("force_max_error_n",         "N",     ["force",   "max_error_n"],              |f| f.force.max_error_n),
+    figure("force_rms_error_n",         "N",     ["force",   "rms_error_n"],              |f| f.force.rms_error_n).digits(3),
+    figure("force_rms_error_percent",   "%",     ["force",   "rms_error_percent_of_mean"], |f| f.force.rms_error_percent_of_mean).digits(3),
+    figure("force_max_error_n",         "N",     ["force",   "max_error_n"],              |f| f.force.max_error_n).digits(3),
     figure("target_mean_n",             "N",     ["force",   "target_mean_n"],            |f| f.force.target_mean_n),
     figure("force_mean_n",              "N",     ["force",   "mean_n"],                   |f| f.force.mean_n),
     figure("force_min_n",               "N",     ["force",   "min_n"],                    |f| f.force.min_n).limited(Limit::ForceMin),
     figure("force_max_n",               "N",     ["force",   "max_n"],                    |f| f.force.max_n).limited(Limit::ForceMax),
-    figure("mass_kg",                   "kg",    ["drive",   "mass_kg"],                  |f| f.mass).settling("drive.mass"),
-    figure("speed_rad_per_s",           "rad/s", ["drive",   "speed_rad_per_s"],          |f| f.speed).settling("drive.speed"),
-    figure("stroke_m",                  "m",     ["law",     "stroke_m"],                 |f| f.stroke).limited(Limit::Stroke).traded("stroke"),
-    figure("velocity_max_m_per_s",      "m/s",   ["",        "velocity_m_per_s"],         |f| f.peaks[0]).limited(Limit::Velocity).traded("velocity"),
-    figure("acceleration_max_m_per_s2", "m/s^2", ["",        "acceleration_m_per_s2"],    |f| f.peaks[1]).limited(Limit::Acceleration).traded("acceleration"),
-    figure("jerk_max_m_per_s3",         "m/s^3", ["",        "jerk_m_per_s3"],            |f| f.peaks[2]).limited(Limit::Jerk).traded("jerk"),
+    figure("mass_kg",                   "kg",    ["drive",   "mass_kg"],                  |f| f.mass).settling("drive.mass").measured(Measures::mass),
+    figure("speed_rad_per_s",           "rad/s", ["drive",   "speed_rad_per_s"],          |f| f.speed).settling("drive.speed").measured(Measures::speed),
+    figure("stroke_m",                  "m",     ["law",     "stroke_m"],                 |f| f.stroke).limited(Limit::Stroke).traded("stroke").measured(|m| m.lift(0)),
+    figure("velocity_max_m_per_s",      "m/s",   ["",        "velocity_m_per_s"],         |f| f.peaks[0]).limited(Limit::Velocity).traded("velocity").measured(|m| m.by_time(1)),
+    figure("acceleration_max_m_per_s2", "m/s^2", ["",        "acceleration_m_per_s2"],    |f| f.peaks[1]).limited(Limit::Acceleration).traded("acceleration").measured(|m| m.by_time(2)),
+    figure("jerk_max_m_per_s3",         "m/s^3", ["",        "jerk_m_per_s3"],            |f| f.peaks[2]).limited(Limit::Jerk).traded("jerk").measured(|m| m.by_time(3)),
     figure("base_radius_m",             "m",     ["cam",     "base_radius_m"],            |f| f.base_radius).settling("cam.base_radius"),
     figure("prime_radius_m",            "m",     ["cam",     "prime_radius_m"],           |f| f.prime_radius).limited(Limit::PrimeRadius).traded("prime_radius").settling("cam.prime_radius"),
     figure("offset_m",                  "m",     ["cam",     "offset_m"],                 |f| f.offset).settling("cam.offset"),
@@ -172,7 +242,7 @@ pub static FIGURES: [Figure; 25] = [
     figure("torque_rms_n_m",            "N m",   ["machine", "torque_rms_n_m"],           |f| known(f.machine.torque_rms_n_m)),
     figure("power_max_w",               "W",     ["machine", "power_max_w"],              |f| known(f.machine.power_max_w)).limited(Limit::Power).traded("power"),
     figure("power_mean_w",              "W",     ["machine", "power_mean_w"],             |f| known(f.machine.power_mean_w)),
-    figure("liftoff_speed_rad_per_s",   "rad/s", ["machine", "liftoff_speed_rad_per_s"],  |f| known(f.machine.liftoff_speed_rad_per_s)).traded("liftoff_speed"),
+    figure("liftoff_speed_rad_per_s",   "rad/s", ["machine", "liftoff_speed_rad_per_s"],  |f| known(f.machine.liftoff_speed_rad_per_s)).traded("liftoff_speed").measured(Measures::speed),
     figure("hertz_pressure_max_pa",     "Pa",    ["machine", "hertz_pressure_max_pa"],    |f| known(f.machine.hertz_pressure_max_pa)).limited(Limit::HertzPressure).traded("hertz_pressure"),
 ];
 
@@ -185,12 +255,14 @@ const fn figure(
     Figure {
         column,
         unit,
+        digits: DIGITS,
         section,
         key,
         limit: None,
         trade: None,
         settles: None,
         value,
+        measured: None,
     }
 }
 

@@ -4,7 +4,7 @@ use crate::cam::{Criterion, Measures};
 use crate::synth::report::limited::Relaxation;
 use crate::synth::report::named::unit;
 use crate::synth::report::reason::{Change, Reason, quantity};
-use crate::wording::{Language, number};
+use crate::wording::{Language, exact};
 
 /// Which limits cannot hold together.
 pub fn conflicting(conflict: &[Criterion]) -> Reason {
@@ -44,11 +44,11 @@ pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> R
     }
 }
 
-/// A limit's value in the units people use for it on a cam of these measures.
+/// A limit's value in the units people use for it on a cam of these measures, exact enough to be typed back.
 pub fn in_units(measures: Measures, limit: Criterion, value: f64, language: Language) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;
     // Rounding of what is nothing.
     let value = if value.abs() < 1e-9 { 0.0 } else { value };
-    unit.after(&number(language, value))
+    unit.after(&exact(language, value))
 }

@@ -6,6 +6,4 @@ mod number;
 
 pub use cell::{cell_text, text_cell};
 pub use escape::escaped;
-pub use number::{
-    append, append_decimal, degrees, in_language, millimetres, number, page_in_language, range,
-};
+pub use number::{append, append_decimal};

@@ -11,7 +11,7 @@ use serde_json::Value;
 use unic_langid::LanguageIdentifier;
 
 use super::Language;
-use super::number::{DIGITS, fixed, number, quantity_to_digits};
+use super::number::{EXACT, exact, fixed, quantity_to_digits};
 
 /// Areas whose messages appear as arguments of other messages.
 const SHARED: &[&str] = &["demand", "note", "reason", "scene"];
@@ -261,7 +261,7 @@ impl Messages {
             // Whole numbers choose plural forms.
             Value::Number(n) => match n.as_i64() {
                 Some(whole) if whole.abs() < 10_000 => FluentValue::from(whole),
-                _ => number(self.language, n.as_f64().unwrap_or(f64::NAN)).into(),
+                _ => exact(self.language, n.as_f64().unwrap_or(f64::NAN)).into(),
             },
             other => self.shown(area, other, digits).into(),
         }
@@ -271,7 +271,7 @@ impl Messages {
         match value {
             Value::Null => "none".to_string(),
             Value::Bool(b) => b.to_string(),
-            Value::Number(n) => number(self.language, n.as_f64().unwrap_or(f64::NAN)),
+            Value::Number(n) => exact(self.language, n.as_f64().unwrap_or(f64::NAN)),
             // A message without fields as an argument, otherwise a name.
             Value::String(text) if self.text_of(&format!("{area}-{text}")).is_some() => {
                 self.of_value(area, value)
@@ -299,7 +299,7 @@ impl Messages {
 /// Significant digits of the quantities of a message; two that differ are not shown as one number.
 fn digits<'a>(area: &str, fields: impl Iterator<Item = &'a Value>) -> usize {
     if !NOTES.contains(&area) {
-        return DIGITS;
+        return EXACT;
     }
     let mut values: Vec<f64> = fields
         .filter_map(|f| f.get("value")?.as_f64())
@@ -309,7 +309,7 @@ fn digits<'a>(area: &str, fields: impl Iterator<Item = &'a Value>) -> usize {
     let near = 10f64.powi(1 - NOTE_DIGITS as i32);
     let alike = |w: &[f64]| w[0] != w[1] && (w[1] - w[0]).abs() < near * w[1].abs();
     match values.windows(2).any(alike) {
-        true => DIGITS,
+        true => EXACT,
         false => NOTE_DIGITS,
     }
 }

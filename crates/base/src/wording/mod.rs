@@ -21,7 +21,7 @@ mod number;
 pub use catalogue::{Catalogue, File};
 pub use language::{InLanguages, Language};
 pub use messages::{Messages, code};
-pub use number::{fixed, number, people, quantity};
+pub use number::{DIGITS, degrees, exact, fixed, number, people, quantity, range, rounded};
 
 /// The messages of this crate: names of quantities, faults of quantities.
 pub const FILES: &[File] = &[

@@ -24,26 +24,71 @@ const SHOWN: &[(&str, &str, f64)] = &[
     ("rad/rad^3", "rad/rad³", 1.0),
 ];
 
-/// Significant digits of a number in a sentence.
-pub(super) const DIGITS: usize = 6;
+/// Most significant digits of a number that people read.
+pub const DIGITS: usize = 4;
+/// Significant digits of a number that people type back: of an error, of a reason, of a suggested change.
+pub(super) const EXACT: usize = 6;
 
-/// A number with six significant digits, without trailing zeros; `−0` is 0, Spanish has a decimal comma.
+/// A number for people: at most four significant digits, no trailing zeros; `−0` is 0, Spanish has a decimal comma.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, number};
-/// assert_eq!(number(Language::En, 13.636), "13.636");
-/// assert_eq!(number(Language::Es, 0.5), "0,5");
-/// assert_eq!(number(Language::En, 3.2e-9), "3.2e-9");
+/// assert_eq!(number(Language::En, 13.636), "13.64");
+/// assert_eq!(number(Language::Es, -0.5), "−0,5");
+/// assert_eq!(number(Language::En, 3.2e-9), "3.2e−9");
 /// assert_eq!(number(Language::En, f64::INFINITY), "∞");
 /// ```
 pub fn number(language: Language, value: f64) -> String {
-    to_digits(language, value, DIGITS)
+    rounded(language, value, DIGITS)
 }
 
-/// A number as [`number`] has it, with another count of significant digits.
+/// A number for people as [`number`] has it, with at most so many significant digits.
+///
+/// ```
+/// use gaitcam_base::wording::{Language, rounded};
+/// assert_eq!(rounded(Language::Es, 3.4632, 3), "3,46");
+/// ```
+pub fn rounded(language: Language, value: f64, digits: usize) -> String {
+    to_digits(language, value, digits).replace('-', "−")
+}
+
+/// A number that people may type back: six significant digits, the minus sign of the keyboard.
+///
+/// ```
+/// use gaitcam_base::wording::{Language, exact};
+/// assert_eq!(exact(Language::En, -13.6362), "-13.6362");
+/// ```
+pub fn exact(language: Language, value: f64) -> String {
+    to_digits(language, value, EXACT)
+}
+
+/// "low … high" for people; an end that is zero but for rounding is 0.
+///
+/// ```
+/// use gaitcam_base::wording::{Language, range};
+/// assert_eq!(range(Language::Es, -1e-14, 2.5), "0 … 2,5");
+/// ```
+pub fn range(language: Language, low: f64, high: f64) -> String {
+    let noise = 1e-9 * (high - low).abs();
+    let [low, high] = [low, high].map(|x| if x.abs() < noise { 0.0 } else { x });
+    format!("{} … {}", number(language, low), number(language, high))
+}
+
+/// An angle given in rad, in degrees to one decimal.
+///
+/// ```
+/// use gaitcam_base::wording::{Language, degrees};
+/// assert_eq!(degrees(Language::Es, -0.5), "−28,6°");
+/// ```
+pub fn degrees(language: Language, theta: f64) -> String {
+    let text = fixed(language, theta.to_degrees(), 1);
+    format!("{text}°").replace('-', "−")
+}
+
+/// A number with at most so many significant digits.
 fn to_digits(language: Language, value: f64, digits: usize) -> String {
     if value.is_nan() {
-        return "–".to_string();
+        return "—".to_string();
     }
     if value.is_infinite() {
         return if value > 0.0 { "∞" } else { "−∞" }.to_string();
@@ -111,7 +156,7 @@ pub fn people(si: &str) -> (&str, f64) {
 /// assert_eq!(quantity(Language::En, std::f64::consts::PI, "rad"), "180°");
 /// ```
 pub fn quantity(language: Language, value: f64, unit: &str) -> String {
-    quantity_to_digits(language, value, unit, DIGITS)
+    quantity_to_digits(language, value, unit, DIGITS).replace('-', "−")
 }
 
 /// A quantity as [`quantity`] has it, with another count of significant digits.

@@ -8,7 +8,6 @@ use super::Title;
 use super::layout::Layout;
 use super::pen::{Pen, Stroke};
 use crate::words::Labels;
-use gaitcam_base::text::number;
 
 /// Letters of a field's value, of its name and of the title, mm per em.
 const VALUE: f64 = 2.9;
@@ -116,10 +115,10 @@ fn fields(
         None => field("drawing-roller", format!("Ø {}", long(2.0 * roller))),
     };
     let speed = match cam.follower.measures() {
-        Measures::Straight => format!("{} m/s", number(design.problem.drive.speed.abs(), 4)),
+        Measures::Straight => format!("{} m/s", words.number(design.problem.drive.speed.abs())),
         Measures::Translating | Measures::Oscillating => {
             let rpm = design.problem.drive.speed * 30.0 / std::f64::consts::PI;
-            format!("{} rpm", number(rpm.abs(), 4))
+            format!("{} rpm", words.number(rpm.abs()))
         }
     };
     let made = design.problem.cam.making();
@@ -165,8 +164,8 @@ fn accuracy(design: &Design, title: &Title, words: &Labels) -> (String, String) 
     let making = making(design, title.accuracy);
     let error = match &making {
         Some(m) => {
-            let error = number(m.error, 3);
-            let own = number(design.force.rms_error_percent_of_mean, 3);
+            let error = words.number(m.error);
+            let own = words.number(design.force.rms_error_percent_of_mean);
             let arguments = [("error", error.as_str()), ("own", &own)];
             words.decimal(words.fill("drawing-force", &arguments))
         }

@@ -6,6 +6,7 @@ pub mod help;
 pub mod internal;
 pub mod language;
 pub mod progress;
+pub mod table;
 pub mod terminal;
 pub mod usage;
 pub mod words;

@@ -1,5 +1,6 @@
 //! The command's own sentences, by language: `words/LANGUAGE/cli.ftl`.
 
+use gaitcam::synth::Figure;
 use gaitcam::wording::{Catalogue, Language, Messages};
 use serde_json::Value;
 
@@ -32,19 +33,26 @@ pub fn name(typed: &str) -> String {
     gaitcam::wording::catalogue(language::current()).name(typed)
 }
 
-/// A table's column with its unit, SI: `force error RMS, N`; the column of a scene's key keeps the key's name.
+/// A table's column with its unit, SI: `RMS force error, N`; the column of a scene's key keeps the key's name.
 pub fn column(name: &str) -> String {
     let label = gaitcam::sweep::table::label(name);
     let (quantity, unit) = label.rsplit_once(", ").unwrap_or((&label, ""));
-    let key = format!("column-{}", quantity.replace(' ', "-"));
-    let quantity = match text(&key) {
-        missing if missing == key => quantity.to_string(),
-        quantity => quantity,
+    let quantity = match Figure::of_column(name) {
+        Some(figure) => figure.label(language::current()),
+        None => match text(&format!("column-{quantity}")) {
+            missing if missing.starts_with("column-") => quantity.to_string(),
+            quantity => quantity,
+        },
     };
     match unit {
         "" => quantity,
         unit => format!("{quantity}, {unit}"),
     }
+}
+
+/// A number for people: at most four significant digits.
+pub fn number(value: f64) -> String {
+    gaitcam::wording::number(language::current(), value)
 }
 
 /// A number with a fixed count of decimals, with the decimal sign of the language.

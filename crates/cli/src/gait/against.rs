@@ -4,9 +4,13 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::cover::{aligned, of_unit, reason};
+use super::cover::{of_unit, reason};
 use crate::console::error::CliError;
-use crate::console::words::{self, fixed};
+use crate::console::table::{
+    Side::{Left, Right},
+    table,
+};
+use crate::console::words::{self, number};
 use gaitcam::cover::{Assigned, served_by};
 use gaitcam::error::{Placed, Result};
 use gaitcam::force::{ForceCurve, Walker};
@@ -21,13 +25,13 @@ use gaitcam_app::read::read_text;
 /// A folder that is no cover; a walker whom the machine cannot be set to.
 pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     let path = folder.join("cover.csv");
-    let table = read_text(&path)?;
-    let numbers: Option<Vec<usize>> = table
+    let covers = read_text(&path)?;
+    let numbers: Option<Vec<usize>> = covers
         .lines()
         .skip(1)
         .map(|l| l.split(',').next()?.parse().ok())
         .collect();
-    let numbers = numbers.filter(|n| table.starts_with("cams,") && !n.is_empty());
+    let numbers = numbers.filter(|n| covers.starts_with("cams,") && !n.is_empty());
     let numbers = numbers.ok_or_else(|| CliError::NotCover.in_file(&path))?;
     let first = Input::open(&folder.join(scene_of_cover(numbers[0], 1)))?;
     // They have to be walkers as those of the cover are.
@@ -43,15 +47,15 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     let measure = first.scene.law.error;
     let error = of_unit("error", measure);
     let names = ["walker", "cams", "cam", &error, "reason"];
-    let mut rows = vec![names.map(|c| words::text(&format!("against-{c}")))];
+    let mut rows = vec![names.map(|c| words::text(&format!("against-{c}"))).to_vec()];
     let mut objects = Vec::new();
     for cams in numbers {
         for served in serving(folder, cams, &force)? {
             let file = scene_of_cover(cams, served.cam + 1);
             objects.push(json!({"walker": served.error.walker, "cams": cams, "cam": served.cam + 1, "scene": file,
                 "rms_error_percent": served.error.rms_error_percent, "rms_error_n": served.error.rms_error_n}));
-            let error = fixed(served.error.measured(measure), 3);
-            rows.push([
+            let error = number(served.error.measured(measure));
+            rows.push(vec![
                 served.error.walker.clone(),
                 cams.to_string(),
                 file,
@@ -65,7 +69,10 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
         &json!({"folder": folder.display().to_string()}),
     );
     Ok((
-        format!("{head}\n{}", aligned(&rows).trim_end()),
+        format!(
+            "{head}\n{}",
+            table(&rows, &[Left, Right, Left, Right, Left])
+        ),
         Value::Array(objects),
     ))
 }

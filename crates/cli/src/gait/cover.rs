@@ -9,8 +9,12 @@ use serde_json::{Value, json};
 use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
+use crate::console::table::{
+    Side::{Left, Right},
+    table,
+};
 use crate::console::terminal::{print, print_json, report};
-use crate::console::words::{self, fixed};
+use crate::console::words::{self, number};
 use crate::input::searching::TimeLimit;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
@@ -335,21 +339,22 @@ fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
             "others-worst",
             "who",
         ]
-        .map(|c| words::text(&format!("cover-{c}"))),
+        .map(|c| words::text(&format!("cover-{c}")))
+        .to_vec(),
     ];
     let error = input.scene.law.error;
-    let shown = |x: Option<f64>| x.map_or("–".to_string(), |x| fixed(x, 3));
+    let shown = |x: Option<f64>| x.map_or("–".to_string(), number);
     for cover in covers {
         let worst = cover
             .each
             .iter()
             .max_by(|a, b| a.error.measured(error).total_cmp(&b.error.measured(error)));
         let most = folds.iter().rfind(|f| f.cams == cover.cams.len());
-        rows.push([
+        rows.push(vec![
             cover.cams.len().to_string(),
-            fixed(cover.mean, 3),
-            fixed(cover.worst, 3),
-            fixed(cover.objective, 3),
+            number(cover.mean),
+            number(cover.worst),
+            number(cover.objective),
             shown(cover.bound),
             shown(most.map(|f| f.out_mean)),
             shown(most.map(|f| f.out_worst)),
@@ -368,7 +373,8 @@ fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
         &of_unit("cover-head", error),
         &json!({"name": input.scene.name, "cycles": walkers}),
     );
-    format!("{head}\n{}{}", aligned(&rows), words::text(of))
+    let sides = [&[Right; 7][..], &[Left]].concat();
+    format!("{head}\n{}\n{}", table(&rows, &sides), words::text(of))
 }
 
 /// The message of a measure of errors.
@@ -377,24 +383,6 @@ pub fn of_unit(message: &str, error: ErrorMeasure) -> String {
         ErrorMeasure::Relative => message.to_string(),
         ErrorMeasure::Absolute => format!("{message}-n"),
     }
-}
-
-/// Rows with columns as wide as their longest cell.
-pub fn aligned<const N: usize>(rows: &[[String; N]]) -> String {
-    let width = |i: usize| rows.iter().map(|r| r[i].chars().count()).max().unwrap_or(0);
-    let mut out = String::new();
-    for row in rows {
-        let cells = (0..N).map(|i| {
-            let (cell, width) = (&row[i], width(i));
-            if i + 1 == N {
-                cell.clone()
-            } else {
-                format!("{cell:>width$}")
-            }
-        });
-        let _ = writeln!(out, "  {}", cells.collect::<Vec<_>>().join("  "));
-    }
-    out
 }
 
 /// Error against the number of cams, of the walkers of the cams and of others.

@@ -12,7 +12,7 @@ use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
-use crate::console::words::{self, fixed};
+use crate::console::words::{self, number};
 use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
@@ -185,12 +185,12 @@ fn behaviour(b: &Behaviour, drive: &Drive) -> Value {
 
 fn text(design: &Design, inspected: &Inspection, made: Option<&MadeCam>) -> String {
     let measures = design.cam.follower.measures();
-    let micro = |x: f64| fixed(1e6 * x, 2);
-    let degrees = |x: f64| fixed(x.to_degrees(), 4);
-    let place = |x: f64| words::decimal(measures.place(x, 1));
+    let micro = |x: f64| number(1e6 * x);
+    let degrees = |x: f64| number(x.to_degrees());
+    let place = |x: f64| measures.place(x, language::current());
     let mut lines = vec![format!("{}:", design.problem.name)];
     let mut line = |key: &str, data: Value| lines.push(format!("  {}", words::fill(key, &data)));
-    let centre = inspected.centre.map(|x| fixed(1e3 * x, 4));
+    let centre = inspected.centre.map(|x| number(1e3 * x));
     line(
         "inspect-fit",
         json!({"points": inspected.deviations.len().to_string(), "turn": degrees(inspected.turn), "x": centre[0], "y": centre[1]}),
@@ -244,7 +244,7 @@ fn comparison(design: &Design, made: &MadeCam, measures: Measures) -> Vec<String
     ];
     let defined = all.iter().filter(|row| row.2 != force || !design.is_idle());
     let line = |(key, value, unit): &Compared| {
-        let number = |x: f64| words::fixed(x, 4);
+        let number = words::number;
         let (before, after) = (number(value(&made.designed)?), number(value(&made.made)?));
         let data = json!({"before": before, "after": after, "unit": unit});
         Some(format!("  {}", words::fill(key, &data)))

@@ -8,8 +8,9 @@ use serde_json::{Value, json};
 use crate::console::error::CliError;
 use crate::console::exit_code::BUILT;
 use crate::console::language;
+use crate::console::table::{Side, table};
 use crate::console::terminal::{print, print_json};
-use crate::console::words::{self, fixed};
+use crate::console::words;
 use gaitcam::error::{Placed, Result, nearest};
 use gaitcam::law::{End, Ends, Factors, Rise};
 use gaitcam_app::folder::Folder;
@@ -72,7 +73,7 @@ pub fn run(args: &LawsArgs) -> Result<u8> {
     if args.json {
         print_json(&rows.iter().map(object).collect());
     } else {
-        print(&table(&rows));
+        print(&text(&rows));
     }
     Ok(BUILT)
 }
@@ -104,42 +105,31 @@ fn object((rise, f, ends): &Row) -> Value {
     })
 }
 
-fn table(rows: &[Row]) -> String {
-    let long = rows.iter().map(|row| row.0.name().chars().count());
-    let long = long.max().unwrap_or(0);
+fn text(rows: &[Row]) -> String {
     // What the language calls a law, where scenes do not write it so.
     let called = |rise: &Rise| words::name(rise.name());
     let differs = rows.iter().any(|row| called(&row.0) != row.0.name());
-    let wide = rows.iter().map(|row| called(&row.0).chars().count());
-    let wide = wide.max().filter(|_| differs).map_or(0, |wide| wide + 1);
-    let mut out = vec![
-        words::text("laws-head"),
-        format!(
-            "{:<long$} {:<wide$}{:>9} {:>9} {:>10} {:>9}  {}",
-            words::text("laws-law"),
-            "",
-            "Cv",
-            "Ca",
-            "Cj",
-            "Ct",
-            words::text("laws-joins")
-        ),
+    let second = |called: String| if differs { vec![called] } else { Vec::new() };
+    let factors = ["Cv", "Ca", "Cj", "Ct"].map(String::from);
+    let mut lines = vec![
+        [
+            vec![words::text("laws-law")],
+            second(String::new()),
+            factors.to_vec(),
+            vec![words::text("laws-joins")],
+        ]
+        .concat(),
     ];
-    for (rise, f, ends) in rows {
-        let name = rise.name();
-        let jerk = if f.cj.is_finite() {
-            fixed(f.cj, 4)
-        } else {
-            "∞".to_string()
-        };
-        out.push(format!(
-            "{name:<long$} {:<wide$}{:>9} {:>9} {jerk:>10} {:>9}  {}",
-            if differs { called(rise) } else { String::new() },
-            fixed(f.cv, 5),
-            fixed(f.ca, 5),
-            fixed(f.ct, 5),
-            joined(ends)
-        ));
-    }
-    out.join("\n")
+    lines.extend(rows.iter().map(|(rise, f, ends)| {
+        [
+            vec![rise.name().to_string()],
+            second(called(rise)),
+            [f.cv, f.ca, f.cj, f.ct].map(words::number).to_vec(),
+            vec![joined(ends)],
+        ]
+        .concat()
+    }));
+    let names = vec![Side::Left; if differs { 2 } else { 1 }];
+    let sides = [names, vec![Side::Right; 4], vec![Side::Left]].concat();
+    format!("{}\n{}", words::text("laws-head"), table(&lines, &sides))
 }

@@ -225,7 +225,7 @@ fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
 /// Which cam was run where that may be mistaken.
 fn remark(args: &SimulateArgs, made: &Made, design: &Design) -> Option<String> {
     if made.other_machine {
-        let rpm = words::fixed(design.problem.drive.speed * 30.0 / PI, 3);
+        let rpm = words::number(design.problem.drive.speed * 30.0 / PI);
         return Some(words::fill("simulate-as-made", &json!({"rpm": rpm})));
     }
     let speed = |change: &String| change.trim_start().starts_with("drive.speed");

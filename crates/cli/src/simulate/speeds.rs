@@ -9,6 +9,10 @@ use serde_json::{Value, json};
 use super::{SimulateArgs, no_target};
 use crate::console::error::CliError;
 use crate::console::language;
+use crate::console::table::{
+    Side::{Left, Right},
+    table,
+};
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::console::{exit_code, exit_code::NO_SUCH_CAM};
@@ -70,7 +74,7 @@ pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
     if args.json {
         print_json(&Value::Array(rows.iter().map(Row::json).collect()));
     } else {
-        print(&table(&rows, measures));
+        print(&text(&rows, measures));
         if let Some(why) = untargeted {
             print(&no_target(&why));
         }
@@ -202,15 +206,15 @@ impl Row {
         })
     }
 
-    /// Its line of the table, the speed in the unit of people.
-    fn line(&self, speed: &str) -> String {
+    /// Its cells in the table, the speed in the unit of people.
+    fn cells(&self, speed: String) -> Vec<String> {
+        let at = &self.at;
         if let Some(why) = &self.stands {
             let why = words::fill("simulate-speeds-none", &json!({"why": why}));
-            return format!("\n{speed:>9} {why}");
+            return [vec![speed], vec![String::new(); 4], vec![why]].concat();
         }
-        let at = &self.at;
         let dash = || "—".to_string();
-        let rms = at.rms_error.map_or_else(dash, |e| words::fixed(e, 2));
+        let rms = at.rms_error.map_or_else(dash, words::number);
         let factors = at
             .load_factors
             .map_or_else(dash, |f| f.map(|x| words::fixed(x, 3)).join(" "));
@@ -218,12 +222,8 @@ impl Row {
             true => words::text("simulate-speeds-lost"),
             false => String::new(),
         };
-        let (torque, ripple) = (
-            words::fixed(at.torque, 3),
-            words::fixed(100.0 * at.ripple, 2),
-        );
-        let line = format!("\n{speed:>9} {rms:>11} {torque:>10} {ripple:>8}  {factors}  {lost}");
-        line.trim_end().to_string()
+        let (torque, ripple) = (words::number(at.torque), words::number(100.0 * at.ripple));
+        vec![speed, rms, torque, ripple, factors, lost]
     }
 }
 
@@ -241,14 +241,17 @@ fn csv(rows: &[Row]) -> String {
     out
 }
 
-fn table(rows: &[Row], measures: Measures) -> String {
+fn text(rows: &[Row], measures: Measures) -> String {
     let (unit, factor) = match measures {
-        Measures::Straight => ("    m/s", 1.0),
-        Measures::Translating | Measures::Oscillating => ("    rpm", 30.0 / PI),
+        Measures::Straight => ("m/s", 1.0),
+        Measures::Translating | Measures::Oscillating => ("rpm", 30.0 / PI),
     };
-    let mut out = words::fill("simulate-speeds-head", &json!({"unit": unit}));
-    for row in rows {
-        out += &row.line(&words::fixed(factor * row.at.speed, 2));
-    }
-    out
+    let names = ["error", "torque", "ripple", "factors"];
+    let names = names.map(|name| words::text(&format!("simulate-speeds-{name}")));
+    let head = [vec![unit.to_string()], names.to_vec(), vec![String::new()]].concat();
+    let rows = rows
+        .iter()
+        .map(|row| row.cells(words::number(factor * row.at.speed)));
+    let all: Vec<_> = std::iter::once(head).chain(rows).collect();
+    table(&all, &[Right, Right, Right, Right, Left])
 }

@@ -11,7 +11,7 @@ use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{self, print, print_json};
-use crate::console::words::{self, fixed};
+use crate::console::words::{self, number};
 use crate::input::searching;
 use crate::input::{self, SceneArgs};
 use gaitcam::error::{Placed, Result};
@@ -108,17 +108,17 @@ fn table(made: &[Made]) -> String {
 }
 
 fn summary(name: &str, own: f64, count: u64, s: &Spread, band: Option<f64>) -> String {
-    let [p5, median, p95] = s.quantiles.map(|x| fixed(x, 3));
-    let head = json!({"name": name, "count": count.to_string(), "own": fixed(own, 3)});
-    let spread = json!({"mean": fixed(s.mean, 3), "deviation": fixed(s.deviation, 3),
-        "p5": p5, "p95": p95, "median": median, "largest": fixed(s.largest, 3)});
+    let [p5, median, p95] = s.quantiles.map(number);
+    let head = json!({"name": name, "count": count.to_string(), "own": number(own)});
+    let spread = json!({"mean": number(s.mean), "deviation": number(s.deviation),
+        "p5": p5, "p95": p95, "median": median, "largest": number(s.largest)});
     let mut out = format!(
         "{}\n  {}",
         words::fill("sweep-samples", &head),
         words::fill("sweep-spread", &spread)
     );
     if let (Some(band), Some(within)) = (band, s.within) {
-        let share = json!({"within": fixed(100.0 * within, 2), "band": fixed(100.0 * band, 3)});
+        let share = json!({"within": number(100.0 * within), "band": number(100.0 * band)});
         let _ = write!(out, "\n  {}", words::fill("sweep-yield", &share));
     }
     out
@@ -162,7 +162,7 @@ fn report(
 
 /// The main figures.
 fn cards(own: f64, s: &Spread, band: Option<f64>) -> Vec<(String, String, String)> {
-    let percent = |x: f64| format!("{} %", fixed(x, 3));
+    let percent = |x: f64| format!("{} %", number(x));
     let card = |key: &str, x: f64| (words::text(key), percent(x), String::new());
     let (name, value, _) = card("scatter-by-design", own);
     let mut out = vec![
@@ -173,7 +173,7 @@ fn cards(own: f64, s: &Spread, band: Option<f64>) -> Vec<(String, String, String
     ];
     if let (Some(band), Some(within)) = (band, s.within) {
         let (name, value, _) = card("scatter-yield", 100.0 * within);
-        let band = json!({"band": fixed(100.0 * band, 3)});
+        let band = json!({"band": number(100.0 * band)});
         out.push((name, value, words::fill("scatter-within", &band)));
     }
     out

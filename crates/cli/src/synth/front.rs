@@ -5,32 +5,18 @@ use serde_json::json;
 use super::SynthArgs;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
+use crate::console::table::{Side, table};
 use crate::console::terminal::{print, print_json, report};
-use crate::console::words::{self, fixed};
+use crate::console::words;
 use crate::input;
 use gaitcam::Problem;
 use gaitcam::error::Result;
-use gaitcam::synth::{Figure, Figures, ForceReport, Trade, trade, traded};
-use gaitcam::wording::people;
+use gaitcam::synth::{FIGURES, Figure, Figures, ForceReport, Trade, trade, traded};
 use gaitcam_app::folder::Folder;
 use gaitcam_output::sweep_plots::{self, Quantity};
 
 /// Points of the front when nothing is said.
 const POINTS: u32 = 20;
-/// Figures of front.csv after the one that is traded off, by their columns in sweeps.
-const COLUMNS: [&str; 11] = [
-    "force_rms_error_n",
-    "force_rms_error_percent",
-    "force_max_error_n",
-    "prime_radius_m",
-    "stroke_m",
-    "torque_max_n_m",
-    "torque_rms_n_m",
-    "power_max_w",
-    "power_mean_w",
-    "liftoff_speed_rad_per_s",
-    "hertz_pressure_max_pa",
-];
 
 /// Computes the front and writes front.csv, front.svg and front.png; exit code 3 when it is empty.
 pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
@@ -47,21 +33,17 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         return Ok(NO_SUCH_CAM);
     }
     folder.write("front.csv", csv(against, &front).as_bytes())?;
-    let column = |name: &str, of: &dyn Fn(&Trade) -> f64| Quantity {
-        label: words::column(name),
-        values: front.iter().map(of).collect(),
+    let column = |figure: &Figure| Quantity {
+        label: words::column(figure.column),
+        values: front.iter().map(|t| value(figure, t)).collect(),
         words: Vec::new(),
     };
-    let (unit, factor) = people(against.unit);
-    let x = Quantity {
-        label: format!("{}, {unit}", quantity_name(against)),
-        ..column(against.key, &|t| factor * value(against, t))
-    };
-    let y = column("force_rms_error_n", &|t| force(t).rms_error_n);
+    // The first figure is the RMS force error.
+    let (x, y) = (column(against), column(&FIGURES[0]));
     let line = x.values.iter().copied().zip(y.values.iter().copied());
     let line: Vec<(f64, f64)> = line.collect();
     let title = title(&input.scene.name, against);
-    let picture = sweep_plots::front(&title, &x, &y, &line, None).in_language(language::current());
+    let picture = sweep_plots::front(&title, &x, &y, &line, None, language::current());
     folder.write_picture("front", &picture)?;
     if args.json {
         let rows: Vec<_> = front
@@ -75,19 +57,14 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
             .collect();
         print_json(&rows.into());
     } else {
-        print(&table(&input.scene.name, against, &front));
+        print(&lines(&input.scene.name, against, &front));
         print(&super::files_in(folder.path(), "front.png"));
     }
     Ok(BUILT)
 }
 
-fn quantity_name(against: &Figure) -> String {
-    let name = against.trade.unwrap_or_default();
-    words::text(&format!("trade-{}", name.replace('_', "-")))
-}
-
 fn title(name: &str, against: &Figure) -> String {
-    let arguments = json!({"name": name, "quantity": quantity_name(against)});
+    let arguments = json!({"name": name, "quantity": against.label(language::current())});
     words::fill("trade-title", &arguments)
 }
 
@@ -102,10 +79,8 @@ fn value(figure: &Figure, t: &Trade) -> f64 {
 }
 
 fn csv(against: &Figure, front: &[Trade]) -> String {
-    let figures = COLUMNS
-        .iter()
-        .filter_map(|column| Figure::of_column(column));
-    let figures: Vec<&Figure> = figures.filter(|f| f.column != against.column).collect();
+    let figures = FIGURES.iter().filter(|f| f.column != against.column);
+    let figures: Vec<&Figure> = figures.collect();
     let mut out = format!("allowed_{},{}", against.key, against.key);
     for figure in &figures {
         out += &format!(",{}", figure.key);
@@ -127,26 +102,18 @@ fn csv(against: &Figure, front: &[Trade]) -> String {
     out
 }
 
-fn table(name: &str, against: &Figure, front: &[Trade]) -> String {
-    let (unit, factor) = people(against.unit);
-    let mut out = vec![
-        title(name, against),
-        format!(
-            "  {:>16} {unit:<5} {:>14} {:>12}",
-            quantity_name(against),
-            words::text("trade-rms"),
-            words::text("trade-percent")
-        ),
-    ];
-    for t in front {
-        let f = force(t);
-        out.push(format!(
-            "  {:>16} {:<5} {:>14} {:>12}",
-            fixed(factor * value(against, t), 4),
-            "",
-            fixed(f.rms_error_n, 4),
-            fixed(f.rms_error_percent_of_mean, 4)
-        ));
-    }
-    out.join("\n")
+fn lines(name: &str, against: &Figure, front: &[Trade]) -> String {
+    let language = language::current();
+    let error = ["force_rms_error_n", "force_rms_error_percent"].map(Figure::of_column);
+    let figures: Vec<&Figure> = std::iter::once(against)
+        .chain(error.into_iter().flatten())
+        .collect();
+    let head = figures.iter().map(|f| f.label(language)).collect();
+    let row = |t: &Trade| -> Vec<String> {
+        let (own, measures) = (Figures::of(&t.design), t.design.cam.follower.measures());
+        let cell = |f: &&Figure| f.text(f.value(&own), measures, language);
+        figures.iter().map(cell).collect()
+    };
+    let rows: Vec<_> = std::iter::once(head).chain(front.iter().map(row)).collect();
+    format!("{}\n{}", title(name, against), table(&rows, &[Side::Right]))
 }

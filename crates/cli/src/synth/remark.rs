@@ -30,15 +30,15 @@ fn arguments(fault: &Error) -> Value {
 }
 
 fn gouge(gouge: &Gouge, measures: Measures) -> String {
-    let place = |at: f64| words::decimal(measures.place(at, 2));
+    let place = |at: f64| measures.place(at, language::current());
     match gouge {
         Gouge::Hollow { at, radius } => words::fill(
             "synth-gouge-hollow",
-            &json!({"at": place(*at), "radius": words::fixed(1e3 * radius, 4)}),
+            &json!({"at": place(*at), "radius": words::number(1e3 * radius)}),
         ),
         Gouge::Elsewhere { at, damaged, depth } => words::fill(
             "synth-gouge-elsewhere",
-            &json!({"at": place(*at), "damaged": place(*damaged), "depth": words::fixed(1e3 * depth, 4)}),
+            &json!({"at": place(*at), "damaged": place(*damaged), "depth": words::number(1e3 * depth)}),
         ),
         Gouge::Undercut { at } => words::fill("synth-gouge-undercut", &json!({"at": place(*at)})),
     }

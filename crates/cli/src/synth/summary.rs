@@ -1,13 +1,16 @@
 //! The summary of a design on the console: verdict, reasons, numbers; at most 25 lines.
 
-use gaitcam::cam::{Check, Criterion, Hardness, Measures};
+use gaitcam::cam::{Check, Criterion};
 use gaitcam::scene::{ErrorMeasure, Robust};
 use gaitcam::synth::{Design, SolverReport, in_units, sentences};
+use gaitcam::wording::range;
+use gaitcam_output::facts::{self, Group};
+use gaitcam_output::report::parts::shown;
 use gaitcam_output::{ActiveLimit, Timing, simulation};
 use serde_json::{Value, json};
 
 use crate::console::language;
-use crate::console::words::{self, fixed, power};
+use crate::console::words::{self, fixed, number, power};
 
 /// Largest number of lines of one kind; the rest is counted here and listed in summary.json.
 const CHECKS: usize = 5;
@@ -31,10 +34,8 @@ pub fn text(design: &Design, time: Timing) -> String {
     ];
     out.extend(failed_checks(design));
     out.extend(force(design));
-    out.push(law(design));
-    out.push(drive(design));
-    out.push(cam(design));
-    out.extend(machine(design));
+    let line = |group: Group| Some(row(group.name(), &facts::line(design, group, language)?));
+    out.extend(Group::ALL.into_iter().filter_map(line));
     out.extend(shaft(design));
     out.extend(population(design));
     out.extend(floor(design));
@@ -83,8 +84,9 @@ fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
     lines
 }
 
-fn check_line(mark: &str, check: &Check, measures: Measures) -> String {
-    let value = |x: f64| in_units(measures, check.name, x, language::current());
+fn check_line(mark: &str, check: &Check, design: &Design) -> String {
+    let value = |x: f64| shown(design, check.name, x, language::current());
+    let measures = design.cam.follower.measures();
     let message = match check.name {
         // The limit is a rounding tolerance.
         Criterion::Interference | Criterion::SecondInterference if check.pass => "synth-check-none",
@@ -96,21 +98,19 @@ fn check_line(mark: &str, check: &Check, measures: Measures) -> String {
         mark,
         message,
         json!({"name": words::name(check.name.name()), "value": value(check.worst), "limit": value(check.limit),
-                "at": words::decimal(measures.place(check.at, 2))}),
+                "at": measures.place(check.at, language::current())}),
     )
 }
 
 fn failed_checks(design: &Design) -> Vec<String> {
-    let measures = design.cam.follower.measures();
     let failed = design.checks.iter().filter(|c| !c.pass);
-    let lines = failed.map(|c| check_line("failed", c, measures)).collect();
+    let lines = failed.map(|c| check_line("failed", c, design)).collect();
     at_most(FAILED_CHECKS, lines, "more-failed")
 }
 
 fn passed_checks(design: &Design) -> Vec<String> {
-    let measures = design.cam.follower.measures();
     let passed = design.checks.iter().filter(|c| c.pass);
-    let lines: Vec<String> = passed.map(|c| check_line("ok", c, measures)).collect();
+    let lines: Vec<String> = passed.map(|c| check_line("ok", c, design)).collect();
     let failed = (design.checks.len() - lines.len()).min(FAILED_CHECKS);
     at_most(CHECKS - failed, lines, "more-passed")
 }
@@ -119,20 +119,23 @@ fn force(design: &Design) -> Vec<String> {
     if design.target().is_none() {
         return Vec::new();
     }
-    let f = design.force.newtons(&design.problem.drive);
+    let f = &design.force;
+    let text = |column: &str, value: f64| facts::force(design, column, value, language::current());
+    let unit = design.cam.follower.measures().force();
+    let range = range(language::current(), f.min_n, f.max_n);
     let factors = load_factors(design);
     let mut rows = vec![
         filled(
             "force",
             "synth-force-error",
-            json!({"rms": fixed(f.rms_error_n, 2), "percent": fixed(f.rms_error_percent_of_mean, 3),
-                    "most": fixed(f.max_error_n, 2)}),
+            json!({"rms": text("force_rms_error_n", f.rms_error_n),
+                    "percent": facts::error_percent(design, language::current()),
+                    "most": text("force_max_error_n", f.max_error_n)}),
         ),
         filled(
             "",
             "synth-force-range",
-            json!({"low": fixed(f.min_n, 2), "high": fixed(f.max_n, 2),
-                    "mean": fixed(f.mean_n, 2)}),
+            json!({"range": unit.after(&range), "mean": text("force_mean_n", f.mean_n)}),
         ),
     ];
     rows.extend(factors);
@@ -150,84 +153,6 @@ fn load_factors(design: &Design) -> Option<String> {
     (!all.is_empty()).then(|| filled("", "synth-load-factors", json!({"list": list})))
 }
 
-fn law(design: &Design) -> String {
-    let lift = design.cam.follower.measures().lift(0);
-    let decimals = if lift.name == "°" { 4 } else { 3 };
-    let stroke = fixed(lift.factor * design.cam.law.stroke(), decimals);
-    let pieces = design.cam.law.poly().pieces();
-    // One piece, and a law without a degree, say nothing of pieces.
-    let pieces = if design.degree == 0 || pieces == 1 {
-        0
-    } else {
-        pieces
-    };
-    filled(
-        "law",
-        "synth-law",
-        json!({"family": words::name(design.family.name()), "degree": design.degree, "pieces": pieces,
-                "stroke": lift.after(&stroke)}),
-    )
-}
-
-fn drive(design: &Design) -> String {
-    let measures = design.cam.follower.measures();
-    let mass = match design.problem.drive.mass {
-        0.0 => String::new(),
-        mass => format!("{} {}, ", fixed(mass, 4), measures.mass().name),
-    };
-    let speed = words::decimal(measures.speed_words(design.problem.drive.speed, 4));
-    row(
-        "drive",
-        &format!(
-            "{}, {mass}{speed}",
-            words::name(design.problem.drive.kind.name())
-        ),
-    )
-}
-
-fn cam(design: &Design) -> String {
-    let mm = |x: f64| fixed(1e3 * x, 3);
-    let follower = &design.cam.follower;
-    let offset = match follower.offset() {
-        0.0 => String::new(),
-        offset => words::fill("synth-offset", &json!({"offset": mm(offset)})),
-    };
-    filled(
-        "cam",
-        "synth-cam",
-        json!({"follower": words::name(follower.name()), "base": mm(follower.base_radius()),
-                "prime": mm(follower.prime_radius()), "convex": mm(design.cam.curvature().convex.value), "offset": offset}),
-    )
-}
-
-/// Torque, power, lift-off and pressure, where they are defined.
-fn machine(design: &Design) -> Option<String> {
-    let m = design.machine();
-    let measures = design.cam.follower.measures();
-    let torque = m.torque_max_n_m.zip(m.torque_rms_n_m);
-    let parts = [
-        torque.map(|(most, rms)| {
-            words::fill(
-                "synth-torque-values",
-                &json!({"most": fixed(most, 4), "rms": fixed(rms, 4)}),
-            )
-        }),
-        m.power_max_w
-            .map(|most| words::fill("synth-power-value", &json!({"most": fixed(most, 3)}))),
-        m.liftoff_speed_rad_per_s.map(|w| {
-            words::fill(
-                "synth-lift-off",
-                &json!({"speed": words::decimal(measures.speed_words(w, 4))}),
-            )
-        }),
-        m.hertz_pressure_max_pa
-            .filter(|p| p.is_finite())
-            .map(|p| hertz(p, design.problem.cam.making().hardness)),
-    ];
-    let parts: Vec<String> = parts.into_iter().flatten().collect();
-    (!parts.is_empty()).then(|| row("machine", &parts.join(", ")))
-}
-
 /// Speed of the shaft under its motor, the force error over time and what another machine makes of it.
 fn shaft(design: &Design) -> Vec<String> {
     let Some(on_shaft) = &design.shaft else {
@@ -237,15 +162,13 @@ fn shaft(design: &Design) -> Vec<String> {
     let mut out = vec![filled(
         "shaft",
         "synth-shaft",
-        json!({"low": fixed(s.min, 3), "high": fixed(s.max, 3), "ripple": fixed(100.0 * s.ripple, 2),
-                "noload": fixed(s.no_load_speed, 4), "rms": fixed(s.motor_torque_rms_n_m, 3),
-                "most": fixed(s.motor_torque_max_n_m, 3)}),
+        json!({"low": number(s.min), "high": number(s.max), "ripple": number(100.0 * s.ripple),
+                "noload": number(s.no_load_speed), "rms": number(s.motor_torque_rms_n_m),
+                "most": number(s.motor_torque_max_n_m)}),
     )];
     if let Some((own, before)) = on_shaft.force_time.zip(on_shaft.at_constant_speed) {
-        let percent = [own, before].map(|e| fixed(e.rms_error_percent_of_mean, 3));
-        let contraction = on_shaft
-            .contraction
-            .map_or(json!(0), |c| json!(fixed(c, 4)));
+        let percent = [own, before].map(|e| number(e.rms_error_percent_of_mean));
+        let contraction = on_shaft.contraction.map_or(json!(0), |c| json!(number(c)));
         out.push(filled(
             "",
             "synth-shaft-error",
@@ -254,9 +177,7 @@ fn shaft(design: &Design) -> Vec<String> {
         ));
     }
     let differs = design.sensitivity().into_iter().map(|s| {
-        let percent = s
-            .percent
-            .map(|p| p.map_or("—".to_string(), |p| fixed(p, 2)));
+        let percent = s.percent.map(|p| p.map_or("—".to_string(), number));
         let [less, more] = percent;
         words::fill(
             "synth-shaft-differs",
@@ -285,14 +206,14 @@ fn population(design: &Design) -> Option<String> {
         ErrorMeasure::Absolute => ("synth-walkers-n", [p.mean_n, p.worst_n, p.cvar_n]),
     };
     let tail = match design.problem.law.robust {
-        Robust::Tail(part) if part != 0.9 => fixed(100.0 * (1.0 - part), 0),
+        Robust::Tail(part) if part != 0.9 => number(100.0 * (1.0 - part)),
         Robust::Tail(_) | Robust::Mean | Robust::Worst => "tenth".to_string(),
     };
     Some(filled(
         "walkers",
         id,
-        json!({"count": p.walkers, "mean": fixed(mean, 3), "worst": fixed(worst, 3), "who": p.worst_walker,
-            "cvar": fixed(cvar, 3), "tail": tail}),
+        json!({"count": p.walkers, "mean": number(mean), "worst": number(worst), "who": p.worst_walker,
+            "cvar": number(cvar), "tail": tail}),
     ))
 }
 
@@ -305,29 +226,13 @@ fn floor(design: &Design) -> Option<String> {
     ))
 }
 
-/// The Hertz pressure, and the permissible one where the hardness of the surface is given.
-fn hertz(pressure: f64, hardness: Option<Hardness>) -> String {
-    let mega = |p: f64| fixed(1e-6 * p, 1);
-    match hardness {
-        None => words::fill("synth-hertz", &json!({"pressure": mega(pressure)})),
-        Some(hardness) => words::fill(
-            "synth-hertz-of",
-            &json!({
-                "pressure": mega(pressure),
-                "borne": mega(hardness.allowable_pressure()),
-                "hardness": hardness.to_string(),
-            }),
-        ),
-    }
-}
-
 /// One line per active limit, the largest multiplier first.
 fn active_limits(design: &Design) -> Vec<String> {
     let measures = design.cam.follower.measures();
     let mut limits = ActiveLimit::all(design);
     limits.sort_by(|a, b| b.multiplier.abs().total_cmp(&a.multiplier.abs()));
     let lines = limits.iter().map(|a| {
-        let at = words::decimal(measures.place(a.at, 2));
+        let at = measures.place(a.at, language::current());
         let limit = words::name(a.limit.name());
         filled(
             "active",
@@ -343,8 +248,8 @@ fn sensitivities(design: &Design) -> Vec<String> {
     let lines = design.easing.iter().map(|easing| {
         let (name, unit, factor) = easing.in_words(measures, language::current());
         filled("relaxing", "synth-relaxing", json!({"limit": words::name(easing.limit.name()), "to": in_units(measures, easing.limit, easing.to, language::current()),
-                    "name": name, "unit": unit, "after": fixed(factor * easing.after, 5),
-                    "before": fixed(factor * easing.before, 5)}))
+                    "name": name, "unit": unit, "after": number(factor * easing.after),
+                    "before": number(factor * easing.before)}))
     });
     at_most(SENSITIVITIES, lines.collect(), "more-relaxing")
 }

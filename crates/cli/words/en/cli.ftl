@@ -148,17 +148,8 @@ synth-searching = designing (at most { $limit } s)
 synth-check = { $name } { $value } (limit { $limit }) at { $at }
 synth-check-none = { $name } none
 synth-check-overall = { $name } { $value } (limit { $limit })
-synth-force-error = error { $rms } N RMS ({ $percent } % of the mean), { $most } N maximum
-synth-force-range = { $low } … { $high } N, mean { $mean } N
-synth-law = { $family }{ $degree ->
-        [0] {""}
-       *[other] , degree { $degree }
-    }{ $pieces ->
-        [0] {""}
-       *[other] , { $pieces } pieces
-    }, stroke { $stroke }
-synth-offset = {" "}offset { $offset } mm,
-synth-cam = { $follower }, base radius { $base } mm, prime radius { $prime } mm,{ $offset } smallest convex radius { $convex } mm
+synth-force-error = error { $rms } RMS ({ $percent } % of the mean), { $most } maximum
+synth-force-range = { $range }, mean { $mean }
 synth-load-factors = dynamic load factors 1 to 4: { $list }
 synth-walkers = { $count }: force error { $mean } % of the mean force on average, { $cvar } % for the worst { $tail ->
         [tenth] tenth
@@ -179,11 +170,6 @@ synth-shaft-error = force error over time { $own } % of the mean; of the law for
     }
 synth-shaft-sensitivity = with 10 % less or more of { $list }
 synth-shaft-differs = { $key }: { $less } %, { $more } %
-synth-torque-values = torque { $most } N·m maximum, { $rms } N·m RMS
-synth-power-value = power { $most } W maximum
-synth-lift-off = lift-off at { $speed }
-synth-hertz-of = Hertz pressure { $pressure } MPa of { $borne } MPa allowable ({ $hardness })
-synth-hertz = Hertz pressure { $pressure } MPa
 synth-active = limit { $limit } { $points ->
         [1] at { $at }
        *[other] at { $points } points, largest multiplier at { $at }
@@ -208,17 +194,6 @@ synth-gouge-undercut = the profile is undercut at { $at }: it cannot be cut
 # synth --front.
 trade-none = no point of the front can be built
 trade-title = { $name }: least force error at each { $quantity }
-trade-rms = RMS error N
-trade-percent = % of mean
-trade-prime-radius = prime radius
-trade-jerk = jerk
-trade-acceleration = acceleration
-trade-velocity = velocity
-trade-stroke = stroke
-trade-torque = largest torque
-trade-power = largest power
-trade-hertz-pressure = largest Hertz pressure
-trade-liftoff-speed = lift-off speed
 
 # gait.
 gait-cycle-of = cycle of { $file }
@@ -227,7 +202,10 @@ gait-mean-cycle-of = mean cycle of { $file }
 
 # simulate.
 simulate-no-cam = there is no cam to run: { $why }
-simulate-speeds-head = { "  " }{ $unit } error N RMS torque N·m ripple %  load factors 1 to 4
+simulate-speeds-error = error, N RMS
+simulate-speeds-torque = torque, N·m
+simulate-speeds-ripple = ripple, %
+simulate-speeds-factors = load factors 1 to 4
 simulate-speeds-lost = contact lost
 simulate-speeds-none = the shaft does not turn: { $why }
 simulate-no-target = no target at this speed: { $why }
@@ -311,30 +289,6 @@ front-column = column
 front-value = value
 
 # Columns of a sweep's table.
-column-force-rms-error = force error RMS
-column-force-max-error = force error maximum
-column-target-mean = target mean
-column-force-mean = force mean
-column-force-min = force minimum
-column-force-max = force maximum
-column-mass = mass
-column-speed = speed
-column-stroke = stroke
-column-velocity-max = velocity maximum
-column-acceleration-max = acceleration maximum
-column-jerk-max = jerk maximum
-column-base-radius = base radius
-column-prime-radius = prime radius
-column-offset = offset
-column-rho-min = radius of curvature minimum
-column-pressure-angle-max = pressure angle maximum
-column-face-width = face width
-column-torque-max = torque maximum
-column-torque-rms = torque RMS
-column-power-max = power maximum
-column-power-mean = power mean
-column-liftoff-speed = lift-off speed
-column-hertz-pressure-max = Hertz pressure maximum
 column-time = time
 column-row = row
 
@@ -374,26 +328,6 @@ compare-verdict = verdict
 compare-outcome = outcome
 compare-law = law
 compare-follower = follower
-compare-rms = force error, RMS
-compare-percent = force error, RMS of mean
-compare-largest = force error, maximum
-compare-force-min = smallest force
-compare-force-max = largest force
-compare-mass = mass
-compare-speed = speed
-compare-stroke = stroke
-compare-a = largest |a|
-compare-j = largest |j|
-compare-base-radius = base radius
-compare-convex = smallest convex radius
-compare-pressure-angle = largest pressure angle
-compare-face-width = face width
-compare-torque-max = largest torque
-compare-torque-rms = torque, RMS
-compare-power-max = largest power
-compare-power-mean = mean power
-compare-lift-off = lift-off speed
-compare-hertz = largest Hertz pressure
 compare-built = built
 compare-infeasible = infeasible
 compare-over-angle = cam angle θ, degrees

@@ -148,17 +148,8 @@ synth-searching = diseñando (como máximo { $limit } s)
 synth-check = { $name } { $value } (límite { $limit }) en { $at }
 synth-check-none = { $name }: ninguna
 synth-check-overall = { $name } { $value } (límite { $limit })
-synth-force-error = error { $rms } N RMS ({ $percent } % de la media), máximo { $most } N
-synth-force-range = { $low } … { $high } N, media { $mean } N
-synth-law = { $family }{ $degree ->
-        [0] {""}
-       *[other] , grado { $degree }
-    }{ $pieces ->
-        [0] {""}
-       *[other] , { $pieces } tramos
-    }, carrera { $stroke }
-synth-offset = {" "}excentricidad { $offset } mm,
-synth-cam = { $follower }, radio base { $base } mm, radio primario { $prime } mm,{ $offset } menor radio convexo { $convex } mm
+synth-force-error = error { $rms } RMS ({ $percent } % de la media), máximo { $most }
+synth-force-range = { $range }, media { $mean }
 synth-load-factors = factores de carga dinámica 1 a 4: { $list }
 synth-walkers = { $count }: error de fuerza del { $mean } % de la fuerza media en promedio, { $cvar } % en { $tail ->
         [tenth] la peor décima parte
@@ -179,11 +170,6 @@ synth-shaft-error = error de fuerza en el tiempo { $own } % de la media; de la l
     }
 synth-shaft-sensitivity = con un 10 % menos o más de { $list }
 synth-shaft-differs = { $key }: { $less } %, { $more } %
-synth-torque-values = par máximo { $most } N·m, RMS { $rms } N·m
-synth-power-value = potencia máxima { $most } W
-synth-lift-off = pérdida de contacto a { $speed }
-synth-hertz-of = presión de Hertz { $pressure } MPa de { $borne } MPa admisibles ({ $hardness })
-synth-hertz = presión de Hertz { $pressure } MPa
 synth-active = límite { $limit } { $points ->
         [1] en { $at }
        *[other] en { $points } puntos, mayor multiplicador en { $at }
@@ -208,17 +194,6 @@ synth-gouge-undercut = el perfil tiene rebaje en { $at }: ninguna fresa lo mecan
 # synth --front.
 trade-none = no se puede construir ningún punto del frente
 trade-title = { $name }: menor error de fuerza para cada { $quantity }
-trade-rms = error RMS N
-trade-percent = % de media
-trade-prime-radius = radio primario
-trade-jerk = sobreaceleración
-trade-acceleration = aceleración
-trade-velocity = velocidad
-trade-stroke = carrera
-trade-torque = par máximo
-trade-power = potencia máxima
-trade-hertz-pressure = presión de Hertz máxima
-trade-liftoff-speed = velocidad de despegue
 
 # gait.
 gait-cycle-of = ciclo de { $file }
@@ -227,7 +202,10 @@ gait-mean-cycle-of = ciclo medio de { $file }
 
 # simulate.
 simulate-no-cam = no hay ninguna leva que simular: { $why }
-simulate-speeds-head = { "  " }{ $unit } error N RMS    par N·m oscil. %  factores de carga 1 a 4
+simulate-speeds-error = error, N RMS
+simulate-speeds-torque = par, N·m
+simulate-speeds-ripple = oscilación, %
+simulate-speeds-factors = factores de carga 1 a 4
 simulate-speeds-lost = contacto perdido
 simulate-speeds-none = el eje no gira: { $why }
 simulate-no-target = sin objetivo a esta velocidad: { $why }
@@ -311,30 +289,6 @@ front-column = columna
 front-value = valor
 
 # Columnas de la tabla de un barrido.
-column-force-rms-error = error de fuerza RMS
-column-force-max-error = error de fuerza máximo
-column-target-mean = media del objetivo
-column-force-mean = fuerza media
-column-force-min = fuerza mínima
-column-force-max = fuerza máxima
-column-mass = masa
-column-speed = velocidad
-column-stroke = carrera
-column-velocity-max = velocidad máxima
-column-acceleration-max = aceleración máxima
-column-jerk-max = sobreaceleración máxima
-column-base-radius = radio base
-column-prime-radius = radio primario
-column-offset = excentricidad
-column-rho-min = radio de curvatura mínimo
-column-pressure-angle-max = ángulo de presión máximo
-column-face-width = longitud de la cara
-column-torque-max = par máximo
-column-torque-rms = par RMS
-column-power-max = potencia máxima
-column-power-mean = potencia media
-column-liftoff-speed = velocidad de despegue
-column-hertz-pressure-max = presión de Hertz máxima
 column-time = tiempo
 column-row = fila
 
@@ -374,26 +328,6 @@ compare-verdict = veredicto
 compare-outcome = resultado
 compare-law = ley
 compare-follower = seguidor
-compare-rms = error de fuerza, RMS
-compare-percent = error de fuerza, RMS de la media
-compare-largest = error de fuerza, máximo
-compare-force-min = fuerza mínima
-compare-force-max = fuerza máxima
-compare-mass = masa
-compare-speed = velocidad
-compare-stroke = carrera
-compare-a = |a| máxima
-compare-j = |j| máxima
-compare-base-radius = radio base
-compare-convex = menor radio convexo
-compare-pressure-angle = ángulo de presión máximo
-compare-face-width = ancho de la cara
-compare-torque-max = par máximo
-compare-torque-rms = par, RMS
-compare-power-max = potencia máxima
-compare-power-mean = potencia media
-compare-lift-off = velocidad de despegue
-compare-hertz = presión de Hertz máxima
 compare-built = construida
 compare-infeasible = no factible
 compare-over-angle = ángulo de leva θ, grados

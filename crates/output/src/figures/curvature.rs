@@ -14,7 +14,6 @@ use gaitcam::criterion::Diagram;
 use gaitcam::law::Svaj;
 use gaitcam::poly::Extreme;
 use gaitcam::synth::Design;
-use gaitcam_base::text::{millimetres, number};
 
 /// Largest radius of curvature shown, in prime radii: what is beyond is straight to the eye.
 const CAP: f64 = 2.2;
@@ -71,7 +70,7 @@ fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) -> Drawn 
     // A limit of 0 is the undercut's own bound: the axis.
     let limits = synthesis.checks.iter();
     for check in limits.filter(|c| c.name == LimitKind::Curvature && c.limit > 0.0) {
-        let value = millimetres(check.limit, 3);
+        let value = words.millimetres(check.limit);
         let name = words.fill("figure-limit", &[("value", &value)]);
         let level = 1000.0 * check.limit;
         panel.level(level, Some((&name, VPos::Bottom)), RED, &rho)?;
@@ -121,7 +120,7 @@ fn pressure<'a, 'c>(
     panel.curve(&phi, GREEN, 2.2)?;
     for limit in limits {
         let side = if limit < 0.0 { VPos::Top } else { VPos::Bottom };
-        let value = format!("{}°", number(limit, 3));
+        let value = format!("{}°", words.number(limit));
         let name = words.fill("figure-limit", &[("value", &value)]);
         panel.level(limit, Some((&name, side)), RED, &phi)?;
     }

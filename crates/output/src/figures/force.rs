@@ -2,6 +2,7 @@
 
 use plotters::style::Color;
 
+use crate::facts::{self, error_percent};
 use crate::plot::axes::{Panel, padded};
 use crate::plot::layout::{Figure, Layout, ends_of, strips};
 use crate::plot::palette::{BLUE, ORANGE, QUIET, RED};
@@ -15,7 +16,6 @@ use gaitcam::force::ForceCurve;
 use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
-use gaitcam_base::text::number;
 
 /// Points of the target and of its band.
 const TARGET_POINTS: usize = 720;
@@ -61,9 +61,9 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
 
         let text = |key: &str| words.text(key);
         let error = if layout.title {
-            let percent = number(synthesis.force.rms_error_percent_of_mean, 2);
-            let unit = synthesis.cam.follower.measures().force().name;
-            let rms = format!("{} {unit}", number(synthesis.force.rms_error_n, 3));
+            let percent = error_percent(synthesis, words.language());
+            let (column, value) = ("force_rms_error_n", synthesis.force.rms_error_n);
+            let rms = facts::force(synthesis, column, value, words.language());
             let arguments = [("rms", rms.as_str()), ("percent", &percent)];
             words.fill("figure-difference-rms", &arguments)
         } else {

@@ -37,5 +37,12 @@ pub fn identification(design: &Design, found: &Identified, language: Language) -
     let names = names.map(|key| words.text(key));
     let across = words::across(&words, design.cam.follower.measures());
     let what = words.text("figure-identification");
-    diagrams_over(&across, &design.problem.name, &what, &names, &rows).in_language(language)
+    diagrams_over(
+        &across,
+        &design.problem.name,
+        &what,
+        &names,
+        &rows,
+        language,
+    )
 }

@@ -8,7 +8,6 @@ use gaitcam::wording::Language;
 use super::overlay::{Strip, diagrams_over, profiles};
 use crate::plot::picture::Picture;
 use crate::words;
-use gaitcam_base::text::number;
 
 /// Points of the curves.
 const POINTS: usize = 1440;
@@ -60,7 +59,14 @@ pub fn diagram(
     let names = ["figure-as-made", "figure-as-designed"].map(|key| words.text(key));
     let across = words::across(&words, measures);
     let what = words.text("figure-inspection");
-    diagrams_over(&across, &design.problem.name, &what, &names, &rows)
+    diagrams_over(
+        &across,
+        &design.problem.name,
+        &what,
+        &names,
+        &rows,
+        language,
+    )
 }
 
 /// The profile with the deviations drawn along its normals, exaggerated by a round factor.
@@ -86,13 +92,19 @@ pub fn polar(design: &Design, inspected: &Inspection, language: Language) -> Pic
         })
         .collect();
     measured.extend(measured.first().copied());
-    let shown = number(factor, 1);
+    let shown = words.number(factor);
     let names = [
         words.text("figure-as-designed"),
         words.fill("figure-exaggerated", &[("factor", &shown)]),
     ];
     let what = words.text("figure-inspection");
-    profiles(&design.problem.name, &what, &names, &[exact, measured])
+    profiles(
+        &design.problem.name,
+        &what,
+        &names,
+        &[exact, measured],
+        language,
+    )
 }
 
 /// The largest of 1, 2, 5, 10, 20 … that is not above `x`, at least 1.

@@ -37,7 +37,8 @@ pub struct Strip {
 
 /// Strips over the cam angle one above the other, one colour per name (colours repeat after twelve).
 pub fn diagrams(head: &str, what: &str, names: &[String], rows: &[Strip]) -> Picture {
-    diagrams_over(Measures::Translating.angle_words(), head, what, names, rows)
+    let across = Measures::Translating.angle_words();
+    diagrams_over(across, head, what, names, rows, Language::En)
 }
 
 /// The same over another quantity.
@@ -47,6 +48,7 @@ pub fn diagrams_over(
     what: &str,
     names: &[String],
     rows: &[Strip],
+    language: Language,
 ) -> Picture {
     let rows: Vec<Strip> = rows
         .iter()
@@ -68,7 +70,7 @@ pub fn diagrams_over(
         size: (1200, 300 + 260 * rows.len().max(1) as u32 + more as u32),
         ..Layout::ALONE
     };
-    layout.picture(Language::En, |f| {
+    layout.picture(language, |f| {
         let e = f.e;
         f.title(head, what)?;
         let mut frame = layout.frame();
@@ -133,12 +135,18 @@ fn whole(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 /// Profiles at one scale about one centre; points in m.
-pub fn profiles(head: &str, what: &str, names: &[String], curves: &[Vec<[f64; 2]>]) -> Picture {
+pub fn profiles(
+    head: &str,
+    what: &str,
+    names: &[String],
+    curves: &[Vec<[f64; 2]>],
+    language: Language,
+) -> Picture {
     let layout = Layout {
         size: (1200, 1000),
         ..Layout::ALONE
     };
-    layout.picture(Language::En, |f| {
+    layout.picture(language, |f| {
         let e = f.e;
         f.title(head, what)?;
         for (i, name) in names.iter().enumerate() {

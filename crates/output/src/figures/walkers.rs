@@ -13,7 +13,6 @@ use gaitcam::problem::Served;
 use gaitcam::scene::ErrorMeasure;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
-use gaitcam_base::text::number;
 
 /// Steps of a turn.
 const STEPS: usize = 360;
@@ -59,8 +58,8 @@ fn walkers_in(design: &Design, layout: Layout, words: &Words) -> Picture {
         panel.across(&words.text("figure-walkers-angle"))?;
         let name = worst.map_or("", |(w, _)| w.name.as_str());
         let error = worst.map_or(String::new(), |(_, e)| match walkers.map(|w| w.error) {
-            Some(ErrorMeasure::Absolute) => format!("{} N", number(e.rms_error_n, 4)),
-            _ => format!("{} %", number(e.rms_error_percent, 2)),
+            Some(ErrorMeasure::Absolute) => format!("{} N", words.number(e.rms_error_n)),
+            _ => format!("{} %", words.number(e.rms_error_percent)),
         });
         let wanted = words.fill("figure-walkers-worst", &[("name", name)]);
         let given = words.fill("figure-walkers-cam", &[("error", &error)]);

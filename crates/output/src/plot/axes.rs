@@ -9,7 +9,7 @@ use crate::plot::sheet::{
     write,
 };
 use crate::plot::text::text_width;
-use gaitcam_base::text::number;
+use gaitcam::wording::{Language, fixed, number};
 
 /// A diagram: the cam angle in degrees, or another quantity, to the right; a quantity upwards.
 pub struct Panel<'a, 'c> {
@@ -24,6 +24,7 @@ pub struct Panel<'a, 'c> {
     size: f64,
     /// The ticks upwards show the quantity divided by this power of ten.
     power: i32,
+    language: Language,
 }
 
 /// Distance of the axis label from the frame, in letter sizes.
@@ -66,21 +67,21 @@ pub fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
 }
 
 /// Decimals needed to distinguish the ticks.
-pub fn tick_text(value: f64, step: f64) -> String {
+pub fn tick_text(value: f64, step: f64, language: Language) -> String {
     let decimals = (0..9)
         .find(|&d| {
             let scaled = step * 10f64.powi(d);
             (scaled - scaled.round()).abs() < 1e-6
         })
         .unwrap_or(9) as usize;
-    format!("{:.decimals$}", value + 0.0).replace('-', "−")
+    fixed(language, value, decimals).replace('-', "−")
 }
 
 /// The power of ten, a multiple of 3, that makes ticks too wide for their place short; 0 for most.
 fn power(values: &[f64], step: f64) -> i32 {
     let widest = values
         .iter()
-        .map(|&v| text_width(&tick_text(v, step)))
+        .map(|&v| text_width(&tick_text(v, step, Language::En)))
         .fold(0.0, f64::max);
     let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     if widest <= WIDEST_TICK || largest == 0.0 {
@@ -130,6 +131,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         columns: Vec<f64>,
         y: [f64; 2],
         size: f64,
+        language: Language,
     ) -> Drawn<Self> {
         let rows = ((frame.bottom - frame.top) / (2.6 * size)).clamp(2.0, 8.0);
         let values = ticks(y[0], y[1], rows);
@@ -144,6 +146,7 @@ impl<'a, 'c> Panel<'a, 'c> {
             y,
             size,
             power,
+            language,
         };
         let grid = stroke(palette::GRID, 1.0);
         for &t in &panel.columns {
@@ -155,7 +158,8 @@ impl<'a, 'c> Panel<'a, 'c> {
         for &v in &values {
             trace(&panel.plane, level(v), grid)?;
             let at = [frame.left - 0.6 * size, panel.place(x[0], v)[1]];
-            write(canvas, &tick_text(scale * v, scale * step), at, lettering)?;
+            let text = tick_text(scale * v, scale * step, language);
+            write(canvas, &text, at, lettering)?;
         }
         if y[0] < 0.0 && y[1] > 0.0 {
             trace(&panel.plane, level(0.0), stroke(palette::AXIS, 1.4))?;
@@ -192,7 +196,7 @@ impl<'a, 'c> Panel<'a, 'c> {
                 self.place(t, self.y[0])[0],
                 self.frame.bottom + 0.6 * self.size,
             ];
-            write(self.canvas, &tick_text(t, step), at, small)?;
+            write(self.canvas, &tick_text(t, step, self.language), at, small)?;
         }
         let middle = 0.5 * (self.frame.left + self.frame.right);
         let name = Lettering::new(self.size, palette::INK).anchored(HPos::Center, VPos::Top);
@@ -324,7 +328,8 @@ impl<'a, 'c> Panel<'a, 'c> {
         circle(self.canvas, [x, y], 3.6, colour.filled())?;
         // Zero up to rounding is shown as 0.
         let noise = 1e-9 * (self.y[1] - self.y[0]);
-        let text = number(if value.abs() < noise { 0.0 } else { value }, 4);
+        let value = if value.abs() < noise { 0.0 } else { value };
+        let text = number(self.language, value);
         let size = 0.88 * self.size;
         let half = 0.5 * size * text_width(&text) + 0.4 * size;
         let x = x.clamp(self.frame.left + half, self.frame.right - half);

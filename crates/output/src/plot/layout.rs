@@ -9,7 +9,7 @@ use super::sheet::{Canvas, Drawn, Frame, Lettering, line, stroke, write};
 use super::text::text_width;
 use gaitcam::cam::Measures;
 use gaitcam::synth::Design;
-use gaitcam::wording::Language;
+use gaitcam::wording::{Language, number};
 
 /// Size of the pictures that are files, pixels.
 pub const SIZE: (u32, u32) = (1200, 800);
@@ -44,12 +44,18 @@ impl Layout {
         }
     }
 
-    /// A picture of this layout, with the decimal sign of a language in its texts.
+    /// A picture of this layout, with numbers of a language.
     pub fn picture(self, language: Language, draw: impl FnOnce(Figure) -> Drawn) -> Picture {
         let (layout, e) = (self, self.letters);
         let (width, height) = self.size;
-        Picture::drawn(width, height, |canvas| draw(Figure { canvas, layout, e }))
-            .in_language(language)
+        Picture::drawn(width, height, |canvas| {
+            draw(Figure {
+                canvas,
+                layout,
+                e,
+                language,
+            })
+        })
     }
 
     /// The outer frame of the diagrams.
@@ -76,6 +82,8 @@ pub struct Figure<'a, 'c> {
     pub layout: Layout,
     /// Lettering, points.
     pub e: f64,
+    /// Of its numbers.
+    pub language: Language,
 }
 
 /// Grid lines over the cam angle in degrees, or over travel in mm.
@@ -129,7 +137,7 @@ impl<'a, 'c> Figure<'a, 'c> {
         columns: Vec<f64>,
         y: [f64; 2],
     ) -> Drawn<Panel<'a, 'c>> {
-        Panel::new(self.canvas, frame, x, columns, y, self.e)
+        Panel::new(self.canvas, frame, x, columns, y, self.e, self.language)
     }
 
     /// A diagram over the whole law: degrees, or mm of travel.
@@ -209,6 +217,7 @@ impl<'a, 'c> Figure<'a, 'c> {
             line(self.canvas, &ends, stroke(INK, 2.0))?;
         }
         let at = [end + 0.6 * self.e, y];
-        self.write(&format!("{length} mm"), at, Lettering::new(self.e, INK))
+        let text = format!("{} mm", number(self.language, length));
+        self.write(&text, at, Lettering::new(self.e, INK))
     }
 }

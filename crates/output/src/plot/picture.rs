@@ -8,9 +8,8 @@ use super::palette;
 
 use super::raster;
 use super::sheet::{Canvas, Drawn, FAMILY, Ink, Recorder, Shape};
-use gaitcam::wording::Language;
 use gaitcam_base::text::escaped;
-use gaitcam_base::text::{append, append_decimal, in_language};
+use gaitcam_base::text::{append, append_decimal};
 
 /// A finished picture on a white ground.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,16 +37,6 @@ impl Picture {
             height,
             shapes,
         }
-    }
-
-    /// The same with the decimal sign of a language in its texts.
-    pub fn in_language(mut self, language: Language) -> Self {
-        for shape in &mut self.shapes {
-            if let Shape::Text { line, .. } = shape {
-                line.text = in_language(&line.text, language);
-            }
-        }
-        self
     }
 
     /// A file of its own: fixed colours on white.

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::{heading, paragraph};
+use crate::facts::{force as force_text, label};
 use crate::figures::cam::cam_in;
 use crate::figures::curvature::geometry_in;
 use crate::figures::force::{force_frame, force_in};
@@ -15,7 +16,6 @@ use crate::words::Words;
 use gaitcam::cam::Measures;
 use gaitcam::synth::Design;
 use gaitcam_base::text::escaped;
-use gaitcam_base::text::{millimetres, number, range};
 
 /// The diagrams.
 pub fn section(out: &mut String, synthesis: &Design, words: &Words) {
@@ -33,8 +33,12 @@ pub fn section(out: &mut String, synthesis: &Design, words: &Words) {
     heading(out, &words.text("report-curvature-section"));
     let low = Layout::figure(430);
     let sharpest = synthesis.cam.curvature().convex;
-    let place = synthesis.cam.follower.measures().place(sharpest.at, 1);
-    let radius = millimetres(sharpest.value, 4);
+    let place = synthesis
+        .cam
+        .follower
+        .measures()
+        .place(sharpest.at, words.language());
+    let radius = words.millimetres(sharpest.value);
     let arguments = [("radius", &*radius), ("place", &place)];
     let alt = words.fill("report-alt-curvature", &arguments);
     let picture = geometry_in(synthesis, low, words);
@@ -106,13 +110,18 @@ fn recording(out: &mut String, synthesis: &Design, words: &Words) {
 fn force_words(synthesis: &Design, words: &Words) -> String {
     let force = &synthesis.force;
     let unit = synthesis.cam.follower.measures().force().name;
-    let shown = |x: f64, digits| format!("{} {unit}", number(x, digits));
-    let (low, high) = (shown(force.min_n, 4), shown(force.max_n, 4));
+    let shown = |x: f64| format!("{} {unit}", words.number(x));
+    let (low, high) = (shown(force.min_n), shown(force.max_n));
     let ends = [("low", low.as_str()), ("high", &high)];
     if synthesis.target().is_none() {
         return words.fill("report-alt-force-alone", &ends);
     }
-    let rms = shown(force.rms_error_n, 3);
+    let rms = force_text(
+        synthesis,
+        "force_rms_error_n",
+        force.rms_error_n,
+        words.language(),
+    );
     words.fill("report-alt-force", &[ends[0], ends[1], ("rms", &rms)])
 }
 
@@ -120,10 +129,10 @@ fn law_words(synthesis: &Design, words: &Words) -> String {
     let law = &synthesis.cam.law;
     let measures = synthesis.cam.follower.measures();
     let lift = measures.lift(0);
-    let stroke = lift.after(&number(lift.factor * law.stroke(), 4));
+    let stroke = lift.shown(law.stroke(), words.language());
     let unit = measures.lift(2);
     let (low, high) = law.extremes(2);
-    let ends = range(unit.factor * low.value, unit.factor * high.value, 4);
+    let ends = words.range(unit.factor * low.value, unit.factor * high.value);
     let acceleration = unit.after(&ends);
     words.fill(
         "report-alt-law",
@@ -133,9 +142,9 @@ fn law_words(synthesis: &Design, words: &Words) -> String {
 
 fn cam_words(synthesis: &Design, words: &Words) -> String {
     let cam = &synthesis.cam;
-    let name = words.text(super::tables::base_key(&cam.follower));
-    let base = format!("{name} {}", millimetres(cam.follower.base_radius(), 4));
-    let radius = millimetres(cam.curvature().convex.value, 4);
+    let name = label(synthesis, "base_radius_m", words);
+    let base = format!("{name} {}", words.millimetres(cam.follower.base_radius()));
+    let radius = words.millimetres(cam.curvature().convex.value);
     words.fill("report-alt-cam", &[("base", &base), ("radius", &radius)])
 }
 
@@ -145,9 +154,11 @@ fn comparison(out: &mut String, synthesis: &Design, words: &Words) {
         return;
     };
     let unit = synthesis.cam.follower.measures().force().name;
-    let shown = |x: f64| format!("{} {unit}", number(x, 3));
+    let shown = |x: f64| format!("{} {unit}", words.number(x));
     let force = &synthesis.force;
-    let (rms, most) = (shown(force.rms_error_n), shown(force.max_error_n));
+    let error = |column: &str, value: f64| force_text(synthesis, column, value, words.language());
+    let rms = error("force_rms_error_n", force.rms_error_n);
+    let most = error("force_max_error_n", force.max_error_n);
     let arguments = [
         ("name", target.name.as_str()),
         ("rms", &rms),
@@ -157,7 +168,7 @@ fn comparison(out: &mut String, synthesis: &Design, words: &Words) {
     if let Some(spread) = target.spread_n.as_ref().filter(|s| !s.is_empty()) {
         let squares: f64 = spread.iter().map(|x| x * x).sum();
         let spread = (squares / spread.len() as f64).sqrt();
-        let (amount, ratio) = (shown(spread), number(spread / force.rms_error_n, 2));
+        let (amount, ratio) = (shown(spread), words.number(spread / force.rms_error_n));
         let arguments = [("spread", amount.as_str()), ("ratio", &ratio)];
         text.push(' ');
         text += &if force.rms_error_n > 0.0 && spread > force.rms_error_n {

@@ -8,7 +8,6 @@ use gaitcam::error::Result;
 use gaitcam::law::{Factors, Law, Rise};
 use gaitcam::wording::Language;
 use gaitcam_base::text::escaped;
-use gaitcam_base::text::{number, page_in_language};
 
 /// Points of a curve.
 const POINTS: usize = 160;
@@ -35,7 +34,7 @@ pub fn html(language: Language) -> Result<String> {
     out.push_str("</main>\n<footer>\n");
     paragraph(&mut out, &words.text("laws-footer"));
     out.push_str("</footer>\n</body>\n</html>\n");
-    Ok(page_in_language(out, language))
+    Ok(out)
 }
 
 /// When to choose a law of the catalogue, in the words of a language.
@@ -73,14 +72,7 @@ fn panels(out: &mut String, law: &Law, factors: &Factors, words: &Words) {
     let (start, length) = law.extent();
     let at = |i: usize| law.svaj(start + length * i as f64 / POINTS as f64);
     let rows: Vec<_> = (0..=POINTS).map(at).collect();
-    let finite = |x: f64| {
-        if x.is_finite() {
-            number(x, 4)
-        } else {
-            "∞".to_string()
-        }
-    };
-    let torque = words.fill("laws-torque", &[("ct", &words.decimal(finite(factors.ct)))]);
+    let torque = words.fill("laws-torque", &[("ct", &words.number(factors.ct))]);
     let peaks = [
         ("s", 1.0, "blue"),
         ("v", factors.cv, "green"),
@@ -95,7 +87,7 @@ fn panels(out: &mut String, law: &Law, factors: &Factors, words: &Words) {
         } else {
             format!("C{name}")
         };
-        let caption = format!("{symbol} = {}", words.decimal(finite(peak)));
+        let caption = format!("{symbol} = {}", words.number(peak));
         let _ = writeln!(
             out,
             "<figure>{}<figcaption>{}</figcaption></figure>",

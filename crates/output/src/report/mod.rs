@@ -15,14 +15,14 @@ pub use tables::ActiveLimit;
 use std::fmt::Write;
 
 use crate::Timing;
+use crate::facts::{self, error_percent, label};
 use crate::words::{self, Words};
-use gaitcam::cam::{Follower, Measures, Verdict};
+use gaitcam::cam::{Measures, Verdict};
 use gaitcam::dynamics::Outcome;
 use gaitcam::scene::ErrorMeasure;
-use gaitcam::synth::{Conflicting, Design};
+use gaitcam::synth::{Conflicting, Design, Figure, Figures, in_units};
 use gaitcam::wording::Language;
 use gaitcam_base::text::escaped;
-use gaitcam_base::text::{millimetres, number, page_in_language, range};
 
 const STYLE: &str = include_str!("page.css");
 /// Where the parts of the drawing stand after some turns, as a module: of the report and of the studio.
@@ -97,7 +97,7 @@ fn page(synthesis: &Design, time: Timing, running: Option<&Running>, language: L
         );
     }
     out.push_str("</body>\n</html>\n");
-    page_in_language(out, language)
+    out
 }
 
 /// Everything before the page's header.
@@ -169,10 +169,11 @@ fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
     let _ = write!(out, "</ul>\n<h2>{}</h2>\n<ul>\n", escaped(&head));
     for r in &answer.relaxations {
         let name = words.name(r.limit.name());
-        let from = tables::shown(measures, r.limit, r.from);
+        let exact = |x: f64| in_units(measures, r.limit, x, words.language());
+        let from = exact(r.from);
         let _ = match r.to {
             Some(to) => {
-                let to = tables::shown(measures, r.limit, to);
+                let to = exact(to);
                 let change = words.fill("report-relaxation", &[("from", &from)]);
                 let (name, change) = (escaped(&name), escaped(&change));
                 writeln!(out, "<li>{name}: {change} <strong>{to}</strong></li>")
@@ -190,6 +191,13 @@ fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
 /// A main figure: its name, its value, a remark below it.
 pub type Card = (String, String, String);
 
+/// A text that begins with a capital.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(letters).collect()
+}
+
 fn cards(out: &mut String, all: &[Card]) {
     out.push_str("<dl class=\"cards\">\n");
     for (name, value, more) in all {
@@ -205,41 +213,36 @@ fn cards(out: &mut String, all: &[Card]) {
 fn cards_of(synthesis: &Design, words: &Words) -> Vec<Card> {
     let cam = &synthesis.cam;
     let measures = cam.follower.measures();
+    let language = words.language();
     let mut all = force_cards(synthesis, words);
-    let lift = measures.lift(0);
-    let stroke = lift.after(&number(lift.factor * cam.law.stroke(), 4));
-    all.push((words.text("report-stroke"), stroke, String::new()));
-    let roller = cam.follower.roller_radius();
-    let prime = if roller > 0.0 && !cam.follower.is_unrolled() {
-        let radius = millimetres(cam.follower.prime_radius(), 4);
-        words.fill("report-prime-circle-of", &[("radius", &radius)])
-    } else {
-        String::new()
+    let figures = Figures::of(synthesis);
+    let shown = |column: &str| -> (String, String) {
+        let text = |f: &Figure| f.text(f.value(&figures), measures, language);
+        let text = Figure::of_column(column).map_or(String::new(), text);
+        (label(synthesis, column, words), text)
     };
-    let base = match cam.follower {
-        Follower::TranslatingCam { .. } => ("report-base-height", ""),
-        Follower::Barrel { .. } => ("report-barrel", "R "),
-        _ => ("report-base-circle", "R "),
+    let mut put = |column: &str, more: String| {
+        let (name, value) = shown(column);
+        all.push((capital(&name), value, more));
     };
-    let radius = millimetres(cam.follower.base_radius(), 4);
-    all.push((words.text(base.0), format!("{}{radius}", base.1), prime));
-    let sharpest = cam.curvature().convex;
-    let place = measures.place(sharpest.at, 1);
-    all.push((
-        words.text("report-minimum-radius"),
-        millimetres(sharpest.value, 4),
-        words.fill("report-at", &[("place", &place)]),
-    ));
+    put("stroke_m", String::new());
+    let has_prime = cam.follower.roller_radius() > 0.0 && !cam.follower.is_unrolled();
+    let prime = has_prime.then(|| shown("prime_radius_m"));
+    let prime = prime.map_or(String::new(), |(name, value)| format!("{name} {value}"));
+    put("base_radius_m", prime);
+    let place = measures.place(cam.curvature().convex.at, language);
+    put("rho_min_m", words.fill("report-at", &[("place", &place)]));
     let speed = synthesis.problem.drive.speed;
-    let own = measures.speed().after(&number(speed, 4));
+    let own = measures.speed().shown(speed, language);
     let (value, more) = match measures {
         Measures::Straight => (own, String::new()),
         _ => {
-            let rpm = format!("{} rpm", number(speed * 30.0 / std::f64::consts::PI, 4));
-            (rpm, own)
+            let rpm = words.number(speed * 30.0 / std::f64::consts::PI);
+            (format!("{rpm} rpm"), own)
         }
     };
-    all.push((words.text("report-speed"), value, more));
+    let name = capital(&label(synthesis, "speed_rad_per_s", words));
+    all.push((name, value, more));
     all
 }
 
@@ -253,10 +256,10 @@ fn force_cards(synthesis: &Design, words: &Words) -> Vec<Card> {
         let measure = synthesis.problem.law.error;
         let [mean, worst] = match measure {
             ErrorMeasure::Relative => {
-                [all.mean_percent, all.worst_percent].map(|x| format!("{}\u{a0}%", number(x, 3)))
+                [all.mean_percent, all.worst_percent].map(|x| format!("{}\u{a0}%", words.number(x)))
             }
             ErrorMeasure::Absolute => {
-                [all.mean_n, all.worst_n].map(|x| format!("{}\u{a0}{unit}", number(x, 4)))
+                [all.mean_n, all.worst_n].map(|x| format!("{}\u{a0}{unit}", words.number(x)))
             }
         };
         let who = [("walker", all.worst_walker.as_str()), ("mean", &mean)];
@@ -266,10 +269,11 @@ fn force_cards(synthesis: &Design, words: &Words) -> Vec<Card> {
             words.fill("report-worst-walker", &who),
         ));
     } else if synthesis.target().is_some() {
-        let percent = number(force.rms_error_percent_of_mean, 3);
+        let column = "force_rms_error_n";
+        let percent = error_percent(synthesis, words.language());
         cards.push((
-            words.text("report-force-error-rms"),
-            format!("{}\u{a0}{unit}", number(force.rms_error_n, 3)),
+            capital(&label(synthesis, column, words)),
+            facts::force(synthesis, column, force.rms_error_n, words.language()),
             words.fill("report-of-mean", &[("percent", &percent)]),
         ));
     }
@@ -278,10 +282,10 @@ fn force_cards(synthesis: &Design, words: &Words) -> Vec<Card> {
             Measures::Oscillating => "report-moment",
             _ => "report-force",
         };
-        let mean = format!("{}\u{a0}{unit}", number(force.mean_n, 4));
+        let mean = format!("{}\u{a0}{unit}", words.number(force.mean_n));
         cards.push((
             words.text(name),
-            format!("{}\u{a0}{unit}", range(force.min_n, force.max_n, 4)),
+            format!("{}\u{a0}{unit}", words.range(force.min_n, force.max_n)),
             words.fill("report-mean", &[("value", &mean)]),
         ));
     }

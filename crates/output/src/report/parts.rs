@@ -9,7 +9,6 @@ use crate::words;
 use gaitcam::cam::Criterion;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
-use gaitcam_base::text::{in_language, page_in_language};
 
 /// A main figure.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -25,12 +24,7 @@ pub struct Figure {
 /// The figures at the top: force error, force, stroke, base circle, smallest radius, speed.
 pub fn figures(design: &Design, language: Language) -> Vec<Figure> {
     let cards = cards_of(design, &words::words(language)).into_iter();
-    let written = |text: String| in_language(&text, language);
-    let figure = |(name, value, more)| Figure {
-        name,
-        value: written(value),
-        more: written(more),
-    };
+    let figure = |(name, value, more)| Figure { name, value, more };
     cards.map(figure).collect()
 }
 
@@ -53,7 +47,7 @@ pub fn tables(design: &Design, time: Timing, language: Language) -> Tables {
     let of = |write: &dyn Fn(&mut String)| {
         let mut out = String::new();
         write(&mut out);
-        page_in_language(out, language)
+        out
     };
     Tables {
         checks: of(&|out| tables::checks(out, design, &words)),
@@ -77,8 +71,9 @@ pub fn motion(design: &Design) -> Motion {
 }
 
 /// A value of a limit in the unit people use.
-pub fn shown(design: &Design, limit: Criterion, value: f64) -> String {
-    tables::shown(design.cam.follower.measures(), limit, value)
+pub fn shown(design: &Design, limit: Criterion, value: f64, language: Language) -> String {
+    let measures = design.cam.follower.measures();
+    tables::shown(measures, limit, value, &words::words(language))
 }
 
 /// The name of a limit, follower or law in a language.

@@ -12,7 +12,6 @@ use gaitcam::cam::Measures;
 use gaitcam::dynamics::Outcome;
 use gaitcam::synth::Design;
 use gaitcam_base::text::escaped;
-use gaitcam_base::text::{number, range};
 
 /// Impacts listed; a bounce that dies out has dozens.
 const LISTED: usize = 12;
@@ -44,7 +43,7 @@ pub fn section(out: &mut String, synthesis: &Design, running: &Running, words: &
     }
     let unit = synthesis.cam.follower.measures().force().name;
     let [low, high] =
-        [outcome.force.min, outcome.force.max].map(|x| format!("{} {unit}", number(x, 4)));
+        [outcome.force.min, outcome.force.max].map(|x| format!("{} {unit}", words.number(x)));
     let alt = words.fill("report-alt-simulation", &[("low", &low), ("high", &high)]);
     let picture = run_in(synthesis, outcome, layout, words);
     figures::framed(out, &picture.svg_for_page("run", &alt, &data), words);
@@ -58,28 +57,28 @@ fn cards_of(synthesis: &Design, outcome: &Outcome, words: &Words) -> Vec<Card> {
     let straight = measures == Measures::Straight;
     let text = |key: &str| words.text(key);
     let contact = if outcome.contact_lost {
-        let percent = number(100.0 * outcome.lost_fraction, 3);
+        let percent = words.number(100.0 * outcome.lost_fraction);
         let share = words.fill("report-lost-share", &[("percent", &percent)]);
         (text("report-contact-lost"), share)
     } else {
         (text("report-contact-kept"), text("report-kept-share"))
     };
     let error = outcome.force.rms_error.map_or(String::new(), |e| {
-        let rms = format!("{} {unit}", number(e, 3));
+        let rms = format!("{} {unit}", words.number(e));
         words.fill("report-error-of-target", &[("rms", &rms)])
     });
     let pressing = match measures {
         Measures::Oscillating => "report-moment-section",
         _ => "report-contact-force",
     };
-    let force = range(outcome.force.min, outcome.force.max, 4);
+    let force = words.range(outcome.force.min, outcome.force.max);
     let (push, push_unit) = if straight {
         ("report-cam-push", "N")
     } else {
         ("report-shaft-torque", "N·m")
     };
     let t = outcome.torque;
-    let rms = number(t.rms, 3);
+    let rms = words.number(t.rms);
     let (lift, lift_more) = liftoff(synthesis, outcome, words);
     let (steady, steady_more) = steady(outcome, words);
     vec![
@@ -87,7 +86,7 @@ fn cards_of(synthesis: &Design, outcome: &Outcome, words: &Words) -> Vec<Card> {
         (text(pressing), format!("{force}\u{a0}{unit}"), error),
         (
             text(push),
-            format!("{}\u{a0}{push_unit}", range(t.min, t.max, 3)),
+            format!("{}\u{a0}{push_unit}", words.range(t.min, t.max)),
             words.fill("report-rms", &[("value", &rms)]),
         ),
         (text("report-liftoff"), lift, lift_more),
@@ -97,7 +96,7 @@ fn cards_of(synthesis: &Design, outcome: &Outcome, words: &Words) -> Vec<Card> {
 
 fn liftoff(synthesis: &Design, outcome: &Outcome, words: &Words) -> (String, String) {
     let measures = synthesis.cam.follower.measures();
-    let speed = |w: f64| measures.speed().after(&number(w, 5));
+    let speed = |w: f64| measures.speed().shown(w, words.language());
     match outcome.liftoff_speed {
         Some(w) => {
             let own = speed(synthesis.problem.drive.speed);
@@ -145,11 +144,11 @@ fn impacts(out: &mut String, measures: Measures, outcome: &Outcome, words: &Word
     for hit in outcome.impacts.iter().take(LISTED) {
         out.push_str("<tr>");
         let values = [
-            measures.place(hit.since, 1),
-            measures.place(hit.at, 1),
-            measures.by_time(1).after(&number(hit.speed, 4)),
-            lift.after(&number(lift.factor * hit.height, 4)),
-            format!("{} {force}·s", number(hit.pulse.impulse, 4)),
+            measures.place(hit.since, words.language()),
+            measures.place(hit.at, words.language()),
+            measures.by_time(1).shown(hit.speed, words.language()),
+            lift.shown(hit.height, words.language()),
+            format!("{} {force}·s", words.number(hit.pulse.impulse)),
         ];
         tables::cells(out, &values);
     }

@@ -7,7 +7,6 @@ use crate::plot::picture::Picture;
 use crate::words;
 use gaitcam::wording::Language;
 use gaitcam_base::text::escaped;
-use gaitcam_base::text::page_in_language;
 
 /// A table of the report: head and rows of text.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -58,7 +57,7 @@ pub fn html(page: &Page, language: Language) -> String {
     out.push_str("</main>\n<footer>\n");
     paragraph(&mut out, &words.text("report-footer-sweep"));
     out.push_str("</footer>\n</body>\n</html>\n");
-    page_in_language(out, language)
+    out
 }
 
 fn table(out: &mut String, table: &Table) {

@@ -8,7 +8,6 @@ use gaitcam::synth::Design;
 use super::heading;
 use super::tables::{Rows, table};
 use crate::words::Words;
-use gaitcam_base::text::{millimetres, number};
 
 /// Density of steel, kg/m³.
 const STEEL: f64 = 7850.0;
@@ -32,29 +31,32 @@ fn cutting(design: &Design, words: &Words) -> Rows {
     let cam = &design.cam;
     let hollow = cam.curvature().concave.map(|c| -c.value);
     let cutter = match hollow {
-        Some(radius) => words.fill("report-cutter-fits", &[("radius", &millimetres(radius, 4))]),
+        Some(radius) => words.fill(
+            "report-cutter-fits",
+            &[("radius", &words.millimetres(radius))],
+        ),
         None => words.text("report-any-cutter"),
     };
-    let mut rows = vec![("report-largest-cutter", cutter)];
+    let mut rows = vec![(words.text("report-largest-cutter"), cutter)];
     let roller = cam.follower.roller_radius();
     if let Some(radius) = hollow.filter(|_| roller > 0.0) {
-        let ratio = number(radius / roller, 3);
+        let ratio = words.number(radius / roller);
         rows.push((
-            "report-hollow-and-roller",
+            words.text("report-hollow-and-roller"),
             words.fill("report-times-roller", &[("ratio", &ratio)]),
         ));
     }
     if let Some(bore) = design.problem.cam.hole() {
         let wall = least_wall(design, &bore);
-        let thick = millimetres(wall, 3);
-        let least = millimetres(LEAST_WALL, 2);
+        let thick = words.millimetres(wall);
+        let least = words.millimetres(LEAST_WALL);
         let arguments = [("wall", thick.as_str()), ("least", &least)];
         let key = if wall < LEAST_WALL {
             "report-wall-thin"
         } else {
             "report-wall-enough"
         };
-        rows.push(("report-wall", words.fill(key, &arguments)));
+        rows.push((words.text("report-wall"), words.fill(key, &arguments)));
     }
     rows
 }
@@ -73,20 +75,26 @@ fn balance(design: &Design, words: &Words) -> Rows {
         return Vec::new();
     };
     let per_area = STEEL * design.problem.cam.thickness;
-    let grams = |kilograms: f64| format!("{} g", number(1e3 * kilograms, 4));
-    let mut rows = vec![("report-cam-mass", grams(per_area * body.area))];
-    rows.push(("report-centroid", polar(body.centroid)));
+    let grams = |kilograms: f64| format!("{} g", words.number(1e3 * kilograms));
+    let mut rows = vec![(words.text("report-cam-mass"), grams(per_area * body.area))];
+    rows.push((words.text("report-centroid"), polar(body.centroid, words)));
     let unbalance = 1e6 * per_area * body.moment();
-    rows.push(("report-unbalance", format!("{} g·mm", number(unbalance, 4))));
+    rows.push((
+        words.text("report-unbalance"),
+        format!("{} g·mm", words.number(unbalance)),
+    ));
     let push = per_area * body.moment() * design.problem.drive.speed * design.problem.drive.speed;
-    rows.push(("report-unbalance-force", format!("{} N", number(push, 3))));
+    rows.push((
+        words.text("report-unbalance-force"),
+        format!("{} N", words.number(push)),
+    ));
     let making = Making {
         balance: true,
         ..design.problem.cam.making().clone()
     };
     let hole = match making.balance_hole(&design.cam, design.problem.cam.hole()) {
         Some(Hole { centre, diameter }) => {
-            let (diameter, place) = (millimetres(diameter, 4), polar(centre));
+            let (diameter, place) = (words.millimetres(diameter), polar(centre, words));
             words.fill(
                 "report-hole-at",
                 &[("diameter", &diameter), ("place", &place)],
@@ -94,12 +102,12 @@ fn balance(design: &Design, words: &Words) -> Rows {
         }
         None => words.text("report-no-hole"),
     };
-    rows.push(("report-hole", hole));
+    rows.push((words.text("report-hole"), hole));
     rows
 }
 
 /// Distance from the centre and angle from the mark of θ = 0 clockwise, as the drawing has them.
-fn polar([x, y]: [f64; 2]) -> String {
-    let angle = x.atan2(y).rem_euclid(2.0 * PI).to_degrees();
-    format!("R {}, φ {angle:.1}°", millimetres(x.hypot(y), 4))
+fn polar([x, y]: [f64; 2], words: &Words) -> String {
+    let angle = words.degrees(x.atan2(y).rem_euclid(2.0 * PI));
+    format!("R {}, φ {angle}", words.millimetres(x.hypot(y)))
 }

@@ -199,16 +199,15 @@ fn texts_of_recordings_and_searches_keep_their_places_in_both_languages() {
             ),
             (
                 "front",
-                sweep_plots::front("Frente", &x, &y, &on_front, Some(on_front[0]))
-                    .in_language(language),
+                sweep_plots::front("Frente", &x, &y, &on_front, Some(on_front[0]), language),
             ),
             (
                 "heat map",
-                sweep_plots::heat_map("Mejor valor", &x, &y, &z, Best::Least).in_language(language),
+                sweep_plots::heat_map("Mejor valor", [&x, &y, &z], Best::Least, language),
             ),
             (
                 "parallel",
-                sweep_plots::parallel("Todos", &all, &[1, 2], Some(3)).in_language(language),
+                sweep_plots::parallel("Todos", &all, &[1, 2], Some(3), language),
             ),
         ];
         for (name, picture) in pictures {
@@ -240,6 +239,7 @@ fn names_of_compared_designs_keep_their_places_however_long() {
                     "a escala",
                     &names,
                     &vec![outline.clone(); count],
+                    Language::Es,
                 ),
             ];
             for picture in pictures {

@@ -14,8 +14,6 @@ import * as stage from "./stage.js";
 import * as charts from "../charts/charts.js";
 
 const COLOURS = ["#e69f00", "#cc79a7", "#009e73", "#d55e00", "#56b4e9", "#8a7a00"];
-const ROWS = ["force_rms_error_n", "force_max_n", "stroke_m", "velocity_max_m_per_s", "acceleration_max_m_per_s2", "jerk_max_m_per_s3", "base_radius_m",
-  "prime_radius_m", "rho_min_m", "pressure_angle_max_rad", "torque_max_n_m", "power_max_w", "hertz_pressure_max_pa"];
 const slate = () => versions.history().pins.filter((p) => p.curves);
 let answer = null;
 let start = {};
@@ -75,15 +73,14 @@ function build() {
   root.append(make("h2", {}, t("studio-slate")), make("p", { class: "lead" }, t("studio-slate-lead")),
     make("button", { type: "button", class: "main", onclick: pin }, t("studio-pin")), make("div", { id: "slate" }),
     make("h2", {}, t("studio-sensitivity")), make("p", { class: "lead" }, t("studio-sensitivity-lead")));
-  const quantity = make("select", { id: "watched", "aria-label": t("studio-sensitivity-of") }, ...start.quantities.map((q) => make("option", { value: q }, t(`studio-quantity-${q}`))));
-  if (answer && !answer.curves.panels[0].lines.some((l) => l.role === "target")) quantity.value = "acceleration";
+  const quantity = make("select", { id: "watched", "aria-label": t("studio-sensitivity-of") }, ...start.figures.map(([q]) => make("option", { value: q }, t(`figure-${q}`))));
+  if (answer && !answer.curves.panels[0].lines.some((l) => l.role === "target")) quantity.value = "acceleration_max_m_per_s2";
   if (bars) quantity.value = bars.quantity;
   root.append(make("div", { class: "buttons" }, quantity, make("button", { type: "button", id: "vary", onclick: () => vary(quantity.value) }, t("studio-compute"))), make("div", { id: "tornado" }),
     make("h2", {}, t("studio-front")), make("p", { class: "lead" }, t("studio-front-lead")));
-  const against = make("select", { id: "against", "aria-label": t("studio-front-against") }, ...start.trades.map((q) => make("option", { value: q }, t(`studio-quantity-${q}`))));
+  const against = make("select", { id: "against", "aria-label": t("studio-front-against") }, ...start.trades.map((q) => make("option", { value: q }, t(`figure-${q}`))));
   root.append(make("div", { class: "buttons" }, against, make("button", { type: "button", id: "trade", onclick: () => trade(against.value) }, t("studio-compute"))), make("div", { id: "front" }));
-  const figures = start.figures.filter(([name]) => ROWS.includes(name));
-  if (answer) root.append(...runs.sections({ ask, fields: answer.fields, figures, edit, take: next }));
+  if (answer) root.append(...runs.sections({ ask, fields: answer.fields, figures: start.figures, edit, take: next }));
   table();
   if (bars) tornado();
   if (front) points();
@@ -109,7 +106,7 @@ function table() {
   if (slate().length === 0) return;
   const all = [{ ...answer, inputs: inputsOf(answer.fields), colour: "var(--blue)", name: t("studio-slate-present"), present: true }, ...slate()];
   const head = all.map((p, i) => make("th", { scope: "col" }, make("span", { class: "swatch", style: `background:${p.colour}` }), ...(p.present ? [p.name] : variant(p, i))));
-  const body = start.figures.filter(([name]) => ROWS.includes(name)).map(([name, [of, plain]]) => [name, units.unit(of)[0], plain * units.unit(of)[1]]).map(([name, unit, factor]) => make("tr", {}, make("th", { scope: "row" }, t(`studio-number-${name}`), make("small", {}, ` ${unit}`)),
+  const body = start.figures.map(([name, [of, plain]]) => [name, units.unit(of)[0], plain * units.unit(of)[1]]).map(([name, unit, factor]) => make("tr", {}, make("th", { scope: "row" }, t(`figure-${name}`), make("small", {}, ` ${unit}`)),
     ...all.map((p) => make("td", { class: "n" }, number(p.numbers[name] === null || p.numbers[name] === undefined ? null : factor * p.numbers[name])))));
   const verdicts = make("tr", {}, make("th", { scope: "row" }, t("studio-verdict")), ...all.map((p) => make("td", { class: `n ${p.verdict}` }, t(`studio-verdict-${p.verdict}`))));
   const inputs = differing(all).map(([key, values]) => make("tr", { class: "input" }, make("th", { scope: "row" }, label(key)), ...values.map((v) => make("td", { class: "n" }, units.text(local(v))))));
@@ -166,7 +163,7 @@ function tornado() {
     return;
   }
   const most = Math.max(...bars.bars.flatMap((b) => [b.low, b.high]).filter((x) => x !== null).map((x) => Math.abs(x - bars.middle))) || 1;
-  box.append(make("p", {}, units.text(`${t(`studio-quantity-${bars.quantity}`)}: ${bars.shown}`)));
+  box.append(make("p", {}, units.text(`${t(`figure-${bars.quantity}`)}: ${bars.shown}`)));
   const rows = bars.bars.map((bar) => {
     const part = (x) => (x === null ? 0 : (x - bars.middle) / most * 50);
     const side = (x, kind) => {
@@ -214,10 +211,10 @@ function points() {
   };
   text([54, height - 20], number(Math.min(...xs), 3), "middle");
   text([width - 20, height - 20], number(Math.max(...xs), 3), "middle");
-  text([width / 2, height - 5], `${t(`studio-quantity-${front.against}`)}, ${front.unit}`, "middle");
+  text([width / 2, height - 5], `${t(`figure-${front.against}`)}, ${front.unit}`, "middle");
   text([50, 34], number(Math.max(...ys), 3), "end");
   text([50, height - 34], "0", "end");
-  text([60, 14], `${t("studio-quantity-force_error")}, N`, "start");
+  text([60, 14], `${t("figure-force_rms_error_n")}, N`, "start");
   for (const p of list) {
     const name = units.text(`${p.shown[0]}, ${p.shown[1]}`);
     const take = () => edit([{ set: { key: p.key, value: p.value } }]);

@@ -21,7 +21,7 @@ export function sections({ ask, fields, figures, edit, take }) {
   const choice = (id, first) => make("select", { id, "aria-label": t(`studio-${id}`) }, ...first, ...keys.map((key) => make("option", { value: key }, label(key))));
   const across = choice("sweep-across", []);
   const down = choice("sweep-down", [make("option", { value: "" }, "–")]);
-  const figure = make("select", { id: "sweep-figure", "aria-label": t("studio-sweep-figure") }, ...figures.map(([name]) => make("option", { value: name }, t(`studio-number-${name}`))));
+  const figure = make("select", { id: "sweep-figure", "aria-label": t("studio-sweep-figure") }, ...figures.map(([name]) => make("option", { value: name }, t(`figure-${name}`))));
   const button = (id, action) => make("button", { type: "button", id, onclick: async ({ target }) => {
     target.disabled = true;
     await action().catch(said);
@@ -105,5 +105,5 @@ function designs(edit) {
   };
   const head = columns ? [make("tr", {}, make("td", {}, `${label(rows.key)} / ${label(columns.key)}`), ...columns.values.map((v) => make("th", { scope: "col" }, units.text(local(v)))))] : [];
   const body = rows.values.map((v, i) => make("tr", {}, make("th", { scope: "row" }, units.text(local(v))), ...Array.from({ length: width }, (_, j) => cell(i, j))));
-  clear(box).append(make("p", {}, `${t(`studio-number-${name}`)}, ${unit}`), make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "grid" }, make("thead", {}, ...head), make("tbody", {}, ...body))));
+  clear(box).append(make("p", {}, `${t(`figure-${name}`)}, ${unit}`), make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "grid" }, make("thead", {}, ...head), make("tbody", {}, ...body))));
 }

@@ -115,7 +115,7 @@ function limits(answer) {
     box.append(make("table", {}, make("thead", {}, make("tr", {},
       ...["limit", "eased", "objective"].map((k) => make("th", { scope: "col" }, t(`studio-active-${k}`))))),
     make("tbody", {}, ...answer.easing.slice(0, 6).map((e) => make("tr", {}, make("th", { scope: "row" }, e.name),
-      make("td", {}, units.text(local(`${e.from} → ${e.to}`))), make("td", {}, units.text(`${e.objective}: ${e.before} → ${e.after}`)))))));
+      make("td", {}, units.text(`${e.from} → ${e.to}`)), make("td", {}, units.text(`${e.objective}: ${e.before} → ${e.after}`)))))));
   } else {
     box.append(make("p", {}, answer.active.length > 0 ? answer.active.join(" · ") : t("studio-active-none")));
   }

@@ -108,7 +108,7 @@ class Studio(Pages):
         page.does(lambda: page.page.click("#language"))
         self.assertEqual(page.page.get_attribute("html", "lang"), "es")
         text = page.page.inner_text("body")
-        for word in ["Aceptable", "Carrera", "Exportar", "Fuerza", "Círculo base"]:
+        for word in ["Aceptable", "Carrera", "Exportar", "Fuerza", "Radio base"]:
             self.assertIn(word, text)
         for word in ["Acceptable", "Export ", "Stroke", "undefined", "studio-"]:
             self.assertNotIn(word, text)

@@ -284,7 +284,8 @@ fn a_force_drawn_by_hand_becomes_a_cam() {
 #[test]
 fn sensitivities_and_fronts_are_answered_for_the_default_scene() {
     let studio = Running::new();
-    let body = json!({"scene": DEFAULT, "quantity": "acceleration", "share": 0.05}).to_string();
+    let body = json!({"scene": DEFAULT, "quantity": "acceleration_max_m_per_s2", "share": 0.05})
+        .to_string();
     let bars = studio.post("sensitivity", body.as_bytes()).json();
     let first = &bars["bars"][0];
     // Faster steps press harder.

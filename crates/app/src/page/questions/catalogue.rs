@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::page::kept::Start;
-use crate::page::questions::variation::{QUANTITIES, TRADES};
+use crate::page::questions::variation::is_traded;
 use crate::page::sources::Files;
 use crate::page::{table, words};
 use gaitcam::error::Result;
@@ -34,8 +34,7 @@ pub fn start(start: &Start) -> Value {
         "words": {"en": words::page(Language::En), "es": words::page(Language::Es)},
         "keys": keys::json(),
         "scenes": scenes.collect::<Vec<_>>(),
-        "quantities": QUANTITIES.map(|q| q.0),
-        "trades": TRADES,
+        "trades": FIGURES.iter().filter(is_traded).map(|f| f.column).collect::<Vec<_>>(),
         "figures": FIGURES.each_ref().map(|f| (f.column, people(f.unit))),
         "longest_s": crate::page::LONGEST,
     })

@@ -20,8 +20,8 @@ use gaitcam::cam::{Continuity, Verdict};
 use gaitcam::error::Result;
 use gaitcam::halt::Halt;
 use gaitcam::scene::{Minimise, Scene, keys};
-use gaitcam::synth::{self, Design, FIGURES, Relaxation, Search};
-use gaitcam::wording::Language;
+use gaitcam::synth::{self, Design, FIGURES, Relaxation, Search, in_units};
+use gaitcam::wording::{Language, number};
 use gaitcam_output::Timing;
 use gaitcam_output::report::parts::{self, Figure, Motion, Tables};
 
@@ -320,16 +320,11 @@ fn easing(design: &Design, language: Language) -> Vec<Eased> {
     let all = design.easing.iter();
     all.map(|e| {
         let (objective, unit, factor) = e.in_words(measures, language);
-        let shown = |x: f64| {
-            format!(
-                "{} {unit}",
-                gaitcam::wording::number(language, round(factor * x))
-            )
-        };
+        let shown = |x: f64| format!("{} {unit}", number(language, factor * x));
         Eased {
             name: parts::name(e.limit.name(), language),
-            from: parts::shown(design, e.limit, e.from),
-            to: parts::shown(design, e.limit, e.to),
+            from: parts::shown(design, e.limit, e.from, language),
+            to: parts::shown(design, e.limit, e.to, language),
             objective,
             before: shown(e.before),
             after: shown(e.after),
@@ -343,11 +338,6 @@ fn easing(design: &Design, language: Language) -> Vec<Eased> {
     .collect()
 }
 
-/// Five digits show what 1 % does.
-fn round(x: f64) -> f64 {
-    format!("{x:.4e}").parse().unwrap_or(x)
-}
-
 /// What the conflict alone says, before the whole design is tried with each value.
 fn first_remedies(design: &Design, scene: &Scene) -> Vec<Remedy> {
     let own = match &design.infeasible {
@@ -358,7 +348,8 @@ fn first_remedies(design: &Design, scene: &Scene) -> Vec<Remedy> {
 }
 
 fn remedies(design: &Design, scene: &Scene, list: &[Relaxation]) -> Vec<Remedy> {
-    let shown = |r: &Relaxation, x: f64| parts::shown(design, r.limit, x);
+    let measures = design.cam.follower.measures();
+    let shown = |r: &Relaxation, x: f64| in_units(measures, r.limit, x, words::current());
     list.iter()
         .map(|r| Remedy {
             key: r.key,

@@ -18,7 +18,7 @@ use gaitcam::identify::{self, Log};
 use gaitcam::scene::set_value;
 use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
 use gaitcam::synth::Search;
-use gaitcam::wording::fixed;
+use gaitcam::wording::number;
 use gaitcam_output::{identification, identified, plots, simulation};
 
 /// Most designs of a sweep.
@@ -90,7 +90,7 @@ fn next(files: &Files, made: &Made, log: &Log) -> Result<Value> {
     let mut table = made.table.clone();
     let learned = scene.to_table()["machine"]["learned_force"].clone();
     set_value(&mut table, "machine.learned_force", learned)?;
-    let number = |x: f64| fixed(words::current(), x, 2);
+    let number = |x: f64| number(words::current(), x);
     Ok(json!({
         "scene": toml::to_string(&table).unwrap_or_default(),
         "before": number(figures.before_rms_n),

@@ -12,20 +12,13 @@ use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
 use gaitcam::scene::keys::{KEYS, Key};
 use gaitcam::synth::{Design, Figure, Figures, synthesise, trade, traded};
-use gaitcam::wording::{number, people, quantity};
+use gaitcam::wording::people;
 
-/// Quantities whose sensitivity may be asked, with the column of their figure.
-pub const QUANTITIES: [(&str, &str); 7] = [
-    ("force_error", "force_rms_error_n"),
-    ("prime_radius", "prime_radius_m"),
-    ("stroke", "stroke_m"),
-    ("acceleration", "acceleration_max_m_per_s2"),
-    ("jerk", "jerk_max_m_per_s3"),
-    ("torque", "torque_max_n_m"),
-    ("smallest_radius", "rho_min_m"),
-];
-/// Quantities that the force error may be traded against.
-pub const TRADES: [&str; 5] = ["prime_radius", "jerk", "acceleration", "velocity", "stroke"];
+/// Whether a front gives scenes: a point of it is a value of a limit.
+pub fn is_traded(figure: &&Figure) -> bool {
+    figure.trade.is_some() && figure.limit.is_some()
+}
+
 /// Points of a front.
 const POINTS: usize = 16;
 /// Most bars.
@@ -37,7 +30,7 @@ const BARS: usize = 12;
 pub struct Vary {
     /// The scene file.
     pub scene: String,
-    /// The quantity.
+    /// The quantity: the column of its figure.
     pub quantity: String,
     /// By which share each number is varied.
     pub share: f64,
@@ -52,8 +45,12 @@ pub fn sensitivity(files: &Files, vary: &Vary) -> Result<Value> {
     let table = table(&vary.scene)?;
     let (scene, _) = files.scene(&table)?;
     let target = files.target(&scene)?.map(|t| t.0);
-    let of = |design: &Design| value(design, &vary.quantity);
-    let middle = of(&synthesise(&scene, target.as_ref())?);
+    let figure = Figure::of_column(&vary.quantity);
+    let of = |design: &Design| value(design, figure?);
+    let design = synthesise(&scene, target.as_ref())?;
+    let measures = design.cam.follower.measures();
+    let middle = of(&design);
+    let shown = |x: f64| figure.map_or(String::new(), |f| f.text(x, measures, words::current()));
     let share = vary.share.clamp(1e-4, 0.5);
     let mut bars: Vec<(String, [Option<f64>; 2])> = Vec::new();
     for key in KEYS
@@ -93,10 +90,10 @@ pub fn sensitivity(files: &Files, vary: &Vary) -> Result<Value> {
     Ok(json!({
         "quantity": vary.quantity,
         "middle": middle,
-        "shown": shown(&vary.quantity, middle),
+        "shown": shown(middle),
         "bars": bars.iter().map(|(key, ends)| json!({
             "key": key, "low": ends[0], "high": ends[1],
-            "shown": ends.map(|x| x.map(|x| shown(&vary.quantity, x))),
+            "shown": ends.map(|x| x.map(shown)),
         })).collect::<Vec<_>>(),
     }))
 }
@@ -117,24 +114,9 @@ fn entries(scene: &Scene, key: &Key) -> usize {
     }
 }
 
-/// The figure of one of [`QUANTITIES`].
-fn figure(name: &str) -> Option<&'static Figure> {
-    let (_, column) = QUANTITIES.into_iter().find(|q| q.0 == name)?;
-    Figure::of_column(column)
-}
-
-fn value(design: &Design, name: &str) -> Option<f64> {
-    let value = figure(name)?.value(&Figures::of(design));
+fn value(design: &Design, figure: &Figure) -> Option<f64> {
+    let value = figure.value(&Figures::of(design));
     (design.infeasible.is_none() && value.is_finite()).then_some(value)
-}
-
-fn shown(name: &str, value: f64) -> String {
-    let unit = figure(name).map_or("", |f| f.unit);
-    quantity(words::current(), round(value), unit)
-}
-
-fn round(x: f64) -> f64 {
-    format!("{x:.3e}").parse().unwrap_or(x)
 }
 
 /// What the force error is traded against.
@@ -143,7 +125,7 @@ fn round(x: f64) -> f64 {
 pub struct Trade {
     /// The scene file.
     pub scene: String,
-    /// The other quantity.
+    /// The other quantity: the column of its figure.
     pub against: String,
 }
 
@@ -153,7 +135,8 @@ pub struct Trade {
 /// # Errors
 /// Scenes without a force; quantities that cannot be traded.
 pub fn front(files: &Files, asked: &Trade) -> Result<Value> {
-    let against = traded(&format!("force_error:{}", asked.against))?;
+    let name = Figure::of_column(&asked.against).and_then(|f| f.trade);
+    let against = traded(&format!("force_error:{}", name.unwrap_or(&asked.against)))?;
     let (scene, _) = files.scene(&table(&asked.scene)?)?;
     let target = files.target(&scene)?.map(|t| t.0);
     let problem = Problem::resolve(&scene, target.as_ref())?;
@@ -161,11 +144,15 @@ pub fn front(files: &Files, asked: &Trade) -> Result<Value> {
     let (unit, factor) = people(against.unit);
     let language = words::current();
     let points = front.iter().map(|point| {
-        let x = factor * against.value(&Figures::of(&point.design));
-        let y = point.design.problem.drive.newtons(point.design.force.rms_error_n);
+        let figures = Figures::of(&point.design);
+        let measures = point.design.cam.follower.measures();
+        let shown = |f: &Figure| f.text(f.value(&figures), measures, language);
+        let error = Figure::of_column("force_rms_error_n").map_or(String::new(), shown);
+        let x = factor * against.value(&figures);
+        let y = figures.force.rms_error_n;
         json!({
             "x": x, "y": y,
-            "shown": [format!("{} {unit}", number(language, round(x))), format!("{} N", number(language, round(y)))],
+            "shown": [shown(against), error],
             "key": against.limit.map(|kind| format!("limits.{}", kind.name())),
             "value": format!("{} {unit}", factor * point.allowed),
             "verdict": point.design.verdict.name(),

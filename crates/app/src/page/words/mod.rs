@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 
+use gaitcam::synth::{FIGURES, Figure};
 use gaitcam::wording::{Catalogue, Language};
 use serde_json::{Map, Value};
 
@@ -23,7 +24,7 @@ pub fn current() -> Language {
     LANGUAGE.get()
 }
 
-/// Every text of the page by its key; `{name}` stands where the page puts a value.
+/// Every text of the page by its key, the names of figures as `figure-COLUMN`; `{name}` stands where the page puts a value.
 pub fn page(language: Language) -> Map<String, Value> {
     let words = WORDS.of(language);
     let arguments = include_str!("en.ftl").split("{ $").skip(1);
@@ -40,6 +41,8 @@ pub fn page(language: Language) -> Map<String, Value> {
         let message = Map::from_iter([(variant.to_string(), holes.clone())]);
         words.sentence("studio", &Value::from(message))
     };
+    let figure = |f: &Figure| (format!("figure-{}", f.column), f.label(language).into());
     keys.map(|(key, variant)| (key.clone(), text(variant).into()))
+        .chain(FIGURES.iter().map(figure))
         .collect()
 }

@@ -93,21 +93,21 @@ fn pictures(designs: &[Design]) -> [(&'static str, Picture); 3] {
     let (forces, force_names) = forces(designs, &names);
     let laws = laws(designs);
     let outlines = outlines(designs);
+    let language = language::current();
     [
         (
             "compare_svaj",
-            diagrams_over(&across, &heads, &lifts, &names, &laws),
+            diagrams_over(&across, &heads, &lifts, &names, &laws, language),
         ),
         (
             "compare_profiles",
-            profiles(&profile, &scale, &names, &outlines),
+            profiles(&profile, &scale, &names, &outlines, language),
         ),
         (
             "compare_force",
-            diagrams_over(&across, &force, "", &force_names, &[forces]),
+            diagrams_over(&across, &force, "", &force_names, &[forces], language),
         ),
     ]
-    .map(|(name, picture)| (name, picture.in_language(language::current())))
 }
 
 /// The force of every cam, and every different target.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use crate::console::error::CliError;
+use gaitcam::cam::Measures;
 use gaitcam::error::{Placed, Result};
 use gaitcam_app::result_folder;
 use gaitcam_app::scene::not_json;
@@ -51,6 +52,15 @@ impl Design {
     /// Whether the follower swings, so that its lift is an angle.
     pub fn swings(&self) -> bool {
         self.law.names.iter().any(|n| n == "s_rad")
+    }
+
+    /// How follower and cam move.
+    pub fn measures(&self) -> Measures {
+        match (self.slides(), self.swings()) {
+            (true, _) => Measures::Straight,
+            (false, true) => Measures::Oscillating,
+            (false, false) => Measures::Translating,
+        }
     }
 
     /// Whether a force was to be met.

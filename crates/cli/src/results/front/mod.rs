@@ -13,6 +13,7 @@ use toml::Table;
 
 use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::table::{Side, table};
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::input::SceneArgs;
@@ -253,36 +254,20 @@ fn text(args: &FrontArgs, evaluated: &Evaluation, front: &[&Point], best: &Point
         &json!({"file": args.file.display().to_string(), "candidates": kept.candidates.to_string(),
             "seen": kept.seen.to_string(), "front": front.len().to_string()}),
     )];
-    let head: Vec<String> = evaluated
-        .objectives
-        .iter()
-        .map(|o| format!("{:>28}", objective::label(o)))
-        .collect();
-    let called: Vec<String> = front
-        .iter()
-        .map(|p| row_name(&evaluated.columns, p))
-        .collect();
-    let shown = called.iter().take(SHOWN);
-    let wide = shown.map(|n| n.chars().count()).max().unwrap_or(0).max(12);
-    out.push(format!(
-        "{:>wide$} {}",
-        words::text("front-row"),
-        head.join(" ")
-    ));
-    for (p, name) in front.iter().zip(&called).take(SHOWN) {
-        let values: Vec<String> = evaluated
-            .objectives
-            .iter()
-            .zip(&p.values)
-            .map(|(o, cost)| format!("{:>28}", objective::shown(o, *cost)))
-            .collect();
-        let mark = if p.row == best.row {
-            format!("  {}", words::text("front-best"))
-        } else {
-            String::new()
+    let labels = evaluated.objectives.iter().map(objective::label);
+    let head = std::iter::once(words::text("front-row")).chain(labels);
+    let mut rows = vec![head.chain([String::new()]).collect()];
+    for p in front.iter().take(SHOWN) {
+        let both = evaluated.objectives.iter().zip(&p.values);
+        let values = both.map(|(o, cost)| objective::shown(o, *cost));
+        let mark = match p.row == best.row {
+            true => words::text("front-best"),
+            false => String::new(),
         };
-        out.push(format!("{name:>wide$} {}{mark}", values.join(" ")));
+        let name = std::iter::once(row_name(&evaluated.columns, p));
+        rows.push(name.chain(values).chain([mark]).collect());
     }
+    out.push(table(&rows, &[Side::Right]));
     if front.len() > SHOWN {
         let more = json!({"count": front.len() - SHOWN, "row": best.row.to_string()});
         out.push(words::fill("front-more", &more));

@@ -37,5 +37,5 @@ pub fn label(objective: &Objective) -> String {
 /// A cost as people read it.
 pub fn shown(objective: &Objective, cost: f64) -> String {
     let unit = unit_for_people(&words::column(&objective.name)).1;
-    words::fixed(unit * objective.value(cost), 6)
+    words::number(unit * objective.value(cost))
 }

@@ -75,8 +75,7 @@ fn pictures(name: &str, evaluated: &Evaluation, front: &[&Point], best: &Point) 
             ("front-picture-least", sweep_plots::Best::Least)
         };
         let title = words::fill(title, &json!({"name": name, "text": shown}));
-        let picture =
-            sweep_plots::heat_map(&title, x, y, z, sense).in_language(language::current());
+        let picture = sweep_plots::heat_map(&title, [x, y, z], sense, language::current());
         drawn.push(("heat", words::text("front-heading-heat"), picture));
     }
     if inputs.len() + goals.len() > 1 {
@@ -100,7 +99,14 @@ fn plane(
     let points: Vec<(f64, f64)> = front.iter().map(|p| place(p)).collect();
     let title = words::fill("front-picture-front", &json!({"name": name}));
     let (x, y) = (fewer(x.clone()), fewer(y.clone()));
-    sweep_plots::front(&title, &x, &y, &points, Some(place(best))).in_language(language::current())
+    sweep_plots::front(
+        &title,
+        &x,
+        &y,
+        &points,
+        Some(place(best)),
+        language::current(),
+    )
 }
 
 fn parallel(
@@ -129,7 +135,7 @@ fn parallel(
         .position(|p| p.row == best.row)
         .map(|i| start + i);
     let title = words::fill("front-picture-parallel", &json!({"name": name}));
-    sweep_plots::parallel(&title, &all, &lines, winner).in_language(language::current())
+    sweep_plots::parallel(&title, &all, &lines, winner, language::current())
 }
 
 fn page<'a>(
@@ -183,9 +189,17 @@ fn page<'a>(
                 words::text("front-best-table"),
                 sweep_report::Table {
                     head: vec![words::text("front-column"), words::text("front-value")],
-                    rows: cells.map(|(a, b)| vec![a.clone(), b.clone()]).collect(),
+                    rows: cells
+                        .map(|(name, cell)| vec![name.clone(), read(cell)])
+                        .collect(),
                 },
             ),
         ],
     }
+}
+
+/// A cell of the table as people read it.
+fn read(cell: &str) -> String {
+    let number = |x| gaitcam::wording::exact(language::current(), x);
+    cell.parse().map_or_else(|_| cell.to_string(), number)
 }

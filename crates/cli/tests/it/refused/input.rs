@@ -403,10 +403,9 @@ fn what_is_no_recording_and_no_law_is_told_so() {
     assert_eq!(one.lines().count(), 3, "{one}");
     let all = stdout(&gaitcam(&["laws"]));
     let ends = |l: &str| l.split_whitespace().next().map_or(0, |n| n.chars().count());
-    let numbers = all.lines().skip(2).map(|l| &l[ends(l)..]);
-    let columns: std::collections::BTreeSet<usize> = all
-        .lines()
-        .skip(2)
+    let lines = || all.lines().skip(2).map(str::trim_start);
+    let numbers = lines().map(|l| &l[ends(l)..]);
+    let columns: std::collections::BTreeSet<usize> = lines()
         .zip(numbers)
         .map(|(l, rest)| {
             l.len()

@@ -178,7 +178,7 @@ fn the_command_hands_everything_over_and_reads_its_summary_back() {
     assert_eq!(output.status.code(), Some(0));
     let text = stdout(&output);
     assert!(
-        text.contains("smallest convex radius") && text.contains("11.257"),
+        text.contains("minimum convex radius") && text.contains("11.26 mm"),
         "{text}"
     );
     for name in ["compare_svaj", "compare_force", "compare_profiles"] {
@@ -186,4 +186,68 @@ fn the_command_hands_everything_over_and_reads_its_summary_back() {
             out.join(format!("{name}.svg")).exists() && out.join(format!("{name}.png")).exists()
         );
     }
+}
+
+/// Names and values of the rows of two columns of a page.
+fn facts(page: &str) -> Vec<(&str, &str)> {
+    let rows = page.split("<th scope=\"row\">").skip(1);
+    let pairs = rows.filter_map(|row| row.split_once("</th><td>"));
+    pairs
+        .filter_map(|(name, rest)| Some((name, rest.split_once("</td>")?.0)))
+        .collect()
+}
+
+#[test]
+fn console_report_and_page_print_the_same_digits_of_every_figure() {
+    use gaitcam::synth::FIGURES;
+    use gaitcam::wording::Language;
+    use gaitcam_output::report::parts;
+
+    let (mut scenes, mut compared) = (0, 0);
+    for path in all() {
+        let (scene, design) = designed(&path);
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().to_str().unwrap();
+        let mut arguments = vec!["synth", path.to_str().unwrap(), "--no-png", "--out", out];
+        if scene.name == "measured_walk" {
+            arguments.extend(["--set", "gait.file=data/gait_curves/young_1.85Hz_700N.csv"]);
+        }
+        let console = stdout(&gaitcam(&arguments));
+        let report = fs::read_to_string(folder.path().join("report.html")).unwrap();
+        let report = facts(&report);
+        let page = parts::tables(&design, Default::default(), Language::En).data;
+        let page = facts(&page);
+        assert!(page.len() > 10, "{}: {page:?}", scene.name);
+        for fact in &page {
+            assert!(report.contains(fact), "{}: {fact:?}", scene.name);
+        }
+        // A figure that the console names has the value of the page.
+        let label = |f: &gaitcam::synth::Figure| f.label_on(&design.cam.follower, Language::En);
+        let labels: Vec<String> = FIGURES.iter().map(label).collect();
+        for (name, value) in page.iter().filter(|f| labels.iter().any(|l| l == f.0)) {
+            let named = format!(", {name} ");
+            for (at, before) in console.match_indices(&named) {
+                let told = &console[at + before.len()..];
+                assert!(
+                    told.starts_with(value),
+                    "{}: {name} {value}: {told}",
+                    scene.name
+                );
+                compared += 1;
+            }
+        }
+        // The errors of the force stand in a sentence of their own.
+        let cards = parts::figures(&design, Language::En);
+        for card in cards.iter().filter(|card| card.name == "RMS force error") {
+            let told = format!("error {} RMS ({} of the mean)", card.value, &card.more);
+            let told = told.replace(" of mean of the mean", " of the mean");
+            assert!(console.contains(&told), "{}: {told}: {console}", scene.name);
+            compared += 1;
+        }
+        scenes += 1;
+    }
+    assert!(
+        scenes >= 24 && compared >= 6 * scenes,
+        "{scenes} {compared}"
+    );
 }

@@ -65,7 +65,7 @@ fn limits_of_an_arm_are_told_in_angles_and_moments() {
     let reason = shown.summary()["reason"].as_str().unwrap().to_string();
     let page = text(&shown.file("report.html"));
     for words in [&reason, &shown.out, &page] {
-        assert!(words.contains("10°") || words.contains("10.00"), "{words}");
+        assert!(words.contains("10°"), "{words}");
         for alien in ["m/s²", "m/s³", " N/mm", "force at rest", "kg,"] {
             let at = words
                 .find(alien)
@@ -77,9 +77,9 @@ fn limits_of_an_arm_are_told_in_angles_and_moments() {
     assert!(reason.contains("10°") && !reason.contains("mm"), "{reason}");
     assert!(shown.out.contains("(limit 3 rad/s²)"), "{}", shown.out);
     assert!(shown.out.contains("(limit 5 N·m)"));
-    assert!(shown.out.contains("0.0200 kg·m²"));
+    assert!(shown.out.contains("moment of inertia 0.02 kg·m²"));
     assert!(
-        page.contains("50.000 N·m/rad") && page.contains("3.0000 N·m"),
+        page.contains("50 N·m/rad") && page.contains("3 N·m"),
         "{page}"
     );
     let force = text(&shown.file("force.svg"));
@@ -96,7 +96,7 @@ fn a_sliding_cam_is_told_in_millimetres_of_travel() {
             assert!(!words.contains(alien), "{alien} in {words}");
         }
     }
-    assert!(shown.out.contains("0.5000 m/s"), "{}", shown.out);
+    assert!(shown.out.contains("speed 0.5 m/s"), "{}", shown.out);
     assert!(
         page.contains("one pass\n0.32000 s") || page.contains("one pass\n\n0.32000 s"),
         "{page}"

@@ -3,12 +3,24 @@
 use plotters::style::{Color, RGBAColor};
 
 use super::{BASE, PITCH, PRIME, Scene};
+use crate::facts::{Group, facts, label};
 use crate::plot::layout::Figure;
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
 use crate::plot::sheet::{Drawn, Lettering, circle, dashed, line, stroke};
 use crate::plot::text::text_width;
 use crate::words::Words;
-use gaitcam_base::text::{degrees, millimetres, number};
+
+/// Facts beside the cam; base and prime radius are in the legend.
+const FACTS: [&str; 8] = [
+    "stroke_m",
+    "report-follower",
+    "report-roller-radius",
+    "offset_m",
+    "rho_min_m",
+    "report-found-at",
+    "face_width_m",
+    "report-pressure-angle",
+];
 
 impl Scene<'_> {
     /// The lines' names; returns the vertical position below them.
@@ -29,13 +41,13 @@ impl Scene<'_> {
             lines[0].3 = words.text("figure-walls");
         }
         if !self.is_straight() {
-            let radius = format!("{} mm", number(self.base, 4));
+            let radius = words.millimetres(1e-3 * self.base);
             let base = words.fill("figure-base-circle", &[("radius", &radius)]);
             lines.push((GREEN, 1.6, Some(BASE), base));
         }
         if self.has_roller() || self.is_straight() {
             if !self.is_straight() {
-                let radius = format!("{} mm", number(self.prime, 4));
+                let radius = words.millimetres(1e-3 * self.prime);
                 let prime = words.fill("figure-prime-circle", &[("radius", &radius)]);
                 lines.push((PURPLE, 1.6, Some(PRIME), prime));
             }
@@ -61,31 +73,20 @@ impl Scene<'_> {
 
     /// The names of the main dimensions and their values.
     pub(super) fn facts(&self, words: &Words) -> Vec<(String, String)> {
-        let cam = &self.synthesis.cam;
-        let measures = cam.follower.measures();
-        let sharpest = cam.curvature().convex;
-        let (low, high) = self.synthesis.pressure_angle_extremes();
-        let lift = measures.lift(0);
-        let stroke = lift.after(&number(lift.factor * cam.law.stroke(), 4));
-        let mut facts = vec![
-            ("figure-follower", words.name(cam.follower.name())),
-            ("figure-stroke", stroke),
-            ("figure-smallest-radius", millimetres(sharpest.value, 4)),
-            ("figure-smallest-at", measures.place(sharpest.at, 1)),
-        ];
-        if let Some(width) = cam.face_width() {
-            facts.push(("figure-face-width", millimetres(width, 4)));
-        } else {
-            let roller = millimetres(cam.follower.roller_radius(), 4);
-            facts.push(("figure-roller-radius", roller));
-            facts.push(("figure-offset", millimetres(cam.follower.offset(), 4)));
-            let phi = format!("{} … {}", degrees(low.value), degrees(high.value));
-            facts.push(("figure-phi", phi));
-        }
-        let speed = number(self.synthesis.problem.drive.speed, 4);
-        facts.push(("figure-speed", measures.speed().after(&speed)));
-        let named = |(key, value): (&str, String)| (words.text(key), value);
-        facts.into_iter().map(named).collect()
+        let language = words.language();
+        let all = [Group::Law, Group::Cam].map(|group| facts(self.synthesis, group, language));
+        let shown = all.into_iter().flatten();
+        let shown = shown.filter(|fact| FACTS.contains(&fact.key));
+        let speed = self.synthesis.problem.drive.speed;
+        let measures = self.synthesis.cam.follower.measures();
+        let speed = (
+            label(self.synthesis, "speed_rad_per_s", words),
+            measures.speed().shown(speed, language),
+        );
+        shown
+            .map(|fact| (fact.name, fact.value))
+            .chain([speed])
+            .collect()
     }
 }
 

@@ -67,14 +67,14 @@ fn facts(understood: &Interpretation, words: &Words) -> Vec<String> {
         parts.push(library.sentence("kind", &kind));
     }
     if let Some(period) = understood.period {
-        let seconds = format!("{:.3}", period.seconds);
+        let seconds = words.fixed(period.seconds, 3);
         let from = name(period.from.name());
         parts.push(match period.spread_s {
             Some(spread) => words.fill(
                 "figure-stride-spread",
                 &[
                     ("seconds", seconds.as_str()),
-                    ("spread", &format!("{spread:.3}")),
+                    ("spread", &words.fixed(spread, 3)),
                     ("from", &from),
                 ],
             ),
@@ -83,7 +83,7 @@ fn facts(understood: &Interpretation, words: &Words) -> Vec<String> {
     }
     if let Some((kg, from)) = understood.mass {
         let from = library.sentence("mass-from", &from);
-        let mass = format!("{kg:.1}");
+        let mass = words.fixed(kg, 1);
         parts.push(words.fill("figure-mass", &[("mass", &mass), ("from", &from)]));
     }
     let (used, rejected) = understood.counts();

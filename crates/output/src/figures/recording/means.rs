@@ -88,7 +88,7 @@ fn draw_foot(
             landmark(f, frame, y, name, *point)?;
         }
     }
-    let seconds = format!("{:.3}", mean.duration_s);
+    let seconds = words.fixed(mean.duration_s, 3);
     panel.across(&words.fill("figure-stance-share", &[("seconds", &seconds)]))?;
     let side = foot_name(mean.foot, words);
     let count = mean.count.to_string();
@@ -149,7 +149,11 @@ pub(super) fn body_weights(
         let at = up(frame, y, v * weight);
         let tick = [[frame.right, at], [frame.right + 0.35 * e, at]];
         line(f.canvas, &tick, stroke(QUIET, 1.2))?;
-        f.write(&tick_text(v, step), [frame.right + 0.6 * e, at], small)?;
+        f.write(
+            &tick_text(v, step, f.language),
+            [frame.right + 0.6 * e, at],
+            small,
+        )?;
     }
     let unit = words.text("figure-body-weights");
     let head = Lettering::new(0.85 * e, QUIET).anchored(HPos::Left, VPos::Bottom);

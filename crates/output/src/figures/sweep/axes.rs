@@ -6,6 +6,7 @@ use super::{LETTERS, Quantity};
 use crate::plot::axes::{tick_text, ticks};
 use crate::plot::palette::{GRID, INK, QUIET};
 use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, Plane, stroke, trace, write};
+use gaitcam::wording::Language;
 
 /// An axis: its name, its ends, and the places that are marked, with their text.
 pub(super) struct Axis<'a> {
@@ -15,20 +16,20 @@ pub(super) struct Axis<'a> {
 }
 
 impl<'a> Axis<'a> {
-    pub(super) fn new(q: &'a Quantity, range: [f64; 2], count: f64) -> Self {
+    pub(super) fn new(q: &'a Quantity, range: [f64; 2], count: f64, language: Language) -> Self {
         Axis {
             label: &q.label,
             range,
-            marks: marks(q, range, count),
+            marks: marks(q, range, count, language),
         }
     }
 
-    pub(super) fn across(q: &'a Quantity, range: [f64; 2], f: Frame) -> Self {
-        Axis::new(q, range, (f.right - f.left) / (6.0 * LETTERS))
+    pub(super) fn across(q: &'a Quantity, range: [f64; 2], f: Frame, language: Language) -> Self {
+        Axis::new(q, range, (f.right - f.left) / (6.0 * LETTERS), language)
     }
 
-    pub(super) fn up(q: &'a Quantity, range: [f64; 2], f: Frame) -> Self {
-        Axis::new(q, range, (f.bottom - f.top) / (3.5 * LETTERS))
+    pub(super) fn up(q: &'a Quantity, range: [f64; 2], f: Frame, language: Language) -> Self {
+        Axis::new(q, range, (f.bottom - f.top) / (3.5 * LETTERS), language)
     }
 }
 
@@ -70,12 +71,14 @@ pub(super) fn axes<'a>(
 }
 
 /// Where an axis is marked, and with what.
-fn marks(q: &Quantity, range: [f64; 2], count: f64) -> Vec<(f64, String)> {
+fn marks(q: &Quantity, range: [f64; 2], count: f64, language: Language) -> Vec<(f64, String)> {
     if !q.words.is_empty() {
         let all = q.words.iter().enumerate();
         return all.map(|(i, w)| (i as f64, w.clone())).collect();
     }
     let at = ticks(range[0], range[1], count.max(2.0));
     let step = at.get(1).map_or(1.0, |b| b - at[0]);
-    at.into_iter().map(|v| (v, tick_text(v, step))).collect()
+    at.into_iter()
+        .map(|v| (v, tick_text(v, step, language)))
+        .collect()
 }

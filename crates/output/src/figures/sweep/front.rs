@@ -8,6 +8,7 @@ use crate::plot::axes::padded;
 use crate::plot::palette::{AXIS, BLUE, RED};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{stroke, trace, units};
+use gaitcam::wording::Language;
 
 /// All designs as dots, the front as a line through its dots, the best ringed.
 pub fn front(
@@ -16,6 +17,7 @@ pub fn front(
     y: &Quantity,
     on_front: &[(f64, f64)],
     best: Option<(f64, f64)>,
+    language: Language,
 ) -> Picture {
     let ([x, y], [fx, fy]) = shown([x, y]);
     let scaled = |&(a, b): &(f64, f64)| (fx * a, fy * b);
@@ -29,7 +31,10 @@ pub fn front(
     let (rx, ry) = (all(&x, &|p| p.0), all(&y, &|p| p.1));
     Picture::drawn(SIZE.0, SIZE.1, |canvas| {
         let f = frame(2.0 * LETTERS);
-        let (across, up) = (Axis::across(&x, rx, f), Axis::up(&y, ry, f));
+        let (across, up) = (
+            Axis::across(&x, rx, f, language),
+            Axis::up(&y, ry, f, language),
+        );
         let inner = axes(canvas, title, f, across, up)?;
         for (&a, &b) in x.values.iter().zip(&y.values) {
             if a.is_finite() && b.is_finite() {

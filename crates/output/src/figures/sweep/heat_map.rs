@@ -9,7 +9,7 @@ use crate::plot::axes::padded;
 use crate::plot::palette::{INK, QUIET};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, fill, units, write};
-use gaitcam_base::text::number;
+use gaitcam::wording::{Language, number};
 
 /// Bins across a heat map of scattered points.
 const BINS: usize = 40;
@@ -71,7 +71,7 @@ fn cell(edges: &[f64], v: f64) -> usize {
 }
 
 /// The best value of `z` over two parameters, as colour; cells without a design stay blank.
-pub fn heat_map(title: &str, x: &Quantity, y: &Quantity, z: &Quantity, best: Best) -> Picture {
+pub fn heat_map(title: &str, [x, y, z]: [&Quantity; 3], best: Best, language: Language) -> Picture {
     let ([x, y, z], _) = shown([x, y, z]);
     let (ex, ey) = (edges(&x.values), edges(&y.values));
     let mut cells = vec![f64::INFINITY; (ex.len() - 1) * (ey.len() - 1)];
@@ -89,7 +89,10 @@ pub fn heat_map(title: &str, x: &Quantity, y: &Quantity, z: &Quantity, best: Bes
     Picture::drawn(SIZE.0, SIZE.1, |canvas| {
         let f = frame(9.0 * LETTERS);
         let (rx, ry) = ([ex[0], ex[ex.len() - 1]], [ey[0], ey[ey.len() - 1]]);
-        let (across, up) = (Axis::across(&x, rx, f), Axis::up(&y, ry, f));
+        let (across, up) = (
+            Axis::across(&x, rx, f, language),
+            Axis::up(&y, ry, f, language),
+        );
         let inner = axes(canvas, title, f, across, up)?;
         for (k, &c) in cells.iter().enumerate().filter(|c| c.1.is_finite()) {
             let (i, j) = (k % (ex.len() - 1), k / (ex.len() - 1));
@@ -100,12 +103,12 @@ pub fn heat_map(title: &str, x: &Quantity, y: &Quantity, z: &Quantity, best: Bes
             fill(&inner, &corners, shade(share(c)))?;
         }
         f.border(canvas)?;
-        scale(canvas, f, [low, high], &z.label)
+        scale(canvas, f, [low, high], &z.label, language)
     })
 }
 
 /// The colour scale right of a picture.
-fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str) -> Drawn {
+fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str, language: Language) -> Drawn {
     let e = LETTERS;
     let (left, width) = (f.right + 1.2 * e, 1.3 * e);
     let steps = 64;
@@ -122,7 +125,7 @@ fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str) -> Drawn {
         let share = f64::from(k) / 4.0;
         let up = f.bottom + (f.top - f.bottom) * share;
         let at = [left + width + 0.4 * e, up];
-        let text = number(range[0] + share * (range[1] - range[0]), 3);
+        let text = number(language, range[0] + share * (range[1] - range[0]));
         write(canvas, &text, at, Lettering::new(0.9 * e, QUIET))?;
     }
     let letters = Lettering::new(e, INK)

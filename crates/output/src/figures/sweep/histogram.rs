@@ -34,9 +34,9 @@ pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)], language: La
         let count = Axis {
             label: &label,
             range: [0.0, 1.08 * most],
-            marks: whole.map(|v| (v, tick_text(v, 1.0))).collect(),
+            marks: whole.map(|v| (v, tick_text(v, 1.0, language))).collect(),
         };
-        let inner = axes(canvas, title, f, Axis::across(q, range, f), count)?;
+        let inner = axes(canvas, title, f, Axis::across(q, range, f, language), count)?;
         let at = |i: usize| range[0] + (range[1] - range[0]) * i as f64 / BARS as f64;
         for (i, &c) in counts.iter().enumerate() {
             let corners = [(at(i), 0.0), (at(i + 1), 0.0), (at(i + 1), c), (at(i), c)];
@@ -57,5 +57,4 @@ pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)], language: La
         }
         f.border(canvas)
     })
-    .in_language(language)
 }

@@ -9,7 +9,7 @@ use crate::plot::palette::{AXIS, BLUE, INK, QUIET, RED};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, line, rectangle, stroke, write};
 use crate::plot::text::text_width;
-use gaitcam_base::text::number;
+use gaitcam::wording::{Language, number};
 
 /// One line per design over parallel axes, each from its smallest to its largest value; designs on the
 /// front in colour, the best in red.
@@ -18,6 +18,7 @@ pub fn parallel(
     quantities: &[Quantity],
     on_front: &[usize],
     best: Option<usize>,
+    language: Language,
 ) -> Picture {
     let quantities: Vec<Quantity> = quantities.iter().map(|q| q.shown().0).collect();
     let ranges: Vec<[f64; 2]> = quantities
@@ -62,7 +63,7 @@ pub fn parallel(
             let x = across(k);
             line(canvas, &[[x, f.bottom], [x, f.top]], stroke(INK, 1.2))?;
             heading(canvas, q, x, k)?;
-            for (v, text) in ends(q, ranges[k]) {
+            for (v, text) in ends(q, ranges[k], language) {
                 let (half, y) = (0.55 * e * text_width(&text), up(k, v));
                 let corners = [[x - half, y - 0.6 * e], [x + half, y + 0.6 * e]];
                 rectangle(canvas, corners, WHITE.mix(0.8).filled())?;
@@ -94,9 +95,9 @@ fn heading(canvas: &Canvas, q: &Quantity, x: f64, k: usize) -> Drawn {
     write(canvas, &text, [x, y], letters)
 }
 
-fn ends(q: &Quantity, range: [f64; 2]) -> Vec<(f64, String)> {
+fn ends(q: &Quantity, range: [f64; 2], language: Language) -> Vec<(f64, String)> {
     if q.words.is_empty() {
-        return range.map(|v| (v, number(v, 3))).to_vec();
+        return range.map(|v| (v, number(language, v))).to_vec();
     }
     q.words
         .iter()

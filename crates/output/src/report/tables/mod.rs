@@ -3,7 +3,7 @@
 mod design;
 mod solution;
 
-pub use design::{base_key, numbers};
+pub use design::numbers;
 pub use solution::solution;
 
 use std::fmt::Write;
@@ -13,18 +13,17 @@ use crate::words::Words;
 use gaitcam::cam::{Check, Criterion, Measures};
 use gaitcam::synth::{Design, unit};
 use gaitcam_base::text::escaped;
-use gaitcam_base::text::number;
 
 /// Share of a limit that counts as standing on it.
 const ON_THE_LIMIT: f64 = 0.005;
 
 /// A value of a limit in the unit people use; SI without a unit where the limit is not known here.
-pub fn shown(measures: Measures, limit: Criterion, value: f64) -> String {
+pub fn shown(measures: Measures, limit: Criterion, value: f64, words: &Words) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;
     // Rounding of what is nothing.
     let value = if value.abs() < 1e-9 { 0.0 } else { value };
-    unit.after(&number(value, 4))
+    unit.after(&words.number(value))
 }
 
 /// How far the worst value stays from its limit, as a share of the limit; negative when violated.
@@ -91,7 +90,8 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
             ("good", "report-satisfied")
         };
         let margin = if margin.is_finite() {
-            format!("{:+.1} %", 100.0 * margin).replace('-', "−")
+            let sign = if margin < 0.0 { "−" } else { "+" };
+            format!("{sign}{} %", words.fixed(100.0 * margin.abs(), 1))
         } else {
             "—".into()
         };
@@ -101,17 +101,17 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
             "<td class=\"state\"><span class=\"{light}\"><span class=\"dot\"></span>{}</span></td>",
             escaped(&words.text(state))
         );
-        let worst = shown(measures, check.name, check.worst);
+        let worst = shown(measures, check.name, check.worst, words);
         let none = || "—".to_string();
         let limit = match check.name {
             // No more than rounding.
             Criterion::Interference | Criterion::SecondInterference => none(),
-            _ => shown(measures, check.name, check.limit),
+            _ => shown(measures, check.name, check.limit, words),
         };
         let place = match check.name {
             // Of the whole turn.
             Criterion::RmsError => none(),
-            _ => measures.place(check.at, 1),
+            _ => measures.place(check.at, words.language()),
         };
         cells(out, &[worst, limit, margin, place]);
     }
@@ -168,8 +168,8 @@ pub fn active(out: &mut String, synthesis: &Design, words: &Words) {
     let measures = synthesis.cam.follower.measures();
     for a in ActiveLimit::all(synthesis) {
         row(out, &words.name(a.limit.name()));
-        let (points, place) = (a.points.to_string(), measures.place(a.at, 1));
-        cells(out, &[points, number(a.multiplier, 4), place]);
+        let (points, place) = (a.points.to_string(), measures.place(a.at, words.language()));
+        cells(out, &[points, words.number(a.multiplier), place]);
     }
     close(out);
     note(out, &words.text("report-multiplier-note"));
@@ -200,23 +200,23 @@ fn easing(out: &mut String, synthesis: &Design, words: &Words) {
     for e in &synthesis.easing {
         let (name, unit, factor) = e.in_words(measures, words.language());
         row(out, &words.name(e.limit.name()));
-        let [from, to] = [e.from, e.to].map(|x| shown(measures, e.limit, x));
+        let [from, to] = [e.from, e.to].map(|x| shown(measures, e.limit, x, words));
         let [before, after] =
-            [e.before, e.after].map(|x| format!("{} {unit}", number(factor * x, 5)));
+            [e.before, e.after].map(|x| format!("{} {unit}", words.number(factor * x)));
         cells(out, &[from, to, name, before, after]);
     }
     close(out);
 }
 
-/// Keys of the names, and values.
-pub(super) type Rows = Vec<(&'static str, String)>;
+/// Names and values.
+pub(super) type Rows = Vec<(String, String)>;
 
 /// A table of two columns under its name.
 pub(super) fn table(out: &mut String, words: &Words, name: &str, rows: &Rows) {
     let name = escaped(&words.text(name));
     let _ = write!(out, "<div><h3>{name}</h3><table>");
-    for (key, value) in rows {
-        row(out, &words.text(key));
+    for (name, value) in rows {
+        row(out, name);
         let _ = write!(out, "<td>{}</td></tr>", escaped(value));
     }
     out.push_str("</table></div>\n");

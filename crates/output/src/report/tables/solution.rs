@@ -4,11 +4,10 @@ use std::fmt::Write;
 
 use super::note;
 use crate::Timing;
-use crate::report::{heading, paragraph};
+use crate::report::{capital, heading, paragraph};
 use crate::words::Words;
 use gaitcam::synth::{Design, Tier};
 use gaitcam_base::text::escaped;
-use gaitcam_base::text::number;
 
 /// Solver, time and certificate of the answer, and remarks.
 pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Words) {
@@ -26,7 +25,7 @@ pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Word
         false => "report-attempt",
     };
     heading(out, &words.text(head));
-    let spent = format!("{} ms", number(1000.0 * time.solve_s, 3));
+    let spent = format!("{} ms", words.number(1000.0 * time.solve_s));
     let arguments = [
         ("how", &*words.text(how)),
         ("time", &spent),
@@ -52,7 +51,7 @@ pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Word
         let [gap, stationarity, violation] =
             [c.relative_gap, c.stationarity, c.violation].map(|x| match x {
                 0.0 => "0".to_string(),
-                x => format!("{x:.1e}"),
+                x => words.decimal(format!("{x:.1e}")),
             });
         let arguments = [
             ("gap", gap.as_str()),
@@ -73,9 +72,8 @@ pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Word
 
 /// A status as a separate sentence; empty for an empty status.
 fn sentence(status: &str) -> String {
-    let mut letters = status.trim().trim_end_matches('.').chars();
-    letters.next().map_or(String::new(), |first| {
-        let text: String = first.to_uppercase().chain(letters).collect();
-        format!(" {text}.")
-    })
+    match status.trim().trim_end_matches('.') {
+        "" => String::new(),
+        status => format!(" {}.", capital(status)),
+    }
 }
