@@ -44,10 +44,9 @@ pub fn is_of_machine(key: &str) -> bool {
 /// # Errors
 /// A drive without speed or mass.
 pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> {
-    let target = design.target_in_time().cloned();
-    let drive = Problem::resolve(scene, target.as_ref())?.drive;
+    let drive = Problem::resolve(scene, design.target_in_time())?.drive;
     let faster = (drive.speed / design.problem.drive.speed).abs();
-    let design = design.moved_to(drive, target);
+    let design = design.on_drive(drive);
     let Some(gait) = scene.gait.as_ref().filter(|_| faster != 1.0) else {
         return Ok((design, None));
     };

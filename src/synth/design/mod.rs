@@ -160,6 +160,15 @@ impl Design {
         }
     }
 
+    /// The same cam on another drive.
+    #[must_use]
+    pub fn on_drive(self, drive: Drive) -> Design {
+        Design {
+            problem: Arc::new(self.problem.with_drive(drive)),
+            ..self
+        }
+    }
+
     /// The same cam on another drive, against another target over time.
     #[must_use]
     pub fn moved_to(self, drive: Drive, target: Option<ForceCurve>) -> Design {
