@@ -121,8 +121,8 @@ mod tests {
         let changes = [
             ("law.family", "harmonic"),
             ("law.harmonics", "1"),
-            ("law.polydyne", "true"),
             ("machine.natural_frequency", "12 Hz"),
+            ("law.polydyne", "true"),
             ("accuracy.rms", "none"),
         ];
         let scene = (changes.iter()).fold(scene, |s, (key, value)| s.with(key, value).unwrap());
