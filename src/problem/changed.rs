@@ -3,7 +3,7 @@
 use super::Problem;
 use crate::cam::{Criterion, LimitKind};
 use crate::drive::Drive;
-use crate::scene::{LawSpec, Limits, Minimise};
+use crate::scene::{CamSpec, LawSpec, Limits, Minimise};
 
 impl Problem {
     /// The value of a limit, of the accuracy or of a given size; `None` where the problem leaves it open.
@@ -29,11 +29,11 @@ impl Problem {
         let mut out = self.clone();
         let value = Some(value);
         match criterion {
-            Criterion::Limit(kind) => out.limits.set(kind, value),
-            Criterion::Accuracy => out.accuracy = value,
-            Criterion::Bore => out.cam.bore = value,
-            Criterion::BaseRadius => out.cam.base_radius = value,
-            Criterion::GivenPrimeRadius => out.cam.prime_radius = value,
+            Criterion::Limit(kind) => out.required.limits.set(kind, value),
+            Criterion::Accuracy => out.required.accuracy = value,
+            Criterion::Bore => out.required.cam.bore = value,
+            Criterion::BaseRadius => out.required.cam.base_radius = value,
+            Criterion::GivenPrimeRadius => out.required.cam.prime_radius = value,
             _ => {}
         }
         out
@@ -43,7 +43,7 @@ impl Problem {
     #[must_use]
     pub fn with_limits(&self, limits: Limits) -> Problem {
         let mut out = self.clone();
-        out.limits = limits;
+        out.required.limits = limits;
         out
     }
 
@@ -51,23 +51,32 @@ impl Problem {
     #[must_use]
     pub fn with_law(&self, law: LawSpec) -> Problem {
         let mut out = self.clone();
-        out.law = law;
+        out.required.law = law;
+        out
+    }
+
+    /// The same problem for a cam of other lengths.
+    #[must_use]
+    pub fn with_cam(&self, cam: CamSpec) -> Problem {
+        let mut out = self.clone();
+        out.required.cam = cam;
         out
     }
 
     /// The same problem with the follower's line at an offset, m.
     #[must_use]
     pub fn at_offset(&self, offset: f64) -> Problem {
-        let mut out = self.clone();
-        out.cam.offset = Some(offset);
-        out
+        self.with_cam(CamSpec {
+            offset: Some(offset),
+            ..self.cam.clone()
+        })
     }
 
     /// The same for the mean of its walkers as for one force; of several walkers its error is not judged.
     #[must_use]
     pub fn of_mean(&self) -> Problem {
         let mut out = self.clone();
-        out.limits.unjudged.accuracy |= self.serves_several();
+        out.required.limits.unjudged.accuracy |= self.serves_several();
         out.walkers = None;
         out
     }
@@ -76,7 +85,7 @@ impl Problem {
     #[must_use]
     pub fn without_accuracy(&self) -> Problem {
         let mut out = self.clone();
-        out.limits.unjudged.accuracy = true;
+        out.required.limits.unjudged.accuracy = true;
         out
     }
 
@@ -84,7 +93,7 @@ impl Problem {
     #[must_use]
     pub fn minimising(&self, objective: Minimise) -> Problem {
         let mut out = self.clone();
-        out.law.minimise = Some(objective);
+        out.required.law.minimise = Some(objective);
         out
     }
 
@@ -92,7 +101,7 @@ impl Problem {
     #[must_use]
     pub fn without_limits(&self) -> Problem {
         let mut out = self.clone();
-        (out.limits, out.band) = (Limits::default(), None);
+        (out.required.limits, out.band) = (Limits::default(), None);
         out.without_accuracy()
     }
 

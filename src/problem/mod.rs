@@ -32,7 +32,7 @@ pub(crate) use target::piecewise;
 use target::typical_lift;
 pub use walkers::{Served, Walkers};
 
-use std::ops::{Deref, DerefMut};
+use std::ops::Deref;
 use std::sync::Arc;
 
 use crate::dynamics::Train;
@@ -63,8 +63,8 @@ const DAMPED_DEGREE: usize = 7;
 pub struct Problem {
     /// Name of the scene.
     pub name: String,
-    /// What does not depend on the course of the force; its fields are those of the problem.
-    pub required: Requirements,
+    /// What does not depend on the course of the force; its fields are read as those of the problem.
+    required: Requirements,
     /// Degree of spline laws.
     pub spline_degree: usize,
     /// One turn of the target force, scaled to the mass where the scene says so; `None` for a classical
@@ -100,12 +100,6 @@ impl Deref for Problem {
 
     fn deref(&self) -> &Requirements {
         &self.required
-    }
-}
-
-impl DerefMut for Problem {
-    fn deref_mut(&mut self) -> &mut Requirements {
-        &mut self.required
     }
 }
 

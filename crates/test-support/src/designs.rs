@@ -273,7 +273,9 @@ pub fn odd_ones() -> Vec<Design> {
 /// A design whose cam is asked for with other numbers, without another synthesis.
 #[must_use]
 pub fn with_cam(mut design: Design, change: impl FnOnce(&mut CamSpec)) -> Design {
-    change(&mut Arc::make_mut(&mut design.problem).cam);
+    let mut cam = design.problem.cam.clone();
+    change(&mut cam);
+    design.problem = Arc::new(design.problem.with_cam(cam));
     design
 }
 
