@@ -22,11 +22,9 @@ API = ROOT / "lab" / "api.txt"
 CIRCLES = [
     {"cam::geometry", "cam::geometry::kinds"},
     {"cam::geometry::space", "cam::profile"},
-    {"dynamics::recover", "dynamics::recover::breaks"},
     {"dynamics::simulate", "dynamics::simulate::choose", "dynamics::simulate::models::contact", "dynamics::simulate::models::on_shaft",
      "dynamics::simulate::models::rigid", "dynamics::simulate::shaft"},
     {"law", "law::extremes", "law::joint"},
-    {"law::program", "law::program::checks"},
 ]
 NOT_PRODUCT = re.compile(r"^crates/evidence/|^lab/|(^|/)tests/|tests\.rs$|^crates/test-support/|/examples/|/fuzz/")
 

@@ -1,8 +1,8 @@
 //! The lift between breakpoints: each stretch has its own spline of slopes, so that nothing oscillates at a
 //! jump of acceleration or jerk.
 
+use super::emitted::{Cycle, Emitted, lift_piece};
 use super::slopes::slopes_at;
-use super::{Cycle, Emitted, lift_piece};
 use crate::law::Law;
 use crate::poly::PiecewisePoly;
 

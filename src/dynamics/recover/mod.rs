@@ -9,90 +9,27 @@
 //! position of each follower over a contact point; `breaks` joins stretches at the jumps of acceleration or jerk.
 
 mod breaks;
+mod emitted;
 mod slopes;
 mod stance;
+
+pub use emitted::{Cycle, Emitted};
 
 use super::rigid::touch::touch;
 use crate::cam::{Cam, Follower, ProfilePoint};
 use crate::error::{DynamicsError, Error, Result};
 use crate::law::{Law, Svaj};
-use crate::poly::{PiecewisePoly, bernstein};
+use crate::poly::PiecewisePoly;
 use crate::units::Quantity;
 use breaks::{Station, between_breaks};
+use emitted::lift_piece;
 use slopes::spline_slopes;
 use stance::{height_and_slope, slopes_known};
-use std::f64::consts::TAU;
 
 /// Angles of a profile may differ from equal steps by this part of a step: rounding in a file.
 const STEP_SLACK: f64 = 1e-3;
 /// Fewest rows, on average, of a stretch between two breakpoints.
 const ROWS_BETWEEN_BREAKS: usize = 6;
-
-/// The motion that an emitted profile gives its follower.
-///
-/// ```
-/// use gaitcam::cam::{Cam, Follower};
-/// use gaitcam::dynamics::recover;
-/// use gaitcam::law::Law;
-///
-/// // The points of an eccentric disc give its harmonic back.
-/// let follower = Follower::FlatTranslating { base_radius: 0.02 };
-/// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), follower)?;
-/// let emitted = recover(&follower, &cam.profile(360))?;
-/// assert!((emitted.law.svaj(1.0).s - 0.01 * (1.0 + 1f64.sin())).abs() < 1e-9);
-/// assert!(emitted.mismatch < 1e-9);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-pub struct Emitted {
-    /// Lift over the base (prime) circle; degree 4 between the angles of the points, C³ at them but for
-    /// the breakpoints.
-    pub law: Law,
-    /// Lift and derivatives at the points.
-    pub nodes: Vec<Svaj>,
-    /// Largest difference between a point's own height and the curve's, m: noise, rounding, or rows
-    /// that are not contact points.
-    pub mismatch: f64,
-}
-
-/// Extent of a profile.
-///
-/// ```
-/// use gaitcam::dynamics::recover::Cycle;
-/// use gaitcam::law::Law;
-///
-/// let cycle = Cycle::of(&Law::harmonic(0.01, &[(0.0, 0.01)]));
-/// assert_eq!(cycle, Cycle::TURN);
-/// assert!((cycle.step(360) - 1.0_f64.to_radians()).abs() < 1e-15);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cycle {
-    /// rad (m of travel for a slide).
-    pub length: f64,
-    /// Whether the last point leads back to the first, which is then not repeated.
-    pub closed: bool,
-}
-
-impl Cycle {
-    /// One turn.
-    pub const TURN: Cycle = Cycle {
-        length: TAU,
-        closed: true,
-    };
-
-    /// Extent of a cam's law.
-    pub fn of(law: &Law) -> Cycle {
-        Cycle {
-            length: law.extent().1,
-            closed: law.is_closed(),
-        }
-    }
-
-    /// Distance of two neighbouring points of n.
-    pub fn step(&self, n: usize) -> f64 {
-        self.length / if self.closed { n } else { n - 1 } as f64
-    }
-}
 
 /// The lift that `points` (equal steps of θ over one turn) give `follower`, smooth all the way round.
 ///
@@ -273,13 +210,6 @@ fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[
         nodes,
         mismatch,
     }
-}
-
-/// A piece of the lift: the integral of the cubic velocity with these values and slopes at its ends.
-fn lift_piece(lift: f64, width: f64, [[v, a], [w, b]]: [[f64; 2]; 2]) -> Vec<f64> {
-    let velocity = [v, v + a * width / 3.0, w - b * width / 3.0, w];
-    let rise = bernstein::antiderivative(&velocity);
-    rise.iter().map(|x| lift + width * x).collect()
 }
 
 #[cfg(test)]

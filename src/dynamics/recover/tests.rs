@@ -1,3 +1,5 @@
+use std::f64::consts::TAU;
+
 use super::*;
 use crate::cam::Cam;
 use crate::dynamics::thesis;

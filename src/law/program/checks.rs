@@ -1,6 +1,6 @@
 //! Checks of a programme: total length, neighbouring segments, jumps at joints, lift below the base circle.
 
-use super::{Draft, Extent, JUMP, ROUNDING, Segment, name};
+use super::segment::{Draft, Extent, JUMP, ROUNDING, Segment, name};
 use crate::error::{JoinCure, JoinError, LawError, Result};
 use crate::law::{Joint, Rise};
 use crate::units::{Dimension, Quantity};

@@ -1,0 +1,102 @@
+//! Segments of a programme, its extent, and the law before its checks.
+
+use std::f64::consts::TAU;
+
+use crate::error::SegmentName;
+use crate::law::{Law, Rise};
+
+/// One motion of a programme.
+///
+/// ```
+/// use gaitcam::law::{Extent, Rise, Segment, program};
+///
+/// let up = Segment { motion: Rise::Poly345, lift: 0.02, angle: 2.0 };
+/// let down = Segment { motion: Rise::Poly345, lift: -0.02, angle: std::f64::consts::TAU - 2.0 };
+/// let law = program(&[up, down], Extent::TURN)?;
+/// assert!((law.svaj(1.0).s - 0.01).abs() < 1e-12);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Segment {
+    /// Shape of the motion.
+    pub motion: Rise,
+    /// Change of lift: positive rises, negative falls, 0 for a dwell; m (rad when oscillating).
+    pub lift: f64,
+    /// Extent: rad of cam angle, m of travel for a translating cam.
+    pub angle: f64,
+}
+
+/// Extent of a programme.
+///
+/// ```
+/// use gaitcam::law::{Extent, Rise, Segment, program};
+///
+/// // A slide of 80 mm: the law ends where it ends.
+/// let segment = |lift| Segment { motion: Rise::Cycloidal, lift, angle: 0.04 };
+/// let law = program(&[segment(0.01), segment(-0.01)], Extent::Length(0.08))?;
+/// assert!(!law.is_closed());
+/// assert_eq!(law.extent(), (0.0, 0.08));
+/// assert_eq!(Extent::TURN, Extent::Turns(1));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Extent {
+    /// Whole turns (several: a barrel cam); the law repeats after them.
+    Turns(usize),
+    /// A length of travel, m (translating cam); the law ends where it ends.
+    Length(f64),
+}
+
+impl Extent {
+    /// One turn.
+    pub const TURN: Extent = Extent::Turns(1);
+
+    pub(super) fn length(self) -> f64 {
+        match self {
+            Extent::Turns(n) => TAU * n as f64,
+            Extent::Length(l) => l,
+        }
+    }
+
+    pub(super) fn is_closed(self) -> bool {
+        !matches!(self, Extent::Length(_))
+    }
+}
+
+/// Segment lengths may miss the whole by this share of it, as rounded degrees do; they are then stretched.
+pub(super) const ROUNDING: f64 = 1e-6;
+/// Jumps below this share of the largest value of their derivative are rounding.
+pub(super) const JUMP: f64 = 1e-9;
+
+/// A law with the angles at which its segments end.
+pub(super) struct Draft {
+    pub(super) law: Law,
+    pub(super) ends: Vec<f64>,
+}
+
+impl Draft {
+    /// Number (from 1) of the segment that starts at `at`.
+    pub(super) fn starting(&self, at: f64) -> Option<usize> {
+        let near = |x: f64| (x - at).abs() <= 1e-9;
+        if near(0.0) {
+            return Some(1);
+        }
+        self.ends.iter().position(|&e| near(e)).map(|i| i + 2)
+    }
+
+    /// Number (from 1) of the segment that holds `at`.
+    pub(super) fn holding(&self, at: f64) -> usize {
+        self.ends
+            .partition_point(|&e| e < at - 1e-9)
+            .min(self.ends.len() - 1)
+            + 1
+    }
+}
+
+/// The name of a segment in an error.
+pub(super) fn name(segments: &[Segment], i: usize) -> SegmentName {
+    SegmentName::Segment {
+        number: i + 1,
+        motion: segments[i].motion.name().to_string(),
+    }
+}
