@@ -11,7 +11,7 @@ use crate::plot::text::text_width;
 use crate::words::Words;
 
 /// Facts beside the cam; base and prime radius are in the legend.
-const FACTS: [&str; 8] = [
+const KEYS: [&str; 8] = [
     "stroke_m",
     "report-follower",
     "report-roller-radius",
@@ -76,7 +76,7 @@ impl Scene<'_> {
         let language = words.language();
         let all = [Group::Law, Group::Cam].map(|group| facts(self.synthesis, group, language));
         let shown = all.into_iter().flatten();
-        let shown = shown.filter(|fact| FACTS.contains(&fact.key));
+        let shown = shown.filter(|fact| KEYS.contains(&fact.key));
         let speed = self.synthesis.problem.drive.speed;
         let measures = self.synthesis.cam.follower.measures();
         let speed = (
