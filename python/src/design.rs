@@ -41,6 +41,8 @@ pub struct Design {
     pub(crate) time_limit: f64,
     /// Of a new cut.
     pub(crate) recut: Option<Recut>,
+    /// The log that it was made from.
+    pub(crate) log: Option<PathBuf>,
 }
 
 impl Argument for Design {
@@ -259,6 +261,7 @@ impl Design {
         let scene = Scene::of_table(py, table, asked.files.clone(), asked.file.clone())?;
         let mut cut = answer(py, scene, self.force.clone(), self.time_limit)?;
         cut.recut = Some(figures);
+        cut.log = Some(log);
         Ok(cut)
     }
 
@@ -311,7 +314,7 @@ impl Design {
         };
         let contents = asked.contents(py, self.input.title())?;
         let written = py.detach(|| {
-            check_inputs_stay(&folder, &self.input)?;
+            check_inputs_stay(&folder, &self.input, self.log.as_deref())?;
             let place = ResultFolder::open(&folder, PATIENCE)?;
             self.write(&contents, |name, bytes| place.write(name, bytes))?;
             let scene = self.input.resolved();

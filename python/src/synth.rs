@@ -88,6 +88,7 @@ pub(crate) fn answer(
         time,
         time_limit,
         recut: None,
+        log: None,
     })
 }
 

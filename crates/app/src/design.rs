@@ -112,13 +112,14 @@ pub fn write_scene(folder: &ResultFolder, input: &Input, text: &str) -> Result<(
     folder.write(name, text.as_bytes())
 }
 
-/// Refuses a folder in which a design would replace one of its own inputs.
+/// Refuses a folder in which a design would replace one of its own inputs; `more` is one that its scene does not name.
 ///
 /// # Errors
 /// The input that would be replaced.
-pub fn check_inputs_stay(folder: &Path, input: &Input) -> Result<()> {
+pub fn check_inputs_stay(folder: &Path, input: &Input, more: Option<&Path>) -> Result<()> {
     let paths = input.paths()?;
-    let inputs: BTreeSet<PathBuf> = paths.iter().filter_map(|p| p.canonicalize().ok()).collect();
+    let paths = paths.iter().map(PathBuf::as_path).chain(more);
+    let inputs: BTreeSet<PathBuf> = paths.filter_map(|p| p.canonicalize().ok()).collect();
     let names = earlier::of_design().into_iter().chain([SCENE_BESIDE_INPUT]);
     for name in names {
         inputs::check_among(&inputs, &folder.join(name))?;
