@@ -13,7 +13,7 @@ use serde_json::Value;
 use crate::earlier::{self, SCENE, SCENE_BESIDE_INPUT, SUMMARY};
 pub use crate::earlier::{
     FORCE, MOST_CAMS, OF_COVER, OF_IDENTIFICATION, OF_INSPECTION, OF_RUN, of_another_design,
-    of_cover, scene_of_cover,
+    of_cover, of_design, scene_of_cover,
 };
 use crate::inputs;
 use crate::result_folder::ResultFolder;
@@ -120,11 +120,11 @@ pub fn check_inputs_stay(folder: &Path, input: &Input, more: Option<&Path>) -> R
     let paths = input.paths()?;
     let paths = paths.iter().map(PathBuf::as_path).chain(more);
     let inputs: BTreeSet<PathBuf> = paths.filter_map(|p| p.canonicalize().ok()).collect();
-    let names = earlier::of_design().into_iter().chain([SCENE_BESIDE_INPUT]);
+    let names = of_design().into_iter().chain([SCENE_BESIDE_INPUT]);
     for name in names {
         inputs::check_among(&inputs, &folder.join(name))?;
     }
-    inputs::check_in(folder, earlier::of_design())
+    inputs::check_in(folder, of_design())
 }
 
 fn same(a: &Path, b: &Path) -> bool {

@@ -90,7 +90,7 @@ pub(crate) fn is_last(name: &str) -> bool {
 }
 
 /// Every file that `synth` may write, and so may remove.
-pub(crate) fn of_design() -> Vec<&'static str> {
+pub fn of_design() -> Vec<&'static str> {
     files::ALL.iter().map(|file| file.name).collect()
 }
 

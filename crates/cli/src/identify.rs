@@ -19,7 +19,7 @@ use gaitcam::error::Result;
 use gaitcam::identify::{Identified, Log};
 use gaitcam::scene::set_value;
 use gaitcam::synth::Design;
-use gaitcam_app::design::OF_IDENTIFICATION;
+use gaitcam_app::design::{OF_IDENTIFICATION, of_design};
 use gaitcam_app::read::read_bytes;
 use gaitcam_app::{Input, PATIENCE, ResultFolder, inputs};
 use gaitcam_output::{identification, identified};
@@ -77,32 +77,37 @@ struct LoggedArgs {
 }
 
 impl LoggedArgs {
-    /// The scene, the design that runs and its log; `None` where the design has no cam, which is reported.
-    fn read(&self) -> Result<Option<(Input, Design, Log)>> {
+    /// The scene, the design that runs, its log and the folder for the files `names`, where there is one; `None` where
+    /// the design has no cam, which is reported.
+    fn read<'a>(
+        &self,
+        place: impl Fn(&Input) -> Result<Option<PathBuf>>,
+        names: impl IntoIterator<Item = &'a str>,
+    ) -> Result<Option<(Input, Design, Log, Option<PathBuf>)>> {
         let log = Log::read(&self.log, &read_bytes(&self.log)?)?;
         let made = Made::read(&SceneArgs::of(self.design.clone()), &[])?;
+        let place = place(&made.input)?;
+        if let Some(place) = &place {
+            inputs::check_in(place, names)?;
+        }
         let design = made.design()?.0.built()?;
         if let Some(why) = design.no_cam(language::current()) {
             report(words::fill("identify-no-cam", &json!({"why": why})));
             return Ok(None);
         }
-        Ok(Some((made.input, design, log)))
+        Ok(Some((made.input, design, log, place)))
     }
 }
 
 /// Identifies the machine and writes scene, table and picture; exit code 3 where the design has no cam.
 pub fn identify(args: &IdentifyArgs) -> Result<u8> {
-    let Some((input, design, log)) = args.run.read()? else {
+    let place = |input: &Input| folder(input, args.out.as_deref(), args.json, "_identified");
+    let Some((input, design, log, place)) = args.run.read(place, OF_IDENTIFICATION)? else {
         return Ok(NO_SUCH_CAM);
     };
     let found = gaitcam::identify::identify(&design, &input.scene, &log)?;
-    let place = match (&args.out, args.json) {
-        (None, true) => None,
-        (out, _) => {
-            let path = input::result_folder(&input, out.as_deref(), "_identified")?;
-            Some(write(&path, &input, &design, &found)?)
-        }
-    };
+    let write = |path: PathBuf| write(&path, &input, &design, &found);
+    let place = place.map(write).transpose()?;
     if args.json {
         print_json(&serde_json::to_value(&found).unwrap_or_default());
         return Ok(BUILT);
@@ -115,8 +120,15 @@ pub fn identify(args: &IdentifyArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
+/// The folder for files; none where only data is printed.
+fn folder(input: &Input, out: Option<&Path>, json: bool, ending: &str) -> Result<Option<PathBuf>> {
+    match (out, json) {
+        (None, true) => Ok(None),
+        (out, _) => input::result_folder(input, out, ending).map(Some),
+    }
+}
+
 fn write(path: &Path, input: &Input, design: &Design, found: &Identified) -> Result<PathBuf> {
-    inputs::check_in(path, OF_IDENTIFICATION)?;
     let scene = found.scene(&input.scene)?.to_table();
     let known = found.parameters.iter().filter(|p| p.identifiable);
     let scene = carried(&scene, input, known.map(|p| p.key))?;
@@ -150,7 +162,8 @@ fn carried<'a>(from: &Table, input: &Input, keys: impl Iterator<Item = &'a str>)
 /// Writes the next cam as `synth` does; exit code 3 where there is none, or what repeats is noise.
 pub fn recut(args: &RecutArgs) -> Result<u8> {
     let start = Instant::now();
-    let Some((input, design, log)) = args.run.read()? else {
+    let place = |input: &Input| folder(input, args.out.as_deref(), args.json, "_recut");
+    let Some((input, design, log, out)) = args.run.read(place, of_design())? else {
         return Ok(NO_SUCH_CAM);
     };
     let target = input.target()?;
@@ -160,10 +173,6 @@ pub fn recut(args: &RecutArgs) -> Result<u8> {
     let key = "machine.learned_force";
     let table = carried(&scene.to_table(), &input, std::iter::once(key))?;
     let next = Input::new(table, input.files.clone(), None)?;
-    let out = match (&args.out, args.json) {
-        (None, true) => None,
-        (out, _) => Some(input::result_folder(&next, out.as_deref(), "_recut")?),
-    };
     let synth = SynthArgs {
         time: args.time,
         out,

@@ -69,7 +69,11 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         set: args.set.clone(),
     };
     let made = Made::read(&named, &[])?;
-    let (design, input) = (made.design()?.0.built()?, made.input);
+    let place = folder(args, &made.input)?;
+    if let Some(place) = &place {
+        inputs::check_in(place, OF_INSPECTION)?;
+    }
+    let design = made.design()?.0.built()?;
     if let Some(infeasible) = &design.infeasible {
         let why = sentences(&infeasible.reasons, language::current());
         report(words::fill("inspect-no-cam", &json!({"why": why})));
@@ -81,7 +85,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         .map_err(|e| e.at(Place::File(args.measured.clone())))?;
     let made = MadeCam::of(&design, &inspected);
     let json = summary_json(&design, &inspected, made.as_ref());
-    let place = match folder(args, &input)? {
+    let place = match place {
         Some(path) => Some(write(
             &path,
             (&design, &inspected, made.as_ref()),
@@ -117,7 +121,6 @@ fn write(
     (design, inspected, made): Results,
     (points, json): (&Points, &Value),
 ) -> Result<PathBuf> {
-    inputs::check_in(path, OF_INSPECTION)?;
     let folder = ResultFolder::open(path, PATIENCE)?;
     folder.write("inspection.csv", table(inspected, points).as_bytes())?;
     let text = serde_json::to_string_pretty(json).unwrap_or_default();
