@@ -112,7 +112,7 @@ impl Basis {
         }
     }
 
-    /// Piece of [`Basis::breaks`] that contains a cam angle of the first turn, and u ∈ [0, 1] on it.
+    /// Piece of [`Basis::breaks`] that contains an angle of the first turn, and u ∈ [0, 1] on it.
     pub fn locate(&self, theta: f64) -> (usize, f64) {
         match self {
             Basis::Spline { space, .. } => space.locate(theta),
@@ -149,7 +149,7 @@ impl Basis {
         }
     }
 
-    /// The same at a cam angle; at a break the piece to the right answers.
+    /// The same at an angle; at a break the piece to the right answers.
     pub fn row(&self, theta: f64, weights: &[f64]) -> Entries {
         match self {
             Basis::Spline { space, closed } => {

@@ -19,8 +19,8 @@
 //! limits hold there. With weight and multipliers mixed in the same proportion t it leaves t(1 − t) Δμ Δ∇q of the gradient, which
 //! is of second order.
 //!
-//! Logarithms and exponentials come from one library on every machine, not from the system's: a law of the smallest cam is so
-//! level that their last bit moves its coefficients by a part in ten thousand, and the page is to show the command's cam.
+//! Logarithms and exponentials come from one library on every machine, not from the system's: the last bit can move the coefficients
+//! of a nearly level law by a part in ten thousand, and all machines are to find the same law.
 
 use crate::Names;
 use crate::program::{
