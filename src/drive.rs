@@ -8,6 +8,9 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use serde::Serialize;
 
+/// A gain below this part of the largest term that makes it up is a resonance: no finite lift gives the force there.
+pub(crate) const RESONANCE: f64 = 1e-9;
+
 /// The machine between cam and force.
 ///
 /// ```
@@ -173,6 +176,19 @@ impl Drive {
     pub fn gain(&self, harmonic: usize) -> (f64, f64) {
         let nw = harmonic as f64 * self.speed;
         (self.spring_rate - self.mass * nw * nw, self.damping * nw)
+    }
+
+    /// The harmonic n of lift, m, under one of force, N, both as (cosine, sine); `None` in resonance.
+    pub(crate) fn lift_of(&self, harmonic: usize, (a, b): (f64, f64)) -> Option<(f64, f64)> {
+        let (re, im) = self.gain(harmonic);
+        let square = re * re + im * im;
+        let nw = harmonic as f64 * self.speed;
+        let largest = (self.spring_rate.abs())
+            .max(self.mass * nw * nw)
+            .max(im.abs());
+        // F = a cos + b sin = Re((a − ib) e^{ihθ}); dividing by re + i·im.
+        let lift = ((a * re - b * im) / square, (b * re + a * im) / square);
+        (square.sqrt() > RESONANCE * largest).then_some(lift)
     }
 }
 

@@ -17,6 +17,22 @@ pub struct Scaling {
 }
 
 impl Scaling {
+    /// The force itself.
+    pub const NONE: Scaling = Scaling {
+        factor: 1.0,
+        shift: 0.0,
+    };
+
+    /// Whether it is the force itself.
+    pub fn is_none(self) -> bool {
+        self.factor == 1.0 && self.shift == 0.0
+    }
+
+    /// The target where the force is `force`, N.
+    pub fn at(self, force: f64) -> f64 {
+        self.factor * force + self.shift
+    }
+
     /// The target of a force.
     pub fn of(self, force: &ForceCurve) -> ForceCurve {
         let mut target = force.scaled(self.factor);
@@ -24,6 +40,14 @@ impl Scaling {
             *f += self.shift;
         }
         target
+    }
+
+    /// The same where the force is `times` times that given.
+    pub fn after(self, times: f64) -> Scaling {
+        Scaling {
+            factor: times * self.factor,
+            ..self
+        }
     }
 }
 

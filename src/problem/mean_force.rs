@@ -32,4 +32,13 @@ impl MeanForce {
             spread_n: curve.spread_rms_n().unwrap_or(0.0),
         }
     }
+
+    /// Of a multiple of the force.
+    pub(super) fn times(self, factor: f64) -> MeanForce {
+        MeanForce {
+            mean_n: factor * self.mean_n,
+            spread_n: factor * self.spread_n,
+            ..self
+        }
+    }
 }

@@ -6,7 +6,7 @@
 
 mod accuracy;
 mod changed;
-mod cycle;
+mod force_cycle;
 mod machine;
 mod mean_force;
 mod note;
@@ -19,7 +19,7 @@ mod target;
 mod tests;
 mod walkers;
 
-use cycle::Cycle;
+pub(crate) use force_cycle::{ForceCycle, Shape};
 pub use mean_force::MeanForce;
 pub use note::Note;
 pub use on_shaft::{Extra, OnShaft};
@@ -29,7 +29,7 @@ pub(crate) use size::hub_radius;
 pub use size::{Size, USUAL_PRESSURE_ANGLE};
 pub use target::Target;
 pub(crate) use target::piecewise;
-use target::typical_lift;
+use target::{Unturned, typical_lift};
 pub use walkers::{Served, Walkers};
 
 use std::ops::Deref;
@@ -90,7 +90,7 @@ pub struct Problem {
     pub on_shaft: Option<Arc<OnShaft>>,
     weights: Vec<PhaseWeight>,
     /// The force and its band as they are at phase 0.
-    cycle: Option<Arc<Cycle>>,
+    unturned: Option<Arc<Unturned>>,
     /// Notes on scene and recording.
     remarks: Vec<Note>,
 }
@@ -104,8 +104,7 @@ impl Deref for Problem {
 }
 
 /// Weight of a force's walker, N; of a written cycle, which no recording of feet is behind, its mean.
-fn weight(gait: &Gait, force: &ForceCurve) -> f64 {
-    let mean = force.mean_n();
+fn weight(gait: &Gait, force: &ForceCurve, mean: f64) -> f64 {
     match (&gait.source, gait.period) {
         (Source::Model(_) | Source::Harmonics(_), _) => gait.model_weight(),
         (Source::File(_), Some(_)) => mean,
@@ -128,6 +127,15 @@ impl Problem {
     /// The scene needs a force and none is given; the mean force is not positive on a moving axis; the drive
     /// relates no lift to force; the band asks for a spread that the force does not have.
     pub fn resolve(scene: &Scene, force: Option<&ForceCurve>) -> Result<Problem> {
+        let cycle = force.map(|force| Arc::new(ForceCycle::new(force.clone())));
+        Problem::of_multiple(scene, cycle.as_ref().map(|cycle| (cycle, 1.0)))
+    }
+
+    /// The same for a multiple of a force that other problems share.
+    pub(crate) fn of_multiple(
+        scene: &Scene,
+        force: Option<(&Arc<ForceCycle>, f64)>,
+    ) -> Result<Problem> {
         let with_gait;
         let scene = match (&scene.gait, force) {
             (Some(_), None) => return Err(SynthError::ForceNotRead.at_key("gait")),
@@ -142,20 +150,25 @@ impl Problem {
             (None, None) | (Some(_), Some(_)) => scene,
         };
         let gait = scene.gait.as_ref();
-        let required = Requirements::of(scene, force.map(MeanForce::of))?;
-        let walkers = Walkers::of(scene, force, &required)?.map(Arc::new);
-        let factor = required.scaling.factor;
-        let weight_n = gait.zip(force).map(|(g, force)| factor * weight(g, force));
+        let mean = force.map(|(cycle, times)| cycle.mean.times(times));
+        let curve = force.map(|(cycle, _)| &*cycle.curve);
+        let required = Requirements::of(scene, mean)?;
+        let walkers = Walkers::of(scene, curve, &required)?.map(Arc::new);
+        let scaling = required.scaling;
+        let weight_n = gait.zip(force).map(|(gait, (cycle, times))| {
+            scaling.factor * weight(gait, &cycle.curve, times * cycle.mean.mean_n)
+        });
         let band = gait.and_then(|g| g.band);
         let band = band.map(|band| band.at_lever(required.drive.lever));
-        let cycle = force.map(|force| Cycle::new(required.scaling.of(force), band));
-        let cycle = cycle.transpose()?;
+        let target = force.map(|(cycle, times)| Target::of(cycle.clone(), scaling.after(times)));
+        let unturned = target.map(|target| Unturned::new(target, band));
+        let unturned = unturned.transpose()?;
         let phase = gait.map_or(Phase::At(0.0), |g| g.phase);
         let at = match phase {
             Phase::At(angle) => angle,
             Phase::Free => 0.0,
         };
-        let (target, band) = cycle.as_ref().map_or((None, None), |c| c.at_phase(at));
+        let (target, band) = (unturned.as_ref()).map_or((None, None), |c| c.at_phase(at));
         let damped = scene.law.polydyne && scene.machine.damping_ratio > 0.0;
         Ok(Problem {
             name: scene.name.clone(),
@@ -169,9 +182,9 @@ impl Problem {
             target,
             band,
             phase: at,
-            phase_is_free: cycle.is_some() && phase == Phase::Free,
+            phase_is_free: unturned.is_some() && phase == Phase::Free,
             machine: scene.machine.clone(),
-            open_questions: open_questions(gait, force),
+            open_questions: open_questions(gait, curve),
             weight_n,
             walkers: walkers.map(|all| match at {
                 0.0 => all,
@@ -179,22 +192,28 @@ impl Problem {
             }),
             on_shaft: None,
             weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
-            cycle: cycle.map(Arc::new),
-            remarks: note::remarks(scene, force),
+            unturned: unturned.map(Arc::new),
+            remarks: note::remarks(scene, curve),
         })
     }
 
     /// The same with the cam's turn beginning at another phase of the force cycle.
     #[must_use]
     pub fn at_phase(&self, phase: f64) -> Problem {
-        let at = |cycle: &Arc<Cycle>| cycle.at_phase(phase);
-        let (target, band) = self.cycle.as_ref().map_or((None, None), at);
+        let at = |unturned: &Arc<Unturned>| unturned.at_phase(phase);
+        let (target, band) = self.unturned.as_ref().map_or((None, None), at);
         let mut out = self.clone();
         (out.phase, out.target, out.band) = (phase, target, band);
         out.length = typical_lift(&out.drive, out.target.as_ref(), &out.law);
         let turned = |all: &Arc<Walkers>| Arc::new(all.begun_at(phase - self.phase));
         out.walkers = self.walkers.as_ref().map(turned);
         out
+    }
+
+    /// Whether one force presses on a rigid machine of constant speed and known force.
+    pub fn is_plain(&self) -> bool {
+        let is_one = self.walkers.is_none() && self.on_shaft.is_none();
+        is_one && self.machine.is_plain() && !self.law.polydyne
     }
 
     /// What the law minimises: the force error where there is a target and no band, jerk otherwise.
@@ -250,7 +269,7 @@ impl Problem {
 }
 
 /// What is open about a recording and was not accepted by the scene, with what opens it.
-pub(crate) fn open_questions(
+fn open_questions(
     gait: Option<&Gait>,
     force: Option<&ForceCurve>,
 ) -> Vec<(OpenQuestion, Vec<force::Note>)> {

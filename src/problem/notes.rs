@@ -34,7 +34,10 @@ impl Problem {
     }
 
     fn stretched(&self) -> Option<Note> {
-        let (turn, cycle) = (TAU / self.drive.speed, self.target.as_ref()?.curve.period_s);
+        let (turn, cycle) = (
+            TAU / self.drive.speed,
+            self.target.as_ref()?.curve().period_s,
+        );
         ((turn / cycle - 1.0).abs() > SAME_PERIOD).then(|| Note::Stretched {
             turn: Quantity::time(turn),
             cycle: Quantity::time(cycle),
@@ -47,7 +50,7 @@ impl Problem {
         let Some(target) = self.target.as_ref().filter(|_| self.on_shaft.is_none()) else {
             return Vec::new();
         };
-        let curve = &target.curve;
+        let curve = target.curve();
         let (mass, speed) = (self.drive.mass, self.drive.speed);
         let (weight, mean) = (self.drive.rest_force, curve.mean_n());
         let mut notes = Vec::new();

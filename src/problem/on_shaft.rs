@@ -28,7 +28,7 @@ const EVEN: f64 = 1e-9;
 /// let phases: Vec<f64> = (0..360).map(|i| f64::from(i).to_radians()).collect();
 /// let ten = gaitcam::poly::PiecewisePoly::new(vec![0.0, std::f64::consts::TAU], 0, vec![10.0]);
 /// let on_shaft = problem.on_shaft(&phases, Extra::of_force(ten));
-/// let targets = [&problem, &on_shaft].map(|p| p.target.as_ref().unwrap().curve.at(1.0));
+/// let targets = [&problem, &on_shaft].map(|p| p.target.as_ref().unwrap().curve().at(1.0));
 /// assert!((targets[0] - targets[1] - 10.0).abs() < 1e-3);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
@@ -66,7 +66,7 @@ impl Extra {
 /// let two = PiecewisePoly::new(vec![0.0, std::f64::consts::TAU], 0, vec![2.0]);
 /// let later: Vec<f64> = (0..360).map(|i| f64::from(i + 90).to_radians()).collect();
 /// let shaft = problem.on_shaft(&later, Extra::of_force(two)).on_shaft.unwrap();
-/// let target = &problem.target.as_ref().unwrap().curve;
+/// let target = problem.target.as_ref().unwrap().curve();
 /// assert!((shaft.target.at(0.0) - target.at(std::f64::consts::FRAC_PI_2)).abs() < 1e-3);
 /// assert_eq!(shaft.force_rate.eval(1.0), 0.0);
 /// # Ok::<(), gaitcam::error::Error>(())
@@ -102,7 +102,7 @@ impl Problem {
             curve.with_forces(forces.map(|(f, x)| f - x).collect())
         };
         let mut out = self.clone();
-        let target = self.target.as_ref().map(|t| (&t.curve, at_cam(t)));
+        let target = self.target.as_ref().map(|t| (t.curve(), at_cam(t)));
         out.target = (target.as_ref()).map(|(curve, forces)| Target::new(less(curve, forces)));
         let is_even = |(i, phase): (usize, &f64)| (phase - step * i as f64).abs() < EVEN;
         let varies = !phases.iter().enumerate().all(is_even);
@@ -143,13 +143,13 @@ impl Problem {
     /// The target by the cam angle, whatever speed and floor add to the force.
     pub fn target_at_cam(&self) -> Option<&ForceCurve> {
         let shaft = self.on_shaft.as_ref().map(|shaft| &shaft.target);
-        shaft.or(self.target.as_ref().map(|target| &*target.curve))
+        shaft.or(self.target.as_ref().map(|target| &**target.curve()))
     }
 
     /// The target over the period.
     pub fn target_in_time(&self) -> Option<&ForceCurve> {
         let shaft = self.on_shaft.as_ref().map(|shaft| &*shaft.in_time);
-        shaft.or(self.target.as_ref().map(|target| &*target.curve))
+        shaft.or(self.target.as_ref().map(|target| &**target.curve()))
     }
 
     /// The band over the period.

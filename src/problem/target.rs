@@ -1,12 +1,15 @@
 //! The target force in step with the cam.
 
 use std::f64::consts::TAU;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
+use super::force_cycle::{self, ForceCycle, most};
+use super::machine::Scaling;
 use crate::drive::Drive;
-use crate::force::ForceCurve;
+use crate::error::{Placed, Result, SynthError};
+use crate::force::{ForceCurve, Interpretation};
 use crate::poly::{Cells, PiecewisePoly};
-use crate::scene::{LawSpec, PhaseWeight};
+use crate::scene::{Band, LawSpec, PhaseWeight};
 
 /// One turn of the target force with its cubics.
 ///
@@ -17,68 +20,178 @@ use crate::scene::{LawSpec, PhaseWeight};
 /// let samples = (0..64).map(|i| 500.0 + 100.0 * (std::f64::consts::TAU * f64::from(i) / 64.0).sin());
 /// let target = Target::new(ForceCurve::from_samples("a wave", 1.0, samples.collect())?);
 /// assert!((target.mean_n() - 500.0).abs() < 1e-9);
-/// assert!((target.curve.at(std::f64::consts::FRAC_PI_2) - 600.0).abs() < 1e-9);
+/// assert!((target.curve().at(std::f64::consts::FRAC_PI_2) - 600.0).abs() < 1e-9);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Target {
-    /// The cycle, beginning at cam angle 0.
-    pub curve: Arc<ForceCurve>,
-    /// Its cubics between the samples, N.
-    cells: Arc<Cells>,
-    mean_n: f64,
-    /// Smallest and largest sample, N.
-    range_n: [f64; 2],
+    /// A force of which it is a multiple plus a constant, beginning at cam angle 0.
+    cycle: Arc<ForceCycle>,
+    scaling: Scaling,
+    /// Its samples and cubics where they differ from those of the cycle.
+    scaled: OnceLock<(Arc<ForceCurve>, Arc<Cells>)>,
 }
 
 impl Target {
     /// The cycle with its cubics.
     pub fn new(curve: impl Into<Arc<ForceCurve>>) -> Self {
-        let curve = curve.into();
-        let slopes = curve.slopes();
-        Target::with_slopes(curve, slopes)
+        Target::of(Arc::new(ForceCycle::new(curve)), Scaling::NONE)
     }
 
     /// The same with the slopes of its cubics, N per sample, one more than samples.
     pub(crate) fn with_slopes(curve: impl Into<Arc<ForceCurve>>, slopes: Vec<f64>) -> Self {
-        let curve = curve.into();
+        let cycle = ForceCycle::with_slopes(curve, slopes);
+        Target::of(Arc::new(cycle), Scaling::NONE)
+    }
+
+    /// A cycle, scaled.
+    pub(super) fn of(cycle: Arc<ForceCycle>, scaling: Scaling) -> Self {
         Target {
-            cells: Arc::new(cells(&curve, slopes)),
-            mean_n: curve.mean_n(),
-            range_n: curve.range_n().into(),
-            curve,
+            cycle,
+            scaling,
+            scaled: OnceLock::new(),
         }
     }
 
-    /// Mean force, N.
-    pub fn mean_n(&self) -> f64 {
-        self.mean_n
+    /// The cycle of which it is `factor` times; `None` where a constant is added.
+    pub(crate) fn multiple(&self) -> Option<(f64, &ForceCycle)> {
+        let Scaling { factor, shift } = self.scaling;
+        (shift == 0.0).then_some((factor, &*self.cycle))
     }
 
-    /// Smallest and largest sample of the force, N.
-    pub fn range_n(&self) -> [f64; 2] {
-        self.range_n
-    }
-
-    /// Largest distance of a sample from a force, N.
-    pub fn farthest_from(&self, force: f64) -> f64 {
-        let [least, most] = self.range_n;
-        (most - force).max(force - least).max(0.0)
+    /// The cycle, beginning at cam angle 0.
+    pub fn curve(&self) -> &Arc<ForceCurve> {
+        if self.scaling.is_none() {
+            return &self.cycle.curve;
+        }
+        &self.scaled().0
     }
 
     /// The force as cubics between its samples, N.
     pub fn cells(&self) -> &Cells {
-        &self.cells
+        if self.scaling.is_none() {
+            return self.cycle.cells();
+        }
+        &self.scaled().1
+    }
+
+    fn scaled(&self) -> &(Arc<ForceCurve>, Arc<Cells>) {
+        self.scaled.get_or_init(|| {
+            let curve = Arc::new(self.scaling.of(&self.cycle.curve));
+            let cells = force_cycle::cells(&curve, curve.slopes());
+            (curve, Arc::new(cells))
+        })
+    }
+
+    /// How the recording behind it was interpreted.
+    pub fn recording(&self) -> Option<&Interpretation> {
+        self.cycle.curve.recording.as_deref()
+    }
+
+    /// Number of samples.
+    pub fn samples(&self) -> usize {
+        self.cycle.curve.force_n.len()
+    }
+
+    /// Mean force, N.
+    pub fn mean_n(&self) -> f64 {
+        self.scaling.at(self.cycle.mean.mean_n)
+    }
+
+    /// Smallest and largest sample of the force, N.
+    pub fn range_n(&self) -> [f64; 2] {
+        self.cycle.range_n.map(|force| self.scaling.at(force))
+    }
+
+    /// Largest distance of a sample from a force, N.
+    pub fn farthest_from(&self, force: f64) -> f64 {
+        let [least, most] = self.range_n();
+        (most - force).max(force - least).max(0.0)
+    }
+
+    /// Mean over the turn of the squared distance from a force, N².
+    pub fn mean_square_from(&self, force: f64) -> f64 {
+        let Scaling { factor, shift } = self.scaling;
+        factor * factor * self.cycle.mean_square_from((force - shift) / factor)
+    }
+
+    /// The polynomials of a degree that are nearest to it between breaks, by their values at the nodes of
+    /// [`Cells::nearest`], N.
+    pub fn nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
+        let values = self.cycle.nearest(breaks, degree);
+        values.iter().map(|force| self.scaling.at(*force)).collect()
+    }
+
+    /// Number of harmonics that its samples hold.
+    pub(crate) fn most_harmonics(&self) -> usize {
+        most(self.samples())
+    }
+
+    /// Its first harmonics, (cosine, sine), N.
+    pub(crate) fn harmonics(&self, count: usize) -> impl Iterator<Item = (f64, f64)> {
+        let factor = self.scaling.factor;
+        let waves = self.cycle.series().waves[..count].iter();
+        waves.map(move |(a, b)| (factor * a, factor * b))
+    }
+
+    /// RMS force above its first harmonics, N.
+    pub(crate) fn left_over(&self, count: usize) -> f64 {
+        self.scaling.factor.abs() * self.cycle.series().left_over(count)
+    }
+
+    /// Fewest harmonics that leave at most `wanted` newtons RMS.
+    pub(crate) fn fewest_harmonics(&self, wanted: f64) -> usize {
+        let series = self.cycle.series();
+        series.fewest(wanted / self.scaling.factor.abs())
     }
 }
 
-/// The cubics between the samples of a force, N.
-fn cells(force: &ForceCurve, slopes: Vec<f64>) -> Cells {
-    let f = &force.force_n;
-    let mut ends = Vec::with_capacity(f.len() + 1);
-    ends.extend_from_slice(f);
-    ends.push(f[0]);
-    Cells::new(ends, slopes, TAU)
+/// The target and the band about it where the cam's turn begins with the cycle.
+#[derive(Debug)]
+pub struct Unturned {
+    target: Target,
+    /// Lowest and highest force allowed.
+    band: Option<[ForceCurve; 2]>,
+}
+
+impl Unturned {
+    /// The target with a band about it.
+    ///
+    /// # Errors
+    /// A band of one spread about a force that carries none.
+    pub fn new(target: Target, band: Option<Band>) -> Result<Unturned> {
+        let band = band.map(|band| band_about(target.curve(), band));
+        Ok(Unturned {
+            band: band.transpose()?,
+            target,
+        })
+    }
+
+    /// Target and band where the cam's turn begins at a phase of the cycle.
+    pub fn at_phase(&self, phase: f64) -> (Option<Target>, Option<[ForceCurve; 2]>) {
+        if phase == 0.0 {
+            return (Some(self.target.clone()), self.band.clone());
+        }
+        let begun = |curve: &ForceCurve| force_cycle::begun_at(curve, phase);
+        let band = self.band.as_ref().map(|edges| edges.each_ref().map(begun));
+        (Some(Target::new(begun(self.target.curve()))), band)
+    }
+}
+
+/// Lowest and highest force of a band about a force, as cycles like it.
+fn band_about(target: &ForceCurve, band: Band) -> Result<[ForceCurve; 2]> {
+    let half: Vec<f64> = match (band, &target.spread_n) {
+        (Band::Width(width), _) => vec![width; target.force_n.len()],
+        (Band::Spread, Some(spread)) => spread.clone(),
+        (Band::Spread, None) => {
+            return Err(SynthError::NoSpread.at_key("gait.band"));
+        }
+    };
+    let edge = |sign: f64| {
+        let forces = target.force_n.iter().zip(&half);
+        target.with_forces(forces.map(|(f, h)| f + sign * h).collect())
+    };
+    Ok([edge(-1.0), edge(1.0)])
 }
 
 /// The lift that force and demands ask for, m: the unit in which solvers work.
@@ -112,7 +225,7 @@ pub fn piecewise(force: &ForceCurve) -> PiecewisePoly {
     // TAU·n/n need not be TAU: the last break is set, not computed.
     let breaks = (0..n).map(|i| TAU * i as f64 / n as f64);
     let breaks = breaks.chain([TAU]).collect();
-    let cells = cells(force, force.slopes());
+    let cells = force_cycle::cells(force, force.slopes());
     let coef = (0..n).flat_map(|i| cells.cubic(i)).collect();
     PiecewisePoly::new(breaks, 3, coef)
 }

@@ -122,7 +122,7 @@ impl Walkers {
     pub(crate) fn at_phases(&self, phases: &[f64]) -> Walkers {
         let mut out = self.clone();
         for (walker, phase) in out.each.iter_mut().zip(phases).filter(|w| *w.1 != 0.0) {
-            walker.target = super::cycle::begun_at(&walker.target, *phase);
+            walker.target = super::force_cycle::begun_at(&walker.target, *phase);
         }
         out
     }
@@ -132,7 +132,7 @@ impl Walkers {
     pub(super) fn begun_at(&self, phase: f64) -> Walkers {
         let mut out = self.clone();
         for walker in &mut out.each {
-            walker.target = super::cycle::begun_at(&walker.target, phase);
+            walker.target = super::force_cycle::begun_at(&walker.target, phase);
         }
         out
     }

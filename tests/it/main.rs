@@ -10,5 +10,6 @@ mod layering;
 mod public_examples;
 mod readme;
 mod scene;
+mod sweep;
 mod synth;
 mod wording;

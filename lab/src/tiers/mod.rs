@@ -154,13 +154,13 @@ impl Task<'_> {
 
 /// The first `count` harmonics, inverted one by one, whatever force they leave.
 pub fn spectral(target: &ForceCurve, drive: Drive, count: usize) -> Result<Law> {
-    Ok(invert(target, &drive, Some(count), 0.0)?.law())
+    Ok(invert(&Target::new(target.clone()), &drive, Some(count), 0.0)?.law())
 }
 
 /// As many harmonics, inverted one by one, as leave a force error of at most `rms` newtons: the law of a scene that
 /// names no family and breaks no limit.
 pub fn first_rung(target: &ForceCurve, drive: Drive, rms: f64) -> Result<Law> {
-    Ok(invert(target, &drive, None, rms)?.law())
+    Ok(invert(&Target::new(target.clone()), &drive, None, rms)?.law())
 }
 
 fn refused(failure: &Failure<()>) -> Error {

@@ -4,11 +4,11 @@
 //! rows then set their numbers directly. A harmonic law that keeps its limits follows from the harmonics of the force;
 //! every other row is designed like a single scene.
 //!
-//! Forces are kept with their harmonics: a grid of a few step frequencies runs twelve times as fast as a sample in which
+//! Forces are kept with what follows from them: a grid of a few step frequencies runs X times as fast as a sample in which
 //! every row has its own.
 
 use std::collections::{BTreeMap, HashMap};
-use std::sync::{Arc, OnceLock, RwLock};
+use std::sync::{Arc, RwLock};
 
 use toml::Table;
 
@@ -16,14 +16,13 @@ use crate::cam::Verdict;
 use crate::error::{Error, Result, SweepError};
 use crate::force::ForceCurve;
 use crate::halt::Halt;
-use crate::problem::{MeanForce, Requirements, open_questions};
+use crate::problem::{ForceCycle, Problem};
 use crate::scene::{self, Gait, Scene, Source};
 use crate::sweep::plan::NamedScene;
 use crate::sweep::plan::batch::{Batch, Column};
 use crate::sweep::plan::key::Key;
 use crate::sweep::table::results::{Outcome, Row};
-use crate::synth::spectral::{self, Series};
-use crate::synth::{self, Search, answer};
+use crate::synth::{Search, design, spectral};
 
 /// Gives the force curve that a scene names in a file; the first argument is the base scene's index.
 pub type Targets<'a> = &'a (dyn Fn(usize, &Scene) -> Result<ForceCurve> + Sync);
@@ -41,22 +40,13 @@ pub struct Kernel<'a> {
     targets: Targets<'a>,
     halts: Halts<'a>,
     clock: Option<Clock<'a>>,
-    /// Whether numbers of recordings vary, by which a file gives several forces.
-    varies_reading: bool,
-    forces: RwLock<BTreeMap<ForceName, Arc<Force>>>,
+    /// Whether numbers of the force vary, by which a recording gives several forces.
+    varies_gait: bool,
+    cycles: RwLock<BTreeMap<CycleName, Result<Arc<ForceCycle>>>>,
 }
 
 /// The source of a force, and the bits of its step frequency.
-type ForceName = (Arc<str>, u64);
-
-/// A force by its source: of a load model for one step frequency and any body weight.
-#[derive(Default)]
-struct Force {
-    /// Of a recording; `None` of a load model.
-    curve: Option<Result<ForceCurve>>,
-    /// `None` where the force has no Fourier series that a closed form takes.
-    series: OnceLock<Option<Series>>,
-}
+type CycleName = (Arc<str>, u64);
 
 /// A combination of words, read.
 #[derive(Default)]
@@ -65,8 +55,6 @@ struct Base {
     scene: Option<Scene>,
     /// The source of its force; `None` where the numbers of a row decide.
     source: Option<Arc<str>>,
-    /// Whether the closed form may apply.
-    is_closed: bool,
 }
 
 impl<'a> Kernel<'a> {
@@ -80,13 +68,13 @@ impl<'a> Kernel<'a> {
     ) -> Self {
         let reads = |key: &Key| key.is_number() && key.name().starts_with("gait.");
         Kernel {
-            varies_reading: keys.iter().any(reads),
+            varies_gait: keys.iter().any(reads),
             scenes,
             keys,
             targets,
             halts,
             clock,
-            forces: RwLock::default(),
+            cycles: RwLock::default(),
         }
     }
 
@@ -146,11 +134,9 @@ impl<'a> Kernel<'a> {
         let Ok(scene) = self.read(batch, row) else {
             return Base::default();
         };
-        let gait = scene.gait.as_ref();
-        let is_file = gait.is_some_and(Gait::is_recording);
+        let is_one = scene.gait.as_ref().is_none_or(is_multiple);
         Base {
-            source: (!is_file || !self.varies_reading).then(|| source(index, &scene)),
-            is_closed: spectral::suits(&scene),
+            source: (is_one || !self.varies_gait).then(|| source(index, &scene)),
             scene: Some(scene),
         }
     }
@@ -193,9 +179,7 @@ impl<'a> Kernel<'a> {
         {
             let named = base.source.clone();
             let source = named.unwrap_or_else(|| source(index, scene));
-            let closed = || self.closed_row(index, scene, &source);
-            let closed = if base.is_closed { closed() } else { None };
-            return closed.unwrap_or_else(|| self.designed_row(index, scene, &source));
+            return self.designed_row(index, scene, &source);
         }
         match self.read(batch, row) {
             Ok(scene) => self.designed_row(index, &scene, &source(index, &scene)),
@@ -215,82 +199,93 @@ impl<'a> Kernel<'a> {
         true
     }
 
-    /// The row of a harmonic law that keeps its limits, from the harmonics of the force.
-    fn closed_row(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Option<Row> {
-        let gait = scene.gait.as_ref()?;
-        let is_many = gait.step_frequencies.is_some();
-        if is_many || scene.machine.motor.is_given() || scene.machine.has_floor() {
-            return None;
-        }
-        let scale = match &gait.source {
-            Source::File(_) => 1.0,
-            Source::Model(_) | Source::Harmonics(_) => gait.model_weight(),
-        };
-        let force = self.force(index, scene, source)?;
-        let series = force.series.get_or_init(|| series(gait, &force));
-        let series = series.as_ref()?;
-        let mean_n = scale * series.mean_force.mean_n;
-        let mean_force = MeanForce {
-            mean_n,
-            ..series.mean_force
-        };
-        let required = Requirements::of(scene, Some(mean_force)).ok()?;
-        let recording = force.curve.as_ref().and_then(|curve| curve.as_ref().ok());
-        spectral::figures(&required, series).map(|f| Row::spectral(&f, recording))
-    }
-
-    /// The row of a scene that is designed like any other.
+    /// The row of a scene: in closed form where there is one.
     fn designed_row(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Row {
-        let search = Search::until((self.halts)());
-        let answer = self
-            .curve(index, scene, source)
-            .and_then(|force| answer(scene, force.as_ref(), &search));
-        match answer {
+        let problem = match self.problem(index, scene, source) {
+            Ok(problem) => problem,
+            Err(e) => return refused(&e),
+        };
+        if let Some(figures) = spectral::figures(&problem) {
+            return Row::spectral(&figures, problem.target.as_ref());
+        }
+        match design(&problem, &Search::until((self.halts)())) {
             // A result that a clock cut short differs from run to run.
-            Ok(synth::Outcome::Built(design)) if design.out_of_time => {
+            Ok(design) if design.out_of_time => {
                 Row::error(Error::from(SweepError::OutOfTime).to_string())
             }
-            Ok(synth::Outcome::Built(design)) => Row::of(&design),
-            Ok(synth::Outcome::NoCam(why)) => Row {
-                outcome: Outcome::Infeasible,
-                verdict: Some(Verdict::Unacceptable),
-                ..Row::error(why.to_string())
-            },
-            Err(e) => Row::error(e.to_string()),
+            Ok(design) => Row::of(&design),
+            Err(e) => refused(&e),
         }
     }
 
-    fn curve(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Result<Option<ForceCurve>> {
+    /// The problem of a scene, with its force from the cache.
+    fn problem(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Result<Problem> {
         let Some(gait) = &scene.gait else {
-            return Ok(None);
+            return Problem::of_multiple(scene, None);
         };
-        if gait.is_recording() {
-            let force = self.force(index, scene, source);
-            return force.and_then(|f| f.curve.clone()).transpose();
-        }
-        gait.model_force()
+        let cycle = self.cycle(index, scene, gait, source)?;
+        let times = if is_multiple(gait) {
+            gait.model_weight()
+        } else {
+            1.0
+        };
+        Problem::of_multiple(scene, Some((&cycle, times)))
     }
 
-    /// The force of a scene, cached; `None` of a scene without one.
-    fn force(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Option<Arc<Force>> {
-        let gait = scene.gait.as_ref()?;
-        let is_file = gait.is_recording();
-        let frequency = gait.step_frequency.filter(|_| !is_file).unwrap_or(0.0);
-        let name = (source.clone(), frequency.to_bits());
-        if let Some(force) = self.forces.read().ok()?.get(&name) {
-            return Some(force.clone());
+    /// The force of a scene, cached; of a load model for a body weight of 1 N.
+    fn cycle(
+        &self,
+        index: usize,
+        scene: &Scene,
+        gait: &Gait,
+        source: &Arc<str>,
+    ) -> Result<Arc<ForceCycle>> {
+        let frequency = gait.step_frequency.filter(|_| is_multiple(gait));
+        let name = (source.clone(), frequency.unwrap_or(0.0).to_bits());
+        if let Ok(cycles) = self.cycles.read()
+            && let Some(cycle) = cycles.get(&name)
+        {
+            return cycle.clone();
         }
-        let force = Arc::new(Force {
-            curve: is_file.then(|| (self.targets)(index, scene)),
-            series: OnceLock::new(),
-        });
-        let mut forces = self.forces.write().ok()?;
-        if forces.len() >= KEPT_FORCES {
-            forces.clear();
+        let force = match gait.is_recording() {
+            true => (self.targets)(index, scene),
+            false => {
+                let weight = if is_multiple(gait) {
+                    1.0
+                } else {
+                    gait.model_weight()
+                };
+                let force = gait.force_of_weight(weight);
+                force.and_then(|force| force.ok_or(SweepError::NoForceError.into()))
+            }
+        };
+        let cycle = force.map(|force| Arc::new(ForceCycle::new(force)));
+        if let Ok(mut cycles) = self.cycles.write() {
+            if cycles.len() >= KEPT_FORCES {
+                cycles.clear();
+            }
+            cycles.insert(name, cycle.clone());
         }
-        forces.insert(name, force.clone());
-        Some(force)
+        cycle
     }
+}
+
+/// The row of a scene without a design: an infeasible one, or one at fault.
+fn refused(why: &Error) -> Row {
+    let row = Row::error(why.to_string());
+    if !why.is_answer() {
+        return row;
+    }
+    Row {
+        outcome: Outcome::Infeasible,
+        verdict: Some(Verdict::Unacceptable),
+        ..row
+    }
+}
+
+/// Whether the force of a walker is body weight times that of a walker of 1 N, at one step frequency.
+fn is_multiple(gait: &Gait) -> bool {
+    !gait.is_recording() && gait.step_frequencies.is_none()
 }
 
 /// The source of a scene's force: the recording with its options, or the model and feet.
@@ -299,30 +294,10 @@ fn source(index: usize, scene: &Scene) -> Arc<str> {
         return Arc::from("");
     };
     Arc::from(match &gait.source {
-        Source::Model(name) => format!("{name} {}", gait.feet.name()),
-        Source::Harmonics(list) => format!("{list:?} {}", gait.feet.name()),
-        Source::File(_) => format!("{index} {gait:?}"),
+        Source::Model(name) if is_multiple(gait) => format!("{name} {}", gait.feet.name()),
+        Source::Harmonics(list) if is_multiple(gait) => format!("{list:?} {}", gait.feet.name()),
+        _ => format!("{index} {gait:?}"),
     })
-}
-
-/// The Fourier series of a force, of a load model for a body weight of 1 N.
-fn series(gait: &Gait, force: &Force) -> Option<Series> {
-    if gait.is_recording() {
-        let curve = force.curve.as_ref()?.as_ref().ok()?;
-        let is_certain = open_questions(Some(gait), Some(curve)).is_empty();
-        let is_one = curve.population.is_none();
-        return (is_certain && is_one).then(|| Series::of_curve(curve.clone()));
-    }
-    if let Some((period_s, waves)) = gait.series().ok()? {
-        let (mean_n, spread_n) = (1.0, 0.0);
-        let mean_force = MeanForce {
-            mean_n,
-            period_s,
-            spread_n,
-        };
-        return Some(Series::new(mean_force, waves, None));
-    }
-    gait.force_of_weight(1.0).ok()?.map(Series::of_curve)
 }
 
 /// A panic is an internal error; it must not stop the other rows.

@@ -1,7 +1,8 @@
 //! The result of a scene as a row.
 
 use crate::cam::Verdict;
-use crate::force::ForceCurve;
+use crate::force::Interpretation;
+use crate::problem::Target;
 use crate::synth::{Design, FIGURES, Figures, Tier};
 
 /// Columns of numbers, SI: those of [`FIGURES`]. A number that does not exist is NaN here, empty in CSV and null in
@@ -22,6 +23,36 @@ pub const NUMBERS: [&str; FIGURES.len()] = {
 pub const WORDS: [&str; 7] = [
     "outcome", "verdict", "tier", "binding", "failed", "error", "warnings",
 ];
+
+/// Columns that are known without a cam.
+const TARGET_MEAN: usize = column("target_mean_n");
+const MASS: usize = column("mass_kg");
+const SPEED: usize = column("speed_rad_per_s");
+
+/// Columns of a design that follows a target.
+const OF_TARGET: [usize; 4] = [
+    column("force_rms_error_n"),
+    column("force_rms_error_percent"),
+    column("force_max_error_n"),
+    TARGET_MEAN,
+];
+
+/// Place of a column of numbers; a name that is none ends the compilation.
+const fn column(name: &str) -> usize {
+    let mut place = 0;
+    while !is_same(NUMBERS[place].as_bytes(), name.as_bytes()) {
+        place += 1;
+    }
+    place
+}
+
+const fn is_same(a: &[u8], b: &[u8]) -> bool {
+    let mut same = 0;
+    while same < a.len() && same < b.len() && a[same] == b[same] {
+        same += 1;
+    }
+    same == a.len() && same == b.len()
+}
 
 /// The last column: time of the row, s. Only this column differs from run to run.
 pub const TIME: &str = "time_s";
@@ -115,11 +146,11 @@ impl Row {
         }
     }
 
-    /// The row of a spectral design that keeps every limit, for a recording or a load model.
-    pub(crate) fn spectral(figures: &Figures, recording: Option<&ForceCurve>) -> Row {
+    /// The row of a spectral design that keeps every limit.
+    pub(crate) fn spectral(figures: &Figures, target: Option<&Target>) -> Row {
         Row {
             numbers: FIGURES.each_ref().map(|f| f.value(figures)),
-            warnings: recording.map(warnings).unwrap_or_default(),
+            warnings: target.map(|t| warnings(t.recording())).unwrap_or_default(),
             outcome: Outcome::Built,
             verdict: Some(Verdict::Acceptable),
             tier: Some(Tier::Spectral),
@@ -130,11 +161,12 @@ impl Row {
     /// The row of a finished design. An infeasible one has no cam, so only its demand is given.
     pub fn of(design: &Design) -> Row {
         let mut row = Row::error(String::new());
-        row.warnings = design.target().map(warnings).unwrap_or_default();
+        let recording = design.target().and_then(|t| t.recording.as_deref());
+        row.warnings = warnings(recording);
         if let Some(infeasible) = &design.infeasible {
-            row.numbers[3] = design.target().map_or(f64::NAN, |t| t.mean_n());
-            row.numbers[7] = design.problem.drive.mass;
-            row.numbers[8] = design.problem.drive.speed;
+            row.numbers[TARGET_MEAN] = design.target().map_or(f64::NAN, |t| t.mean_n());
+            row.numbers[MASS] = design.problem.drive.mass;
+            row.numbers[SPEED] = design.problem.drive.speed;
             row.outcome = Outcome::Infeasible;
             row.binding = joined(infeasible.names().into_iter());
             row.verdict = Some(Verdict::Unacceptable);
@@ -143,9 +175,8 @@ impl Row {
         let figures = Figures::of(design);
         row.numbers = FIGURES.each_ref().map(|f| f.value(&figures));
         if design.target().is_none() {
-            // Without a target there is no force error.
-            for number in &mut row.numbers[..4] {
-                *number = f64::NAN;
+            for column in OF_TARGET {
+                row.numbers[column] = f64::NAN;
             }
         }
         row.outcome = Outcome::Built;
@@ -159,8 +190,8 @@ impl Row {
 }
 
 /// Codes of the warnings about the recording of a force.
-fn warnings(target: &ForceCurve) -> String {
-    let codes = target.recording.as_ref().map(|r| r.codes());
+fn warnings(recording: Option<&Interpretation>) -> String {
+    let codes = recording.map(Interpretation::codes);
     codes.unwrap_or_default().join("+")
 }
 

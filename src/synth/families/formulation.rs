@@ -258,7 +258,7 @@ fn plain_distance(problem: &Problem, basis: &Basis) -> Quadratic {
         let w = problem.drive.weights();
         force.add_distance(basis, &w, wanted.nodes, wanted.filling(), None);
         if wanted.is_nearest {
-            force.constant = 0.5 * target.cells().mean_square_from(problem.drive.rest_force);
+            force.constant = 0.5 * target.mean_square_from(problem.drive.rest_force);
         }
     }
     force
@@ -272,7 +272,7 @@ fn mean_square(problem: &Problem, basis: &Basis) -> MeanSquare {
     let w = problem.drive.weights();
     let sum = MeanSquare::distance(basis, &w, wanted.nodes, wanted.filling());
     if wanted.is_nearest {
-        sum.with_mean_square(target.cells().mean_square_from(problem.drive.rest_force))
+        sum.with_mean_square(target.mean_square_from(problem.drive.rest_force))
     } else {
         sum
     }
@@ -301,7 +301,7 @@ fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted
     let (nodes, mut values, is_nearest) = match basis {
         Basis::Spline { space, .. } => {
             let degree = space.degree();
-            (degree + 1, target.cells().nearest(&breaks, degree), true)
+            (degree + 1, target.nearest(&breaks, degree), true)
         }
         Basis::Harmonic { .. } => {
             let rule = gauss_legendre(harmonic_nodes(basis, target));
@@ -325,7 +325,7 @@ fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted
 /// Nodes on every piece between whose ends harmonics and the cells of a force are smooth.
 fn harmonic_nodes(basis: &Basis, target: &Target) -> usize {
     let pieces = basis.breaks().len() - 1;
-    HARMONIC_NODES.max(target.curve.force_n.len().div_ceil(pieces))
+    HARMONIC_NODES.max(target.samples().div_ceil(pieces))
 }
 
 /// The same weighed by phase: a quadrature of its own on every range over which law and weight are smooth (theory §9).
@@ -337,7 +337,7 @@ fn weighed_distance(problem: &Problem, basis: &Basis, target: &Target) -> Quadra
     let (nodes, nearest) = match basis {
         Basis::Spline { space, .. } => {
             let nodes = space.degree() + 1;
-            (nodes, Some(target.cells().nearest(&breaks, space.degree())))
+            (nodes, Some(target.nearest(&breaks, space.degree())))
         }
         Basis::Harmonic { .. } => (harmonic_nodes(basis, target), None),
     };

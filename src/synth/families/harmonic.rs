@@ -17,7 +17,7 @@ use crate::units::Quantity;
 /// of them, or the fewest that leave no more than `wanted`.
 pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<(SolvedLaw, f64)> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
-    let spectral = invert(&target.curve, &problem.drive, count, wanted)?;
+    let spectral = invert(target, &problem.drive, count, wanted)?;
     let method = Method::Spectral {
         harmonics: spectral.count,
         rest: Quantity::force(spectral.left_over),

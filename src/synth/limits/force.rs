@@ -71,7 +71,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
     }
     if problem.objective() == Minimise::PeakForceError {
         for sign in [1.0, -1.0] {
-            out.push(side(Criterion::Peak, sign, &target.curve, Meaning::Structure).minimised());
+            out.push(side(Criterion::Peak, sign, target.curve(), Meaning::Structure).minimised());
         }
         program.cost[PEAK] = 1.0;
     }

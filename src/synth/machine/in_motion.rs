@@ -50,7 +50,7 @@ struct Iterate {
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     let (motor, floor) = (problem.machine.motor(), problem.machine.floor());
     let first = attempt(problem, search)?;
-    let target = problem.target.as_ref().map(|t| &*t.curve);
+    let target = problem.target.as_ref().map(|t| &**t.curve());
     let run = Runner::new(
         problem,
         &first.cam.cam,

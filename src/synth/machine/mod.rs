@@ -23,7 +23,7 @@ pub fn responds(problem: &Problem) -> bool {
         // A fault of the follower is found by the design.
         return !matches!(problem.train(), Ok(None));
     }
-    machine.motor().is_some() || machine.floor().is_some() || !machine.learned_force.is_empty()
+    !machine.is_plain()
 }
 
 /// The design for such a machine.

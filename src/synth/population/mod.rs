@@ -363,7 +363,7 @@ fn weighed(problem: &Problem, walkers: &Walkers, weights: &[f64]) -> Problem {
     let curve = ForceCurve {
         population: None,
         spread_n: None,
-        ..target.curve.with_forces(force)
+        ..target.curve().with_forces(force)
     };
     problem.for_target(curve, slopes)
 }

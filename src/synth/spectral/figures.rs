@@ -2,14 +2,12 @@
 
 use std::f64::consts::PI;
 
-use super::Series;
-use super::shape::Shape;
 use crate::cam::FollowerKind;
 use crate::drive::Drive;
 use crate::dynamics::hertz::{STEEL, modulus};
 use crate::dynamics::rigid::liftoff_speed;
-use crate::problem::{Requirements, hub_radius};
-use crate::scene::{Family, ForceScale, Gait, LimitKind, Minimise, Scene};
+use crate::problem::{Problem, Shape, hub_radius};
+use crate::scene::{Family, LimitKind};
 use crate::synth::design::figures::{FIGURES, Figures};
 use crate::synth::design::machine::MachineReport;
 use crate::synth::limits::GEOMETRY;
@@ -20,39 +18,31 @@ const SAME: f64 = 1e-13;
 /// Errors below this part of the mean are rounding, which would decide whether a smaller one is kept.
 const ROUNDING: f64 = 1e-5;
 
-/// Whether the law of this scene can be had without solving; what remains to be seen is whether it keeps
-/// the limits.
-pub fn suits(scene: &Scene) -> bool {
-    let (law, cam) = (&scene.law, &scene.cam);
-    let is_followed = |gait: &Gait| gait.band.is_none() && gait.scale != ForceScale::Alternating;
-    law.family == Family::Harmonic
-        && cam.follower == FollowerKind::FlatTranslating
-        && cam.conjugate.is_none()
-        && scene.gait.as_ref().is_some_and(is_followed)
-        && matches!(law.minimise, None | Some(Minimise::ForceError))
-        && law.points.is_empty()
-        && law.dwells.is_empty()
-        && law.segments.is_empty()
-        && !law.monotone
-        && !law.polydyne
-}
-
-/// The figures of the design of a scene for which [`suits`] holds; a multiple of the series is its force. `None` where
-/// a limit is not surely kept: then the synthesis itself has to answer.
-pub fn figures(required: &Requirements, series: &Series) -> Option<Figures> {
-    let (drive, mean) = (&required.drive, required.target_mean());
-    let wanted = required.asked_error();
+/// The figures of the design of a plain problem in closed form: harmonics under a translating flat face. `None` where the law
+/// is another, or where a limit is not surely kept: then the synthesis itself has to answer.
+pub fn figures(problem: &Problem) -> Option<Figures> {
+    let is_closed = problem.is_plain()
+        && problem.law.family == Family::Harmonic
+        && problem.cam.follower == FollowerKind::FlatTranslating
+        && problem.cam.conjugate.is_none()
+        && problem.band.is_none();
+    let target = problem.target.as_ref().filter(|_| is_closed)?;
+    let (scale, cycle) = target.multiple()?;
+    let (drive, mean) = (&problem.drive, problem.target_mean());
+    let wanted = problem.asked_error();
     if !(mean > 0.0 && drive.speed > 0.0 && wanted > ROUNDING * mean) {
         return None;
     }
-    let scale = mean / series.mean_force.mean_n;
-    let count = series.count(required.law.harmonics, wanted / scale)?;
+    let count = match problem.law.harmonics {
+        Some(count) => Some(count).filter(|count| *count <= target.most_harmonics())?,
+        None => target.fewest_harmonics(wanted),
+    };
     let [k, c, m, _] = drive.weights();
     let own;
     let (shape, factor) = if k == 0.0 && c == 0.0 && m > 0.0 {
-        (series.inertia(count)?, scale / m)
+        (cycle.series().inertia(count)?, scale / m)
     } else {
-        own = series.shape(count, drive)?;
+        own = cycle.series().shape(count, drive)?;
         (&own, scale)
     };
     let svaj = shape.svaj.map(|range| range.map(|x| factor * x));
@@ -71,8 +61,9 @@ pub fn figures(required: &Requirements, series: &Series) -> Option<Figures> {
     };
     let closes = (drive.rest_force + k * level - mean).abs() <= SAME * mean;
     let stands = svaj[0][0] + level >= 0.0;
-    let figures = (closes && stands).then(|| motion.figures(required, series.error(count)))?;
-    passes(required, &figures).then_some(figures)
+    let figures =
+        (closes && stands).then(|| motion.figures(problem, cycle.error_of_harmonics(count)))?;
+    passes(problem, &figures).then_some(figures)
 }
 
 /// A law as a factor times a shape plus a level.
@@ -87,13 +78,13 @@ struct Motion<'a> {
 }
 
 impl Motion<'_> {
-    /// Figures on the cam that is required; `error` is that of the series.
-    fn figures(&self, required: &Requirements, error: [f64; 2]) -> Figures {
-        let (drive, mean, scale) = (&required.drive, required.target_mean(), self.scale);
+    /// Figures on the cam that is asked for; `error` is that of the series.
+    fn figures(&self, problem: &Problem, error: [f64; 2]) -> Figures {
+        let (drive, mean, scale) = (&problem.drive, problem.target_mean(), self.scale);
         let [rms_error_n, max_error_n] = error.map(|error| scale * error);
         let [least, most] = self.shape.force_range.map(|force| mean + scale * force);
         let bent = self.level + self.factor * self.shape.least_bent;
-        let (base, smallest_convex_radius) = size(required, bent);
+        let (base, smallest_convex_radius) = size(problem, bent);
         let [[bottom, top], [slowest, fastest], ..] = self.svaj;
         Figures {
             force: ForceReport {
@@ -118,16 +109,16 @@ impl Motion<'_> {
             smallest_convex_radius,
             largest_pressure_angle: 0.0,
             face_width: Some(fastest - slowest),
-            machine: self.machine(required, base),
+            machine: self.machine(problem, base),
         }
     }
 
-    fn machine(&self, required: &Requirements, base_radius: f64) -> MachineReport {
-        let (drive, mean) = (&required.drive, required.target_mean());
+    fn machine(&self, problem: &Problem, base_radius: f64) -> MachineReport {
+        let (drive, mean) = (&problem.drive, problem.target_mean());
         let unit = self.scale * self.factor;
         let radius = [base_radius + self.level, self.factor];
         let quotient = self.shape.highest_quotient([mean, self.scale], radius);
-        let pressure = modulus(STEEL, STEEL) / (PI * required.cam.thickness) * quotient;
+        let pressure = modulus(STEEL, STEEL) / (PI * problem.cam.thickness) * quotient;
         MachineReport {
             liftoff_speed_rad_per_s: self.liftoff(drive),
             hertz_pressure_max_pa: Some(pressure.max(0.0).sqrt()),
@@ -152,21 +143,21 @@ impl Motion<'_> {
 
 /// Base radius, given or the smallest that curvature and bore allow, and the smallest radius of curvature on it, from the
 /// least of s + a.
-fn size(required: &Requirements, bent: f64) -> (f64, f64) {
-    let wanted = required.limits[LimitKind::Curvature].unwrap_or(0.0);
-    if let Some([base, _]) = required.cam.given_radii() {
+fn size(problem: &Problem, bent: f64) -> (f64, f64) {
+    let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
+    if let Some([base, _]) = problem.cam.given_radii() {
         return (base, base + bent);
     }
     let base = (wanted - bent)
         .max(0.0)
-        .max(hub_radius(&required.cam, &required.limits));
+        .max(hub_radius(&problem.cam, &problem.limits));
     (base, (base + bent).max(wanted))
 }
 
 /// Whether every limit is kept that has a figure, and what a cam is judged by without limits; with any other limit
 /// nothing is said.
-fn passes(required: &Requirements, figures: &Figures) -> bool {
-    let (limits, force) = (&required.limits, &figures.force);
+fn passes(problem: &Problem, figures: &Figures) -> bool {
+    let (limits, force) = (&problem.limits, &figures.force);
     let keeps = |kind: LimitKind| {
         let Some(limit) = limits[kind] else {
             return true;
@@ -176,20 +167,20 @@ fn passes(required: &Requirements, figures: &Figures) -> bool {
                 (LimitKind::PressureAngle, limit)
             }
             // Power that is given back is limited, too.
-            LimitKind::Power => (LimitKind::Torque, limit / required.drive.speed),
+            LimitKind::Power => (LimitKind::Torque, limit / problem.drive.speed),
             other => (other, limit),
         };
         let mut own = FIGURES.iter().filter(|f| f.limit == Some(of_figure));
         own.next().is_some_and(|f| f.keeps(figures, limit))
     };
     let presses = limits[LimitKind::ForceMin].is_some()
-        || (required.usual_force_min()).is_none_or(|least| force.min_n >= least);
+        || (problem.usual_force_min()).is_none_or(|least| force.min_n >= least);
     let is_round = limits[LimitKind::Curvature].is_some_and(|rho| rho > 0.0)
         || figures.smallest_convex_radius > GEOMETRY * figures.base_radius;
-    let hole = required.cam.hole();
+    let hole = problem.cam.hole();
     LimitKind::ALL.iter().all(|kind| keeps(*kind))
         && presses
         && is_round
         && hole.is_none_or(|hole| figures.base_radius >= hole.reach())
-        && (required.largest_error()).is_none_or(|most| force.rms_error_n <= most)
+        && (problem.largest_error()).is_none_or(|most| force.rms_error_n <= most)
 }

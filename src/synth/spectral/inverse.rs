@@ -1,32 +1,26 @@
 //! The spectral inverse: ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²), harmonic by harmonic (theory §1).
 
-use super::Waves;
-use crate::drive::Drive;
+use crate::drive::{Drive, RESONANCE};
 use crate::error::{Placed, Result, SynthError};
-use crate::force::ForceCurve;
 use crate::law::Law;
-use crate::poly::amplitudes;
+use crate::problem::Target;
 use crate::synth::qp::Basis;
-
-/// Most harmonics that an automatic count takes.
-const MOST_AUTO: usize = 60;
-/// A gain below this part of the largest term that makes it up is a resonance: the force there cannot be
-/// had from any finite lift.
-const RESONANCE: f64 = 1e-9;
 
 /// A harmonic law and its remainder.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
+/// use gaitcam::problem::Target;
 /// use gaitcam::scene;
 /// use gaitcam::synth::invert;
 ///
 /// // Under pure inertia ŝ₁ = F̂₁/(−m ω²).
 /// let force = scene::built_in("footbridge")?.scene()?.model_force()?.unwrap();
 /// let drive = Drive::moving_axis(70.0, 9.81, 10.0);
-/// let inverse = invert(&force, &drive, Some(1), 0.0)?;
+/// let target = Target::new(force);
+/// let inverse = invert(&target, &drive, Some(1), 0.0)?;
 /// let wave = inverse.x[1].hypot(inverse.x[2]);
-/// let share = wave * 70.0 * 100.0 / force.mean_n();
+/// let share = wave * 70.0 * 100.0 / target.mean_n();
 /// assert!(share > 0.2 && share < 0.5);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
@@ -52,19 +46,18 @@ impl Spectral {
 /// # Errors
 /// Fewer samples than the harmonics asked need; a drive in resonance with a harmonic that the force contains.
 pub fn invert(
-    target: &ForceCurve,
+    target: &Target,
     drive: &Drive,
     count: Option<usize>,
     wanted: f64,
 ) -> Result<Spectral> {
-    let n = target.force_n.len();
-    let most = most(n);
+    let most = target.most_harmonics();
     if count.is_some_and(|c| c > most) {
-        return Err(SynthError::TooManyHarmonics { samples: n, most }.at_key("law.harmonics"));
+        let samples = target.samples();
+        return Err(SynthError::TooManyHarmonics { samples, most }.at_key("law.harmonics"));
     }
-    let spectrum = &amplitudes(&target.force_n)[..=most];
-    let (mean, waves) = (spectrum[0].0, &spectrum[1..]);
-    let count = count.unwrap_or_else(|| fewest(waves, wanted));
+    let mean = target.mean_n();
+    let count = count.unwrap_or_else(|| target.fewest_harmonics(wanted));
     let k = drive.spring_rate;
     let mut x = Vec::with_capacity(2 * count + 1);
     x.push(if k == 0.0 {
@@ -72,9 +65,9 @@ pub fn invert(
     } else {
         (mean - drive.rest_force) / k
     });
-    for (harmonic, &(a, b)) in (1..).zip(&waves[..count]) {
+    for (harmonic, (a, b)) in (1..).zip(target.harmonics(count)) {
         let is_nothing = a.hypot(b) <= RESONANCE * mean.abs();
-        let (cos, sin) = match lift_of(drive, harmonic, (a, b)) {
+        let (cos, sin) = match drive.lift_of(harmonic, (a, b)) {
             Some(lift) => lift,
             None if is_nothing => (0.0, 0.0),
             None => return Err(SynthError::Resonance { harmonic }.at_key("drive")),
@@ -84,48 +77,6 @@ pub fn invert(
     Ok(Spectral {
         x,
         count,
-        left_over: rms(&waves[count..]),
+        left_over: target.left_over(count),
     })
-}
-
-/// Harmonics that so many samples hold.
-pub fn most(samples: usize) -> usize {
-    (samples - 1) / 2
-}
-
-/// Fewest harmonics that leave at most `wanted` RMS; one at least.
-pub fn fewest(waves: &Waves, wanted: f64) -> usize {
-    let (mut left, mut count) = (0.0, waves.len());
-    while count > 1 && left + power(waves[count - 1]) <= wanted * wanted {
-        left += power(waves[count - 1]);
-        count -= 1;
-    }
-    count.min(MOST_AUTO)
-}
-
-/// Root mean square of a sum of harmonics; from the highest down, so that small remainders keep their digits.
-pub fn rms(waves: &Waves) -> f64 {
-    waves
-        .iter()
-        .rev()
-        .map(|wave| power(*wave))
-        .sum::<f64>()
-        .sqrt()
-}
-
-fn power((a, b): (f64, f64)) -> f64 {
-    0.5 * (a * a + b * b)
-}
-
-/// The harmonic of lift under one of force; `None` in resonance.
-pub fn lift_of(drive: &Drive, harmonic: usize, (a, b): (f64, f64)) -> Option<(f64, f64)> {
-    let (re, im) = drive.gain(harmonic);
-    let square = re * re + im * im;
-    let nw = harmonic as f64 * drive.speed;
-    let largest = (drive.spring_rate.abs())
-        .max(drive.mass * nw * nw)
-        .max(im.abs());
-    // F = a cos + b sin = Re((a − ib) e^{ihθ}); dividing by re + i·im.
-    let lift = ((a * re - b * im) / square, (b * re + a * im) / square);
-    (square.sqrt() > RESONANCE * largest).then_some(lift)
 }

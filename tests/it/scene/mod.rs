@@ -1,5 +1,5 @@
 //! Scenes: the key table against the reader, the writer, changes, sweeps and the editors' schema.
 
 mod harmonics;
-mod random;
+pub mod random;
 mod table;

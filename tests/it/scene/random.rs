@@ -21,7 +21,8 @@ impl Numbers {
         (self.next() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn below(&mut self, n: usize) -> usize {
+    /// In 0 … n − 1.
+    pub fn below(&mut self, n: usize) -> usize {
         (self.next() % n as u64) as usize
     }
 }
@@ -170,7 +171,8 @@ fn lookup(table: &Table, path: &str) -> Option<String> {
     Some(table.get(section)?.get(name)?.as_str()?.to_string())
 }
 
-fn grow(table: &mut Table, list: &str, index: usize) {
+/// Gives a list of the table at least `index + 1` entries.
+pub fn grow(table: &mut Table, list: &str, index: usize) {
     let empty = || toml::Value::Table(Table::new());
     let (sections, name) = list.rsplit_once('.').unwrap();
     let section = sections.split('.').fold(table, |at, section| {

@@ -92,31 +92,6 @@ fn cycle(name: &str, shape: &[f64], f: f64, body_weight_n: f64, feet: Feet) -> R
     ForceCurve::from_samples(&title, steps / f, force)
 }
 
-/// Period, s, and the (cosine, sine) amplitudes of harmonics 1, 2, … of a continuous model for one newton of
-/// body weight, whose mean is 1; `None` for single-foot models, which are not finite sums.
-///
-/// # Errors
-/// Fails where [`model`] does.
-#[allow(clippy::type_complexity)] // one pair, named above
-pub fn fourier(
-    name: &str,
-    step_frequency_hz: Option<f64>,
-    feet: Feet,
-) -> Result<Option<(f64, Vec<(f64, f64)>)>> {
-    let info = find(name)?;
-    let f = frequency(info, step_frequency_hz)?;
-    if info.single_foot || feet.share() < 1.0 {
-        return Ok(None);
-    }
-    Ok(Some((1.0 / f, waves(&harmonics(info.name, f)))))
-}
-
-/// (Cosine, sine) amplitudes of harmonics that are given by pairs of factor and added phase, rad.
-pub fn waves(harmonics: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let pair = |&(a, p): &(f64, f64)| (a * p.sin(), a * p.cos());
-    harmonics.iter().map(pair).collect()
-}
-
 fn find(name: &str) -> Result<&'static ModelInfo> {
     let plain = name.trim().to_lowercase().replace([' ', '_'], "-");
     CATALOGUE.iter().find(|m| m.name == plain).ok_or_else(|| {

@@ -2,8 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use super::Waves;
-use super::inverse::lift_of;
 use crate::drive::Drive;
 use crate::law::{Law, weighted};
 use crate::poly::{amplitudes, harmonic_extremes, harmonic_sums, harmonic_values};
@@ -20,6 +18,7 @@ const NEAR: f64 = 0.1;
 type Range = [f64; 2];
 
 /// A law with all that is scaled with it.
+#[derive(Debug)]
 pub struct Shape {
     /// The law; its mean is zero.
     pub law: Law,
@@ -42,8 +41,8 @@ pub struct Shape {
 
 impl Shape {
     /// The law of a drive whose force has these harmonics about a mean; `None` in resonance.
-    pub fn of(mean: f64, force: &Waves, drive: &Drive) -> Option<Shape> {
-        let lift = (1..).zip(force).map(|(n, wave)| lift_of(drive, n, *wave));
+    pub fn of(mean: f64, force: &[(f64, f64)], drive: &Drive) -> Option<Shape> {
+        let lift = (1..).zip(force).map(|(n, wave)| drive.lift_of(n, *wave));
         let lift: Vec<(f64, f64)> = lift.collect::<Option<_>>()?;
         let velocity = weighted(&lift, [0.0, 1.0, 0.0, 0.0]);
         let bent = weighted(&lift, [1.0, 0.0, 1.0, 0.0]);
