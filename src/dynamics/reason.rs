@@ -221,8 +221,6 @@ pub enum RunNote {
         change: Quantity,
         found: Quantity,
     },
-    /// Events and speed do not agree, or the motion does not repeat after one turn.
-    ShaftUnsettled,
     /// The compliant follower is run at the mean speed.
     FlexibleAtMeanSpeed,
 }

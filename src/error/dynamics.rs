@@ -86,6 +86,8 @@ pub enum DynamicsError {
         harmonic: usize,
         frequency: Quantity,
     },
+    /// The contact model on a shaft whose speed varies.
+    ContactUnderMotor,
     /// A moving floor under another model than the rigid one.
     FloorNotRigid,
     /// A shaft and a floor that do not agree on a steady motion.

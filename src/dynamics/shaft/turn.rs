@@ -59,17 +59,6 @@ impl Node {
         }
     }
 
-    /// A torque alone, N·m.
-    pub fn of_torque(torque: f64) -> Node {
-        Node {
-            arms: [1.0; 2],
-            rest: torque,
-            damping: 0.0,
-            bend: 0.0,
-            mass: 0.0,
-        }
-    }
-
     /// Contact force, N, for ω²/2 and its derivative by the angle.
     pub fn force(&self, energy: f64, rate: f64) -> f64 {
         let speed = (2.0 * energy).max(0.0).sqrt();

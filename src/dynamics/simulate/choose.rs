@@ -1,8 +1,7 @@
 //! The automatic choice of the simplest sufficient model, with its reason.
 
-use super::models::{contact_run, flexible_run, rigid_run};
+use super::models::{contact_run, flexible_run, rigid_run, under};
 use super::prepared::Prepared;
-use super::run_under;
 use crate::cam::Measures;
 use crate::dynamics::flexible::Train;
 use crate::dynamics::outcome::{Difference, Model, Outcome};
@@ -28,14 +27,14 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     let rigid = rigid_run(input, p)?;
     let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
     let mean = forces.iter().sum::<f64>() / forces.len() as f64;
-    // The contact model has no floor.
-    let can_lift_off = !p.held && p.cycle == Cycle::TURN && input.machine.floor.is_none();
+    // The contact model has no floor and no motor.
+    let is_steady = input.machine.floor.is_none() && p.shaft.is_none();
+    let can_lift_off = !p.held && p.cycle == Cycle::TURN && is_steady;
     if can_lift_off && let Some(why) = asks_for_contact(p, &rigid, mean) {
         let next = input.machine.train.map(|_| Model::Flexible);
         return Ok(compared(input, p, contact_run(input, p)?, why, next));
     }
-    // On a shaft whose speed varies it costs many runs.
-    let contact = (can_lift_off && p.shaft.is_none()).then_some(Model::Contact);
+    let contact = can_lift_off.then_some(Model::Contact);
     let margin = force_margin(p, &rigid, &forces, mean);
     let Some(train) = &input.machine.train else {
         let why = ModelReason::NothingVibrates { margin };
@@ -52,7 +51,7 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
         return Ok(compared(input, p, rigid, why, Some(Model::Flexible)));
     }
     let flexible = flexible_run(input, p)?;
-    if flexible.contact_lost {
+    if flexible.contact_lost && can_lift_off {
         let force = p.load(flexible.force.min);
         let why = ModelReason::VibrationLosesContact { vibration, force };
         let contact = contact_run(input, p)?;
@@ -74,7 +73,7 @@ fn compared(
     why: ModelReason,
     next: Option<Model>,
 ) -> Outcome {
-    let next = next.map(|model| difference(&out, model, run_under(input, p, model)));
+    let next = next.map(|model| difference(&out, model, under(input, p, model)));
     Outcome { why, next, ..out }
 }
 

@@ -10,8 +10,7 @@ mod shaft;
 use crate::dynamics::outcome::{Model, Outcome};
 use crate::dynamics::run::Run;
 use crate::error::{DynamicsError, Placed, Result};
-use models::{contact_run, flexible_run, rigid_run};
-use prepared::{Prepared, prepare};
+use prepared::prepare;
 
 /// Runs the emitted cam under `model`.
 ///
@@ -38,7 +37,10 @@ pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
     refuse_beside_floor(input, model)?;
     let mut prepared = prepare(input)?;
     shaft::turn(input, &mut prepared, model)?;
-    run_under(input, &prepared, model)
+    match model {
+        Model::Auto => choose::auto(input, &prepared),
+        _ => models::under(input, &prepared, model),
+    }
 }
 
 /// Only the rigid model has a floor.
@@ -49,15 +51,6 @@ fn refuse_beside_floor(input: &Run, model: Model) -> Result<()> {
         return Err(DynamicsError::FloorNotRigid.at_key("machine.floor"));
     }
     Ok(())
-}
-
-fn run_under(input: &Run, prepared: &Prepared, model: Model) -> Result<Outcome> {
-    match model {
-        Model::Auto => choose::auto(input, prepared),
-        Model::Rigid => rigid_run(input, prepared),
-        Model::Flexible => flexible_run(input, prepared),
-        Model::Contact => contact_run(input, prepared),
-    }
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::dynamics::machine_motion::MachineMotion;
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::recover::{Cycle, recover_cam};
 use crate::dynamics::rigid::hertz::Material;
-use crate::dynamics::rigid::touch::{Touch, held, rubs, touch};
+use crate::dynamics::rigid::touch::{FollowerContact, Touch, held, rubs, touch};
 use crate::dynamics::run::Run;
 use crate::dynamics::shaft::{Motion, Shaft};
 use crate::error::{DynamicsError, Result};
@@ -34,6 +34,8 @@ pub(super) struct Prepared {
     pub step: f64,
     /// The follower at its largest contact pressure: a barrel's at the floor of its groove.
     pub bearing: Follower,
+    /// The contact with the follower.
+    pub contact: FollowerContact,
     /// Units of the law, for messages.
     pub measures: Measures,
     /// Motion of the shaft where its speed varies.
@@ -113,6 +115,7 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         cycle,
         step,
         bearing: bearing(input),
+        contact: FollowerContact::of(follower),
         measures: follower.measures(),
         shaft: None,
         shaft_report: None,
@@ -244,9 +247,9 @@ impl Prepared {
 
     /// Torque in the sense of turning for force and motion, N·m.
     pub fn torque(&self, input: &Run, force: f64, at: Svaj) -> f64 {
-        let (follower, friction) = (&input.cam.follower, input.machine.friction);
-        self.seen(follower, self.drive.speed, friction, at, force)
-            .torque
+        let sign = if self.reversed { -1.0 } else { 1.0 };
+        let (friction, v) = (sign * input.machine.friction, sign * at.v);
+        sign * self.contact.torque(friction, Svaj { v, ..at }, force)
     }
 
     /// The contact in the sense of turning. A cam that turns backwards touches at the same angles as one that turns forwards:

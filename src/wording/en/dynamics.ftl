@@ -49,6 +49,8 @@ dynamics-no-load-speed = the no-load speed of the motor, { $nominal }, is too lo
     .help = set machine.motor.no_load_speed = "{ $needed }" or more, or a lower machine.motor.gear
 dynamics-floor-resonance = the floor has no steady motion: harmonic { $harmonic } of the force is at its undamped frequency of { $frequency }
     .help = give this mode a damping ratio above 0, for example "0.005"
+dynamics-contact-under-motor = the contact model needs a constant speed, and the motor varies it
+    .help = use --model rigid, or omit [machine.motor]
 dynamics-floor-not-rigid = only the rigid model has a floor that moves
     .help = use --model rigid or auto without flexible follower, or omit [machine.floor]
 dynamics-floor-and-shaft = shaft and floor find no common steady motion
@@ -88,5 +90,4 @@ run-swings = the follower oscillates: lift and gap are angles in rad, the force 
 run-pair-distance = the conjugate pair keeps its distance within { $deviation }; where the force turns negative the second cam bears it
 run-steady-shaft = under its motor the speed would ripple by about { $ripple } and change the force by { $change } of the mean, no more than { $allowed }: constant speed is enough
 run-shaft-varies = under its motor the speed ripples by { $found } (forecast from inertia and energy { $ripple }, which would change the force by { $change } of the mean): the force is that of the varying speed
-run-shaft-unsettled = the motion does not repeat after one turn of the shaft: its speed is that of a turn that does, and the flights are approximate
 run-flexible-at-mean-speed = the compliant follower is run at the mean speed of the shaft; the ripple is that under a rigid follower

@@ -49,6 +49,8 @@ dynamics-no-load-speed = la velocidad en vacío del motor, { $nominal }, es dema
     .help = ponga machine.motor.no_load_speed = "{ $needed }" o más, o un machine.motor.gear menor
 dynamics-floor-resonance = el suelo no tiene movimiento estacionario: el armónico { $harmonic } de la fuerza está en su frecuencia sin amortiguar de { $frequency }
     .help = dé a este modo una razón de amortiguamiento mayor que 0, por ejemplo "0.005"
+dynamics-contact-under-motor = el modelo de contacto necesita una velocidad constante, y el motor la hace variar
+    .help = use --model rigid, u omita [machine.motor]
 dynamics-floor-not-rigid = solo el modelo rígido tiene un suelo que se mueve
     .help = use --model rigid o auto sin seguidor flexible, u omita [machine.floor]
 dynamics-floor-and-shaft = el eje y el suelo no encuentran un movimiento estacionario común
@@ -94,5 +96,4 @@ run-swings = el seguidor oscila: elevación y separación son ángulos en rad, l
 run-pair-distance = el par conjugado mantiene su distancia dentro de { $deviation }; donde la fuerza se vuelve negativa la soporta la segunda leva
 run-steady-shaft = con su motor la velocidad oscilaría cerca de un { $ripple } y cambiaría la fuerza un { $change } de la media, no más del { $allowed }: basta la velocidad constante
 run-shaft-varies = con su motor la velocidad oscila un { $found } (previsto de inercia y energía { $ripple }, que cambiaría la fuerza un { $change } de la media): la fuerza es la de la velocidad variable
-run-shaft-unsettled = el movimiento no se repite tras una vuelta del eje: su velocidad es la de una vuelta que sí se repite, y los vuelos son aproximados
 run-flexible-at-mean-speed = el seguidor flexible se simula a la velocidad media del eje; la oscilación es la de un seguidor rígido

@@ -1,6 +1,5 @@
 //! The contact model on a prepared cam: the run over its events, read at the rows and integrated.
 
-use super::on_shaft::contact_on_shaft;
 use crate::dynamics::contact::{self, ContactRun, Phase};
 use crate::dynamics::outcome::{Force, Model, Outcome, Torque};
 use crate::dynamics::reason::RunNote;
@@ -8,12 +7,13 @@ use crate::dynamics::recover::Cycle;
 use crate::dynamics::run::Run;
 use crate::dynamics::simulate::prepared::{Prepared, row_value};
 use crate::dynamics::surface::Surface;
-use crate::error::{DynamicsError, Result};
+use crate::error::{DynamicsError, Placed, Result};
 use crate::law::Law;
 use std::f64::consts::TAU;
 
-/// A follower held from both sides cannot lift off, and a cam with ends has no steady state.
-pub fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
+/// A follower held from both sides cannot lift off, a cam with ends has no steady state, and flights at a varying speed are
+/// not known.
+fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
     if p.held {
         let fault = if input.machine.conjugate.is_some() {
             DynamicsError::HeldByPair
@@ -25,23 +25,19 @@ pub fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
     if p.cycle != Cycle::TURN {
         return Err(DynamicsError::NotOneTurn.into());
     }
+    if p.shaft.is_some() {
+        return Err(DynamicsError::ContactUnderMotor.at_key("machine.motor"));
+    }
     Ok(())
 }
 
 pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
-    if let (Some(motor), Some(clock)) = (&input.machine.motor, &p.shaft) {
-        return contact_on_shaft(input, p, motor, clock);
-    }
     refuse_contact(input, p)?;
     let surface = |law: &Law| Surface::new(law.clone(), &p.drive);
     let surfaces: Vec<Surface> = p.laws.iter().map(surface).collect();
+    let surfaces = &surfaces[..];
     let machine = &input.machine;
-    let run = contact::run(&surfaces, &p.drive, machine.restitution, &machine.limits);
-    Ok(steady_outcome(input, p, &surfaces, run))
-}
-
-/// What is reported of a run over its surfaces; where the speed varies they are by the part of the period.
-pub fn steady_outcome(input: &Run, p: &Prepared, surfaces: &[Surface], run: ContactRun) -> Outcome {
+    let run = contact::run(surfaces, &p.drive, machine.restitution, &machine.limits);
     let mut out = p.outcome(Model::Contact);
     let (from, to) = run.window();
     let (forces, heights) = samples(&run, surfaces, p);
@@ -76,7 +72,7 @@ pub fn steady_outcome(input: &Run, p: &Prepared, surfaces: &[Surface], run: Cont
         });
     }
     out.impacts = run.impacts;
-    out
+    Ok(out)
 }
 
 /// Contact force, and height over the lift, at the rows of one repetition.
@@ -86,11 +82,7 @@ fn samples(run: &ContactRun, surfaces: &[Surface], p: &Prepared) -> (Vec<f64>, V
     let total = n * run.period;
     let (mut forces, mut heights) = (Vec::with_capacity(total), Vec::with_capacity(total));
     for i in 0..total {
-        let angle = TAU * i as f64 / n as f64;
-        let angle = from
-            + p.shaft
-                .as_ref()
-                .map_or(angle, |shaft| shaft.phase(angle)[0]);
+        let angle = from + TAU * i as f64 / n as f64;
         let past = run.stretches.partition_point(|s| s.to <= angle);
         let stretch = run.stretches.get(past).or(run.stretches.last());
         let state = stretch.map(|s| s.phase);

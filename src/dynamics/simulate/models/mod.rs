@@ -2,7 +2,7 @@
 
 mod contact;
 mod flexible;
-mod on_shaft;
+mod in_time;
 mod rigid;
 
 pub(super) use contact::contact_run;
@@ -10,10 +10,20 @@ pub(super) use flexible::flexible_run;
 pub(super) use rigid::rigid_run;
 
 use super::prepared::Prepared;
-use crate::dynamics::outcome::Outcome;
+use crate::dynamics::outcome::{Model, Outcome};
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::run::Run;
+use crate::error::Result;
 use crate::units::Quantity;
+
+/// A run under one model; under none in particular that is the rigid one.
+pub(super) fn under(input: &Run, p: &Prepared, model: Model) -> Result<Outcome> {
+    match model {
+        Model::Auto | Model::Rigid => rigid_run(input, p),
+        Model::Flexible => flexible_run(input, p),
+        Model::Contact => contact_run(input, p),
+    }
+}
 
 /// The share of the cycle with a negative force: contact is lost, or in a groove or a conjugate pair the other side
 /// carries it.

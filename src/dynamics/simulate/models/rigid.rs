@@ -1,7 +1,7 @@
 //! The rigid model on a prepared cam.
 
+use super::in_time::in_time;
 use super::note_pull;
-use super::on_shaft::in_time;
 use crate::dynamics::floor::FloorMotion;
 use crate::dynamics::machine_motion::MachineMotion;
 use crate::dynamics::outcome::{Force, Model, Outcome};
