@@ -6,7 +6,7 @@ use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::recover::{Emitted, recover};
 use gaitcam::dynamics::surface::Surface;
-use gaitcam::dynamics::{Machine, Model, Run, simulate, touch};
+use gaitcam::dynamics::{FollowerContact, Machine, Model, Run, simulate};
 use gaitcam::law::Svaj;
 use gaitcam::scene::{self, Family, Scene, ShaftSpeed};
 use gaitcam_test_support::thesis;
@@ -32,7 +32,8 @@ fn rigid_cycle(bencher: divan::Bencher) {
     let cam = thesis::double_harmonic();
     let emitted = emitted(&cam);
     let drive = thesis::real(thesis::SPEED);
-    let torque = |at: &Svaj| touch(&cam.follower, drive.speed, 0.1, *at, drive.force(*at)).torque;
+    let contact = FollowerContact::of(&cam.follower);
+    let torque = |at: &Svaj| contact.torque(0.1, *at, drive.force(*at));
     bencher.bench(|| -> Vec<f64> {
         let nodes = divan::black_box(&emitted.nodes);
         nodes.iter().map(torque).collect()

@@ -38,21 +38,7 @@ fn run(bencher: divan::Bencher, law: Law, follower: Follower) {
 
 const CLASSICS: [&str; 4] = ["3-4-5", "cycloidal", "modified-sine", "modified-trapezoid"];
 
-/// Lift, velocity and acceleration at 3600 equal steps, walking from piece to piece.
-#[divan::bench(args = CLASSICS)]
-fn law_walked(bencher: divan::Bencher, motion: &str) {
-    let law = turn(Rise::from_name(motion).expect("in the catalogue"), 0.02);
-    bencher.bench(|| {
-        let mut walk = divan::black_box(&law).walk(0.0, TAU / 3600.0, 3600);
-        let mut sum = 0.0;
-        while let Some(batch) = walk.next_batch() {
-            sum += batch.a[0];
-        }
-        sum
-    });
-}
-
-/// The same angles, the piece searched for each.
+/// Acceleration at 3600 equal steps.
 #[divan::bench(args = CLASSICS)]
 fn law_searched(bencher: divan::Bencher, motion: &str) {
     let law = turn(Rise::from_name(motion).expect("in the catalogue"), 0.02);

@@ -24,7 +24,7 @@ pub use checks::{Check, Curvature, Verdict};
 pub use conjugate::{Closure, Conjugate};
 pub use continuity::Continuity;
 pub use follower::{Arm, Follower, FollowerKind, Measures, Unit};
-pub(crate) use geometry::Geometry;
+pub(crate) use geometry::{Contact, Geometry};
 pub use inspect::{Deviation, FEWEST as FEWEST_MEASURED, Inspection};
 pub use interference::{Body, Interference};
 pub use making::{Bore, Hardness, HardnessScale, Hub, Keyway, Making};

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use super::fixed_point::{Round, settled};
 use super::floor::{Floor, Term, harmonics};
-use super::rigid::touch::{rubs, touch};
+use super::rigid::touch::FollowerContact;
 use super::shaft::{Cubic, Load, Motion, Node, force, periodic};
 use crate::cam::Follower;
 use crate::drive::{Drive, Motor};
@@ -78,12 +78,8 @@ impl MachineMotion {
 impl Carrier<'_> {
     /// Torque of the shaft per unit of force where the follower is pressed, and where it is pulled, m.
     pub fn arms(&self, at: Svaj) -> [f64; 2] {
-        match self.friction > 0.0 && rubs(&self.follower) {
-            false => [at.v; 2],
-            true => {
-                [1.0, -1.0].map(|f| f * touch(&self.follower, 1.0, self.friction, at, f).torque)
-            }
-        }
+        let contact = FollowerContact::of(&self.follower);
+        [1.0, -1.0].map(|force| force * contact.torque(self.friction, at, force))
     }
 
     /// The load of a motion `at` every cam angle of a turn from `start`, smooth between `breaks`, on a floor with an

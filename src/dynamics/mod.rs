@@ -33,7 +33,7 @@ pub use outcome::{Difference, Force, Loads, Model, Outcome, Pressure, Row, Torqu
 pub use reason::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
 pub use recover::{Emitted, recover};
 pub use rigid::hertz;
-pub use rigid::touch::{Touch, touch};
+pub use rigid::touch::{FollowerContact, Touch, touch};
 pub use run::{Face, Machine, Run};
 pub use shaft::{InTime, Shaft};
 pub use simulate::simulate;

@@ -2,67 +2,14 @@
 //! derivatives, its jumps, and scaled coefficients.
 
 use std::f64::consts::TAU;
-use std::sync::{Arc, Mutex, OnceLock};
 
-use super::joint::{self, Joint};
+use super::cache::Extremes;
+use super::joint::Joint;
 use super::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly, bernstein, harmonic_extremes, stand_in};
 
-/// Smallest and largest value.
-type Extremes = (Extreme, Extreme);
-
 /// Relative accuracy of the stand-ins whose extremes are taken.
 const STAND_IN: f64 = 1e-12;
-
-/// Cached properties of a law. Clones share them; they do not take part in comparisons.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Cache(Arc<Cached>);
-
-#[derive(Debug, Default)]
-struct Cached {
-    /// By the weights of s, v, a, j.
-    extremes: Mutex<Vec<([f64; 4], Extremes)>>,
-    joints: OnceLock<Vec<Joint>>,
-    /// Bernstein coefficients of s, v, a, j times their binomials.
-    scaled: OnceLock<[Vec<f64>; 4]>,
-}
-
-impl PartialEq for Cache {
-    fn eq(&self, _: &Cache) -> bool {
-        true
-    }
-}
-
-impl Cache {
-    /// For the law raised by a constant: combinations without the lift stay valid.
-    pub(super) fn on_any_level(&self) -> Cache {
-        let same = |list: &Vec<([f64; 4], Extremes)>| {
-            let all = list.iter().filter(|(weights, _)| weights[0] == 0.0);
-            all.copied().collect()
-        };
-        let list = self.0.extremes.lock().map(|list| same(&list));
-        Cache(Arc::new(Cached {
-            extremes: Mutex::new(list.unwrap_or_default()),
-            joints: self.0.joints.clone(),
-            scaled: OnceLock::new(),
-        }))
-    }
-
-    /// Cached extremes, computed on the first request.
-    fn extremes(&self, weights: [f64; 4], search: impl FnOnce() -> Extremes) -> Extremes {
-        let cached = self.0.extremes.lock().ok().and_then(|list| {
-            let same = list.iter().find(|(key, _)| *key == weights);
-            same.map(|(_, extremes)| *extremes)
-        });
-        cached.unwrap_or_else(|| {
-            let extremes = search();
-            if let Ok(mut list) = self.0.extremes.lock() {
-                list.push((weights, extremes));
-            }
-            extremes
-        })
-    }
-}
 
 /// The extremes after scaling by `factor` and adding a constant.
 fn changed((low, high): Extremes, factor: f64, constant: f64) -> Extremes {
@@ -158,14 +105,13 @@ impl Law {
 
     /// Jumps of s, v, a and j at every break, the wrap of a closed law included.
     pub fn joints(&self) -> Vec<Joint> {
-        let joints = &self.cache.0.joints;
-        joints.get_or_init(|| joint::joints(self)).clone()
+        self.cache.joints(|| joints(self)).to_vec()
     }
 
     /// Bernstein coefficients of s, v, a and j, piece by piece, times their binomials: the form that evaluates fastest.
     pub(super) fn scaled_by_binomials(&self) -> &[Vec<f64>; 4] {
-        let scaled = &self.cache.0.scaled;
-        scaled.get_or_init(|| std::array::from_fn(|order| times_binomials(&self.of_order(order))))
+        let each = |order| times_binomials(&self.of_order(order));
+        self.cache.scaled(|| std::array::from_fn(each))
     }
 
     /// Stroke: largest lift less smallest.
@@ -192,6 +138,28 @@ fn times_binomials(p: &PiecewisePoly) -> Vec<f64> {
     let pieces = p.coefficients().chunks_exact(n + 1);
     pieces
         .flat_map(|piece| piece.iter().zip(&row).map(|(b, c)| b * c))
+        .collect()
+}
+
+/// Joints at all inner breaks, and at the wrap (reported at the law's first angle) of a closed law.
+fn joints(law: &Law) -> Vec<Joint> {
+    let n = law.poly().pieces();
+    let first = usize::from(!law.is_closed());
+    (first..n)
+        .map(|i| {
+            let before = law.svaj_on((i + n - 1) % n, 1.0);
+            let after = law.svaj_on(i, 0.0);
+            Joint {
+                at: law.breaks()[i],
+                sides: [before, after],
+                jump: Svaj {
+                    s: after.s - before.s,
+                    v: after.v - before.v,
+                    a: after.a - before.a,
+                    j: after.j - before.j,
+                },
+            }
+        })
         .collect()
 }
 

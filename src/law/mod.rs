@@ -1,5 +1,6 @@
 //! Laws of motion: lift s over the cam angle θ with exact derivatives v = ds/dθ, a, j.
 
+mod cache;
 mod derived;
 mod extremes;
 mod hermite;
@@ -7,7 +8,7 @@ mod joint;
 mod pieces;
 mod program;
 mod rise;
-mod walk;
+mod svaj;
 
 pub use hermite::{Condition, hermite_birkhoff};
 pub use joint::Joint;
@@ -15,36 +16,13 @@ pub use program::{Extent, Segment, assemble, constant_breadth, program};
 pub use rise::{End, Ends, Factors, Rise};
 use splineqp::Basis;
 pub use splineqp::poly::Wave;
-pub(crate) use walk::Turns;
-pub use walk::{BATCH, Batch, Walk};
+pub use svaj::Svaj;
 
 use crate::poly::{PiecewisePoly, SplineSpace, add_taylor, bernstein, subdivide};
-use extremes::Cache;
+use cache::Cache;
 pub(crate) use extremes::weighted;
 use serde::Serialize;
 use std::sync::Arc;
-
-/// Lift and its first three derivatives by the cam angle: m, m/rad, m/rad², m/rad³ (an oscillating
-/// follower: rad in place of m).
-///
-/// ```
-/// use gaitcam::law::Law;
-///
-/// // s = 3 mm sin 2θ at θ = 0: v = 6 mm, a = 0, j = −24 mm.
-/// let at = Law::harmonic(0.0, &[(0.0, 0.0), (0.0, 0.003)]).svaj(0.0);
-/// assert!((at.v - 0.006).abs() < 1e-15 && at.a.abs() < 1e-15 && (at.j + 0.024).abs() < 1e-15);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Svaj {
-    /// Lift.
-    pub s: f64,
-    /// Velocity ds/dθ.
-    pub v: f64,
-    /// Acceleration d²s/dθ².
-    pub a: f64,
-    /// Jerk d³s/dθ³.
-    pub j: f64,
-}
 
 /// A law of motion: on each piece a polynomial plus a few sinusoids.
 ///

@@ -5,7 +5,7 @@ use std::hint::black_box;
 use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::surface::Surface;
-use gaitcam::dynamics::{recover, touch};
+use gaitcam::dynamics::{FollowerContact, recover};
 use gaitcam::law::Svaj;
 use gaitcam_test_support::thesis;
 
@@ -17,7 +17,8 @@ pub(crate) fn dynamics(report: &mut Report) {
     let emitted = recover(&cam.follower, &cam.profile(1440)).expect("a curve");
     let drive = thesis::real(thesis::SPEED);
     let torques = || -> Vec<f64> {
-        let of = |at: &Svaj| touch(&cam.follower, drive.speed, 0.1, *at, drive.force(*at)).torque;
+        let contact = FollowerContact::of(&cam.follower);
+        let of = |at: &Svaj| contact.torque(0.1, *at, drive.force(*at));
         black_box(&emitted.nodes).iter().map(of).collect()
     };
     let seconds = times(torques);

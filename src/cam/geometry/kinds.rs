@@ -1,20 +1,12 @@
 //! The contact formulas of each kind of follower.
 
-use super::{Contact, Contacts};
-use crate::law::{BATCH, Batch, Svaj};
+use super::contact::Contact;
+use crate::law::Svaj;
 
 /// A kind of follower, by its contact with the cam.
 pub trait Kind {
     /// The contact at lift, velocity and acceleration.
     fn contact(&self, motion: [f64; 3]) -> Contact;
-
-    /// The contacts of a batch, with tangents in place of pressure angles.
-    #[inline(always)]
-    fn contacts(&self, batch: &Batch, out: &mut Contacts) {
-        for k in 0..BATCH {
-            out.set(k, self.contact([batch.s[k], batch.v[k], batch.a[k]]));
-        }
-    }
 }
 
 /// A flat face that translates.

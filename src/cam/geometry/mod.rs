@@ -8,33 +8,19 @@
 //! Flat faces: the face with outward normal n at angle ψ stands p from the cam's centre; the cam is the
 //! envelope p·n + (dp/dψ)·n⊥ with radius of curvature p + d²p/dψ².
 
+mod contact;
 mod fit;
 mod kinds;
 mod shape;
 mod space;
 
+pub(crate) use contact::Contact;
 pub(super) use shape::finished_radius;
 pub(crate) use space::Frame;
 
 use super::{Arm, Follower};
-use crate::law::{BATCH, Batch, Svaj};
+use crate::law::Svaj;
 use kinds::{Circle, CircleOnArm, Flat, FlatOnArm, Kind, Unrolled};
-
-/// One contact in the fixed frame; lengths in m.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Contact {
-    /// Contact point.
-    pub point: [f64; 2],
-    /// Centre of the circle; the contact point itself for a flat face.
-    pub pitch: [f64; 2],
-    /// Unit normal, from the cam towards the follower.
-    pub normal: [f64; 2],
-    /// Signed radius of curvature of the cam.
-    pub rho: f64,
-    /// tan of the signed pressure angle: angle from the motion of the follower's point to the contact normal,
-    /// counter-clockwise positive.
-    pub tan_pressure: f64,
-}
 
 /// A follower with everything that does not change with θ computed once.
 #[derive(Debug, Clone, Copy)]
@@ -109,28 +95,6 @@ impl Geometry {
         }
     }
 
-    /// The contacts of a batch, in loops that the compiler vectorises.
-    #[inline(always)]
-    pub fn contacts(&self, batch: &Batch, out: &mut Contacts) {
-        if batch.at_rest {
-            out.fill(self.contact(Svaj {
-                s: batch.s[0],
-                ..Svaj::default()
-            }));
-            return;
-        }
-        match self {
-            Geometry::Flat(kind) => return kind.contacts(batch, out),
-            Geometry::FlatOnArm(kind) => kind.contacts(batch, out),
-            Geometry::Circle(kind) => kind.contacts(batch, out),
-            Geometry::CircleOnArm(kind) => kind.contacts(batch, out),
-            Geometry::Unrolled(kind) => kind.contacts(batch, out),
-        }
-        for tan in &mut out.pressure_angle {
-            *tan = tan.atan();
-        }
-    }
-
     /// Signed curvature of the pitch curve, 1/m: finite where its radius is not.
     pub fn pitch_curvature(&self, at: Svaj) -> f64 {
         match self {
@@ -160,41 +124,5 @@ impl Geometry {
                 self.radius() * tan / (1.0 + tan * tan).sqrt()
             }
         }
-    }
-}
-
-/// Contacts of a batch, field by field; entries beyond the batch's length are undefined.
-#[derive(Default)]
-pub(crate) struct Contacts {
-    pub x: [f64; BATCH],
-    pub y: [f64; BATCH],
-    pub pitch_x: [f64; BATCH],
-    pub pitch_y: [f64; BATCH],
-    pub rho: [f64; BATCH],
-    /// Signed, rad.
-    pub pressure_angle: [f64; BATCH],
-}
-
-impl Contacts {
-    /// Writes contact `k`, the tangent in place of its angle.
-    #[inline(always)]
-    pub fn set(&mut self, k: usize, c: Contact) {
-        self.x[k] = c.point[0];
-        self.y[k] = c.point[1];
-        self.pitch_x[k] = c.pitch[0];
-        self.pitch_y[k] = c.pitch[1];
-        self.rho[k] = c.rho;
-        self.pressure_angle[k] = c.tan_pressure;
-    }
-
-    /// One contact for all.
-    #[inline(always)]
-    fn fill(&mut self, c: Contact) {
-        self.x.fill(c.point[0]);
-        self.y.fill(c.point[1]);
-        self.pitch_x.fill(c.pitch[0]);
-        self.pitch_y.fill(c.pitch[1]);
-        self.rho.fill(c.rho);
-        self.pressure_angle.fill(c.tan_pressure.atan());
     }
 }

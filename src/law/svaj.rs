@@ -1,0 +1,23 @@
+//! Lift with its derivatives at one angle.
+
+/// Lift and its first three derivatives by the cam angle: m, m/rad, m/rad², m/rad³ (an oscillating
+/// follower: rad in place of m).
+///
+/// ```
+/// use gaitcam::law::Law;
+///
+/// // s = 3 mm sin 2θ at θ = 0: v = 6 mm, a = 0, j = −24 mm.
+/// let at = Law::harmonic(0.0, &[(0.0, 0.0), (0.0, 0.003)]).svaj(0.0);
+/// assert!((at.v - 0.006).abs() < 1e-15 && at.a.abs() < 1e-15 && (at.j + 0.024).abs() < 1e-15);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Svaj {
+    /// Lift.
+    pub s: f64,
+    /// Velocity ds/dθ.
+    pub v: f64,
+    /// Acceleration d²s/dθ².
+    pub a: f64,
+    /// Jerk d³s/dθ³.
+    pub j: f64,
+}
