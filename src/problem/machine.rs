@@ -10,7 +10,7 @@ use crate::scene::{CamSpec, DriveSpec, ForceScale};
 use crate::units::Quantity;
 
 /// The target as a multiple of a force, plus a constant, N.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scaling {
     pub factor: f64,
     pub shift: f64,

@@ -6,6 +6,7 @@
 
 mod accuracy;
 mod changed;
+mod fits;
 mod force_cycle;
 mod machine;
 mod mean_force;

@@ -8,7 +8,7 @@ use super::machine::Scaling;
 use crate::drive::Drive;
 use crate::error::{Placed, Result, SynthError};
 use crate::force::{ForceCurve, Interpretation};
-use crate::poly::{Cells, PiecewisePoly};
+use crate::poly::{Cells, Distance, PiecewisePoly};
 use crate::scene::{Band, LawSpec, PhaseWeight};
 
 /// One turn of the target force with its cubics.
@@ -59,6 +59,11 @@ impl Target {
         (shift == 0.0).then_some((factor, &*self.cycle))
     }
 
+    /// The cycle of which it is a multiple plus a constant.
+    pub(super) fn scaled_cycle(&self) -> (Scaling, &ForceCycle) {
+        (self.scaling, &self.cycle)
+    }
+
     /// The cycle, beginning at cam angle 0.
     pub fn curve(&self) -> &Arc<ForceCurve> {
         if self.scaling.is_none() {
@@ -78,8 +83,8 @@ impl Target {
     fn scaled(&self) -> &(Arc<ForceCurve>, Arc<Cells>) {
         self.scaled.get_or_init(|| {
             let curve = Arc::new(self.scaling.of(&self.cycle.curve));
-            let cells = force_cycle::cells(&curve, curve.slopes());
-            (curve, Arc::new(cells))
+            let Scaling { factor, shift } = self.scaling;
+            (curve, Arc::new(self.cycle.cells().scaled(factor, shift)))
         })
     }
 
@@ -118,8 +123,25 @@ impl Target {
     /// The polynomials of a degree that are nearest to it between breaks, by their values at the nodes of
     /// [`Cells::nearest`], N.
     pub fn nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
-        let values = self.cycle.nearest(breaks, degree);
-        values.iter().map(|force| self.scaling.at(*force)).collect()
+        let projection = self.cycle.projection(breaks, degree);
+        let values = projection.values.iter();
+        values.map(|force| self.scaling.at(*force)).collect()
+    }
+
+    /// Distance from a force over the turn, N.
+    pub fn distance(&self, own: &PiecewisePoly) -> Distance {
+        let Scaling { factor, shift } = self.scaling;
+        let square = match self.scaling.is_none() {
+            true => self.cycle.square_distance(own),
+            false => {
+                let own = PiecewisePoly::combine(&[(1.0 / factor, own)], -shift / factor);
+                factor * factor * self.cycle.square_distance(&own)
+            }
+        };
+        Distance {
+            square,
+            largest: self.cells().largest_distance(own),
+        }
     }
 
     /// Number of harmonics that its samples hold.

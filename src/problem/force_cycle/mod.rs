@@ -1,20 +1,27 @@
 //! One cycle of a force, with what follows from its course alone: found once for all problems of that force.
 
+mod fits;
+mod kept;
 mod series;
 mod shape;
 
+pub use fits::{FitKey, Fits, Objective};
 pub use series::{Series, most};
 pub use shape::Shape;
 
+use std::convert::Infallible;
 use std::f64::consts::TAU;
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Arc, OnceLock};
+
+use nalgebra::DMatrix;
 
 use super::mean_force::MeanForce;
 use crate::force::ForceCurve;
-use crate::poly::Cells;
+use crate::poly::{Cells, PiecewisePoly, bernstein, gauss_legendre};
+use kept::Kept;
 
-/// Projections kept at a time; one design uses about ten.
-const KEPT_PROJECTIONS: usize = 64;
+/// Highest degree of projections; powers lose too many digits above.
+pub const HIGHEST_PROJECTED: usize = 9;
 
 /// One cycle of a force, which problems scale, shift and share.
 #[derive(Debug)]
@@ -28,15 +35,36 @@ pub struct ForceCycle {
     cells: OnceLock<Arc<Cells>>,
     mean_square: OnceLock<f64>,
     series: OnceLock<Series>,
-    projections: Mutex<Vec<Projection>>,
+    projections: Kept<Arc<Projection>>,
+    /// Splines fitted to it.
+    pub fits: Fits,
 }
 
-/// The polynomials of a degree that are nearest to the force between breaks, by their values at quadrature nodes, N.
+/// The polynomials of a degree that are nearest to a force between breaks.
 #[derive(Debug)]
-struct Projection {
+pub struct Projection {
     breaks: Vec<f64>,
     degree: usize,
-    values: Arc<[f64]>,
+    /// Values at the nodes of [`Cells::nearest`], N.
+    pub values: Vec<f64>,
+    /// Integral of the squared distance of the force from them, N².
+    rest: OnceLock<f64>,
+}
+
+impl Projection {
+    /// The polynomials themselves.
+    fn pieces(&self) -> PiecewisePoly {
+        let count = self.degree + 1;
+        let rule = gauss_legendre(count);
+        let unit = |k: usize| -> Vec<f64> { (0..count).map(|i| f64::from(i == k)).collect() };
+        let at_nodes = DMatrix::from_fn(count, count, |q, k| bernstein::eval(&unit(k), rule[q].0));
+        let pieces = self.values.len() / count;
+        let values = DMatrix::from_column_slice(count, pieces, &self.values);
+        // Bernstein polynomials up to degree 9 are independent at the nodes.
+        let coefficients = at_nodes.lu().solve(&values).unwrap_or(values);
+        let coefficients = coefficients.as_slice().to_vec();
+        PiecewisePoly::new(self.breaks.clone(), self.degree, coefficients)
+    }
 }
 
 impl ForceCycle {
@@ -50,7 +78,8 @@ impl ForceCycle {
             cells: OnceLock::new(),
             mean_square: OnceLock::new(),
             series: OnceLock::new(),
-            projections: Mutex::default(),
+            projections: Kept::default(),
+            fits: Fits::default(),
         }
     }
 
@@ -83,26 +112,51 @@ impl ForceCycle {
         self.series.get_or_init(|| Series::of(&self.curve))
     }
 
-    /// The values of [`Cells::nearest`] for these breaks.
-    pub fn nearest(&self, breaks: &[f64], degree: usize) -> Arc<[f64]> {
-        let is_same = |p: &&Projection| p.degree == degree && p.breaks == breaks;
-        if let Ok(kept) = self.projections.lock()
-            && let Some(same) = kept.iter().find(is_same)
-        {
-            return same.values.clone();
-        }
-        let values: Arc<[f64]> = self.cells().nearest(breaks, degree).into();
-        if let Ok(mut kept) = self.projections.lock() {
-            if kept.len() >= KEPT_PROJECTIONS {
-                kept.clear();
-            }
-            kept.push(Projection {
+    /// Root mean square and largest of what the force has beside its first harmonics, N, found once.
+    pub fn error_of_harmonics(&self, count: usize) -> [f64; 2] {
+        let series = self.series();
+        *series.error(count).get_or_init(|| {
+            let own = series.law(count).combination([1.0, 0.0, 0.0, 0.0], 0.0);
+            let apart = self.cells().distance(&own);
+            [(apart.square / TAU).max(0.0).sqrt(), apart.largest]
+        })
+    }
+
+    /// The nearest polynomials of a degree up to [`HIGHEST_PROJECTED`] between breaks, found once: XX.
+    pub fn projection(&self, breaks: &[f64], degree: usize) -> Arc<Projection> {
+        let is_same = |own: &Arc<Projection>| own.degree == degree && own.breaks == breaks;
+        let found = self.projections.get(is_same, || {
+            Ok::<_, Infallible>(Arc::new(Projection {
                 breaks: breaks.to_vec(),
                 degree,
-                values: values.clone(),
-            });
+                values: self.cells().nearest(breaks, degree),
+                rest: OnceLock::new(),
+            }))
+        });
+        found.unwrap_or_else(|never| match never {})
+    }
+
+    /// Integral of the squared distance from pieces, N². Against polynomials it is that from the nearest ones, and what these
+    /// leave of the force, which depends on the breaks alone.
+    pub fn square_distance(&self, own: &PiecewisePoly) -> f64 {
+        if own.degree() > HIGHEST_PROJECTED {
+            return self.cells().square_distance(own);
         }
-        values
+        let projection = self.projection(own.breaks(), own.degree());
+        let rest = projection.rest.get_or_init(|| {
+            let nearest = projection.pieces();
+            self.cells().square_distance(&nearest)
+        });
+        let rule = gauss_legendre(own.degree() + 1);
+        let values = projection.values.chunks_exact(rule.len()).enumerate();
+        let square = |(piece, values): (usize, &[f64])| {
+            let width = own.breaks()[piece + 1] - own.breaks()[piece];
+            let each = rule.iter().zip(values).map(|((u, weight), value)| {
+                weight * (bernstein::eval(own.piece(piece), *u) - value).powi(2)
+            });
+            width * each.sum::<f64>()
+        };
+        rest + values.map(square).sum::<f64>()
     }
 }
 

@@ -1,9 +1,7 @@
 //! The Fourier series of a force, and what laws of its first harmonics leave of it.
 
-use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
-use super::ForceCycle;
 use super::shape::Shape;
 use crate::drive::Drive;
 use crate::force::ForceCurve;
@@ -58,6 +56,16 @@ impl Series {
         enough.clamp(1, MOST_AUTO)
     }
 
+    /// The force of the first harmonics, as a law.
+    pub fn law(&self, count: usize) -> Law {
+        Law::harmonic(self.mean_n, &self.waves[..count])
+    }
+
+    /// Root mean square and largest distance of [`Series::law`] from the force, N, once they are known.
+    pub fn error(&self, count: usize) -> &OnceLock<[f64; 2]> {
+        &self.fits[count].0
+    }
+
     /// The law of a drive from so many harmonics; `None` in resonance.
     pub fn shape(&self, count: usize, drive: &Drive) -> Option<Shape> {
         Shape::of(self.mean_n, &self.waves[..count], drive)
@@ -68,20 +76,6 @@ impl Series {
         let unit = Drive::moving_axis(1.0, self.mean_n, 1.0);
         let shape = || self.shape(count, &unit).map(Box::new);
         self.fits[count].1.get_or_init(shape).as_deref()
-    }
-}
-
-impl ForceCycle {
-    /// Root mean square and largest of what the force has beside its first harmonics, N, found once.
-    pub fn error_of_harmonics(&self, count: usize) -> [f64; 2] {
-        let series = self.series();
-        *series.fits[count].0.get_or_init(|| {
-            let own = Law::harmonic(series.mean_n, &series.waves[..count]);
-            let apart = self
-                .cells()
-                .distance(&own.combination([1.0, 0.0, 0.0, 0.0], 0.0));
-            [(apart.square / TAU).max(0.0).sqrt(), apart.largest]
-        })
     }
 }
 

@@ -27,7 +27,7 @@ const SAME_ANGLE: f64 = 1e-12;
 
 /// The program without limits, and the force distance alone.
 pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Program, Quadratic)> {
-    let (basis, whole, force) = objective(problem, spans)?;
+    let (basis, whole, force) = problem.objective_over(spans, || objective(problem, spans))?;
     let mut equalities = point_demands(problem, &basis)?;
     equalities.extend(implied_by_limits(problem, search, &basis));
     equalities.extend(dwell_demands(&problem.law.dwells, &basis));

@@ -82,7 +82,9 @@ fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
         Some(most) => most,
         None => return Ok(Spans::Given(SPANS_WITHOUT_FORCE)),
     };
-    let spans = fewest_without_limits(problem, search, wanted)?;
+    let spans = problem.spans_without_limits(wanted, search.least_spans, || {
+        fewest_without_limits(problem, search, wanted)
+    })?;
     Ok(if follows {
         Spans::AtLeast(spans, wanted)
     } else {

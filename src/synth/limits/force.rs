@@ -101,7 +101,7 @@ pub fn report(problem: &Problem, law: &Law) -> ForceReport {
         ..ForceReport::default()
     };
     if let Some(target) = &problem.target {
-        let apart = target.cells().distance(&problem.drive.force_curve(law));
+        let apart = target.distance(&problem.drive.force_curve(law));
         report.target_mean_n = target.mean_n();
         report.rms_error_n = (apart.square / length).max(0.0).sqrt();
         report.max_error_n = apart.largest;

@@ -15,7 +15,7 @@ mod trigonometric;
 mod wave;
 
 pub use bspline::{Span, SplineSpace};
-pub use cells::Cells;
+pub use cells::{Cells, Distance};
 pub use extreme::Extreme;
 pub use fourier::{amplitudes, samples};
 pub use gauss::gauss_legendre;

@@ -7,6 +7,8 @@ mod nearest;
 #[cfg(test)]
 mod tests;
 
+pub use distance::Distance;
+
 /// A function of period `length`, a cubic on each of n equal cells: a cubic Hermite spline.
 ///
 /// ```
@@ -37,6 +39,14 @@ impl Cells {
             slopes,
             length,
         }
+    }
+
+    /// The function times a factor, plus a constant.
+    #[must_use]
+    pub fn scaled(&self, factor: f64, constant: f64) -> Cells {
+        let values = self.values.iter().map(|f| factor * f + constant);
+        let slopes = self.slopes.iter().map(|s| factor * s);
+        Cells::new(values.collect(), slopes.collect(), self.length)
     }
 
     /// Number of cells.

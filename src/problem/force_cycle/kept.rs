@@ -1,0 +1,42 @@
+//! A few findings that are expected again.
+
+use std::sync::Mutex;
+
+/// Findings kept at a time; with more all are forgotten.
+const MOST: usize = 64;
+
+/// Findings, each with what it depends on.
+#[derive(Debug)]
+pub struct Kept<V>(Mutex<Vec<V>>);
+
+impl<V> Default for Kept<V> {
+    fn default() -> Self {
+        Kept(Mutex::default())
+    }
+}
+
+impl<V: Clone> Kept<V> {
+    /// The finding for which `is_same` holds, or a new one.
+    ///
+    /// # Errors
+    /// Those of `find`.
+    pub fn get<E>(
+        &self,
+        is_same: impl Fn(&V) -> bool,
+        find: impl FnOnce() -> Result<V, E>,
+    ) -> Result<V, E> {
+        if let Ok(kept) = self.0.lock()
+            && let Some(same) = kept.iter().rev().find(|v| is_same(v))
+        {
+            return Ok(same.clone());
+        }
+        let new = find()?;
+        if let Ok(mut kept) = self.0.lock() {
+            if kept.len() >= MOST {
+                kept.clear();
+            }
+            kept.push(new.clone());
+        }
+        Ok(new)
+    }
+}
