@@ -25,7 +25,7 @@ impl Problem {
         Some((key, &cycle.fits))
     }
 
-    /// The objective over so many spans, found once: XX.
+    /// The objective over so many spans, found once for problems that differ in their limits.
     ///
     /// # Errors
     /// Those of `find`.
@@ -40,7 +40,8 @@ impl Problem {
         }
     }
 
-    /// The fewest spans from `least` on that reach an accuracy, N RMS, without limits, found once: XX.
+    /// The fewest spans from `least` on that reach an accuracy, N RMS, without limits, found once for problems
+    /// that differ in their limits.
     ///
     /// # Errors
     /// Those of `find`.

@@ -38,7 +38,7 @@ fn a_changed_number_is_read_back_and_the_first_problem_keeps_its_own() {
 fn a_turn_at_a_phase_begins_there_in_the_cycle() {
     let first = problem(&[("gait.band", "20 N")]);
     let turned = first.at_phase(1.2);
-    let at = |p: &Problem, x: f64| p.target.as_ref().unwrap().curve.at(x.rem_euclid(TAU));
+    let at = |p: &Problem, x: f64| p.target.as_ref().unwrap().curve().at(x.rem_euclid(TAU));
     let low = |p: &Problem, x: f64| p.band.as_ref().unwrap()[0].at(x.rem_euclid(TAU));
     for x in [0.0, 0.7, 3.0, 6.0] {
         assert!((at(&turned, x) - at(&first, x + 1.2)).abs() < 0.05);
@@ -81,7 +81,7 @@ fn what_the_machine_adds_leaves_the_target_and_the_band_that_are_shown() {
     assert_eq!(shown(&moved), shown(&first));
     let band = |p: &Problem| p.band_in_time().unwrap()[1].at(2.0);
     assert_eq!(band(&moved), band(&first));
-    let sought = moved.target.as_ref().unwrap().curve.at(2.0);
+    let sought = moved.target.as_ref().unwrap().curve().at(2.0);
     assert!((sought - shown(&first) + 10.0).abs() < 1e-3);
 }
 

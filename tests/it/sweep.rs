@@ -1,6 +1,5 @@
 //! A row of a sweep is the design of its scene.
 
-use gaitcam::error::is_no_cam;
 use gaitcam::halt::Halt;
 use gaitcam::scene::keys::{KEYS, Key};
 use gaitcam::scene::{self, Gait, SCENES, Scene};
@@ -87,7 +86,7 @@ fn single(drawn: &Drawn) -> Row {
     let force = scene.model_force();
     match force.and_then(|force| synthesise(&scene, force.as_ref())) {
         Ok(design) => Row::of(&design),
-        Err(e) if is_no_cam(&e) => Row {
+        Err(e) if e.is_answer() => Row {
             outcome: Outcome::Infeasible,
             verdict: Some(gaitcam::cam::Verdict::Unacceptable),
             ..Row::error(e.to_string())

@@ -16,7 +16,6 @@ mod space;
 
 pub(crate) use contact::Contact;
 pub(super) use shape::finished_radius;
-pub(crate) use space::Frame;
 
 use super::{Arm, Follower};
 use crate::law::Svaj;

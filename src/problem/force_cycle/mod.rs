@@ -122,7 +122,7 @@ impl ForceCycle {
         })
     }
 
-    /// The nearest polynomials of a degree up to [`HIGHEST_PROJECTED`] between breaks, found once: XX.
+    /// The nearest polynomials of a degree up to [`HIGHEST_PROJECTED`] between breaks, found once.
     pub fn projection(&self, breaks: &[f64], degree: usize) -> Arc<Projection> {
         let is_same = |own: &Arc<Projection>| own.degree == degree && own.breaks == breaks;
         let found = self.projections.get(is_same, || {

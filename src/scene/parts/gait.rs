@@ -181,24 +181,6 @@ impl Gait {
         force.map(Some).map_err(|e| e.at_key(key))
     }
 
-    /// Period, s, and (cosine, sine) amplitudes of the harmonics of a force that is a finite sum, for one newton of weight.
-    #[allow(clippy::type_complexity)] // one pair, named above
-    pub(crate) fn series(&self) -> Result<Option<(f64, Vec<(f64, f64)>)>> {
-        if self.step_frequencies.is_some() {
-            return Ok(None);
-        }
-        match &self.source {
-            Source::Model(name) => force::fourier(name, self.step_frequency, self.feet),
-            Source::Harmonics(list) => {
-                let period = self.step_frequency.map(f64::recip);
-                let both = self.feet.share() == 1.0;
-                let waves = || force::waves(&pairs(list));
-                Ok(period.filter(|_| both).map(|p| (p, waves())))
-            }
-            Source::File(_) => Ok(None),
-        }
-    }
-
     /// Whether it is a recording.
     pub fn is_recording(&self) -> bool {
         matches!(self.source, Source::File(_))

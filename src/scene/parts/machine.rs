@@ -170,6 +170,11 @@ impl MachineSpec {
         })
     }
 
+    /// Whether the shaft turns at constant speed on a stiff floor, and no force beyond the drive's is known.
+    pub fn is_plain(&self) -> bool {
+        !self.motor.is_given() && !self.has_floor() && self.learned_force.is_empty()
+    }
+
     /// The learned force at a cam angle, N.
     pub fn learned_at(&self, theta: f64) -> f64 {
         let each = (0..).zip(&self.learned_force);

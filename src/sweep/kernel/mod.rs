@@ -4,8 +4,8 @@
 //! rows then set their numbers directly. A harmonic law that keeps its limits follows from the harmonics of the force;
 //! every other row is designed like a single scene.
 //!
-//! Forces are kept with what follows from them: a grid of a few step frequencies runs X times as fast as a sample in which
-//! every row has its own.
+//! Forces are kept with what follows from them: a grid of a few step frequencies is faster than a sample in which every row
+//! has its own.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, RwLock};

@@ -25,7 +25,8 @@ pub fn figures(problem: &Problem) -> Option<Figures> {
         && problem.law.family == Family::Harmonic
         && problem.cam.follower == FollowerKind::FlatTranslating
         && problem.cam.conjugate.is_none()
-        && problem.band.is_none();
+        && problem.band.is_none()
+        && !problem.has_demands();
     let target = problem.target.as_ref().filter(|_| is_closed)?;
     let (scale, cycle) = target.multiple()?;
     let (drive, mean) = (&problem.drive, problem.target_mean());

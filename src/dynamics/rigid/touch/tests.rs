@@ -124,9 +124,11 @@ fn the_normal_force_does_the_work_that_the_shaft_gives() {
             let (start, length) = cam.law.extent();
             let theta = start + length * (f64::from(i) + 0.3) / 24.0;
             let at = cam.law.svaj(theta);
-            let place = place(&cam.follower, at);
+            let own = FollowerContact::of(&cam.follower);
+            let contact = own.geometry.contact(at);
+            let [of_cam, of_follower] = [own.of_cam(contact.point), own.of_follower(contact.point)];
             // N = Q/(n·G) pushed through the cam's own point gives Q·v.
-            let through = dot(place.normal, place.cam) / dot(place.normal, place.follower);
+            let through = dot(contact.normal, of_cam) / dot(contact.normal, of_follower);
             assert!((through - at.v).abs() < 1e-14, "{}", name(&cam, theta));
             // The normal is the cam's own, turned into space.
             let [a, b] = [cam.point(theta), cam.point(theta)].map(|p| cam.normal(&p));
@@ -141,7 +143,7 @@ fn the_normal_force_does_the_work_that_the_shaft_gives() {
             };
             let (sin, cos) = turn.sin_cos();
             let fixed = [cos * a[0] - sin * a[1], sin * a[0] + cos * a[1]];
-            let off = (fixed[0] - place.normal[0]).hypot(fixed[1] - place.normal[1]);
+            let off = (fixed[0] - contact.normal[0]).hypot(fixed[1] - contact.normal[1]);
             assert!(off < 1e-12, "{}", name(&cam, theta));
         }
     }
@@ -179,26 +181,27 @@ fn curvature_and_walk_are_those_of_the_profile() {
         for i in 0..17 {
             let theta = start + length * (f64::from(i) + 0.41) / 17.0;
             let p = cam.point(theta);
-            let place = place(&cam.follower, cam.law.svaj(theta));
+            let (own, at) = (FollowerContact::of(&cam.follower), cam.law.svaj(theta));
+            let (walk, curvature) = own.walk(&own.geometry.contact(at), at);
             let radius = cam.follower.roller_radius();
             if radius > 0.0 || cam.follower.is_flat() {
                 let own = if radius > 0.0 { 1.0 / radius } else { 0.0 };
                 let both = 1.0 / p.rho + own;
                 assert!(
-                    (place.curvature - both).abs() < 1e-9 * both.abs(),
+                    (curvature - both).abs() < 1e-9 * both.abs(),
                     "{}: {} {both}",
                     name(&cam, theta),
-                    place.curvature
+                    curvature
                 );
             }
             let h = 1e-6 * length;
             let (a, b) = (cam.point(theta - h), cam.point(theta + h));
             let walked = (b.x - a.x).hypot(b.y - a.y) / (2.0 * h);
             assert!(
-                (place.walk.abs() - walked).abs() < 1e-7 * (1.0 + walked),
+                (walk.abs() - walked).abs() < 1e-7 * (1.0 + walked),
                 "{}: {} {walked}",
                 name(&cam, theta),
-                place.walk
+                walk
             );
         }
     }
