@@ -43,6 +43,13 @@ impl Direction {
 }
 
 /// What a limited quantity depends on. It decides what a varying speed of the shaft and several walkers do to the limit.
+///
+/// ```
+/// use gaitcam::criterion::{DependsOn, LimitKind};
+///
+/// assert_eq!(LimitKind::Jerk.facts().depends_on, DependsOn::Motion(3));
+/// assert!(!DependsOn::Cam.varies_with_speed());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DependsOn {
     /// The cam alone: speed and walker do not change it.
@@ -68,6 +75,12 @@ impl DependsOn {
 }
 
 /// Diagram over the cam angle.
+///
+/// ```
+/// use gaitcam::criterion::Diagram;
+///
+/// assert_eq!(Diagram::PressureAngle.name(), "pressure-angle");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Diagram {
     /// Contact force.
@@ -114,6 +127,13 @@ impl Diagram {
 }
 
 /// Lines by which a diagram shows a bound.
+///
+/// ```
+/// use gaitcam::criterion::Lines;
+///
+/// assert_eq!(Lines::BothSides.heights(2.0, -1.0), [2.0, -2.0]);
+/// assert_eq!(Lines::AboveLowest.heights(2.0, -1.0), [1.0]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lines {
     /// At the bound.
@@ -128,13 +148,6 @@ pub enum Lines {
 
 impl Lines {
     /// Heights of the lines of a bound on a curve with this lowest value.
-    ///
-    /// ```
-    /// use gaitcam::criterion::Lines;
-    ///
-    /// assert_eq!(Lines::BothSides.heights(2.0, -1.0), [2.0, -2.0]);
-    /// assert_eq!(Lines::AboveLowest.heights(2.0, -1.0), [1.0]);
-    /// ```
     pub fn heights(self, bound: f64, lowest: f64) -> Vec<f64> {
         match self {
             Lines::AtBound => vec![bound],
@@ -155,6 +168,13 @@ impl Lines {
 }
 
 /// Rank of a failed check among the reasons of a verdict, the gravest first.
+///
+/// ```
+/// use gaitcam::criterion::{LimitKind, Severity};
+///
+/// assert_eq!(LimitKind::Curvature.facts().severity, Severity::Profile);
+/// assert!(Severity::Profile < Severity::Limit);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
     /// The profile cannot be made.
@@ -172,6 +192,13 @@ pub enum Severity {
 }
 
 /// The row of a limit.
+///
+/// ```
+/// use gaitcam::criterion::{Diagram, LimitKind, Lines};
+///
+/// let facts = LimitKind::Torque.facts();
+/// assert_eq!(facts.diagram, Some((Diagram::Torque, Lines::BothSides)));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct LimitFacts {

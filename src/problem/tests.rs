@@ -88,7 +88,7 @@ fn what_the_machine_adds_leaves_the_target_and_the_band_that_are_shown() {
 #[test]
 fn against_another_force_the_limits_stay() {
     let first = problem(&[("limits.stroke", "60 mm")]);
-    let drive = crate::Drive {
+    let drive = crate::drive::Drive {
         speed: 5.0,
         ..first.drive
     };
