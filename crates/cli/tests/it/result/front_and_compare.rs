@@ -239,7 +239,7 @@ fn compared_designs_are_told_in_their_units_and_a_bad_one_is_told_by_the_exit_co
     let table = stdout(&good);
     let line = |heading: &str| {
         let mut lines = table.lines();
-        let found = lines.find(|l| l.starts_with(heading));
+        let found = lines.find(|l| l.trim_start().starts_with(heading));
         found.unwrap_or_else(|| panic!("{heading}: {table}"))
     };
     assert!(line("stroke").contains("10°") && line("stroke").contains("20 mm"));
