@@ -74,6 +74,9 @@ pub trait Files {
     }
 }
 
+/// The path of a recording, its content and the reader's options.
+type Recording = (PathBuf, Arc<Vec<u8>>, ReadOptions);
+
 impl Gait {
     /// The force that the scene names; `None` where the caller gives it.
     ///
@@ -108,10 +111,7 @@ impl Gait {
     ///
     /// # Errors
     /// A file that cannot be read; an unknown unit.
-    pub fn recording(
-        &self,
-        files: &dyn Files,
-    ) -> Result<Option<(PathBuf, Arc<Vec<u8>>, ReadOptions)>> {
+    pub fn recording(&self, files: &dyn Files) -> Result<Option<Recording>> {
         let Source::File(name) = &self.source else {
             return Ok(None);
         };
