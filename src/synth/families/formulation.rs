@@ -52,8 +52,7 @@ fn rows(problem: &Problem, search: &Search) -> Vec<Limit> {
 pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<Formulation> {
     let stiffness = stiffness(problem);
     let (mut program, force) = unlimited(problem, search, spans)?;
-    let accuracy = limits::accuracy(problem, || mean_square(problem, &program.basis));
-    program.rms.extend(accuracy);
+    program.rms = limits::root_mean_squares(problem, &program.basis, mean_square);
     let mut rows = rows(problem, search);
     if problem.law.monotone {
         rows.extend(limits::monotone(problem));
@@ -91,8 +90,7 @@ pub fn of_harmonics(
     let mut program = Program::new(basis, force.clone(), Vec::new(), problem.length);
     qp::sizes::declare(&mut program);
     program.halt = search.halt.clone();
-    let accuracy = limits::accuracy(problem, || mean_square(problem, &program.basis));
-    program.rms.extend(accuracy);
+    program.rms = limits::root_mean_squares(problem, &program.basis, mean_square);
     program.limits = rows(problem, search);
     let on_shaft = limits::rows_on_shaft(problem, &mut program);
     program.limits.extend(on_shaft);

@@ -21,7 +21,7 @@ mod slack;
 
 pub use dwell_vibration::Vibrations;
 pub use finished::{Finished, GEOMETRY};
-pub use force::{about_the_target, accuracy, report as force_report};
+pub use force::{about_the_target, report as force_report};
 pub use hertz_pressure::Press;
 pub use kinematic::{above_base_circle, monotone, peak};
 pub use loads::{bearable_on_some_size, largest, power_curve, smallest_base_radius, torque_curve};
@@ -30,7 +30,7 @@ pub use pressure_angle::{NEARLY_RIGHT, is_usual, usual_pressure_angle};
 pub use profile::Profile;
 pub use slack::ProfileSize;
 
-use super::qp::{Limit, Program};
+use super::qp::{Basis, Limit, MeanSquare, Program, RmsLimit};
 use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, FollowerKind, LimitKind, Wall};
 use crate::criterion::DependsOn;
 use crate::poly::PiecewisePoly;
@@ -56,6 +56,16 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     }
     count_from_base_circle(problem, &mut out[of_law_alone..]);
     out
+}
+
+/// Limits on root mean squares over the turn; `force_error` gives half the mean square of the force error.
+pub fn root_mean_squares(
+    problem: &Problem,
+    basis: &Basis,
+    force_error: impl FnOnce(&Problem, &Basis) -> MeanSquare,
+) -> Vec<RmsLimit> {
+    let accuracy = force::accuracy(problem, || force_error(problem, basis));
+    accuracy.into_iter().collect()
 }
 
 /// The lift in limits on the profile is a distance from the base circle.

@@ -115,7 +115,7 @@ fn of_rms(program: &Program, row: &Row) -> Option<Sensitivity> {
         limit: limit.name,
         from,
         to: (1.0 + RELAXED) * from,
-        gain: row.multiplier * RELAXED * limit.most,
+        gain: row.multiplier * RELAXED * from / limit.meaning.slope(limit.most),
     })
 }
 

@@ -16,6 +16,11 @@ pub enum Meaning {
         /// Offset.
         offset: f64,
     },
+    /// The scene's value is factor·bound²: a mean square whose root is limited.
+    Square {
+        /// Factor.
+        factor: f64,
+    },
     /// A limit on a size that is itself a variable: nothing to relax.
     Sized,
     /// A pressure-angle limit on a given prime circle: bound = tan·D ± e, read as the prime radius.
@@ -41,6 +46,7 @@ impl Meaning {
         match self {
             Meaning::Structure | Meaning::Sized => None,
             Meaning::Value { factor, offset } => Some(factor * bound + offset),
+            Meaning::Square { factor } => Some(factor * bound * bound),
             Meaning::PrimeRadius { tan, offset } => Some(((bound - offset) / tan).hypot(offset)),
         }
     }
@@ -50,6 +56,7 @@ impl Meaning {
         match self {
             Meaning::Structure | Meaning::Sized => 1.0,
             Meaning::Value { factor, .. } => factor.abs(),
+            Meaning::Square { factor } => 2.0 * (factor * bound).abs(),
             Meaning::PrimeRadius { tan, offset } => {
                 let rise = (bound - offset) / tan;
                 (rise / rise.hypot(offset)).abs() / tan
