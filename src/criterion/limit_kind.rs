@@ -1,8 +1,8 @@
-//! The limits that may be set for a cam.
+//! The limits that may be set for a cam: one row per limit, from which everything that differs between limits is read.
 
 use serde::Serialize;
 
-use super::Criterion;
+use super::{Criterion, DependsOn, Diagram, Direction, LimitFacts, Lines, Severity};
 
 /// Every limit that a scene may set.
 ///
@@ -73,5 +73,43 @@ impl LimitKind {
         let side =
             [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall].map(Criterion::Limit);
         check == self || self == LimitKind::PressureAngle && side.contains(&check)
+    }
+
+    /// The row of the limit.
+    #[rustfmt::skip]
+    pub const fn facts(self) -> LimitFacts {
+        use DependsOn::{Cam, Force, Load, Motion, Vibration};
+        use Direction::{AtLeast, AtMost};
+        use Lines::{AboveLowest, AtBound, AtNegative, BothSides};
+        use Severity::{Contact, Limit, PressureAngle, Profile};
+        match self {
+            //                                                direction depends on moves  diagram                                    severity
+            LimitKind::Stroke            => LimitFacts::row(AtMost,  Cam,       true,  Some((Diagram::Lift, AboveLowest)),        Limit),
+            LimitKind::Velocity          => LimitFacts::row(AtMost,  Motion(1), true,  Some((Diagram::Velocity, BothSides)),      Limit),
+            LimitKind::Acceleration      => LimitFacts::row(AtMost,  Motion(2), true,  Some((Diagram::Acceleration, BothSides)),  Limit),
+            LimitKind::Jerk              => LimitFacts::row(AtMost,  Motion(3), true,  Some((Diagram::Jerk, BothSides)),          Limit),
+            LimitKind::ForceMin          => LimitFacts::row(AtLeast, Force,     false, Some((Diagram::Force, AtBound)),           Contact),
+            LimitKind::ForceMax          => LimitFacts::row(AtMost,  Force,     false, Some((Diagram::Force, AtBound)),           Limit),
+            LimitKind::Curvature         => LimitFacts::row(AtLeast, Cam,       true,  Some((Diagram::Radius, AtBound)),          Profile),
+            LimitKind::PressureAngle     => LimitFacts::row(AtMost,  Cam,       true,  Some((Diagram::PressureAngle, BothSides)), PressureAngle),
+            LimitKind::PressureAngleRise => LimitFacts::row(AtMost,  Cam,       true,  Some((Diagram::PressureAngle, AtBound)),   PressureAngle),
+            LimitKind::PressureAngleFall => LimitFacts::row(AtMost,  Cam,       true,  Some((Diagram::PressureAngle, AtNegative)), PressureAngle),
+            LimitKind::PrimeRadius       => LimitFacts::row(AtMost,  Cam,       true,  None,                                      Limit),
+            LimitKind::FaceWidth         => LimitFacts::row(AtMost,  Cam,       false, Some((Diagram::Contact, AboveLowest)),     Limit),
+            LimitKind::Torque            => LimitFacts::row(AtMost,  Load,      true,  Some((Diagram::Torque, BothSides)),        Limit),
+            LimitKind::Power             => LimitFacts::row(AtMost,  Load,      true,  Some((Diagram::Power, BothSides)),         Limit),
+            LimitKind::TorqueRate        => LimitFacts::row(AtMost,  Load,      true,  None,                                      Limit),
+            LimitKind::HertzPressure     => LimitFacts::row(AtMost,  Load,      true,  None,                                      Limit),
+            LimitKind::Residual          => LimitFacts::row(AtMost,  Vibration, false, None,                                      Limit),
+        }
+    }
+
+    /// Limits on derivatives of the lift by time, with their orders.
+    pub fn by_time() -> impl Iterator<Item = (LimitKind, usize)> {
+        let order = |kind: &LimitKind| match kind.facts().depends_on {
+            DependsOn::Motion(order) => Some((*kind, order)),
+            _ => None,
+        };
+        LimitKind::ALL.iter().filter_map(order)
     }
 }
