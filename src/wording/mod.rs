@@ -24,6 +24,7 @@ pub const FILES: &[File] = &[
     ],
     [include_str!("en/file.ftl"), include_str!("es/file.ftl")],
     [include_str!("en/law.ftl"), include_str!("es/law.ftl")],
+    [include_str!("en/limits.ftl"), include_str!("es/limits.ftl")],
     [include_str!("en/log.ftl"), include_str!("es/log.ftl")],
     [include_str!("en/synth.ftl"), include_str!("es/synth.ftl")],
     [
@@ -52,6 +53,11 @@ pub fn catalogue(language: Language) -> &'static Messages {
 /// What a key of the scene file means; `path` as the key table has it.
 pub fn key_doc(language: Language, path: &str) -> String {
     catalogue(language).text(&format!("key-{}", path.replace('.', "-")))
+}
+
+/// Label of the field that sets a limit; `path` as the key table has it.
+pub fn limit_label(language: Language, path: &str) -> String {
+    catalogue(language).text(&format!("label-{}", path.replace('.', "-")))
 }
 
 /// What a built-in scene is.

@@ -67,6 +67,9 @@ fn every_code_has_a_sentence_and_every_sentence_a_code() {
         KEYS.iter()
             .map(|k| format!("key-{}", k.path.replace('.', "-"))),
     );
+    // Labels of the fields of limits.
+    let limits = KEYS.iter().filter(|k| k.limit.is_some());
+    codes.extend(limits.map(|k| format!("label-{}", k.path.replace('.', "-"))));
     codes.extend(SCENES.iter().map(|s| format!("built-in-{}", s.name)));
     let figure = |column: &str| format!("figure-{}", column.replace('_', "-"));
     codes.extend(FIGURES.iter().map(|f| figure(f.column)));

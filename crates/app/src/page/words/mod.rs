@@ -2,8 +2,10 @@
 
 use std::cell::Cell;
 
+use gaitcam::criterion::LimitKind;
+use gaitcam::scene::keys;
 use gaitcam::synth::{FIGURES, Figure};
-use gaitcam::wording::{Catalogue, Language};
+use gaitcam::wording::{Catalogue, Language, limit_label};
 use serde_json::{Map, Value};
 
 /// The studio's own messages.
@@ -41,8 +43,20 @@ pub fn page(language: Language) -> Map<String, Value> {
         let message = Map::from_iter([(variant.to_string(), holes.clone())]);
         words.sentence("studio", &Value::from(message))
     };
+    let own = keys.map(|(key, variant)| (key.clone(), text(variant).into()));
     let figure = |f: &Figure| (format!("figure-{}", f.column), f.label(language).into());
-    keys.map(|(key, variant)| (key.clone(), text(variant).into()))
-        .chain(FIGURES.iter().map(figure))
-        .collect()
+    let figures = FIGURES.iter().map(figure);
+    own.chain(limits(language)).chain(figures).collect()
+}
+
+/// Labels of the fields of limits.
+fn limits(language: Language) -> impl Iterator<Item = (String, Value)> {
+    LimitKind::ALL.iter().filter_map(move |kind| {
+        let key = keys::of_limit(*kind)?.path;
+        let label = limit_label(language, key);
+        Some((
+            format!("studio-key-{}", key.replace('.', "-")),
+            label.into(),
+        ))
+    })
 }

@@ -120,6 +120,7 @@ fn the_words_looked_for_are_those_of_the_english_messages() {
         include_str!("../../../words/en/cli.ftl"),
         include_str!("../../../../../src/wording/en/names.ftl"),
         include_str!("../../../../../src/wording/en/figures.ftl"),
+        include_str!("../../../../../src/wording/en/limits.ftl"),
         include_str!("../../../../../src/wording/en/synth.ftl"),
         include_str!("../../../../../src/wording/en/dynamics.ftl"),
         include_str!("../../../../../src/wording/en/solver.ftl"),
