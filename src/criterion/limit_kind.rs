@@ -46,6 +46,8 @@ pub enum LimitKind {
     Torque,
     /// Largest shaft power.
     Power,
+    /// Largest mean of the shaft power.
+    PowerMean,
     /// Largest rate of the shaft torque.
     TorqueRate,
     /// Largest contact pressure.
@@ -98,6 +100,7 @@ impl LimitKind {
             LimitKind::FaceWidth         => LimitFacts::row(AtMost,  Cam,       false, Some((Diagram::Contact, AboveLowest)),     Limit),
             LimitKind::Torque            => LimitFacts::row(AtMost,  Load,      true,  Some((Diagram::Torque, BothSides)),        Limit),
             LimitKind::Power             => LimitFacts::row(AtMost,  Load,      true,  Some((Diagram::Power, BothSides)),         Limit),
+            LimitKind::PowerMean         => LimitFacts::row(AtMost,  Load,      true,  None,                                      Limit),
             LimitKind::TorqueRate        => LimitFacts::row(AtMost,  Load,      true,  None,                                      Limit),
             LimitKind::HertzPressure     => LimitFacts::row(AtMost,  Load,      true,  None,                                      Limit),
             LimitKind::Residual          => LimitFacts::row(AtMost,  Vibration, false, None,                                      Limit),

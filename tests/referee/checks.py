@@ -43,6 +43,7 @@ CHECKS = {
     "pressure_angle_fall": (lambda r: by_motion(r, False), True),
     "torque": (lambda r: (lambda *x: np.abs(r.torque(*x))), True),
     "power": (lambda r: (lambda *x: np.abs(r.torque(*x)) * r.drive.speed), True),
+    "power_mean": (lambda r: (lambda *x: 0.0 * x[1] + r.law.mean(r.torque) * r.drive.speed), True),
     "torque_rate": (lambda r: (lambda t, s, v, a, j: np.abs((r.drive.stiffness * v + r.drive.damping * r.drive.speed * a
                     + r.drive.inertia * r.drive.speed**2 * j) * v + r.drive.force(t, s, v, a) * a)), True),
     "hertz_pressure": (lambda r: r.hertz, True),

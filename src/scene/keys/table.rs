@@ -145,6 +145,7 @@ pub static KEYS: &[Key] = &[
     limit!("limits.face_width",     FaceWidth,     number(Length, Positive)).idle_when(no_face),
     limit!("limits.torque",         Torque,        number(Torque, Positive)),
     limit!("limits.power",          Power,         number(Power, Positive)),
+    limit!("limits.power_mean",     PowerMean,     number(Power, Positive)).idle_when(undamped),
     limit!("limits.torque_rate",    TorqueRate,    number(AngularRate, Positive)),
     limit!("limits.hertz_pressure", HertzPressure, number(Pressure, Positive)),
     limit!("limits.residual",       Residual,      by_arm(Length, Angle, Positive)).idle_when(no_dwell),
@@ -321,6 +322,12 @@ fn flat_translating(scene: &Scene) -> Option<Idle> {
 fn no_face(scene: &Scene) -> Option<Idle> {
     let has_face = is_flat(scene) || scene.cam.follower.is_mushroom();
     (!has_face).then_some(Idle::Follower)
+}
+
+/// Without damping springs and masses give back what they take: the mean power is 0, but for a learned force.
+fn undamped(scene: &Scene) -> Option<Idle> {
+    let gives_back = scene.drive.damping == 0.0 && scene.machine.learned_force.is_empty();
+    gives_back.then_some(Idle::Drive)
 }
 
 fn hydraulic(scene: &Scene) -> Option<Idle> {

@@ -241,7 +241,7 @@ pub static FIGURES: [Figure; 25] = [
     figure("torque_max_n_m",            "N m",   ["machine", "torque_max_n_m"],           |f| known(f.machine.torque_max_n_m)).limited(Limit::Torque).traded("torque"),
     figure("torque_rms_n_m",            "N m",   ["machine", "torque_rms_n_m"],           |f| known(f.machine.torque_rms_n_m)),
     figure("power_max_w",               "W",     ["machine", "power_max_w"],              |f| known(f.machine.power_max_w)).limited(Limit::Power).traded("power"),
-    figure("power_mean_w",              "W",     ["machine", "power_mean_w"],             |f| known(f.machine.power_mean_w)),
+    figure("power_mean_w",              "W",     ["machine", "power_mean_w"],             |f| known(f.machine.power_mean_w)).limited(Limit::PowerMean),
     figure("liftoff_speed_rad_per_s",   "rad/s", ["machine", "liftoff_speed_rad_per_s"],  |f| known(f.machine.liftoff_speed_rad_per_s)).traded("liftoff_speed").measured(Measures::speed),
     figure("hertz_pressure_max_pa",     "Pa",    ["machine", "hertz_pressure_max_pa"],    |f| known(f.machine.hertz_pressure_max_pa)).limited(Limit::HertzPressure).traded("hertz_pressure"),
 ];

@@ -14,6 +14,7 @@ mod loads;
 #[cfg(test)]
 mod loads_tests;
 mod nonconvex;
+mod power_mean;
 mod pressure_angle;
 mod profile;
 mod size;
@@ -65,7 +66,8 @@ pub fn root_mean_squares(
     force_error: impl FnOnce(&Problem, &Basis) -> MeanSquare,
 ) -> Vec<RmsLimit> {
     let accuracy = force::accuracy(problem, || force_error(problem, basis));
-    accuracy.into_iter().collect()
+    let power = power_mean::root_mean_square(problem, basis);
+    accuracy.into_iter().chain(power).collect()
 }
 
 /// The lift in limits on the profile is a distance from the base circle.
@@ -146,6 +148,7 @@ impl Finished<'_> {
         out.extend(self.profile_checks());
         out.extend(force::accuracy_check(self));
         out.extend(loads::checks(self));
+        out.extend(power_mean::check(self));
         out.extend(dwell_vibration::check(self));
         out.extend(second_cam(self.problem, self.second));
         out.extend(groove(self.problem, self.groove));

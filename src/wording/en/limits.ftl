@@ -55,6 +55,10 @@ label-limits-torque = Torque
 key-limits-power = Largest shaft power, driving or braking, without friction.
 label-limits-power = Power
 
+key-limits-power_mean = Largest mean power of the shaft, without friction: what damping uses up.
+name-power-mean = power_mean
+label-limits-power_mean = Mean power
+
 key-limits-torque_rate = Largest change of the shaft torque per cam angle.
 name-torque-rate = torque_rate
 label-limits-torque_rate = Torque rate

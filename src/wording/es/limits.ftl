@@ -55,6 +55,10 @@ label-limits-torque = Par
 key-limits-power = Potencia máxima en el eje, motriz o de freno, sin rozamiento.
 label-limits-power = Potencia
 
+key-limits-power_mean = Potencia media máxima en el eje, sin rozamiento: la que consume el amortiguamiento.
+name-power-mean = potencia media
+label-limits-power_mean = Potencia media
+
 key-limits-torque_rate = Variación máxima del par del eje por ángulo de leva.
 name-torque-rate = variación del par
 label-limits-torque_rate = Variación del par

@@ -4,6 +4,7 @@ mod every_limit;
 mod loads;
 mod machine;
 mod power;
+mod power_mean;
 mod pressure_angle;
 mod residual;
 mod widened;
