@@ -116,3 +116,14 @@ impl LimitKind {
         LimitKind::ALL.iter().filter_map(order)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_limits_by_time_are_those_of_three_derivatives() {
+        let orders: Vec<usize> = LimitKind::by_time().map(|limit| limit.1).collect();
+        assert_eq!(orders, [1, 2, 3]);
+    }
+}

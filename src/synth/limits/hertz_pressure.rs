@@ -1,289 +1,126 @@
-//! Highest line pressure between a cam and what it drives, steel on steel: p² = N κ E*/(π L) (theory §10).
+//! Limit on the line pressure between a cam and what it drives.
+//!
+//! Under a flat face the limit is linear in law and size: a row. Under a roller it is not convex.
 
 use std::f64::consts::PI;
 
-use super::finished::GEOMETRY;
-use crate::cam::{BarrelGroove, Cam, Follower, Wall};
+use super::finished::Finished;
+use super::press::Press;
+use super::slack::{ProfileSize, Slack};
+use crate::cam::{FollowerKind, LimitKind};
 use crate::drive::Drive;
-use crate::dynamics::hertz::{STEEL, modulus};
-use crate::dynamics::rigid::touch::touch;
+use crate::dynamics::hertz::{STEEL, flat_face_limit, modulus};
 use crate::law::{Law, Svaj};
-use crate::poly::{Extreme, PiecewisePoly, bernstein, stand_in};
-use crate::problem::{Problem, sum};
+use crate::poly::{Extreme, PiecewisePoly};
+use crate::problem::Problem;
+use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
-/// Rounds of the search for the highest quotient; it settles in three or four.
-const ROUNDS: usize = 40;
-/// A gain below this part of the quotient is rounding.
-const SETTLED: f64 = 1e-14;
+/// A cam is not made larger for a pressure of whose square the roller alone makes more than this part.
+const WORTH_GROWING: f64 = 0.95;
 
-/// A machine that presses on its cams: force, the law that makes it, and the contact's length, m.
-#[derive(Debug, Clone, Copy)]
-pub struct Press<'a> {
-    /// Lift to force.
-    pub drive: &'a Drive,
-    /// Thickness of the plate, m.
-    pub thickness: f64,
-    /// The law that makes the force.
-    pub law: &'a Law,
-    /// What a varying speed or a floor adds to it, N.
-    pub extra: Option<&'a PiecewisePoly>,
+/// Steel on steel under a flat face of given base radius.
+pub fn row(problem: &Problem) -> Option<Limit> {
+    pressed(problem, problem.base_radius()?)
 }
 
-impl<'a> Press<'a> {
-    /// Of a problem, under the law that makes the force.
-    pub fn of(problem: &'a Problem, law: &'a Law) -> Self {
-        Press {
-            drive: &problem.drive,
-            thickness: problem.cam.thickness,
-            law,
-            extra: problem.on_shaft.as_ref().map(|shaft| &shaft.extra.force),
-        }
-    }
-
-    /// The force over the turn, N.
-    fn force_curve(&self) -> PiecewisePoly {
-        let own = self.drive.force_curve(self.law);
-        self.extra
-            .map_or_else(|| own.clone(), |extra| sum(&own, extra))
-    }
-
-    /// Highest pressure on any contact, Pa: of a conjugate pair the second cam's where it bears, of a groove
-    /// both walls' at its floor and at its rim. `None` where a profile is undercut.
-    pub fn worst(
-        &self,
-        cam: &Cam,
-        second: Option<&Cam>,
-        groove: Option<&BarrelGroove>,
-    ) -> Option<Extreme> {
-        if let Some(groove) = groove {
-            return self.in_groove(cam, groove);
-        }
-        let first = on_profile(cam, || self.on(cam))?;
-        let Some(second) = second.filter(|_| self.pulls()) else {
-            return Some(first);
-        };
-        let bears = || self.square_root(second, -1.0, &contact(second));
-        Some(higher(first, on_profile(second, bears)?))
-    }
-
-    /// Highest pressure where the force presses on a cam, Pa; infinite under a knife edge.
-    pub fn on(&self, cam: &Cam) -> Extreme {
-        let follower = &cam.follower;
-        if !follower.is_flat() && follower.roller_radius() == 0.0 {
-            // A knife edge presses on a line without width.
-            return Extreme {
-                at: cam.law.extent().0,
-                value: f64::INFINITY,
-            };
-        }
-        match *follower {
-            Follower::FlatTranslating { base_radius } => self.under_flat_face(cam, base_radius),
-            _ => self.square_root(cam, 1.0, &contact(cam)),
-        }
-    }
-
-    /// Whether the force would pull anywhere.
-    fn pulls(&self) -> bool {
-        match self.extra {
-            None => self.drive.force_extremes(self.law).0.value < 0.0,
-            Some(_) => self.force_curve().extremes().0.value < 0.0,
-        }
-    }
-
-    fn factor(&self) -> f64 {
-        modulus(STEEL, STEEL) / (PI * self.thickness)
-    }
-
-    /// Square root of the highest p², from normal force and curvature at `sign` times the force; `bearing`
-    /// gives both for the motion of the cam and the force at one place.
-    fn square_root(
-        &self,
-        cam: &Cam,
-        sign: f64,
-        bearing: &dyn Fn(Svaj, f64) -> (f64, f64),
-    ) -> Extreme {
-        let factor = self.factor();
-        let own = cam.law.breaks();
-        let alike = self.law.breaks() == own;
-        // What is added is smooth between breaks of its own.
-        let cut = self
-            .extra
-            .map(|extra| cam.law.poly().cut_at(extra.breaks()));
-        let breaks = cut.as_ref().map_or(own, |cut| cut.breaks());
-        let square = stand_in(breaks, 1e-12, |i, x| {
-            let middle = 0.5 * (breaks[i] + breaks[i + 1]);
-            let i = if cut.is_none() {
-                i
-            } else {
-                own.partition_point(|b| *b <= middle) - 1
-            };
-            let u = (x - own[i]) / (own[i + 1] - own[i]);
-            let pressing = if alike {
-                self.law.svaj_on(i, u)
-            } else {
-                self.law.svaj(x)
-            };
-            let extra = self.extra.map_or(0.0, |extra| extra.eval(x));
-            let force = sign * (self.drive.force(pressing) + extra);
-            let (normal, curvature) = bearing(cam.law.svaj_on(i, u), force);
-            factor * normal * curvature
-        })
-        .extremes()
-        .1;
-        root(square)
-    }
-
-    /// Where the radius of curvature is linear in the law, ρ = Rb + s + a, the highest F/ρ is found by
-    /// Dinkelbach's method: the extreme of F − λρ gives a higher quotient λ, until there is none.
-    fn under_flat_face(&self, cam: &Cam, base_radius: f64) -> Extreme {
-        let force = self.force_curve();
-        let radius = cam.law.combination([1.0, 0.0, 1.0, 0.0], base_radius);
-        let radius = radius.cut_at(force.breaks());
-        let force = force.cut_at(radius.breaks());
-        let degree = force.degree().max(radius.degree());
-        let alike = |p: PiecewisePoly| p.map(degree, |b, _| b.to_vec());
-        let (force, radius) = (alike(force), alike(radius));
-        let (mut at, mut most) = highest_at_ends(&force, &radius);
-        let mut left: Vec<usize> = (0..force.pieces()).collect();
-        for _ in 0..ROUNDS {
-            let next = most_gained(&force, &radius, most, &mut left).unwrap_or(at);
-            let higher = quotient(&force, &radius, next);
-            if higher <= most * (1.0 + SETTLED) {
-                break;
-            }
-            (at, most) = (next, higher);
-        }
-        root(Extreme {
-            at,
-            value: self.factor() * most,
-        })
-    }
-
-    /// Both walls, each where its roller bears, at the floor and at the rim.
-    fn in_groove(&self, cam: &Cam, groove: &BarrelGroove) -> Option<Extreme> {
-        let (floor, rim) = groove.depth();
-        let walls = [(Wall::Lower, 1.0), (Wall::Upper, -1.0)];
-        let count = if self.pulls() { 2 } else { 1 };
-        let mut worst: Option<Extreme> = None;
-        for (wall, sign) in &walls[..count] {
-            for radius in [floor, rim] {
-                if groove.smallest_bulge(radius, *wall).value <= 0.0 {
-                    return None;
-                }
-                let here = self.square_root(cam, *sign, &|at, force| {
-                    groove_contact(groove, radius, *wall, at, force)
-                });
-                worst = Some(worst.map_or(here, |w| higher(w, here)));
-            }
-        }
-        worst
-    }
+/// F ≤ π L p²/E*·(Rb + s + a): linear in law and radius together.
+pub fn row_with_size(problem: &Problem) -> Option<Limit> {
+    let mut limit = pressed(problem, 0.0)?;
+    limit.extra[RADIUS] = limit.weights[2] - problem.drive.weights()[2];
+    Some(limit)
 }
 
-/// The pressure on a profile; `None` where it is undercut, infinite on a cusp.
-fn on_profile(cam: &Cam, pressure: impl FnOnce() -> Extreme) -> Option<Extreme> {
-    let convex = cam.curvature().convex;
-    if convex.value <= 0.0 {
+/// The pressure limit under a flat face on a base circle, which counts among the variables where it is 0.
+fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
+    let (cam, pressure) = (&problem.cam, problem.limits[LimitKind::HertzPressure]?);
+    if cam.follower != FollowerKind::FlatTranslating {
         return None;
     }
-    if convex.value <= GEOMETRY * cam.follower.prime_radius() {
-        return Some(convex.map(|_| f64::INFINITY));
-    }
-    Some(pressure())
+    let steel = modulus(STEEL, STEEL);
+    let ([s, v, a, j], bound) =
+        flat_face_limit(&problem.drive, base_radius, cam.thickness, steel, pressure);
+    let scale = bound.abs().max(problem.drive.rest_force.abs());
+    let weights = [s, v, a, j, 0.0];
+    let limit = structural(LimitKind::HertzPressure, weights, bound, scale);
+    Some(Meaning::Sized.of(limit))
 }
 
-/// Normal force and curvature of a cam's own contact.
-fn contact(cam: &Cam) -> impl Fn(Svaj, f64) -> (f64, f64) {
-    let follower = cam.follower;
-    move |at, force| {
-        let here = touch(&follower, 1.0, 0.0, at, force);
-        (here.normal, here.curvature)
-    }
-}
-
-/// Normal force and curvature where a roller runs in a groove, unrolled at `radius`.
-fn groove_contact(
-    groove: &BarrelGroove,
-    radius: f64,
-    wall: Wall,
-    at: Svaj,
-    force: f64,
-) -> (f64, f64) {
-    let slope = at.v / radius;
-    let length = (1.0 + slope * slope).sqrt();
-    // Towards −z, where the lower wall bulges.
-    let bend = -at.a / (radius * radius * length.powi(3));
-    let bulge = match wall {
-        Wall::Lower => bend,
-        Wall::Upper => -bend,
+/// Smallest base radius under a flat face on which the pressure limit holds: the largest of F E*/(π L p²) − s − a.
+pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64 {
+    let Some(limit) = pressed(problem, 0.0) else {
+        return 0.0;
     };
-    let roller = groove.roller_radius();
-    (force * length, 1.0 / (roller * (1.0 - roller * bulge)))
+    let per_radius = problem.drive.weights()[2] - limit.weights[2];
+    let force = problem.force_curve(pressing);
+    let bend = law.combination([1.0, 0.0, 1.0, 0.0], 0.0);
+    let bend = bend.cut_at(force.breaks());
+    let force = force.cut_at(bend.breaks());
+    PiecewisePoly::combine(&[(1.0 / per_radius, &force), (-1.0, &bend)], 0.0)
+        .extremes()
+        .1
+        .value
 }
 
-/// The highest F/ρ at an end of a piece, and where: near enough to the highest of all that few pieces stay in question.
-fn highest_at_ends(force: &PiecewisePoly, radius: &PiecewisePoly) -> (f64, f64) {
-    let mut highest = (force.breaks()[0], f64::NEG_INFINITY);
-    for (piece, ends) in force.breaks().windows(2).enumerate() {
-        let (f, r) = (force.piece(piece), radius.piece(piece));
-        let last = f.len() - 1;
-        for (at, quotient) in [(ends[0], f[0] / r[0]), (ends[1], f[last] / r[last])] {
-            if quotient > highest.1 {
-                highest = (at, quotient);
-            }
+/// The pressure limit, where a roller cam that is large enough keeps it: the roller itself is curved, and
+/// that presses on any cam.
+pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
+    let (most, roller) = (
+        problem.limits[LimitKind::HertzPressure]?,
+        problem.cam.roller_radius,
+    );
+    let force = problem.force_extremes(pressing).1.value;
+    let least = force * modulus(STEEL, STEEL) / (PI * problem.cam.thickness * roller);
+    (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)
+}
+
+/// Line pressure between a roller and its cam.
+#[derive(Debug, Clone, Copy)]
+pub struct Pressure {
+    /// π L/E*, so that p² is the normal force times the sum of curvatures over this, m²/N.
+    pub spread: f64,
+    /// Radius of the roller, m.
+    pub roller: f64,
+    /// Largest pressure, Pa.
+    pub most: f64,
+}
+
+impl Pressure {
+    /// q R_f X (w^{3/2} − R_f K) − F w², q = p² π L/E*: with X = D + s, Y = v − e, w = X² + Y² and
+    /// K = w + vY − aX the normal force is F √w/X and the sum of curvatures w^{3/2}/(R_f (w^{3/2} − R_f K))
+    /// (theory §6, §10).
+    pub fn slack(&self, drive: &Drive, at: Svaj, force: f64, size: ProfileSize) -> Slack {
+        let [k, c, m, _] = drive.weights();
+        let (x, y) = (size.rise + at.s, at.v - size.offset);
+        let w = x * x + y * y;
+        let root = w.sqrt();
+        let bend = w + at.v * y - at.a * x;
+        let gap = w * root - self.roller * bend;
+        let q = self.most * self.most * self.spread * self.roller;
+        // By X, Y, v and a of the geometry alone.
+        let by_x =
+            q * (gap + x * (3.0 * root * x - self.roller * (2.0 * x - at.a))) - force * 4.0 * w * x;
+        let by_y = q * x * (3.0 * root * y - self.roller * (2.0 * y + at.v)) - force * 4.0 * w * y;
+        let by_v = -q * x * self.roller * y;
+        let by_a = q * x * self.roller * x;
+        // h in units of q X w^{3/2}, a number that a size of the cam does not change much.
+        let unit = q * size.rise.max(size.rho) * w * root;
+        Slack {
+            h: q * x * gap - force * w * w,
+            w: unit,
+            largest: unit,
+            by_lift: by_x - k * w * w,
+            by_rise: by_x,
+            by_velocity: by_y + by_v - c * w * w,
+            by_acceleration: by_a - m * w * w,
+            by_offset: -by_y,
+            ..Slack::none(LimitKind::HertzPressure)
         }
     }
-    highest
 }
 
-/// Where F − λρ is highest, if above 0, on the pieces that are left; those on which it is nowhere are taken out: no higher
-/// λ has its place there, since ρ is positive.
-fn most_gained(
-    force: &PiecewisePoly,
-    radius: &PiecewisePoly,
-    quotient: f64,
-    left: &mut Vec<usize>,
-) -> Option<f64> {
-    let (mut highest, mut place) = (0.0, None);
-    let mut gain = Vec::with_capacity(force.degree() + 1);
-    left.retain(|&piece| {
-        let both = force.piece(piece).iter().zip(radius.piece(piece));
-        gain.clear();
-        gain.extend(both.map(|(f, r)| f - quotient * r));
-        let (start, end) = (force.breaks()[piece], force.breaks()[piece + 1]);
-        bernstein::peaks_above(&gain, highest, |u, value| {
-            if value > highest {
-                highest = value;
-                place = Some(start + u * (end - start));
-            }
-        });
-        bernstein::hull(&gain).1 > 0.0
-    });
-    place
-}
-
-/// The higher of F/ρ on both sides of a place.
-fn quotient(force: &PiecewisePoly, radius: &PiecewisePoly, at: f64) -> f64 {
-    let (i, u) = force.locate(at);
-    let ends = |k: usize, u: f64| {
-        let value = |p: &PiecewisePoly| bernstein::eval(p.piece(k), u);
-        value(force) / value(radius)
-    };
-    let mut out = ends(i, u);
-    let n = force.pieces();
-    if u < 1e-9 {
-        out = out.max(ends((i + n - 1) % n, 1.0));
-    }
-    if u > 1.0 - 1e-9 {
-        out = out.max(ends((i + 1) % n, 0.0));
-    }
-    out
-}
-
-fn higher(a: Extreme, b: Extreme) -> Extreme {
-    if b.value > a.value { b } else { a }
-}
-
-fn root(square: Extreme) -> Extreme {
-    square.map(|value| value.max(0.0).sqrt())
+/// Highest pressure on the finished cam; infinite on an undercut profile, which is cut away where it would be highest.
+pub fn worst(design: &Finished) -> Extreme {
+    let press = Press::of(design.problem, design.pressing);
+    let worst = press.worst(design.cam, design.second, design.groove);
+    worst.unwrap_or_else(|| design.cam.curvature().convex.map(|_| f64::INFINITY))
 }

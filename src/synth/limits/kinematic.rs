@@ -1,10 +1,10 @@
-//! Base circle, stroke, face width, velocity, acceleration, jerk; monotone flanks and the peak of a derivative.
+//! Base circle, stroke, velocity, acceleration, jerk; monotone flanks and the peak of a derivative.
 
 use super::finished::SLACK;
-use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
+use crate::cam::{Cam, Check, Criterion, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::{Problem, sum};
-use crate::synth::qp::{FACE_END, LOWEST, Limit, Meaning, Variable, only, structural};
+use crate::synth::qp::{LOWEST, Limit, Meaning, Variable, only, structural};
 
 /// A law may dip below its base circle by this part of the stroke: rounding.
 const DIP: f64 = 1e-7;
@@ -43,7 +43,7 @@ pub fn stroke(problem: &Problem) -> Vec<Limit> {
 }
 
 /// A derivative within a range of the given width, from 0 on or from the value of a variable on.
-fn range(
+pub fn range(
     problem: &Problem,
     name: LimitKind,
     order: usize,
@@ -56,16 +56,6 @@ fn range(
     match window.map(|from| side.within(width, from)) {
         Some([top, bottom]) => vec![read(top), bottom.exact()],
         None => vec![read(side.at_most(width))],
-    }
-}
-
-/// The contact on a flat face moves by v (theory §6): its range is the face's width.
-pub fn face_width(problem: &Problem) -> Vec<Limit> {
-    match (problem.limits[LimitKind::FaceWidth], problem.cam.follower) {
-        (Some(width), FollowerKind::FlatTranslating) => {
-            range(problem, LimitKind::FaceWidth, 1, width, Some(FACE_END))
-        }
-        _ => Vec::new(),
     }
 }
 

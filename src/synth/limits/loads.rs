@@ -1,53 +1,21 @@
-//! Shaft torque, its rate and its power, and the pressure between cam and follower.
-//!
-//! Pressure under a flat face is linear in law and size: a row from the start. Torque, its rate and the
-//! pressure under a roller are not convex: h(s, v, a, j, D, e) ≥ 0 with its derivatives.
+//! Loads that are not convex in the law, h(s, v, a, j, D, e) ≥ 0 with its derivatives: shaft torque, its rate and its power,
+//! and the pressure under a roller.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::finished::Finished;
-use super::hertz_pressure::Press;
+use super::hertz_pressure::{self, Pressure};
 use super::slack::{ProfileSize, Slack};
-use crate::cam::{Check, FollowerKind, LimitKind};
+use crate::cam::{Check, LimitKind};
 use crate::drive::Drive;
-use crate::dynamics::hertz::{STEEL, flat_face_limit, modulus};
+use crate::dynamics::hertz::{STEEL, modulus};
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{OnShaft, Problem, product};
-use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
-/// A cam is not made larger for a pressure of whose square the roller alone makes more than this part.
-const WORTH_GROWING: f64 = 0.95;
 /// A limit counts as kept within this part of it.
 const SLACK: f64 = 1e-6;
-
-/// Steel on steel under a flat face of given base radius.
-pub fn row(problem: &Problem) -> Option<Limit> {
-    pressed(problem, problem.base_radius()?)
-}
-
-/// F ≤ π L p²/E*·(Rb + s + a): linear in law and radius together.
-pub fn row_with_size(problem: &Problem) -> Option<Limit> {
-    let mut limit = pressed(problem, 0.0)?;
-    limit.extra[RADIUS] = limit.weights[2] - problem.drive.weights()[2];
-    Some(limit)
-}
-
-/// The pressure limit under a flat face on a base circle, which counts among the variables where it is 0.
-fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
-    let (cam, pressure) = (&problem.cam, problem.limits[LimitKind::HertzPressure]?);
-    if cam.follower != FollowerKind::FlatTranslating {
-        return None;
-    }
-    let steel = modulus(STEEL, STEEL);
-    let ([s, v, a, j], bound) =
-        flat_face_limit(&problem.drive, base_radius, cam.thickness, steel, pressure);
-    let scale = bound.abs().max(problem.drive.rest_force.abs());
-    let weights = [s, v, a, j, 0.0];
-    let limit = structural(LimitKind::HertzPressure, weights, bound, scale);
-    Some(Meaning::Sized.of(limit))
-}
 
 /// What is not convex in the loads of a problem; `None` = no limit.
 #[derive(Debug, Clone)]
@@ -64,17 +32,6 @@ pub struct Loads {
     pub torque_rate: Option<f64>,
     /// Pressure under a roller.
     pub pressure: Option<Pressure>,
-}
-
-/// Line pressure between a roller and its cam.
-#[derive(Debug, Clone, Copy)]
-pub struct Pressure {
-    /// π L/E*, so that p² is the normal force times the sum of curvatures over this, m²/N.
-    pub spread: f64,
-    /// Radius of the roller, m.
-    pub roller: f64,
-    /// Largest pressure, Pa.
-    pub most: f64,
 }
 
 impl Loads {
@@ -114,10 +71,8 @@ impl Loads {
             let rate = self.torque_rate;
             out.extend(rate.map(|most| self.rate_slack(at, [force, extra_rate], most, side)));
         }
-        out.extend(
-            self.pressure
-                .map(|p| self.pressure_slack(at, force, size, p)),
-        );
+        let pressure = self.pressure.as_ref();
+        out.extend(pressure.map(|p| p.slack(&self.drive, at, force, size)));
     }
 
     /// The limits on the torque; at constant speed the lesser, from which the other one follows.
@@ -195,38 +150,6 @@ impl Loads {
             ..Slack::none(LimitKind::TorqueRate)
         }
     }
-
-    /// q R_f X (w^{3/2} − R_f K) − F w², q = p² π L/E*: with X = D + s, Y = v − e, w = X² + Y² and
-    /// K = w + vY − aX the normal force is F √w/X and the sum of curvatures w^{3/2}/(R_f (w^{3/2} − R_f K))
-    /// (theory §6, §10).
-    fn pressure_slack(&self, at: Svaj, force: f64, size: ProfileSize, p: Pressure) -> Slack {
-        let [k, c, m, _] = self.drive.weights();
-        let (x, y) = (size.rise + at.s, at.v - size.offset);
-        let w = x * x + y * y;
-        let root = w.sqrt();
-        let bend = w + at.v * y - at.a * x;
-        let gap = w * root - p.roller * bend;
-        let q = p.most * p.most * p.spread * p.roller;
-        // By X, Y, v and a of the geometry alone.
-        let by_x =
-            q * (gap + x * (3.0 * root * x - p.roller * (2.0 * x - at.a))) - force * 4.0 * w * x;
-        let by_y = q * x * (3.0 * root * y - p.roller * (2.0 * y + at.v)) - force * 4.0 * w * y;
-        let by_v = -q * x * p.roller * y;
-        let by_a = q * x * p.roller * x;
-        // h in units of q X w^{3/2}, a number that a size of the cam does not change much.
-        let unit = q * size.rise.max(size.rho) * w * root;
-        Slack {
-            h: q * x * gap - force * w * w,
-            w: unit,
-            largest: unit,
-            by_lift: by_x - k * w * w,
-            by_rise: by_x,
-            by_velocity: by_y + by_v - c * w * w,
-            by_acceleration: by_a - m * w * w,
-            by_offset: -by_y,
-            ..Slack::none(LimitKind::HertzPressure)
-        }
-    }
 }
 
 /// Torque, its rate, the pressure and the power of the finished cam against the limits.
@@ -234,31 +157,16 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
     let torque = || torque_curve(design.problem.force_curve(design.pressing), &design.cam.law);
     let mut out = Vec::new();
-    let mut check = |kind: LimitKind, worst: Extreme, limit: f64| {
-        out.push(Check::of(kind, worst, limit, SLACK));
+    let mut check = |kind: LimitKind, worst: &dyn Fn() -> Extreme| {
+        let limit = limits[kind];
+        out.extend(limit.map(|limit| Check::of(kind, worst(), limit, SLACK)));
     };
-    if let Some(limit) = limits[LimitKind::Torque] {
-        check(LimitKind::Torque, largest(&torque()), limit);
-    }
-    if let Some(limit) = limits[LimitKind::TorqueRate] {
-        check(
-            LimitKind::TorqueRate,
-            largest(&torque().derivative()),
-            limit,
-        );
-    }
-    if let Some(limit) = limits[LimitKind::HertzPressure] {
-        let press = Press::of(design.problem, design.pressing);
-        let worst = press.worst(design.cam, design.second, design.groove);
-        // An undercut profile is cut away where the pressure would be highest.
-        let endless = || design.cam.curvature().convex.map(|_| f64::INFINITY);
-        let worst = worst.unwrap_or_else(endless);
-        check(LimitKind::HertzPressure, worst, limit);
-    }
-    if let Some(limit) = limits[LimitKind::Power] {
-        let worst = largest(&power_curve(design.problem, torque()));
-        check(LimitKind::Power, worst, limit);
-    }
+    check(LimitKind::Torque, &|| largest(&torque()));
+    check(LimitKind::TorqueRate, &|| largest(&torque().derivative()));
+    check(LimitKind::HertzPressure, &|| hertz_pressure::worst(design));
+    check(LimitKind::Power, &|| {
+        largest(&power_curve(design.problem, torque()))
+    });
     out
 }
 
@@ -278,32 +186,4 @@ pub fn power_curve(problem: &Problem, torque: PiecewisePoly) -> PiecewisePoly {
 /// Largest absolute value, by roots.
 pub fn largest(curve: &PiecewisePoly) -> Extreme {
     Extreme::largest(curve.extremes())
-}
-
-/// Smallest base radius under a flat face on which the pressure limit holds: the largest of F E*/(π L p²) − s − a.
-pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64 {
-    let Some(limit) = pressed(problem, 0.0) else {
-        return 0.0;
-    };
-    let per_radius = problem.drive.weights()[2] - limit.weights[2];
-    let force = problem.force_curve(pressing);
-    let bend = law.combination([1.0, 0.0, 1.0, 0.0], 0.0);
-    let bend = bend.cut_at(force.breaks());
-    let force = force.cut_at(bend.breaks());
-    PiecewisePoly::combine(&[(1.0 / per_radius, &force), (-1.0, &bend)], 0.0)
-        .extremes()
-        .1
-        .value
-}
-
-/// The pressure limit, where a roller cam that is large enough keeps it: the roller itself is curved, and
-/// that presses on any cam.
-pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
-    let (most, roller) = (
-        problem.limits[LimitKind::HertzPressure]?,
-        problem.cam.roller_radius,
-    );
-    let force = problem.force_extremes(pressing).1.value;
-    let least = force * modulus(STEEL, STEEL) / (PI * problem.cam.thickness * roller);
-    (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)
 }

@@ -1,6 +1,7 @@
 //! Derivatives of the loads by differences; the pressure against the contact's own.
 
-use super::loads::{Loads, Pressure};
+use super::hertz_pressure::Pressure;
+use super::loads::Loads;
 use super::slack::{ProfileSize, Slack};
 use crate::cam::{Follower, LimitKind};
 use crate::drive::Drive;

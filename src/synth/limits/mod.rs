@@ -15,6 +15,7 @@ mod loads;
 mod loads_tests;
 mod nonconvex;
 mod power_mean;
+mod press;
 mod pressure_angle;
 mod profile;
 mod size;
@@ -23,10 +24,11 @@ mod slack;
 pub use dwell_vibration::Vibrations;
 pub use finished::{Finished, GEOMETRY};
 pub use force::{about_the_target, report as force_report};
-pub use hertz_pressure::Press;
+pub use hertz_pressure::{bearable_on_some_size, smallest_base_radius};
 pub use kinematic::{above_base_circle, monotone, peak};
-pub use loads::{bearable_on_some_size, largest, power_curve, smallest_base_radius, torque_curve};
+pub use loads::{largest, power_curve, torque_curve};
 pub use nonconvex::{ENLARGED, NonconvexLimits, clearances, loaded, relative};
+pub use press::Press;
 pub use pressure_angle::{NEARLY_RIGHT, is_usual, usual_pressure_angle};
 pub use profile::Profile;
 pub use slack::ProfileSize;
@@ -44,7 +46,7 @@ use crate::problem::Problem;
 pub fn rows(problem: &Problem) -> Vec<Limit> {
     let mut out = kinematic::base_circle(problem);
     out.extend(kinematic::stroke(problem));
-    out.extend(kinematic::face_width(problem));
+    out.extend(size::face_width(problem));
     if problem.on_shaft.is_none() {
         out.extend(kinematic::timed(problem));
         out.extend(force::rows(problem));
@@ -53,7 +55,7 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     out.extend(curvature::row(problem));
     out.extend(pressure_angle::rows(problem));
     if problem.on_shaft.is_none() {
-        out.extend(loads::row(problem));
+        out.extend(hertz_pressure::row(problem));
     }
     count_from_base_circle(problem, &mut out[of_law_alone..]);
     out
@@ -86,7 +88,7 @@ pub fn rows_on_shaft(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     let mut out = force::rows(problem);
     out.extend(kinematic::timed(problem));
     let of_law_alone = out.len();
-    out.extend(loads::row(problem));
+    out.extend(hertz_pressure::row(problem));
     count_from_base_circle(problem, &mut out[of_law_alone..]);
     for limit in &mut out {
         shift(problem, program, limit);
@@ -127,7 +129,7 @@ pub fn with_size(problem: &Problem, program: &mut Program) {
     let mut sized = Vec::new();
     if follower == FollowerKind::FlatTranslating {
         sized.push(curvature::row_with_size(problem));
-        let mut pressed = loads::row_with_size(problem);
+        let mut pressed = hertz_pressure::row_with_size(problem);
         pressed
             .iter_mut()
             .for_each(|limit| shift(problem, program, limit));

@@ -1,13 +1,26 @@
-//! Prime radius and bore.
+//! Face width, prime radius and bore.
 
 use super::finished::{GEOMETRY, SLACK};
+use super::kinematic::range;
 use super::nonconvex::ENLARGED;
 use super::profile::Profile;
 use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::scene::Minimise;
-use crate::synth::qp::{Limit, Meaning, OFFSET, Program, RADIUS, RISE, Variable, structural};
+use crate::synth::qp::{
+    FACE_END, Limit, Meaning, OFFSET, Program, RADIUS, RISE, Variable, structural,
+};
+
+/// The contact on a flat face moves by v (theory §6): its range is the face's width.
+pub fn face_width(problem: &Problem) -> Vec<Limit> {
+    match (problem.limits[LimitKind::FaceWidth], problem.cam.follower) {
+        (Some(width), FollowerKind::FlatTranslating) => {
+            range(problem, LimitKind::FaceWidth, 1, width, Some(FACE_END))
+        }
+        _ => Vec::new(),
+    }
+}
 
 /// Cost of a size among the variables, the limit on it, and the cone Rp ≥ ‖(D, e)‖ of an open offset.
 pub fn priced(problem: &Problem, program: &mut Program) {

@@ -1,0 +1,289 @@
+//! Highest line pressure between a cam and what it drives, steel on steel: p² = N κ E*/(π L) (theory §10).
+
+use std::f64::consts::PI;
+
+use super::finished::GEOMETRY;
+use crate::cam::{BarrelGroove, Cam, Follower, Wall};
+use crate::drive::Drive;
+use crate::dynamics::hertz::{STEEL, modulus};
+use crate::dynamics::rigid::touch::touch;
+use crate::law::{Law, Svaj};
+use crate::poly::{Extreme, PiecewisePoly, bernstein, stand_in};
+use crate::problem::{Problem, sum};
+
+/// Rounds of the search for the highest quotient; it settles in three or four.
+const ROUNDS: usize = 40;
+/// A gain below this part of the quotient is rounding.
+const SETTLED: f64 = 1e-14;
+
+/// A machine that presses on its cams: force, the law that makes it, and the contact's length, m.
+#[derive(Debug, Clone, Copy)]
+pub struct Press<'a> {
+    /// Lift to force.
+    pub drive: &'a Drive,
+    /// Thickness of the plate, m.
+    pub thickness: f64,
+    /// The law that makes the force.
+    pub law: &'a Law,
+    /// What a varying speed or a floor adds to it, N.
+    pub extra: Option<&'a PiecewisePoly>,
+}
+
+impl<'a> Press<'a> {
+    /// Of a problem, under the law that makes the force.
+    pub fn of(problem: &'a Problem, law: &'a Law) -> Self {
+        Press {
+            drive: &problem.drive,
+            thickness: problem.cam.thickness,
+            law,
+            extra: problem.on_shaft.as_ref().map(|shaft| &shaft.extra.force),
+        }
+    }
+
+    /// The force over the turn, N.
+    fn force_curve(&self) -> PiecewisePoly {
+        let own = self.drive.force_curve(self.law);
+        self.extra
+            .map_or_else(|| own.clone(), |extra| sum(&own, extra))
+    }
+
+    /// Highest pressure on any contact, Pa: of a conjugate pair the second cam's where it bears, of a groove
+    /// both walls' at its floor and at its rim. `None` where a profile is undercut.
+    pub fn worst(
+        &self,
+        cam: &Cam,
+        second: Option<&Cam>,
+        groove: Option<&BarrelGroove>,
+    ) -> Option<Extreme> {
+        if let Some(groove) = groove {
+            return self.in_groove(cam, groove);
+        }
+        let first = on_profile(cam, || self.on(cam))?;
+        let Some(second) = second.filter(|_| self.pulls()) else {
+            return Some(first);
+        };
+        let bears = || self.square_root(second, -1.0, &contact(second));
+        Some(higher(first, on_profile(second, bears)?))
+    }
+
+    /// Highest pressure where the force presses on a cam, Pa; infinite under a knife edge.
+    pub fn on(&self, cam: &Cam) -> Extreme {
+        let follower = &cam.follower;
+        if !follower.is_flat() && follower.roller_radius() == 0.0 {
+            // A knife edge presses on a line without width.
+            return Extreme {
+                at: cam.law.extent().0,
+                value: f64::INFINITY,
+            };
+        }
+        match *follower {
+            Follower::FlatTranslating { base_radius } => self.under_flat_face(cam, base_radius),
+            _ => self.square_root(cam, 1.0, &contact(cam)),
+        }
+    }
+
+    /// Whether the force would pull anywhere.
+    fn pulls(&self) -> bool {
+        match self.extra {
+            None => self.drive.force_extremes(self.law).0.value < 0.0,
+            Some(_) => self.force_curve().extremes().0.value < 0.0,
+        }
+    }
+
+    fn factor(&self) -> f64 {
+        modulus(STEEL, STEEL) / (PI * self.thickness)
+    }
+
+    /// Square root of the highest p², from normal force and curvature at `sign` times the force; `bearing`
+    /// gives both for the motion of the cam and the force at one place.
+    fn square_root(
+        &self,
+        cam: &Cam,
+        sign: f64,
+        bearing: &dyn Fn(Svaj, f64) -> (f64, f64),
+    ) -> Extreme {
+        let factor = self.factor();
+        let own = cam.law.breaks();
+        let alike = self.law.breaks() == own;
+        // What is added is smooth between breaks of its own.
+        let cut = self
+            .extra
+            .map(|extra| cam.law.poly().cut_at(extra.breaks()));
+        let breaks = cut.as_ref().map_or(own, |cut| cut.breaks());
+        let square = stand_in(breaks, 1e-12, |i, x| {
+            let middle = 0.5 * (breaks[i] + breaks[i + 1]);
+            let i = if cut.is_none() {
+                i
+            } else {
+                own.partition_point(|b| *b <= middle) - 1
+            };
+            let u = (x - own[i]) / (own[i + 1] - own[i]);
+            let pressing = if alike {
+                self.law.svaj_on(i, u)
+            } else {
+                self.law.svaj(x)
+            };
+            let extra = self.extra.map_or(0.0, |extra| extra.eval(x));
+            let force = sign * (self.drive.force(pressing) + extra);
+            let (normal, curvature) = bearing(cam.law.svaj_on(i, u), force);
+            factor * normal * curvature
+        })
+        .extremes()
+        .1;
+        root(square)
+    }
+
+    /// Where the radius of curvature is linear in the law, ρ = Rb + s + a, the highest F/ρ is found by
+    /// Dinkelbach's method: the extreme of F − λρ gives a higher quotient λ, until there is none.
+    fn under_flat_face(&self, cam: &Cam, base_radius: f64) -> Extreme {
+        let force = self.force_curve();
+        let radius = cam.law.combination([1.0, 0.0, 1.0, 0.0], base_radius);
+        let radius = radius.cut_at(force.breaks());
+        let force = force.cut_at(radius.breaks());
+        let degree = force.degree().max(radius.degree());
+        let alike = |p: PiecewisePoly| p.map(degree, |b, _| b.to_vec());
+        let (force, radius) = (alike(force), alike(radius));
+        let (mut at, mut most) = highest_at_ends(&force, &radius);
+        let mut left: Vec<usize> = (0..force.pieces()).collect();
+        for _ in 0..ROUNDS {
+            let next = most_gained(&force, &radius, most, &mut left).unwrap_or(at);
+            let higher = quotient(&force, &radius, next);
+            if higher <= most * (1.0 + SETTLED) {
+                break;
+            }
+            (at, most) = (next, higher);
+        }
+        root(Extreme {
+            at,
+            value: self.factor() * most,
+        })
+    }
+
+    /// Both walls, each where its roller bears, at the floor and at the rim.
+    fn in_groove(&self, cam: &Cam, groove: &BarrelGroove) -> Option<Extreme> {
+        let (floor, rim) = groove.depth();
+        let walls = [(Wall::Lower, 1.0), (Wall::Upper, -1.0)];
+        let count = if self.pulls() { 2 } else { 1 };
+        let mut worst: Option<Extreme> = None;
+        for (wall, sign) in &walls[..count] {
+            for radius in [floor, rim] {
+                if groove.smallest_bulge(radius, *wall).value <= 0.0 {
+                    return None;
+                }
+                let here = self.square_root(cam, *sign, &|at, force| {
+                    groove_contact(groove, radius, *wall, at, force)
+                });
+                worst = Some(worst.map_or(here, |w| higher(w, here)));
+            }
+        }
+        worst
+    }
+}
+
+/// The pressure on a profile; `None` where it is undercut, infinite on a cusp.
+fn on_profile(cam: &Cam, pressure: impl FnOnce() -> Extreme) -> Option<Extreme> {
+    let convex = cam.curvature().convex;
+    if convex.value <= 0.0 {
+        return None;
+    }
+    if convex.value <= GEOMETRY * cam.follower.prime_radius() {
+        return Some(convex.map(|_| f64::INFINITY));
+    }
+    Some(pressure())
+}
+
+/// Normal force and curvature of a cam's own contact.
+fn contact(cam: &Cam) -> impl Fn(Svaj, f64) -> (f64, f64) {
+    let follower = cam.follower;
+    move |at, force| {
+        let here = touch(&follower, 1.0, 0.0, at, force);
+        (here.normal, here.curvature)
+    }
+}
+
+/// Normal force and curvature where a roller runs in a groove, unrolled at `radius`.
+fn groove_contact(
+    groove: &BarrelGroove,
+    radius: f64,
+    wall: Wall,
+    at: Svaj,
+    force: f64,
+) -> (f64, f64) {
+    let slope = at.v / radius;
+    let length = (1.0 + slope * slope).sqrt();
+    // Towards −z, where the lower wall bulges.
+    let bend = -at.a / (radius * radius * length.powi(3));
+    let bulge = match wall {
+        Wall::Lower => bend,
+        Wall::Upper => -bend,
+    };
+    let roller = groove.roller_radius();
+    (force * length, 1.0 / (roller * (1.0 - roller * bulge)))
+}
+
+/// The highest F/ρ at an end of a piece, and where: near enough to the highest of all that few pieces stay in question.
+fn highest_at_ends(force: &PiecewisePoly, radius: &PiecewisePoly) -> (f64, f64) {
+    let mut highest = (force.breaks()[0], f64::NEG_INFINITY);
+    for (piece, ends) in force.breaks().windows(2).enumerate() {
+        let (f, r) = (force.piece(piece), radius.piece(piece));
+        let last = f.len() - 1;
+        for (at, quotient) in [(ends[0], f[0] / r[0]), (ends[1], f[last] / r[last])] {
+            if quotient > highest.1 {
+                highest = (at, quotient);
+            }
+        }
+    }
+    highest
+}
+
+/// Where F − λρ is highest, if above 0, on the pieces that are left; those on which it is nowhere are taken out: no higher
+/// λ has its place there, since ρ is positive.
+fn most_gained(
+    force: &PiecewisePoly,
+    radius: &PiecewisePoly,
+    quotient: f64,
+    left: &mut Vec<usize>,
+) -> Option<f64> {
+    let (mut highest, mut place) = (0.0, None);
+    let mut gain = Vec::with_capacity(force.degree() + 1);
+    left.retain(|&piece| {
+        let both = force.piece(piece).iter().zip(radius.piece(piece));
+        gain.clear();
+        gain.extend(both.map(|(f, r)| f - quotient * r));
+        let (start, end) = (force.breaks()[piece], force.breaks()[piece + 1]);
+        bernstein::peaks_above(&gain, highest, |u, value| {
+            if value > highest {
+                highest = value;
+                place = Some(start + u * (end - start));
+            }
+        });
+        bernstein::hull(&gain).1 > 0.0
+    });
+    place
+}
+
+/// The higher of F/ρ on both sides of a place.
+fn quotient(force: &PiecewisePoly, radius: &PiecewisePoly, at: f64) -> f64 {
+    let (i, u) = force.locate(at);
+    let ends = |k: usize, u: f64| {
+        let value = |p: &PiecewisePoly| bernstein::eval(p.piece(k), u);
+        value(force) / value(radius)
+    };
+    let mut out = ends(i, u);
+    let n = force.pieces();
+    if u < 1e-9 {
+        out = out.max(ends((i + n - 1) % n, 1.0));
+    }
+    if u > 1.0 - 1e-9 {
+        out = out.max(ends((i + 1) % n, 0.0));
+    }
+    out
+}
+
+fn higher(a: Extreme, b: Extreme) -> Extreme {
+    if b.value > a.value { b } else { a }
+}
+
+fn root(square: Extreme) -> Extreme {
+    square.map(|value| value.max(0.0).sqrt())
+}
