@@ -68,7 +68,6 @@ fn solved<N: Names>(
         .tol_gap_abs(own.solver_tolerance)
         .tol_gap_rel(own.solver_tolerance)
         .tol_feas(own.solver_tolerance)
-        .iterative_refinement_enable(own.solver_refines)
         .max_threads(1)
         .build()
         .map_err(|_| Stop::Refused)?;
