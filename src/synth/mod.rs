@@ -140,7 +140,8 @@ impl Scene {
     /// use gaitcam::scene::Gait;
     ///
     /// // The force is used whether the scene has a section for it or not.
-    /// let force = Gait::model("young").model_force()?.unwrap();
+    /// let young = Gait { step_frequency: Some(1.85), ..Gait::model("young") };
+    /// let force = young.model_force()?.unwrap();
     /// let with = Scene { gait: Some(Gait::given()), ..Scene::default() };
     /// let without = Scene::default().design_for(&force)?.cam.law.stroke();
     /// assert_eq!(without, with.design_for(&force)?.cam.law.stroke());

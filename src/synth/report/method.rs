@@ -104,7 +104,7 @@ pub enum Ended {
 ///     ..Scene::default()
 /// };
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
-/// assert_eq!(design.family, "spline");
+/// assert_eq!(design.family, Family::Spline);
 /// assert!(matches!(design.solver.passed_over, Some(PassedOver::Check { .. } | PassedOver::Accuracy { .. })));
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```

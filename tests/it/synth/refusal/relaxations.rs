@@ -260,7 +260,7 @@ fn a_rollers_curvature_is_reached_whatever_it_is() {
 
 /// One side limited leaves the other free: theory §6's closed form, not a rule of thumb on the other side.
 #[test]
-fn a_pressure_angle_on_one_side_sizes_by_that_side_alone() {
+fn a_pressure_angle_on_one_side_leaves_the_other_its_usual_bound() {
     let text = r#"
         name = "one side"
         [drive]
@@ -287,14 +287,27 @@ fn a_pressure_angle_on_one_side_sizes_by_that_side_alone() {
         pressure_angle_rise = "30 deg"
     "#;
     let design = synthesise(&scene_of(text, &[]), None).unwrap();
-    // The foot of the perpendicular on t·D + e = p, p = max(v − t·s): Rp = p cos φ, by a dense scan.
+    // The smallest circle that keeps |φ| in the rise and the usual bound in the fall, by a dense scan.
     let law = &design.cam.law;
-    let t = 30_f64.to_radians().tan();
-    let p = (0..200_000)
-        .map(|i| law.svaj(std::f64::consts::TAU * f64::from(i) / 2e5))
-        .fold(0.0, |m, at| f64::max(m, at.v - t * at.s));
-    let radius = p * 30_f64.to_radians().cos();
-    assert!((design.cam.follower.prime_radius() / radius - 1.0).abs() < 1e-8);
+    let motion: Vec<_> = (0..20_000)
+        .map(|i| law.svaj(std::f64::consts::TAU * f64::from(i) / 2e4))
+        .filter(|at| at.v != 0.0)
+        .collect();
+    // Both are 30°: above its usual bound the fall would not be acceptable.
+    let tangent = 30_f64.to_radians().tan();
+    let radius = |offset: f64| {
+        let depth = motion.iter().fold(0.0, |depth, at| {
+            f64::max(depth, (at.v - offset).abs() / tangent - at.s)
+        });
+        depth.hypot(offset)
+    };
+    let least = (0..4_000)
+        .map(|i| radius(-0.02 + 1e-5 * f64::from(i)))
+        .fold(f64::INFINITY, f64::min);
+    let own = design.cam.follower.prime_radius();
+    assert!((own / least - 1.0).abs() < 1e-5, "{own} {least}");
+    // Theory §6: 2.63648 h for 60° and 30° on both sides.
+    assert!((own - 2.63648e-2).abs() < 1e-7, "{own}");
     // Neither side limited: the usual rule, and a word on it.
     let unsaid = text.replace("pressure_angle_rise = \"30 deg\"", "");
     let design = synthesise(&scene_of(&unsaid, &[]), None).unwrap();
