@@ -133,7 +133,8 @@ fn complete(path: &Path) -> Result<()> {
         return Ok(());
     }
     let foreign = || FileError::Foreign.in_file(&ready);
-    let inside = names_in(&ready).map_err(|_| foreign())?;
+    let mut inside = names_in(&ready).map_err(|_| foreign())?;
+    inside.retain(|name| !is_emptied(&ready, name));
     let is_new = |own: &&str| inside.iter().any(|name| name == own) && is_plain(&ready.join(own));
     let new: Vec<&str> = own().filter(is_new).collect();
     if inside.len() > new.len() + usize::from(is_plain(&ready.join(STALE))) {
@@ -160,6 +161,7 @@ fn put(path: &Path, ready: &Path, new: &[&str]) -> io::Result<()> {
         let place = path.join(name);
         place.parent().map_or(Ok(()), fs::create_dir_all)?;
         fs::rename(ready.join(name), place)?;
+        remove_empty_parent(ready, name);
     }
     for name in own().filter(|own| listed.lines().any(|line| line == *own)) {
         if !new.contains(&name) && is_inside(path, name) {
@@ -201,6 +203,12 @@ fn remove_empty_parent(path: &Path, name: &str) {
     }
 }
 
+/// Whether a name is that of an empty folder whose files are already in their places.
+fn is_emptied(path: &Path, name: &str) -> bool {
+    let is_parent = |own: &str| Path::new(own).parent() == Some(Path::new(name));
+    is_folder(&path.join(name)) && own().any(is_parent)
+}
+
 /// Names of the files in a folder and in those inside it, and of empty folders.
 fn names_in(folder: &Path) -> io::Result<Vec<String>> {
     let mut out = Vec::new();
@@ -239,7 +247,9 @@ fn remove_plain(path: &Path) -> io::Result<()> {
 /// Removes a hidden folder with the files that gaitcam writes there; it stays where it holds others.
 fn discard(folder: &Path) -> io::Result<()> {
     for name in names_in(folder)? {
-        if own().chain([STALE]).any(|own| own == name) {
+        if is_emptied(folder, &name) {
+            fs::remove_dir(folder.join(&name))?;
+        } else if own().chain([STALE]).any(|own| own == name) {
             remove_plain(&folder.join(&name))?;
             remove_empty_parent(folder, &name);
         }
@@ -289,6 +299,7 @@ mod tests {
         }
         let ready = path.join(READY);
         fs::create_dir(&ready).unwrap();
+        fs::create_dir(ready.join("cams_1")).unwrap();
         for (name, text) in [
             ("law.csv", "new"),
             ("summary.json", "new"),
