@@ -24,9 +24,9 @@ use gaitcam::force::{
 };
 use gaitcam::scene::{BETWEEN_PLATES, content};
 use gaitcam::units::Dimension;
-use gaitcam_app::Disk;
 use gaitcam_app::disk::metadata;
 use gaitcam_app::folder::write_whole;
+use gaitcam_app::{Disk, inputs};
 use gaitcam_output as output;
 use gaitcam_output::gait as tables;
 use places::Places;
@@ -121,6 +121,7 @@ pub fn run(args: &GaitArgs) -> Result<u8> {
     let named = |file: &str| args.files.iter().any(|f| f == Path::new(file));
     files.retain(|f| named(f) || !args.out.as_deref().is_some_and(|o| wrote(o, Path::new(f))));
     let files: Vec<PathBuf> = files.into_iter().map(PathBuf::from).collect();
+    files.iter().for_each(|file| inputs::note(file));
     let trials = plates::by_trial(files);
     let is_one = trials.len() == 1 && trials[0] == args.files;
     let places = Places::of(args.out.as_deref(), &trials, !is_one)?;

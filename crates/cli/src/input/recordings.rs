@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use crate::console::error::CliError;
 use gaitcam::error::{Placed, Result};
-use gaitcam_app::inputs;
 use gaitcam_app::read::cannot_be_read;
 use gaitcam_app::recordings::{ENDINGS, inside};
 
@@ -44,9 +43,6 @@ pub fn recordings(paths: &[PathBuf], argument: &str) -> Result<Recordings> {
         };
         return Err(fault.at_argument(argument));
     }
-    out.files
-        .iter()
-        .for_each(|file| inputs::note(Path::new(file)));
     Ok(out)
 }
 

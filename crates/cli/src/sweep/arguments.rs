@@ -15,8 +15,8 @@ use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::table::cell_text;
 use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values};
-use gaitcam_app::Disk;
 use gaitcam_app::read::read_bytes;
+use gaitcam_app::{Disk, inputs};
 
 /// A plan with the files of its scenes.
 pub struct Sweep {
@@ -40,6 +40,7 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
         files: records,
         skipped,
     } = recordings(&args.recordings, "--recordings")?;
+    records.iter().for_each(|file| inputs::note(file.as_ref()));
     let mut set = args.set.clone();
     if let Some(first) = records.first() {
         // A scene that leaves its recording to the command line is whole with any of them.
