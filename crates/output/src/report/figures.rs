@@ -15,6 +15,7 @@ use crate::plot::sheet::Frame;
 use crate::words::Words;
 use gaitcam::cam::Measures;
 use gaitcam::synth::Design;
+use gaitcam::wording::{Language, fixed};
 use gaitcam_base::text::escaped;
 
 /// The diagrams.
@@ -159,11 +160,8 @@ fn comparison(out: &mut String, synthesis: &Design, words: &Words) {
     let error = |column: &str, value: f64| force_text(synthesis, column, value, words.language());
     let rms = error("force_rms_error_n", force.rms_error_n);
     let most = error("force_max_error_n", force.max_error_n);
-    let arguments = [
-        ("name", target.name.as_str()),
-        ("rms", &rms),
-        ("most", &most),
-    ];
+    let name = name_in(&target.name, words.language());
+    let arguments = [("name", name.as_str()), ("rms", &rms), ("most", &most)];
     let mut text = words.fill("report-target", &arguments);
     if let Some(spread) = target.spread_n.as_ref().filter(|s| !s.is_empty()) {
         let squares: f64 = spread.iter().map(|x| x * x).sum();
@@ -178,4 +176,19 @@ fn comparison(out: &mut String, synthesis: &Design, words: &Words) {
         };
     }
     paragraph(out, &text);
+}
+
+/// The name of a force with the numbers in it as a language writes them: that of a load model has its values.
+fn name_in(name: &str, language: Language) -> String {
+    let in_language = |word: &str| {
+        let plain = word.trim_end_matches(',');
+        match (plain.parse(), plain.split_once('.')) {
+            (Ok(value), Some((_, part))) => {
+                fixed(language, value, part.len()) + &word[plain.len()..]
+            }
+            _ => word.to_string(),
+        }
+    };
+    let words: Vec<String> = name.split(' ').map(in_language).collect();
+    words.join(" ")
 }
