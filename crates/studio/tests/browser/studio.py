@@ -107,7 +107,7 @@ def fresh(route):
         answer = route.fetch()
         start = answer.json()
         for tag, words in start["words"].items():
-            text = (Path(FRESH).parents[1] / "engine" / "src" / "words" / f"{tag}.ftl").read_text()
+            text = (ROOT / "crates/app/src/page/words" / f"{tag}.ftl").read_text()
             words.update({k: re.sub(r"{ \$(\w+) }", r"{\1}", v) for k, v in re.findall(r"^(studio-[\w-]+) = (.*)$", text, re.M)})
         route.fulfill(response=answer, json=start)
     elif not name:
