@@ -76,46 +76,65 @@ struct LoggedArgs {
     log: PathBuf,
 }
 
+/// A design that runs, and its log.
+struct Run {
+    input: Input,
+    design: Design,
+    log: Log,
+    /// Folder for files, where there is one.
+    folder: Option<PathBuf>,
+}
+
 impl LoggedArgs {
-    /// The scene, the design that runs, its log and the folder for the files `names`, where there is one; `None` where
-    /// the design has no cam, which is reported.
+    /// The run, with a folder that takes the files `names`; `None` where the design has no cam, which is reported.
     fn read<'a>(
         &self,
         place: impl Fn(&Input) -> Result<Option<PathBuf>>,
         names: impl IntoIterator<Item = &'a str>,
-    ) -> Result<Option<(Input, Design, Log, Option<PathBuf>)>> {
+    ) -> Result<Option<Run>> {
         let log = Log::read(&self.log, &read_bytes(&self.log)?)?;
         let made = Made::read(&SceneArgs::of(self.design.clone()), &[])?;
-        let place = place(&made.input)?;
-        if let Some(place) = &place {
-            inputs::check_in(place, names)?;
+        let folder = place(&made.input)?;
+        if let Some(folder) = &folder {
+            inputs::check_in(folder, names)?;
         }
         let design = made.design()?.0.built()?;
         if let Some(why) = design.no_cam(language::current()) {
             report(words::fill("identify-no-cam", &json!({"why": why})));
             return Ok(None);
         }
-        Ok(Some((made.input, design, log, place)))
+        Ok(Some(Run {
+            input: made.input,
+            design,
+            log,
+            folder,
+        }))
     }
 }
 
 /// Identifies the machine and writes scene, table and picture; exit code 3 where the design has no cam.
 pub fn identify(args: &IdentifyArgs) -> Result<u8> {
     let place = |input: &Input| folder(input, args.out.as_deref(), args.json, "_identified");
-    let Some((input, design, log, place)) = args.run.read(place, OF_IDENTIFICATION)? else {
+    let Some(run) = args.run.read(place, OF_IDENTIFICATION)? else {
         return Ok(NO_SUCH_CAM);
     };
+    let Run {
+        input,
+        design,
+        log,
+        folder,
+    } = run;
     let found = gaitcam::identify::identify(&design, &input.scene, &log)?;
     let write = |path: PathBuf| write(&path, &input, &design, &found);
-    let place = place.map(write).transpose()?;
+    let folder = folder.map(write).transpose()?;
     if args.json {
         print_json(&serde_json::to_value(&found).unwrap_or_default());
         return Ok(BUILT);
     }
     let lines = identified::lines(&input.scene, &found, language::current());
     print(&lines.join("\n  "));
-    if let Some(place) = place {
-        print(&files_in(&place, "identify.svg"));
+    if let Some(folder) = folder {
+        print(&files_in(&folder, "identify.svg"));
     }
     Ok(BUILT)
 }
@@ -163,9 +182,15 @@ fn carried<'a>(from: &Table, input: &Input, keys: impl Iterator<Item = &'a str>)
 pub fn recut(args: &RecutArgs) -> Result<u8> {
     let start = Instant::now();
     let place = |input: &Input| folder(input, args.out.as_deref(), args.json, "_recut");
-    let Some((input, design, log, out)) = args.run.read(place, of_design())? else {
+    let Some(run) = args.run.read(place, of_design())? else {
         return Ok(NO_SUCH_CAM);
     };
+    let Run {
+        input,
+        design,
+        log,
+        folder: out,
+    } = run;
     let target = input.target()?;
     let search = gaitcam::synth::Search::until(args.time.of_design());
     let (scene, figures, found) =

@@ -10,8 +10,11 @@ use gaitcam::synth::{FIGURES, Figure};
 /// Cell of a result that has no such number.
 const NONE: &str = "—";
 
+/// Text of one cell.
+type Cell = fn(&Design) -> String;
+
 /// Rows that are no figures.
-const WORDS: [(&str, fn(&Design) -> String); 4] = [
+const WORDS: [(&str, Cell); 4] = [
     ("compare-verdict", |d| word(&d.summary["verdict"])),
     ("compare-outcome", |d| outcome(&d.summary["outcome"])),
     ("compare-law", |d| word(&d.summary["law"]["family"])),
