@@ -50,7 +50,8 @@ function figures({ figures: list }) {
     const [text, small] = $("figures").children[i].lastChild.children;
     say(text, units.text(value));
     // A speed is given in both units; in one it is said once.
-    if (small) say(small, units.text(more) === value ? "" : units.text(more));
+    const isTwice = [value, units.text(more)].every((shown) => shown.endsWith("rpm"));
+    if (small) say(small, isTwice ? "" : units.text(more));
   });
 }
 
