@@ -135,9 +135,11 @@ def place(r, value, stated, worst):
     nearest = math.inf
     for start, end, function in r.law.pieces:
         if start - 1e-9 <= stated <= end + 1e-9:
-            theta = np.array([min(max(stated, start), end)])
-            found = float(np.ravel(value(theta, *(function(theta, k) for k in range(4))))[0])
-            nearest = min(nearest, abs(found - worst))
+            # Beside the place too: a supremum over the rise or the fall lies where the follower turns.
+            for beside in (0.0, -1e-6, 1e-6):
+                theta = np.array([min(max(stated + beside, start), end)])
+                found = float(np.ravel(value(theta, *(function(theta, k) for k in range(4))))[0])
+                nearest = min(nearest, abs(found - worst))
     return (stated if nearest <= 3e-8 * max(abs(worst), 1e-3 * size_of(r)) else math.nan), 0, 1e-12
 
 
