@@ -2,7 +2,7 @@
 //!
 //! Cams and walkers are sought in turn from several starts: every cam is the design for its walkers, then every walker goes to
 //! the cam that serves him best, until nobody changes (Lloyd, 1982). Where the worst part of all walkers counts, every cam counts
-//! of its own walkers the part that belongs to it. What is found need not be the best; [`bound`] says how far it can be
+//! of its own walkers the part that belongs to it. What is found need not be the best; `bound` says how far it can be
 //! from it.
 
 mod alternation;
