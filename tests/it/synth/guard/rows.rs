@@ -161,6 +161,12 @@ impl List {
                         self.plain(name, [-tan, side, 0.0, 0.0], bound, prime);
                     }
                 }
+                // At the lowest point the follower turns, so that the limits of both sides hold there: |e| ≤ tan φ (s + D).
+                let least = limits.pressure_angle.into_iter().flatten();
+                if let Some(tan) = least.map(f64::tan).reduce(f64::min) {
+                    let bound = tan * rise - offset.abs();
+                    self.plain("pressure turn", [-tan, 0.0, 0.0, 0.0], bound, prime);
+                }
             }
         }
     }

@@ -409,12 +409,20 @@ fn pressure_angle(r: &mut Random) -> Asked {
     let (mut up, mut down) = (0.05_f64, 0.05_f64);
     for p in &reference.scan {
         let at = reference.splines.law(p.span, p.theta, &free.x);
-        let tan = (at[1] - offset) / (at[0] + rise).max(0.2 * rise);
-        (up, down) = (up.max(tan.atan()), down.max((-tan).atan()));
+        let angle = ((at[1] - offset).abs() / (at[0] + rise).max(0.2 * rise)).atan();
+        if at[1] >= 0.0 {
+            up = up.max(angle);
+        }
+        if at[1] <= 0.0 {
+            down = down.max(angle);
+        }
     }
     asked.follower = Follower::Knife { prime, offset };
     let share = r.within(0.8, 1.0);
-    asked.limits.pressure_angle = [r.maybe(0.8, share * up), r.maybe(0.6, share * down)];
+    // No law has less where the follower turns on the prime circle.
+    let turn = 1.01 * (offset.abs() / rise).atan();
+    let [up, down] = [up, down].map(|angle| f64::max(share * angle, turn));
+    asked.limits.pressure_angle = [r.maybe(0.8, up), r.maybe(0.6, down)];
     asked
 }
 
