@@ -39,7 +39,7 @@ pub fn smallest_base_radius(law: &Law, rho_min: f64) -> f64 {
 /// of (D, e); the answer is their point nearest to the origin: a foot of a perpendicular or a corner. With a given
 /// `offset` only D is free.
 pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64>) -> PrimeCircle {
-    let (t1, t2) = (rise.tan(), fall.tan());
+    let (t1, t2) = (libm::tan(rise), libm::tan(fall));
     let p1 = law.extremes_of([-t1, 1.0, 0.0, 0.0], 0.0).1.value;
     let p2 = law.extremes_of([-t2, -1.0, 0.0, 0.0], 0.0).1.value;
     let turning = t1.min(t2);

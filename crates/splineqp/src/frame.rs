@@ -91,7 +91,7 @@ impl Frame {
         let k = self.r.len();
         for i in j..k {
             let (a, b) = (self.r[i][i], self.r[i][i + 1]);
-            let length = a.hypot(b);
+            let length = libm::hypot(a, b);
             let (c, s) = (a / length, b / length);
             for column in &mut self.r[i..] {
                 let (p, q) = (column[i], column[i + 1]);

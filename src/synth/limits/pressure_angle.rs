@@ -91,7 +91,7 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
 /// With D, and e where it is open, among the variables.
 pub fn rows_with_size(problem: &Problem) -> Vec<Limit> {
     let angles = problem.sizing_pressure_angles();
-    let tangents = angles.map(|angle| Some(angle.min(NEARLY_RIGHT).tan()));
+    let tangents = angles.map(|angle| Some(libm::tan(angle.min(NEARLY_RIGHT))));
     let offset = problem.offset();
     let rows = angle_rows(tangents)
         .into_iter()

@@ -82,7 +82,7 @@ impl Profile {
                     arm,
                     prime,
                     rho: pitch.max(SHARP * prime),
-                    tan: angles.map(|angle| angle.map(|a| a.min(NEARLY_RIGHT).tan())),
+                    tan: angles.map(|angle| angle.map(|a| libm::tan(a.min(NEARLY_RIGHT)))),
                 })
             }
             FollowerKind::FlatOscillating => {
@@ -336,7 +336,7 @@ mod tests {
         assert!(exact.abs() < 1e-7, "{exact}");
         for (k, angle) in [(0, rise.value), (1, -fall.value)] {
             let mut tan = [None, None];
-            tan[k] = Some(angle.tan());
+            tan[k] = Some(libm::tan(angle));
             let exact = clearance(&law, &alone(arms(1e-4, tan)));
             assert!(exact.abs() < 1e-7, "{k}: {exact}");
         }

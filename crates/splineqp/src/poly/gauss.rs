@@ -1,5 +1,6 @@
 //! Gauss–Legendre quadrature on [0, 1].
 
+use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 /// Most nodes of one rule; for more, rules are repeated on equal parts.
@@ -31,7 +32,7 @@ fn cached_rule(m: usize) -> &'static [(f64, f64)] {
 fn single_rule(m: usize) -> Vec<(f64, f64)> {
     let mut out: Vec<(f64, f64)> = (0..m)
         .map(|i| {
-            let mut x = (std::f64::consts::PI * (i as f64 + 0.75) / (m as f64 + 0.5)).cos();
+            let mut x = libm::cos(PI * (i as f64 + 0.75) / (m as f64 + 0.5));
             let mut slope = 1.0;
             for _ in 0..100 {
                 let (p, dp) = legendre(m, x);

@@ -66,7 +66,7 @@ impl Transform {
         let n = DEGREE + 1;
         let mut nodes = [0.0; DEGREE + 1];
         for (i, x) in nodes.iter_mut().enumerate() {
-            *x = (PI * (i as f64 + 0.5) / n as f64).cos();
+            *x = libm::cos(PI * (i as f64 + 0.5) / n as f64);
         }
         let chebyshev = (0..=DEGREE)
             .map(|k| {
@@ -80,7 +80,7 @@ impl Transform {
             })
             .collect();
         let waves = std::array::from_fn(|k| {
-            std::array::from_fn(|i| (PI * k as f64 * (i as f64 + 0.5) / n as f64).cos())
+            std::array::from_fn(|i| libm::cos(PI * k as f64 * (i as f64 + 0.5) / n as f64))
         });
         Transform {
             nodes,

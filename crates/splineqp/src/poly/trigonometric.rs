@@ -48,7 +48,9 @@ fn grid_for(harmonics: usize) -> usize {
 /// max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
 pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
     let waves = (1..).zip(terms);
-    let bend: f64 = waves.map(|(n, t)| f64::from(n * n) * t.0.hypot(t.1)).sum();
+    let bend: f64 = waves
+        .map(|(n, t)| f64::from(n * n) * libm::hypot(t.0, t.1))
+        .sum();
     if bend == 0.0 {
         return (NOTHING, NOTHING);
     }

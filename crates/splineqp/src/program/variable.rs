@@ -98,7 +98,7 @@ impl<N: Names> Cone<N> {
     /// The norm of the tail.
     pub fn norm(&self, values: &Values) -> f64 {
         let tail = self.tail.iter().map(|&k| values[k]);
-        tail.fold(0.0, f64::hypot)
+        tail.fold(0.0, libm::hypot)
     }
 
     /// Its variables, the head first.
