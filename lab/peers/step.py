@@ -7,7 +7,6 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-import numpy as np
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeVertex
 from OCP.BRepCheck import BRepCheck_Analyzer
 from OCP.BRepExtrema import BRepExtrema_DistShapeShape
@@ -16,7 +15,7 @@ from OCP.GProp import GProp_GProps
 from OCP.gp import gp_Pnt
 from OCP.IFSelect import IFSelect_RetDone
 from OCP.STEPControl import STEPControl_Reader
-from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_SOLID
+from OCP.TopAbs import TopAbs_EDGE, TopAbs_SOLID
 from OCP.TopExp import TopExp_Explorer
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -111,75 +110,6 @@ def slide(folder):
     report("translating_cam", [], volume / (10.0 * abs(twice) / 2) - 1, farthest(rim, edges))
 
 
-def walls(law, distance, roller, offset):
-    """Angle and height of both walls at a distance from the axis, mm: the roller's axis meets the barrel's, the contact
-    is the point of its circle at r along the axis that faces the wall, r found by halving."""
-    theta, s, v = law
-    low, high = np.zeros_like(theta), np.full_like(theta, distance)
-    for _ in range(60):
-        r = 0.5 * (low + high)
-        aside = roller * v / np.hypot(r, v)
-        near = r * r + aside * aside < distance * distance
-        low, high = np.where(near, r, low), np.where(near, high, r)
-    out = []
-    for side in (-1.0, 1.0):
-        aside = -side * roller * v / np.hypot(r, v)
-        out.append((theta + np.arctan2(aside, r), s + side * (offset + roller * r / np.hypot(r, v))))
-    return out
-
-
-def opened(law, turns, distance, roller, offset, count=100_000):
-    """Height of the groove's opening at equal angles, mm, with its walls: union over the turns."""
-    angles = np.arange(count) * 2 * math.pi / count
-    bounds = []
-    for angle, z in walls(law, distance, roller, offset):
-        whole = 2 * math.pi * turns
-        order = np.argsort(angle % whole)
-        x, y = (angle % whole)[order], z[order]
-        bounds.append([np.interp(angles + 2 * math.pi * k, x, y, period=whole) for k in range(turns)])
-    lows, highs = np.array(bounds[0]), np.array(bounds[1])
-    order = np.argsort(lows, axis=0)
-    lows, highs = np.take_along_axis(lows, order, 0), np.take_along_axis(highs, order, 0)
-    total, reached = np.zeros(count), np.full(count, -np.inf)
-    for low, high in zip(lows, highs):
-        total += np.maximum(0.0, high - np.maximum(low, reached))
-        reached = np.maximum(reached, high)
-    return angles, lows, highs, total
-
-
-def barrel(name, scene, turns, floor, surface, roller, offset, hole, engraved, folder):
-    """A barrel: its volume by integration over the law's table, its edges and walls by points of the roller's envelope."""
-    out = folder / name
-    synth(scene, [], out)
-    found, volume = solids_of(out / "cam.step", 1)
-    with open(out / "law.csv", newline="") as file:
-        rows = [(float(r["theta_rad"]), 1e3 * float(r["s_m"]), 1e3 * float(r["v_m_per_rad"])) for r in csv.DictReader(file)]
-    law = np.array(rows).T
-    nodes, weights = np.polynomial.legendre.leggauss(8)
-    removed = 0.0
-    for node, weight in zip(nodes, weights):
-        distance = 0.5 * (floor + surface) + 0.5 * (surface - floor) * node
-        total = opened(law, turns, distance, roller, offset)[3]
-        removed += 0.5 * (surface - floor) * weight * distance * 2 * math.pi * total.mean()
-    # The barrel ends a roller's radius beyond the groove.
-    length = law[1].max() - law[1].min() + 2 * offset + 4 * roller
-    exact = length * (math.pi * surface**2 - hole) - removed - engraved
-    parts = [list(shapes(found[0], kind)) for kind in (TopAbs_EDGE, TopAbs_FACE)]
-    worst = 0.0
-    for distance, of in ((floor, parts[0]), (surface, parts[0]), (0.5 * (floor + surface), parts[1])):
-        angles, lows, highs, _ = opened(law, turns, distance, roller, offset)
-        for i in range(0, len(angles), len(angles) // 40):
-            for turn in range(turns):
-                others = [k for k in range(turns) if k != turn]
-                for z in (lows[turn][i], highs[turn][i]):
-                    if any(lows[k][i] < z < highs[k][i] for k in others):
-                        continue
-                    point = (distance * math.cos(angles[i]), -distance * math.sin(angles[i]), z)
-                    worst = max(worst, farthest([point], of))
-    report(name, [], volume / exact - 1, worst)
-    return out / "cam.step"
-
-
 FURNISHED = """
 name = "furnished"
 [drive]
@@ -200,40 +130,6 @@ follower = "roller-translating"
 roller_radius = "10 mm"
 prime_radius = "65 mm"
 """
-
-ONE_TURN = """
-name = "one_turn"
-[drive]
-kind = "fixed-axis"
-speed = "100 rpm"
-[law]
-family = "program"
-[[law.segment]]
-motion = "cycloidal"
-lift = "30 mm"
-angle = "150 deg"
-[[law.segment]]
-motion = "dwell"
-angle = "40 deg"
-[[law.segment]]
-motion = "3-4-5"
-lift = "-30 mm"
-angle = "120 deg"
-[[law.segment]]
-motion = "dwell"
-angle = "50 deg"
-[cam]
-follower = "barrel"
-base_radius = "45 mm"
-depth = "10 mm"
-roller_radius = "7 mm"
-bore = "20 mm"
-keyway = "6 mm"
-mark = true
-[limits]
-pressure_angle = "none"
-"""
-
 
 def furnished(folder):
     """A plate with keyway, mark, hub and balance hole: what is added and taken away is known but for the hole, whose
@@ -276,13 +172,7 @@ def main():
         files = [read(*scene, folder) for scene in SCENES]
         files.append(furnished(folder))
         slide(folder)
-        one = folder / "one_turn.toml"
-        one.write_text(ONE_TURN)
-        # The mark is 1 mm wide and 0.3 mm deep.
-        files.append(barrel("one_turn", one, 1, 35.0, 45.0, 7.0, 0.0, KEYED, 0.3 * math.pi, folder))
-        crossed = ROOT / "scenes" / "thesis_barrel.toml"
-        files.append(barrel("thesis_barrel", crossed, 2, 21.0, 30.0, 5.25, 0.25, 0.0, 0.0, folder))
-        for file in files[-3:]:
+        for file in files[-1:]:
             meshed(file)
     print("step: OCCT and gmsh agree")
 

@@ -223,27 +223,6 @@ impl BarrelGroove {
         ]
     }
 
-    /// The same wall where the cylinder of radius `distance` about the barrel's axis cuts it: angle from the x axis
-    /// in the sense of growing θ, rad, and height z, m.
-    ///
-    /// On the roller's axis at r the contact is R_f·v/√(r² + v²) aside, so r² + R_f²v²/(r² + v²) = distance²: a
-    /// quadratic in r².
-    pub fn wall_at(&self, theta: f64, distance: f64, wall: Wall) -> [f64; 2] {
-        let at = self.law.svaj(theta);
-        let (d2, v2, f2) = (
-            distance * distance,
-            at.v * at.v,
-            self.roller_radius() * self.roller_radius(),
-        );
-        let along = d2 - v2;
-        let radius = (0.5 * (along + along.hypot(2.0 * at.v * (d2 - f2).max(0.0).sqrt()))).sqrt();
-        let [across, up] = self.wall_offset(at, radius, wall);
-        [
-            theta + across.atan2(radius),
-            at.s + self.axis_offset(wall) + up,
-        ]
-    }
-
     /// Curvature of the unrolled middle line, positive where it bends towards −z.
     fn pitch_curvature(&self, at: Svaj, radius: f64) -> f64 {
         let roller_radius = self.roller_radius();
@@ -259,12 +238,5 @@ impl BarrelGroove {
         let slope = at.v / radius;
         let unit = wall.sign() * self.roller_radius() / (1.0 + slope * slope).sqrt();
         [-slope * unit, unit]
-    }
-
-    /// Clearance between a roller and the opposite wall, m: 0 for one roller, about
-    /// 2·eccentricity·cos φ for two; least over the law at the floor.
-    pub fn clearance(&self) -> f64 {
-        let (low, high) = self.pressure_angle_extremes(self.inner);
-        2.0 * self.rollers.eccentricity() * low.value.cos().min(high.value.cos())
     }
 }

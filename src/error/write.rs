@@ -38,8 +38,7 @@ pub enum WriteError {
         least: usize,
     },
     OpenProfile,
-    OpenGroove,
-    GrooveCrossings,
+    BarrelSolid,
     UndercutProfile,
     ProfileFolds,
     HubTooLarge {

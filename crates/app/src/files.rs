@@ -160,7 +160,7 @@ pub const ALL: [File; 36] = {
             Floors,
             Png(|s| made(s.floor().png())),
         ),
-        piece(Workshop, "drawing.pdf", Cams, Piece::Sheet),
+        piece(Workshop, "drawing.pdf", Profiles, Piece::Sheet),
         piece(Workshop, "profile.stl", Plates, Piece::Stl),
         piece(Workshop, "profile.3mf", Plates, Piece::ThreeMf),
         piece(
@@ -175,7 +175,7 @@ pub const ALL: [File; 36] = {
             Barrels,
             Piece::Wall(Wall::Lower),
         ),
-        piece(Workshop, "cam.step", Cams, Piece::Step),
+        piece(Workshop, "cam.step", Profiles, Piece::Step),
         piece(Workshop, "profile.xlsx", Cams, Piece::Workbook),
         piece(Drawings, "profile_arcs.dxf", Profiles, Piece::Arcs),
         piece(Workshop, "cutter.csv", Cams, Piece::Cutter),

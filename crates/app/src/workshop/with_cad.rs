@@ -163,7 +163,7 @@ impl Workshop {
             units: self.units,
             ..self.title
         };
-        made(drawing::pdf(design, &title, language))
+        Ok((drawing::pdf(design, &title, language), Vec::new()))
     }
 
     fn arcs(&self, design: &Design) -> Made {

@@ -1,10 +1,9 @@
-//! `drawing.pdf`: the workshop drawing, one sheet for each cam.
+//! `drawing.pdf`: the workshop drawing, one sheet for each cam that is a disc or a slide.
 //!
 //! Lines and letters only (no pictures), with the fonts every reader has, so that the file stays small and its
 //! numbers can be searched and copied. Lengths on the sheet are millimetres or inches, angles degrees, in the frame of
 //! the cam at θ = 0, the follower's motion upwards.
 
-mod barrel;
 mod block;
 mod disc;
 mod helvetica;
@@ -24,7 +23,6 @@ use pdf_writer::{Finish, Name, Pdf, Rect, Ref, TextStr};
 
 use crate::Units;
 use crate::words::Labels;
-use barrel::Barrel;
 use layout::Layout;
 use pen::{HELVETICA, POINT, Pen, SYMBOL, Stroke};
 use piece::Piece;
@@ -70,16 +68,11 @@ pub fn revision(scene: &str) -> u32 {
 enum Subject<'a> {
     Disc(Piece<'a>),
     Slide(Slide<'a>),
-    Barrel(Barrel<'a>),
 }
 
 impl<'a> Subject<'a> {
     /// The sheets of a design.
     fn all(design: &'a Design) -> Vec<Self> {
-        if let Some(groove) = &design.groove {
-            let sheets = Barrel::sheets(design, groove);
-            return sheets.into_iter().map(Subject::Barrel).collect();
-        }
         if design.cam.follower.is_unrolled() {
             return vec![Subject::Slide(Slide::new(design))];
         }
@@ -90,7 +83,6 @@ impl<'a> Subject<'a> {
         match self {
             Subject::Disc(piece) => piece.layout(),
             Subject::Slide(slide) => slide.layout(),
-            Subject::Barrel(barrel) => barrel.layout(),
         }
     }
 
@@ -99,7 +91,6 @@ impl<'a> Subject<'a> {
         match self {
             Subject::Disc(piece) => piece.draw(pen, layout, words),
             Subject::Slide(slide) => slide.draw(pen, layout, words),
-            Subject::Barrel(barrel) => barrel.draw(pen, layout, words),
         }
     }
 
@@ -107,13 +98,16 @@ impl<'a> Subject<'a> {
     fn cam(&self, design: &'a Design) -> (&'a Cam, Option<&'static str>) {
         match self {
             Subject::Disc(piece) => (piece.cam, piece.name),
-            Subject::Slide(_) | Subject::Barrel(_) => (&design.cam, None),
+            Subject::Slide(_) => (&design.cam, None),
         }
     }
 }
 
-/// The drawing.
-pub fn pdf(design: &Design, title: &Title, language: Language) -> Vec<u8> {
+/// The drawing; `None` of a barrel, which has no sheet.
+pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>> {
+    if design.groove.is_some() {
+        return None;
+    }
     let words = Labels::new(language, title.units);
     let subjects = Subject::all(design);
     let mut next = 0;
@@ -157,7 +151,7 @@ pub fn pdf(design: &Design, title: &Title, language: Language) -> Vec<u8> {
         .base_font(HELVETICA)
         .encoding_predefined(Name(b"WinAnsiEncoding"));
     pdf.type1_font(fonts[1]).base_font(SYMBOL);
-    pdf.finish()
+    Some(pdf.finish())
 }
 
 /// One sheet.

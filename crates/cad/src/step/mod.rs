@@ -3,17 +3,15 @@
 //! A disc's profile is a periodic cubic B-spline through points at equal steps of the cam angle, C², refined until
 //! it stays within [`FAITHFUL`] of the true one; the plate is its extrusion with the hole for the shaft. Of a
 //! conjugate pair both cams are there as they stand on the shaft, one plate's thickness apart. A slide has its foot under
-//! the profile; a barrel has its groove.
+//! the profile. A barrel has no solid.
 
-mod barrel;
 mod file;
 mod freeform;
 mod slide;
 
-pub(super) use self::barrel::Sectors;
 use self::file::{File, Piece, Rims, circle};
 use super::spline;
-use gaitcam::cam::{BarrelGroove, Bore, Hole, Hub};
+use gaitcam::cam::{Bore, Hole, Hub};
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
 use gaitcam::synth::Edge;
@@ -33,23 +31,19 @@ const EDGES: usize = 4;
 ///
 /// # Errors
 ///
-/// On a law that does not close, an undercut profile or groove, a thickness that is not positive, and a profile that no
+/// On a barrel, a law that does not close, an undercut profile, a thickness that is not positive, and a profile that no
 /// spline of so many spans follows.
 pub fn solid(design: &Design) -> Result<Vec<u8>> {
+    if design.groove.is_some() {
+        return Err(WriteError::BarrelSolid.into());
+    }
     let mut file = File::default();
-    let solids = if let Some(groove) = &design.groove {
-        vec![barrel::add(&mut file, groove, design)?]
-    } else if design.cam.follower.is_unrolled() {
+    let solids = if design.cam.follower.is_unrolled() {
         vec![slide::add(&mut file, design)?]
     } else {
         plates(&mut file, design)?
     };
     Ok(file.finish(&solids, &design.problem.name))
-}
-
-/// Heights between which a barrel's solid lies, m.
-pub fn barrel_ends(groove: &BarrelGroove) -> [f64; 2] {
-    barrel::ends(groove)
 }
 
 fn plates(file: &mut File, synthesis: &Design) -> Result<Vec<usize>> {
@@ -137,17 +131,11 @@ impl Dot {
             .map_or(0.0, |b| MM * b.reach())
             .max(hub);
         let room = 0.5 * (base - reach);
-        let dot = Dot::at([0.0, reach + room], room, MM * design.problem.cam.thickness);
-        (room > LEAST_ROOM).then_some(dot)
-    }
-
-    /// A dot with so much room around its centre in a body of such a thickness.
-    fn at(centre: [f64; 2], room: f64, thickness: f64) -> Dot {
-        Dot {
-            centre,
+        (room > LEAST_ROOM).then_some(Dot {
+            centre: [0.0, reach + room],
             radius: (0.4 * room).min(1.0),
-            depth: (0.1 * thickness).min(0.3),
-        }
+            depth: (0.1 * MM * design.problem.cam.thickness).min(0.3),
+        })
     }
 
     /// Its wall and floor below a face at height z; returns its rims.

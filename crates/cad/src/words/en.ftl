@@ -11,12 +11,6 @@ drawing-hub = hub
 drawing-heights = x: distance from the left end. y: height of the profile above the foot.
 drawing-heights-ball = b: height at which the centre of a ball R { $radius } { $unit } stands that is lowered until it touches.
 drawing-motion = the cam moves
-drawing-unrolled = surface unrolled, seen from outside: θ grows to the left
-drawing-surface = surface
-drawing-floor = floor of the groove
-drawing-groove-cutter = cutter and roller
-drawing-stations = θ: angle from the mark θ = 0, clockwise in the view of the end.
-drawing-stations-height = z: height of the axis of the cutter (with two rollers: of their stud) above the lower end.
 drawing-radii = φ: angle at the centre from the mark θ = 0, clockwise in this view. r: radius of the profile.
 drawing-radii-ball = b: radius at which the centre of a ball R { $radius } { $unit } stands that is moved along the ray until it touches.
 drawing-material = Material

@@ -11,12 +11,6 @@ drawing-hub = cubo
 drawing-heights = x: distancia desde el extremo izquierdo. y: altura del perfil sobre la base.
 drawing-heights-ball = b: altura en que queda el centro de una bola R { $radius } { $unit } que se baja hasta tocar.
 drawing-motion = la leva se mueve
-drawing-unrolled = superficie desarrollada, vista desde fuera: θ crece hacia la izquierda
-drawing-surface = superficie
-drawing-floor = fondo de la ranura
-drawing-groove-cutter = fresa y rodillo
-drawing-stations = θ: ángulo desde la marca θ = 0, en sentido horario en la vista del extremo.
-drawing-stations-height = z: altura del eje de la fresa (con dos rodillos: de su perno) sobre el extremo inferior.
 drawing-radii = φ: ángulo en el centro desde la marca θ = 0, en sentido horario en esta vista. r: radio del perfil.
 drawing-radii-ball = b: radio en que queda el centro de una bola R { $radius } { $unit } que se acerca por el rayo hasta tocar.
 drawing-material = Material

@@ -83,7 +83,7 @@ fn the_radii_of_an_eccentric_disc_are_those_of_its_circle() {
     let mut design = footbridge();
     design.cam.law = Law::harmonic(0.01, &[(0.0, 0.01)]);
     design.cam.follower = Follower::FlatTranslating { base_radius: 0.02 };
-    let pdf = drawing::pdf(&design, &TITLE, Language::En);
+    let pdf = drawing::pdf(&design, &TITLE, Language::En).unwrap();
     let rows = table(&sheets(&pdf)[0]);
     assert_eq!(rows.len(), 72);
     for (k, row) in rows.iter().enumerate() {
@@ -100,7 +100,7 @@ fn the_radii_of_an_eccentric_disc_are_those_of_its_circle() {
 #[test]
 fn each_cam_of_a_pair_has_its_sheet_as_it_stands_on_the_shaft() {
     let design = designed("camdas_07_conjugate_roller");
-    let pdf = drawing::pdf(&design, &TITLE, Language::En);
+    let pdf = drawing::pdf(&design, &TITLE, Language::En).unwrap();
     let sheets = sheets(&pdf);
     assert_eq!(sheets.len(), 2);
     let pair = design.conjugate.as_ref().unwrap();
@@ -127,13 +127,13 @@ fn each_cam_of_a_pair_has_its_sheet_as_it_stands_on_the_shaft() {
 
 #[test]
 fn the_title_block_names_scene_revision_date_and_what_the_tolerance_does_to_the_force() {
-    let pdf = drawing::pdf(&footbridge(), &TITLE, Language::En);
+    let pdf = drawing::pdf(&footbridge(), &TITLE, Language::En).unwrap();
     let sheet = &sheets(&pdf)[0];
     let has = |text: &str| sheet.iter().any(|s| s.text.contains(text));
     assert!(has("footbridge") && has("0badcafe") && has("2026-01-31"));
     assert!(has("\u{b1} 0.") && has("% of mean (designed "));
     // A programme without a force and a tolerance has a dash.
-    let pdf = drawing::pdf(&designed("camdas_01_roller"), &TITLE, Language::Es);
+    let pdf = drawing::pdf(&designed("camdas_01_roller"), &TITLE, Language::Es).unwrap();
     let sheet = &sheets(&pdf)[0];
     assert!(sheet.iter().any(|s| s.text == "sin fuerza dada"));
     assert!(!sheet.iter().any(|s| s.text.trim() == "\u{b1}"));
@@ -144,7 +144,7 @@ fn the_title_block_names_scene_revision_date_and_what_the_tolerance_does_to_the_
 #[test]
 fn bore_and_keyway_are_dimensioned_as_they_are_measured() {
     let design = with_bore(heel_tester(), 0.012, true);
-    let pdf = drawing::pdf(&design, &TITLE, Language::En);
+    let pdf = drawing::pdf(&design, &TITLE, Language::En).unwrap();
     let sheet = &sheets(&pdf)[0];
     // DIN 6885-1: a keyway of 4 mm, 1.8 mm deep, in a hub of 12 mm.
     for text in ["\u{d8} 12.000 H7", "4.0 JS9, 13.80"] {
@@ -156,8 +156,9 @@ fn bore_and_keyway_are_dimensioned_as_they_are_measured() {
 fn a_sheet_in_inches_has_the_numbers_of_the_one_in_millimetres_over_25_4() {
     let design = with_bore(footbridge(), 0.0127, false);
     let title = |units| Title { units, ..TITLE };
-    let [mm, inches] = [Units::Millimetres, Units::Inches]
-        .map(|units| sheets(&drawing::pdf(&design, &title(units), Language::En)).remove(0));
+    let [mm, inches] = [Units::Millimetres, Units::Inches].map(|units| {
+        sheets(&drawing::pdf(&design, &title(units), Language::En).unwrap()).remove(0)
+    });
     let has = |text: &str| inches.iter().any(|s| s.text == text);
     assert!(has("\u{d8} 0.5000 H7") && has("in, degrees") && has("r, in"));
     assert!(!inches.iter().any(|s| s.text.contains("mm")));
@@ -178,7 +179,7 @@ fn a_sheet_in_inches_has_the_numbers_of_the_one_in_millimetres_over_25_4() {
 #[test]
 fn all_text_starts_within_the_frame() {
     for design in [footbridge(), heel_tester()] {
-        let pdf = drawing::pdf(&design, &TITLE, Language::Es);
+        let pdf = drawing::pdf(&design, &TITLE, Language::Es).unwrap();
         for s in sheets(&pdf).iter().flatten() {
             // A3 is the larger sheet: 420 × 297 mm.
             let mm = s.at.map(|x| x * 25.4 / 72.0);
