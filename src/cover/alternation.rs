@@ -12,7 +12,7 @@ use crate::synth::population::errors::{in_tail, measure};
 const TURNS: usize = 30;
 /// Turns at most that bring nothing while the parts of the worst still move.
 const IDLE: usize = 4;
-/// Change of the part of a cam's walkers who are among the worst that is none.
+/// A smaller change of the part of a cam's walkers who are among the worst counts as no change.
 const SETTLED: f64 = 1e-4;
 /// Starts from walkers who are far from each other, beside that from the cams one fewer.
 const STARTS: usize = 3;

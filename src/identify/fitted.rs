@@ -132,7 +132,7 @@ pub(super) fn held(harmonics: &[f64]) -> usize {
     enough.unwrap_or(count)
 }
 
-/// Refuses a force that is none of this machine: no size, another unit, the other sign.
+/// Refuses a force that this machine cannot have recorded: no size, another unit, the other sign.
 fn check_size(
     log: &Log,
     design: &Design,

@@ -37,7 +37,7 @@ const OF_TARGET: [usize; 4] = [
     TARGET_MEAN,
 ];
 
-/// Place of a column of numbers; a name that is none ends the compilation.
+/// Place of a column of numbers; an unknown name ends the compilation.
 const fn column(name: &str) -> usize {
     let mut place = 0;
     while !is_same(NUMBERS[place].as_bytes(), name.as_bytes()) {

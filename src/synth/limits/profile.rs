@@ -152,7 +152,7 @@ impl Profile {
         }
     }
 
-    /// The limits that `kept` names; `None` where that is none.
+    /// The limits that `kept` names; `None` where it names no limit.
     pub fn only(mut self, kept: impl Fn(Criterion) -> bool) -> Option<Self> {
         let curved = kept(LimitKind::Curvature.into());
         match &mut self {

@@ -1,4 +1,4 @@
-//! The drawings hold every edge that is cut, and no line that is none.
+//! The drawings hold every edge that is cut, and no other line.
 
 use std::f64::consts::PI;
 

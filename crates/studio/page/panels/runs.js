@@ -54,7 +54,7 @@ export function sections({ ask, fields, figures, edit, take }) {
   return out;
 }
 
-// From half to half as much again, within the slider's ends.
+// From 50 % to 150 %, within the slider's ends.
 function values({ from, to, at, unit }, count) {
   const [low, high] = [Math.max(from, at - 0.5 * Math.abs(at)), Math.min(to, at + 0.5 * Math.abs(at))];
   return Array.from({ length: count }, (_, i) => `${Number((low + (high - low) * i / (count - 1)).toPrecision(4))}${unit}`);

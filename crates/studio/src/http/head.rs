@@ -47,7 +47,7 @@ impl Head {
     /// Reads a head with its length in bytes; `None` while it is incomplete.
     ///
     /// # Errors
-    /// The refusal of a head that is none, or asks for what this server does not do.
+    /// The refusal of bytes that are not a head, or of a request that this server does not support.
     pub fn read(bytes: &[u8]) -> Result<Option<(Head, usize)>, Response> {
         let mut headers = [httparse::EMPTY_HEADER; HEADERS];
         let mut parsed = httparse::Request::new(&mut headers);
