@@ -95,7 +95,7 @@ impl Law {
     }
 
     /// (cosine, sine) of harmonics 1, 2, … where the law is a mean with these.
-    fn harmonics(&self) -> Option<Vec<(f64, f64)>> {
+    pub(crate) fn harmonics(&self) -> Option<Vec<(f64, f64)>> {
         let waves = self.waves(0);
         let is_sum = self.breaks() == [0.0, TAU]
             && self.poly().degree() == 0

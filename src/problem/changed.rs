@@ -51,6 +51,7 @@ impl Problem {
     #[must_use]
     pub fn with_law(&self, law: LawSpec) -> Problem {
         let mut out = self.clone();
+        out.length = self.length().into();
         out.required.law = law;
         out
     }
@@ -109,6 +110,7 @@ impl Problem {
     #[must_use]
     pub fn with_drive(&self, drive: Drive) -> Problem {
         let mut out = self.clone();
+        out.length = self.length().into();
         out.required.drive = drive;
         out
     }

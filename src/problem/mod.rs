@@ -34,7 +34,7 @@ use target::{Unturned, typical_lift};
 pub use walkers::{Served, Walkers};
 
 use std::ops::Deref;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use crate::dynamics::Train;
 use crate::error::{Placed, Result, SynthError};
@@ -77,8 +77,8 @@ pub struct Problem {
     pub phase: f64,
     /// The phase is a variable of the design.
     pub phase_is_free: bool,
-    /// Typical lift, m: the unit in which solvers work.
-    pub length: f64,
+    /// [`Problem::length`], once it is known.
+    length: OnceLock<f64>,
     /// What is known of the machine beyond its drive.
     pub machine: MachineSpec,
     /// What is open about the recording and was not accepted.
@@ -105,13 +105,13 @@ impl Deref for Problem {
 }
 
 /// Weight of a force's walker, N; of a written cycle, which no recording of feet is behind, its mean.
-fn weight(gait: &Gait, force: &ForceCurve, mean: f64) -> f64 {
+fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
     match (&gait.source, gait.period) {
         (Source::Model(_) | Source::Harmonics(_), _) => gait.model_weight(),
         (Source::File(_), Some(_)) => mean,
         (Source::File(_), None) => {
-            let known = force.mass_kg.map(|m| m * G);
-            let walks = force.recording.is_some();
+            let known = force.and_then(|f| f.mass_kg).map(|m| m * G);
+            let walks = force.is_some_and(|f| f.recording.is_some());
             known.unwrap_or(if walks {
                 mean / gait.feet.share()
             } else {
@@ -152,12 +152,14 @@ impl Problem {
         };
         let gait = scene.gait.as_ref();
         let mean = force.map(|(cycle, times)| cycle.mean.times(times));
-        let curve = force.map(|(cycle, _)| &*cycle.curve);
+        // A load model brings nothing but its force.
+        let given = force.and_then(|(cycle, _)| cycle.given());
+        let curve = given.map(|curve| &**curve);
         let required = Requirements::of(scene, mean)?;
         let walkers = Walkers::of(scene, curve, &required)?.map(Arc::new);
         let scaling = required.scaling;
         let weight_n = gait.zip(force).map(|(gait, (cycle, times))| {
-            scaling.factor * weight(gait, &cycle.curve, times * cycle.mean.mean_n)
+            scaling.factor * weight(gait, curve, times * cycle.mean.mean_n)
         });
         let band = gait.and_then(|g| g.band);
         let band = band.map(|band| band.at_lever(required.drive.lever));
@@ -173,7 +175,7 @@ impl Problem {
         let damped = scene.law.polydyne && scene.machine.damping_ratio > 0.0;
         Ok(Problem {
             name: scene.name.clone(),
-            length: typical_lift(&required.drive, target.as_ref(), &scene.law),
+            length: OnceLock::new(),
             spline_degree: scene.law.degree.unwrap_or(if damped {
                 DAMPED_DEGREE
             } else {
@@ -205,10 +207,16 @@ impl Problem {
         let (target, band) = self.unturned.as_ref().map_or((None, None), at);
         let mut out = self.clone();
         (out.phase, out.target, out.band) = (phase, target, band);
-        out.length = typical_lift(&out.drive, out.target.as_ref(), &out.law);
+        out.length = OnceLock::new();
         let turned = |all: &Arc<Walkers>| Arc::new(all.begun_at(phase - self.phase));
         out.walkers = self.walkers.as_ref().map(turned);
         out
+    }
+
+    /// Typical lift, m: the unit in which solvers work. Laws in closed form need none, and it takes the samples of the force.
+    pub fn length(&self) -> f64 {
+        let typical = || typical_lift(&self.drive, self.target.as_ref(), &self.law);
+        *self.length.get_or_init(typical)
     }
 
     /// Whether one force presses on a rigid machine of constant speed and known force.

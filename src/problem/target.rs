@@ -8,6 +8,7 @@ use super::machine::Scaling;
 use crate::drive::Drive;
 use crate::error::{Placed, Result, SynthError};
 use crate::force::{ForceCurve, Interpretation};
+use crate::law::{Law, weighted};
 use crate::poly::{Cells, Distance, PiecewisePoly};
 use crate::scene::{Band, LawSpec, PhaseWeight};
 
@@ -67,7 +68,7 @@ impl Target {
     /// The cycle, beginning at cam angle 0.
     pub fn curve(&self) -> &Arc<ForceCurve> {
         if self.scaling.is_none() {
-            return &self.cycle.curve;
+            return self.cycle.curve();
         }
         &self.scaled().0
     }
@@ -82,7 +83,7 @@ impl Target {
 
     fn scaled(&self) -> &(Arc<ForceCurve>, Arc<Cells>) {
         self.scaled.get_or_init(|| {
-            let curve = Arc::new(self.scaling.of(&self.cycle.curve));
+            let curve = Arc::new(self.scaling.of(self.cycle.curve()));
             let Scaling { factor, shift } = self.scaling;
             (curve, Arc::new(self.cycle.cells().scaled(factor, shift)))
         })
@@ -90,12 +91,12 @@ impl Target {
 
     /// How the recording behind it was interpreted.
     pub fn recording(&self) -> Option<&Interpretation> {
-        self.cycle.curve.recording.as_deref()
+        self.cycle.given()?.recording.as_deref()
     }
 
     /// Number of samples.
     pub fn samples(&self) -> usize {
-        self.cycle.curve.force_n.len()
+        self.cycle.samples()
     }
 
     /// Mean force, N.
@@ -105,7 +106,7 @@ impl Target {
 
     /// Smallest and largest sample of the force, N.
     pub fn range_n(&self) -> [f64; 2] {
-        self.cycle.range_n.map(|force| self.scaling.at(force))
+        self.cycle.range_n().map(|force| self.scaling.at(force))
     }
 
     /// Largest distance of a sample from a force, N.
@@ -129,7 +130,7 @@ impl Target {
     }
 
     /// Distance from a force over the turn, N.
-    pub fn distance(&self, own: &PiecewisePoly) -> Distance {
+    fn distance(&self, own: &PiecewisePoly) -> Distance {
         let Scaling { factor, shift } = self.scaling;
         let square = match self.scaling.is_none() {
             true => self.cycle.square_distance(own),
@@ -144,6 +145,24 @@ impl Target {
         }
     }
 
+    /// Root mean square and largest distance over the turn of the force of a law on a drive, N.
+    pub fn error_of(&self, law: &Law, drive: &Drive) -> [f64; 2] {
+        let series = || Some(self.cycle.series()).filter(|series| series.is_finite());
+        if let Some(own) = law.harmonics()
+            && let Some(series) = series()
+        {
+            let factor = self.scaling.factor;
+            let weights = drive.weights().map(|weight| weight / factor);
+            let mean = drive.rest_force + drive.spring_rate * law.poly().coefficients()[0];
+            let gap = (mean - self.mean_n()) / factor;
+            let error = series.error_of(gap, &weighted(&own, weights));
+            return error.map(|error| factor.abs() * error);
+        }
+        let apart = self.distance(&drive.force_curve(law));
+        let (_, length) = law.extent();
+        [(apart.square / length).max(0.0).sqrt(), apart.largest]
+    }
+
     /// Number of harmonics that its samples hold.
     pub(crate) fn most_harmonics(&self) -> usize {
         most(self.samples())
@@ -152,8 +171,10 @@ impl Target {
     /// Its first harmonics, (cosine, sine), N.
     pub(crate) fn harmonics(&self, count: usize) -> impl Iterator<Item = (f64, f64)> {
         let factor = self.scaling.factor;
-        let waves = self.cycle.series().waves[..count].iter();
-        waves.map(move |(a, b)| (factor * a, factor * b))
+        let waves = self.cycle.series().first(count).iter();
+        let waves = waves.map(move |(a, b)| (factor * a, factor * b));
+        // A finite series has no others.
+        waves.chain(std::iter::repeat((0.0, 0.0))).take(count)
     }
 
     /// RMS force above its first harmonics, N.

@@ -38,7 +38,7 @@ pub use gaitcam_base::units;
 pub use interpretation::{
     Clock, Column, Contact, Interpretation, MeanStanceCurve, Overlay, Period, coded,
 };
-pub use models::{ModelInfo, Status, catalogue, model, of_harmonics};
+pub use models::{FourierForce, ModelInfo, Status, catalogue, model, of_harmonics, series};
 pub use population::{
     Population, Walker, WalkerFault, WalkerRow, faults as walker_faults, is_table as is_population,
     read_rows as population_rows, read_table as read_population, write_table as population_csv,

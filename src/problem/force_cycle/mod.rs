@@ -2,6 +2,7 @@
 
 mod fits;
 mod kept;
+mod samples;
 mod series;
 mod shape;
 
@@ -16,9 +17,10 @@ use std::sync::{Arc, OnceLock};
 use nalgebra::DMatrix;
 
 use super::mean_force::MeanForce;
-use crate::force::ForceCurve;
+use crate::force::{ForceCurve, FourierForce};
 use crate::poly::{Cells, PiecewisePoly, bernstein, gauss_legendre};
 use kept::Kept;
+use samples::Samples;
 
 /// Highest degree of projections; powers lose too many digits above.
 pub const HIGHEST_PROJECTED: usize = 9;
@@ -26,12 +28,9 @@ pub const HIGHEST_PROJECTED: usize = 9;
 /// One cycle of a force, which problems scale, shift and share.
 #[derive(Debug)]
 pub struct ForceCycle {
-    /// The samples, N.
-    pub curve: Arc<ForceCurve>,
+    samples: Samples,
     /// Mean, period and spread.
     pub mean: MeanForce,
-    /// Smallest and largest sample, N.
-    pub range_n: [f64; 2],
     cells: OnceLock<Arc<Cells>>,
     mean_square: OnceLock<f64>,
     series: OnceLock<Series>,
@@ -71,10 +70,24 @@ impl ForceCycle {
     /// A cycle about which nothing is known yet but its samples.
     pub fn new(curve: impl Into<Arc<ForceCurve>>) -> ForceCycle {
         let curve = curve.into();
+        let mean = MeanForce::of(&curve);
+        ForceCycle::of(Samples::given(curve), mean)
+    }
+
+    /// The cycle of a load model, which is sampled only where its series is not enough.
+    pub fn of_series(force: FourierForce) -> ForceCycle {
+        let mean = MeanForce {
+            mean_n: force.mean_n(),
+            period_s: force.period_s(),
+            spread_n: 0.0,
+        };
+        ForceCycle::of(Samples::of_series(force), mean)
+    }
+
+    fn of(samples: Samples, mean: MeanForce) -> ForceCycle {
         ForceCycle {
-            mean: MeanForce::of(&curve),
-            range_n: curve.range_n().into(),
-            curve,
+            samples,
+            mean,
             cells: OnceLock::new(),
             mean_square: OnceLock::new(),
             series: OnceLock::new(),
@@ -86,16 +99,36 @@ impl ForceCycle {
     /// The cycle with given slopes of its cubics, N per sample, one more than samples.
     pub fn with_slopes(curve: impl Into<Arc<ForceCurve>>, slopes: Vec<f64>) -> ForceCycle {
         let out = ForceCycle::new(curve);
-        let cells = Arc::new(cells(&out.curve, slopes));
+        let cells = Arc::new(cells(out.curve(), slopes));
         ForceCycle {
             cells: OnceLock::from(cells),
             ..out
         }
     }
 
+    /// The samples, N.
+    pub fn curve(&self) -> &Arc<ForceCurve> {
+        self.samples.curve()
+    }
+
+    /// The samples where they were given: a recording, a file or a caller's own curve, with all that is known of them.
+    pub fn given(&self) -> Option<&Arc<ForceCurve>> {
+        self.samples.as_given()
+    }
+
+    /// Number of samples.
+    pub fn samples(&self) -> usize {
+        self.samples.count()
+    }
+
+    /// Smallest and largest sample, N.
+    pub fn range_n(&self) -> [f64; 2] {
+        self.samples.range_n()
+    }
+
     /// The cubics between the samples, N.
     pub fn cells(&self) -> &Arc<Cells> {
-        let cells = || Arc::new(cells(&self.curve, self.curve.slopes()));
+        let cells = || Arc::new(cells(self.curve(), self.curve().slopes()));
         self.cells.get_or_init(cells)
     }
 
@@ -109,13 +142,20 @@ impl ForceCycle {
 
     /// Its Fourier series, and what laws of its first harmonics leave of it.
     pub fn series(&self) -> &Series {
-        self.series.get_or_init(|| Series::of(&self.curve))
+        self.series.get_or_init(|| match self.samples.series() {
+            Some(force) => Series::finite(force.mean_n(), force.waves()),
+            None => Series::of(self.curve()),
+        })
     }
 
-    /// Root mean square and largest of what the force has beside its first harmonics, N, found once.
+    /// Root mean square and largest of what the force has beside its first harmonics, N, found once: of a finite series the
+    /// harmonics left out, otherwise the distance from the cubics.
     pub fn error_of_harmonics(&self, count: usize) -> [f64; 2] {
         let series = self.series();
         *series.error(count).get_or_init(|| {
+            if series.is_finite() {
+                return series.error_of(0.0, series.first(count));
+            }
             let own = series.law(count).combination([1.0, 0.0, 0.0, 0.0], 0.0);
             let apart = self.cells().distance(&own);
             [(apart.square / TAU).max(0.0).sqrt(), apart.largest]

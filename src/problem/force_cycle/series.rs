@@ -6,20 +6,24 @@ use super::shape::Shape;
 use crate::drive::Drive;
 use crate::force::ForceCurve;
 use crate::law::Law;
-use crate::poly::amplitudes;
+use crate::poly::{amplitudes, harmonic_extremes};
 
 /// Most harmonics that an automatic count takes.
 const MOST_AUTO: usize = 60;
+/// Amplitudes below this part of the largest sample are rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// Harmonics of one cycle of force.
 #[derive(Debug)]
 pub struct Series {
     /// Mean force, N.
     pub mean_n: f64,
-    /// (cosine, sine) of harmonics 1, 2, …, N: as many as the samples hold.
+    /// (cosine, sine) of harmonics 1, 2, …, N: as many as the samples hold, or all of a finite series.
     pub waves: Vec<(f64, f64)>,
     /// Mean square of the harmonics above each number of them, N².
     rest: Vec<f64>,
+    /// Whether the force is the sum of these harmonics.
+    is_finite: bool,
     /// By the number of harmonics of a law.
     fits: Vec<Fit>,
 }
@@ -28,26 +32,77 @@ pub struct Series {
 type Fit = (OnceLock<[f64; 2]>, OnceLock<Option<Box<Shape>>>);
 
 impl Series {
-    /// The harmonics that samples hold.
+    /// The harmonics that samples hold. Where the upper half of them is rounding, the samples are those of the sum of the
+    /// others: a finite series, as that of a load model.
     pub fn of(curve: &ForceCurve) -> Series {
         let spectrum = &amplitudes(&curve.force_n)[..=most(curve.force_n.len())];
-        let waves = spectrum[1..].to_vec();
+        let (mean_n, waves) = (spectrum[0].0, &spectrum[1..]);
+        let (least, most) = curve.range_n();
+        let rounding = ROUNDING * most.max(-least);
+        let last = waves.iter().rposition(|(a, b)| a.hypot(*b) > rounding);
+        let used = last.map_or(0, |last| last + 1);
+        if 2 * used <= waves.len() {
+            return Series::finite(mean_n, waves[..used].to_vec());
+        }
+        Series::new(mean_n, waves.to_vec(), false)
+    }
+
+    /// The force that is the sum of some harmonics about a mean.
+    pub fn finite(mean_n: f64, waves: Vec<(f64, f64)>) -> Series {
+        Series::new(mean_n, waves, true)
+    }
+
+    fn new(mean_n: f64, waves: Vec<(f64, f64)>, is_finite: bool) -> Series {
         // From the highest down, so that small remainders keep their digits.
         let mut rest = vec![0.0; waves.len() + 1];
         for (count, (a, b)) in waves.iter().enumerate().rev() {
             rest[count] = rest[count + 1] + 0.5 * (a * a + b * b);
         }
         Series {
-            mean_n: spectrum[0].0,
+            mean_n,
             fits: (0..=waves.len()).map(|_| Fit::default()).collect(),
             waves,
             rest,
+            is_finite,
         }
+    }
+
+    /// Whether the force is the sum of [`Series::waves`] about its mean; of other forces these are what the samples hold.
+    pub fn is_finite(&self) -> bool {
+        self.is_finite
+    }
+
+    /// Root mean square and largest distance from the force, N, of a sum of harmonics about the same mean plus `gap`, by
+    /// Parseval's theorem. Harmonics that agree to rounding are equal.
+    pub fn error_of(&self, gap: f64, waves: &[(f64, f64)]) -> [f64; 2] {
+        let rounding = ROUNDING * (self.mean_n.abs() + self.rest[0].sqrt());
+        let is_apart = |x: f64| if x.abs() > rounding { x } else { 0.0 };
+        let at = |waves: &[(f64, f64)], n: usize| waves.get(n).copied().unwrap_or_default();
+        let apart = (0..self.waves.len().max(waves.len())).map(|n| {
+            let ((a, b), (c, d)) = (at(&self.waves, n), at(waves, n));
+            (is_apart(c - a), is_apart(d - b))
+        });
+        let (gap, apart) = (is_apart(gap), apart.collect::<Vec<_>>());
+        let square: f64 = apart.iter().map(|(a, b)| 0.5 * (a * a + b * b)).sum();
+        let (low, high) = harmonic_extremes(&apart);
+        [
+            (gap * gap + square).sqrt(),
+            (high.value + gap).max(-low.value - gap),
+        ]
+    }
+
+    /// The harmonics of a law of so many: a finite series may have fewer.
+    pub fn first(&self, count: usize) -> &[(f64, f64)] {
+        &self.waves[..count.min(self.waves.len())]
+    }
+
+    fn fit(&self, count: usize) -> &Fit {
+        &self.fits[count.min(self.waves.len())]
     }
 
     /// RMS force in the harmonics above the first `count`, N.
     pub fn left_over(&self, count: usize) -> f64 {
-        self.rest[count].sqrt()
+        self.rest[count.min(self.waves.len())].sqrt()
     }
 
     /// Fewest harmonics that leave at most `wanted` newtons RMS, one at least.
@@ -58,24 +113,24 @@ impl Series {
 
     /// The force of the first harmonics, as a law.
     pub fn law(&self, count: usize) -> Law {
-        Law::harmonic(self.mean_n, &self.waves[..count])
+        Law::harmonic(self.mean_n, self.first(count))
     }
 
     /// Root mean square and largest distance of [`Series::law`] from the force, N, once they are known.
     pub fn error(&self, count: usize) -> &OnceLock<[f64; 2]> {
-        &self.fits[count].0
+        &self.fit(count).0
     }
 
     /// The law of a drive from so many harmonics; `None` in resonance.
     pub fn shape(&self, count: usize, drive: &Drive) -> Option<Shape> {
-        Shape::of(self.mean_n, &self.waves[..count], drive)
+        Shape::of(self.mean_n, self.first(count), drive)
     }
 
     /// The same for m ω² = 1 without spring and damping, found once: such a design takes 6 µs instead of 90.
     pub fn inertia(&self, count: usize) -> Option<&Shape> {
         let unit = Drive::moving_axis(1.0, self.mean_n, 1.0);
         let shape = || self.shape(count, &unit).map(Box::new);
-        self.fits[count].1.get_or_init(shape).as_deref()
+        self.fit(count).1.get_or_init(shape).as_deref()
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::harmonic::Harmonic;
 use super::{Adjust, StepFrequencies};
 use crate::error::{Error, Placed, Result};
-use crate::force::{self, Feet, ForceCurve, Kind, OpenQuestion, ReadOptions, Walker};
+use crate::force::{self, Feet, ForceCurve, FourierForce, Kind, OpenQuestion, ReadOptions, Walker};
 
 /// Weight of the walker that the load models were published for, N.
 const MODEL_WEIGHT: f64 = 700.0;
@@ -169,16 +169,36 @@ impl Gait {
 
     /// The force of one walker at a step frequency, Hz; `None` = the model's own.
     fn of_step(&self, frequency: Option<f64>, weight: f64) -> Result<Option<ForceCurve>> {
+        if let Some(series) = self.series(frequency, weight)? {
+            return Ok(Some(series.curve()));
+        }
+        let Source::Model(name) = &self.source else {
+            return Ok(None);
+        };
+        let force = force::model(name, frequency, weight, self.feet);
+        force.map(Some).map_err(|e| e.at_key("gait.model"))
+    }
+
+    /// The Fourier series of the force of one walker at a step frequency, Hz; `None` where the force has samples alone.
+    ///
+    /// # Errors
+    /// Those of [`Gait::model_force`].
+    pub(crate) fn series(
+        &self,
+        frequency: Option<f64>,
+        weight: f64,
+    ) -> Result<Option<FourierForce>> {
         let feet = self.feet;
-        let (force, key) = match &self.source {
-            Source::Model(name) => (force::model(name, frequency, weight, feet), "gait.model"),
+        match &self.source {
+            Source::Model(name) => {
+                force::series(name, frequency, weight, feet).map_err(|e| e.at_key("gait.model"))
+            }
             Source::Harmonics(list) => {
                 let force = force::of_harmonics(&pairs(list), frequency, weight, feet);
-                (force, "gait.harmonics")
+                force.map(Some).map_err(|e| e.at_key("gait.harmonics"))
             }
-            Source::File(_) => return Ok(None),
-        };
-        force.map(Some).map_err(|e| e.at_key(key))
+            Source::File(_) => Ok(None),
+        }
     }
 
     /// Whether it is a recording.

@@ -247,19 +247,11 @@ impl<'a> Kernel<'a> {
         {
             return cycle.clone();
         }
-        let force = match gait.is_recording() {
-            true => (self.targets)(index, scene),
-            false => {
-                let weight = if is_multiple(gait) {
-                    1.0
-                } else {
-                    gait.model_weight()
-                };
-                let force = gait.force_of_weight(weight);
-                force.and_then(|force| force.ok_or(SweepError::NoForceError.into()))
-            }
+        let cycle = match gait.is_recording() {
+            true => (self.targets)(index, scene).map(ForceCycle::new),
+            false => model_cycle(gait),
         };
-        let cycle = force.map(|force| Arc::new(ForceCycle::new(force)));
+        let cycle = cycle.map(Arc::new);
         if let Ok(mut cycles) = self.cycles.write() {
             if cycles.len() >= KEPT_FORCES {
                 cycles.clear();
@@ -281,6 +273,19 @@ fn refused(why: &Error) -> Row {
         verdict: Some(Verdict::Unacceptable),
         ..row
     }
+}
+
+/// The force of a load model or of own load factors, for a body weight of 1 N where others are multiples of it.
+fn model_cycle(gait: &Gait) -> Result<ForceCycle> {
+    if !is_multiple(gait) {
+        let force = gait.model_force()?.ok_or(SweepError::NoForceError)?;
+        return Ok(ForceCycle::new(force));
+    }
+    if let Some(series) = gait.series(gait.step_frequency, 1.0)? {
+        return Ok(ForceCycle::of_series(series));
+    }
+    let force = gait.force_of_weight(1.0)?.ok_or(SweepError::NoForceError)?;
+    Ok(ForceCycle::new(force))
 }
 
 /// Whether the force of a walker is body weight times that of a walker of 1 N, at one step frequency.

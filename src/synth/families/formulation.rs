@@ -35,7 +35,7 @@ pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Pr
         let (given, most) = (equalities.len(), MOST_DEMANDS);
         return Err(SynthError::ManyDemands { given, most }.at_key("law"));
     }
-    let mut program = Program::new(basis, whole, equalities, problem.length);
+    let mut program = Program::new(basis, whole, equalities, problem.length());
     qp::sizes::declare(&mut program);
     program.halt = search.halt.clone();
     Ok((program, force))
@@ -87,7 +87,7 @@ pub fn of_harmonics(
     let stiffness = stiffness(problem);
     let basis = Basis::Harmonic { count };
     let force = force_distance(problem, &basis);
-    let mut program = Program::new(basis, force.clone(), Vec::new(), problem.length);
+    let mut program = Program::new(basis, force.clone(), Vec::new(), problem.length());
     qp::sizes::declare(&mut program);
     program.halt = search.halt.clone();
     program.rms = limits::root_mean_squares(problem, &program.basis, mean_square);
@@ -132,8 +132,8 @@ fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadr
         Minimise::Energy(order) => whole.add_energy(&basis, order, 1.0),
         Minimise::Peak(_) | Minimise::PeakForceError => {}
         Minimise::Size => {
-            let length = problem.length * problem.lever();
-            whole.add_energy(&basis, 3, qp::smoothing(length, problem.length));
+            let length = problem.length() * problem.lever();
+            whole.add_energy(&basis, 3, qp::smoothing(length, problem.length()));
         }
         Minimise::ForceError => {
             let scale = whole.hessian.largest_diagonal();

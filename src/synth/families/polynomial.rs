@@ -31,7 +31,7 @@ pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
     let poly = hermite_birkhoff(&conditions, start, end).map_err(|e| e.at_key("law.point"))?;
     let piece = poly.piece(0).to_vec();
     let (first, last) = (piece[0], piece[fixed]);
-    if (first - last).abs() > SAME_LIFT * problem.length {
+    if (first - last).abs() > SAME_LIFT * problem.length() {
         return Err(SynthError::LawOpen {
             rise: Quantity::length(last - first),
         }

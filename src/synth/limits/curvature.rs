@@ -37,7 +37,7 @@ pub fn row_with_size(problem: &Problem) -> Limit {
         factor: -1.0,
         offset: 0.0,
     };
-    let limit = structural(LimitKind::Curvature, BEND, -rho, problem.length);
+    let limit = structural(LimitKind::Curvature, BEND, -rho, problem.length());
     let mut limit = meaning.of(limit);
     limit.extra[RADIUS] = -1.0;
     limit

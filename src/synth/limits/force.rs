@@ -101,10 +101,8 @@ pub fn report(problem: &Problem, law: &Law) -> ForceReport {
         ..ForceReport::default()
     };
     if let Some(target) = &problem.target {
-        let apart = target.distance(&problem.drive.force_curve(law));
         report.target_mean_n = target.mean_n();
-        report.rms_error_n = (apart.square / length).max(0.0).sqrt();
-        report.max_error_n = apart.largest;
+        [report.rms_error_n, report.max_error_n] = target.error_of(law, &problem.drive);
         report.rms_error_percent_of_mean = 100.0 * report.rms_error_n / report.target_mean_n.abs();
         debug_assert!(start == 0.0);
     }

@@ -17,13 +17,13 @@ pub fn base_circle(problem: &Problem) -> Vec<Limit> {
     if !(problem.level_is_known() || stroke.is_some()) {
         return Vec::new();
     }
-    let scale = stroke.map_or(problem.length, |h| h.min(problem.length));
+    let scale = stroke.map_or(problem.length(), |h| h.min(problem.length()));
     vec![structural(Criterion::BaseCircle, only(0, -1.0), 0.0, scale)]
 }
 
 /// The same with the size of the cam among the variables.
 pub fn above_base_circle(problem: &Problem) -> Limit {
-    structural(Criterion::BaseCircle, only(0, -1.0), 0.0, problem.length)
+    structural(Criterion::BaseCircle, only(0, -1.0), 0.0, problem.length())
 }
 
 /// The law's zero is its base circle: it does not dip below.
@@ -51,7 +51,11 @@ pub fn range(
     window: Option<Variable>,
 ) -> Vec<Limit> {
     let side = Limit::on(name, only(order, 1.0));
-    let scale = if width == 0.0 { problem.length } else { width };
+    let scale = if width == 0.0 {
+        problem.length()
+    } else {
+        width
+    };
     let read = |top: Limit| Meaning::times(1.0).of(top.scaled(scale));
     match window.map(|from| side.within(width, from)) {
         Some([top, bottom]) => vec![read(top), bottom.exact()],
@@ -71,7 +75,11 @@ pub fn timed(problem: &Problem) -> Vec<Limit> {
         let per_time = problem.drive.speed.powi(order as i32);
         for sign in [1.0, -1.0] {
             let bound = limit / per_time;
-            let scale = if bound == 0.0 { problem.length } else { bound };
+            let scale = if bound == 0.0 {
+                problem.length()
+            } else {
+                bound
+            };
             let limit = structural(name, only(order, sign), bound, scale);
             out.push(Meaning::times(per_time).of(limit));
         }
@@ -117,7 +125,7 @@ pub fn monotone(problem: &Problem) -> Vec<Limit> {
         let sign = if after > before { -1.0 } else { 1.0 };
         Limit {
             domain: (from, to),
-            ..structural(Criterion::Monotone, only(1, sign), 0.0, problem.length)
+            ..structural(Criterion::Monotone, only(1, sign), 0.0, problem.length())
         }
     };
     points
@@ -129,6 +137,7 @@ pub fn monotone(problem: &Problem) -> Vec<Limit> {
 
 /// The largest absolute value of a derivative, as the quantity to minimise.
 pub fn peak(problem: &Problem, order: usize) -> [Limit; 2] {
-    [1.0, -1.0]
-        .map(|sign| structural(Criterion::Peak, only(order, sign), 0.0, problem.length).minimised())
+    [1.0, -1.0].map(|sign| {
+        structural(Criterion::Peak, only(order, sign), 0.0, problem.length()).minimised()
+    })
 }

@@ -97,7 +97,7 @@ pub fn rows_with_size(problem: &Problem) -> Vec<Limit> {
         .into_iter()
         .filter(|row| row.moves || offset != Some(0.0));
     rows.map(|row| {
-        let mut limit = Meaning::Sized.of(row.limit(problem.length));
+        let mut limit = Meaning::Sized.of(row.limit(problem.length()));
         limit.bound = row.side * offset.unwrap_or(0.0);
         limit.extra[RISE] = -row.tan;
         if offset.is_none() {

@@ -84,7 +84,7 @@ fn at_least(problem: &Problem, size: f64, variable: Variable) -> Limit {
 
 /// A bound on the size from the geometry, which no scene gives: weight · size ≤ bound.
 fn on_size(problem: &Problem, variable: Variable, weight: f64, bound: f64) -> Limit {
-    let scale = problem.length * problem.lever();
+    let scale = problem.length() * problem.lever();
     let mut limit = structural(Criterion::BaseCircle, [0.0; 5], bound, scale);
     limit.extra[variable] = weight;
     limit.domain = (0.0, 0.0);

@@ -1,8 +1,6 @@
 //! Published models of the force of both feet together: a Fourier series in the step frequency.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-
-use super::phases;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// What the amplitudes and phases of a model are; one entry per harmonic, phases added, radians.
 pub(super) type Harmonics = Vec<(f64, f64)>;
@@ -51,15 +49,4 @@ pub(super) fn harmonics(name: &str, f: f64) -> Harmonics {
 fn cresting_together(amplitudes: [f64; 4]) -> Harmonics {
     let phases = [0.0, -FRAC_PI_2, PI, FRAC_PI_2];
     amplitudes.into_iter().zip(phases).collect()
-}
-
-/// One step of 1 + Σ aᵢ sin(2π i x + pᵢ), sampled.
-pub(super) fn continuous(harmonics: &[(f64, f64)]) -> Vec<f64> {
-    let at = |x: f64| {
-        let waves = harmonics.iter().zip(1..);
-        1.0 + waves
-            .map(|(&(a, p), i)| a * (TAU * f64::from(i) * x + p).sin())
-            .sum::<f64>()
-    };
-    phases().map(at).collect()
 }

@@ -7,10 +7,11 @@
 
 mod catalogue;
 mod continuous;
+mod fourier;
 mod single_foot;
 
 use catalogue::CATALOGUE;
-use continuous::{continuous, harmonics};
+use continuous::harmonics;
 use single_foot::single_foot;
 
 use crate::curve::{ForceCurve, SAMPLES};
@@ -19,6 +20,7 @@ use crate::quantity::{hertz, newtons};
 use crate::recording::Feet;
 
 pub use catalogue::{ModelInfo, Status, catalogue};
+pub use fourier::FourierForce;
 
 /// One cycle of a named load model.
 ///
@@ -35,21 +37,40 @@ pub fn model(
     body_weight_n: f64,
     feet: Feet,
 ) -> Result<ForceCurve> {
-    let info = find(name)?;
-    if !(body_weight_n.is_finite() && body_weight_n > 0.0) {
-        let weight = newtons(body_weight_n);
-        return Err(ForceError::WeightNotPositive { weight }.into());
+    if let Some(series) = series(name, step_frequency_hz, body_weight_n, feet)? {
+        return Ok(series.curve());
     }
+    let info = find(name)?;
     let f = frequency(info, step_frequency_hz)?;
-    let shape = if info.single_foot {
-        single_foot(info.name, f, feet)
-    } else if feet.share() == 1.0 {
-        continuous(&harmonics(info.name, f))
-    } else {
+    let shape = single_foot(info.name, f, feet);
+    let force = shape.iter().map(|w| w * body_weight_n).collect();
+    let title = title(info.name, f, body_weight_n, feet);
+    ForceCurve::from_samples(&title, period(f, feet), force)
+}
+
+/// The Fourier series of a named load model of both feet together; `None` of the models of one foot, which have no finite
+/// series.
+///
+/// # Errors
+/// Those of [`model`].
+pub fn series(
+    name: &str,
+    step_frequency_hz: Option<f64>,
+    body_weight_n: f64,
+    feet: Feet,
+) -> Result<Option<FourierForce>> {
+    let info = find(name)?;
+    check_weight(body_weight_n)?;
+    let f = frequency(info, step_frequency_hz)?;
+    if info.single_foot {
+        return Ok(None);
+    }
+    if feet.share() < 1.0 {
         let model = info.name.to_string();
         return Err(ForceError::BothFeetOnly { model }.into());
-    };
-    cycle(info.name, &shape, f, body_weight_n, feet)
+    }
+    let harmonics = harmonics(info.name, f);
+    FourierForce::new(info.name, harmonics, f, body_weight_n, feet).map(Some)
 }
 
 /// One cycle of a force of both feet that is given by its load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), with a pair
@@ -62,17 +83,22 @@ pub fn of_harmonics(
     step_frequency_hz: Option<f64>,
     body_weight_n: f64,
     feet: Feet,
-) -> Result<ForceCurve> {
-    if !(body_weight_n.is_finite() && body_weight_n > 0.0) {
-        let weight = newtons(body_weight_n);
-        return Err(ForceError::WeightNotPositive { weight }.into());
-    }
+) -> Result<FourierForce> {
+    check_weight(body_weight_n)?;
     let model = || OWN.to_string();
     let f = step_frequency_hz.ok_or_else(|| ForceError::FrequencyMissing { model: model() })?;
     if feet.share() < 1.0 {
         return Err(ForceError::BothFeetOnly { model: model() }.into());
     }
-    cycle(OWN, &continuous(harmonics), f, body_weight_n, feet)
+    FourierForce::new(OWN, harmonics.to_vec(), f, body_weight_n, feet)
+}
+
+fn check_weight(body_weight_n: f64) -> Result<()> {
+    if body_weight_n.is_finite() && body_weight_n > 0.0 {
+        return Ok(());
+    }
+    let weight = newtons(body_weight_n);
+    Err(ForceError::WeightNotPositive { weight }.into())
 }
 
 /// Part by which a frequency that was computed may miss the end of a model's range.
@@ -81,15 +107,16 @@ const ROUNDING: f64 = 1e-9;
 /// Name of a force that is given by its own load factors.
 const OWN: &str = "gait.harmonics";
 
-/// A cycle from its samples for one newton of body weight.
-fn cycle(name: &str, shape: &[f64], f: f64, body_weight_n: f64, feet: Feet) -> Result<ForceCurve> {
-    // A cycle of one foot is a stride of two steps.
+/// Duration of a cycle, s: of one foot it is a stride of two steps.
+fn period(f: f64, feet: Feet) -> f64 {
     let steps = 1.0 / feet.share();
-    let force = shape.iter().map(|w| w * body_weight_n).collect();
-    // The key instead of a phrase: a title has no language.
+    steps / f
+}
+
+/// Title of a cycle, with the key instead of a phrase: a title has no language.
+fn title(name: &str, f: f64, body_weight_n: f64, feet: Feet) -> String {
     let feet = feet.name();
-    let title = format!("{name} {f} Hz, {body_weight_n} N, feet = \"{feet}\"");
-    ForceCurve::from_samples(&title, steps / f, force)
+    format!("{name} {f} Hz, {body_weight_n} N, feet = \"{feet}\"")
 }
 
 fn find(name: &str) -> Result<&'static ModelInfo> {

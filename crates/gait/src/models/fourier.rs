@@ -1,0 +1,102 @@
+//! A force that is a finite Fourier series: known exactly without its samples.
+
+use std::f64::consts::TAU;
+
+use super::{period, phases, title};
+use crate::curve::ForceCurve;
+use crate::error::{ForceError, Result};
+use crate::quantity::seconds;
+use crate::recording::Feet;
+
+/// F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), the force of both feet together.
+///
+/// ```
+/// use gaitcam_gait::{Feet, of_harmonics};
+///
+/// // 700 N with a harmonic of 40 % that crests a quarter of a step after heel strike.
+/// let force = of_harmonics(&[(0.4, 0.0)], Some(2.0), 700.0, Feet::Both)?;
+/// assert_eq!((force.mean_n(), force.period_s()), (700.0, 0.5));
+/// assert_eq!(force.waves(), [(0.0, 280.0)]);
+/// assert!((force.curve().range_n().1 - 980.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct FourierForce {
+    name: String,
+    /// (aᵢ, pᵢ): load factor and added phase, rad, of each harmonic.
+    harmonics: Vec<(f64, f64)>,
+    step_frequency_hz: f64,
+    body_weight_n: f64,
+    feet: Feet,
+}
+
+impl FourierForce {
+    /// # Errors
+    /// A period that is not positive.
+    pub(super) fn new(
+        name: &str,
+        harmonics: Vec<(f64, f64)>,
+        step_frequency_hz: f64,
+        body_weight_n: f64,
+        feet: Feet,
+    ) -> Result<FourierForce> {
+        let out = FourierForce {
+            name: name.to_string(),
+            harmonics,
+            step_frequency_hz,
+            body_weight_n,
+            feet,
+        };
+        if out.period_s().is_finite() && out.period_s() > 0.0 {
+            return Ok(out);
+        }
+        let period = seconds(out.period_s());
+        Err(ForceError::PeriodNotPositive { period }.into())
+    }
+
+    /// Mean force, N.
+    pub fn mean_n(&self) -> f64 {
+        self.body_weight_n
+    }
+
+    /// Duration of one cycle, s.
+    pub fn period_s(&self) -> f64 {
+        period(self.step_frequency_hz, self.feet)
+    }
+
+    /// (Cosine, sine) amplitudes of the harmonics 1, 2, … of the cycle, N.
+    pub fn waves(&self) -> Vec<(f64, f64)> {
+        let wave = |&(a, p): &(f64, f64)| {
+            let (sin, cos) = p.sin_cos();
+            let amplitude = a * self.body_weight_n;
+            (amplitude * sin, amplitude * cos)
+        };
+        self.harmonics.iter().map(wave).collect()
+    }
+
+    /// The cycle by its samples.
+    pub fn curve(&self) -> ForceCurve {
+        let at = |x: f64| {
+            let waves = self.harmonics.iter().zip(1..);
+            let sum: f64 = waves
+                .map(|(&(a, p), i)| a * (TAU * f64::from(i) * x + p).sin())
+                .sum();
+            (1.0 + sum) * self.body_weight_n
+        };
+        ForceCurve {
+            name: title(
+                &self.name,
+                self.step_frequency_hz,
+                self.body_weight_n,
+                self.feet,
+            ),
+            period_s: self.period_s(),
+            force_n: phases().map(at).collect(),
+            spread_n: None,
+            mass_kg: None,
+            clock_s: None,
+            recording: None,
+            population: None,
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! The samples of a cycle of force: given, or of a load model that is sampled when they are asked for.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::force::{ForceCurve, FourierForce, SAMPLES};
+
+/// Samples of a force.
+#[derive(Debug)]
+pub struct Samples {
+    /// `None` where the samples are given.
+    series: Option<FourierForce>,
+    curve: OnceLock<Arc<ForceCurve>>,
+    range_n: OnceLock<[f64; 2]>,
+}
+
+impl Samples {
+    /// Those of a curve.
+    pub fn given(curve: Arc<ForceCurve>) -> Samples {
+        Samples {
+            series: None,
+            curve: OnceLock::from(curve),
+            range_n: OnceLock::new(),
+        }
+    }
+
+    /// Those of a load model.
+    pub fn of_series(force: FourierForce) -> Samples {
+        Samples {
+            series: Some(force),
+            curve: OnceLock::new(),
+            range_n: OnceLock::new(),
+        }
+    }
+
+    /// The load model; `None` where the samples are given.
+    pub fn series(&self) -> Option<&FourierForce> {
+        self.series.as_ref()
+    }
+
+    /// The curve that was given.
+    pub fn as_given(&self) -> Option<&Arc<ForceCurve>> {
+        self.curve.get().filter(|_| self.series.is_none())
+    }
+
+    /// The samples, N.
+    pub fn curve(&self) -> &Arc<ForceCurve> {
+        self.curve.get_or_init(|| match &self.series {
+            Some(force) => Arc::new(force.curve()),
+            None => unreachable!("samples without a series are given"),
+        })
+    }
+
+    /// Number of samples.
+    pub fn count(&self) -> usize {
+        self.as_given().map_or(SAMPLES, |curve| curve.force_n.len())
+    }
+
+    /// Smallest and largest sample, N.
+    pub fn range_n(&self) -> [f64; 2] {
+        let range = || self.curve().range_n().into();
+        *self.range_n.get_or_init(range)
+    }
+}
