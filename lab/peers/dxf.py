@@ -15,7 +15,7 @@ BINARY = os.environ["GAITCAM"]
 # Scene, changes, closed edges with their tables.
 SCENES = [
     ("footbridge", ["cam.bore=20 mm", "cam.keyway=auto"], {"CUT_PROFILE": "profile.csv"}),
-    ("heel_tester", ["cam.balance=true"], {"CUT_PROFILE": "profile.csv"}),
+    ("heel_tester", [], {"CUT_PROFILE": "profile.csv"}),
     ("camdas_07_conjugate_roller", [], {"CUT_PROFILE": "profile.csv", "CUT_SECOND_PROFILE": "second_profile.csv"}),
     ("translating_cam", [], {}),
     ("thesis_barrel", [], {}),

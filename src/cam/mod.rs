@@ -5,7 +5,6 @@
 //! The profile is therefore traversed clockwise; curvature is positive where the cam is convex.
 
 mod barrel;
-mod body;
 mod checks;
 mod conjugate;
 mod continuity;
@@ -19,7 +18,6 @@ mod size;
 
 pub use crate::criterion::{Criterion, LimitKind};
 pub use barrel::{BarrelGroove, Rollers, Wall};
-pub use body::{Hole, LEAST_WALL, PlanArea};
 pub use checks::{Check, Curvature, Verdict};
 pub use conjugate::{Closure, Conjugate};
 pub use continuity::Continuity;
@@ -27,7 +25,7 @@ pub use follower::{Arm, Follower, FollowerKind, Measures, Unit};
 pub(crate) use geometry::{Contact, Geometry};
 pub use inspect::{Deviation, FEWEST as FEWEST_MEASURED, Inspection};
 pub use interference::{Body, Interference};
-pub use making::{Bore, Hardness, HardnessScale, Hub, Keyway, Making};
+pub use making::{Bore, Hardness, HardnessScale, Keyway, Making};
 pub use profile::ProfilePoint;
 pub(crate) use size::least_between;
 pub use size::{

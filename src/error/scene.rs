@@ -46,10 +46,6 @@ pub enum SceneError {
     NotRobust { typed: String },
     /// Text that gives no step frequencies.
     NotFrequencies { typed: String },
-    /// A length of the hub without its diameter.
-    HubWithoutDiameter,
-    /// A hub smaller than the hole for the shaft.
-    HubInBore { hub: String, hole: Quantity },
     /// A value instead of a list of tables.
     NotList { typed: String, list: String },
     /// A value instead of a text.

@@ -41,10 +41,6 @@ pub enum WriteError {
     BarrelSolid,
     UndercutProfile,
     ProfileFolds,
-    HubTooLarge {
-        hub: Quantity,
-        free: Quantity,
-    },
     BoreTooLarge {
         bore: Quantity,
         free: Quantity,

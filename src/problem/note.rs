@@ -70,8 +70,6 @@ pub enum Note {
     NoBaseCircle,
     /// The wall between the bore and the base circle is thinner than that of a usual hub.
     ThinWall { wall: Quantity, usual: Quantity },
-    /// No round hole that leaves walls balances a cam.
-    NoBalanceHole { wall: Quantity },
     /// A roller larger than the cam that it rolls on.
     LargeRoller { roller: Quantity, cam: Quantity },
     /// No shaft that carries the torque fits into the base circle.

@@ -56,7 +56,7 @@ impl<'a> Typed<'a> {
 type Rule = fn(&Scene, Typed) -> std::result::Result<(), (&'static str, SceneError)>;
 
 /// In the order in which they are reported.
-const RULES: [Rule; 14] = [
+const RULES: [Rule; 13] = [
     name,
     force,
     objective,
@@ -64,7 +64,6 @@ const RULES: [Rule; 14] = [
     machine,
     size,
     keyway,
-    hub,
     circles,
     motion,
     pair,
@@ -251,26 +250,6 @@ fn keyway(scene: &Scene, typed: Typed) -> Verdict {
         }
         _ => Ok(()),
     }
-}
-
-/// The hub around the hole for the shaft.
-fn hub(scene: &Scene, typed: Typed) -> Verdict {
-    let cam = &scene.cam;
-    let Some(diameter) = cam.hub_diameter else {
-        return match cam.hub_length {
-            Some(_) => Err(("cam.hub.length", SceneError::HubWithoutDiameter)),
-            None => Ok(()),
-        };
-    };
-    let hole = 2.0 * cam.hole().map_or(0.0, |hole| hole.reach());
-    if diameter > hole {
-        return Ok(());
-    }
-    let fault = SceneError::HubInBore {
-        hub: typed.text("cam.hub.diameter", diameter, Dimension::Length),
-        hole: Quantity::length(hole),
-    };
-    Err(("cam.hub.diameter", fault))
 }
 
 /// Base circle, prime circle, bore and offset.

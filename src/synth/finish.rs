@@ -50,8 +50,7 @@ pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: R
         notes.push(Note::OutOfTime);
     }
     notes.extend(stopped_at_noise(problem, law.family));
-    let second = cam.conjugate.as_ref().map(|pair| &pair.second);
-    notes.extend(sizing::notes(problem, (&cam.cam, second), cam.pressing()));
+    notes.extend(sizing::notes(problem, &cam.cam, cam.pressing()));
     let end = reports.end.as_ref();
     notes.extend(end.map_or_else(Vec::new, |e| e.notes(problem.drive.speed)));
     notes.extend(reports.notes);

@@ -20,6 +20,8 @@ enum Of {
     All,
     /// Those that have a cam.
     Cams,
+    /// Cams that turn about their shaft under a follower.
+    Discs,
     /// All but barrels.
     Profiles,
     /// The same; offered for cams that turn alone, since no other is a plate.
@@ -88,7 +90,7 @@ const fn piece(group: Group, name: &'static str, of: Of, piece: Piece) -> File {
 pub const ALL: [File; 36] = {
     use Group::{Drawings, Pictures, Report, Tables, Workshop};
     use Maker::{Always, Finish, Png};
-    use Of::{All, Barrels, Cams, Floors, Pairs, Plates, Populations, Profiles};
+    use Of::{All, Barrels, Cams, Discs, Floors, Pairs, Plates, Populations, Profiles};
     [
         file(
             Report,
@@ -160,7 +162,7 @@ pub const ALL: [File; 36] = {
             Floors,
             Png(|s| made(s.floor().png())),
         ),
-        piece(Workshop, "drawing.pdf", Profiles, Piece::Sheet),
+        piece(Workshop, "drawing.pdf", Discs, Piece::Sheet),
         piece(Workshop, "profile.stl", Plates, Piece::Stl),
         piece(Workshop, "profile.3mf", Plates, Piece::ThreeMf),
         piece(
@@ -264,6 +266,7 @@ impl File {
             Of::All => true,
             Of::Cams => cam,
             Of::Profiles | Of::Plates => cam && !barrel,
+            Of::Discs => cam && !design.cam.follower.is_unrolled(),
             Of::Pairs => cam && design.conjugate.is_some(),
             Of::Barrels => cam && barrel,
             Of::Floors => cam && design.floor.is_some(),

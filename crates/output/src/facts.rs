@@ -294,7 +294,7 @@ impl List<'_> {
         if pressure.is_some_and(f64::is_finite) {
             self.figure("hertz_pressure_max_pa", Brief::Whole);
         }
-        let Some(hardness) = self.design.problem.cam.making().hardness else {
+        let Some(hardness) = self.design.problem.cam.making.hardness else {
             return;
         };
         // The pressure that the hardness of the surface bears, with the margin.

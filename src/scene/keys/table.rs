@@ -78,13 +78,10 @@ pub static KEYS: &[Key] = &[
     row("cam.keyway",                  number(Length, Positive).or("auto"), "",                 field!(cam.keyway)).only(turns),
     row("cam.mark",                    FLAG,                                "false",            field!(cam.mark)).only(is_disc),
     row("cam.thickness",               number(Length, Positive),            "10 mm",            field!(cam.thickness)),
-    row("cam.material",                TEXT,                                "",                 MATERIAL).only(has_sheet),
-    row("cam.hardness",                TEXT,                                "",                 field!(cam.making.hardness)).only(has_sheet),
-    row("cam.roughness",               number(Length, Positive),            "",                 field!(cam.making.roughness)).only(has_sheet),
-    row("cam.tolerance",               number(Length, Positive),            "",                 field!(cam.making.tolerance)).only(has_sheet),
-    row("cam.balance",                 FLAG,                                "false",            field!(cam.making.balance)).only(is_disc),
-    row("cam.hub.diameter",            number(Length, Positive),            "",                 field!(cam.hub_diameter)).only(is_disc),
-    row("cam.hub.length",              number(Length, Positive),            "",                 field!(cam.hub_length)).only(is_disc),
+    row("cam.material",                TEXT,                                "",                 MATERIAL).only(is_disc),
+    row("cam.hardness",                TEXT,                                "",                 field!(cam.making.hardness)),
+    row("cam.roughness",               number(Length, Positive),            "",                 field!(cam.making.roughness)).only(is_disc),
+    row("cam.tolerance",               number(Length, Positive),            "",                 field!(cam.making.tolerance)).only(is_disc),
     row("cam.breadth",                 number(Length, Positive),            "",                 field!(cam.breadth)).only(translates),
     row("cam.travel",                  number(Length, Positive),            "auto",             field!(cam.travel)).only(is_straight),
     row("cam.turns",                   count(MOST_TURNS),                   "1",                field!(cam.turns)).only(is_barrel),
@@ -284,11 +281,6 @@ fn turns(scene: &Scene) -> bool {
 
 fn is_barrel(scene: &Scene) -> bool {
     scene.cam.follower == FollowerKind::Barrel
-}
-
-/// Whether the cam has a drawing, which alone has these keys.
-fn has_sheet(scene: &Scene) -> bool {
-    !is_barrel(scene)
 }
 
 fn is_disc(scene: &Scene) -> bool {

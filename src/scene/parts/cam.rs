@@ -1,6 +1,6 @@
 //! `[cam]`: the cam and its follower.
 
-use crate::cam::{Bore, Closure, FollowerKind, Hub, Keyway, Making, Measures};
+use crate::cam::{Bore, Closure, FollowerKind, Keyway, Making, Measures};
 
 /// Default plate thickness, m.
 const THICKNESS: f64 = 0.01;
@@ -43,11 +43,7 @@ pub struct CamSpec {
     pub mark: bool,
     /// Thickness of the plate, for solids.
     pub thickness: f64,
-    /// Diameter of a hub on the upper face.
-    pub hub_diameter: Option<f64>,
-    /// How far the hub stands out; `None` = as far as the plate is thick.
-    pub hub_length: Option<f64>,
-    /// Material, hardness, tolerances; its hub is set from the two fields above.
+    /// Material, hardness, tolerances.
     pub making: Making,
     /// Constant breadth: distance of both faces, or of both roller centres. The law then needs its first
     /// half turn only.
@@ -80,8 +76,6 @@ impl Default for CamSpec {
             keyway: None,
             mark: false,
             thickness: THICKNESS,
-            hub_diameter: None,
-            hub_length: None,
             making: Making::default(),
             breadth: None,
             travel: None,
@@ -148,18 +142,6 @@ impl CamSpec {
             KeywaySpec::Width(width) => Keyway::of_width(width),
         });
         Some(Bore { diameter, keyway })
-    }
-
-    /// Manufacturing data, with the hub.
-    pub fn making(&self) -> Making {
-        let hub = self.hub_diameter.map(|diameter| Hub {
-            diameter,
-            length: self.hub_length.unwrap_or(self.thickness),
-        });
-        Making {
-            hub,
-            ..self.making.clone()
-        }
     }
 }
 

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::Design;
-use crate::cam::{Hole, Measures};
+use crate::cam::Measures;
 use crate::dynamics::rigid::{liftoff_speed, touch::held};
 use crate::synth::limits::{Press, power_curve, torque_curve};
 
@@ -105,28 +105,6 @@ impl Design {
         }
         report.hertz_pressure_max_pa = self.pressure();
         report
-    }
-
-    /// The hole that balances each cam, where the scene wants it and it has room: of a pair the second as it stands on
-    /// the shaft, turned by half a turn.
-    pub fn balance_holes(&self) -> Vec<Option<Hole>> {
-        let first = self
-            .problem
-            .cam
-            .making()
-            .balance_hole(&self.cam, self.problem.cam.hole());
-        let second = self.conjugate.as_ref().map(|pair| {
-            let hole = self
-                .problem
-                .cam
-                .making()
-                .balance_hole(&pair.second, self.problem.cam.hole());
-            hole.map(|hole| Hole {
-                centre: hole.centre.map(|x| -x),
-                ..hole
-            })
-        });
-        [first].into_iter().chain(second).collect()
     }
 
     /// Speed at which a follower that is not held from both sides leaves the cam.

@@ -5,9 +5,8 @@ pub mod checked_cam;
 use std::f64::consts::PI;
 
 use crate::cam::{
-    BarrelGroove, Cam, Conjugate, Follower, FollowerKind, LEAST_WALL, LimitKind, Measures,
-    PrimeCircle, Rollers, SizeLimits, least_between, smallest_base_radius, smallest_for,
-    smallest_prime_circle,
+    BarrelGroove, Cam, Conjugate, Follower, FollowerKind, LimitKind, Measures, PrimeCircle,
+    Rollers, SizeLimits, least_between, smallest_base_radius, smallest_for, smallest_prime_circle,
 };
 use crate::error::{Error, NoDesignError, Placed, Result, SynthError};
 use crate::law::Law;
@@ -149,23 +148,11 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
 }
 
 /// What to know of the size.
-pub fn notes(problem: &Problem, (cam, second): (&Cam, Option<&Cam>), pressing: &Law) -> Vec<Note> {
+pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
     let (size, wall) = (chosen_size(problem, cam), thin_wall(problem, cam));
     let shaft = shaft(problem, cam, pressing);
     let roller = large_roller(problem, cam);
-    let balance = out_of_balance(problem, [Some(cam), second]);
-    let all = [size, wall, shaft, balance, roller];
-    all.into_iter().flatten().collect()
-}
-
-/// A cam that is to be balanced by a hole for which it has no room.
-fn out_of_balance(problem: &Problem, cams: [Option<&Cam>; 2]) -> Option<Note> {
-    let (making, hole) = (problem.cam.making(), problem.cam.hole());
-    let mut cams = cams.into_iter().flatten();
-    let is_left = cams.any(|cam| making.leaves_unbalanced(cam, hole));
-    is_left.then_some(Note::NoBalanceHole {
-        wall: Quantity::length(LEAST_WALL),
-    })
+    [size, wall, shaft, roller].into_iter().flatten().collect()
 }
 
 /// A roller larger than the cam itself is mostly a slip of the unit.

@@ -47,7 +47,6 @@ design-phase = The turn of the cam starts at { $phase } of the force cycle, the 
 design-out-of-time = The search was ended at its time limit: the result is the best found until then, and relaxations that are not listed were not tried. Allow more with --time-limit.
 design-noise = The number of { $size } is limited to a force error of { $error } RMS, one fifth of the step-to-step standard deviation of the recording; more would fit its noise. Set accuracy.rms to change this.
 design-thin-wall = The wall between the hole for the shaft and the base circle is { $wall }; a hub usually has { $usual }. Set a larger cam.base_radius or a smaller cam.bore.
-design-no-balance-hole = The hole that balances the cam (cam.balance) is not bored: no round hole that leaves walls of { $wall } does it. Make the cam larger, or balance the shaft elsewhere.
 design-large-roller = The roller has a radius of { $roller }, more than the cam that it rolls on, { $cam }. Check cam.roller_radius and its unit.
 design-thin-shaft = The base circle has a diameter of { $circle }; a steel shaft that carries the torque of { $torque } needs { $shaft } (shear stress 40 MPa). Make the cam larger, or leave its size open and set cam.bore to the diameter of the shaft.
 design-large-bore = The hole has a diameter of { $bore }; a steel shaft that carries the torque of { $torque } needs only { $shaft } (shear stress 40 MPa). Check cam.bore and its unit.

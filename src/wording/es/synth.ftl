@@ -47,7 +47,6 @@ design-phase = La vuelta de la leva empieza en { $phase } del ciclo de fuerza, l
 design-out-of-time = La búsqueda terminó en su límite de tiempo: el resultado es el mejor hallado hasta entonces, y las relajaciones que no figuran no se probaron. Permita más con --time-limit.
 design-noise = El número de { $size } se limita a un error de fuerza de { $error } RMS, la quinta parte de la desviación típica entre pasos del registro; más ajustarían su ruido. Fije accuracy.rms para cambiarlo.
 design-thin-wall = La pared entre el agujero del eje y el círculo base es de { $wall }; un cubo suele tener { $usual }. Fije un cam.base_radius mayor o un cam.bore menor.
-design-no-balance-hole = El agujero que equilibra la leva (cam.balance) no se hace: ninguno redondo que deje paredes de { $wall } lo consigue. Agrande la leva, o equilibre el eje en otro lugar.
 design-large-roller = El rodillo tiene un radio de { $roller }, mayor que la leva sobre la que rueda, { $cam }. Compruebe cam.roller_radius y su unidad.
 design-thin-shaft = El círculo base tiene un diámetro de { $circle }; un eje de acero que transmita el par de { $torque } necesita { $shaft } (tensión tangencial de 40 MPa). Agrande la leva, o deje abierto su tamaño y fije cam.bore con el diámetro del eje.
 design-large-bore = El agujero tiene un diámetro de { $bore }; un eje de acero que transmite el par de { $torque } solo necesita { $shaft } (tensión tangencial de 40 MPa). Compruebe cam.bore y su unidad.

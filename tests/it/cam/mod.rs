@@ -1,6 +1,5 @@
 //! Profiles, curvature, pressure angles, sizes, and cams that cannot be made.
 
-mod body;
 mod geometry;
 mod inspect;
 mod papers;

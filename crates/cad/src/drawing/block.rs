@@ -51,7 +51,7 @@ fn making(design: &Design, allowed: f64) -> Option<Scattered> {
         let error = Spread::of(&errors, None).map_or(f64::NAN, |s| s.quantiles[2]);
         Scattered { tolerance, error }
     };
-    if let Some(given) = design.problem.cam.making().tolerance {
+    if let Some(given) = design.problem.cam.making.tolerance {
         return Some(of(given));
     }
     let own = design.force.rms_error_percent_of_mean;
@@ -121,7 +121,7 @@ fn fields(
             format!("{} rpm", words.number(rpm.abs()))
         }
     };
-    let made = design.problem.cam.making();
+    let made = &design.problem.cam.making;
     let steel = || words.text("drawing-steel");
     let mut material = made.material.clone().unwrap_or_else(steel);
     if let Some(hardness) = made.hardness {
@@ -171,7 +171,7 @@ fn accuracy(design: &Design, title: &Title, words: &Labels) -> (String, String) 
         }
         None => words.text("drawing-no-force"),
     };
-    let tolerance = making.map_or(design.problem.cam.making().tolerance, |m| Some(m.tolerance));
+    let tolerance = making.map_or(design.problem.cam.making.tolerance, |m| Some(m.tolerance));
     let units = words.units();
     let within = |t: f64| format!("± {} {}", short(units.per_metre() * t), units.name());
     let tolerance = tolerance.map_or("–".to_string(), within);

@@ -6,7 +6,7 @@ use super::pen::Pen;
 use super::piece::Piece;
 use super::radii::{Radius, radii};
 use super::table::Table;
-use super::views::{UNDER_HUB, Views};
+use super::views::Views;
 use crate::words::Labels;
 
 /// Rows of the table: one every 5°.
@@ -15,11 +15,11 @@ const ROWS: usize = 72;
 impl Piece<'_> {
     /// Its sheet.
     pub fn layout(&self) -> Layout {
-        let (radius, width) = (1e3 * self.radius(), 1e3 * self.width());
+        let (radius, width) = (1e3 * self.radius(), 1e3 * self.thickness);
         Layout::fitting(|scale| {
             [
                 2.0 * scale * radius + 2.0 * LABELS + scale * width + BESIDE,
-                2.0 * scale * radius + ABOVE + BELOW.max(self.hub.map_or(0.0, |_| UNDER_HUB + 4.0)),
+                2.0 * scale * radius + ABOVE + BELOW,
             ]
         })
     }

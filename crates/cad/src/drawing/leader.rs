@@ -58,21 +58,6 @@ impl Pen {
         }
     }
 
-    /// The distance between two level edges whose left ends are at `edge`, on an upright line at `x` left of them.
-    pub fn upright(&mut self, text: &str, [low, high]: [f64; 2], edge: f64, x: f64) {
-        for y in [low, high] {
-            self.line(&[[edge - ABOVE, y], [x - BEYOND, y]], Stroke::Thin);
-        }
-        let inside = high - low >= NARROW;
-        let out = if inside { 0.0 } else { 6.0 };
-        self.line(&[[x, low - out], [x, high + out]], Stroke::Thin);
-        let sense = if inside { 1.0 } else { -1.0 };
-        self.arrowhead([x, low], [0.0, -sense]);
-        self.arrowhead([x, high], [0.0, sense]);
-        let middle = 0.5 * (low + high) - 0.36 * LETTERS;
-        self.text(text, [x - ABOVE, middle], LETTERS, Anchor::End);
-    }
-
     /// Letters of dimensions, centred above `at`.
     pub fn note(&mut self, text: &str, at: [f64; 2]) {
         self.text(text, at, LETTERS, Anchor::Middle);

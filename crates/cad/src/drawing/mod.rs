@@ -1,4 +1,4 @@
-//! `drawing.pdf`: the workshop drawing, one sheet for each cam that is a disc or a slide.
+//! `drawing.pdf`: the workshop drawing, one sheet for each cam that turns about its shaft.
 //!
 //! Lines and letters only (no pictures), with the fonts every reader has, so that the file stays small and its
 //! numbers can be searched and copied. Lengths on the sheet are millimetres or inches, angles degrees, in the frame of
@@ -12,11 +12,9 @@ mod leader;
 mod pen;
 mod piece;
 mod radii;
-mod slide;
 mod table;
 mod views;
 
-use gaitcam::cam::Cam;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 use pdf_writer::{Finish, Name, Pdf, Rect, Ref, TextStr};
@@ -26,8 +24,6 @@ use crate::words::Labels;
 use layout::Layout;
 use pen::{HELVETICA, POINT, Pen, SYMBOL, Stroke};
 use piece::Piece;
-use slide::Slide;
-use table::Table;
 
 /// Radius of the probing ball that the table is made for, m.
 pub const BALL: f64 = 0.001;
@@ -64,52 +60,13 @@ pub fn revision(scene: &str) -> u32 {
     crc32fast::hash(scene.as_bytes())
 }
 
-/// What one sheet is about.
-enum Subject<'a> {
-    Disc(Piece<'a>),
-    Slide(Slide<'a>),
-}
-
-impl<'a> Subject<'a> {
-    /// The sheets of a design.
-    fn all(design: &'a Design) -> Vec<Self> {
-        if design.cam.follower.is_unrolled() {
-            return vec![Subject::Slide(Slide::new(design))];
-        }
-        Piece::all(design).into_iter().map(Subject::Disc).collect()
-    }
-
-    fn layout(&self) -> Layout {
-        match self {
-            Subject::Disc(piece) => piece.layout(),
-            Subject::Slide(slide) => slide.layout(),
-        }
-    }
-
-    /// Draws the views; returns the table that belongs to them.
-    fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Labels) -> Table {
-        match self {
-            Subject::Disc(piece) => piece.draw(pen, layout, words),
-            Subject::Slide(slide) => slide.draw(pen, layout, words),
-        }
-    }
-
-    /// The cam that it shows, and its name where there are two.
-    fn cam(&self, design: &'a Design) -> (&'a Cam, Option<&'static str>) {
-        match self {
-            Subject::Disc(piece) => (piece.cam, piece.name),
-            Subject::Slide(_) => (&design.cam, None),
-        }
-    }
-}
-
-/// The drawing; `None` of a barrel, which has no sheet.
+/// The drawing; `None` of a barrel and of a translating cam, which have no sheet.
 pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>> {
-    if design.groove.is_some() {
+    if design.cam.follower.is_unrolled() {
         return None;
     }
     let words = Labels::new(language, title.units);
-    let subjects = Subject::all(design);
+    let pieces = Piece::all(design);
     let mut next = 0;
     let mut fresh = || {
         next += 1;
@@ -117,7 +74,7 @@ pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>
     };
     let (catalogue, tree, info) = (fresh(), fresh(), fresh());
     let fonts = [fresh(), fresh()];
-    let sheets: Vec<(Ref, Ref)> = subjects.iter().map(|_| (fresh(), fresh())).collect();
+    let sheets: Vec<(Ref, Ref)> = pieces.iter().map(|_| (fresh(), fresh())).collect();
     let mut pdf = Pdf::new();
     pdf.catalog(catalogue)
         .pages(tree)
@@ -128,8 +85,8 @@ pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>
     pdf.pages(tree)
         .kids(sheets.iter().map(|s| s.0))
         .count(i32::try_from(sheets.len()).unwrap_or(i32::MAX));
-    for (i, (subject, (page, content))) in subjects.iter().zip(&sheets).enumerate() {
-        let layout = subject.layout();
+    for (i, (piece, (page, content))) in pieces.iter().zip(&sheets).enumerate() {
+        let layout = piece.layout();
         let [width, height] = layout.paper.map(|mm| (POINT * mm) as f32);
         let mut sheet = pdf.page(*page);
         sheet
@@ -143,8 +100,8 @@ pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>
             .pair(SYMBOL, fonts[1]);
         resources.finish();
         sheet.finish();
-        let number = [i + 1, subjects.len()];
-        let drawn = drawn((design, subject), title, number, &layout, &words);
+        let number = [i + 1, pieces.len()];
+        let drawn = drawn((design, piece), title, number, &layout, &words);
         pdf.stream(*content, &drawn);
     }
     pdf.type1_font(fonts[0])
@@ -156,7 +113,7 @@ pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>
 
 /// One sheet.
 fn drawn(
-    (design, subject): (&Design, &Subject),
+    (design, piece): (&Design, &Piece),
     title: &Title,
     number: [usize; 2],
     layout: &Layout,
@@ -169,9 +126,15 @@ fn drawn(
         [frame.right, frame.top],
         Stroke::Outline,
     );
-    let table = subject.draw(&mut pen, layout, words);
+    let table = piece.draw(&mut pen, layout, words);
     table::draw(&mut pen, &table, layout);
-    let (cam, name) = subject.cam(design);
-    block::draw(&mut pen, (design, cam, name), title, number, layout, words);
+    block::draw(
+        &mut pen,
+        (design, piece.cam, piece.name),
+        title,
+        number,
+        layout,
+        words,
+    );
     pen.finish()
 }

@@ -1,8 +1,8 @@
-//! One cam that turns, with its holes and its hub.
+//! One cam that turns, with its hole.
 
 use std::f64::consts::TAU;
 
-use gaitcam::cam::{Bore, Cam, Hole, Hub};
+use gaitcam::cam::{Bore, Cam};
 use gaitcam::synth::Design;
 
 use super::radii::farthest;
@@ -15,9 +15,6 @@ pub struct Piece<'a> {
     /// Key of its name where there are two.
     pub name: Option<&'static str>,
     pub bore: Option<Bore>,
-    /// The hole that balances it.
-    pub balance: Option<Hole>,
-    pub hub: Option<Hub>,
     pub thickness: f64,
     pub clockwise: bool,
 }
@@ -31,18 +28,13 @@ impl<'a> Piece<'a> {
         };
         let second = design.conjugate.as_ref().map(|pair| &pair.second);
         let cams: Vec<&Cam> = [&design.cam].into_iter().chain(second).collect();
-        let last = cams.len() - 1;
         let edges = Edge::all(design).into_iter().zip(names);
-        (cams.iter().zip(edges).zip(design.balance_holes()))
-            .enumerate()
-            .map(|(k, ((cam, (edge, name)), balance))| Piece {
+        (cams.iter().zip(edges))
+            .map(|(cam, (edge, name))| Piece {
                 cam,
                 edge,
                 name,
                 bore: design.problem.cam.hole(),
-                balance,
-                // The hub of a pair stands on its upper cam.
-                hub: design.problem.cam.making().hub.filter(|_| k == last),
                 thickness: design.problem.cam.thickness,
                 clockwise: design.problem.drive.speed < 0.0,
             })
@@ -61,11 +53,6 @@ impl<'a> Piece<'a> {
     pub fn radius(&self) -> f64 {
         let [x, y] = farthest(&self.edge, 1440).p;
         x.hypot(y).max(self.prime())
-    }
-
-    /// Length along the shaft, m.
-    pub fn width(&self) -> f64 {
-        self.thickness + self.hub.map_or(0.0, |hub| hub.length)
     }
 }
 

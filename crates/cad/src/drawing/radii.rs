@@ -58,26 +58,6 @@ pub fn farthest(edge: &Edge, count: usize) -> EdgePoint {
         .unwrap_or_else(|| edge.at(0.0))
 }
 
-/// Height of the highest crossing of the upright line at `x` m with the parallel of an open profile at distance `off` m, m;
-/// `None` where there is none.
-pub fn height(edge: &Edge, x: f64, off: f64) -> Option<f64> {
-    let breaks = edge.breaks();
-    let (start, end) = (breaks[0], breaks[breaks.len() - 1]);
-    let at = |i: usize| start + (end - start) * i as f64 / SAMPLES as f64;
-    let point = |theta: f64| moved(&edge.at(theta), off);
-    // An end of the profile must not be lost by rounding.
-    let side = |theta: f64| point(theta)[0] - x >= 0.0;
-    let ends = [start, end].map(|theta| (theta, point(theta)));
-    let on_end = ends.iter().find(|(_, p)| (p[0] - x).abs() < 1e-9);
-    if let Some((_, p)) = on_end {
-        return Some(p[1]);
-    }
-    let heights = (0..SAMPLES)
-        .filter(|&i| side(at(i)) != side(at(i + 1)))
-        .map(|i| point(crossing(side, at(i), at(i + 1)))[1]);
-    heights.max_by(f64::total_cmp)
-}
-
 /// The place between `low` and `high` at which a condition changes, by bisection.
 fn crossing(condition: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
     let at_low = condition(low);

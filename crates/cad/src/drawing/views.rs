@@ -19,9 +19,8 @@ const LEAST_HEIGHT: f64 = 20.0;
 const OFF: f64 = 5.0;
 /// Length of centre lines beyond the outline, mm.
 const OVER: f64 = 4.0;
-/// Distance of the side view's dimensions from it, mm: of the first, and of the thickness of a plate with a hub.
+/// Distance of the side view's dimension from it, mm.
 const UNDER: f64 = 8.0;
-pub const UNDER_HUB: f64 = 16.0;
 /// Where the arrow of rotation begins and ends, from the mark of θ = 0, rad.
 const ARROW: [f64; 2] = [0.12, 0.5];
 /// Points of the bore's edge between its corners.
@@ -76,7 +75,7 @@ impl<'a> Views<'a> {
         let scale = MM * layout.scale.factor();
         let around = scale * piece.radius();
         let area = layout.views;
-        let wide = 2.0 * (around + LABELS) + scale * piece.width() + BESIDE;
+        let wide = 2.0 * (around + LABELS) + scale * piece.thickness + BESIDE;
         let start = area.left + 0.5 * (area.width() - wide);
         let middle = 0.5 * (area.bottom + BELOW + area.top - ABOVE);
         Views {
@@ -117,15 +116,6 @@ impl<'a> Views<'a> {
                 .map(|p| self.place(p))
                 .collect();
             pen.ring(&edge, Stroke::Outline);
-        }
-        if let Some(hub) = self.piece.hub {
-            let radius = 0.5 * self.scale * hub.diameter;
-            pen.circle(self.centre, radius, Stroke::Outline);
-        }
-        if let Some(hole) = self.piece.balance {
-            let (centre, r) = (self.place(hole.centre), 0.5 * self.scale * hole.diameter);
-            pen.circle(centre, r, Stroke::Outline);
-            pen.cross(centre, r + 1.5, Stroke::Thin);
         }
         let reach_of_bore = self.piece.bore.map_or(0.0, |b| b.reach());
         let mark = zero_mark(base, reach_of_bore).map(|p| self.place(p));
@@ -192,20 +182,6 @@ impl<'a> Views<'a> {
                 add(text, Target::Below(self.place(corner)));
             }
         }
-        if let Some(hole) = piece.balance {
-            let [x, y] = hole.centre;
-            let (size, far) = (words.length(hole.diameter, 2), words.length(x.hypot(y), 3));
-            let at = words.fixed(angle(hole.centre), 2);
-            let size = format!("Ø {size}  R {far}  φ {at}°");
-            add(
-                named("drawing-balance", size),
-                Target::Point(self.place(hole.centre)),
-            );
-        }
-        if let Some(hub) = piece.hub {
-            let size = format!("Ø {}", words.length(hub.diameter, 2));
-            add(named("drawing-hub", size), circle(0.5 * hub.diameter));
-        }
         out
     }
 
@@ -239,29 +215,17 @@ impl<'a> Views<'a> {
             });
         let thick = self.scale * self.piece.thickness;
         let (left, right) = (self.side, self.side + thick);
-        let far = self.side + self.scale * self.piece.width();
         pen.frame([left, ends[0]], [right, ends[1]], Stroke::Outline);
         let y = self.centre[1];
-        pen.line(&[[left - OVER, y], [far + OVER, y]], Stroke::Centre);
+        pen.line(&[[left - OVER, y], [right + OVER, y]], Stroke::Centre);
         if let Some(bore) = self.piece.bore {
             let key = bore.keyway.map_or(0.0, |key| key.depth);
             let edges = [-bore.radius(), bore.radius() + key];
             for edge in edges.map(|off| y + self.scale * off) {
-                pen.line(&[[left, edge], [far, edge]], Stroke::Hidden);
+                pen.line(&[[left, edge], [right, edge]], Stroke::Hidden);
             }
         }
         let thickness = self.words.length(self.piece.thickness, 2);
-        let below = if self.piece.hub.is_some() {
-            UNDER_HUB
-        } else {
-            UNDER
-        };
-        pen.level(&thickness, [left, right], ends[0], ends[0] - below);
-        if let Some(hub) = self.piece.hub {
-            let (half, out) = (0.5 * self.scale * hub.diameter, self.scale * hub.length);
-            pen.frame([right, y - half], [right + out, y + half], Stroke::Outline);
-            let whole = self.words.length(self.piece.width(), 2);
-            pen.level(&whole, [left, right + out], ends[0], ends[0] - UNDER);
-        }
+        pen.level(&thickness, [left, right], ends[0], ends[0] - UNDER);
     }
 }

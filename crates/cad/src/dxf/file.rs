@@ -21,8 +21,8 @@ pub enum Shape {
     },
     /// A cubic B-spline.
     Spline(Clamped),
-    /// About a centre.
-    Circle { centre: [f64; 2], radius: f64 },
+    /// About the origin.
+    Circle { radius: f64 },
     /// From one point to another.
     Line { ends: [[f64; 2]; 2] },
     /// ASCII that starts at a point; `%%d` is the degree sign.
@@ -154,9 +154,9 @@ impl Drawing {
                     out.polyline(space, layer, vertices, *closed);
                 }
                 Shape::Spline(spline) => out.spline(space, layer, spline),
-                Shape::Circle { centre, radius } => {
+                Shape::Circle { radius } => {
                     out.entity("CIRCLE", "AcDbCircle", space, layer);
-                    out.point(10, *centre).length(40, *radius);
+                    out.point(10, [0.0; 2]).length(40, *radius);
                 }
                 Shape::Line { ends: [from, to] } => {
                     out.entity("LINE", "AcDbLine", space, layer);

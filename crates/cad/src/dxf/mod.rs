@@ -12,12 +12,11 @@ use gaitcam::synth::Edge;
 const MM: f64 = 1000.0;
 
 /// Layers with their AutoCAD colour indices; a drawing has those it uses. What is cut lies on `CUT_*`.
-const LAYERS: [(&str, u8); 14] = [
+const LAYERS: [(&str, u8); 13] = [
     ("CUT_PROFILE", 7),
     ("CUT_UPPER_WALL", 4),
     ("CUT_SECOND_PROFILE", 4),
     ("CUT_BORE", 5),
-    ("CUT_BALANCE_HOLE", 5),
     ("REF_PITCH_CURVE", 30),
     ("REF_SECOND_PITCH_CURVE", 40),
     ("REF_BASE_CIRCLE", 3),
@@ -239,10 +238,6 @@ impl Sheet {
                 Some(_) => self.polyline("CUT_BORE", &millimetres(&bore.outline()), true),
             }
         }
-        for hole in synthesis.balance_holes().into_iter().flatten() {
-            let centre = hole.centre.map(|x| MM * x);
-            self.circle_at("CUT_BALANCE_HOLE", centre, 0.5 * MM * hole.diameter);
-        }
         if self.options.content == Content::CutOnly {
             return;
         }
@@ -268,13 +263,8 @@ impl Sheet {
     }
 
     fn circle(&mut self, layer: &'static str, radius: f64) {
-        self.circle_at(layer, [0.0; 2], radius);
-    }
-
-    fn circle_at(&mut self, layer: &'static str, centre: [f64; 2], radius: f64) {
-        let corner = |side: f64| centre.map(|x| x + side * radius);
-        let reach = [corner(-1.0), corner(1.0)];
-        self.add(layer, Shape::Circle { centre, radius }, &reach);
+        let reach = [[-radius; 2], [radius; 2]];
+        self.add(layer, Shape::Circle { radius }, &reach);
     }
 
     fn line(&mut self, layer: &'static str, ends: [[f64; 2]; 2]) {

@@ -1,18 +1,13 @@
 //! The cam as a plate: a closed surface for printing and milling.
 
-use earcut::Earcut;
-
 use super::Mesh;
 use crate::step::positive;
-use gaitcam::cam::{Bore, Hole};
+use gaitcam::cam::Bore;
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
 const MM: f64 = 1000.0;
-
-/// Points of a round hole.
-const ROUND: usize = 240;
 
 /// A plate of one thickness, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,84 +67,10 @@ pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
             .into());
         }
     }
-    let balance = synthesis.problem.cam.making().balance_hole(cam, plate.bore);
-    match (balance, plate.bore) {
-        (Some(hole), bore) => pierced(outline, bore, hole, thickness),
-        (None, None) => Ok(full(&outline, thickness)),
-        (None, Some(bore)) => Ok(bored(&with_corners(outline, &bore), &bore, thickness)),
-    }
-}
-
-/// The plate with a hole off the centre: a ray from the centre may meet its edges more than twice, so the faces are
-/// triangulated as polygons with holes.
-fn pierced(outline: Vec<[f64; 2]>, bore: Option<Bore>, hole: Hole, thickness: f64) -> Result<Mesh> {
-    let balance = (0..ROUND).map(|i| {
-        let (sin, cos) = direction(i).sin_cos();
-        let r = 0.5 * hole.diameter;
-        [hole.centre[0] + r * cos, hole.centre[1] + r * sin].map(|x| MM * x)
-    });
-    let mut rings = vec![outline, balance.collect()];
-    rings.extend(bore.as_ref().map(edge));
-    let mut triangles = Vec::new();
-    for [a, b, c] in face(&rings).ok_or(WriteError::ProfileFolds)? {
-        triangles.push([2 * a + 1, 2 * b + 1, 2 * c + 1]);
-        triangles.push([2 * a, 2 * c, 2 * b]);
-    }
-    let mut first = 0;
-    for ring in &rings {
-        let n = ring.len();
-        for i in 0..n {
-            let (a, b) = (2 * (first + i), 2 * (first + (i + 1) % n));
-            triangles.push([a, b, b + 1]);
-            triangles.push([a, b + 1, a + 1]);
-        }
-        first += n;
-    }
-    Ok(Mesh {
-        vertices: self::ring(&rings.concat(), thickness),
-        triangles,
+    Ok(match plate.bore {
+        None => full(&outline, thickness),
+        Some(bore) => bored(&with_corners(outline, &bore), &bore, thickness),
     })
-}
-
-/// Direction of point i of a round hole, clockwise, rad.
-fn direction(i: usize) -> f64 {
-    -std::f64::consts::TAU * i as f64 / ROUND as f64
-}
-
-/// The edge of the shaft's hole clockwise, mm; straight parts have no vertices between their corners.
-fn edge(bore: &Bore) -> Vec<[f64; 2]> {
-    let round = (0..ROUND)
-        .map(direction)
-        .filter(|a| bore.edge(*a) == bore.radius());
-    let corners = bore.corners().into_iter();
-    let corners = corners.map(|a| -(-a).rem_euclid(std::f64::consts::TAU));
-    let mut angles: Vec<f64> = round.chain(corners).collect();
-    angles.sort_by(|a, b| b.total_cmp(a));
-    angles.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
-    let at = |a: f64| [a.cos(), a.sin()].map(|x| MM * bore.edge(a) * x);
-    angles.into_iter().map(at).collect()
-}
-
-/// The triangles, counter-clockwise, of a face within `rings[0]`, counter-clockwise, around the other rings, clockwise;
-/// vertices count through all rings. `None` where the rings cross or have vertices on a straight line: the triangles
-/// then do not have all their edges.
-fn face(rings: &[Vec<[f64; 2]>]) -> Option<Vec<[usize; 3]>> {
-    let mut holes = Vec::new();
-    let mut count = 0;
-    for ring in rings {
-        holes.push(count);
-        count += ring.len();
-    }
-    holes.remove(0);
-    let mut corners: Vec<usize> = Vec::new();
-    let points = rings.concat();
-    Earcut::new().earcut(points.iter().copied(), &holes, &mut corners);
-    let triangles: Vec<[usize; 3]> = corners
-        .chunks_exact(3)
-        .map(|t| [t[0], t[1], t[2]])
-        .collect();
-    let is_filled = earcut::deviation(points, &holes, &corners) < 1e-9;
-    (is_filled && triangles.len() == count + 2 * holes.len() - 2).then_some(triangles)
 }
 
 /// Smallest distance of the polygon from the centre.
@@ -249,73 +170,5 @@ fn bored(outline: &[[f64; 2]], bore: &Bore, thickness: f64) -> Mesh {
     Mesh {
         vertices,
         triangles,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn round(centre: [f64; 2], radius: f64, count: usize, sense: f64) -> Vec<[f64; 2]> {
-        (0..count)
-            .map(|i| {
-                let a = sense * std::f64::consts::TAU * i as f64 / count as f64;
-                [centre[0] + radius * a.cos(), centre[1] + radius * a.sin()]
-            })
-            .collect()
-    }
-
-    fn area(ring: &[[f64; 2]]) -> f64 {
-        let n = ring.len();
-        let cross = |i: usize| {
-            let (a, b) = (ring[i], ring[(i + 1) % n]);
-            a[0] * b[1] - a[1] * b[0]
-        };
-        0.5 * (0..n).map(cross).sum::<f64>()
-    }
-
-    #[test]
-    fn triangles_fill_a_disc_between_its_holes() {
-        let rings = [
-            round([0.0, 0.0], 30.0, 361, 1.0),
-            round([0.0, 0.0], 8.0, 60, -1.0),
-            round([15.0, 3.0], 5.0, 47, -1.0),
-            round([-17.0, -4.0], 6.0, 48, -1.0),
-        ];
-        let triangles = face(&rings).unwrap();
-        let points = rings.concat();
-        let filled: f64 = triangles
-            .iter()
-            .map(|t| {
-                let [a, b, c] = t.map(|i| points[i]);
-                let twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-                assert!(twice > 0.0);
-                0.5 * twice
-            })
-            .sum();
-        let exact: f64 = rings.iter().map(|ring| area(ring)).sum();
-        assert!((filled / exact - 1.0).abs() < 1e-12, "{filled} {exact}");
-        // Every edge of a ring once, every other edge twice in opposite senses.
-        let mut count = std::collections::HashMap::new();
-        for t in &triangles {
-            for k in 0..3 {
-                *count.entry((t[k], t[(k + 1) % 3])).or_insert(0) += 1;
-            }
-        }
-        assert!(count.values().all(|n| *n == 1));
-        let open = count
-            .keys()
-            .filter(|(a, b)| !count.contains_key(&(*b, *a)))
-            .count();
-        assert_eq!(open, points.len());
-    }
-
-    #[test]
-    fn rings_that_cross_have_no_face() {
-        let rings = [
-            round([0.0, 0.0], 30.0, 361, 1.0),
-            round([28.0, 0.0], 8.0, 60, -1.0),
-        ];
-        assert!(face(&rings).is_none());
     }
 }

@@ -11,7 +11,7 @@ mod slide;
 
 use self::file::{File, Piece, Rims, circle};
 use super::spline;
-use gaitcam::cam::{Bore, Hole, Hub};
+use gaitcam::cam::Bore;
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
 use gaitcam::synth::Edge;
@@ -20,8 +20,6 @@ use gaitcam::units::Quantity;
 const MM: f64 = 1000.0;
 /// Largest distance of a spline from the true profile at the points compared, m; less than 0.1 µm between them.
 pub const FAITHFUL: f64 = 5e-8;
-/// Points of a profile with which a hub is compared.
-const PROFILE: usize = 1440;
 /// Half the room that the mark of θ = 0 needs, mm.
 const LEAST_ROOM: f64 = 0.25;
 /// Edges into which the profile is divided.
@@ -51,12 +49,9 @@ fn plates(file: &mut File, synthesis: &Design) -> Result<Vec<usize>> {
     if !synthesis.cam.law.is_closed() {
         return Err(WriteError::OpenProfile.into());
     }
-    let hub = hub(synthesis)?;
     let edges = Edge::all(synthesis);
-    let holes = synthesis.balance_holes();
-    let last = edges.len() - 1;
     let mut solids = Vec::new();
-    for (k, (edge, balance)) in edges.iter().zip(holes).enumerate() {
+    for (k, edge) in edges.iter().enumerate() {
         if edge.is_undercut() {
             return Err(WriteError::UndercutProfile.into());
         }
@@ -65,34 +60,12 @@ fn plates(file: &mut File, synthesis: &Design) -> Result<Vec<usize>> {
         let body = Body {
             outline: outline.into_iter().map(Piece::Spline).collect(),
             hole: synthesis.problem.cam.hole(),
-            balance,
-            // The hub of a pair stands on its upper cam.
-            hub: hub.filter(|_| k == last),
             dot: Dot::of(synthesis).filter(|_| k == 0 && synthesis.problem.cam.mark),
             z: [foot, foot + MM * thickness],
         };
         solids.push(body.add_to(file));
     }
     Ok(solids)
-}
-
-/// The hub, where it stands within the profile.
-fn hub(design: &Design) -> Result<Option<Hub>> {
-    let Some(hub) = design.problem.cam.making().hub else {
-        return Ok(None);
-    };
-    let edges = Edge::all(design);
-    let free = (edges.iter().flat_map(|edge| edge.points(PROFILE)))
-        .map(|e| e.p[0].hypot(e.p[1]))
-        .fold(f64::INFINITY, f64::min);
-    if 0.5 * hub.diameter < free {
-        return Ok(Some(hub));
-    }
-    Err(WriteError::HubTooLarge {
-        hub: Quantity::length(hub.diameter),
-        free: Quantity::length(free),
-    }
-    .into())
 }
 
 /// A thickness that makes a plate.
@@ -115,21 +88,10 @@ struct Dot {
 }
 
 impl Dot {
-    /// Halfway between hub or hole for the shaft and the base circle; `None` where there is no room.
+    /// Halfway between the hole for the shaft and the base circle; `None` where there is no room.
     fn of(design: &Design) -> Option<Dot> {
         let base = MM * design.cam.follower.base_radius();
-        let hub = design
-            .problem
-            .cam
-            .making()
-            .hub
-            .map_or(0.0, |hub| 0.5 * MM * hub.diameter);
-        let reach = design
-            .problem
-            .cam
-            .hole()
-            .map_or(0.0, |b| MM * b.reach())
-            .max(hub);
+        let reach = design.problem.cam.hole().map_or(0.0, |b| MM * b.reach());
         let room = 0.5 * (base - reach);
         (room > LEAST_ROOM).then_some(Dot {
             centre: [0.0, reach + room],
@@ -152,8 +114,6 @@ impl Dot {
 struct Body {
     outline: Vec<Piece>,
     hole: Option<Bore>,
-    balance: Option<Hole>,
-    hub: Option<Hub>,
     dot: Option<Dot>,
     z: [f64; 2],
 }
@@ -162,32 +122,13 @@ impl Body {
     fn add_to(&self, file: &mut File) -> usize {
         let mut faces = Vec::new();
         let [low, high] = self.z;
-        let top = high + self.hub.map_or(0.0, |hub| MM * hub.length);
         let outer = file.wall(&self.outline, self.z, false, &mut faces);
         let shaft =
-            (self.hole).map(|bore| file.wall(&hole_pieces(&bore), [low, top], true, &mut faces));
-        let balance = self.balance.map(|hole| {
-            let edge = circle(hole.centre.map(|x| MM * x), 0.5 * MM * hole.diameter);
-            file.wall(&edge, self.z, true, &mut faces)
-        });
+            (self.hole).map(|bore| file.wall(&hole_pieces(&bore), self.z, true, &mut faces));
         let dot = self.dot.map(|dot| dot.add_to(file, high, &mut faces));
-        let hub = self.hub.map(|hub| {
-            let edge = circle([0.0; 2], 0.5 * MM * hub.diameter);
-            file.wall(&edge, [high, top], false, &mut faces)
-        });
-        if let Some(rims) = &hub {
-            let bored: Vec<&[usize]> = shaft.iter().map(|r| r.high.as_slice()).collect();
-            file.cap(top, true, &rims.high, &bored, &mut faces);
-        }
-        let below: Vec<&[usize]> = (shaft.iter().chain(&balance))
-            .map(|r| r.low.as_slice())
-            .collect();
-        // Around a hub the plate's face begins at the hub.
-        let around = hub.as_ref().map(|r| r.low.as_slice());
-        let inner = around.or(shaft.as_ref().map(|r| r.high.as_slice()));
-        let above: Vec<&[usize]> = (balance.iter().chain(&dot))
+        let below: Vec<&[usize]> = shaft.iter().map(|r| r.low.as_slice()).collect();
+        let above: Vec<&[usize]> = (dot.iter().chain(&shaft))
             .map(|r| r.high.as_slice())
-            .chain(inner)
             .collect();
         file.cap(low, false, &outer.low, &below, &mut faces);
         file.cap(high, true, &outer.high, &above, &mut faces);

@@ -6,11 +6,6 @@ drawing-prime-circle = prime circle
 drawing-largest-radius = largest radius
 drawing-bore = bore
 drawing-keyway = keyway, height
-drawing-balance = balance hole
-drawing-hub = hub
-drawing-heights = x: distance from the left end. y: height of the profile above the foot.
-drawing-heights-ball = b: height at which the centre of a ball R { $radius } { $unit } stands that is lowered until it touches.
-drawing-motion = the cam moves
 drawing-radii = φ: angle at the centre from the mark θ = 0, clockwise in this view. r: radius of the profile.
 drawing-radii-ball = b: radius at which the centre of a ball R { $radius } { $unit } stands that is moved along the ray until it touches.
 drawing-material = Material

@@ -6,11 +6,6 @@ drawing-prime-circle = círculo primario
 drawing-largest-radius = radio máximo
 drawing-bore = agujero
 drawing-keyway = chavetero, altura
-drawing-balance = agujero de equilibrado
-drawing-hub = cubo
-drawing-heights = x: distancia desde el extremo izquierdo. y: altura del perfil sobre la base.
-drawing-heights-ball = b: altura en que queda el centro de una bola R { $radius } { $unit } que se baja hasta tocar.
-drawing-motion = la leva se mueve
 drawing-radii = φ: ángulo en el centro desde la marca θ = 0, en sentido horario en esta vista. r: radio del perfil.
 drawing-radii-ball = b: radio en que queda el centro de una bola R { $radius } { $unit } que se acerca por el rayo hasta tocar.
 drawing-material = Material

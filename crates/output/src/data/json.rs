@@ -233,7 +233,7 @@ fn machine(design: &Design) -> Value {
     let figures = Figures::of(design);
     let own = FIGURES.iter().filter(|f| f.section == "machine");
     let own = own.map(|f| (f.key, f.value(&figures)));
-    let hardness = design.problem.cam.making().hardness;
+    let hardness = design.problem.cam.making.hardness;
     let allowable = hardness.map_or(f64::NAN, |h| h.allowable_pressure());
     let all = own.chain([("hertz_pressure_allowable_pa", allowable)]);
     all.map(|(key, x)| (key, real(x))).collect()

@@ -345,14 +345,6 @@ report-times-roller = { $ratio } times the roller radius
 report-wall = wall at the bore
 report-wall-enough = { $wall } (at least { $least })
 report-wall-thin = { $wall }: thinner than { $least }; increase the base radius or reduce the bore
-report-balance = Mass and balance (steel, 7850 kg/m³)
-report-cam-mass = mass of the cam
-report-centroid = centre of mass
-report-unbalance = unbalance
-report-unbalance-force = force of the unbalance at this speed
-report-hole = hole that balances the cam
-report-hole-at = Ø { $diameter } at { $place }
-report-no-hole = none: no single round hole has the room
 
 # The table of a run.
 simulation-model = model

@@ -350,14 +350,6 @@ report-times-roller = { $ratio } veces el radio del rodillo
 report-wall = pared en el agujero
 report-wall-enough = { $wall } (como mínimo { $least })
 report-wall-thin = { $wall }: menos de { $least }; aumente el radio base o reduzca el agujero
-report-balance = Masa y equilibrado (acero, 7850 kg/m³)
-report-cam-mass = masa de la leva
-report-centroid = centro de masas
-report-unbalance = desequilibrio
-report-unbalance-force = fuerza del desequilibrio a esta velocidad
-report-hole = agujero que equilibra la leva
-report-hole-at = Ø { $diameter } en { $place }
-report-no-hole = ninguno: no hay sitio para un solo agujero redondo
 
 # La tabla de una simulación.
 simulation-model = modelo
