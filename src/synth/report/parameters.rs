@@ -36,7 +36,7 @@ pub enum Functions {
         #[serde(rename = "range_rad")]
         range: [f64; 2],
     },
-    /// Lift of a double harmonic, start and angle of its rise, and angle of its fall, m and rad.
+    /// Level and lift of a double harmonic, m, start and angle of its rise, and angle of its fall, rad.
     DoubleHarmonic,
     /// Lifts of the segments of a programme.
     Segments,
@@ -57,12 +57,12 @@ impl Functions {
     pub(in crate::synth) fn raise(&self, coefficients: &mut [f64], by: f64) {
         match self {
             Functions::BSpline { .. } => coefficients.iter_mut().for_each(|c| *c += by),
-            Functions::Fourier | Functions::Monomial { .. } => {
+            Functions::Fourier | Functions::Monomial { .. } | Functions::DoubleHarmonic => {
                 if let Some(mean) = coefficients.first_mut() {
                     *mean += by;
                 }
             }
-            Functions::DoubleHarmonic | Functions::Segments => {}
+            Functions::Segments => {}
         }
     }
 }

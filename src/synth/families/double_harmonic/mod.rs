@@ -1,0 +1,277 @@
+//! The double-harmonic family: one rise, one fall and a rest (Campillo de Blas 2017), placed for the force.
+//!
+//! For given angles the force is linear in the lift and in the level, which follow from two linear equations. Only the start
+//! and the angles of rise and fall are searched: over a grid of the whole turn, then by Nelder and Mead's method from its best
+//! places, so that the same scene always gives the same law.
+
+mod projection;
+
+use std::f64::consts::TAU;
+
+use argmin::core::{CostFunction, Executor, State};
+use argmin::solver::neldermead::NelderMead;
+use argmin_math::{ArgminAdd, ArgminMul, ArgminSub};
+
+use super::harmonic::no_force;
+use super::solved::SolvedLaw;
+use crate::error::{NoDesignError, Placed, Result, SynthError};
+use crate::law::{Extent, Law, Rise, Segment, assemble};
+use crate::problem::Problem;
+use crate::scene::{Family, LimitKind};
+use crate::synth::report::method::Method;
+use crate::synth::report::parameters::Functions;
+use crate::synth::report::proof::Doubt;
+use crate::synth::report::solver::{SolverReport, Tier};
+use crate::units::Quantity;
+use projection::Projection;
+
+/// Rise and fall last at least this long, rad: shorter ones are blows.
+const SHORTEST: f64 = 0.2;
+/// Places of the grid from which the angles are searched.
+const STARTS: usize = 6;
+/// Iterations of each search.
+const ITERATIONS: u64 = 150;
+/// Size of the first simplex, rad: one step of the grid.
+const SIMPLEX: f64 = 0.065;
+
+/// The problem's double harmonic with how it was found, its lift no larger than the stroke allowed.
+///
+/// # Errors
+/// Where the search finds no lift that changes the force.
+pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
+    let target = problem.target.as_ref().ok_or_else(no_force)?;
+    let stroke = problem.limits[LimitKind::Stroke];
+    let force = Projection::new(target.cells(), &problem.drive, stroke);
+    let (angles, steps) = best(&force)?;
+    let nearest = force.nearest(angles);
+    if nearest.lift == 0.0 {
+        return Err(SynthError::DoubleHarmonicUseless.at_key("law.family"));
+    }
+    let [start, rise, fall] = angles;
+    let mut law = shape(angles)?.scaled(nearest.lift).raised(nearest.level);
+    let mut level = nearest.level;
+    if problem.drive.spring_rate == 0.0 {
+        level = -law.extremes(0).0.value;
+        law = law.raised(level);
+    }
+    let method = Method::Search {
+        rise: Quantity::angle(rise),
+        from: Quantity::angle(start),
+        fall: Quantity::angle(fall),
+        steps,
+        error: Quantity::force(nearest.square.sqrt()),
+    };
+    Ok(SolvedLaw {
+        law,
+        family: Family::DoubleHarmonic,
+        degree: 0,
+        spans: 0,
+        functions: Functions::DoubleHarmonic,
+        coefficients: vec![level, nearest.lift, start, rise, fall],
+        circle: None,
+        binding: Vec::new(),
+        easing: Vec::new(),
+        solver: SolverReport {
+            certified: false,
+            doubt: Some(Doubt::Local),
+            ..SolverReport::of(Tier::Equality, method, steps)
+        },
+    })
+}
+
+/// Phase, rise and fall, rad, with the arithmetic that Nelder and Mead's method asks for.
+#[derive(Clone, Copy)]
+struct Angles([f64; 3]);
+
+impl ArgminAdd<Angles, Angles> for Angles {
+    fn add(&self, other: &Angles) -> Angles {
+        Angles([0, 1, 2].map(|i| self.0[i] + other.0[i]))
+    }
+}
+
+impl ArgminSub<Angles, Angles> for Angles {
+    fn sub(&self, other: &Angles) -> Angles {
+        Angles([0, 1, 2].map(|i| self.0[i] - other.0[i]))
+    }
+}
+
+impl ArgminMul<f64, Angles> for Angles {
+    fn mul(&self, factor: &f64) -> Angles {
+        Angles(self.0.map(|x| x * factor))
+    }
+}
+
+impl CostFunction for &Projection {
+    type Param = Angles;
+    type Output = f64;
+
+    /// Mean square distance of the force at the best lift and level.
+    fn cost(&self, p: &Self::Param) -> std::result::Result<f64, argmin::core::Error> {
+        Ok(self.nearest(admissible(p.0)).square)
+    }
+}
+
+/// Start, rise and fall of the nearest force, rad, and the steps of the searches.
+fn best(force: &Projection) -> Result<([f64; 3], usize)> {
+    let failed = |e: argmin::core::Error| SynthError::SearchFailed {
+        fault: e.to_string(),
+    };
+    let mut best: Option<(f64, [f64; 3])> = None;
+    let mut steps = 0;
+    for start in force.starts(SHORTEST, STARTS) {
+        let mut simplex = vec![Angles(start); 4];
+        for (i, corner) in simplex[1..].iter_mut().enumerate() {
+            corner.0[i] += SIMPLEX;
+        }
+        let solver = NelderMead::new(simplex);
+        let solver = solver.with_sd_tolerance(1e-12).map_err(failed)?;
+        let search = Executor::new(force, solver);
+        let search = search.configure(|state| state.max_iters(ITERATIONS));
+        let done = search.run().map_err(failed)?;
+        steps += done.state().get_iter() as usize;
+        let cost = done.state().get_best_cost();
+        if let Some(p) = done.state().get_best_param()
+            && best.is_none_or(|b| cost < b.0)
+        {
+            best = Some((cost, p.0));
+        }
+    }
+    let (_, raw) = best.ok_or(NoDesignError::NoDoubleHarmonic)?;
+    Ok((admissible(raw), steps))
+}
+
+/// Angles brought into range: rise and fall no shorter than allowed and together no longer than a turn.
+fn admissible([phase, rise, fall]: [f64; 3]) -> [f64; 3] {
+    let (mut rise, mut fall) = (rise.max(SHORTEST), fall.max(SHORTEST));
+    let both = rise + fall;
+    if both > TAU {
+        let scale = TAU / both;
+        rise = (rise * scale).max(SHORTEST);
+        fall = TAU - rise;
+    }
+    [phase.rem_euclid(TAU), rise, fall]
+}
+
+/// Unit rise, fall and rest, the rise starting at the phase.
+fn shape([phase, rise, fall]: [f64; 3]) -> Result<Law> {
+    let segment = |motion: Rise, lift: f64, angle: f64| Segment {
+        motion,
+        lift,
+        angle,
+    };
+    let mut segments = vec![
+        segment(Rise::DoubleHarmonic, 1.0, rise),
+        segment(Rise::DoubleHarmonic, -1.0, fall),
+    ];
+    let rest = TAU - rise - fall;
+    if rest > 1e-9 {
+        segments.push(segment(Rise::Dwell, 0.0, rest));
+    }
+    Ok(assemble(&segments, Extent::TURN)?.ahead(-phase))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drive::Drive;
+    use crate::force::ForceCurve;
+    use crate::scene::built_in;
+
+    /// The machine of the footbridge, which feels accelerations, and that of the heel tester, which feels lifts.
+    fn problem(machine: &str, force: impl Fn(&Drive, f64) -> f64) -> Problem {
+        let scene = built_in(machine).unwrap().scene().unwrap();
+        let scene = scene.with("law.family", "double-harmonic").unwrap();
+        let scene = scene.with("accuracy.rms", "100 %").unwrap();
+        let given = scene.model_force().unwrap();
+        let given =
+            given.unwrap_or_else(|| ForceCurve::from_samples("one", 0.5, vec![1.0; 64]).unwrap());
+        let drive = Problem::resolve(&scene, Some(&given)).unwrap().drive;
+        let samples = (0..512)
+            .map(|i| force(&drive, TAU * f64::from(i) / 512.0))
+            .collect();
+        let curve = ForceCurve::from_samples("made", TAU / drive.speed, samples).unwrap();
+        Problem::resolve(&scene, Some(&curve)).unwrap()
+    }
+
+    #[test]
+    fn a_force_made_by_a_double_harmonic_is_found_again() {
+        // Rise 120° from 50°, fall 150°, lift 12 mm: the search must come back to it.
+        let angles = [50.0, 120.0, 150.0].map(f64::to_radians);
+        let truth = shape(angles).unwrap().scaled(0.012);
+        let problem = problem("footbridge", |drive, theta| drive.force(truth.svaj(theta)));
+        let solved = double_harmonic_law(&problem).unwrap();
+        let [_, lift, found @ ..] = &solved.coefficients[..] else {
+            panic!("{:?}", solved.coefficients);
+        };
+        assert!((lift - 0.012).abs() < 1e-4, "{lift}");
+        for (found, angle) in found.iter().zip(angles) {
+            assert!(
+                (found - angle).abs() < 0.5_f64.to_radians(),
+                "{found} {angle}"
+            );
+        }
+    }
+
+    /// Mean square distance from a force at equal angles, lift and level by their normal equations.
+    fn distance(problem: &Problem, wanted: &[f64], shape: &Law, ahead: usize) -> f64 {
+        let w = problem.drive.weights();
+        let n = wanted.len();
+        let own: Vec<f64> = (0..n)
+            .map(|i| {
+                let at = shape.svaj(TAU * ((i + n - ahead) % n) as f64 / n as f64);
+                w[0] * at.s + w[1] * at.v + w[2] * at.a
+            })
+            .collect();
+        let free = if w[0] == 0.0 { 0.0 } else { 1.0 / n as f64 };
+        let mean = |x: &[f64]| x.iter().sum::<f64>() * free;
+        let (m, t) = (mean(&own), mean(wanted));
+        let product: f64 = own
+            .iter()
+            .zip(wanted)
+            .map(|(f, t0)| (f - m) * (t0 - t))
+            .sum();
+        let square: f64 = own.iter().map(|f| (f - m).powi(2)).sum();
+        let all: f64 = wanted.iter().map(|x| (x - t).powi(2)).sum();
+        (all - product * product / square) / n as f64
+    }
+
+    #[test]
+    fn no_double_harmonic_of_a_grid_is_nearer_to_the_force() {
+        for (case, machine) in [
+            (0, "footbridge"),
+            (1, "heel_tester_fitted"),
+            (2, "footbridge"),
+        ] {
+            let wave = |theta: f64, n: u32| (f64::from(n) * theta + f64::from(case * n * n)).sin();
+            let problem = problem(machine, |_, theta| {
+                700.0 + 300.0 * wave(theta, 1) - 170.0 * wave(theta, 2)
+                    + 60.0 * wave(theta, 3 + case)
+            });
+            let solved = double_harmonic_law(&problem).unwrap();
+            let n = 180;
+            let target = problem.target.as_ref().unwrap();
+            let wanted: Vec<f64> = (0..n)
+                .map(|i| target.cells().at(TAU * i as f64 / n as f64) - problem.drive.rest_force)
+                .collect();
+            let [_, _, start, rise, fall] = solved.coefficients[..] else {
+                panic!("{:?}", solved.coefficients);
+            };
+            let ours = distance(&problem, &wanted, &shape([start, rise, fall]).unwrap(), 0);
+            let step = TAU / 36.0;
+            for rise in 2..=34 {
+                for fall in 2..=36 - rise {
+                    let other =
+                        shape([0.0, f64::from(rise) * step, f64::from(fall) * step]).unwrap();
+                    for ahead in (0..n).step_by(5) {
+                        // Samples beside a jump of the acceleration miss the mean by one part in n.
+                        let theirs = distance(&problem, &wanted, &other, ahead);
+                        assert!(
+                            theirs > 0.99 * ours,
+                            "{case}: {rise} {fall} {ahead}: {theirs} < {ours}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! A force projected onto the forces of double harmonics: everything that is linear, in closed form.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use nalgebra::Complex;
+
+use crate::drive::Drive;
+use crate::poly::{Cells, amplitudes};
+
+/// Samples of the force, of which the harmonics are taken.
+const SAMPLES: usize = 512;
+/// Harmonics that are kept.
+const HARMONICS: usize = 64;
+/// Part of the force below which an amplitude is rounding.
+const ROUNDING: f64 = 1e-9;
+/// Harmonics that the choice of starts looks at.
+const COARSE: usize = 32;
+/// Steps of a turn of that choice.
+const STEPS: usize = 96;
+/// Sines of smaller angles are the angles.
+const SMALL: f64 = 1e-8;
+
+/// Start of the rise, its angle and that of the fall, rad.
+pub(super) type Angles = [f64; 3];
+
+/// The harmonics of a force without its part at rest, and the weights of a drive.
+pub(super) struct Projection {
+    /// a − ib of harmonics 1, 2, … of the force a cos kθ + b sin kθ.
+    waves: Vec<Complex<f64>>,
+    mean: f64,
+    square: f64,
+    /// Of lift, velocity and acceleration over the angle.
+    weights: [f64; 3],
+    stroke: f64,
+}
+
+/// The nearest double harmonic of given angles.
+pub(super) struct Nearest {
+    /// Lift of its rise, m, at most the stroke.
+    pub lift: f64,
+    /// Lift at rest, m; 0 where the force does not depend on it.
+    pub level: f64,
+    /// Mean square distance of the force, N².
+    pub square: f64,
+}
+
+/// Means of a unit shape's force over a turn, and its product with the harmonics of the force.
+struct Means {
+    mean: f64,
+    square: f64,
+    product: f64,
+}
+
+impl Projection {
+    /// Of a force in N over a turn, on a drive, for lifts up to a stroke.
+    pub fn new(force: &Cells, drive: &Drive, stroke: Option<f64>) -> Projection {
+        let at = |i| force.at(TAU * i as f64 / SAMPLES as f64) - drive.rest_force;
+        let samples: Vec<f64> = (0..SAMPLES).map(at).collect();
+        let square = samples.iter().map(|f| f * f).sum::<f64>() / SAMPLES as f64;
+        let series = &amplitudes(&samples)[..=HARMONICS];
+        let most = square.sqrt();
+        let counts = |(a, b): &(f64, f64)| a.hypot(*b) > ROUNDING * most;
+        let count = series.iter().rposition(counts).unwrap_or(0);
+        let [s, v, a, _] = drive.weights();
+        Projection {
+            waves: series[1..=count.max(1)]
+                .iter()
+                .map(|&(cos, sin)| Complex::new(cos, -sin))
+                .collect(),
+            mean: series[0].0,
+            square,
+            weights: [s, v, a],
+            stroke: stroke.unwrap_or(f64::INFINITY),
+        }
+    }
+
+    /// The nearest double harmonic of these angles: lift, and level where a spring feels it, of two linear equations.
+    pub fn nearest(&self, angles: Angles) -> Nearest {
+        self.fit(&self.means(angles))
+    }
+
+    fn fit(&self, of: &Means) -> Nearest {
+        let has_level = self.weights[0] != 0.0;
+        let (product, square, rest) = if has_level {
+            let square = of.square - of.mean * of.mean;
+            (of.product, square, self.square - self.mean * self.mean)
+        } else {
+            (of.product + self.mean * of.mean, of.square, self.square)
+        };
+        let free = if square > 0.0 { product / square } else { 0.0 };
+        let lift = free.clamp(-self.stroke, self.stroke);
+        let level = if has_level {
+            (self.mean - lift * of.mean) / self.weights[0]
+        } else {
+            0.0
+        };
+        Nearest {
+            lift,
+            level,
+            square: (rest - lift * (2.0 * product - lift * square)).max(0.0),
+        }
+    }
+
+    fn means(&self, [start, rise, fall]: Angles) -> Means {
+        let (up, down) = (self.motion(rise, 1.0), self.motion(fall, -1.0));
+        let product = (1..).zip(&self.waves).map(|(k, wave)| {
+            let k = f64::from(k);
+            let shape = up.transform(k) + turned(k * rise) * down.transform(k);
+            (wave * turned(k * start) * shape).re
+        });
+        Means {
+            mean: up.mean() + down.mean(),
+            square: up.square() + down.square(),
+            product: product.sum(),
+        }
+    }
+
+    /// The force of a unit rise (sign 1) or a unit fall (sign −1): the same motion backwards.
+    fn motion(&self, angle: f64, sign: f64) -> Motion {
+        let [s, v, a] = self.weights;
+        let rate = PI / angle;
+        let (v, a) = (v * rate, a * rate * rate);
+        Motion {
+            angle,
+            terms: [
+                (0.375 * s, 0.0),
+                (sign * 0.5 * (a - s), sign * 0.5 * v),
+                (0.125 * s - 0.5 * a, -0.25 * v),
+            ],
+        }
+    }
+
+    /// Angles from which a search finds the best: the best of a grid of starts, rises and falls, no two of which are
+    /// neighbours.
+    pub fn starts(&self, shortest: f64, count: usize) -> Vec<Angles> {
+        let step = TAU / STEPS as f64;
+        let least = (shortest / step).ceil() as usize;
+        let angles: Vec<usize> = (least..=STEPS - least).collect();
+        let [up, down] = [1.0, -1.0].map(|sign| {
+            let row = |&n: &usize| self.row(self.motion(n as f64 * step, sign));
+            angles.iter().map(row).collect::<Vec<Row>>()
+        });
+        let mut found: Vec<(f64, [usize; 3])> = Vec::new();
+        for (&rise, up) in angles.iter().zip(&up) {
+            for (&fall, down) in angles
+                .iter()
+                .zip(&down)
+                .take_while(|(fall, _)| rise + **fall <= STEPS)
+            {
+                let squares = (0..STEPS).map(|start| {
+                    let product = up.products[start] + down.products[(start + rise) % STEPS];
+                    let means = Means {
+                        mean: up.mean + down.mean,
+                        square: up.square + down.square,
+                        product,
+                    };
+                    (self.fit(&means).square, [start, rise, fall])
+                });
+                found.extend(squares.min_by(|a, b| a.0.total_cmp(&b.0)));
+            }
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut out: Vec<[usize; 3]> = Vec::new();
+        for (_, angles) in found {
+            if out.len() < count && !out.iter().any(|other| are_neighbours(*other, angles)) {
+                out.push(angles);
+            }
+        }
+        out.into_iter()
+            .map(|angles| angles.map(|n| n as f64 * step))
+            .collect()
+    }
+
+    /// Products of a motion that begins at each step.
+    fn row(&self, motion: Motion) -> Row {
+        let step = TAU / STEPS as f64;
+        let waves: Vec<Complex<f64>> = (1..)
+            .zip(self.waves.iter().take(COARSE))
+            .map(|(k, wave)| wave * motion.transform(f64::from(k)))
+            .collect();
+        let turns: Vec<Complex<f64>> = (0..STEPS).map(|i| turned(i as f64 * step)).collect();
+        let product = |start: usize| {
+            let terms = (1..)
+                .zip(&waves)
+                .map(|(k, wave)| (wave * turns[k * start % STEPS]).re);
+            terms.sum()
+        };
+        Row {
+            mean: motion.mean(),
+            square: motion.square(),
+            products: (0..STEPS).map(product).collect(),
+        }
+    }
+}
+
+struct Row {
+    mean: f64,
+    square: f64,
+    products: Vec<f64>,
+}
+
+/// Whether all three angles differ by less than three steps.
+fn are_neighbours(a: [usize; 3], b: [usize; 3]) -> bool {
+    let apart = |i: usize| a[i].abs_diff(b[i]);
+    let around = apart(0).min(STEPS - apart(0));
+    around.max(apart(1)).max(apart(2)) < 3
+}
+
+/// Force c₀ + c₁ cos πx + d₁ sin πx + c₂ cos 2πx + d₂ sin 2πx over an angle, x from 0 to 1.
+struct Motion {
+    angle: f64,
+    terms: [(f64, f64); 3],
+}
+
+impl Motion {
+    /// Integral of the force with e^{ikθ} over its angle, divided by 2π.
+    fn transform(&self, k: f64) -> Complex<f64> {
+        let waves = [0.0, 1.0, 2.0].into_iter().zip(&self.terms);
+        let sum: Complex<f64> = waves
+            .map(|(m, &(cos, sin))| {
+                let half = 0.5 * k * self.angle;
+                let (plus, minus) = (
+                    mean_of_wave(half + m * FRAC_PI_2),
+                    mean_of_wave(half - m * FRAC_PI_2),
+                );
+                let (even, odd) = (0.5 * (plus + minus), 0.5 * (plus - minus));
+                even * cos + odd * Complex::new(0.0, -sin)
+            })
+            .sum();
+        sum * (self.angle / TAU)
+    }
+
+    fn mean(&self) -> f64 {
+        self.transform(0.0).re
+    }
+
+    /// Mean square over a turn, N².
+    fn square(&self) -> f64 {
+        let [(c0, _), (c1, d1), (c2, d2)] = self.terms;
+        // Over half a wave the products of sines with cosines stay.
+        let squares = c0 * c0 + 0.5 * (c1 * c1 + d1 * d1 + c2 * c2 + d2 * d2);
+        let mixed = c0 * d1 * 2.0 + c1 * d2 * (4.0 / 3.0) - d1 * c2 * (2.0 / 3.0);
+        (squares + mixed * 2.0 / PI) * self.angle / TAU
+    }
+}
+
+/// Mean of e^{2ihx} over x from 0 to 1: e^{ih} sin h / h.
+fn mean_of_wave(h: f64) -> Complex<f64> {
+    let (sin, cos) = h.sin_cos();
+    let factor = if h.abs() < SMALL { 1.0 } else { sin / h };
+    Complex::new(cos, sin) * factor
+}
+
+fn turned(angle: f64) -> Complex<f64> {
+    let (sin, cos) = angle.sin_cos();
+    Complex::new(cos, sin)
+}
