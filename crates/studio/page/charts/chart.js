@@ -157,7 +157,7 @@ export class Chart {
       const at = this.x(x);
       lines.grid += `M${at} ${TOP}V${bottom}`;
       if (!labels) continue;
-      const text = `${number(x, 3).replace(/[.,]0+$/, "")}${unit === "°" ? "°" : ""}`;
+      const text = `${number(x, 3)}${unit === "°" ? "°" : ""}`;
       texts.push(["text", { class: "tick", x: at, y: bottom + 13, "text-anchor": at > width - 24 ? "end" : "middle" }, text]);
     }
     return [["path", { class: "grid", d: lines.grid }], ["path", { class: "axis", d: lines.axis }], ...texts];

@@ -47,16 +47,16 @@ export function choose(next) {
   for (const listener of listeners) listener(next);
 }
 
-// A number with about four digits, in the language's manner.
+// A number with at most so many significant digits, as the program's own formatter writes it: without trailing zeros.
 export function number(x, digits = 4) {
   if (x === null || x === undefined || !Number.isFinite(x)) return "–";
   const size = Math.abs(x);
-  const tiny = size !== 0 && (size < 1e-4 || size >= 1e7);
-  const decimals = size === 0 ? 0 : Math.max(0, Math.min(6, digits - 1 - Math.floor(Math.log10(size))));
   // Not toLocaleString, which takes a hundred times longer: this is called for every frame.
-  const plain = (tiny ? x.toExponential(digits - 2) : x.toFixed(decimals));
-  const text = tag === "es" ? plain.replace(".", ",") : plain;
-  return /^-0([.,]0*)?$/.test(text) ? text.slice(1) : text.replaceAll("-", "−");
+  const plain = size !== 0 && (size < 1e-4 || size >= 1e9)
+    ? x.toExponential(digits - 1).replace("e+", "e")
+    : x.toFixed(size === 0 ? 0 : Math.max(0, digits - 1 - Math.floor(Math.log10(size))));
+  const short = plain.replace(/\.0+(?=e|$)|(\.\d*[1-9])0+(?=e|$)/, "$1").replace(/^-0$/, "0");
+  return (tag === "es" ? short.replace(".", ",") : short).replaceAll("-", "−");
 }
 
 // A text with numbers as scenes write them, in the language's manner.
