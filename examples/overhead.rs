@@ -5,7 +5,7 @@ use std::time::Instant;
 use gaitcam::Problem;
 use gaitcam::halt::Halt;
 use gaitcam::scene;
-use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Runner, Sampling};
+use gaitcam::sweep::{Files, Method, Plan, Sampling, Subject, Sweep};
 use gaitcam::synth::{Search, design};
 
 /// Processor time of this thread, s: a busy machine does not lengthen it. Elapsed time where there is no such clock.
@@ -43,24 +43,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         "gait.step_frequency=1.5 Hz:2.4 Hz",
         "gait.body_weight=500 N:900 N",
     ];
-    let plan = Plan {
-        scenes: vec![NamedScene {
-            name: "footbridge".to_string(),
-            table,
-        }],
-        list: None,
-        axes: axes
-            .iter()
-            .map(|a| Axis::parse(a, true))
-            .collect::<Result<_, _>>()?,
-        sampling: Sampling::Sample {
-            method: Method::Latin,
-            count: 100_000,
-            seed: 1,
-        },
+    let (method, count, seed) = (Method::Latin, 100_000, 1);
+    let sampling = Sampling::Sample {
+        method,
+        count,
+        seed,
     };
-    let none = |_: usize, _: &scene::Scene| Err(gaitcam::error::SweepError::NoForceError.into());
-    let runner = Runner::of_plan(&plan, &none, &Halt::never, None);
+    let subject = Subject::Designs(Plan::of(table, &axes, sampling)?);
+    let sweep = Sweep::with_files(subject, Files::new())?;
+    let runner = sweep.runner(&Halt::never, None)?;
     let sweep_s = mean(5, || {
         std::hint::black_box(runner.run(0..100_000, 1, &|| false));
     });

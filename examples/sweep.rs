@@ -8,9 +8,7 @@ use gaitcam::sweep::Sweep;
 
 pub fn main() -> Result<(), Box<dyn Error>> {
     let scene = scene::built_in("footbridge")?.scene()?;
-    let table = Sweep::over(&scene)
-        .vary("gait.step_frequency", "1.5 Hz:2.2 Hz:8")
-        .run()?;
+    let table = Sweep::over(&scene, &["gait.step_frequency=1.5 Hz:2.2 Hz:8"])?.table()?;
     let column = |name| table.numbers(name).ok_or("no such column");
     let (frequencies, strokes) = (column("gait.step_frequency_hz")?, column("stroke_m")?);
     for (frequency, stroke) in frequencies.iter().zip(strokes) {

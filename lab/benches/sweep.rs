@@ -4,46 +4,31 @@
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use gaitcam::error::{Error, Result};
-use gaitcam::force::ForceCurve;
 use gaitcam::halt::Halt;
-use gaitcam::scene::{self, Scene};
-use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Runner, Sampling};
+use gaitcam::scene;
+use gaitcam::sweep::{Files, Method, Plan, Sampling, Subject, Sweep};
 
 fn main() {
     divan::main();
 }
 
-fn none(_: usize, _: &Scene) -> Result<ForceCurve> {
-    Err(Error::own("no-recordings", "no recordings"))
-}
-
-fn plan(changes: &[&str], vary: &[&str], sample: Option<u64>) -> Plan {
+fn sweep(changes: &[&str], vary: &[&str], sample: Option<u64>) -> Sweep {
     let mut table = scene::DEFAULT.parse().expect("the default scene");
     for change in changes {
         scene::set(&mut table, change).expect("a change");
     }
-    Plan {
-        scenes: vec![NamedScene {
-            name: "footbridge".to_string(),
-            table,
-        }],
-        list: None,
-        axes: vary
-            .iter()
-            .map(|v| Axis::parse(v, sample.is_some()).expect("an axis"))
-            .collect(),
-        sampling: sample.map_or(Sampling::Grid, |count| Sampling::Sample {
-            method: Method::Latin,
-            count,
-            seed: 1,
-        }),
-    }
+    let sampling = sample.map_or(Sampling::Grid, |count| Sampling::Sample {
+        method: Method::Latin,
+        count,
+        seed: 1,
+    });
+    let plan = Plan::of(table, vary, sampling).expect("axes");
+    Sweep::with_files(Subject::Designs(plan), Files::new()).expect("values that exist")
 }
 
-fn rate(bencher: Bencher, plan: &Plan, threads: usize) {
-    let rows = plan.rows() as u64;
-    let runner = Runner::of_plan(plan, &none, &Halt::never, None);
+fn rate(bencher: Bencher, sweep: &Sweep, threads: usize) {
+    let rows = sweep.rows().expect("a number of rows");
+    let runner = sweep.runner(&Halt::never, None).expect("a plan");
     let bencher = bencher.counter(ItemsCount::new(rows));
     bencher.bench_local(|| runner.run(0..rows, threads, &|| false).len());
 }
@@ -58,7 +43,7 @@ fn spectral_grid(bencher: Bencher, threads: usize) {
     ];
     rate(
         bencher,
-        &plan(&["law.family=harmonic"], &vary, None),
+        &sweep(&["law.family=harmonic"], &vary, None),
         threads,
     );
 }
@@ -72,7 +57,7 @@ fn spectral_sample(bencher: Bencher, threads: usize) {
     ];
     rate(
         bencher,
-        &plan(&["law.family=harmonic"], &vary, Some(20_000)),
+        &sweep(&["law.family=harmonic"], &vary, Some(20_000)),
         threads,
     );
 }
@@ -90,7 +75,7 @@ fn spectral_spring(bencher: Bencher, threads: usize) {
         "drive.spring_rate=9000 N/m:20000 N/m",
         "drive.preload=100 N:150 N",
     ];
-    rate(bencher, &plan(&changes, &vary, Some(20_000)), threads);
+    rate(bencher, &sweep(&changes, &vary, Some(20_000)), threads);
 }
 
 /// Splines of 32 spans whose stroke limit binds: the certified quadratic program.
@@ -99,7 +84,7 @@ fn qp_32_spans(bencher: Bencher, threads: usize) {
     let vary = ["limits.stroke=40 mm:48 mm"];
     rate(
         bencher,
-        &plan(&["law.spans=32", "accuracy.rms=20 %"], &vary, Some(64)),
+        &sweep(&["law.spans=32", "accuracy.rms=20 %"], &vary, Some(64)),
         threads,
     );
 }

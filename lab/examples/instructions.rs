@@ -14,12 +14,11 @@ use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::recover::recover;
 use gaitcam::dynamics::surface::Surface;
-use gaitcam::error::{Error, Result};
 use gaitcam::force::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances};
 use gaitcam::halt::Halt;
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene::{self, Scene};
-use gaitcam::sweep::{Axis, NamedScene, Plan, Runner, Sampling};
+use gaitcam::sweep::{Files, Plan, Sampling, Subject, Sweep};
 use gaitcam::synth::{Design, synthesise};
 use gaitcam_lab::tiers::{Bound, Task};
 use gaitcam_output::{Language, Timing, csv, plots, report};
@@ -205,24 +204,13 @@ fn walk(rows: usize) -> Vec<u8> {
     text.into_bytes()
 }
 
-fn none(_: usize, _: &Scene) -> Result<ForceCurve> {
-    Err(Error::own("no-recordings", "no recordings"))
-}
-
 /// The rows of a sweep, each time with empty caches.
 fn sweep(changes: &[&str], vary: &str) -> Box<dyn FnMut()> {
-    let plan = Plan {
-        scenes: vec![NamedScene {
-            name: "footbridge".to_string(),
-            table: table(changes),
-        }],
-        list: None,
-        axes: vec![Axis::parse(vary, false).expect("an axis")],
-        sampling: Sampling::Grid,
-    };
-    let rows = plan.rows() as u64;
+    let plan = Plan::of(table(changes), &[vary], Sampling::Grid).expect("an axis");
+    let sweep = Sweep::with_files(Subject::Designs(plan), Files::new()).expect("a plan");
+    let rows = sweep.rows().expect("a number of rows");
     Box::new(move || {
-        let runner = Runner::of_plan(&plan, &none, &Halt::never, None);
+        let runner = sweep.runner(&Halt::never, None).expect("a plan");
         drop(black_box(runner.run(0..rows, 1, &|| false)));
     })
 }

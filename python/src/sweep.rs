@@ -8,7 +8,6 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use gaitcam::halt::Halt;
-use gaitcam::sweep::Study;
 use gaitcam::wording::Language;
 use gaitcam_app::blocks::SharedBlocks;
 use pyo3::prelude::*;
@@ -59,13 +58,13 @@ use question::Question;
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Sweep {
     question: Question,
-    study: Study,
+    sweep: gaitcam::sweep::Sweep,
     time_limit: f64,
 }
 
 impl Sweep {
     fn rows(&self, py: Python<'_>, start: u64, stop: Option<u64>) -> PyResult<Range<u64>> {
-        let rows = self.study.rows().raise(py)?;
+        let rows = self.sweep.rows().raise(py)?;
         let stop = stop.unwrap_or(rows);
         if start > stop || stop > rows {
             let what = format!("rows {start} to {stop} are not among the {rows} of this sweep");
@@ -108,11 +107,10 @@ impl Sweep {
         question.rows(rows)?;
         question.recordings(py, recordings)?;
         question.tolerances(tolerance)?;
-        question.check_scenes(py)?;
-        let study = py.detach(|| question.study(None)).raise(py)?;
+        let sweep = py.detach(|| question.sweep(None)).raise(py)?;
         Ok(Sweep {
             question,
-            study,
+            sweep,
             time_limit,
         })
     }
@@ -153,7 +151,7 @@ impl Sweep {
             Halt::when(move || row.is_asked() || all.is_raised())
         };
         let found = py.detach(|| {
-            self.study
+            self.sweep
                 .run(rows, jobs, &halts, &|| interrupt.is_raised())
         });
         interrupt.result()?;
@@ -161,7 +159,7 @@ impl Sweep {
         if let Some(progress) = progress {
             progress.call1(py, (count, count))?;
         }
-        Ok(Table::new(records, self.study.metadata()))
+        Ok(Table::new(records, self.sweep.metadata()))
     }
 
     /// Begins or continues the folder of this sweep: the blocks that it lacks, each with its first row, the row after
@@ -185,7 +183,7 @@ impl Sweep {
         let folder = std::path::absolute(&folder).unwrap_or(folder);
         let blocks = py.detach(|| {
             let blocks =
-                SharedBlocks::open(&folder, &self.study, block_rows, "parquet", Language::En)?;
+                SharedBlocks::open(&folder, &self.sweep, block_rows, "parquet", Language::En)?;
             let missing = blocks.missing()?;
             Ok((blocks.blocks, missing))
         });
@@ -198,22 +196,22 @@ impl Sweep {
     /// every table.
     #[getter]
     fn fingerprint(&self) -> String {
-        self.study.fingerprint()
+        self.sweep.fingerprint()
     }
 
     /// The plan as data, as in ``_plan.json``.
     #[getter]
     fn description<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        convert::json(py, &self.study.description())
+        convert::json(py, &self.sweep.description())
     }
 
     fn __len__(&self) -> PyResult<usize> {
-        Python::attach(|py| self.study.rows().raise(py)).map(|rows| rows as usize)
+        Python::attach(|py| self.sweep.rows().raise(py)).map(|rows| rows as usize)
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, Bound<'py, PyAny>> {
         let restore = py.get_type::<Sweep>().getattr("_restore")?;
-        let state = self.question.state(py, self.study.files())?;
+        let state = self.question.state(py, self.sweep.files())?;
         Ok((
             restore,
             (state, self.time_limit).into_pyobject(py)?.into_any(),
@@ -223,28 +221,28 @@ impl Sweep {
     #[staticmethod]
     fn _restore(state: &Bound<'_, PyAny>, time_limit: f64) -> PyResult<Sweep> {
         let (question, files) = Question::restore(state)?;
-        let study = question.study(Some(files)).raise(state.py())?;
+        let sweep = question.sweep(Some(files)).raise(state.py())?;
         Ok(Sweep {
             question,
-            study,
+            sweep,
             time_limit,
         })
     }
 
     fn _repr_html_(&self) -> String {
-        let mut plan = self.study.description();
+        let mut plan = self.sweep.description();
         for scene in plan["scenes"].as_array_mut().into_iter().flatten() {
             *scene = scene["name"].take();
         }
         let plan = serde_json::to_string_pretty(&plan).unwrap_or_default();
-        html::head("Sweep", &self.study.fingerprint()) + &html::fixed(&plan)
+        html::head("Sweep", &self.sweep.fingerprint()) + &html::fixed(&plan)
     }
 
     fn __repr__(&self) -> String {
-        let rows = self.study.rows().unwrap_or(u64::MAX);
+        let rows = self.sweep.rows().unwrap_or(u64::MAX);
         format!(
             "<gaitcam.Sweep of {rows} rows, {}>",
-            self.study.fingerprint()
+            self.sweep.fingerprint()
         )
     }
 }

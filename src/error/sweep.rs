@@ -44,6 +44,8 @@ pub enum SweepError {
     },
     /// A recording that the sweep does not carry.
     NotCarried,
+    /// Tolerances beside several scenes or values.
+    ScatterAlone,
     /// No cam exists whose errors could be sampled.
     NoDesign,
     /// The time limit ended the search of a row.

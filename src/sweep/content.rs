@@ -1,48 +1,35 @@
 //! A sweep with the content of its recordings, so that any machine can compute any of its rows.
 //!
-//! Row i follows from the study and from i alone: recordings are part of it by their content, not by their path.
+//! Row i follows from the sweep and from i alone: recordings are part of it by their content, not by their path.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use serde_json::{Value, json};
 
-use super::kernel::Halts;
+use super::carried::Files;
+use super::kernel::{Clock, Halts};
 use super::made::scatter::Scattered;
 use super::plan::axis::Values as AxisValues;
-use super::plan::{Plan, row_count};
+use super::plan::key::Key;
+use super::plan::{Plan, Sampling, row_count};
 use super::runner::Runner;
 use super::table::records::Records;
-use crate::error::{Placed, Result, SweepError};
-use crate::force::ForceCurve;
+use crate::error::Result;
+use crate::halt::Halt;
 use crate::scene::{self, Gait, Scene, Source};
-
-/// A file that rows name: index of the base scene, and the path as the scene writes it.
-pub type Named = (usize, String);
-
-/// Files that rows name, with their content.
-///
-/// ```
-/// use gaitcam::sweep::Files;
-///
-/// let mut files = Files::new();
-/// files.insert((0, "walk.csv".to_string()), b"time,Fz\n".to_vec().into());
-/// assert_eq!(files[&(0, "walk.csv".to_string())].len(), 8);
-/// ```
-pub type Files = BTreeMap<Named, Arc<Vec<u8>>>;
+use crate::synth::Design;
 
 /// Contents of the rows.
 ///
 /// ```
-/// use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
+/// use gaitcam::sweep::{Plan, Sampling, Subject, Sweep};
 ///
-/// let scene = NamedScene { name: "a".to_string(), table: toml::Table::new() };
-/// let axes = vec![Axis::parse("limits.stroke=40 mm:60 mm:5", false)?];
-/// let plan = Plan { scenes: vec![scene], list: None, axes, sampling: Sampling::Grid };
-/// let study = Study::with_files(Subject::Designs(plan), Default::default())?;
-/// assert_eq!(study.rows()?, 5);
+/// let plan = Plan::of(toml::Table::new(), &["limits.stroke=40 mm:60 mm:5"], Sampling::Grid)?;
+/// let sweep = Sweep::with_files(Subject::Designs(plan), Default::default())?;
+/// assert_eq!(sweep.rows()?, 5);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -57,34 +44,44 @@ pub enum Subject {
 ///
 /// ```
 /// use gaitcam::scene;
-/// use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
+/// use gaitcam::sweep::Sweep;
 ///
-/// let table = scene::built_in("footbridge")?.toml.parse().unwrap();
-/// let scenes = vec![NamedScene { name: "footbridge".to_string(), table }];
-/// let axes = vec![Axis::parse("gait.body_weight=600 N:800 N:5", false)?];
-/// let plan = Plan { scenes, list: None, axes, sampling: Sampling::Grid };
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let sweep = Sweep::over(&scene, &["limits.stroke=45 mm:60 mm:4"])?;
+/// let table = sweep.table()?;
+/// assert!((table.numbers("limits.stroke_m").unwrap()[1] - 0.05).abs() < 1e-15);
+/// assert_eq!(table.words("verdict").unwrap().at(3), Some("acceptable"));
 /// // A load model needs no file; the fingerprint tells this sweep from any other.
-/// let study = Study::with_files(Subject::Designs(plan), Default::default())?;
-/// assert_eq!((study.rows()?, study.files().len()), (5, 0));
-/// assert_eq!(study.fingerprint(), study.fingerprint());
+/// assert_eq!((sweep.rows()?, sweep.files().len()), (4, 0));
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Study {
+pub struct Sweep {
     /// Contents of the rows.
     pub subject: Subject,
     files: Files,
 }
 
-impl Study {
-    /// A study; `files` gives the files of a base scene by its index.
+impl Sweep {
+    /// The grid of a scene whose force is a load model: every combination of the values of keys, each written
+    /// `KEY=START:STOP:COUNT` or `KEY=A,B`. The last key runs fastest.
+    ///
+    /// # Errors
+    /// A key or values that cannot be varied, as [`Plan::of`] and [`Plan::validate`].
+    pub fn over(scene: &Scene, vary: &[&str]) -> Result<Sweep> {
+        let plan = Plan::of(scene.to_table(), vary, Sampling::Grid)?;
+        Sweep::with_files(Subject::Designs(plan), Files::new())
+    }
+
+    /// A sweep; `files` gives the files of a base scene by its index.
     ///
     /// # Errors
     /// A recording that is not there, a folder without one, and as [`Plan::validate`].
     pub fn new<'a, F: scene::Files + 'a>(
         subject: Subject,
         files: impl Fn(usize) -> &'a F,
-    ) -> Result<Study> {
+    ) -> Result<Sweep> {
+        subject.validate()?;
         let mut carried = Files::new();
         let mut contents: HashMap<(usize, u64), Arc<Vec<u8>>> = HashMap::new();
         for (scene, gait) in subject.recordings()? {
@@ -99,21 +96,17 @@ impl Study {
                 carried.insert((scene, name), Arc::clone(shared));
             }
         }
-        Study::with_files(subject, carried)
+        let files = carried;
+        Ok(Sweep { subject, files })
     }
 
-    /// A study from files that were read before.
+    /// A sweep from files that were read before.
     ///
     /// # Errors
     /// As [`Plan::validate`].
-    pub fn with_files(subject: Subject, files: Files) -> Result<Study> {
-        match &subject {
-            Subject::Designs(plan) => plan.validate()?,
-            Subject::Scatter(scatter) => {
-                scatter.read()?;
-            }
-        }
-        Ok(Study { subject, files })
+    pub fn with_files(subject: Subject, files: Files) -> Result<Sweep> {
+        subject.validate()?;
+        Ok(Sweep { subject, files })
     }
 
     /// The files that rows name, with their content.
@@ -126,14 +119,18 @@ impl Study {
     /// # Errors
     /// More rows than row numbers can count.
     pub fn rows(&self) -> Result<u64> {
-        let rows = match &self.subject {
-            Subject::Designs(plan) => plan.rows(),
-            Subject::Scatter(scatter) => u128::from(scatter.count),
-        };
-        row_count(rows)
+        self.subject.rows()
     }
 
-    /// The study as data: equal studies have equal descriptions.
+    /// The varied keys in the order of their columns.
+    pub fn keys(&self) -> Vec<Key> {
+        match &self.subject {
+            Subject::Designs(plan) => plan.keys(),
+            Subject::Scatter(_) => Vec::new(),
+        }
+    }
+
+    /// The sweep as data: equal sweeps have equal descriptions.
     pub fn description(&self) -> Value {
         let mut out = match &self.subject {
             Subject::Designs(plan) => plan.description(),
@@ -151,7 +148,7 @@ impl Study {
         out
     }
 
-    /// A checksum of the whole study, hexadecimal.
+    /// A checksum of the whole sweep, hexadecimal.
     pub fn fingerprint(&self) -> String {
         format!(
             "{:016x}",
@@ -180,60 +177,53 @@ impl Study {
         halts: Halts,
         stop: &dyn Fn() -> bool,
     ) -> Result<Option<Records>> {
-        let targets = |index: usize, scene: &Scene| self.target(index, scene);
-        let runner = match &self.subject {
-            Subject::Designs(plan) => Runner::of_plan(plan, &targets, halts, None),
-            Subject::Scatter(scatter) => Runner::of_samples(scatter.samples(&targets, halts())?),
-        };
         let count = rows.end - rows.start;
-        let records = runner.run(rows, jobs, stop);
+        let records = self.runner(halts, None)?.run(rows, jobs, stop);
         Ok((records.len() as u64 == count).then_some(records))
     }
 
-    /// The force curve of a recording.
-    fn target(&self, index: usize, scene: &Scene) -> Result<ForceCurve> {
-        let carried = Carried {
-            files: &self.files,
-            scene: index,
-        };
-        let gait = scene.gait.as_ref();
-        let force = gait.map(|gait| gait.force(&carried)).transpose()?;
-        force
-            .flatten()
-            .ok_or_else(|| SweepError::NoForceError.into())
-    }
-}
-
-/// The files that a study carries for one base scene.
-struct Carried<'a> {
-    files: &'a Files,
-    scene: usize,
-}
-
-impl Carried<'_> {
-    fn find(&self, name: &Path) -> Option<&Arc<Vec<u8>>> {
-        self.files
-            .get(&(self.scene, name.to_string_lossy().into_owned()))
-    }
-}
-
-impl scene::Files for Carried<'_> {
-    fn has(&self, name: &Path) -> bool {
-        self.find(name).is_some()
+    /// All rows, computed on all cores.
+    ///
+    /// # Errors
+    /// As [`Sweep::run`].
+    pub fn table(&self) -> Result<Records> {
+        let jobs = std::thread::available_parallelism().map_or(1, usize::from);
+        let records = self.run(0..self.rows()?, jobs, &Halt::never, &|| false)?;
+        Ok(records.unwrap_or_default())
     }
 
-    fn read(&self, name: &Path) -> Result<Arc<Vec<u8>>> {
-        let missing = || SweepError::NotCarried.in_file(name);
-        self.find(name).cloned().ok_or_else(missing)
-    }
-
-    fn names(&self) -> Vec<PathBuf> {
-        let own = self.files.keys().filter(|key| key.0 == self.scene);
-        own.map(|key| PathBuf::from(&key.1)).collect()
+    /// What computes the rows of several ranges and keeps what they share; with a `clock` (s) the rows of designs end
+    /// with the time that each took.
+    ///
+    /// # Errors
+    /// As [`Sweep::run`].
+    pub fn runner<'a>(&'a self, halts: Halts<'a>, clock: Option<Clock<'a>>) -> Result<Runner<'a>> {
+        Ok(match &self.subject {
+            Subject::Designs(plan) => Runner::of_plan(plan, &self.files, halts, clock),
+            Subject::Scatter(scatter) => Runner::of_samples(scatter.samples(&self.files, halts())?),
+        })
     }
 }
 
 impl Subject {
+    fn validate(&self) -> Result<()> {
+        match self {
+            Subject::Designs(plan) => plan.validate(),
+            Subject::Scatter(scatter) => scatter.read().map(drop),
+        }
+    }
+
+    /// Number of rows.
+    ///
+    /// # Errors
+    /// More rows than row numbers can count.
+    pub fn rows(&self) -> Result<u64> {
+        row_count(match self {
+            Subject::Designs(plan) => plan.rows(),
+            Subject::Scatter(scatter) => u128::from(scatter.count),
+        })
+    }
+
     /// The recordings that rows name, each with the index of its base scene.
     ///
     /// # Errors
@@ -264,6 +254,16 @@ impl Subject {
             }
         }
         Ok(out)
+    }
+}
+
+impl Scattered {
+    /// What computes the rows around a design of the scene.
+    ///
+    /// # Errors
+    /// A wrong tolerance; a design whose errors cannot be sampled.
+    pub fn runner(&self, design: &Design) -> Result<Runner<'static>> {
+        self.samples_of(design).map(Runner::of_samples)
     }
 }
 

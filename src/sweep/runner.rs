@@ -5,7 +5,8 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
-use super::kernel::{Clock, Halts, Kernel, Targets};
+use super::carried::Files;
+use super::kernel::{Clock, Halts, Kernel};
 use super::made::scatter::Samples;
 use super::plan::Plan;
 use super::table::records::Records;
@@ -22,14 +23,11 @@ const LOOK: Duration = Duration::from_millis(20);
 /// ```
 /// use gaitcam::halt::Halt;
 /// use gaitcam::scene;
-/// use gaitcam::sweep::{Axis, NamedScene, Plan, Runner, Sampling};
+/// use gaitcam::sweep::Sweep;
 ///
-/// let table = scene::built_in("footbridge")?.toml.parse().unwrap();
-/// let scenes = vec![NamedScene { name: "footbridge".to_string(), table }];
-/// let axes = vec![Axis::parse("gait.body_weight=600 N:800 N:5", false)?];
-/// let plan = Plan { scenes, list: None, axes, sampling: Sampling::Grid };
-/// let no_file = |_: usize, _: &gaitcam::Scene| Err(gaitcam::error::SweepError::NoForceError.into());
-/// let runner = Runner::of_plan(&plan, &no_file, &Halt::never, None);
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let sweep = Sweep::over(&scene, &["gait.body_weight=600 N:800 N:5"])?;
+/// let runner = sweep.runner(&Halt::never, None)?;
 /// assert_eq!(runner.run(1..3, 2, &|| false).len(), 2);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
@@ -48,19 +46,16 @@ enum Work<'a> {
 }
 
 impl<'a> Runner<'a> {
-    /// Rows of a plan. `targets` gives the force curve that a scene names in a file, by the index of the base scene;
-    /// `halts` the end of the search of a row that begins now; with a `clock` (s) the rows end with the time that each
-    /// took.
-    pub fn of_plan(
+    pub(super) fn of_plan(
         plan: &'a Plan,
-        targets: Targets<'a>,
+        files: &'a Files,
         halts: Halts<'a>,
         clock: Option<Clock<'a>>,
     ) -> Self {
         let work = Work::Designs {
             plan,
             scenes: plan.scene_names(),
-            kernel: Kernel::new(&plan.scenes, plan.keys(), targets, halts, clock),
+            kernel: Kernel::new(plan, files, halts, clock),
         };
         Runner { work }
     }

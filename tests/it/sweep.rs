@@ -2,9 +2,9 @@
 
 use gaitcam::halt::Halt;
 use gaitcam::scene::keys::{KEYS, Key};
-use gaitcam::scene::{self, Gait, SCENES, Scene};
+use gaitcam::scene::{self, Gait, SCENES};
 use gaitcam::sweep::{
-    Axis, NUMBERS, NamedScene, Outcome, Plan, Records, Row, Runner, Sampling, WORDS,
+    Files, NUMBERS, Outcome, Plan, Records, Row, Sampling, Subject, Sweep, WORDS,
 };
 use gaitcam::synthesise;
 use toml::Table;
@@ -62,22 +62,15 @@ fn changed(table: &Table, key: &Key, numbers: &mut Numbers) -> Option<(Table, St
 
 /// The row of a sweep over the one value of the last change; over none where its text lists several.
 fn swept(drawn: &Drawn) -> Records {
-    let table = drawn.table.clone();
     let is_one = !drawn.last.contains([',', ':']);
-    let axis = is_one
-        .then(|| Axis::parse(&drawn.last, false).ok())
-        .flatten();
-    let plan = Plan {
-        scenes: vec![NamedScene {
-            name: "drawn".to_string(),
-            table,
-        }],
-        list: None,
-        axes: axis.into_iter().collect(),
-        sampling: Sampling::Grid,
+    let sweep = |vary: &[&str]| {
+        let plan = Plan::of(drawn.table.clone(), vary, Sampling::Grid)?;
+        Sweep::with_files(Subject::Designs(plan), Files::new())
     };
-    let no_file = |_: usize, _: &Scene| Err(gaitcam::error::SweepError::NoForceError.into());
-    Runner::of_plan(&plan, &no_file, &Halt::never, None).run(0..1, 1, &|| false)
+    let varied = is_one.then(|| sweep(&[&drawn.last]).ok()).flatten();
+    let sweep = varied.unwrap_or_else(|| sweep(&[]).unwrap());
+    let runner = sweep.runner(&Halt::never, None).unwrap();
+    runner.run(0..1, 1, &|| false)
 }
 
 /// The row of the scene's own design.

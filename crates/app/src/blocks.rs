@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 use crate::folder::{put_whole, write_whole};
 use gaitcam::error::{FileError, Placed, Result, WriteError};
-use gaitcam::sweep::{Study, agree};
+use gaitcam::sweep::{Sweep, agree};
 use gaitcam_output::Language;
 use serde_json::{Value, json};
 
@@ -115,20 +115,20 @@ pub struct SharedBlocks {
 }
 
 impl SharedBlocks {
-    /// The folder of a study, begun now or earlier, whose blocks have `block_rows` rows; new ones are files with
+    /// The folder of a sweep, begun now or earlier, whose blocks have `block_rows` rows; new ones are files with
     /// `ending`.
     ///
     /// # Errors
     /// As [`Blocks::open`].
     pub fn open(
         folder: &Path,
-        study: &Study,
+        sweep: &Sweep,
         block_rows: u64,
         ending: &'static str,
         language: Language,
     ) -> Result<SharedBlocks> {
-        let rows = study.rows()?;
-        let mut plan = study.description();
+        let rows = sweep.rows()?;
+        let mut plan = sweep.description();
         plan["block_rows"] = json!(block_rows);
         plan["rows"] = json!(rows);
         Ok(SharedBlocks {
@@ -255,26 +255,16 @@ fn rows_of(name: &str) -> Option<Range<u64>> {
 mod tests {
     use super::*;
     use gaitcam::scene;
-    use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Subject};
 
-    fn study(vary: &str) -> Study {
-        let plan = Plan {
-            scenes: vec![NamedScene {
-                name: "footbridge".to_string(),
-                table: scene::DEFAULT.parse().unwrap(),
-            }],
-            list: None,
-            axes: vec![Axis::parse(vary, false).unwrap()],
-            sampling: Sampling::Grid,
-        };
-        Study::with_files(Subject::Designs(plan), Default::default()).unwrap()
+    fn sweep(vary: &str) -> Sweep {
+        Sweep::over(&scene::parse(scene::DEFAULT).unwrap(), &[vary]).unwrap()
     }
 
     #[test]
     fn blocks_cover_every_row_once_and_only_missing_ones_are_asked_for() {
         let folder = tempfile::tempdir().unwrap();
-        let study = study("limits.stroke=40 mm:60 mm:10");
-        let open = || SharedBlocks::open(folder.path(), &study, 4, "csv", Language::En).unwrap();
+        let sweep = sweep("limits.stroke=40 mm:60 mm:10");
+        let open = || SharedBlocks::open(folder.path(), &sweep, 4, "csv", Language::En).unwrap();
         let first = open();
         assert_eq!(first.missing().unwrap(), [0..4, 4..8, 8..10]);
         fs::write(first.blocks.path(&(4..8)), b"").unwrap();
@@ -292,7 +282,7 @@ mod tests {
     fn another_sweep_is_refused_with_what_differs() {
         let folder = tempfile::tempdir().unwrap();
         let open = |vary: &str, rows| {
-            SharedBlocks::open(folder.path(), &study(vary), rows, "csv", Language::En).map(|_| ())
+            SharedBlocks::open(folder.path(), &sweep(vary), rows, "csv", Language::En).map(|_| ())
         };
         open("limits.stroke=40 mm:60 mm:10", 4).unwrap();
         let fault = open("limits.stroke=40 mm:50 mm:10", 4).unwrap_err();
@@ -303,7 +293,7 @@ mod tests {
         fs::write(other.path().join("rows-0-4.parquet"), b"").unwrap();
         let fault = SharedBlocks::open(
             other.path(),
-            &study("limits.stroke=1 mm:2 mm:3"),
+            &sweep("limits.stroke=1 mm:2 mm:3"),
             4,
             "parquet",
             Language::En,

@@ -24,6 +24,7 @@ pub mod read;
 pub mod recordings;
 pub mod result_folder;
 pub mod scene;
+pub mod sweep;
 pub mod workshop;
 
 pub use contents::{Contents, ROWS};
@@ -32,4 +33,5 @@ pub use files::Source;
 pub use lock::{Lock, PATIENCE};
 pub use result_folder::ResultFolder;
 pub use scene::Input;
+pub use sweep::{SweepQuestion, Varied};
 pub use workshop::{Remark, Workshop};

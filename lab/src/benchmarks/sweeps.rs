@@ -1,17 +1,11 @@
 //! Rows of a sweep in a second.
 
-use gaitcam::error::{Error, Result};
-use gaitcam::force::ForceCurve;
 use gaitcam::halt::Halt;
-use gaitcam::scene::{self, Scene};
-use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Runner, Sampling};
+use gaitcam::scene;
+use gaitcam::sweep::{Files, Method, Plan, Sampling, Subject, Sweep};
 
 use super::table::Report;
 use crate::timing::{Times, times};
-
-fn none(_: usize, _: &Scene) -> Result<ForceCurve> {
-    Err(Error::own("no-recordings", "no recordings"))
-}
 
 /// The kernel over so many rows.
 fn swept(changes: &[&str], vary: &[&str], rows: u64, threads: usize) -> Times {
@@ -19,23 +13,14 @@ fn swept(changes: &[&str], vary: &[&str], rows: u64, threads: usize) -> Times {
     for change in changes {
         scene::set(&mut table, change).expect("a change");
     }
-    let plan = Plan {
-        scenes: vec![NamedScene {
-            name: "footbridge".to_string(),
-            table,
-        }],
-        list: None,
-        axes: vary
-            .iter()
-            .map(|v| Axis::parse(v, true).expect("an axis"))
-            .collect(),
-        sampling: Sampling::Sample {
-            method: Method::Latin,
-            count: rows,
-            seed: 1,
-        },
+    let sampling = Sampling::Sample {
+        method: Method::Latin,
+        count: rows,
+        seed: 1,
     };
-    let runner = Runner::of_plan(&plan, &none, &Halt::never, None);
+    let plan = Plan::of(table, vary, sampling).expect("axes");
+    let sweep = Sweep::with_files(Subject::Designs(plan), Files::new()).expect("a plan");
+    let runner = sweep.runner(&Halt::never, None).expect("a plan");
     times(|| runner.run(0..rows, threads, &|| false).len())
 }
 

@@ -4,12 +4,10 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use gaitcam::error::{Error, Placed, Result};
+use gaitcam::error::Result;
 use gaitcam::scene;
-use gaitcam::sweep::{
-    Axis, Files, Key, List, Method, NamedScene, Plan, Sampling, Scattered, Study, Subject, Values,
-};
-use gaitcam_app::{Disk, Input};
+use gaitcam::sweep::{Files, Method, NamedScene};
+use gaitcam_app::{Disk, SweepQuestion, Varied};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyList, PyString};
@@ -19,35 +17,12 @@ use crate::error::{Raise, argument};
 use crate::force::Force;
 use crate::scene::Scene;
 
-/// Number of samples by default.
-const SAMPLES: u64 = 10_000;
-
-/// One key with its values.
-#[derive(Clone, FromPyObject, IntoPyObject)]
-enum Asked {
-    /// As on the command line: key, `START:STOP:COUNT` or `A,B`.
-    #[pyo3(transparent)]
-    Text((String, String)),
-    /// Key and values as written.
-    #[pyo3(transparent)]
-    Listed((String, Vec<String>)),
-    /// Column and its numbers, SI.
-    #[pyo3(transparent)]
-    Numbers((String, Vec<f64>)),
-}
-
 /// The whole question.
 pub struct Question {
     scenes: Vec<Scene>,
-    /// The force of all scenes, until its content is among the files of the study.
+    /// The force of all scenes, until its content is among the files of the sweep.
     force: Option<Force>,
-    rows: Vec<Asked>,
-    vary: Vec<Asked>,
-    /// Method, count, seed.
-    sample: Option<u64>,
-    method: String,
-    seed: u64,
-    tolerances: Vec<String>,
+    asked: SweepQuestion,
 }
 
 /// The files of a base scene: those of the force that is given, then those on the disk.
@@ -100,65 +75,52 @@ pub fn scenes(list: &Bound<'_, PyAny>) -> PyResult<Vec<Scene>> {
     Ok(out)
 }
 
-impl Asked {
-    fn axis(&self, sampled: bool) -> Result<Axis> {
-        match self {
-            Asked::Text((key, values)) => Axis::parse(&format!("{key}={values}"), sampled),
-            Asked::Listed((key, values)) => Axis::list(key, values.iter().map(String::as_str)),
-            Asked::Numbers((column, values)) => Ok(Axis {
-                key: Key::of_column(column),
-                values: Values::Numbers(values.clone()),
-            }),
-        }
+/// The axis of a key: a range, a list, or what the command line takes.
+fn of_axis(key: String, values: &Bound<'_, PyAny>, sampled: bool) -> PyResult<Varied> {
+    if let Ok(text) = values.cast::<PyString>() {
+        return Ok(Varied::Text(format!("{key}={text}")));
     }
-
-    /// The axis of a key: a range, a list, or what the command line takes.
-    fn of_axis(key: String, values: &Bound<'_, PyAny>, sampled: bool) -> PyResult<Asked> {
-        if let Ok(text) = values.cast::<PyString>() {
-            return Ok(Asked::Text((key, text.to_string())));
-        }
-        if let Some(si) = convert::si_key(&key) {
-            let numbers = convert::numbers(values, &key)?.as_array().to_vec();
-            return Ok(match numbers[..] {
-                [low, high] if sampled => {
-                    let unit = si.unit();
-                    let range = format!("{low} {unit}:{high} {unit}");
-                    Asked::Text((si.name().to_string(), range))
-                }
-                _ => Asked::Numbers((key, numbers)),
-            });
-        }
-        let list: Vec<Bound<'_, PyAny>> = values.try_iter()?.collect::<PyResult<_>>()?;
-        let text = |value: &Bound<'_, PyAny>| value.is_instance_of::<PyString>();
-        let range = match &list[..] {
-            [first, last, count] => {
-                let counted = count.is_instance_of::<PyInt>() && !count.is_instance_of::<PyBool>();
-                text(first) && text(last) && counted
+    if let Some(si) = convert::si_key(&key) {
+        let numbers = convert::numbers(values, &key)?.as_array().to_vec();
+        return Ok(match numbers[..] {
+            [low, high] if sampled => {
+                let unit = si.unit();
+                let range = format!("{low} {unit}:{high} {unit}");
+                Varied::Text(format!("{}={range}", si.name()))
             }
-            [first, last] => sampled && starts_number(first) && starts_number(last),
-            _ => false,
-        };
-        let words: PyResult<Vec<String>> = list.iter().map(|v| written(v, &key)).collect();
-        let words = words?;
-        Ok(if range {
-            Asked::Text((key, words.join(":")))
-        } else {
-            Asked::Listed((key, words))
-        })
+            _ => Varied::Numbers(key, numbers),
+        });
     }
-
-    /// A column of a list.
-    fn of_column(name: String, values: &Bound<'_, PyAny>) -> PyResult<Asked> {
-        if convert::si_key(&name).is_some() {
-            let numbers = convert::numbers(values, &name)?.as_array().to_vec();
-            return Ok(Asked::Numbers((name, numbers)));
+    let list: Vec<Bound<'_, PyAny>> = values.try_iter()?.collect::<PyResult<_>>()?;
+    let text = |value: &Bound<'_, PyAny>| value.is_instance_of::<PyString>();
+    let range = match &list[..] {
+        [first, last, count] => {
+            let counted = count.is_instance_of::<PyInt>() && !count.is_instance_of::<PyBool>();
+            text(first) && text(last) && counted
         }
-        let words: PyResult<Vec<String>> = values
-            .try_iter()?
-            .map(|value| written(&value?, &name))
-            .collect();
-        Ok(Asked::Listed((name, words?)))
+        [first, last] => sampled && starts_number(first) && starts_number(last),
+        _ => false,
+    };
+    let words: PyResult<Vec<String>> = list.iter().map(|v| written(v, &key)).collect();
+    let words = words?;
+    Ok(if range {
+        Varied::Text(format!("{key}={}", words.join(":")))
+    } else {
+        Varied::Listed(key, words)
+    })
+}
+
+/// A column of a list.
+fn of_column(name: String, values: &Bound<'_, PyAny>) -> PyResult<Varied> {
+    if convert::si_key(&name).is_some() {
+        let numbers = convert::numbers(values, &name)?.as_array().to_vec();
+        return Ok(Varied::Numbers(name, numbers));
     }
+    let words: PyResult<Vec<String>> = values
+        .try_iter()?
+        .map(|value| written(&value?, &name))
+        .collect();
+    Ok(Varied::Listed(name, words?))
 }
 
 fn starts_number(value: &Bound<'_, PyAny>) -> bool {
@@ -194,19 +156,21 @@ impl Question {
         method: &str,
         seed: u64,
     ) -> PyResult<Question> {
-        if method_of(method).is_none() {
+        let Some(method) = method_of(method) else {
             let what = format!("{method:?} is no method; give \"latin\" or \"sobol\"");
             return Err(argument(py, "method", what));
-        }
+        };
+        let asked = SweepQuestion {
+            scenes: scenes.iter().map(named).collect(),
+            sample,
+            method,
+            seed,
+            ..SweepQuestion::default()
+        };
         Ok(Question {
             scenes,
             force: None,
-            rows: Vec::new(),
-            vary: Vec::new(),
-            sample,
-            method: method.to_string(),
-            seed,
-            tolerances: Vec::new(),
+            asked,
         })
     }
 
@@ -215,6 +179,7 @@ impl Question {
         for (scene, force) in self.scenes.iter_mut().zip(force.iter().cycle()) {
             *scene = Scene::of_input(force.named_in(&scene.input).raise(py)?);
         }
+        self.asked.scenes = self.scenes.iter().map(named).collect();
         self.force = force;
         Ok(())
     }
@@ -222,8 +187,8 @@ impl Question {
     /// Adds axes.
     pub fn vary(&mut self, axes: Option<&Bound<'_, PyDict>>, sampled: bool) -> PyResult<()> {
         for (key, values) in axes.into_iter().flatten() {
-            self.vary
-                .push(Asked::of_axis(key.extract()?, &values, sampled)?);
+            let axis = of_axis(key.extract()?, &values, sampled)?;
+            self.asked.vary.push(axis);
         }
         Ok(())
     }
@@ -233,44 +198,23 @@ impl Question {
         let Some(rows) = rows else { return Ok(()) };
         for name in convert::keys(rows, "rows")? {
             let values = rows.get_item(&name)?;
-            self.rows.push(Asked::of_column(name, &values)?);
+            self.asked.list.push(of_column(name, &values)?);
         }
         Ok(())
     }
 
-    /// Adds the axis of recordings, before all others.
+    /// Adds the axis of recordings, before all others; without one refuses scenes that leave the force open.
     pub fn recordings(&mut self, py: Python<'_>, paths: Option<Vec<PathBuf>>) -> PyResult<()> {
-        let Some(paths) = paths else { return Ok(()) };
-        let names: Vec<String> = (paths.iter())
-            .map(|p| p.to_string_lossy().into_owned())
-            .collect();
-        let Some(first) = names.first() else {
-            return Err(argument(
-                py,
-                "recordings",
-                "an empty list of recordings".to_string(),
-            ));
+        let Some(paths) = paths else {
+            return self.scenes.iter().try_for_each(|s| s.whole(py).map(|_| ()));
         };
-        // A scene that leaves its recording to the sweep is whole with any of them.
-        for scene in &mut self.scenes {
-            let Input {
-                mut table,
-                files,
-                file,
-                ..
-            } = scene.input.clone();
-            let recording = toml::Value::from(first.as_str());
-            scene::set_value(&mut table, "gait.file", recording).raise(py)?;
-            *scene = Scene::of_table(py, table, files, file)?;
+        let names = paths.iter().map(|p| p.to_string_lossy().into_owned());
+        self.asked.recordings = names.collect();
+        if paths.is_empty() {
+            let what = "an empty list of recordings".to_string();
+            return Err(argument(py, "recordings", what));
         }
-        self.vary
-            .insert(0, Asked::Listed(("gait.file".to_string(), names)));
         Ok(())
-    }
-
-    /// Refuses scenes that leave the force open.
-    pub fn check_scenes(&self, py: Python<'_>) -> PyResult<()> {
-        self.scenes.iter().try_for_each(|s| s.whole(py).map(|_| ()))
     }
 
     /// Adds tolerances.
@@ -278,67 +222,25 @@ impl Question {
         for (part, width) in parts.into_iter().flatten() {
             let part: String = part.extract()?;
             let width = written(&width, &part)?;
-            self.tolerances.push(format!("{part}={width}"));
+            self.asked.tolerances.push(format!("{part}={width}"));
         }
         Ok(())
     }
 
-    /// The study; without `files` recordings are read from the disk.
+    /// The sweep; without `files` recordings are read from the disk.
     ///
     /// # Errors
     /// Axes, rows, tolerances and recordings that are wrong.
-    pub fn study(&self, files: Option<Files>) -> Result<Study> {
-        let subject = self.subject()?;
+    pub fn sweep(&self, files: Option<Files>) -> Result<gaitcam::sweep::Sweep> {
         if let Some(files) = files {
-            return Study::with_files(subject, files);
+            return gaitcam::sweep::Sweep::with_files(self.asked.subject()?, files);
         }
         let given = |scene: &Scene| Given {
             force: self.force.clone(),
             disk: scene.input.files.clone(),
         };
         let files: Vec<Given> = self.scenes.iter().map(given).collect();
-        Study::new(subject, |index| &files[index])
-    }
-
-    fn subject(&self) -> Result<Subject> {
-        let mut scenes: Vec<NamedScene> = self.scenes.iter().map(named).collect();
-        if !self.tolerances.is_empty() {
-            let alone = self.vary.is_empty() && self.rows.is_empty() && scenes.len() == 1;
-            let Some(scene) = scenes.pop().filter(|_| alone) else {
-                let what = "tolerances are of one design: vary nothing beside them";
-                let fault = Error::own("python-argument", what);
-                return Err(fault.at_key("tolerance"));
-            };
-            return Ok(Subject::Scatter(Scattered {
-                scene,
-                tolerances: self.tolerances.clone(),
-                count: self.sample.unwrap_or(SAMPLES),
-                seed: self.seed,
-            }));
-        }
-        let axes = |asked: &[Asked], sampled: bool| -> Result<Vec<Axis>> {
-            asked.iter().map(|a| a.axis(sampled)).collect()
-        };
-        let list = match &self.rows[..] {
-            [] => None,
-            rows => Some(List {
-                columns: axes(rows, false)?,
-            }),
-        };
-        let sampling = match self.sample {
-            None => Sampling::Grid,
-            Some(count) => Sampling::Sample {
-                method: method_of(&self.method).unwrap_or(Method::Latin),
-                count,
-                seed: self.seed,
-            },
-        };
-        Ok(Subject::Designs(Plan {
-            scenes,
-            list,
-            axes: axes(&self.vary, self.sample.is_some())?,
-            sampling,
-        }))
+        self.asked.sweep(|index| &files[index])
     }
 
     /// What travels: scenes as text, the rest as it was given, and the content of every file once.
@@ -352,16 +254,8 @@ impl Question {
                 .or_insert_with(|| PyBytes::new(py, bytes));
             carried.push((*scene, name.clone(), content.clone()));
         }
-        let state = (
-            self.scenes.clone(),
-            self.rows.clone(),
-            self.vary.clone(),
-            self.sample,
-            self.method.clone(),
-            self.seed,
-            self.tolerances.clone(),
-            carried,
-        );
+        let asked = serde_json::to_string(&self.asked).unwrap_or_default();
+        let state = (self.scenes.clone(), asked, carried);
         Ok(state.into_pyobject(py)?.into_any())
     }
 
@@ -370,22 +264,24 @@ impl Question {
         let item = |i: usize| state.get_item(i);
         let mut files = Files::new();
         let mut contents: HashMap<*mut pyo3::ffi::PyObject, Arc<Vec<u8>>> = HashMap::new();
-        for entry in item(7)?.try_iter()? {
+        for entry in item(2)?.try_iter()? {
             let (scene, name, bytes): (usize, String, Bound<'_, PyBytes>) = entry?.extract()?;
             let content = contents
                 .entry(bytes.as_ptr())
                 .or_insert_with(|| Arc::new(bytes.as_bytes().to_vec()));
             files.insert((scene, name), Arc::clone(content));
         }
+        let scenes = scenes(&item(0)?)?;
+        let asked: String = item(1)?.extract()?;
+        let asked: SweepQuestion = serde_json::from_str(&asked)
+            .map_err(|e| argument(state.py(), "state", e.to_string()))?;
         let question = Question {
-            scenes: scenes(&item(0)?)?,
+            asked: SweepQuestion {
+                scenes: scenes.iter().map(named).collect(),
+                ..asked
+            },
+            scenes,
             force: None,
-            rows: item(1)?.extract()?,
-            vary: item(2)?.extract()?,
-            sample: item(3)?.extract()?,
-            method: item(4)?.extract()?,
-            seed: item(5)?.extract()?,
-            tolerances: item(6)?.extract()?,
         };
         Ok((question, files))
     }

@@ -14,18 +14,16 @@ use toml::Table;
 
 use crate::cam::Verdict;
 use crate::error::{Error, Result, SweepError};
-use crate::force::ForceCurve;
 use crate::halt::Halt;
 use crate::problem::{ForceCycle, Problem};
 use crate::scene::{self, Gait, Scene, Source};
-use crate::sweep::plan::NamedScene;
+use crate::sweep::carried::{Files, force};
 use crate::sweep::plan::batch::{Batch, Column};
 use crate::sweep::plan::key::Key;
+use crate::sweep::plan::{NamedScene, Plan};
 use crate::sweep::table::results::{Outcome, Row};
 use crate::synth::{Search, design, spectral};
 
-/// Gives the force curve that a scene names in a file; the first argument is the base scene's index.
-pub type Targets<'a> = &'a (dyn Fn(usize, &Scene) -> Result<ForceCurve> + Sync);
 /// Seconds since any moment.
 pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
 /// Gives the end of the searches of a row that begins now.
@@ -37,7 +35,7 @@ const KEPT_FORCES: usize = 1024;
 pub struct Kernel<'a> {
     scenes: &'a [NamedScene],
     keys: Vec<Key>,
-    targets: Targets<'a>,
+    files: &'a Files,
     halts: Halts<'a>,
     clock: Option<Clock<'a>>,
     /// Whether numbers of the force vary, by which a recording gives several forces.
@@ -58,20 +56,20 @@ struct Base {
 }
 
 impl<'a> Kernel<'a> {
-    /// A kernel for base scenes and varied keys.
+    /// A kernel for the scenes and keys of a plan; `files` are the recordings that its scenes name.
     pub fn new(
-        scenes: &'a [NamedScene],
-        keys: Vec<Key>,
-        targets: Targets<'a>,
+        plan: &'a Plan,
+        files: &'a Files,
         halts: Halts<'a>,
         clock: Option<Clock<'a>>,
     ) -> Self {
+        let keys = plan.keys();
         let reads = |key: &Key| key.is_number() && key.name().starts_with("gait.");
         Kernel {
             varies_gait: keys.iter().any(reads),
-            scenes,
+            scenes: &plan.scenes,
             keys,
-            targets,
+            files,
             halts,
             clock,
             cycles: RwLock::default(),
@@ -248,7 +246,7 @@ impl<'a> Kernel<'a> {
             return cycle.clone();
         }
         let cycle = match gait.is_recording() {
-            true => (self.targets)(index, scene).map(ForceCycle::new),
+            true => force(self.files, index, scene).map(ForceCycle::new),
             false => model_cycle(gait),
         };
         let cycle = cycle.map(Arc::new);

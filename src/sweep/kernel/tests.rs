@@ -1,11 +1,10 @@
 use super::*;
-use crate::error::SynthError;
+use crate::force::ForceCurve;
 use crate::halt::Halt;
-use crate::sweep::{Axis, Method, NUMBERS, Outcome, Plan, Sampling};
+use crate::sweep::{Method, NUMBERS, Outcome, Plan, Sampling};
 
-fn nowhere(_: usize, _: &Scene) -> Result<ForceCurve> {
-    Err(SynthError::ForceNotRead.into())
-}
+/// No row names a recording.
+static NONE: Files = Files::new();
 
 /// Rows of a plan from the kernel, and from single syntheses of the same scenes.
 fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
@@ -13,20 +12,14 @@ fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
     for change in changes {
         scene::set(&mut table, change).unwrap();
     }
-    let plan = Plan {
-        scenes: vec![NamedScene {
-            name: "x".to_string(),
-            table,
-        }],
-        list: None,
-        axes: vary.iter().map(|v| Axis::parse(v, true).unwrap()).collect(),
-        sampling: Sampling::Sample {
-            method: Method::Latin,
-            count,
-            seed: 7,
-        },
+    let (method, seed) = (Method::Latin, 7);
+    let sampling = Sampling::Sample {
+        method,
+        count,
+        seed,
     };
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &Halt::never, None);
+    let plan = Plan::of(table, vary, sampling).unwrap();
+    let kernel = Kernel::new(&plan, &NONE, &Halt::never, None);
     let batch = plan.batch(0, count as usize);
     let mut bases: HashMap<Vec<String>, Base> = HashMap::new();
     (0..count as usize)
@@ -39,8 +32,7 @@ fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
             let alone = match kernel.read(&batch, row) {
                 Ok(scene) => {
                     // By a kernel that has found nothing yet.
-                    let other =
-                        Kernel::new(&plan.scenes, plan.keys(), &nowhere, &Halt::never, None);
+                    let other = Kernel::new(&plan, &NONE, &Halt::never, None);
                     other.designed_row(0, &scene, &source(0, &scene))
                 }
                 Err(e) => Row::error(e.to_string()),
@@ -274,23 +266,15 @@ fn swept_and_single(changes: &[&str], vary: &str) -> (Row, Row) {
     for change in changes {
         scene::set(&mut table, change).unwrap();
     }
-    let plan = Plan {
-        scenes: vec![NamedScene {
-            name: "x".to_string(),
-            table: table.clone(),
-        }],
-        list: None,
-        axes: vec![Axis::parse(vary, false).unwrap()],
-        sampling: Sampling::Grid,
-    };
+    let plan = Plan::of(table.clone(), &[vary], Sampling::Grid).unwrap();
     plan.validate().unwrap();
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &Halt::never, None);
+    let kernel = Kernel::new(&plan, &NONE, &Halt::never, None);
     let batch = plan.batch(0, 1);
     let row = kernel.row(&batch, 0, &mut kernel.base(&batch, 0));
     scene::set(&mut table, vary).unwrap();
     let scene = scene::read(&table).unwrap();
     // By a kernel that has found nothing yet.
-    let other = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &Halt::never, None);
+    let other = Kernel::new(&plan, &NONE, &Halt::never, None);
     (row, other.designed_row(0, &scene, &source(0, &scene)))
 }
 
@@ -342,22 +326,16 @@ fn entries_of_a_list_vary_by_their_number() {
 #[test]
 fn a_recording_is_read_with_the_numbers_of_its_row() {
     let text = "[gait]\nfile = \"walk.csv\"\nperiod = \"1 s\"\n[law]\nfamily = \"harmonic\"\n";
-    let plan = Plan {
-        scenes: vec![NamedScene {
-            name: "x".to_string(),
-            table: text.parse().unwrap(),
-        }],
-        list: None,
-        axes: vec![Axis::parse("gait.period=0.5 s:1 s:5", false).unwrap()],
-        sampling: Sampling::Grid,
-    };
-    let read = |_: usize, scene: &Scene| {
-        let period = scene.gait.as_ref().and_then(|g| g.period).unwrap();
-        let angle = |i: usize| std::f64::consts::TAU * i as f64 / 256.0;
-        let force = (0..256).map(|i| 700.0 + 200.0 * angle(i).sin());
-        ForceCurve::from_samples("walk", period, force.collect())
-    };
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &read, &Halt::never, None);
+    let vary = ["gait.period=0.5 s:1 s:5"];
+    let plan = Plan::of(text.parse().unwrap(), &vary, Sampling::Grid).unwrap();
+    let angle = |i: usize| std::f64::consts::TAU * i as f64 / 256.0;
+    let force = (0..256).map(|i| 700.0 + 200.0 * angle(i).sin());
+    let curve = ForceCurve::from_samples("walk", 1.0, force.collect()).unwrap();
+    let files = Files::from([(
+        (0, "walk.csv".to_string()),
+        Arc::new(curve.to_csv(&[]).into_bytes()),
+    )]);
+    let kernel = Kernel::new(&plan, &files, &Halt::never, None);
     let results = kernel.run(&plan.batch(0, 5), &|| false).unwrap();
     let speed = NUMBERS
         .iter()

@@ -9,10 +9,10 @@ use crate::error::{Result, SweepError};
 use crate::halt::Halt;
 use crate::problem::Problem;
 use crate::scene::{self, Gait};
-use crate::sweep::kernel::Targets;
+use crate::sweep::carried::{Files, force};
 use crate::sweep::plan::NamedScene;
 use crate::sweep::table::records::{Field, Records};
-use crate::synth::{Search, design};
+use crate::synth::{Design, Search, design};
 
 /// One design, manufactured many times with errors within tolerances.
 ///
@@ -86,12 +86,11 @@ impl Scattered {
     ///
     /// # Errors
     /// Faults of the scene and its force; a scene without a feasible cam.
-    pub fn samples(&self, targets: Targets, halt: Halt) -> Result<Samples> {
-        let tolerances = self.read()?;
+    pub(in crate::sweep) fn samples(&self, files: &Files, halt: Halt) -> Result<Samples> {
         let scene = scene::read(&self.scene.table)?;
         let is_recording = scene.gait.as_ref().is_some_and(Gait::is_recording);
         let target = if is_recording {
-            Some(targets(0, &scene)?)
+            Some(force(files, 0, &scene)?)
         } else {
             scene.model_force()?
         };
@@ -100,9 +99,17 @@ impl Scattered {
         if design.infeasible.is_some() {
             return Err(SweepError::NoDesign.into());
         }
+        self.samples_of(&design)
+    }
+
+    /// The samples of a design of the scene.
+    ///
+    /// # Errors
+    /// A wrong tolerance; a design whose errors cannot be sampled.
+    pub(in crate::sweep) fn samples_of(&self, design: &Design) -> Result<Samples> {
         Ok(Samples {
-            scatter: Scatter::new(&design)?,
-            tolerances,
+            scatter: Scatter::new(design)?,
+            tolerances: self.read()?,
             count: self.count,
             seed: self.seed,
         })

@@ -34,6 +34,15 @@ pub struct NamedScene {
     pub table: Table,
 }
 
+impl NamedScene {
+    /// A scene under its own name, which is the same on every machine.
+    pub fn of(table: Table) -> NamedScene {
+        let name = table.get("name").and_then(|name| name.as_str());
+        let name = name.unwrap_or("cam").to_string();
+        NamedScene { name, table }
+    }
+}
+
 /// Rows listed by the user: values of several keys together.
 ///
 /// ```
@@ -75,12 +84,11 @@ impl List {
 /// How the axes are combined.
 ///
 /// ```
-/// use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Sampling};
+/// use gaitcam::sweep::{Method, Plan, Sampling};
 ///
-/// let scene = NamedScene { name: "a".to_string(), table: toml::Table::new() };
-/// let axes = vec![Axis::parse("limits.stroke=40 mm:60 mm", true)?];
 /// let sampling = Sampling::Sample { method: Method::Latin, count: 1000, seed: 1 };
-/// assert_eq!(Plan { scenes: vec![scene], list: None, axes, sampling }.rows(), 1000);
+/// let plan = Plan::of(toml::Table::new(), &["limits.stroke=40 mm:60 mm"], sampling)?;
+/// assert_eq!(plan.rows(), 1000);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,12 +109,10 @@ pub enum Sampling {
 /// The whole sweep: rows are base scenes × list × axes, the axes fastest.
 ///
 /// ```
-/// use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling};
+/// use gaitcam::sweep::{Plan, Sampling};
 ///
-/// let scene = NamedScene { name: "a".to_string(), table: toml::Table::new() };
-/// let axes = ["limits.stroke=40 mm:60 mm:5", "law.family=spline,harmonic"].map(|a| Axis::parse(a, false));
-/// let axes = axes.into_iter().collect::<Result<Vec<_>, _>>()?;
-/// let plan = Plan { scenes: vec![scene], list: None, axes, sampling: Sampling::Grid };
+/// let vary = ["limits.stroke=40 mm:60 mm:5", "law.family=spline,harmonic"];
+/// let plan = Plan::of(toml::Table::new(), &vary, Sampling::Grid)?;
 /// assert_eq!(plan.rows(), 5 * 2);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
@@ -128,6 +134,20 @@ const TRIED_COMBINATIONS: u128 = 256;
 const TRIED_VALUES: u64 = 64;
 
 impl Plan {
+    /// Values of the keys of one scene, each written `KEY=START:STOP:COUNT` or `KEY=A,B`, of a sample `KEY=START:STOP`.
+    ///
+    /// # Errors
+    /// As [`Axis::parse`].
+    pub fn of(table: Table, vary: &[&str], sampling: Sampling) -> Result<Plan> {
+        let axis = |text: &&str| Axis::parse(text, sampling != Sampling::Grid);
+        Ok(Plan {
+            scenes: vec![NamedScene::of(table)],
+            list: None,
+            axes: vary.iter().map(axis).collect::<Result<_>>()?,
+            sampling,
+        })
+    }
+
     /// Number of rows, saturating.
     pub fn rows(&self) -> u128 {
         let list = self.list.as_ref().map_or(1, |l| u128::from(l.rows()));

@@ -1,5 +1,7 @@
 //! Points that fill a cube evenly: Latin hypercube and Sobol, each point computed from its index alone.
 
+use serde::{Deserialize, Serialize};
+
 /// Sampling method.
 ///
 /// ```
@@ -10,10 +12,14 @@
 /// slices.sort_unstable();
 /// assert_eq!(slices, (0..10).collect::<Vec<u64>>());
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, Serialize, Deserialize,
+)]
 #[strum(serialize_all = "kebab-case")]
+#[serde(rename_all = "kebab-case")]
 pub enum Method {
     /// Each of the N equal slices of every axis holds exactly one point, at a random place in it.
+    #[default]
     Latin,
     /// Sobol's sequence: dyadic boxes are filled evenly, and more points extend the same sequence.
     Sobol,

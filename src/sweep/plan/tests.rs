@@ -2,18 +2,7 @@ use super::*;
 use crate::sweep::{Difference, differences};
 
 fn plan(vary: &[&str]) -> Plan {
-    Plan {
-        scenes: vec![NamedScene {
-            name: "footbridge".to_string(),
-            table: scene::DEFAULT.parse().unwrap(),
-        }],
-        list: None,
-        axes: vary
-            .iter()
-            .map(|v| Axis::parse(v, false).unwrap())
-            .collect(),
-        sampling: Sampling::Grid,
-    }
+    Plan::of(scene::DEFAULT.parse().unwrap(), vary, Sampling::Grid).unwrap()
 }
 
 #[test]

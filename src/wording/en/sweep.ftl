@@ -18,6 +18,7 @@ sweep-too-many-rows = { $rows } combinations
 sweep-list-lengths = the list gives { $values } values of "{ $key }", and { $first } of its first key
     .help = give every key of a list the same number of values
 sweep-not-carried = is not among the recordings of this sweep
+sweep-scatter-alone = cannot be combined with another variation: it applies to one design
 sweep-no-design = no cam answers this scene, so there is none to be made with errors
     .help = relax its limits as the summary of the design says
 sweep-out-of-time = the time limit ended the search for this design

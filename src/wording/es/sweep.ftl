@@ -18,6 +18,7 @@ sweep-too-many-rows = { $rows } combinaciones
 sweep-list-lengths = la lista da { $values } valores de "{ $key }" y { $first } de su primera clave
     .help = dé a cada clave de una lista el mismo número de valores
 sweep-not-carried = no está entre los registros de este barrido
+sweep-scatter-alone = no se puede combinar con otra variación: se aplica a un solo diseño
 sweep-no-design = ninguna leva responde a esta escena, así que no hay ninguna que fabricar con errores
     .help = relaje sus límites como dice el resumen del diseño
 sweep-out-of-time = el límite de tiempo terminó la búsqueda de este diseño

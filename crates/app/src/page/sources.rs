@@ -149,7 +149,7 @@ mod tests {
     use gaitcam::force::{Walker, population_csv};
     use gaitcam::halt::Halt;
     use gaitcam::scene::{Gait, set};
-    use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
+    use gaitcam::sweep::{Plan, Sampling, Subject, Sweep};
 
     use super::*;
     use crate::Disk;
@@ -307,15 +307,10 @@ mod tests {
                 (told.period_s, &told.force_n),
                 "{changes:?}"
             );
-            let name = "one".to_string();
-            let plan = Plan {
-                scenes: vec![NamedScene { name, table }],
-                list: None,
-                axes: vec![Axis::parse("limits.stroke=500 mm,600 mm", false).unwrap()],
-                sampling: Sampling::Grid,
-            };
-            let study = Study::new(Subject::Designs(plan), |_| &disk).unwrap();
-            let again = Study::with_files(study.subject.clone(), study.files().clone()).unwrap();
+            let vary = ["limits.stroke=500 mm,600 mm"];
+            let plan = Plan::of(table, &vary, Sampling::Grid).unwrap();
+            let sweep = Sweep::new(Subject::Designs(plan), |_| &disk).unwrap();
+            let again = Sweep::with_files(sweep.subject.clone(), sweep.files().clone()).unwrap();
             let rows = again
                 .run(0..1, 1, &Halt::never, &|| false)
                 .unwrap()

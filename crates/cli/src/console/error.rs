@@ -93,11 +93,9 @@ pub enum CliError {
         files: usize,
         endings: String,
     },
-    NoCurve,
     ManyRows {
         rows: String,
     },
-    ScatterAlone,
     ScatterCsv,
     TooManySamples {
         count: String,

@@ -1,109 +1,116 @@
-//! From arguments to a plan: scenes, lists, recordings, and the force curves that rows name.
+//! From arguments to the question of a sweep: scenes, lists and recordings.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::SweepArgs;
 use crate::console::error::CliError;
-use crate::console::language;
-use crate::input::recordings::{Recordings, recordings};
+use crate::console::{language, terminal, words};
+use crate::input::recordings::recordings;
 use crate::input::{self, SceneArgs};
-use gaitcam::error::{Error, Place, Placed, Result};
-use gaitcam::force::ForceCurve;
-use gaitcam::scene::{self, Scene};
+use gaitcam::error::{Error, Place, Placed, Result, SweepError};
+use gaitcam::scene;
 use gaitcam::sweep::table::cell_text;
-use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values};
+use gaitcam::sweep::{Axis, Key, NamedScene, Subject, Sweep};
 use gaitcam_app::read::read_bytes;
-use gaitcam_app::{Disk, inputs};
+use gaitcam_app::{Disk, SweepQuestion, Varied, inputs};
 
-/// A plan with the files of its scenes.
-pub struct Sweep {
-    /// The plan.
-    pub plan: Plan,
+/// More rows than this are asked for twice.
+const MANY: u64 = 100_000_000;
+
+/// The question of a sweep with the files of its scenes.
+pub struct Asked {
+    /// The question.
+    pub question: SweepQuestion,
     /// The files of each base scene.
     pub files: Vec<Disk>,
-    /// Files in the folders of recordings that are none.
-    pub skipped: Vec<String>,
 }
 
 /// Reads scenes, list and axes.
-pub fn plan(args: &SweepArgs) -> Result<Sweep> {
-    let files: Vec<Option<&PathBuf>> = match &args.scenes[..] {
+pub fn question(args: &SweepArgs) -> Result<Asked> {
+    let named: Vec<Option<&PathBuf>> = match &args.scenes[..] {
         [] => vec![None],
         scenes => scenes.iter().map(Some).collect(),
     };
-    let mut scenes = Vec::new();
-    let mut disks = Vec::new();
-    let Recordings {
-        files: records,
-        skipped,
-    } = recordings(&args.recordings, "--recordings")?;
-    records.iter().for_each(|file| inputs::note(file.as_ref()));
+    let given = recordings(&args.recordings, "--recordings")?;
+    (given.files.iter()).for_each(|file| inputs::note(file.as_ref()));
+    if let [first, ..] = &given.skipped[..] {
+        let skipped = json!({"count": given.skipped.len(), "first": first});
+        terminal::report(words::fill("sweep-skipped", &skipped));
+    }
     let mut set = args.set.clone();
-    if let Some(first) = records.first() {
-        // A scene that leaves its recording to the command line is whole with any of them.
+    if let Some(first) = given.files.first() {
+        // A scene that leaves its recording to the command line is complete with any of them.
         set.push(format!("gait.file={}", toml::Value::from(first.as_str())));
     }
-    for file in files {
+    let (mut scenes, mut files) = (Vec::new(), Vec::new());
+    for file in named {
         let input = input::scene(&SceneArgs {
             scene: file.cloned(),
             set: set.clone(),
         })?;
-        scenes.push(NamedScene {
-            name: file.map_or(input.scene.name.clone(), |f| f.display().to_string()),
-            table: input.whole,
-        });
-        disks.push(input.files);
+        let mut scene = NamedScene::of(input.whole);
+        // Shares of a sweep have the names that are the same on every machine.
+        if let (Some(file), None) = (file, args.shard) {
+            scene.name = file.display().to_string();
+        }
+        scenes.push(scene);
+        files.push(input.files);
     }
-    let mut axes = Vec::new();
-    if !records.is_empty() {
-        axes.push(Axis {
-            key: Key::words("gait.file"),
-            values: Values::Words(records.into_iter().map(Arc::from).collect()),
-        });
-    }
-    for text in &args.vary {
-        axes.push(Axis::parse(text, args.sample.is_some()).map_err(input::at_flag("--vary"))?);
-    }
-    let sampling = match args.sample {
-        None => Sampling::Grid,
-        Some(count) => Sampling::Sample {
-            method: args.method(),
-            count,
-            seed: args.seed,
-        },
-    };
     let list = args.list.as_deref().map(list).transpose()?;
-    if axes.is_empty() && list.is_none() && scenes.len() == 1 {
-        return Err(CliError::NothingVaries.at_argument("--vary"));
-    }
-    Ok(Sweep {
-        plan: Plan {
-            scenes,
-            list,
-            axes,
-            sampling,
-        },
-        files: disks,
-        skipped,
-    })
+    let question = SweepQuestion {
+        scenes,
+        list: list.unwrap_or_default(),
+        recordings: given.files,
+        vary: args.vary.iter().cloned().map(Varied::Text).collect(),
+        sample: args.sample,
+        method: args.method(),
+        seed: args.seed,
+        tolerances: args.tolerance.clone(),
+    };
+    Ok(Asked { question, files })
 }
 
-/// What a sweep that is resumed must agree with: the plan, and the program, since another version may design otherwise.
-pub fn description(sweep: &Sweep) -> Value {
-    let mut description = sweep.plan.description();
-    for (i, files) in sweep.files.iter().enumerate() {
-        let folder = files.folder.as_deref().unwrap_or(Path::new("."));
-        description["scenes"][i]["folder"] = json!(folder.display().to_string());
+/// The sweep of a question about designs.
+pub fn sweep(args: &SweepArgs) -> Result<Sweep> {
+    let Asked { question, files } = question(args)?;
+    let varies = [&question.vary, &question.list]
+        .iter()
+        .any(|v| !v.is_empty());
+    if !varies && question.recordings.is_empty() && question.scenes.len() == 1 {
+        return Err(CliError::NothingVaries.at_argument("--vary"));
     }
-    description["version"] = json!(env!("CARGO_PKG_VERSION"));
-    description
+    let subject = question.subject().map_err(input::at_flag("--vary"))?;
+    check_size(args, &subject)?;
+    let fault = |e: Error| {
+        let e = in_list(e, &question, args.list.as_deref());
+        input::at_flag(flag_of(&e))(e)
+    };
+    Sweep::new(subject, |index| &files[index]).map_err(fault)
+}
+
+/// Refuses more rows than anyone can wait for, and many that are not confirmed.
+fn check_size(args: &SweepArgs, subject: &Subject) -> Result<()> {
+    let rows = subject.rows().map_err(input::at_flag("--vary"))?;
+    if rows > MANY && !args.yes {
+        let rows = rows.to_string();
+        return Err(CliError::ManyRows { rows }.at_argument("--vary"));
+    }
+    Ok(())
+}
+
+/// The flag that a fault of the whole plan belongs to.
+fn flag_of(e: &Error) -> &'static str {
+    match e.fault() {
+        Some(SweepError::NothingToSample) => "--sample",
+        Some(SweepError::SobolAxes { .. }) => "--design",
+        _ => "--vary",
+    }
 }
 
 /// Rows of a csv whose header names keys.
-fn list(path: &Path) -> Result<List> {
+fn list(path: &Path) -> Result<Vec<Varied>> {
     let bytes = read_bytes(path)?;
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
@@ -124,22 +131,21 @@ fn list(path: &Path) -> Result<List> {
     if columns.first().is_none_or(Vec::is_empty) {
         return Err(CliError::EmptyList.in_file(path));
     }
-    let columns = names
-        .iter()
-        .zip(&columns)
+    let columns = names.iter().zip(columns);
+    columns
         .map(|(name, values)| of_list(path, name, values))
-        .collect::<Result<Vec<Axis>>>()?;
-    Ok(List { columns })
+        .collect()
 }
 
 /// A column of a list; the error of an invalid value names its line.
-fn of_list(path: &Path, name: &str, values: &[String]) -> Result<Axis> {
+fn of_list(path: &Path, name: &str, values: Vec<String>) -> Result<Varied> {
     let read = |values: &[String]| Axis::list(name, values.iter().map(String::as_str));
-    read(values).map_err(|fault| {
+    if let Err(fault) = read(&values) {
         // The first row that makes the rows above it wrong.
         let bad = (0..values.len()).find(|&row| read(&values[..=row]).is_err());
-        list_fault(path, bad.unwrap_or(0), name, &fault)
-    })
+        return Err(list_fault(path, bad.unwrap_or(0), name, &fault));
+    }
+    Ok(Varied::Listed(name.to_string(), values))
 }
 
 /// A fault of a row of a list, counted from 0 below the header.
@@ -150,19 +156,19 @@ fn list_fault(path: &Path, row: usize, name: &str, fault: &Error) -> Error {
 }
 
 /// A fault of the plan, at the line of the list that has it where one has.
-pub fn in_list(fault: Error, plan: &Plan, path: Option<&Path>) -> Error {
+fn in_list(fault: Error, question: &SweepQuestion, path: Option<&Path>) -> Error {
     let place_in_list = || {
         let Place::Key(name) = &fault.place else {
             return None;
         };
-        let columns = &plan.list.as_ref()?.columns;
-        let axis = columns.iter().find(|a| a.key.name() == name)?;
-        let Values::Words(words) = &axis.values else {
-            return None;
-        };
-        let bad = |word: &Arc<str>| {
-            let mut table = plan.scenes[0].table.clone();
-            let written = axis.key.write_words(&mut table, word);
+        let words = question.list.iter().find_map(|column| match column {
+            Varied::Listed(key, words) if key == name => Some(words),
+            _ => None,
+        })?;
+        let key = Key::words(name);
+        let bad = |word: &String| {
+            let mut table = question.scenes[0].table.clone();
+            let written = key.write_words(&mut table, word);
             let read = written.and_then(|()| scene::read(&table));
             read.is_err_and(|e| e.placed(fault.place.clone()) == fault)
         };
@@ -171,16 +177,5 @@ pub fn in_list(fault: Error, plan: &Plan, path: Option<&Path>) -> Error {
     match place_in_list() {
         Some((path, row, name)) => list_fault(path, row, name, &fault),
         None => fault,
-    }
-}
-
-/// Reads the force curves that scenes name.
-pub fn targets(files: &[Disk]) -> impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync {
-    |index, scene| {
-        let gait = scene.gait.as_ref();
-        let curve = gait.map(|gait| gait.force(&files[index])).transpose()?;
-        curve
-            .flatten()
-            .ok_or_else(|| CliError::NoCurve.at_key("gait"))
     }
 }

@@ -13,22 +13,16 @@ use std::time::Instant;
 use clap::Args;
 use serde_json::json;
 
-use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, INTERRUPTED, NO_SUCH_CAM};
 use crate::console::terminal::{self, print, print_json};
 use crate::console::words;
-use crate::input;
 use crate::input::searching::TimeLimit;
 use format::Format;
-use gaitcam::error::{Error, Result, SweepError};
-use gaitcam::sweep::{Method, Plan, Runner};
+use gaitcam::error::Result;
+use gaitcam::sweep::Method;
 pub use partial::with_ending;
 use partial::{Counts, PartialTable};
-
-/// More rows than this are asked for twice.
-const MANY: u128 = 100_000_000;
-/// More rows than this have no numbers here.
-const MOST: u128 = 1 << 53;
+use work::Work;
 
 const EXAMPLES: &str = "Examples:
   gaitcam sweep --vary 'limits.stroke=20 mm:60 mm:9' --out strokes.csv
@@ -113,21 +107,13 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     if !args.tolerance.is_empty() {
         return tolerance::run(args);
     }
-    let start = Instant::now();
     if let Some(share) = args.shard {
         return shard::run(args, share);
     }
+    let start = Instant::now();
     let format = Format::of(&args.out)?;
-    let sweep = arguments::plan(args)?;
-    let plan = &sweep.plan;
-    if let [first, ..] = &sweep.skipped[..] {
-        let skipped = json!({"count": sweep.skipped.len(), "first": first});
-        terminal::report(words::fill("sweep-skipped", &skipped));
-    }
-    let rows = plan.rows();
-    check_size(args, plan)?;
-    check_values(args, plan)?;
-    let description = arguments::description(&sweep);
+    let sweep = arguments::sweep(args)?;
+    let (rows, description) = (sweep.rows()?, sweep.description());
     let partial = PartialTable::open(&args.out, format, &description, args.resume)?;
     let Some(mut partial) = partial else {
         print(&words::fill("sweep-complete", &file(args)));
@@ -137,61 +123,33 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         terminal::report(damaged);
     }
     let clock = || start.elapsed().as_secs_f64();
-    let targets = arguments::targets(&sweep.files);
     let halts = || args.time.of_row();
-    let runner = Runner::of_plan(plan, &targets, &halts, Some(&clock));
-    let stop = work::stop_on_ctrl_c();
+    let work = Work {
+        runner: sweep.runner(&halts, Some(&clock))?,
+        format,
+        metadata: Vec::new(),
+        jobs: work::jobs(args.jobs),
+        stop: work::stop_on_ctrl_c(),
+    };
     let before = partial.counts().rows;
     let computed = Instant::now();
-    let jobs = work::jobs(args.jobs);
-    work::compute(&runner, rows as u64, jobs, &mut partial, &stop)?;
+    work.fill(rows, &mut partial)?;
     let seconds = computed.elapsed().as_secs_f64();
     let done = partial.counts().rows;
-    if u128::from(done) < rows {
+    if done < rows {
         let stopped = json!({"done": done.to_string(), "rows": rows.to_string()});
         terminal::report(words::fill("sweep-stopped", &stopped));
         return Ok(INTERRUPTED);
     }
     let counts = partial.finish(&description)?;
-    report(args, &counts, rows as u64 - before, seconds);
+    report(args, &counts, rows - before, seconds);
     let some = counts.acceptable + counts.low_speed > 0;
     Ok(if some { BUILT } else { NO_SUCH_CAM })
-}
-
-/// Refuses more rows than anyone can wait for, and many that are not confirmed.
-fn check_size(args: &SweepArgs, plan: &Plan) -> Result<()> {
-    let rows = plan.rows();
-    let shown = || rows.to_string();
-    let fault = if rows > MOST {
-        Error::from(SweepError::TooManyRows { rows: shown() })
-    } else if rows > MANY && !args.yes {
-        Error::from(CliError::ManyRows { rows: shown() })
-    } else {
-        return Ok(());
-    };
-    Err(input::at_flag("--vary")(fault))
-}
-
-/// Refuses values that no row can have.
-fn check_values(args: &SweepArgs, plan: &Plan) -> Result<()> {
-    plan.validate().map_err(|e| {
-        let e = arguments::in_list(e, plan, args.list.as_deref());
-        input::at_flag(flag_of(&e))(e)
-    })
 }
 
 /// The table's name, as the argument of a sentence.
 fn file(args: &SweepArgs) -> serde_json::Value {
     json!({"file": args.out.display().to_string()})
-}
-
-/// The flag that a fault of the whole plan belongs to.
-fn flag_of(e: &Error) -> &'static str {
-    match e.fault() {
-        Some(SweepError::NothingToSample) => "--sample",
-        Some(SweepError::SobolAxes { .. }) => "--design",
-        _ => "--vary",
-    }
 }
 
 fn report(args: &SweepArgs, counts: &Counts, computed: u64, seconds: f64) {

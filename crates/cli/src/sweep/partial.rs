@@ -205,17 +205,11 @@ impl PartialTable {
         self.damaged.as_deref()
     }
 
-    /// The format of the table.
-    pub fn format(&self) -> Format {
-        self.format
-    }
-
-    /// Adds the rows that come next and puts them on the disk; `lines` as [`Format::block`] takes them.
-    pub fn append(&mut self, records: &Records, lines: &str) -> Result<()> {
+    /// Adds the rows that come next and puts the bytes of their block on the disk.
+    pub fn append(&mut self, records: &Records, bytes: &[u8]) -> Result<()> {
         let start = self.counts.rows;
         let rows = start..start + records.len() as u64;
-        let bytes = self.format.block(records, lines, &[])?;
-        self.blocks.put_with_checksum(&rows, &bytes).map_err(|e| {
+        self.blocks.put_with_checksum(&rows, bytes).map_err(|e| {
             let fault = e.sentence(language::current());
             CliError::RowsSafe { fault, rows: start }.in_file(&self.folder)
         })?;

@@ -2,11 +2,10 @@
 
 use std::fmt::Write;
 
-use rayon::prelude::*;
 use serde_json::json;
 
-use super::SweepArgs;
 use super::partial::with_ending;
+use super::{SweepArgs, arguments, work};
 use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
@@ -15,34 +14,29 @@ use crate::console::words::{self, number};
 use crate::input::searching;
 use crate::input::{self, SceneArgs};
 use gaitcam::error::{Placed, Result};
-use gaitcam::sweep::{Made, Scatter, Spread, Tolerance};
+use gaitcam::sweep::{Spread, Subject};
 use gaitcam::synth::sentences;
 use gaitcam::units::Dimension;
 use gaitcam_app::folder::write_whole;
 use gaitcam_output::sweep_plots::{Quantity, histogram};
 use gaitcam_output::sweep_report::{Page, Table, html};
 
-/// Number of samples by default.
-const SAMPLES: u64 = 10_000;
 /// Largest number of samples: they are held in memory.
 const MOST: u64 = 20_000_000;
 
 /// Scatters the design, writes the samples and a report; exit code 3 when there is no design to scatter.
 pub fn run(args: &SweepArgs) -> Result<u8> {
-    let varies = !args.vary.is_empty() || args.list.is_some() || !args.recordings.is_empty();
-    if varies || args.scenes.len() > 1 {
-        return Err(CliError::ScatterAlone.at_argument("--tolerance"));
-    }
+    let at_flag = input::at_flag("--tolerance");
+    let question = arguments::question(args)?.question;
+    let Subject::Scatter(scattered) = question.subject().map_err(&at_flag)? else {
+        return Err(CliError::NoSample.at_argument("--sample"));
+    };
     if args.out.extension().is_none_or(|e| e != "csv") {
         return Err(CliError::ScatterCsv.at_argument("--out"));
     }
-    let tolerances = args
-        .tolerance
-        .iter()
-        .map(|t| Tolerance::parse(t).map_err(input::at_flag("--tolerance")))
-        .collect::<Result<Vec<_>>>()?;
+    scattered.read().map_err(&at_flag)?;
     let band = input::quantity("--band", args.band.as_deref(), Dimension::Ratio)?;
-    let count = args.sample.unwrap_or(SAMPLES);
+    let count = scattered.count;
     if count > MOST {
         let (count, most) = (count.to_string(), MOST.to_string());
         return Err(CliError::TooManySamples { count, most }.at_argument("--sample"));
@@ -58,13 +52,12 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         terminal::report(words::fill("sweep-no-design", &why));
         return Ok(NO_SUCH_CAM);
     }
-    let scatter = Scatter::new(&design).map_err(input::at_flag("--tolerance"))?;
-    let made: Vec<Made> = (0..count)
-        .into_par_iter()
-        .map(|i| scatter.sample(&tolerances, i, count, args.seed))
-        .collect();
-    write_whole(&args.out, table(&made).as_bytes())?;
-    let percents: Vec<f64> = made.iter().map(|m| m.force_rms_error_percent).collect();
+    let runner = scattered.runner(&design).map_err(&at_flag)?;
+    let records = runner.run(0..count, work::jobs(args.jobs), &|| false);
+    let table = records.csv_header() + &records.csv_rows();
+    write_whole(&args.out, table.as_bytes())?;
+    let percents = records.numbers("force_rms_error_percent");
+    let percents = percents.unwrap_or_default().to_vec();
     let spread = Spread::of(&percents, band.map(|b| 100.0 * b))
         .ok_or_else(|| CliError::NoSample.at_argument("--sample"))?;
     let own = design.force.rms_error_percent_of_mean;
@@ -85,26 +78,6 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         print(&words::fill("sweep-scatter-files", &files));
     }
     Ok(BUILT)
-}
-
-fn table(made: &[Made]) -> String {
-    let mut out = String::from(
-        "row,profile_m,base_radius_m,mass_kg,speed_rad_per_s,force_rms_error_n,force_rms_error_percent\n",
-    );
-    for (i, m) in made.iter().enumerate() {
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            out,
-            "{i},{},{},{},{},{},{}",
-            m.profile_m,
-            m.base_radius_m,
-            m.mass_kg,
-            m.speed_rad_per_s,
-            m.force_rms_error_n,
-            m.force_rms_error_percent
-        );
-    }
-    out
 }
 
 fn summary(name: &str, own: f64, count: u64, s: &Spread, band: Option<f64>) -> String {

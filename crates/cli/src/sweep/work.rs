@@ -1,9 +1,11 @@
 //! Computes the rows of a table, block by block.
 
+use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use super::format::Format;
 use super::partial::PartialTable;
 use crate::console::exit_code::INTERRUPTED;
 use crate::console::progress::Progress;
@@ -38,33 +40,53 @@ pub fn jobs(given: Option<u16>) -> usize {
     given.map_or_else(cores, usize::from)
 }
 
-/// Computes the rows that the table lacks, until done or stopped.
-pub fn compute(
-    runner: &Runner,
-    total: u64,
-    jobs: usize,
-    partial: &mut PartialTable,
-    stop: &AtomicBool,
-) -> Result<()> {
-    let progress = Progress::new(words::text("sweep-designs"), total, partial.counts().rows);
-    let format = partial.format();
-    // Lines are made by the threads: one thread alone would take as long for them as two for the rows.
-    let part = |records: Records| (format.lines(&records), records);
-    let stopped = || stop.load(Ordering::Relaxed);
-    let begun = Instant::now();
-    let mut rows = FIRST_BLOCK;
-    while partial.counts().rows < total && !stopped() {
-        let (first, start) = (partial.counts().rows, Instant::now());
-        let parts = runner.map(first..(first + rows).min(total), jobs, &stopped, &part);
-        if parts.is_empty() {
-            break;
-        }
-        let (lines, records): (Vec<String>, Vec<Records>) = parts.into_iter().unzip();
-        partial.append(&Records::joined(records), &lines.concat())?;
-        progress.set(partial.counts().rows);
-        let target_s = BLOCK_S.max(BLOCK_SHARE * begun.elapsed().as_secs_f64());
-        let fits = rows as f64 * target_s / start.elapsed().as_secs_f64().max(1e-6);
-        rows = (fits as u64).clamp(1, 8 * rows).min(BLOCK_ROWS);
+/// Computes blocks of rows.
+pub struct Work<'a> {
+    /// What computes the rows.
+    pub runner: Runner<'a>,
+    /// Format of the blocks.
+    pub format: Format,
+    /// What a block says about its sweep.
+    pub metadata: Vec<(String, String)>,
+    /// Number of threads.
+    pub jobs: usize,
+    /// Set where the user stops the work.
+    pub stop: Arc<AtomicBool>,
+}
+
+impl Work<'_> {
+    fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
     }
-    Ok(())
+
+    /// The first rows of a range, all where the work is not stopped, with the bytes of their block.
+    pub fn block(&self, rows: Range<u64>) -> Result<(Records, Vec<u8>)> {
+        // Lines are made by the threads: one thread alone would take as long for them as two for the rows.
+        let part = |records: Records| (self.format.lines(&records), records);
+        let parts = (self.runner).map(rows, self.jobs, &|| self.is_stopped(), &part);
+        let (lines, records): (Vec<String>, Vec<Records>) = parts.into_iter().unzip();
+        let records = Records::joined(records);
+        let bytes = (self.format).block(&records, &lines.concat(), &self.metadata)?;
+        Ok((records, bytes))
+    }
+
+    /// Computes the rows that a table lacks, until done or stopped.
+    pub fn fill(&self, total: u64, partial: &mut PartialTable) -> Result<()> {
+        let progress = Progress::new(words::text("sweep-designs"), total, partial.counts().rows);
+        let begun = Instant::now();
+        let mut rows = FIRST_BLOCK;
+        while partial.counts().rows < total && !self.is_stopped() {
+            let (first, start) = (partial.counts().rows, Instant::now());
+            let (records, bytes) = self.block(first..(first + rows).min(total))?;
+            if records.is_empty() {
+                break;
+            }
+            partial.append(&records, &bytes)?;
+            progress.set(partial.counts().rows);
+            let target_s = BLOCK_S.max(BLOCK_SHARE * begun.elapsed().as_secs_f64());
+            let fits = rows as f64 * target_s / start.elapsed().as_secs_f64().max(1e-6);
+            rows = (fits as u64).clamp(1, 8 * rows).min(BLOCK_ROWS);
+        }
+        Ok(())
+    }
 }

@@ -3,7 +3,7 @@
 use gaitcam::force::{ForceCurve, Walker};
 use gaitcam::halt::Halt;
 use gaitcam::scene;
-use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
+use gaitcam::sweep::{Plan, Sampling, Subject, Sweep};
 
 use gaitcam_test_support::Memory;
 
@@ -15,29 +15,22 @@ fn rows_of_a_sweep_over_a_table_of_walkers_are_their_designs_and_a_walker_in_kil
     let people = people(6, 4, 0.5);
     let all: Vec<Walker> = people.iter().map(|p| p.0.clone()).collect();
     let table = |walkers: &[Walker]| gaitcam::force::population_csv(walkers).into_bytes();
-    let study = |bytes: Vec<u8>| {
+    let sweep = |bytes: Vec<u8>| {
         let mut table = scene::built_in("footbridge").unwrap().toml.parse().unwrap();
         for change in ["gait.file=walkers.csv", "law.robust=worst", "law.spans=12"] {
             scene::set(&mut table, change).unwrap();
         }
-        let name = "walkers".to_string();
-        let axis = Axis::parse("limits.stroke=30 mm:50 mm:3", false).unwrap();
-        let plan = Plan {
-            scenes: vec![NamedScene { name, table }],
-            list: None,
-            axes: vec![axis],
-            sampling: Sampling::Grid,
-        };
+        let plan = Plan::of(table, &["limits.stroke=30 mm:50 mm:3"], Sampling::Grid).unwrap();
         let files = Memory::from([("walkers.csv", bytes)]);
-        Study::new(Subject::Designs(plan), |_| &files).unwrap()
+        Sweep::new(Subject::Designs(plan), |_| &files).unwrap()
     };
-    let run = |study: &Study| {
-        study
+    let run = |sweep: &Sweep| {
+        sweep
             .run(0..3, 1, &Halt::never, &|| false)
             .unwrap()
             .unwrap()
     };
-    let records = run(&study(table(&all)));
+    let records = run(&sweep(table(&all)));
     let strokes = records.numbers("stroke_m").unwrap();
     for (row, stroke) in [30, 40, 50].into_iter().enumerate() {
         let limit = format!("{stroke} mm");
@@ -53,7 +46,7 @@ fn rows_of_a_sweep_over_a_table_of_walkers_are_their_designs_and_a_walker_in_kil
     mixed[2].curve = mixed[2]
         .curve
         .with_forces(mixed[2].curve.force_n.iter().map(|f| f / 1000.0).collect());
-    let records = run(&study(table(&mixed)));
+    let records = run(&sweep(table(&mixed)));
     let error = records.words("error").unwrap().at(0).unwrap().to_string();
     assert!(error.contains("W002") && error.contains("unit"), "{error}");
 }
@@ -68,27 +61,21 @@ fn a_sweep_carries_what_folders_and_lists_of_walkers_hold() {
     for change in ["law.robust=worst", "law.spans=12", "gait.file=nowhere.csv"] {
         scene::set(&mut scene, change).unwrap();
     }
-    let name = "walkers".to_string();
     let values = "gait.file=people/, [\"a.csv\", 'b.csv'], a.csv, [\"people\", \"b.csv\"]";
-    let plan = Plan {
-        scenes: vec![NamedScene { name, table: scene }],
-        list: None,
-        axes: vec![Axis::parse(values, false).unwrap()],
-        sampling: Sampling::Grid,
-    };
+    let plan = Plan::of(scene, &[values], Sampling::Grid).unwrap();
     let files = Memory::from([
         ("people/x.csv", table(&all[..1])),
         ("people/in/y.csv", table(&all[1..3])),
         ("a.csv", table(&all[3..5])),
         ("b.csv", table(&all[5..])),
     ]);
-    let study = Study::new(Subject::Designs(plan), |_| &files).unwrap();
-    let again = Study::with_files(study.subject.clone(), study.files().clone()).unwrap();
-    let run = |study: &Study| {
-        let records = study.run(0..4, 1, &Halt::never, &|| false).unwrap();
+    let sweep = Sweep::new(Subject::Designs(plan), |_| &files).unwrap();
+    let again = Sweep::with_files(sweep.subject.clone(), sweep.files().clone()).unwrap();
+    let run = |sweep: &Sweep| {
+        let records = sweep.run(0..4, 1, &Halt::never, &|| false).unwrap();
         records.unwrap().numbers("stroke_m").unwrap().to_vec()
     };
-    let strokes = run(&study);
+    let strokes = run(&sweep);
     assert_eq!(run(&again), strokes);
     let groups = [&[0, 1, 2][..], &[3, 4, 5], &[3, 4], &[0, 1, 2, 5]];
     for (stroke, group) in strokes.into_iter().zip(groups) {

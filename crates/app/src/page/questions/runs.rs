@@ -12,11 +12,12 @@ use crate::page::kept::Made;
 use crate::page::questions::design::{Which, made};
 use crate::page::sources::Files;
 use crate::page::{table, words};
+use crate::{SweepQuestion, Varied};
 use gaitcam::dynamics::{self, Model};
 use gaitcam::error::Result;
 use gaitcam::identify::{self, Log};
 use gaitcam::scene::set_value;
-use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
+use gaitcam::sweep::NamedScene;
 use gaitcam::synth::Search;
 use gaitcam::wording::number;
 use gaitcam_output::{identification, identified, plots, simulation};
@@ -115,35 +116,28 @@ pub struct Grid {
 /// # Errors
 /// Keys or values that cannot be varied, more than 900 designs, recordings that are not there.
 pub fn sweep(files: &Files, asked: &Grid) -> Result<Value> {
-    let (scene, table) = files.scene(&table(&asked.scene)?)?;
-    let name = scene.name;
-    let axes: Result<Vec<Axis>> = asked.vary.iter().map(|v| Axis::parse(v, false)).collect();
-    let plan = Plan {
-        scenes: vec![NamedScene { name, table }],
-        list: None,
-        axes: axes?,
-        sampling: Sampling::Grid,
+    let (_, table) = files.scene(&table(&asked.scene)?)?;
+    let question = SweepQuestion {
+        scenes: vec![NamedScene::of(table)],
+        vary: asked.vary.iter().cloned().map(Varied::Text).collect(),
+        ..SweepQuestion::default()
     };
-    let columns = plan
-        .keys()
-        .iter()
-        .map(|key| key.column())
-        .collect::<Vec<_>>();
-    let study = Study::new(Subject::Designs(plan), |_| files)?;
-    let rows = study.rows()?;
+    let sweep = question.sweep(|_| files)?;
+    let keys = sweep.keys();
+    let rows = sweep.rows()?;
     if rows > MOST {
         let fault = format!("{rows} > {MOST}");
         return Err(StudioError::BadRequest { fault }.into());
     }
     let halt = files.host.halt();
     let jobs = available_parallelism().map_or(1, usize::from);
-    let records = study.run(0..rows, jobs, &|| halt.clone(), &|| halt.is_asked())?;
+    let records = sweep.run(0..rows, jobs, &|| halt.clone(), &|| halt.is_asked())?;
     let records = records.unwrap_or_default();
     let numbers = |column: &String| json!(records.numbers(column));
     let verdicts = records.words("verdict");
     let verdicts = verdicts.map(|v| (0..records.len()).map(|i| v.at(i)).collect::<Vec<_>>());
     Ok(json!({
-        "keys": columns.iter().map(numbers).collect::<Vec<_>>(),
+        "keys": keys.iter().map(|key| numbers(&key.column())).collect::<Vec<_>>(),
         "values": numbers(&asked.column),
         "verdicts": verdicts,
     }))

@@ -1,0 +1,127 @@
+//! The question of a sweep, as the command, the Python package and the page ask it.
+
+use std::sync::Arc;
+
+use gaitcam::error::{Result, SweepError};
+use gaitcam::scene::{Files, set_value};
+use gaitcam::sweep::{
+    Axis, Key, List, Method, NamedScene, Plan, Sampling, Scattered, Subject, Sweep, Values,
+};
+use serde::{Deserialize, Serialize};
+
+/// Number of manufactured cams by default.
+const SAMPLES: u64 = 10_000;
+
+/// A key with its values.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum Varied {
+    /// As `gaitcam sweep --vary` takes it: `KEY=START:STOP:COUNT`, `KEY=A,B`, of a sample `KEY=START:STOP`.
+    Text(String),
+    /// Key and values as a scene file has them.
+    Listed(String, Vec<String>),
+    /// Key with its unit, as tables name it, and numbers (SI).
+    Numbers(String, Vec<f64>),
+}
+
+impl Varied {
+    fn axis(&self, is_sampled: bool) -> Result<Axis> {
+        match self {
+            Varied::Text(text) => Axis::parse(text, is_sampled),
+            Varied::Listed(key, values) => Axis::list(key, values.iter().map(String::as_str)),
+            Varied::Numbers(column, values) => Ok(Axis {
+                key: Key::of_column(column),
+                values: Values::Numbers(values.clone()),
+            }),
+        }
+    }
+}
+
+/// What is swept: scenes with a list, a grid or a sample of values, or one scene with manufacturing tolerances.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct SweepQuestion {
+    /// Base scenes; they travel as text.
+    #[serde(skip)]
+    pub scenes: Vec<NamedScene>,
+    /// Values of several keys together.
+    pub list: Vec<Varied>,
+    /// Recordings, each with all values of `vary`.
+    pub recordings: Vec<String>,
+    /// Keys with the values that are combined.
+    pub vary: Vec<Varied>,
+    /// Number of points of a sample, in place of every combination.
+    pub sample: Option<u64>,
+    /// How the points of a sample are spread.
+    pub method: Method,
+    /// Seed of the random numbers.
+    pub seed: u64,
+    /// Manufacturing tolerances: `profile=0.02 mm`.
+    pub tolerances: Vec<String>,
+}
+
+impl SweepQuestion {
+    /// The sweep with its recordings; `files` gives the files of a base scene by its index.
+    ///
+    /// # Errors
+    /// As [`SweepQuestion::subject`] and [`Sweep::new`].
+    pub fn sweep<'a, F: Files + 'a>(&self, files: impl Fn(usize) -> &'a F) -> Result<Sweep> {
+        Sweep::new(self.subject()?, files)
+    }
+
+    /// Contents of the rows.
+    ///
+    /// # Errors
+    /// Keys and values that cannot be varied; tolerances beside them.
+    pub fn subject(&self) -> Result<Subject> {
+        if !self.tolerances.is_empty() {
+            return self.scattered().map(Subject::Scatter);
+        }
+        let mut scenes = self.scenes.clone();
+        let mut axes = Vec::new();
+        if let Some(first) = self.recordings.first() {
+            // A scene that leaves its recording to the sweep is complete with any of them.
+            for scene in &mut scenes {
+                set_value(&mut scene.table, "gait.file", first.as_str().into())?;
+            }
+            let names = self.recordings.iter().map(|name| Arc::from(name.as_str()));
+            axes.push(Axis {
+                key: Key::words("gait.file"),
+                values: Values::Words(names.collect()),
+            });
+        }
+        for varied in &self.vary {
+            axes.push(varied.axis(self.sample.is_some())?);
+        }
+        let list = self.list.iter().map(|varied| varied.axis(false));
+        let columns = list.collect::<Result<Vec<Axis>>>()?;
+        let (method, seed) = (self.method, self.seed);
+        Ok(Subject::Designs(Plan {
+            scenes,
+            list: (!columns.is_empty()).then_some(List { columns }),
+            axes,
+            sampling: self
+                .sample
+                .map_or(Sampling::Grid, |count| Sampling::Sample {
+                    method,
+                    count,
+                    seed,
+                }),
+        }))
+    }
+
+    fn scattered(&self) -> Result<Scattered> {
+        let nothing_varies =
+            self.list.is_empty() && self.recordings.is_empty() && self.vary.is_empty();
+        let [scene] = &self.scenes[..] else {
+            return Err(SweepError::ScatterAlone.into());
+        };
+        if !nothing_varies {
+            return Err(SweepError::ScatterAlone.into());
+        }
+        Ok(Scattered {
+            scene: scene.clone(),
+            tolerances: self.tolerances.clone(),
+            count: self.sample.unwrap_or(SAMPLES),
+            seed: self.seed,
+        })
+    }
+}
