@@ -66,10 +66,7 @@ pub fn simulate(
     let drive = judged.problem.drive;
     let outcome = py.detach(|| dynamics::simulate(&judged.emitted(&spec, drive)?, model));
     let outcome = outcome.raise(py)?;
-    let judged = match outcome.contact_lost {
-        true => judged.losing_contact(outcome.lost_fraction),
-        false => judged,
-    };
+    let judged = judged.judged_in(&outcome);
     Ok(Run {
         outcome,
         verdict: judged.verdict.name(),

@@ -3,6 +3,7 @@
 pub mod edge;
 mod emitted;
 pub mod figures;
+mod in_run;
 pub mod load_factors;
 pub mod machine;
 pub mod resonance;
@@ -13,7 +14,7 @@ use std::sync::Arc;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
-use crate::cam::{BarrelGroove, Cam, Check, Conjugate, LimitKind, Verdict};
+use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::FloorMotion;
 use crate::force::ForceCurve;
@@ -29,7 +30,6 @@ use crate::synth::report::reason::{Reason, sentences};
 use crate::synth::report::shaft::OnShaft;
 use crate::synth::report::solver::SolverReport;
 use crate::synth::report::walkers::OfPopulation;
-use crate::units::Quantity;
 use crate::wording::Language;
 
 /// A finished design.
@@ -129,35 +129,6 @@ impl Design {
     /// Lowest and highest force of the band that replaces the target.
     pub fn band(&self) -> Option<&[ForceCurve; 2]> {
         self.problem.band_in_time()
-    }
-
-    /// The same design with the verdict of a run of the emitted cam in which the follower is off the cam for this share of the
-    /// motion, where contact is judged.
-    #[must_use]
-    pub fn losing_contact(self, share: f64) -> Design {
-        let limits = &self.problem.limits;
-        let pulls_allowed = limits[LimitKind::ForceMin].is_some_and(|low| low < 0.0);
-        if limits.unjudged.contact_force || pulls_allowed {
-            return self;
-        }
-        let known = |r: &Reason| {
-            matches!(
-                r,
-                Reason::ContactLost { .. }
-                    | Reason::LiftsOff { .. }
-                    | Reason::LiftsOffAsPrescribed { .. }
-            )
-        };
-        let is_known = self.reasons.iter().any(known);
-        let share = Quantity::share(share);
-        let own = (!is_known).then_some(Reason::ContactLostInRun { share });
-        let others = self.reasons.into_iter();
-        let others = others.filter(|r| is_known || *r != Reason::AllHold);
-        Design {
-            verdict: Verdict::Unacceptable,
-            reasons: own.into_iter().chain(others).collect(),
-            ..self
-        }
     }
 
     /// The same cam on another drive.

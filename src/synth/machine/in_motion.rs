@@ -8,18 +8,21 @@
 
 use super::added::Layout;
 use super::runner::{ROWS, Runner, angle, depends_on_speed, retimed};
+use crate::cam::{Check, Criterion};
 use crate::dynamics::FloorMotion;
 use crate::dynamics::fixed_point::{Round, Settled, largest_difference, settled};
 use crate::dynamics::machine_motion::MachineMotion;
-use crate::dynamics::shaft::Motion;
+use crate::dynamics::shaft::{InTime, Motion};
 use crate::error::{Placed, Result, SynthError};
 use crate::law::Law;
+use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::scene::{Family, ShaftSpeed};
 use crate::synth::attempt::{Attempt, attempt};
 use crate::synth::design::Design;
 use crate::synth::families::{SolvedLaw, TELLING};
 use crate::synth::finish::{Reports, finished};
+use crate::synth::qp::TOLERANCE;
 use crate::synth::report::shaft::{Forecast, OnShaft};
 use crate::synth::search::Search;
 use crate::synth::sizing::checked_cam::checked_cam;
@@ -40,6 +43,44 @@ struct Iterate {
     problem: Problem,
     attempt: Attempt,
     motion: MachineMotion,
+}
+
+impl Iterate {
+    /// The same law, its cam checked in a state of the machine.
+    ///
+    /// # Errors
+    /// Those of the sizing of the cam.
+    fn judged(mut self, problem: &Problem, layout: &Layout, state: &[f64]) -> Result<Iterate> {
+        let (phases, extra) = layout.extra(problem, state);
+        let law = &self.attempt.law;
+        self.problem = problem.on_shaft(&phases, extra);
+        self.attempt.cam = checked_cam(&self.problem, &law.law, law.circle, None)?;
+        Ok(self)
+    }
+
+    /// Takes the error over time, and checks that one.
+    fn take_error_over_time(&mut self, error: Option<InTime>) {
+        let Some(error) = error else { return };
+        let cam = &mut self.attempt.cam;
+        cam.force.rms_error_n = error.rms_error_n;
+        cam.force.rms_error_percent_of_mean = error.rms_error_percent_of_mean;
+        for check in &mut cam.checks {
+            if check.name == Criterion::RmsError {
+                let worst = Extreme {
+                    at: check.at,
+                    value: error.rms_error_n,
+                };
+                *check = Check::of(check.name, worst, check.limit, TOLERANCE);
+            }
+        }
+    }
+
+    /// Takes the means of target and force over the period.
+    fn take_means_over_time(&mut self, problem: &Problem) {
+        let force = &mut self.attempt.cam.force;
+        force.target_mean_n = problem.target_mean();
+        force.mean_n = mean_over_time(&self.problem, &self.attempt.law.law, &self.motion.shaft);
+    }
 }
 
 /// The design of a problem, for the machine that it has; where limits leave no law at constant speed and the machine does not
@@ -95,6 +136,18 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt, run: &Runner)
     if is_corrected && !varies {
         last.motion = run.of_law(&last.attempt.cam.cam.law, None)?;
     }
+    // A law for constant speed is judged at the speed that its motor gives it.
+    let has_ripple = forecast.as_ref().is_some_and(|f| !f.is_negligible);
+    if has_ripple && !varies && problem.target.is_some() {
+        let law = &last.attempt.law.law;
+        let layout = Layout::new(problem, law, true, true);
+        let state = layout.state(problem, &last.motion, &|x| law.svaj(x));
+        last = last.judged(problem, &layout, &state)?;
+        last.take_means_over_time(problem);
+        let rows = last.motion.shaft.clone().at_rows(ROWS);
+        let error = run.error(&last.attempt.cam.cam.law, &last.motion, &rows);
+        last.take_error_over_time(error);
+    }
     let mut reports = Reports {
         floor: floor.map(|_| FloorMotion::of(&last.motion.floor)),
         ..Reports::default()
@@ -137,19 +190,10 @@ fn corrected(
     let (settled, layout) = rounds(first, before, run, problem, search)?;
     let mut last = settled.design;
     if let Some(state) = &settled.made {
-        let (phases, extra) = layout.extra(problem, state);
-        last.problem = problem.on_shaft(&phases, extra);
-        last.attempt.cam = checked_cam(
-            &last.problem,
-            &last.attempt.law.law,
-            last.attempt.law.circle,
-            None,
-        )?;
+        last = last.judged(problem, &layout, state)?;
     }
     if run.carrier.motor.is_some() {
-        let force = &mut last.attempt.cam.force;
-        force.target_mean_n = problem.target_mean();
-        force.mean_n = mean_over_time(&last.problem, &last.attempt.law.law, &last.motion.shaft);
+        last.take_means_over_time(problem);
     }
     Ok((last, settled.rounds, settled.contraction))
 }

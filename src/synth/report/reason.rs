@@ -137,6 +137,8 @@ pub enum Reason {
     },
     /// The force is farther from the target than asked.
     ForceError { error: Quantity, allowed: Quantity },
+    /// The same in a run of the emitted cam.
+    ForceErrorInRun { error: Quantity, allowed: Quantity },
     /// The law dips below its base circle.
     BelowBaseCircle { at: Quantity, depth: Quantity },
     /// The prime radius is larger than allowed.

@@ -24,6 +24,7 @@ reason-sharp-wall = The radius of curvature of a groove wall at { $at } is { $ra
 reason-roller-too-large = The roller does not fit the concave profile at { $at }: the roller radius is { $roller }, the radius of curvature { $hollow }. Use a smaller roller.
 reason-pressure-angle = The pressure angle reaches { $angle } at { $at }; the maximum is { $allowed }. The follower may jam in its guide. Enlarge the prime circle.
 reason-large-pressure-angle = The pressure angle reaches { $angle } at { $at }; more than { $usual } is for low speed only. Enlarge the prime circle, or set limits.pressure_angle.
+reason-force-error-in-run = In this run the force error is { $error } RMS; accuracy.rms allows { $allowed }.
 reason-force-error = The force error is { $error } RMS; the maximum is { $allowed }. Relax the active limits, allow more spans, or set accuracy.rms to the error that is acceptable.
 reason-preload-above-target = The force error is { $error } RMS; the maximum is { $allowed }. The preload of { $preload } is above the smallest force of the target, { $least }, and no lift presses with less. Set drive.preload to at most that.
 reason-below-base-circle = The law falls { $depth } below the base circle at { $at }.

@@ -24,6 +24,7 @@ reason-sharp-wall = El radio de curvatura de una pared de la ranura en { $at } e
 reason-roller-too-large = El rodillo no cabe en el perfil cóncavo en { $at }: el radio del rodillo es { $roller } y el de curvatura { $hollow }. Use un rodillo más pequeño.
 reason-pressure-angle = El ángulo de presión alcanza { $angle } en { $at }; el máximo es { $allowed }. El seguidor puede acuñarse en su guía. Aumente el círculo primario.
 reason-large-pressure-angle = El ángulo de presión alcanza { $angle } en { $at }; más de { $usual } solo vale a baja velocidad. Aumente el círculo primario o fije limits.pressure_angle.
+reason-force-error-in-run = En esta marcha el error de fuerza es { $error } RMS; accuracy.rms admite { $allowed }.
 reason-force-error = El error de fuerza es { $error } RMS; el máximo es { $allowed }. Amplíe los límites activos, admita más tramos o fije en accuracy.rms el error admisible.
 reason-preload-above-target = El error de la fuerza es { $error } RMS; el máximo es { $allowed }. La precarga de { $preload } supera la fuerza mínima del objetivo, { $least }, y ninguna elevación ejerce menos. Ponga drive.preload como máximo en ese valor.
 reason-below-base-circle = La ley baja { $depth } por debajo del círculo base en { $at }.

@@ -4,6 +4,7 @@ mod arm;
 mod cover;
 mod families;
 mod guard;
+mod in_run;
 mod limits;
 mod objectives;
 mod population;

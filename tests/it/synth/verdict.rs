@@ -1,6 +1,7 @@
 //! Every row of the verdict's table (docs/verdict.md) from both sides of its bound. Codes are compared, not words.
 
 use gaitcam::cam::{Continuity, Verdict};
+use gaitcam::dynamics::{Model, simulate};
 use gaitcam::force::ForceCurve;
 use gaitcam::problem::{Note, Problem};
 use gaitcam::scene;
@@ -372,7 +373,14 @@ fn a_limit_that_is_broken_is_unacceptable_and_all_reasons_are_told() {
 
 #[test]
 fn contact_lost_in_a_run_is_no_good_cam() {
-    let design = programme("3-4-5", FLAT, &[]).losing_contact(0.1);
+    let design = programme("3-4-5", FLAT, &[]);
+    let machine = scene_of(scene::DEFAULT, &[]).machine;
+    let run = design.emitted(&machine, design.problem.drive).unwrap();
+    let kept = simulate(&run, Model::Rigid).unwrap();
+    assert_eq!(codes(&design.clone().judged_in(&kept)), ["reason-all-hold"]);
+    let mut lost = kept;
+    (lost.contact_lost, lost.lost_fraction) = (true, 0.1);
+    let design = design.judged_in(&lost);
     judged(&design, Verdict::Unacceptable, "reason-contact-lost-in-run");
     assert_eq!(codes(&design).len(), 1);
 }

@@ -105,7 +105,7 @@ impl SimulateArgs {
 }
 
 /// Designs the scene's cam (of a result folder: its own again), emits its profile and runs that; exit code 3 when there is no cam to run, or one
-/// that is unacceptable, be it for contact lost in this run.
+/// that is unacceptable, be it for a limit that is broken or contact that is lost in this run.
 pub fn run(args: &SimulateArgs) -> Result<u8> {
     let model = Model::parse(&args.model).ok_or_else(|| {
         let typed = args.model.clone();
@@ -150,10 +150,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     }
     let run = emitted(args, &made.running, &design)?;
     let outcome = simulate(&run, model)?;
-    let design = match outcome.contact_lost {
-        true => design.losing_contact(outcome.lost_fraction),
-        false => design,
-    };
+    let design = design.judged_in(&outcome);
     let running = Running {
         outcome: &outcome,
         second_cam: run.machine.second_cam,

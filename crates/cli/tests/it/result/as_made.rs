@@ -270,14 +270,15 @@ fn a_row_of_a_table_of_speeds_is_the_run_at_that_speed_with_and_without_a_motor(
         "machine.inertia=0.5 kg m^2",
     ];
     for machine in [&[][..], &motor[..]] {
-        let run = |what: &[&str]| {
+        let run = |what: &[&str], code: i32| {
             let run = gaitcam(&[&["simulate", &made, "--out", &out], what, machine].concat());
-            assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+            assert_eq!(run.status.code(), Some(code), "{}", stderr(&run));
             run
         };
-        run(&["--speeds", "84 rpm:108 rpm:3"]);
+        run(&["--speeds", "84 rpm:108 rpm:3"], 0);
         let row = table_of_speeds(&out).remove(1);
-        let one = stdout(&run(&["--speed", "96 rpm", "--json"]));
+        // At another speed the force misses the accuracy that the scene asks for.
+        let one = stdout(&run(&["--speed", "96 rpm", "--json"], 3));
         let one: Value = serde_json::from_str(&one).unwrap();
         let number = |i: usize| row[i].parse::<f64>().unwrap();
         let same = |a: f64, b: &Value| assert!((a - b.as_f64().unwrap()).abs() < 1e-9, "{a} {b}");

@@ -1,0 +1,153 @@
+//! Verdict of a run of the emitted cam: limits on force, loads and motion hold there too.
+
+use std::f64::consts::TAU;
+
+use crate::cam::{Check, Criterion, LimitKind, Verdict};
+use crate::criterion::DependsOn;
+use crate::dynamics::{Outcome, Row};
+use crate::poly::Extreme;
+use crate::synth::design::Design;
+use crate::synth::report::reason::Reason;
+use crate::synth::verdict::verdict;
+use crate::units::Quantity;
+
+/// Part of a bound by which a run may pass it: its rows and the points of the profile resolve no more.
+const RESOLVED: f64 = 1e-3;
+
+impl Design {
+    /// The same design, judged by a run of its emitted cam: what the run shows of a limit takes the place of its check, and
+    /// contact lost makes the cam unacceptable where contact is judged.
+    #[must_use]
+    pub fn judged_in(self, run: &Outcome) -> Design {
+        let force = run.force.max.abs().max(run.force.min.abs());
+        let judged = |check: &Check| {
+            let Some(seen) = self.seen(check.name, run) else {
+                return check.clone();
+            };
+            let mut own = Check::of(check.name, seen, check.limit, RESOLVED);
+            if check.name == LimitKind::ForceMin {
+                own.pass = seen.value >= check.limit - RESOLVED * force;
+            }
+            own
+        };
+        let checks: Vec<Check> = self.checks.iter().map(judged).collect();
+        let is_same = |(a, b): (&Check, &Check)| a.pass == b.pass;
+        if checks.iter().zip(&self.checks).all(is_same) {
+            return self.losing_contact(run);
+        }
+        let (verdict, reasons) = verdict(&self.problem, &self.cam, &checks, &self.force);
+        let reasons = reasons.into_iter().map(of_run).collect();
+        let out = Design {
+            verdict,
+            reasons,
+            checks,
+            ..self
+        };
+        out.losing_contact(run)
+    }
+
+    /// The worst that a run shows of a criterion; `None` where the run does not tell.
+    fn seen(&self, criterion: Criterion, run: &Outcome) -> Option<Extreme> {
+        let largest = |value: &dyn Fn(&Row) -> f64| {
+            let at = |row: &Row| Extreme {
+                at: row.theta,
+                value: value(row),
+            };
+            let rows = run.rows.iter().map(at);
+            rows.max_by(|a, b| a.value.total_cmp(&b.value))
+        };
+        let exactly = |value: f64, row: Option<Extreme>| row.map(|row| Extreme { value, ..row });
+        let force = |sign: f64| largest(&|row: &Row| sign * row.contact_force);
+        match criterion {
+            // A force in flight is nothing: the prescribed one says by how much contact is lost.
+            Criterion::Limit(LimitKind::ForceMin) if run.contact_lost => None,
+            Criterion::Limit(LimitKind::ForceMin) => exactly(run.force.min, force(-1.0)),
+            Criterion::Limit(LimitKind::ForceMax) => exactly(run.force.max, force(1.0)),
+            Criterion::Limit(LimitKind::Torque) => {
+                let most = run.torque.max.max(-run.torque.min);
+                exactly(most, largest(&|row: &Row| row.torque.abs()))
+            }
+            Criterion::Limit(LimitKind::Power) => largest(&|row: &Row| row.power.abs()),
+            Criterion::Limit(LimitKind::HertzPressure) => run.hertz.as_ref().map(|most| Extreme {
+                at: most.theta,
+                value: most.contact.pressure,
+            }),
+            Criterion::RmsError => {
+                let in_time = run.force_time.as_ref().map(|error| error.rms_error_n);
+                let value = in_time.or(run.force.rms_error)?;
+                Some(Extreme { at: 0.0, value })
+            }
+            Criterion::Limit(kind) => match kind.facts().depends_on {
+                DependsOn::Motion(order) => self.motion(order, run),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// The largest derivative of the lift by time: of the whole law at constant speed; velocity and acceleration of the rows
+    /// under a motor.
+    fn motion(&self, order: usize, run: &Outcome) -> Option<Extreme> {
+        if run.shaft.is_none() {
+            let most = Extreme::largest(self.cam.derivative_extremes(order));
+            let per_time = self.problem.drive.speed.powi(order as i32);
+            return Some(most.map(|value| value * per_time));
+        }
+        let count = run.rows.len();
+        let values = (0..count).map(|i| {
+            let (row, at) = (&run.rows[i], self.cam.law.svaj(run.rows[i].theta));
+            let [before, after] =
+                [(i + count - 1) % count, (i + 1) % count].map(|k| run.rows[k].speed);
+            let step = TAU * run.period_turns as f64 / count as f64;
+            let rate = row.speed * (after - before) / (2.0 * step);
+            let value = match order {
+                1 => row.speed * at.v,
+                2 => row.speed * row.speed * at.a + rate * at.v,
+                _ => return None,
+            };
+            Some(Extreme {
+                at: row.theta,
+                value: value.abs(),
+            })
+        });
+        let values: Option<Vec<Extreme>> = values.collect();
+        values?
+            .into_iter()
+            .max_by(|a, b| a.value.total_cmp(&b.value))
+    }
+
+    /// Contact lost is a reason of its own, unless another one says so already.
+    fn losing_contact(self, run: &Outcome) -> Design {
+        let limits = &self.problem.limits;
+        let pulls_allowed = limits[LimitKind::ForceMin].is_some_and(|low| low < 0.0);
+        if !run.contact_lost || limits.unjudged.contact_force || pulls_allowed {
+            return self;
+        }
+        let known = |r: &Reason| {
+            matches!(
+                r,
+                Reason::ContactLost { .. }
+                    | Reason::LiftsOff { .. }
+                    | Reason::LiftsOffAsPrescribed { .. }
+            )
+        };
+        let is_known = self.reasons.iter().any(known);
+        let share = Quantity::share(run.lost_fraction);
+        let own = (!is_known).then_some(Reason::ContactLostInRun { share });
+        let others = self.reasons.into_iter();
+        let others = others.filter(|r| is_known || *r != Reason::AllHold);
+        Design {
+            verdict: Verdict::Unacceptable,
+            reasons: own.into_iter().chain(others).collect(),
+            ..self
+        }
+    }
+}
+
+/// A reason that advises another cam, as one about the run.
+fn of_run(reason: Reason) -> Reason {
+    match reason {
+        Reason::ForceError { error, allowed } => Reason::ForceErrorInRun { error, allowed },
+        other => other,
+    }
+}
