@@ -8,6 +8,11 @@ use super::results::TIME;
 use super::text_cell;
 
 impl Records {
+    /// The whole table: the names of the columns, then the rows.
+    pub fn csv(&self) -> String {
+        self.csv_header() + &self.csv_rows()
+    }
+
     /// The names of the columns as a line of CSV.
     pub fn csv_header(&self) -> String {
         let names = self.fields.iter().map(|field| quoted(&field.name));

@@ -1,6 +1,5 @@
 //! `gaitcam cover`: how many cams serve a population, which of them serves whom, and how well they serve others.
 
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -22,7 +21,7 @@ use gaitcam::cover::{Assigned, Cover, Fold, covers, folds};
 use gaitcam::error::{Placed, Result, SynthError};
 use gaitcam::force::{ForceCurve, Walker, population_csv, read_population};
 use gaitcam::scene::{ErrorMeasure, Family, Robust, set_value};
-use gaitcam::sweep::table::text_cell;
+use gaitcam::sweep::{Field, Records};
 use gaitcam::synth::Search;
 use gaitcam_app::design::{MOST_CAMS as MOST, OF_COVER, of_cover, scene_of_cover};
 use gaitcam_app::{Input, ResultFolder, inputs};
@@ -192,46 +191,24 @@ fn write_scenes(
             .map(|w| w.name.clone())
             .collect();
         out.dedup();
-        let size = |x: Option<usize>| x.map(|x| toml::Value::Integer(x as i64));
+        let name = format!("{}_{}_{}", input.scene.name, cover.cams.len(), cam + 1);
+        let size = |of: Family, x: Option<usize>| {
+            let x = x.filter(|_| law.family == of);
+            x.map(|x| toml::Value::Integer(x as i64))
+        };
         let values = [
-            (
-                "name",
-                Some(toml::Value::String(format!(
-                    "{}_{}_{}",
-                    input.scene.name,
-                    cover.cams.len(),
-                    cam + 1
-                ))),
-            ),
-            (
-                "gait.file",
-                Some(toml::Value::String(format!("../{CYCLES}"))),
-            ),
-            (
-                "gait.leave_out",
-                Some(toml::Value::Array(
-                    out.into_iter().map(toml::Value::String).collect(),
-                )),
-            ),
-            ("law.robust", objective.map(toml::Value::String)),
-            (
-                "law.family",
-                Some(toml::Value::String(law.family.name().to_string())),
-            ),
-            (
-                "law.spans",
-                size(law.spans.filter(|_| law.family == Family::Spline)),
-            ),
-            (
-                "law.harmonics",
-                size(law.harmonics.filter(|_| law.family == Family::Harmonic)),
-            ),
+            ("name", Some(name.into())),
+            ("gait.file", Some(format!("../{CYCLES}").into())),
+            ("gait.leave_out", Some(out.into())),
+            ("law.robust", objective.map(Into::into)),
+            ("law.family", Some(law.family.name().into())),
+            ("law.spans", size(Family::Spline, law.spans)),
+            ("law.harmonics", size(Family::Harmonic, law.harmonics)),
         ];
-        for (key, value) in values
-            .into_iter()
-            .filter_map(|(key, value)| Some((key, value?)))
-        {
-            set_value(&mut table, key, value)?;
+        for (key, value) in values {
+            if let Some(value) = value {
+                set_value(&mut table, key, value)?;
+            }
         }
         let text = toml::to_string(&table).unwrap_or_default();
         folder.write(&scene_of_cover(cover.cams.len(), cam + 1), text.as_bytes())?;
@@ -239,54 +216,64 @@ fn write_scenes(
     Ok(())
 }
 
+/// A column of errors, named with their unit.
+fn column(name: &str, error: ErrorMeasure, values: impl Iterator<Item = f64>) -> Field {
+    Field::numbers(&format!("{name}_{}", error.suffix()), values.collect())
+}
+
+/// A column of counts.
+fn counts(name: &str, values: impl Iterator<Item = usize>) -> Field {
+    Field::numbers(name, values.map(|count| count as f64).collect())
+}
+
 fn cover_csv(covers: &[Cover], error: ErrorMeasure) -> String {
-    let unit = error.suffix();
-    let mut out = format!("cams,mean_{unit},worst_{unit},bound_{unit}\n");
-    for c in covers {
-        let bound = c.bound.map_or(String::new(), |b| b.to_string());
-        let _ = writeln!(out, "{},{},{},{bound}", c.cams.len(), c.mean, c.worst);
-    }
-    out
+    let all = || covers.iter();
+    let fields = vec![
+        counts("cams", all().map(|c| c.cams.len())),
+        column("mean", error, all().map(|c| c.mean)),
+        column("worst", error, all().map(|c| c.worst)),
+        column("bound", error, all().map(|c| c.bound.unwrap_or(f64::NAN))),
+    ];
+    Records { fields }.csv()
 }
 
 fn assignment_csv(covers: &[Cover], error: ErrorMeasure) -> String {
-    let unit = error.suffix();
-    let mut out = format!("cams,walker,cam,rms_error_{unit}");
-    PARTS
-        .iter()
-        .for_each(|part| out.push_str(&format!(",{part}_{unit}")));
-    out.push('\n');
-    for cover in covers {
-        for a in &cover.each {
-            let name = a.error.walker.replace([',', '\n', '\r', '"'], " ");
-            let name = text_cell(&name);
-            let own = a.error.measured(error);
-            let [weight, speed, shape] = a
-                .parts_percent
-                .map(|part| part * own / a.error.rms_error_percent.max(f64::MIN_POSITIVE));
-            let (cams, cam) = (cover.cams.len(), a.cam + 1);
-            let _ = writeln!(out, "{cams},{name},{cam},{own},{weight},{speed},{shape}");
-        }
+    let all = || {
+        covers
+            .iter()
+            .flat_map(|c| c.each.iter().map(|a| (c.cams.len(), a)))
+    };
+    let mut fields = vec![
+        counts("cams", all().map(|(cams, _)| cams)),
+        Field::words("walker", all().map(|(_, a)| a.error.walker.as_str())),
+        counts("cam", all().map(|(_, a)| a.cam + 1)),
+        column(
+            "rms_error",
+            error,
+            all().map(|(_, a)| a.error.measured(error)),
+        ),
+    ];
+    for (k, part) in PARTS.iter().enumerate() {
+        let share = |a: &Assigned| {
+            let whole = a.error.rms_error_percent.max(f64::MIN_POSITIVE);
+            a.parts_percent[k] * a.error.measured(error) / whole
+        };
+        fields.push(column(part, error, all().map(|(_, a)| share(a))));
     }
-    out
+    Records { fields }.csv()
 }
 
 fn folds_csv(folds: &[Fold], error: ErrorMeasure) -> String {
-    let unit = error.suffix();
-    let names = ["in_mean", "in_worst", "out_mean", "out_worst"];
-    let mut out = format!(
-        "cams,walkers,{}\n",
-        names.map(|n| format!("{n}_{unit}")).join(",")
-    );
-    for f in folds {
-        let (own, other) = ([f.in_mean, f.in_worst], [f.out_mean, f.out_worst]);
-        let _ = writeln!(
-            out,
-            "{},{},{},{},{},{}",
-            f.cams, f.walkers, own[0], own[1], other[0], other[1]
-        );
-    }
-    out
+    let all = || folds.iter();
+    let fields = vec![
+        counts("cams", all().map(|f| f.cams)),
+        counts("walkers", all().map(|f| f.walkers)),
+        column("in_mean", error, all().map(|f| f.in_mean)),
+        column("in_worst", error, all().map(|f| f.in_worst)),
+        column("out_mean", error, all().map(|f| f.out_mean)),
+        column("out_worst", error, all().map(|f| f.out_worst)),
+    ];
+    Records { fields }.csv()
 }
 
 fn object(cover: &Cover, error: ErrorMeasure) -> Value {

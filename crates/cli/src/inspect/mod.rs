@@ -2,7 +2,6 @@
 
 mod points;
 
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -16,10 +15,10 @@ use crate::console::words::{self, number};
 use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
-use gaitcam::cam::{Inspection, Measures};
+use gaitcam::cam::{Deviation, Inspection, Measures};
 use gaitcam::drive::Drive;
 use gaitcam::error::{Place, Placed, Result};
-use gaitcam::sweep::{Behaviour, MadeCam};
+use gaitcam::sweep::{Behaviour, Field, MadeCam, Records};
 use gaitcam::synth::{Design, sentences};
 use gaitcam::units::Dimension;
 use gaitcam_app::design::OF_INSPECTION;
@@ -146,19 +145,21 @@ fn write(
 
 /// The points in the order of their cam angles.
 fn table(inspected: &Inspection, points: &Points) -> String {
-    let mut out = String::from("line,theta_rad,deviation_m\n");
-    for d in &inspected.deviations {
-        // Writing to a String cannot fail.
-        let _ = writeln!(out, "{},{:?},{:?}", points.lines[d.row], d.theta, d.normal);
-    }
-    out
+    let column = |name: &str, of: &dyn Fn(&Deviation) -> f64| {
+        Field::numbers(name, inspected.deviations.iter().map(of).collect())
+    };
+    let fields = vec![
+        column("line", &|d| points.lines[d.row] as f64),
+        column("theta_rad", &|d| d.theta),
+        column("deviation_m", &|d| d.normal),
+    ];
+    Records { fields }.csv()
 }
 
 fn summary_json(design: &Design, inspected: &Inspection, made: Option<&MadeCam>) -> Value {
     let [least, most] = inspected.extremes().map_or([None; 2], |e| e.map(Some));
-    let place = |d: Option<gaitcam::cam::Deviation>| {
-        d.map(|d| json!({"deviation_m": d.normal, "at_rad": d.theta}))
-    };
+    let place =
+        |d: Option<Deviation>| d.map(|d| json!({"deviation_m": d.normal, "at_rad": d.theta}));
     let drive = &design.problem.drive;
     json!({
         "name": design.problem.name,

@@ -1,7 +1,6 @@
 //! One cam as it is made at several speeds: `speeds.csv`, its table and its picture.
 
 use std::f64::consts::{PI, TAU};
-use std::fmt::Write;
 use std::time::Instant;
 
 use serde_json::{Value, json};
@@ -22,6 +21,7 @@ use crate::synth::{files_in, no_cam};
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{Model, Outcome, simulate};
 use gaitcam::error::{DynamicsError, Error, Placed, Result};
+use gaitcam::sweep::{Field, Records};
 use gaitcam::synth::{self, Design};
 use gaitcam::units::{Dimension, parse};
 use gaitcam_app::design::{OF_RUN, put_on, write_scene};
@@ -228,17 +228,21 @@ impl Row {
 }
 
 fn csv(rows: &[Row]) -> String {
-    let mut out = format!("{COLUMNS}\n");
-    for row in rows {
-        let row = row.json();
-        let cell = |name: &str| match &row[name] {
-            Value::Null => String::new(),
-            value => value.to_string(),
-        };
-        let cells: Vec<String> = COLUMNS.split(',').map(cell).collect();
-        let _ = writeln!(out, "{}", cells.join(","));
-    }
-    out
+    let rows: Vec<Value> = rows.iter().map(Row::json).collect();
+    let lost = |row: &Value| match row["contact_lost"].as_bool() {
+        Some(true) => "true",
+        Some(false) => "false",
+        None => "",
+    };
+    let field = |name: &str| match name {
+        "contact_lost" => Field::words(name, rows.iter().map(lost)),
+        _ => {
+            let number = |row: &Value| row[name].as_f64().unwrap_or(f64::NAN);
+            Field::numbers(name, rows.iter().map(number).collect())
+        }
+    };
+    let fields = COLUMNS.split(',').map(field).collect();
+    Records { fields }.csv()
 }
 
 fn text(rows: &[Row], measures: Measures) -> String {

@@ -54,8 +54,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     }
     let runner = scattered.runner(&design).map_err(&at_flag)?;
     let records = runner.run(0..count, work::jobs(args.jobs), &|| false);
-    let table = records.csv_header() + &records.csv_rows();
-    write_whole(&args.out, table.as_bytes())?;
+    write_whole(&args.out, records.csv().as_bytes())?;
     let percents = records.numbers("force_rms_error_percent");
     let percents = percents.unwrap_or_default().to_vec();
     let spread = Spread::of(&percents, band.map(|b| 100.0 * b))

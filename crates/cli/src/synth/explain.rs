@@ -5,6 +5,7 @@ use gaitcam::synth::{Design, PassedOver};
 use serde_json::{Value, json};
 
 use crate::console::language;
+use crate::console::table::{Side, table};
 use crate::console::words::{self, fill, fixed, name};
 
 /// One model that was selected.
@@ -84,16 +85,16 @@ fn dynamics(design: &Design, points: usize) -> Option<Choice> {
 
 /// For people.
 pub fn text(name: &str, lines: &[Choice]) -> String {
-    let subjects: Vec<String> = lines.iter().map(|l| words::name(l.subject)).collect();
-    let width = subjects.iter().map(|s| s.chars().count()).max();
-    let width = width.unwrap_or(0);
-    let mut out = vec![fill("explain-title", &json!({"name": name}))];
-    for (line, subject) in lines.iter().zip(&subjects) {
+    let rows = lines.iter().flat_map(|line| {
         let because = fill("explain-because", &json!({"reason": line.because}));
-        out.push(format!("  {subject:<width$}  {}", line.chosen));
-        out.push(format!("  {:width$}  {because}", ""));
-    }
-    out.join("\n")
+        [
+            vec![words::name(line.subject), line.chosen.clone()],
+            vec![String::new(), because],
+        ]
+    });
+    let title = fill("explain-title", &json!({"name": name}));
+    let rows: Vec<_> = rows.collect();
+    format!("{title}\n{}", table(&rows, &[Side::Left]))
 }
 
 /// For programs: `explain` of summary.json.

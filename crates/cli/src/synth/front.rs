@@ -11,6 +11,7 @@ use crate::console::words;
 use crate::input;
 use gaitcam::Problem;
 use gaitcam::error::Result;
+use gaitcam::sweep::{Field, Records};
 use gaitcam::synth::{FIGURES, Figure, Figures, ForceReport, Trade, trade, traded};
 use gaitcam_app::folder::Folder;
 use gaitcam_output::sweep_plots::{self, Quantity};
@@ -79,27 +80,21 @@ fn value(figure: &Figure, t: &Trade) -> f64 {
 }
 
 fn csv(against: &Figure, front: &[Trade]) -> String {
-    let figures = FIGURES.iter().filter(|f| f.column != against.column);
-    let figures: Vec<&Figure> = figures.collect();
-    let mut out = format!("allowed_{},{}", against.key, against.key);
-    for figure in &figures {
-        out += &format!(",{}", figure.key);
-    }
-    out += ",tier,verdict\n";
-    for t in front {
-        let own = Figures::of(&t.design);
-        out += &format!("{},{}", t.allowed, against.value(&own));
-        for figure in &figures {
-            out.push(',');
-            let value = figure.value(&own);
-            if !value.is_nan() {
-                out += &value.to_string();
-            }
-        }
-        let (tier, verdict) = (t.design.solver.tier.name(), t.design.verdict.name());
-        out += &format!(",{tier},{verdict}\n");
-    }
-    out
+    let numbers = |name: &str, of: &dyn Fn(&Trade) -> f64| {
+        Field::numbers(name, front.iter().map(of).collect())
+    };
+    let figure = |f: &Figure| numbers(f.key, &|t| value(f, t));
+    let allowed = numbers(&format!("allowed_{}", against.key), &|t| t.allowed);
+    let mut fields = vec![allowed, figure(against)];
+    let others = FIGURES.iter().filter(|f| f.column != against.column);
+    fields.extend(others.map(figure));
+    let tiers = front.iter().map(|t| t.design.solver.tier.name());
+    let verdicts = front.iter().map(|t| t.design.verdict.name());
+    fields.extend([
+        Field::words("tier", tiers),
+        Field::words("verdict", verdicts),
+    ]);
+    Records { fields }.csv()
 }
 
 fn lines(name: &str, against: &Figure, front: &[Trade]) -> String {
