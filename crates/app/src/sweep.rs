@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use gaitcam::error::{Result, SweepError};
+use gaitcam::error::{Placed, Result, SweepError};
 use gaitcam::scene::{Files, set_value};
 use gaitcam::sweep::{
     Axis, Key, List, Method, NamedScene, Plan, Sampling, Scattered, Subject, Sweep, Values,
@@ -111,17 +111,14 @@ impl SweepQuestion {
     fn scattered(&self) -> Result<Scattered> {
         let nothing_varies =
             self.list.is_empty() && self.recordings.is_empty() && self.vary.is_empty();
-        let [scene] = &self.scenes[..] else {
-            return Err(SweepError::ScatterAlone.into());
-        };
-        if !nothing_varies {
-            return Err(SweepError::ScatterAlone.into());
+        match &self.scenes[..] {
+            [scene] if nothing_varies => Ok(Scattered {
+                scene: scene.clone(),
+                tolerances: self.tolerances.clone(),
+                count: self.sample.unwrap_or(SAMPLES),
+                seed: self.seed,
+            }),
+            _ => Err(SweepError::ScatterAlone.at_key("tolerance")),
         }
-        Ok(Scattered {
-            scene: scene.clone(),
-            tolerances: self.tolerances.clone(),
-            count: self.sample.unwrap_or(SAMPLES),
-            seed: self.seed,
-        })
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::SweepArgs;
 use crate::console::error::CliError;
@@ -72,8 +72,8 @@ pub fn question(args: &SweepArgs) -> Result<Asked> {
     Ok(Asked { question, files })
 }
 
-/// The sweep of a question about designs.
-pub fn sweep(args: &SweepArgs) -> Result<Sweep> {
+/// The sweep of a question about designs, with the files of its scenes.
+pub fn sweep(args: &SweepArgs) -> Result<(Sweep, Vec<Disk>)> {
     let Asked { question, files } = question(args)?;
     let varies = [&question.vary, &question.list]
         .iter()
@@ -87,7 +87,18 @@ pub fn sweep(args: &SweepArgs) -> Result<Sweep> {
         let e = in_list(e, &question, args.list.as_deref());
         input::at_flag(flag_of(&e))(e)
     };
-    Sweep::new(subject, |index| &files[index]).map_err(fault)
+    let sweep = Sweep::new(subject, |index| &files[index]).map_err(fault)?;
+    Ok((sweep, files))
+}
+
+/// What a sweep that is resumed must agree with, and where its recordings are.
+pub fn description(sweep: &Sweep, files: &[Disk]) -> Value {
+    let mut description = sweep.description();
+    for (i, files) in files.iter().enumerate() {
+        let folder = files.folder.as_deref().unwrap_or(Path::new("."));
+        description["scenes"][i]["folder"] = json!(folder.display().to_string());
+    }
+    description
 }
 
 /// Refuses more rows than anyone can wait for, and many that are not confirmed.

@@ -112,8 +112,8 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     }
     let start = Instant::now();
     let format = Format::of(&args.out)?;
-    let sweep = arguments::sweep(args)?;
-    let (rows, description) = (sweep.rows()?, sweep.description());
+    let (sweep, files) = arguments::sweep(args)?;
+    let (rows, description) = (sweep.rows()?, arguments::description(&sweep, &files));
     let partial = PartialTable::open(&args.out, format, &description, args.resume)?;
     let Some(mut partial) = partial else {
         print(&words::fill("sweep-complete", &file(args)));

@@ -35,7 +35,7 @@ pub fn shard(typed: &str) -> Result<Shard, String> {
 /// # Errors
 /// As a sweep into one table; a folder that holds another sweep.
 pub fn run(args: &SweepArgs, shard: Shard) -> gaitcam::error::Result<u8> {
-    let sweep = arguments::sweep(args)?;
+    let (sweep, _) = arguments::sweep(args)?;
     let rows = args.block_rows.unwrap_or(BLOCK_ROWS);
     let ending = Format::SHARED.ending();
     let blocks = SharedBlocks::open(&args.out, &sweep, rows, ending, language::current())?;

@@ -13,7 +13,7 @@ use crate::console::terminal::{self, print, print_json};
 use crate::console::words::{self, number};
 use crate::input::searching;
 use crate::input::{self, SceneArgs};
-use gaitcam::error::{Placed, Result};
+use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::sweep::{Spread, Subject};
 use gaitcam::synth::sentences;
 use gaitcam::units::Dimension;
@@ -28,7 +28,8 @@ const MOST: u64 = 20_000_000;
 pub fn run(args: &SweepArgs) -> Result<u8> {
     let at_flag = input::at_flag("--tolerance");
     let question = arguments::question(args)?.question;
-    let Subject::Scatter(scattered) = question.subject().map_err(&at_flag)? else {
+    let flag = |e: Error| e.placed(Place::Argument("--tolerance".to_string()));
+    let Subject::Scatter(scattered) = question.subject().map_err(flag)? else {
         return Err(CliError::NoSample.at_argument("--sample"));
     };
     if args.out.extension().is_none_or(|e| e != "csv") {

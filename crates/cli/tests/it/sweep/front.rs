@@ -1,9 +1,10 @@
 //! From the table of a sweep to its best design.
 
+use std::path::Path;
 use std::process::Output;
 
 use super::sweep;
-use crate::support::{gaitcam, object, stderr};
+use crate::support::{ROOT, gaitcam, object, run_in, stderr};
 
 fn front(arguments: &[&str]) -> Output {
     gaitcam(&[&["front"], arguments].concat())
@@ -66,6 +67,37 @@ fn the_best_of_a_sweep_opens_as_the_design_that_its_row_describes() {
     let radius = json["best"]["prime_radius_m"].as_f64().unwrap();
     assert!((radius / summary["cam"]["prime_radius_m"].as_f64().unwrap() - 1.0).abs() < 1e-9);
     assert!(out.join("best/profile.csv").exists() && out.join("best.toml").exists());
+}
+
+/// The scene of the best row names its recording as the swept scene does: beside that scene, not where the command runs.
+#[test]
+fn the_best_of_a_sweep_finds_the_recording_beside_its_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    std::fs::create_dir(at.join("people")).unwrap();
+    let recording = Path::new(ROOT).join("data/gait_curves/young_1.85Hz_700N.csv");
+    std::fs::copy(recording, at.join("people/a.csv")).unwrap();
+    let scene = "name = \"a\"\n[gait]\nfile = \"a.csv\"\n[accuracy]\nrms = \"none\"\n";
+    std::fs::write(at.join("people/a.toml"), scene).unwrap();
+    let vary = "law.spans=10,12";
+    let swept = run_in(
+        at,
+        &["sweep", "people/a.toml", "--vary", vary, "--out", "t.csv"],
+    );
+    assert_eq!(swept.status.code(), Some(0), "{}", stderr(&swept));
+    let best = run_in(
+        at,
+        &[
+            "front",
+            "t.csv",
+            "--minimise",
+            "stroke",
+            "--best",
+            "--out",
+            "f",
+        ],
+    );
+    assert_eq!(best.status.code(), Some(0), "{}", stderr(&best));
 }
 
 #[test]
