@@ -4,6 +4,7 @@ mod against;
 pub mod cover;
 mod places;
 mod plates;
+mod reading;
 mod several;
 
 use std::path::{Path, PathBuf};
@@ -11,25 +12,17 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::{Value, json};
 
-use crate::console::error::CliError;
 use crate::console::exit_code::{BAD_INPUT, BUILT};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
-use crate::console::words;
 use crate::input;
 use crate::input::recordings::recordings;
-use gaitcam::error::{Error, Place, Placed, Result};
-use gaitcam::force::{
-    self, Cycle, Feet, ForceCurve, Interpretation, OpenQuestion, ReadOptions, Walker,
-};
-use gaitcam::scene::{BETWEEN_PLATES, content};
+use gaitcam::error::Result;
+use gaitcam::force::{Feet, OpenQuestion, ReadOptions, Walker};
 use gaitcam::units::Dimension;
-use gaitcam_app::disk::metadata;
-use gaitcam_app::folder::write_whole;
-use gaitcam_app::{Disk, inputs};
-use gaitcam_output as output;
-use gaitcam_output::gait as tables;
+use gaitcam_app::inputs;
 use places::Places;
+use reading::{Read, of_files, read, together, write_picture};
 
 const EXAMPLES: &str = "Examples:
   gaitcam gait walk.c3d
@@ -91,24 +84,6 @@ pub struct GaitArgs {
     /// Which cam of a folder that gaitcam cover wrote serves the walker, and how well
     #[arg(long, value_name = "DIR")]
     against: Option<PathBuf>,
-}
-
-/// One recording as it was read.
-#[derive(Default)]
-struct Read {
-    /// Its file, or those of its plates.
-    paths: Vec<PathBuf>,
-    /// Its interpretation; `None` for a file that is one cycle.
-    understood: Option<Interpretation>,
-    /// Its mean cycle.
-    cycle: Option<Cycle>,
-    /// The cycle that the file is.
-    given: Option<ForceCurve>,
-    /// Why it gives no cycle.
-    fault: Option<Error>,
-    /// Its own table.
-    text: String,
-    object: Value,
 }
 
 /// Describes every recording; the exit code is 2 where one that was named holds no cycle, or where there is none at
@@ -199,125 +174,6 @@ fn held_against(folder: &Path, reads: &[Read]) -> Result<(String, Value)> {
         return Ok((String::new(), json!([])));
     }
     against::against(folder, walkers)
-}
-
-/// Reads one recording: a file, or the files of its plates; its table lists every stance if `all` is set.
-fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: bool) -> Result<Read> {
-    let path = paths[0].as_path();
-    if path.extension().is_some_and(|e| e == "toml") {
-        return Err(CliError::SceneNotRecording.in_file(path));
-    }
-    let options = ReadOptions {
-        metadata: metadata(path),
-        ..options
-    };
-    let shown = |path: &Path| path.display().to_string();
-    let bytes = content(&Disk::default(), Path::new(&together(paths, shown)))?;
-    let place = || Place::File(path.to_path_buf());
-    let heading = together(paths, shown);
-    if let Some(curve) = force::one_cycle(path, &bytes, &options)? {
-        let table = tables::cycle_table(&curve, language::current());
-        return Ok(Read {
-            paths: paths.to_vec(),
-            text: format!("{heading}\n{table}"),
-            object: tables::cycle_json(&curve),
-            given: Some(curve),
-            ..Read::default()
-        });
-    }
-    let recording = force::read(path, &bytes, &options)?;
-    drop(bytes);
-    let stances = force::stances(&recording);
-    let cycle = force::cycle(&recording, &stances, feet).map_err(|e| e.at(place()));
-    let name = together(paths, |path: &Path| {
-        let name = path.file_name().unwrap_or_default();
-        name.to_string_lossy().into_owned()
-    });
-    let mean = cycle.as_ref().ok();
-    let understood = Interpretation::of(&name, &recording, &stances, mean, feet);
-    // A refusal is printed once, on standard error.
-    let table = tables::table(
-        &understood,
-        &recording,
-        &stances,
-        cycle.as_ref().map_err(|_| ""),
-        all,
-        language::current(),
-    );
-    let table = table.trim_end();
-    let object = tables::json(&understood, &recording, &stances, mean);
-    let (cycle, fault) = match cycle {
-        Ok(cycle) => (Some(cycle), None),
-        Err(fault) => (None, Some(fault)),
-    };
-    Ok(Read {
-        paths: paths.to_vec(),
-        understood: Some(understood),
-        cycle,
-        fault,
-        text: format!("{heading}\n{table}"),
-        object,
-        ..Read::default()
-    })
-}
-
-/// The files of a recording, named one by one.
-fn together(paths: &[PathBuf], name: impl Fn(&Path) -> String) -> String {
-    let names = paths.iter().map(|path| name(path));
-    names.collect::<Vec<_>>().join(BETWEEN_PLATES)
-}
-
-impl Read {
-    /// A recording that could not be read.
-    fn failed(paths: &[PathBuf], fault: Error) -> Read {
-        Read {
-            paths: paths.to_vec(),
-            fault: Some(fault),
-            object: json!({"kind": null, "cycle": null}),
-            ..Read::default()
-        }
-    }
-
-    /// Its paths.
-    fn shown(&self) -> String {
-        together(&self.paths, |path| path.display().to_string())
-    }
-
-    /// Its cycle, mean or as given.
-    fn curve(&self) -> Option<&ForceCurve> {
-        let mean = self.cycle.as_ref().map(|c| &c.curve);
-        mean.or(self.given.as_ref())
-    }
-
-    /// Writes the cycle; for a mean cycle, and for a recording that was refused, also a picture of the recording.
-    fn write(&self, place: &Path) -> Result<()> {
-        if let Some(curve) = &self.given {
-            let from = of_files("gait-cycle-of", &self.shown());
-            write_whole(place, curve.to_csv(&[&from]).as_bytes())?;
-        }
-        if let Some(cycle) = &self.cycle {
-            let from = of_files("gait-mean-cycle-of", &self.shown());
-            let csv = cycle.curve.to_csv(&[&from, &cycle.source.to_string()]);
-            write_whole(place, csv.as_bytes())?;
-        }
-        let Some(understood) = &self.understood else {
-            return Ok(());
-        };
-        let curve = self.cycle.as_ref().map(|c| &c.curve);
-        let picture = output::recording::recording(understood, curve, language::current());
-        write_picture(place, &picture)
-    }
-}
-
-/// The path of a picture: that of the csv with `.svg` or `.png` for `.csv`.
-fn write_picture(place: &Path, picture: &output::Picture) -> Result<()> {
-    write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
-    write_whole(&place.with_extension("png"), &picture.png())
-}
-
-/// A heading with the names of files.
-fn of_files(key: &str, files: &str) -> String {
-    words::fill(key, &json!({"file": files}))
 }
 
 fn options(args: &GaitArgs) -> Result<ReadOptions> {

@@ -1,6 +1,7 @@
 //! `gaitcam sweep`: thousands of designs into one table, none lost.
 
 mod arguments;
+mod counts;
 mod format;
 mod partial;
 mod shard;
@@ -17,11 +18,12 @@ use crate::console::exit_code::{BUILT, INTERRUPTED, NO_SUCH_CAM};
 use crate::console::terminal::{self, print, print_json};
 use crate::console::words;
 use crate::input::searching::TimeLimit;
+use counts::Counts;
 use format::Format;
 use gaitcam::error::Result;
 use gaitcam::sweep::Method;
+use partial::PartialTable;
 pub use partial::with_ending;
-use partial::{Counts, PartialTable};
 use work::Work;
 
 const EXAMPLES: &str = "Examples:

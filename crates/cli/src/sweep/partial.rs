@@ -7,13 +7,12 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use super::counts::Counts;
 use super::format::Format;
 use crate::console::error::CliError;
 use crate::console::{language, words};
-use crate::results::front::read::each_row;
-use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Placed, Result};
-use gaitcam::sweep::{Outcome, Records};
+use gaitcam::sweep::Records;
 use gaitcam_app::blocks::{self, Blocks, PLAN};
 use gaitcam_app::folder::write_whole;
 use gaitcam_app::{Lock, inputs};
@@ -33,81 +32,6 @@ pub struct PartialTable {
     /// A block that was not whole.
     damaged: Option<String>,
     _lock: Lock,
-}
-
-/// What rows hold.
-#[derive(Debug, Clone, Default)]
-pub struct Counts {
-    /// All rows.
-    pub rows: u64,
-    /// Cams designed.
-    pub built: u64,
-    /// Those on which every check passes.
-    pub acceptable: u64,
-    /// Those that are not for high speed.
-    pub low_speed: u64,
-    /// Rows whose limits leave no cam.
-    pub infeasible: u64,
-    /// Rows whose scene is at fault.
-    pub errors: u64,
-    /// The first of them: its row and what is wrong.
-    pub first_error: Option<(u64, String)>,
-}
-
-impl Counts {
-    /// Counts of computed rows.
-    pub fn of(records: &Records) -> Counts {
-        let columns = ["outcome", "verdict", "error"].map(|name| records.words(name));
-        let first = records.first_row().unwrap_or(0);
-        let mut out = Counts::default();
-        for row in 0..records.len() {
-            let [outcome, verdict, error] =
-                columns.map(|c| c.and_then(|c| c.at(row)).unwrap_or(""));
-            out.count(first, outcome, verdict, error);
-        }
-        out
-    }
-
-    /// Counts of the rows of a block; of fewer rows than it should have where it was cut short.
-    fn of_block(path: &Path, first: u64) -> Counts {
-        let mut out = Counts::default();
-        // The rows before the fault are counted; the caller compares their number.
-        let _ = each_row(path, |columns, row| {
-            let error = columns.names.iter().position(|n| n == "error");
-            let error = error.map_or(String::new(), |c| row.word(c));
-            let (outcome, verdict) = (row.word(columns.outcome), row.word(columns.verdict));
-            out.count(first, &outcome, &verdict, &error);
-            Ok(())
-        });
-        out
-    }
-
-    fn count(&mut self, first: u64, outcome: &str, verdict: &str, error: &str) {
-        if outcome == Outcome::Built.name() {
-            self.built += 1;
-            self.acceptable += u64::from(verdict == Verdict::Acceptable.name());
-            self.low_speed += u64::from(verdict == Verdict::NotForHighSpeed.name());
-        } else if outcome == Outcome::Infeasible.name() {
-            self.infeasible += 1;
-        } else {
-            self.errors += 1;
-            let row = first + self.rows;
-            self.first_error
-                .get_or_insert_with(|| (row, error.to_string()));
-        }
-        self.rows += 1;
-    }
-
-    /// Adds the counts of the rows that follow.
-    pub fn add(&mut self, next: Counts) {
-        self.rows += next.rows;
-        self.built += next.built;
-        self.acceptable += next.acceptable;
-        self.low_speed += next.low_speed;
-        self.infeasible += next.infeasible;
-        self.errors += next.errors;
-        self.first_error = self.first_error.take().or(next.first_error);
-    }
 }
 
 /// Key of a finished sweep's description under which the checksum of its table stands.

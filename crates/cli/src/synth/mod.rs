@@ -2,26 +2,26 @@
 
 mod explain;
 mod front;
+mod no_cam;
 mod remark;
+mod reports;
 mod sequence;
 mod summary;
 mod workshop;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use crate::console::error::CliError;
 use crate::console::exit_code;
 use crate::console::language;
 use crate::console::terminal::{print, print_json};
-use crate::console::words;
 use crate::input::searching::TimeLimit;
 use crate::input::{self, Input, SceneArgs};
-use gaitcam::cam::Verdict;
-use gaitcam::error::{Error, Place, Placed, Result};
+use gaitcam::error::{Place, Placed, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::halt::Halt;
 use gaitcam::synth::{self, Design, Outcome, Search};
@@ -29,6 +29,7 @@ use gaitcam_app::design::{self, check_inputs_stay};
 use gaitcam_app::files::{self, Source};
 use gaitcam_app::{Contents, ResultFolder};
 use gaitcam_output::Timing;
+pub use no_cam::{files_in, no_cam};
 use workshop::WorkshopArgs;
 
 const EXAMPLES: &str = "Examples:
@@ -243,39 +244,4 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
         print(&files_in(&place, "report.html"));
     }
     Ok(())
-}
-
-/// Writes and prints why there is no cam to show.
-pub fn no_cam(
-    as_json: bool,
-    input: &Input,
-    folder: Option<ResultFolder>,
-    error: &Error,
-    start: Instant,
-) -> Result<u8> {
-    let scene = input.resolved();
-    let total_s = start.elapsed().as_secs_f64();
-    let json = design::summary_without_cam(&input.scene.name, error, &scene, total_s);
-    let place = match folder {
-        Some(folder) => Some(design::finish(folder, input, &scene, &json)?),
-        None => None,
-    };
-    if as_json {
-        print_json(&json);
-        return Ok(exit_code::NO_SUCH_CAM);
-    }
-    let verdict = words::name(Verdict::Unacceptable.name());
-    let why = error.sentence(language::current());
-    print(&format!("{}: {verdict}\n  {why}", input.scene.name));
-    if let Some(place) = place {
-        print(&files_in(&place, "summary.json"));
-    }
-    Ok(exit_code::NO_SUCH_CAM)
-}
-
-/// The line that says where the files are, and which to open.
-pub fn files_in(folder: &Path, first: &str) -> String {
-    let first = folder.join(first).display().to_string();
-    let folder = folder.display().to_string();
-    words::fill("run-files", &json!({"folder": folder, "first": first}))
 }

@@ -1,14 +1,14 @@
 //! The summary of a design on the console: verdict, reasons, numbers; at most 25 lines.
 
 use gaitcam::cam::{Check, Criterion};
-use gaitcam::scene::{ErrorMeasure, Robust};
 use gaitcam::synth::{Design, SolverReport, in_units, sentences};
 use gaitcam::wording::range;
 use gaitcam_output::facts::{self, Group};
 use gaitcam_output::report::parts::shown;
-use gaitcam_output::{ActiveLimit, Timing, simulation};
+use gaitcam_output::{ActiveLimit, Timing};
 use serde_json::{Value, json};
 
+use super::reports::{floor, population, shaft};
 use crate::console::language;
 use crate::console::words::{self, fixed, number, power};
 
@@ -151,79 +151,6 @@ fn load_factors(design: &Design) -> Option<String> {
         .collect();
     let list = all.join("  ");
     (!all.is_empty()).then(|| filled("", "synth-load-factors", json!({"list": list})))
-}
-
-/// Speed of the shaft under its motor, the force error over time and what another machine makes of it.
-fn shaft(design: &Design) -> Vec<String> {
-    let Some(on_shaft) = &design.shaft else {
-        return Vec::new();
-    };
-    let s = &on_shaft.shaft;
-    let mut out = vec![filled(
-        "shaft",
-        "synth-shaft",
-        json!({"low": number(s.min), "high": number(s.max), "ripple": number(100.0 * s.ripple),
-                "noload": number(s.no_load_speed), "rms": number(s.motor_torque_rms_n_m),
-                "most": number(s.motor_torque_max_n_m)}),
-    )];
-    if let Some((own, before)) = on_shaft.force_time.zip(on_shaft.at_constant_speed) {
-        let percent = [own, before].map(|e| number(e.rms_error_percent_of_mean));
-        let contraction = on_shaft.contraction.map_or(json!(0), |c| json!(number(c)));
-        out.push(filled(
-            "",
-            "synth-shaft-error",
-            json!({"own": percent[0], "before": percent[1], "rounds": on_shaft.rounds,
-                    "contraction": contraction}),
-        ));
-    }
-    let differs = design.sensitivity().into_iter().map(|s| {
-        let percent = s.percent.map(|p| p.map_or("—".to_string(), number));
-        let [less, more] = percent;
-        words::fill(
-            "synth-shaft-differs",
-            &json!({"key": s.key, "less": less, "more": more}),
-        )
-    });
-    let differs: Vec<String> = differs.collect();
-    if on_shaft.force_time.is_some() {
-        out.push(filled(
-            "",
-            "synth-shaft-sensitivity",
-            json!({"list": differs.join(", ")}),
-        ));
-    }
-    out
-}
-
-/// Force errors of several walkers.
-fn population(design: &Design) -> Option<String> {
-    let p = design.population.as_ref()?;
-    let (id, [mean, worst, cvar]) = match design.problem.law.error {
-        ErrorMeasure::Relative => (
-            "synth-walkers",
-            [p.mean_percent, p.worst_percent, p.cvar_percent],
-        ),
-        ErrorMeasure::Absolute => ("synth-walkers-n", [p.mean_n, p.worst_n, p.cvar_n]),
-    };
-    let tail = match design.problem.law.robust {
-        Robust::Tail(part) if part != 0.9 => number(100.0 * (1.0 - part)),
-        Robust::Tail(_) | Robust::Mean | Robust::Worst => "tenth".to_string(),
-    };
-    Some(filled(
-        "walkers",
-        id,
-        json!({"count": p.walkers, "mean": number(mean), "worst": number(worst), "who": p.worst_walker,
-            "cvar": number(cvar), "tail": tail}),
-    ))
-}
-
-/// Acceleration of the floor under shaker and walkers, and its comfort.
-fn floor(design: &Design) -> Option<String> {
-    let motion = design.floor.as_ref()?;
-    Some(row(
-        "floor",
-        &simulation::floor(motion, language::current()),
-    ))
 }
 
 /// One line per active limit, the largest multiplier first.

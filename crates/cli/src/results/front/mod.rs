@@ -1,31 +1,31 @@
 //! `gaitcam front`: the best designs of a sweep's table, pictures of it, and the winner as a normal result.
 
+mod best;
+mod kept;
 mod objective;
 mod page;
 pub mod read;
+mod shown;
 
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
-use serde_json::{Value, json};
-use toml::Table;
+use serde_json::json;
 
 use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
-use crate::console::table::{Side, table};
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
-use crate::input::SceneArgs;
-use crate::sweep::with_ending;
-use crate::synth::{self, SynthArgs};
-use gaitcam::error::{FileError, Placed, Result};
-use gaitcam::sweep::table::text_cell;
-use gaitcam::sweep::{Admission, Front, Key, Objective, Point};
-use gaitcam_app::blocks::{self, PLAN};
+use crate::synth;
+use best::open_best;
+use gaitcam::error::{Placed, Result};
+use gaitcam::sweep::{Admission, Front, Objective};
+use gaitcam_app::blocks;
 use gaitcam_app::folder::Folder;
-use gaitcam_app::{read::read_bytes, scene::not_json};
-use read::{Columns, Kept};
+use kept::Kept;
+use read::Columns;
+use shown::{csv, object, text};
 
 const EXAMPLES: &str = "Examples:
   gaitcam front strokes.csv
@@ -195,152 +195,4 @@ fn gather(args: &FrontArgs) -> Result<Evaluation> {
         missing,
         front,
     })
-}
-
-fn csv(columns: &Columns, front: &[&Point]) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    // Writing to memory cannot fail.
-    let _ = writer.write_record(&columns.names);
-    for p in front {
-        let _ = writer.write_record(p.cells.iter().map(|c| text_cell(c).into_owned()));
-    }
-    writer
-        .into_inner()
-        .ok()
-        .and_then(|b| String::from_utf8(b).ok())
-        .unwrap_or_default()
-}
-
-/// The answer as JSON, SI.
-fn object(args: &FrontArgs, evaluated: &Evaluation, front: &[&Point], best: &Point) -> Value {
-    let named = |maximised: bool| -> Vec<&str> {
-        let all = evaluated.objectives.iter();
-        all.filter(|o| o.maximised == maximised)
-            .map(|o| o.name.as_str())
-            .collect()
-    };
-    let point = |p: &Point| {
-        let mut out = json!({"row": p.row});
-        for (objective, cost) in evaluated.objectives.iter().zip(&p.values) {
-            out[&objective.name] = json!(objective.value(*cost));
-        }
-        out
-    };
-    let points: Vec<Value> = front.iter().map(|p| point(p)).collect();
-    let missing = evaluated
-        .missing
-        .iter()
-        .map(|rows| [rows.start, rows.end - 1]);
-    json!({"file": args.file.display().to_string(), "rows": evaluated.kept.seen,
-        "missing_rows": missing.collect::<Vec<_>>(),
-        "candidates": evaluated.kept.candidates, "not_for_high_speed_left_out": evaluated.left_out,
-        "minimise": named(false), "maximise": named(true), "front": points, "best": point(best)})
-}
-
-/// What a row is called: its recording where recordings vary, else its number.
-fn row_name(columns: &Columns, point: &Point) -> String {
-    let recording = columns.names.iter().position(|n| n == "gait.file");
-    let file = recording.map(|c| Path::new(&point.cells[c]));
-    match file.and_then(Path::file_name) {
-        Some(name) => name.to_string_lossy().into_owned(),
-        None => point.row.to_string(),
-    }
-}
-
-fn text(args: &FrontArgs, evaluated: &Evaluation, front: &[&Point], best: &Point) -> String {
-    let kept = &evaluated.kept;
-    let mut out = vec![words::fill(
-        "front-counts",
-        &json!({"file": args.file.display().to_string(), "candidates": kept.candidates.to_string(),
-            "seen": kept.seen.to_string(), "front": front.len().to_string()}),
-    )];
-    let labels = evaluated.objectives.iter().map(objective::label);
-    let head = std::iter::once(words::text("front-row")).chain(labels);
-    let mut rows = vec![head.chain([String::new()]).collect()];
-    for p in front.iter().take(SHOWN) {
-        let both = evaluated.objectives.iter().zip(&p.values);
-        let values = both.map(|(o, cost)| objective::shown(o, *cost));
-        let mark = match p.row == best.row {
-            true => words::text("front-best"),
-            false => String::new(),
-        };
-        let name = std::iter::once(row_name(&evaluated.columns, p));
-        rows.push(name.chain(values).chain([mark]).collect());
-    }
-    out.push(table(&rows, &[Side::Right]));
-    if front.len() > SHOWN {
-        let more = json!({"count": front.len() - SHOWN, "row": best.row.to_string()});
-        out.push(words::fill("front-more", &more));
-    }
-    out.join("\n")
-}
-
-/// Rebuilds the scene of a row from the sweep's description and the row's own cells, and designs it.
-fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point) -> Result<u8> {
-    let described = if args.file.is_dir() {
-        args.file.join(PLAN)
-    } else {
-        with_ending(&args.file, ".sweep.json")
-    };
-    let bytes = read_bytes(&described)?;
-    let sweep: Value = serde_json::from_slice(&bytes).map_err(|e| not_json(&described, &e))?;
-    let scenes = sweep["scenes"].as_array().cloned().unwrap_or_default();
-    let column = |name: &str| columns.names.iter().position(|n| n == name);
-    let named = column("scene").map(|c| best.cells[c].clone());
-    let scene = scenes
-        .iter()
-        .find(|s| named.as_deref().is_none_or(|n| s["name"] == n));
-    let scene = scene.ok_or_else(|| CliError::NoBaseScene.in_file(&described))?;
-    let mut table: Table =
-        scene["text"]
-            .as_str()
-            .unwrap_or("")
-            .parse()
-            .map_err(|e: toml::de::Error| {
-                let fault = e.message().to_string();
-                FileError::NotToml { fault }.in_file(&described)
-            })?;
-    let inputs: Vec<(Key, &String)> = columns
-        .inputs
-        .iter()
-        .map(|&c| (Key::of_column(&columns.names[c]), &best.cells[c]))
-        .collect();
-    for (key, cell) in inputs.iter().filter(|(k, _)| !k.is_number()) {
-        key.write_words(&mut table, cell)?;
-    }
-    for (key, cell) in inputs.iter().filter(|(k, _)| k.is_number()) {
-        let value = cell.parse().map_err(|_| {
-            let (row, cell) = (best.row, (*cell).clone());
-            CliError::RowNotNumber { row, cell }.in_file(&args.file)
-        })?;
-        key.write_number(&mut table, value)?;
-    }
-    absolute_file(
-        &mut table,
-        Path::new(scene["folder"].as_str().unwrap_or(".")),
-    );
-    let path = folder.path().join("best.toml");
-    folder.write("best.toml", table.to_string().as_bytes())?;
-    synth::run(&SynthArgs {
-        scene: SceneArgs::of(path),
-        out: Some(folder.path().join("best")),
-        json: args.json,
-        ..SynthArgs::default()
-    })
-}
-
-/// Makes the recording's path absolute, since the new scene is in another folder.
-fn absolute_file(table: &mut Table, folder: &Path) {
-    let file = table.get_mut("gait").and_then(|g| g.get_mut("file"));
-    if let Some(toml::Value::String(file)) = file {
-        let in_folder = folder.join(&*file);
-        let path = if in_folder.exists() {
-            in_folder
-        } else {
-            PathBuf::from(&*file)
-        };
-        if let Ok(path) = path.canonicalize() {
-            *file = path.to_string_lossy().into_owned();
-        }
-    }
 }

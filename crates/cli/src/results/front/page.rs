@@ -4,7 +4,8 @@ use std::path::Path;
 
 use serde_json::json;
 
-use super::{Evaluation, SHOWN, objective, row_name};
+use super::shown::row_name;
+use super::{Evaluation, SHOWN, objective};
 use crate::console::language;
 use crate::console::words;
 use gaitcam::error::Result;

@@ -1,0 +1,120 @@
+//! What was found on a made cam, for people and programs.
+
+use serde_json::{Value, json};
+
+use crate::console::language;
+use crate::console::words::{self, number};
+use gaitcam::cam::{Deviation, Inspection, Measures};
+use gaitcam::drive::Drive;
+use gaitcam::sweep::{Behaviour, MadeCam};
+use gaitcam::synth::Design;
+
+pub(super) fn summary_json(
+    design: &Design,
+    inspected: &Inspection,
+    made: Option<&MadeCam>,
+) -> Value {
+    let [least, most] = inspected.extremes().map_or([None; 2], |e| e.map(Some));
+    let place =
+        |d: Option<Deviation>| d.map(|d| json!({"deviation_m": d.normal, "at_rad": d.theta}));
+    let drive = &design.problem.drive;
+    json!({
+        "name": design.problem.name,
+        "points": inspected.deviations.len(),
+        "turn_rad": inspected.turn,
+        "centre_m": inspected.centre,
+        "fits_as_well_rad": inspected.alike,
+        "deviation": {"rms_m": inspected.rms(), "min": place(least), "max": place(most)},
+        "waves": made.map(|m| m.waves),
+        "left_m": made.map(|m| m.left),
+        "designed": made.map(|m| behaviour(&m.designed, drive)),
+        "made": made.map(|m| behaviour(&m.made, drive)),
+    })
+}
+
+fn behaviour(b: &Behaviour, drive: &Drive) -> Value {
+    let newtons = |force: f64| drive.newtons(force);
+    json!({
+        "force_rms_error_n": b.rms_error_n.map(newtons),
+        "force_max_error_n": b.max_error_n.map(newtons),
+        "force_min_n": newtons(b.min_n),
+        "force_max_n": newtons(b.max_n),
+        "acceleration_max": b.acceleration,
+        "liftoff_speed_rad_per_s": b.liftoff_speed,
+    })
+}
+
+pub(super) fn text(design: &Design, inspected: &Inspection, made: Option<&MadeCam>) -> String {
+    let measures = design.cam.follower.measures();
+    let micro = |x: f64| number(1e6 * x);
+    let degrees = |x: f64| number(x.to_degrees());
+    let place = |x: f64| measures.place(x, language::current());
+    let mut lines = vec![format!("{}:", design.problem.name)];
+    let mut line = |key: &str, data: Value| lines.push(format!("  {}", words::fill(key, &data)));
+    let centre = inspected.centre.map(|x| number(1e3 * x));
+    line(
+        "inspect-fit",
+        json!({"points": inspected.deviations.len().to_string(), "turn": degrees(inspected.turn), "x": centre[0], "y": centre[1]}),
+    );
+    if !inspected.alike.is_empty() {
+        let others: Vec<String> = inspected
+            .alike
+            .iter()
+            .map(|t| format!("{}°", degrees(*t)))
+            .collect();
+        line("inspect-alike", json!({"others": others.join("; ")}));
+    }
+    if let Some([least, most]) = inspected.extremes() {
+        line(
+            "inspect-deviation",
+            json!({"rms": micro(inspected.rms()), "least": micro(least.normal), "below": place(least.theta),
+                "most": micro(most.normal), "above": place(most.theta)}),
+        );
+    }
+    let Some(made) = made else {
+        return lines.join("\n");
+    };
+    let lift = measures.lift(0);
+    let left = lift.after(&words::power(lift.factor * made.left, 1));
+    line(
+        "inspect-waves",
+        json!({"waves": made.waves.to_string(), "left": left}),
+    );
+    lines.extend(comparison(design, made, measures));
+    lines.join("\n")
+}
+
+/// A row that compares two cams: key, value, unit.
+type Compared<'a> = (&'a str, fn(&Behaviour) -> Option<f64>, &'a str);
+
+/// One line per quantity: as designed, as made.
+fn comparison(design: &Design, made: &MadeCam, measures: Measures) -> Vec<String> {
+    let force = measures.force().name;
+    let acceleration = measures.by_time(2).name;
+    let all: [Compared; 6] = [
+        ("inspect-rms", |b| b.rms_error_n, force),
+        ("inspect-max", |b| b.max_error_n, force),
+        ("inspect-least-force", |b| Some(b.min_n), force),
+        ("inspect-most-force", |b| Some(b.max_n), force),
+        (
+            "inspect-acceleration",
+            |b| Some(b.acceleration),
+            acceleration,
+        ),
+        ("inspect-liftoff", |b| b.liftoff_speed, "rad/s"),
+    ];
+    let defined = all.iter().filter(|row| row.2 != force || !design.is_idle());
+    let line = |(key, value, unit): &Compared| {
+        let number = words::number;
+        let (before, after) = (number(value(&made.designed)?), number(value(&made.made)?));
+        let data = json!({"before": before, "after": after, "unit": unit});
+        Some(format!("  {}", words::fill(key, &data)))
+    };
+    let mut out: Vec<String> = defined.filter_map(line).collect();
+    let speed = design.problem.drive.speed.abs();
+    let lifts = made.made.liftoff_speed.is_some_and(|w| w < speed);
+    if lifts {
+        out.push(format!("  {}", words::text("inspect-lifts-off")));
+    }
+    out
+}

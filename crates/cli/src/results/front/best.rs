@@ -1,0 +1,93 @@
+//! The design of the best row of a sweep.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+use toml::Table;
+
+use super::FrontArgs;
+use super::read::Columns;
+use crate::console::error::CliError;
+use crate::input::SceneArgs;
+use crate::sweep::with_ending;
+use crate::synth::{self, SynthArgs};
+use gaitcam::error::{FileError, Placed, Result};
+use gaitcam::sweep::{Key, Point};
+use gaitcam_app::blocks::PLAN;
+use gaitcam_app::folder::Folder;
+use gaitcam_app::{read::read_bytes, scene::not_json};
+
+/// Rebuilds the scene of a row from the sweep's description and the row's own cells, and designs it.
+pub(super) fn open_best(
+    args: &FrontArgs,
+    folder: &Folder,
+    columns: &Columns,
+    best: &Point,
+) -> Result<u8> {
+    let described = if args.file.is_dir() {
+        args.file.join(PLAN)
+    } else {
+        with_ending(&args.file, ".sweep.json")
+    };
+    let bytes = read_bytes(&described)?;
+    let sweep: Value = serde_json::from_slice(&bytes).map_err(|e| not_json(&described, &e))?;
+    let scenes = sweep["scenes"].as_array().cloned().unwrap_or_default();
+    let column = |name: &str| columns.names.iter().position(|n| n == name);
+    let named = column("scene").map(|c| best.cells[c].clone());
+    let scene = scenes
+        .iter()
+        .find(|s| named.as_deref().is_none_or(|n| s["name"] == n));
+    let scene = scene.ok_or_else(|| CliError::NoBaseScene.in_file(&described))?;
+    let mut table: Table =
+        scene["text"]
+            .as_str()
+            .unwrap_or("")
+            .parse()
+            .map_err(|e: toml::de::Error| {
+                let fault = e.message().to_string();
+                FileError::NotToml { fault }.in_file(&described)
+            })?;
+    let inputs: Vec<(Key, &String)> = columns
+        .inputs
+        .iter()
+        .map(|&c| (Key::of_column(&columns.names[c]), &best.cells[c]))
+        .collect();
+    for (key, cell) in inputs.iter().filter(|(k, _)| !k.is_number()) {
+        key.write_words(&mut table, cell)?;
+    }
+    for (key, cell) in inputs.iter().filter(|(k, _)| k.is_number()) {
+        let value = cell.parse().map_err(|_| {
+            let (row, cell) = (best.row, (*cell).clone());
+            CliError::RowNotNumber { row, cell }.in_file(&args.file)
+        })?;
+        key.write_number(&mut table, value)?;
+    }
+    absolute_file(
+        &mut table,
+        Path::new(scene["folder"].as_str().unwrap_or(".")),
+    );
+    let path = folder.path().join("best.toml");
+    folder.write("best.toml", table.to_string().as_bytes())?;
+    synth::run(&SynthArgs {
+        scene: SceneArgs::of(path),
+        out: Some(folder.path().join("best")),
+        json: args.json,
+        ..SynthArgs::default()
+    })
+}
+
+/// Makes the recording's path absolute, since the new scene is in another folder.
+fn absolute_file(table: &mut Table, folder: &Path) {
+    let file = table.get_mut("gait").and_then(|g| g.get_mut("file"));
+    if let Some(toml::Value::String(file)) = file {
+        let in_folder = folder.join(&*file);
+        let path = if in_folder.exists() {
+            in_folder
+        } else {
+            PathBuf::from(&*file)
+        };
+        if let Ok(path) = path.canonicalize() {
+            *file = path.to_string_lossy().into_owned();
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! Rows of a table that are kept for its pictures.
+
+use super::read::{Columns, Row};
+use crate::console::words;
+use gaitcam::sweep::{Key, Objective};
+use gaitcam_output::sweep_plots::Quantity;
+
+/// Rows kept for pictures, at most.
+const KEPT_ROWS: usize = 60_000;
+
+/// Values of one varied key in the rows kept.
+#[derive(Debug, Clone, Default)]
+pub struct Input {
+    /// Its column.
+    pub column: usize,
+    name: String,
+    values: Vec<f64>,
+    words: Vec<String>,
+    is_number: bool,
+}
+
+impl Input {
+    /// Whether it takes more than one value.
+    pub fn varies(&self) -> bool {
+        self.values.windows(2).any(|w| w[0] != w[1])
+    }
+
+    /// The values for a picture.
+    pub fn quantity(&self) -> Quantity {
+        Quantity {
+            label: words::column(&self.name),
+            values: self.values.clone(),
+            words: self.words.clone(),
+        }
+    }
+
+    /// Position of a cell on the axis: its number, or the index of its word.
+    pub fn place(&self, cell: &str) -> f64 {
+        if self.is_number {
+            return cell.parse().unwrap_or(f64::NAN);
+        }
+        self.words
+            .iter()
+            .position(|w| w == cell)
+            .map_or(f64::NAN, |i| i as f64)
+    }
+
+    fn push(&mut self, row: &Row) {
+        if self.is_number {
+            self.values.push(row.number(self.column));
+            return;
+        }
+        let word = row.text(self.column);
+        let at = self
+            .words
+            .iter()
+            .position(|w| *w == word)
+            .unwrap_or_else(|| {
+                self.words.push(word.into_owned());
+                self.words.len() - 1
+            });
+        self.values.push(at as f64);
+    }
+}
+
+/// Every k-th candidate, k growing with the table.
+#[derive(Debug, Clone, Default)]
+pub struct Kept {
+    /// Rows of the table.
+    pub seen: u64,
+    /// Those that count.
+    pub candidates: u64,
+    /// Numbers of the rows kept.
+    pub rows: Vec<u64>,
+    /// Varied keys.
+    pub inputs: Vec<Input>,
+    /// Objectives of the rows kept.
+    pub goals: Vec<Vec<f64>>,
+    stride: u64,
+}
+
+impl Kept {
+    /// Looks at a row.
+    pub fn take(&mut self, columns: &Columns, objectives: &[Objective], row: &Row, good: bool) {
+        if self.seen == 0 {
+            self.stride = 1;
+            self.goals = vec![Vec::new(); objectives.len()];
+            let input = |&column: &usize| Input {
+                column,
+                name: columns.names[column].clone(),
+                is_number: Key::of_column(&columns.names[column]).is_number()
+                    || row.number(column).is_finite(),
+                ..Input::default()
+            };
+            self.inputs = columns.inputs.iter().map(input).collect();
+        }
+        self.seen += 1;
+        if !good {
+            return;
+        }
+        self.candidates += 1;
+        if !(self.candidates - 1).is_multiple_of(self.stride) {
+            return;
+        }
+        self.rows.push(row.number(0) as u64);
+        for input in &mut self.inputs {
+            input.push(row);
+        }
+        for (values, objective) in self.goals.iter_mut().zip(objectives) {
+            values.push(row.number(objective.column));
+        }
+        if self.rows.len() >= KEPT_ROWS {
+            self.thin_out();
+        }
+    }
+
+    /// Leaves out every second row.
+    fn thin_out(&mut self) {
+        self.stride *= 2;
+        let mut i = 0;
+        self.rows.retain(|_| {
+            i += 1;
+            i % 2 == 1
+        });
+        let lists = self
+            .inputs
+            .iter_mut()
+            .map(|i| &mut i.values)
+            .chain(&mut self.goals);
+        for list in lists {
+            *list = list.iter().copied().step_by(2).collect();
+        }
+    }
+}
