@@ -12,7 +12,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Child, Output, Stdio};
 
-use crate::support::{ROOT, command, gaitcam, stderr};
+use crate::support::{ROOT, command, gaitcam, object, stderr};
 
 fn sweep(out: &Path, arguments: &[&str]) -> Output {
     gaitcam(&[&["sweep"], arguments, &["--out", out.to_str().unwrap()]].concat())
@@ -38,17 +38,22 @@ fn rows(table: &Path) -> Vec<String> {
         .collect()
 }
 
-fn refused(arguments: &[&str], say: &str) {
+/// Refused with this message before anything is written.
+fn refused(arguments: &[&str], code: &str) {
     let folder = tempfile::tempdir().unwrap();
-    let output = sweep(&folder.path().join("t.csv"), arguments);
+    let output = sweep(
+        &folder.path().join("t.csv"),
+        &[arguments, &["--json"]].concat(),
+    );
     assert_eq!(
         output.status.code(),
         Some(2),
         "{arguments:?}: {}",
         stderr(&output)
     );
-    assert!(
-        stderr(&output).contains(say),
+    assert_eq!(
+        object(&output)["error"]["code"],
+        code,
         "{arguments:?}: {}",
         stderr(&output)
     );

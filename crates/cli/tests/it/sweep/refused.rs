@@ -8,27 +8,20 @@ use crate::support::stderr;
 
 #[test]
 fn bad_sweeps_are_refused_before_anything_is_written() {
-    refused(&[], "no key varies");
-    refused(
-        &["--vary", "limits.strok=1 mm:2 mm:3"],
-        "did you mean \"stroke\"?",
-    );
-    refused(&["--vary", "name=a,b"], "cannot vary");
-    refused(&["--vary", "limits.stroke=1 mm:2 mm:0"], "empty grid");
-    refused(&["--vary", "law.family="], "empty grid");
-    refused(&["--vary", "limits.stroke=1:2:3"], "has no unit");
-    refused(
-        &[
-            "--vary",
-            "limits.stroke=1 mm:2 mm:1000000",
-            "--vary",
-            "limits.jerk=1 m/s^3:2 m/s^3:1000000",
-        ],
-        "1000000000000 combinations",
-    );
-    refused(&["--list", "no-such-file.csv"], "no such file");
-    refused(&["--sample", "5"], "empty grid");
-    refused(&["--recordings", "no-such-folder"], "no such file");
+    refused(&[], "cli-nothing-varies");
+    refused(&["--vary", "limits.strok=1 mm:2 mm:3"], "scene-no-such-key");
+    refused(&["--vary", "name=a,b"], "sweep-fixed");
+    refused(&["--vary", "limits.stroke=1 mm:2 mm:0"], "sweep-no-values");
+    refused(&["--vary", "law.family="], "sweep-no-values");
+    refused(&["--vary", "limits.stroke=1:2:3"], "units-no-unit");
+    let many = [
+        "limits.stroke=1 mm:2 mm:1000000",
+        "limits.jerk=1 m/s^3:2 m/s^3:1000000",
+    ];
+    refused(&["--vary", many[0], "--vary", many[1]], "cli-many-rows");
+    refused(&["--list", "no-such-file.csv"], "file-cannot-read");
+    refused(&["--sample", "5"], "cli-nothing-varies");
+    refused(&["--recordings", "no-such-folder"], "file-cannot-read");
     let folder = tempfile::tempdir().unwrap();
     let output = sweep(&folder.path().join("t.txt"), &["--vary", "law.degree=3,5"]);
     assert!(stderr(&output).contains("neither .csv nor .parquet"));

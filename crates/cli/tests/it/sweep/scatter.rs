@@ -31,13 +31,10 @@ fn scatter_of_no_width_is_the_design_and_wider_tolerances_cost_yield() {
     let share = wide["yield"].as_f64().unwrap();
     assert!(share > 0.2 && share < 0.4, "{share}");
     assert_eq!(rows(&out).len(), 2001);
-    refused(
-        &["--tolerance", "colour=1 mm"],
-        "parts with a tolerance: profile",
-    );
-    refused(&["--tolerance", "profile=1"], "no unit");
+    refused(&["--tolerance", "colour=1 mm"], "sweep-no-tolerance");
+    refused(&["--tolerance", "profile=1"], "units-no-unit");
     refused(
         &["--tolerance", "mass=1 %", "--vary", "law.degree=3,5"],
-        "one design",
+        "sweep-scatter-alone",
     );
 }
