@@ -107,6 +107,50 @@ class Cam:
         """Normal force for each newton along the follower's motion; for an arm for each newton at the end of the arm."""
         return 1.0 / np.cos(self.at(theta, s, v, a)[3])
 
+    def lever(self, theta, s, v, a, friction):
+        """Shaft torque per newton on the follower where it is pressed and where it would be pulled, with Coulomb friction.
+
+        Force N n + μ|N| t on the follower at the contact, t along the motion of the cam's surface there: the follower takes up
+        its part along its own velocity G, the shaft its part along the velocity U of the cam.
+        """
+        if friction == 0.0 or self.kind in ("translating-cam", "barrel") or self.kind.startswith("roller"):
+            return v, v
+        found = [cam / own for own, cam in self.shares(theta, s, v, a, friction)]
+        return found[0], found[1]
+
+    def normal_share(self, theta, s, v, a, friction):
+        """Force along the follower's motion for each newton of normal force where the follower is pressed, with friction."""
+        return self.shares(theta, s, v, a, friction)[0][0]
+
+    def shares(self, theta, s, v, a, friction):
+        """Parts of the contact force along the velocities of follower and cam, for pressing and for pulling."""
+        contact, pitch, _, _ = self.at(theta, s, v, a)
+        cam = (-contact[1], contact[0])
+        if self.kind.endswith("-translating"):
+            own = (np.zeros_like(s), np.ones_like(s))
+        else:
+            pivot, side = self.size["pivot"], math.copysign(1.0, self.size["pivot"])
+            own = (side * contact[1], -side * (contact[0] - pivot))
+        if self.kind == "flat-translating":
+            normal = (np.zeros_like(s), np.ones_like(s))
+        elif self.kind == "flat-oscillating":
+            side = math.copysign(1.0, self.size["pivot"])
+            xi = math.asin((self.size["base"] - self.size["face_offset"]) / abs(self.size["pivot"])) + s
+            normal = (side * np.sin(xi), np.cos(xi))
+        else:
+            p, p1, _, _ = self.centre(s, v, a)
+            t = (p1[0] + p[1], p1[1] - p[0])
+            length = np.hypot(*t)
+            normal = (-t[1] / length, t[0] / length)
+        dot = lambda x, y: x[0] * y[0] + x[1] * y[1]
+        along = (-normal[1], normal[0])
+        slides = np.sign(dot(along, cam) - v * dot(along, own))
+        found = []
+        for sign in (1.0, -1.0):
+            mu = sign * friction * slides
+            found.append((dot(normal, own) + mu * dot(along, own), dot(normal, cam) + mu * dot(along, cam)))
+        return found
+
     def curvature_sum(self, theta, s, v, a):
         """1/R of cam and follower in contact."""
         rho = self.at(theta, s, v, a)[2]

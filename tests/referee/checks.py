@@ -6,7 +6,7 @@ import tomllib
 
 import numpy as np
 
-from figures import Second, continuity, force, rho_min, second_cam
+from figures import Second, continuity, force, mean_target, rho_min, second_cam
 from result import Unknown, close, field, place, size_of
 from units import quantity
 
@@ -118,7 +118,7 @@ def check_limit(r, name, row):
         return close(quantity(r.scene["cam"]["bore"]) / 2, 1e-12)
     if name == "rms_error":
         share = quantity(r.scene.get("accuracy", {}).get("rms", "auto"))
-        return close((0.005 if share is None else share) * float(np.mean(r.target)), 2e-4)
+        return close((0.005 if share is None else share) * mean_target(r), 2e-4)
     raise Unknown(f"limit of {name}")
 
 

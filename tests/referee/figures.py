@@ -6,7 +6,7 @@ import numpy as np
 
 from cam import Cam
 from force import harmonics
-from result import Unknown, close, field, place, presses, size_of
+from result import Unknown, close, field, model_of, place, presses, size_of
 from units import quantity
 
 
@@ -110,7 +110,7 @@ def mass(r, m):
     if value is not None:
         return close(value, 1e-12)
     if r.target is not None and r.drive.kind == "moving-axis":
-        return close(float(np.mean(r.target)) / r.drive.gravity, 1e-5)
+        return close(mean_target(r) / r.drive.gravity, 1e-5)
     return close(0.0)
 
 
@@ -242,12 +242,12 @@ def force(r, m):
     name = m[1]
     if name in ("mean_n", "min_n", "max_n"):
         if name == "mean_n":
-            return close(r.law.mean(r.force), 1e-7)
-        return close(r.law.extreme(r.force, name == "max_n")[0], 1e-7, 1e-9)
+            return close(r.time_mean(r.force) if varies(r) else r.law.mean(r.force), 2e-5 if varies(r) else 1e-7)
+        return close(r.law.extreme(r.force, name == "max_n")[0], 2e-4 if varies(r) else 3e-6 if r.motion else 1e-7, 1e-9)
     if r.target is None:
         return None, 0, 0
     error = r.force(r.theta, *(r.law(r.theta, k) for k in range(3))) - r.target
-    mean = float(np.mean(r.target))
+    mean = mean_target(r)
     rms = math.sqrt(float(np.mean(error**2)))
     if name == "target_mean_n":
         return close(mean, 2e-4)
@@ -258,6 +258,18 @@ def force(r, m):
     if name == "max_error_n":
         return close(peak_between_rows(np.abs(error)), 4e-4)
     raise Unknown(name)
+
+
+def varies(r):
+    """Whether the design is judged at a speed that varies."""
+    return r.drive.motion is not None and r.drive.motion.shaft is not None
+
+
+def mean_target(r):
+    if not varies(r):
+        return float(np.mean(r.target))
+    time = np.diff(r.motion.phase(np.append(r.theta, r.theta[0] + 2 * math.pi))) / (2 * math.pi)
+    return float(np.sum((r.target + np.roll(r.target, -1)) / 2 * time))
 
 
 def peak_between_rows(values):
@@ -277,21 +289,25 @@ def machine(r, m):
         raise Unknown("hardness")
     if not presses(r):
         return None, 0, 0
-    high, low = (r.law.extreme(r.torque, side)[0] for side in (True, False))
+    exact = 2e-4 if varies(r) else 3e-6 if r.motion else 1e-7
+    power = lambda *x: r.torque(*x) * r.speed(x[0])
     if name == "torque_max_n_m":
-        return close(max(high, -low), 1e-7)
+        return close(r.law.extreme(lambda *x: np.abs(r.torque(*x)))[0], exact)
     if name == "torque_rms_n_m":
-        return close(math.sqrt(r.law.mean(lambda *x: r.torque(*x) ** 2)), 1e-7)
+        return close(math.sqrt(r.law.mean(lambda *x: r.torque(*x) ** 2)), exact)
     if name == "power_max_w":
-        return close(max(high, -low) * r.drive.speed, 1e-7)
+        return close(r.law.extreme(lambda *x: np.abs(power(*x)))[0], exact)
     if name == "power_mean_w":
-        return close(r.law.mean(r.torque) * r.drive.speed, 1e-6, 1e-9 * max(high, -low) * r.drive.speed)
+        mean = r.time_mean(power) if varies(r) else r.law.mean(power)
+        return close(mean, 1e-6, (1e-5 if varies(r) else 1e-7 if r.motion else 1e-9) * r.law.extreme(lambda *x: np.abs(power(*x)))[0])
     if name == "liftoff_speed_rad_per_s":
+        if r.drive.motion is not None:
+            return None, 0, 0
         return close(r.drive.liftoff(r.law), 1e-7) if r.drive.liftoff(r.law) is not None else (None, 0, 0)
     if name == "hertz_pressure_max_pa":
         if rho_min(r, None)[0] <= 1e-9 * size_of(r):
             return None, 0, 0
-        return close(r.law.extreme(r.hertz)[0], 1e-6)
+        return close(r.law.extreme(r.hertz)[0], max(exact, 1e-6))
     raise Unknown(name)
 
 
@@ -308,14 +324,18 @@ def load_factor(r, m):
     if m[2] == "frequency_hz":
         return close(n * r.drive.speed / (2 * math.pi), 1e-12)
     if m[2].startswith("target"):
-        amplitude, angle = harmonics(r.target, n)[n - 1]
+        wanted = r.target if not varies(r) else (model_of(r) or r.target_at)(2 * math.pi * np.arange(1440) / 1440)
+        amplitude, angle = harmonics(wanted, n)[n - 1]
     else:
-        cos = 2 * r.law.mean(lambda *x: r.force(*x) * np.cos(n * x[0]))
-        sin = 2 * r.law.mean(lambda *x: r.force(*x) * np.sin(n * x[0]))
+        # Over time, on the shaft as it turns.
+        run = r.running()
+        phase = (lambda x: x) if r.motion is None else r.motion.phase
+        cos = 2 * r.time_mean(lambda *x: run.force(*x) * np.cos(n * phase(x[0])))
+        sin = 2 * r.time_mean(lambda *x: run.force(*x) * np.sin(n * phase(x[0])))
         amplitude, angle = math.hypot(cos, sin), math.atan2(cos, sin)
     # Stated as A sin(nθ − φ).
     angle = -angle
-    weight = float(np.mean(r.target))
+    weight = mean_target(r)
     if not m[2].endswith("phase_rad"):
         return close(amplitude / weight, 2e-4, 1e-8)
     stated = row[m[2]]

@@ -21,6 +21,7 @@ class Drive:
         self.gravity = quantity(drive.get("gravity", GRAVITY))
         self.rest = self.stiffness = self.damping = 0.0
         self.inertia = mass
+        self.motion = None
         if self.kind == "moving-axis":
             self.rest = mass * self.gravity
         elif self.kind == "hydraulic":
@@ -32,8 +33,12 @@ class Drive:
             self.damping = quantity(drive.get("damping", 0)) or 0.0
 
     def force(self, theta, s, v, a, j=None):
-        w = self.speed
-        return self.rest + self.stiffness * s + self.damping * w * v + self.inertia * w * w * a
+        if self.motion is None:
+            w = self.speed
+            return self.rest + self.stiffness * s + self.damping * w * v + self.inertia * w * w * a
+        w = self.motion.speed(theta)
+        moved = w * w * a + self.motion.angular(theta, s, v, a) * v + self.motion.floor_at(theta)
+        return self.rest + self.stiffness * s + self.damping * w * v + self.inertia * moved
 
     def liftoff(self, law):
         """Smallest speed at which the force touches zero; `None` without inertia or with damping."""

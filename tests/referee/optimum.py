@@ -86,7 +86,9 @@ class Program:
         self.basis = design_matrix(law_of, count, theta)
         w = drive.speed
         self.force = drive.stiffness * self.basis[0] + drive.damping * w * self.basis[1] + drive.inertia * w * w * self.basis[2]
-        self.rest = drive.rest
+        self.rest = np.full(len(theta), drive.rest)
+        if drive.motion is not None and drive.motion.floor is not None:
+            self.on_floor(drive)
         self.wanted = cubic(theta, target[1], span) if target else None
         self.rows, self.bounds, self.names = [], [], []
         self.equalities, self.values = [], []
@@ -95,9 +97,23 @@ class Program:
         # The lowest point of the law lies on the base circle.
         self.add("base_circle", -self.basis[0], 0.0)
 
+    def on_floor(self, drive):
+        """The force on the moving floor, which is linear in the law: F_n = (P_n + M H O_n)/(1 − M H) harmonic by harmonic."""
+        motion, count = drive.motion, len(self.theta)
+        n = np.arange(count // 2 + 1)
+        moved = drive.inertia * motion.floor.accelerance(n * drive.speed)
+        moved[0] = 0.0
+        self.force = np.fft.irfft(np.fft.rfft(self.force, axis=0) / (1 - moved)[:, None], count, axis=0)
+        if motion.wanted is not None:
+            others = motion.floor.others(motion.wanted)
+            n = n[: len(others)]
+            others = moved[: len(others)] * others / (1 - moved[: len(others)])
+            turned = np.exp(1j * np.outer(self.theta, n)) @ np.where(n > 0, others, 0.0)
+            self.rest = self.rest + turned.real
+
     def add(self, name, rows, bound):
         self.rows.append(rows)
-        self.bounds.append(np.full(len(rows), bound))
+        self.bounds.append(np.zeros(len(rows)) + bound)
         self.names += [name] * len(rows)
 
     def demand(self, order, theta, value):

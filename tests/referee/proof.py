@@ -20,8 +20,10 @@ def program_of(r, relaxed=None):
         raise Unknown("certificate of this objective")
     if any(key in scene["law"] for key in ("monotone", "polydyne")) or "weight" in scene.get("gait", {}):
         raise Unknown("certificate with such demands")
-    if "machine" in scene:
-        raise Unknown("certificate of a machine")
+    if r.motion is not None and r.motion.shaft is not None and r.is_timed:
+        raise Unknown("certificate under a motor")
+    if "learned_force" in r.machine or "natural_frequency" in r.machine or "stiffness" in r.machine:
+        raise Unknown("certificate of such a machine")
     count, degree = len(law["coefficients"]), law["degree"]
     if law["functions"] == "fourier":
         law_of = laws.fourier
@@ -64,13 +66,20 @@ def program_of(r, relaxed=None):
     return program
 
 
+def best_of(r, relaxed=None):
+    """Program and its optimum."""
+    def solve():
+        program = program_of(r, relaxed)
+        return (program, *program.best())
+    return r.kept(f"best of {relaxed}", solve)
+
+
 @field(r"solver\.certified")
 def certified(r, m):
     """Prescribed laws have nothing to prove; otherwise no law of the family is better than the stated one."""
     if isinstance(r.summary["law"]["functions"], str) and r.summary["law"]["functions"] != "fourier" or "monomial" in r.summary["law"]["functions"]:
         return True, 0, 0
-    program = program_of(r)
-    _, least, _ = program.best()
+    program, _, least, _ = best_of(r)
     stated = program.value(r.summary["law"]["coefficients"])
     return bool(stated <= least * (1 + 2e-5) + 1e-12 * program.size()), 0, 0
 
@@ -78,8 +87,7 @@ def certified(r, m):
 @field(r"binding\[(\d+)\]\.(.*)")
 def binding(r, m):
     row = r.summary["binding"][int(m[1])]
-    program = program_of(r)
-    _, _, dual = program.best()
+    program, _, _, dual = best_of(r)
     names = np.array(program.names)
     if m[2] == "limit":
         return (row["limit"] if row["limit"] in names else math.nan), 0, 0
@@ -107,4 +115,4 @@ def easing(r, m):
         return close(quantity(r.scene["limits"][limit]) * (1.01 if m[2] == "to" else 1.0), 1e-9)
     if m[2] == "before":
         return force(r, [None, "rms_error_n"])
-    return close(math.sqrt(program_of(r, relaxed=limit).best()[1]), 2e-4)
+    return close(math.sqrt(best_of(r, relaxed=limit)[2]), 2e-4)

@@ -1,6 +1,8 @@
 """A result folder: what its files state, and the quantities of its law, cam and drive over the cycle."""
 
+import copy
 import csv
+import functools
 import json
 import math
 import re
@@ -10,7 +12,8 @@ import numpy as np
 
 import law as laws
 from cam import Cam
-from force import CONTACT_MODULUS, Drive
+from force import CONTACT_MODULUS, Drive, model
+from machine import Floor, Motion, Motor
 from units import quantity
 
 # (pattern of a field, function of (result, match) that returns own value, relative and absolute tolerance)
@@ -29,10 +32,15 @@ def close(own, relative=1e-6, absolute=1e-12):
     return own, relative, absolute
 
 
+# Costly parts, for the fields of one result and for its copies with another number in a field.
+KEPT = {}
+
+
 class Unknown(Exception):
     """A field without a recomputation."""
 
 
+@functools.cache
 def read_rows(path):
     with open(path, newline="") as file:
         rows = list(csv.reader(file))
@@ -47,6 +55,8 @@ class Result:
         self.folder = Path(folder)
         self.summary = summary or json.loads((self.folder / "summary.json").read_text())
         self.scene = self.summary["scene"]
+        for section in ("gait", "drive", "law", "cam", "limits"):
+            self.scene.setdefault(section, {})
         self.is_built = "law" in self.summary
         run = self.folder / "simulation.json"
         self.simulation = simulation or (json.loads(run.read_text()) if run.exists() else None)
@@ -65,7 +75,61 @@ class Result:
         lever = quantity(self.scene["drive"].get("lever")) or abs(self.cam.size["arm"] or self.cam.size["pivot"] or 1.0)
         is_arm = "oscillating" in self.cam.kind
         self.drive = Drive(self.scene, drive["mass_kg"], drive["speed_rad_per_s"], lever if is_arm else 1.0)
+        self.friction = 0.0
         self.target = self.rows["target_n"] if np.isfinite(self.rows["target_n"]).all() else None
+        self.machine = self.scene.get("machine", {})
+        self.motion = self.run = None
+        design = self.summary.get("shaft_design")
+        if "floor" in self.machine or "motor" in self.machine:
+            self.on_machine(design is not None and design["rounds"] > 0)
+
+    def kept(self, name, value):
+        """A value that depends on law, cam, drive and scene alone."""
+        stated = self.summary
+        key = (str(self.folder), name, json.dumps([self.scene, stated["law"], stated["cam"], stated["drive"]], sort_keys=True))
+        if key not in KEPT:
+            KEPT[key] = value()
+        return KEPT[key]
+
+    def motor(self, **parts):
+        return Motor(self.scene, self.folder, **parts) if "motor" in self.machine else None
+
+    def on_machine(self, varies):
+        """The motion of shaft and floor under the cam; the design is judged in it where the law was made for it."""
+        floor = Floor(self.scene) if "floor" in self.machine else None
+        if floor and floor.is_drawn:
+            raise Unknown("walkers with drawn phases")
+        friction = quantity(self.machine.get("friction", 0.0)) or 0.0
+        self.lever = lambda *motion: self.cam.lever(*motion, friction)
+        plain = copy.copy(self.drive)
+        motor = self.motor() if "shaft" in self.summary or (self.simulation or {}).get("shaft") else None
+        self.is_timed = False
+        wanted = self.target_at if self.target is not None and floor else None
+        own = model_of(self)
+        if motor is None:
+            self.motion = self.drive.motion = self.kept("motion", lambda: Motion(self.law, plain, None, floor, self.lever, own or wanted))
+            return
+        self.motion = self.kept("motion", lambda: Motion(self.law, plain, motor, floor, self.lever, own))
+        self.is_timed = varies
+        if varies:
+            self.drive.motion = self.motion
+
+    def target_at(self, phase):
+        """The target at parts of the period, from the rows: cubics through four neighbours."""
+        own = self.motion.phase(self.theta) if self.motion is not None and self.is_timed else self.theta
+        turn = self.law.end - self.law.start
+        x = np.concatenate([own - turn, own, own + turn])
+        y = np.tile(self.target, 3)
+        phase = self.law.start + np.mod(phase - self.law.start, turn)
+        i = np.clip(np.searchsorted(x, phase, side="right") - 1, 1, len(x) - 3)
+        total = np.zeros(np.shape(phase))
+        for j in range(-1, 3):
+            term = y[i + j]
+            for k in range(-1, 3):
+                if k != j:
+                    term = term * (phase - x[i + k]) / (x[i + j] - x[i + k])
+            total += term
+        return total
 
     def stated_law(self):
         law = self.summary["law"]
@@ -117,12 +181,37 @@ class Result:
         return self.drive.force(theta, s, v, a) / self.drive.lever
 
     def torque(self, theta, s, v, a, j=None):
-        return self.drive.force(theta, s, v, a) * v
+        force = self.drive.force(theta, s, v, a)
+        if not self.friction:
+            return force * v
+        pressed, pulled = self.cam.lever(theta, s, v, a, self.friction)
+        return force * np.where(force < 0, pulled, pressed)
+
+    def running(self):
+        """The same result with its cam on the machine as it runs."""
+        run = copy.copy(self)
+        run.drive = copy.copy(self.drive)
+        run.drive.motion = self.motion
+        run.friction = quantity(self.machine.get("friction", 0.0)) or 0.0
+        return run
+
+    def time_mean(self, value):
+        """Mean over time on the shaft as it turns; over the angle at constant speed."""
+        if self.motion is None or self.motion.shaft is None:
+            return self.law.mean(value)
+        shaft = self.motion.shaft
+        return self.law.mean(lambda theta, *x: value(theta, *x) / shaft.speed(theta)) * shaft.mean
+
+    def speed(self, theta):
+        return np.full(np.shape(theta), self.drive.speed) if self.drive.motion is None else self.drive.motion.speed(theta)
 
     def hertz(self, theta, s, v, a, j=None):
         size = self.cam.size
         normal = self.drive.force(theta, s, v, a) / (size["arm"] if "oscillating" in self.cam.kind else 1.0)
-        normal = normal * self.cam.normal_force_factor(theta, s, v, a)
+        if self.friction and "roller" not in self.cam.kind and self.cam.kind.endswith("-translating"):
+            normal = normal / self.cam.normal_share(theta, s, v, a, self.friction)
+        else:
+            normal = normal * self.cam.normal_force_factor(theta, s, v, a)
         length = quantity(self.scene["cam"].get("thickness", 0.010))
         curvature = self.cam.curvature_sum(theta, s, v, a)
         return np.sqrt(np.maximum(normal * curvature, 0.0) * CONTACT_MODULUS / (math.pi * length))
@@ -150,3 +239,21 @@ def size_of(r):
 def presses(r):
     d = r.drive
     return bool(d.rest or d.stiffness or d.damping or d.inertia)
+
+
+def model_of(r):
+    """The target of the scene's load model over the phase of the cycle; `None` for a recording."""
+    gait = r.scene.get("gait", {})
+    frequency, weight = quantity(gait.get("step_frequency")), quantity(gait.get("body_weight", 700.0)) or 700.0
+    if "model" not in gait or gait.get("feet", "both") != "both" or not frequency:
+        return None
+    shift = quantity(gait.get("phase", 0.0)) or 0.0
+    if gait.get("phase") == "free":
+        shift = r.summary["law"]["phase_rad"]
+    size = 1.0
+    if gait.get("scale") == "to-mass":
+        size = r.drive.mass * r.drive.gravity / weight
+    if model(gait["model"], frequency, weight, np.zeros(1)) is None:
+        return None
+    level = r.drive.mass * r.drive.gravity - weight if gait.get("scale") == "alternating" else 0.0
+    return lambda phase: size * model(gait["model"], frequency, weight, phase + shift) + level
