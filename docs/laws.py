@@ -82,7 +82,6 @@ HEAD = """# Rise laws
 
 ```sh
 gaitcam laws
-gaitcam laws --out out/laws   # the same as a page, out/laws/laws.html: formulas, curves, when to choose each law
 ```
 
 The names are those of `law.segment.N.motion`. A rise by h over the angle β, x = θ/β from 0 to 1, has

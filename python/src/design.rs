@@ -275,7 +275,7 @@ impl Design {
     /// png : bool
     ///     Pictures as PNG in addition to SVG.
     /// solid : bool
-    ///     Solids (STEP, STL, 3MF), arcs (DXF) and a workbook (XLSX) too.
+    ///     Solids (STEP, STL, 3MF), a sheet (PDF) and a workbook (XLSX) too.
     /// tool : float (m) or str ("3 mm"), optional
     ///     Radius of a cutter whose path is written too.
     /// wire : float (m) or str ("0.14 mm"), optional

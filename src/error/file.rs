@@ -69,8 +69,6 @@ pub enum FileError {
     },
     /// A column of a motion has no unit, or one of another kind.
     MotionUnit { column: String, example: String },
-    /// Control points of a spline have no angles.
-    MotionControlAngle { column: String },
     /// A cell of a motion is not a number.
     MotionValue { column: String, typed: String },
     /// The angles of a motion do not increase.

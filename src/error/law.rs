@@ -137,17 +137,6 @@ pub enum LawError {
     TableLevel { table: String },
     /// The spacing of a table is too uneven for a spline.
     TableSpacing { table: String },
-    /// Degree of a spline out of range.
-    SplineDegree { spline: String, degree: usize },
-    /// Too few control points for the degree.
-    SplinePoints {
-        spline: String,
-        points: usize,
-        degree: usize,
-        least: usize,
-    },
-    /// A spline ends at its first lift.
-    SplineLevel { spline: String },
 }
 
 /// Why a programme of segments gives no law that a follower can run.

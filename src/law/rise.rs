@@ -89,7 +89,7 @@ pub enum Rise {
         /// (Disc radius + roller radius)/eccentricity; infinite for a flat face.
         ratio: f64,
     },
-    /// A law given by the user: see [`Rise::table`] and [`Rise::spline`].
+    /// A law given by the user: see [`Rise::table`].
     User {
         /// Its name in messages.
         name: String,
@@ -159,14 +159,14 @@ impl Rise {
 
     /// The motion of a name as in the catalogue, or `dwell`. Parameters may follow the name:
     /// `scca 0.25 0.25 0.5` (b, c, d), `eccentric 4` (ratio), `table 0 0 0.5 0.3 1 1` (pairs of x and s, at rest at
-    /// both ends), `spline 0 0 0 1 1 1` (control points).
+    /// both ends).
     ///
     /// # Errors
     /// An unknown name, with the nearest known one; parameters that are not numbers, too many or out of range; a file
     /// in place of numbers, which [`scene::with_motions`](crate::scene::with_motions) reads.
     pub fn from_name(text: &str) -> Result<Rise> {
-        if let Some((motion, file)) = Rise::named_file(text) {
-            let (motion, file) = (motion.to_string(), file.to_string());
+        if let Some(file) = Rise::named_file(text) {
+            let (motion, file) = ("table".to_string(), file.to_string());
             return Err(LawError::MotionFile { motion, file }.into());
         }
         let mut words = text
@@ -179,10 +179,8 @@ impl Rise {
         };
         let numbers = words.map(|w| w.parse().map_err(|_| fault(w)));
         let numbers = numbers.collect::<std::result::Result<Vec<f64>, LawError>>()?;
-        if !numbers.is_empty()
-            && let Some(own) = Rise::own(&word, &numbers)
-        {
-            return own;
+        if word == "table" && !numbers.is_empty() {
+            return Rise::of_numbers(&numbers);
         }
         let found = Rise::catalogue()
             .into_iter()
@@ -274,11 +272,11 @@ impl Rise {
 
 fn unknown(word: &str) -> LawError {
     let motion = word.to_string();
-    if matches!(word, "table" | "spline") {
+    if word == "table" {
         return LawError::MotionNeedsPoints { motion };
     }
     let names = CATALOGUE.iter().map(|row| row.0);
-    let names: Vec<&str> = names.chain(["dwell", "table", "spline"]).collect();
+    let names: Vec<&str> = names.chain(["dwell", "table"]).collect();
     LawError::UnknownMotion {
         motion,
         nearest: nearest(word, names.iter().copied()).map(str::to_string),

@@ -1,4 +1,4 @@
-//! Motions whose numbers are read from a file: `motion = "table lift.csv"`, `motion = "spline control.csv"`.
+//! Motions whose numbers are read from a file: `motion = "table lift.csv"`.
 //!
 //! The library reads no files. The caller replaces the file name by its rows before the scene is read, so that a
 //! motion from a file and one written in the scene are the same.
@@ -38,7 +38,7 @@ const LIFT: [&str; 5] = ["lift", "s", "elevación", "elevacion", "desplazamiento
 pub fn motion_files(scene: &Table) -> Vec<PathBuf> {
     let named = |segment: &Value| {
         let motion = segment.get("motion")?.as_str()?;
-        Rise::named_file(motion).map(|named| PathBuf::from(named.1))
+        Rise::named_file(motion).map(PathBuf::from)
     };
     let curve = curve_file(scene).map(PathBuf::from);
     let motions = segments(scene).iter().filter_map(named);
@@ -113,8 +113,7 @@ fn put_curve(scene: &mut Table, read: &mut dyn FnMut(&Path) -> Result<Content>) 
 /// its lift takes it from the file.
 ///
 /// A table has a header that names a column `angle` (`length` for a translating cam) and a column `lift`, each with
-/// its unit (`angle_deg`, `lift [mm]`); control points of a spline have the column `lift` alone. `read` gives the path
-/// for messages and the content of a file.
+/// its unit (`angle_deg`, `lift [mm]`). `read` gives the path for messages and the content of a file.
 ///
 /// # Errors
 /// Errors of `read`; invalid columns, units and rows, each with its line; an angle or a lift of the segment that
@@ -146,19 +145,19 @@ pub fn with_motions(
             continue;
         };
         let motion = segment.get("motion").and_then(Value::as_str);
-        let Some((word, file)) = motion.and_then(Rise::named_file) else {
+        let Some(file) = motion.and_then(Rise::named_file) else {
             continue;
         };
-        let (word, key) = (word.to_string(), format!("law.segment.{}", i + 1));
+        let key = format!("law.segment.{}", i + 1);
         let (path, bytes) =
             read(Path::new(file)).map_err(|e| e.at_key(&format!("{key}.motion")))?;
         if bytes.len() as u64 > LARGEST_MOTION {
             let mib = LARGEST_MOTION >> 20;
             return Err(FileError::TooLarge { mib }.in_file(&path));
         }
-        let rows = Rows::read(&path, &bytes, &word)?;
+        let rows = Rows::read(&path, &bytes)?;
         rows.put(segment, &key, &path)?;
-        let motion = format!("{word}{}", rows.written());
+        let motion = rows.written();
         // Report an error in the rows as an error in the file.
         Rise::from_name(&motion).map_err(|e| e.in_file(&path))?;
         segment.insert("motion".to_string(), Value::String(motion));
@@ -227,13 +226,13 @@ impl Column {
 
 /// The numbers of a motion, SI.
 struct Rows {
-    angle: Option<(Column, Vec<f64>)>,
+    angle: (Column, Vec<f64>),
     lift: (Column, Vec<f64>),
 }
 
 impl Rows {
-    fn read(path: &Path, bytes: &[u8], word: &str) -> Result<Rows> {
-        let table = find_table(path, bytes, word)?;
+    fn read(path: &Path, bytes: &[u8]) -> Result<Rows> {
+        let table = find_table(path, bytes, "table")?;
         let missing = |column: &str, example: &str| {
             let fault = FileError::MotionColumn {
                 column: column.to_string(),
@@ -246,72 +245,54 @@ impl Rows {
             .ok_or_else(|| missing("lift", "lift_mm"))?;
         let turned = Column::find(path, &table, &ANGLE, &[Dimension::Angle])?;
         let angle = match turned {
-            Some(angle) => Some(angle),
-            None => Column::find(path, &table, &TRAVEL, &[Dimension::Length])?,
-        };
-        let angle = match (word, angle) {
-            ("spline", Some(angle)) => {
-                let column = angle.name;
-                let fault = FileError::MotionControlAngle { column };
-                return Err(fault.at_line(path, table.header_line()));
-            }
-            ("spline", None) => None,
-            (_, angle) => Some(angle.ok_or_else(|| missing("angle", "angle_deg"))?),
+            Some(angle) => angle,
+            None => Column::find(path, &table, &TRAVEL, &[Dimension::Length])?
+                .ok_or_else(|| missing("angle", "angle_deg"))?,
         };
         let (mut angles, mut lifts): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
         for (line, row) in table.rows() {
             if lifts.len() == MOST_ROWS {
                 return Err(FileError::MotionManyRows { most: MOST_ROWS }.at_line(path, line));
             }
-            if let Some(angle) = &angle {
-                let x = angle.number(path, line, &row)?;
-                if angles.last().is_some_and(|&before| x <= before) {
-                    let typed = |x: f64| x / angle.factor;
-                    let fault = FileError::MotionOrder {
-                        column: angle.name.clone(),
-                        x: typed(x),
-                        before: typed(angles[angles.len() - 1]),
-                    };
-                    return Err(fault.at_line(path, line));
-                }
-                angles.push(x);
+            let x = angle.number(path, line, &row)?;
+            if angles.last().is_some_and(|&before| x <= before) {
+                let typed = |x: f64| x / angle.factor;
+                let fault = FileError::MotionOrder {
+                    column: angle.name.clone(),
+                    x: typed(x),
+                    before: typed(angles[angles.len() - 1]),
+                };
+                return Err(fault.at_line(path, line));
             }
+            angles.push(x);
             lifts.push(lift.number(path, line, &row)?);
         }
         Ok(Rows {
-            angle: angle.map(|column| (column, angles)),
+            angle: (angle, angles),
             lift: (lift, lifts),
         })
     }
 
-    /// The text of the motion in a scene: its kind, then its numbers.
+    /// The text of the motion in a scene.
     fn written(&self) -> String {
-        let mut text = String::new();
-        for (i, s) in self.lift.1.iter().enumerate() {
-            if let Some((_, angles)) = &self.angle {
-                text.push_str(&format!(" {}", angles[i]));
-            }
-            text.push_str(&format!(" {s}"));
-        }
-        text
+        let rows = self.angle.1.iter().zip(&self.lift.1);
+        rows.fold("table".to_string(), |text, (x, s)| {
+            format!("{text} {x} {s}")
+        })
     }
 
     /// Gives the segment the angle and the lift of the file, or checks those that it has.
     fn put(&self, segment: &mut Table, key: &str, path: &Path) -> Result<()> {
-        let ends = |values: &[f64]| Some(values.last()? - values.first()?);
-        if let Some((column, angles)) = &self.angle
-            && let Some(covered) = ends(angles)
-        {
-            let name = match column.dimension {
+        for ((column, values), name) in [(&self.angle, None), (&self.lift, Some("lift"))] {
+            let name = name.unwrap_or(match column.dimension {
                 Dimension::Length => "length",
                 _ => "angle",
-            };
-            agree(segment, key, name, column, covered, path)?;
+            });
+            if let [first, .., last] = values[..] {
+                agree(segment, key, name, column, last - first, path)?;
+            }
         }
-        match ends(&self.lift.1) {
-            Some(lift) => agree(segment, key, "lift", &self.lift.0, lift, path),
-            None => Ok(()),
-        }
+        Ok(())
     }
 }
 

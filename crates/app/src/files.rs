@@ -87,7 +87,7 @@ const fn piece(group: Group, name: &'static str, of: Of, piece: Piece) -> File {
 }
 
 /// Every file that a design may have except its scene, in the order of writing.
-pub const ALL: [File; 36] = {
+pub const ALL: [File; 35] = {
     use Group::{Drawings, Pictures, Report, Tables, Workshop};
     use Maker::{Always, Finish, Png};
     use Of::{All, Barrels, Cams, Discs, Floors, Pairs, Plates, Populations, Profiles};
@@ -179,7 +179,6 @@ pub const ALL: [File; 36] = {
         ),
         piece(Workshop, "cam.step", Profiles, Piece::Step),
         piece(Workshop, "profile.xlsx", Cams, Piece::Workbook),
-        piece(Drawings, "profile_arcs.dxf", Profiles, Piece::Arcs),
         piece(Workshop, "cutter.csv", Cams, Piece::Cutter),
         piece(Workshop, "cutter.nc", Cams, Piece::Program(0)),
         piece(Workshop, "cutter_second.nc", Pairs, Piece::Program(1)),

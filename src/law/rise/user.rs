@@ -1,4 +1,4 @@
-//! Laws that the user brings: a table or the control points of a B-spline.
+//! Laws that the user brings as a table.
 
 use super::super::{Condition, Law, hermite_birkhoff};
 use super::Rise;
@@ -8,38 +8,25 @@ use crate::poly::{PiecewisePoly, SplineSpace};
 /// Degree of the spline through a table: continuous to the fourth derivative.
 const TABLE_DEGREE: usize = 5;
 
-/// Degree of a B-spline whose control points stand in a scene.
-const SPLINE_DEGREE: usize = 5;
-
 impl Rise {
-    /// The word and the file of a motion whose numbers stand in a file: `table lift.csv`, `spline control.csv`.
-    /// `None` where numbers follow the word, or nothing.
-    pub(crate) fn named_file(text: &str) -> Option<(&'static str, &str)> {
+    /// The file of a motion whose rows stand in a file: `table lift.csv`. `None` where numbers follow the word, or nothing.
+    pub(crate) fn named_file(text: &str) -> Option<&str> {
         let apart = |c: char| c.is_whitespace() || c == ',';
         let (word, file) = text.trim().split_once(apart)?;
-        let word = ["table", "spline"]
-            .into_iter()
-            .find(|w| w.eq_ignore_ascii_case(word))?;
         let file = file.trim();
         let first = file.split(apart).find(|w| !w.is_empty())?;
-        first.parse::<f64>().is_err().then_some((word, file))
+        let is_named = word.eq_ignore_ascii_case("table") && first.parse::<f64>().is_err();
+        is_named.then_some(file)
     }
 
-    /// The law of `table` or `spline` with its numbers, as a scene has them; `None` for another word.
-    pub(super) fn own(word: &str, numbers: &[f64]) -> Option<Result<Rise>> {
-        match word {
-            "table" => {
-                let rows: Vec<(f64, f64)> =
-                    numbers.chunks(2).map(|p| (p[0], p[p.len() - 1])).collect();
-                if numbers.len() % 2 == 1 {
-                    let numbers = numbers.len();
-                    return Some(Err(LawError::TablePairs { numbers }.into()));
-                }
-                Some(Rise::table(word, &rows, true))
-            }
-            "spline" => Some(Rise::spline(word, SPLINE_DEGREE, numbers)),
-            _ => None,
+    /// The law of the numbers behind the word `table`.
+    pub(super) fn of_numbers(numbers: &[f64]) -> Result<Rise> {
+        if !numbers.len().is_multiple_of(2) {
+            let numbers = numbers.len();
+            return Err(LawError::TablePairs { numbers }.into());
         }
+        let rows: Vec<(f64, f64)> = numbers.chunks_exact(2).map(|p| (p[0], p[1])).collect();
+        Rise::table("table", &rows, true)
     }
 
     /// A law through a table of (x, s), at least two rows, x increasing: a spline of degree 5, at rest
@@ -84,42 +71,6 @@ impl Rise {
             name: name.to_string(),
             written: written("table", numbers),
             law: Box::new(Law::from_poly(poly, false)),
-        })
-    }
-
-    /// A law from the control points of a clamped B-spline with equal spans; at least degree + 1 points.
-    /// Normalised so that it leads from 0 (first point) to 1 (last point). Three equal points at an end
-    /// put it at rest there (v = a = 0).
-    ///
-    /// # Errors
-    /// A degree outside 1 … 15, too few points, or points that do not lead from one lift to another.
-    pub fn spline(name: &str, degree: usize, control: &[f64]) -> Result<Rise> {
-        let spline = name.to_string();
-        let n = control.len();
-        if degree == 0 || degree > 15 {
-            return Err(LawError::SplineDegree { spline, degree }.into());
-        }
-        if n <= degree {
-            return Err(LawError::SplinePoints {
-                spline,
-                points: n,
-                degree,
-                least: degree + 1,
-            }
-            .into());
-        }
-        let lift = control[n - 1] - control[0];
-        if control.iter().any(|c| !c.is_finite()) || lift == 0.0 {
-            return Err(LawError::SplineLevel { spline }.into());
-        }
-        let spans = n - degree;
-        let breaks: Vec<f64> = (0..=spans).map(|i| i as f64 / spans as f64).collect();
-        let space = SplineSpace::clamped(degree, &breaks, &vec![1; spans - 1]);
-        let c: Vec<f64> = control.iter().map(|x| (x - control[0]) / lift).collect();
-        Ok(Rise::User {
-            name: name.to_string(),
-            written: written("spline", control.iter().copied()),
-            law: Box::new(Law::from_poly(space.spline(&c), false)),
         })
     }
 }

@@ -34,7 +34,6 @@ file-not-sweep-folder = holds { $file }, which is no block of a sweep
 file-no-table = no table of numbers found
     .help = the file starts with "{ $start }"; { $purpose ->
         [motor] the torque curve of a motor has the header speed_rad_per_s,torque_n_m
-        [spline] control points have a header such as lift_mm
        *[table] a motion has a header such as angle_deg,lift_mm
     } and under it rows of numbers
 file-motor-column = the torque curve has no column { $column } (columns: { $columns })
@@ -43,8 +42,6 @@ file-motion-column = there is no column { $column } (columns: { $columns })
     .help = name it with its unit in the header, for example { $example }
 file-motion-unit = column { $column }: its unit is missing or of another kind
     .help = name it with its unit in the header, for example { $example }
-file-motion-control-angle = control points of a spline have equal spans, but there is a column { $column }
-    .help = remove the column, or write "table" for a law through the rows
 file-motion-value = column { $column }: "{ $typed }" is not a number
     .help = every row needs a finite number
 file-motion-order = column { $column }: { $x } after { $before }

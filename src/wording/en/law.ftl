@@ -56,7 +56,7 @@ law-unknown-motion = unknown motion `{ $motion }`
        *[other] did you mean `{ $nearest }`?
     }
 law-motion-needs-points = the motion `{ $motion }` needs points
-    .help = write pairs x s of parts of angle and lift, motion = "table 0 0 0.5 0.3 1 1", or the control points of a spline of degree 5, motion = "spline 0 0 0 1 1 1"; or name a CSV file, motion = "table lift.csv"
+    .help = write pairs x s of parts of angle and lift, motion = "table 0 0 0.5 0.3 1 1"; or name a CSV file, motion = "table lift.csv"
 law-motion-file = the motion `{ $motion }` names the file { $file }, which cannot be read here
     .help = write a file into the scene file or after --set; a sweep over motions takes rows written out, motion = "table 0 0 0.5 0.3 1 1"
 law-general-degree = a general polynomial of degree { $degree } cannot split its conditions evenly between both ends
@@ -77,12 +77,6 @@ law-table-level = { $table }: it ends at its initial lift
     .help = a motion goes from one lift to another: split the table at its highest point
 law-table-spacing = { $table }: the spacing of its rows is too uneven for a spline
     .help = space them more evenly
-law-spline-degree = { $spline }: degree { $degree } is out of range
-    .help = use 3 to 7
-law-spline-points = { $spline }: { $points } control points are too few for degree { $degree }
-    .help = give at least { $least }
-law-spline-level = { $spline }: initial and final lift do not differ
-    .help = the first and last control points must be finite and different
 
 # What may stand beside the end of a law.
 joins-dwell = dwell

@@ -34,7 +34,6 @@ file-not-sweep-folder = contiene { $file }, que no es un bloque de un barrido
 file-no-table = no se encontró ninguna tabla de números
     .help = el archivo empieza con «{ $start }»; { $purpose ->
         [motor] la curva de par de un motor tiene el encabezado speed_rad_per_s,torque_n_m
-        [spline] los puntos de control tienen un encabezado como lift_mm
        *[table] un movimiento tiene un encabezado como angle_deg,lift_mm
     } y debajo filas de números
 file-motor-column = la curva de par no tiene la columna { $column } (columnas: { $columns })
@@ -43,8 +42,6 @@ file-motion-column = no hay columna { $column } (columnas: { $columns })
     .help = nómbrela con su unidad en el encabezado, por ejemplo { $example }
 file-motion-unit = columna { $column }: falta su unidad o es de otra clase
     .help = nómbrela con su unidad en el encabezado, por ejemplo { $example }
-file-motion-control-angle = los puntos de control de un spline tienen tramos iguales, pero hay una columna { $column }
-    .help = quite la columna, o escriba "table" para una ley que pase por las filas
 file-motion-value = columna { $column }: "{ $typed }" no es un número
     .help = cada fila necesita un número finito
 file-motion-order = columna { $column }: { $x } después de { $before }

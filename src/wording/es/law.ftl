@@ -56,7 +56,7 @@ law-unknown-motion = movimiento desconocido `{ $motion }`
        *[other] ¿quiso decir `{ $nearest }`?
     }
 law-motion-needs-points = el movimiento `{ $motion }` necesita puntos
-    .help = escriba parejas x s de partes del ángulo y de la elevación, motion = "table 0 0 0.5 0.3 1 1", o los puntos de control de un spline de grado 5, motion = "spline 0 0 0 1 1 1"; o nombre un archivo CSV, motion = "table lift.csv"
+    .help = escriba parejas x s de partes del ángulo y de la elevación, motion = "table 0 0 0.5 0.3 1 1"; o nombre un archivo CSV, motion = "table lift.csv"
 law-motion-file = el movimiento `{ $motion }` nombra el archivo { $file }, que aquí no se puede leer
     .help = indique un archivo en la escena o tras --set; un barrido de movimientos toma filas escritas, motion = "table 0 0 0.5 0.3 1 1"
 law-general-degree = un polinomio general de grado { $degree } no puede repartir por igual sus condiciones entre ambos extremos
@@ -77,12 +77,6 @@ law-table-level = { $table }: termina en su elevación inicial
     .help = un movimiento va de una elevación a otra: divida la tabla por su punto más alto
 law-table-spacing = { $table }: las filas están demasiado desigualmente espaciadas para un spline
     .help = espácielas con más regularidad
-law-spline-degree = { $spline }: el grado { $degree } está fuera del intervalo
-    .help = use de 3 a 7
-law-spline-points = { $spline }: { $points } puntos de control son muy pocos para el grado { $degree }
-    .help = dé al menos { $least }
-law-spline-level = { $spline }: las elevaciones inicial y final no difieren
-    .help = el primer y el último punto de control deben ser finitos y distintos
 
 # Lo que puede estar junto al extremo de una ley.
 joins-dwell = detenimiento

@@ -6,10 +6,6 @@ use gaitcam::units::Quantity;
 use gaitcam_test_support::segments;
 use std::f64::consts::PI;
 
-fn near(value: f64, expected: f64, relative: f64) -> bool {
-    (value - expected).abs() <= relative * expected.abs()
-}
-
 fn turn(motions: &[(&str, f64, f64)]) -> gaitcam::error::Result<Law> {
     program(&segments(motions), Extent::TURN)
 }
@@ -263,7 +259,7 @@ fn both_halves_of_a_constant_breadth_law_add_to_its_lift() {
 }
 
 #[test]
-fn tables_and_control_points_become_laws() {
+fn tables_become_laws() {
     let rows: Vec<(f64, f64)> = (0..=40)
         .map(|i| f64::from(i) / 40.0)
         .map(|x| {
@@ -285,42 +281,31 @@ fn tables_and_control_points_become_laws() {
             );
         }
     }
-    let spline = Rise::spline("mine", 5, &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0]).unwrap();
-    let f = spline.factors().unwrap();
-    assert!(near(f.cv, 1.875, 1e-12) && near(f.ca, 10.0 / 3.0_f64.sqrt(), 1e-12));
     let table = Rise::table("mine", &[(0.0, 0.0), (0.0, 1.0)], true);
     assert!(matches!(
         table.unwrap_err().fault(),
         Some(LawError::TableOrder { row: 2, .. })
     ));
-    assert!(Rise::spline("mine", 5, &[0.0, 1.0]).is_err());
 }
 
 #[test]
-fn a_scene_writes_tables_and_control_points_behind_the_motion() {
-    // Bernstein coefficients 0 0 0 1 1 1 of degree 5 are those of 10x³ − 15x⁴ + 6x⁵.
+fn a_scene_writes_tables_behind_the_motion() {
     let exact = Rise::Poly345.law().unwrap();
-    let spline = Rise::from_name("spline 0 0 0 1 1 1").unwrap();
     let rows = (0..=12).map(|i| f64::from(i) / 12.0);
     let rows: Vec<String> = rows.map(|x| format!("{x} {}", exact.svaj(x).s)).collect();
     let table = Rise::from_name(&format!("table {}", rows.join(" "))).unwrap();
     for i in 0..=100 {
         let x = f64::from(i) / 100.0;
         let wanted = exact.svaj(x);
-        for (rise, near) in [(&spline, 1e-12), (&table, 1e-9)] {
-            let found = rise.law().unwrap().svaj(x);
-            assert!((found.s - wanted.s).abs() < near, "{} at {x}", rise.name());
-            assert!((found.a - wanted.a).abs() < 1e4 * near);
-        }
+        let found = table.law().unwrap().svaj(x);
+        assert!((found.s - wanted.s).abs() < 1e-9, "at {x}");
+        assert!((found.a - wanted.a).abs() < 1e-5);
     }
-    for rise in [spline, table] {
-        assert_eq!(Rise::from_name(&rise.written()).unwrap(), rise);
-    }
+    assert_eq!(Rise::from_name(&table.written()).unwrap(), table);
     let fault = |text: &str| Rise::from_name(text).unwrap_err().code();
     assert_eq!(fault("table"), "law-motion-needs-points");
     assert_eq!(fault("table 0 0 0.5 0.3 1"), "law-table-pairs");
     assert_eq!(fault("table 0 0 0.6 0.3 0.5 1"), "law-table-order");
-    assert_eq!(fault("spline 0 0 1"), "law-spline-points");
 }
 
 #[test]

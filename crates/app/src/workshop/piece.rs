@@ -22,8 +22,6 @@ pub enum Piece {
     Step,
     /// Workbook.
     Workbook,
-    /// Outline as arcs.
-    Arcs,
     /// Path of a cutter.
     Cutter,
     /// Program for that cutter, of the first or the second cam.

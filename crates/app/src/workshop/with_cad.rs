@@ -12,10 +12,8 @@ use gaitcam_output::{Language, Timing, xlsx};
 
 use super::piece::{Piece, usual_cutter};
 
-/// Vertices of a solid's profile and of the polylines in the drawing with arcs.
+/// Vertices of a solid's profile.
 const VERTICES: usize = 720;
-/// Largest distance of the fitted arcs from the profile, m.
-const ARCS: f64 = 1e-6;
 /// Triangles of a groove's wall: along the groove for every turn, and through its depth.
 const WALL: [usize; 2] = [720, 8];
 
@@ -25,7 +23,7 @@ pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 /// What the workshop asks for.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Workshop {
-    /// Solids, arcs and a workbook for manufacturing.
+    /// Solids, a sheet and a workbook for manufacturing.
     pub solid: bool,
     /// Radius of a cutter whose path is written, m.
     pub tool: Option<f64>,
@@ -52,15 +50,6 @@ pub enum Remark {
     NoSolid(Error),
     /// There is no STEP file.
     NoStep(Error),
-    /// Arcs in profile_arcs.dxf.
-    Arcs {
-        /// How many.
-        arcs: usize,
-        /// Largest distance from the profile, m.
-        deviation: f64,
-    },
-    /// There are none.
-    NoArcs,
     /// The cutter damages the profile.
     Gouge(Gouge),
     /// What the controller makes of its electronic cam.
@@ -84,7 +73,7 @@ impl Remark {
             | Remark::NoStep(fault)
             | Remark::NoEcam(fault)
             | Remark::NoProgram(fault) => Some(fault),
-            Remark::Arcs { .. } | Remark::NoArcs | Remark::Ecam(_) | Remark::Gouge(_) => None,
+            Remark::Ecam(_) | Remark::Gouge(_) => None,
         }
     }
 }
@@ -110,8 +99,7 @@ impl Workshop {
             | Piece::ThreeMf
             | Piece::Wall(_)
             | Piece::Step
-            | Piece::Workbook
-            | Piece::Arcs => self.solid,
+            | Piece::Workbook => self.solid,
             Piece::Cutter | Piece::Program(_) => self.tool.is_some(),
             Piece::Wire => self.wire.is_some(),
             Piece::Ecam(k) => self.ecam == Some(Dialect::ALL[k]),
@@ -147,7 +135,6 @@ impl Workshop {
             Piece::Wall(wall) => groove(design, wall),
             Piece::Step => or_remark(step::solid(design), Remark::NoStep),
             Piece::Workbook => made(xlsx::workbook(design, time, language)?),
-            Piece::Arcs => self.arcs(design),
             Piece::Cutter => self.path(design, points),
             Piece::Program(cam) => self.program(design, cam),
             Piece::Wire => {
@@ -164,23 +151,6 @@ impl Workshop {
             ..self.title
         };
         Ok((drawing::pdf(design, &title, language), Vec::new()))
-    }
-
-    fn arcs(&self, design: &Design) -> Made {
-        let options = dxf::Options {
-            points: VERTICES,
-            version: dxf::Version::R2000,
-            bore: design.problem.cam.hole(),
-            content: self.drawn,
-            units: self.units,
-        };
-        Ok(match dxf::arcs(design, ARCS, options) {
-            Some(drawing) => {
-                let (arcs, deviation) = (drawing.arcs, drawing.deviation);
-                (Some(drawing.bytes), vec![Remark::Arcs { arcs, deviation }])
-            }
-            None => (None, vec![Remark::NoArcs]),
-        })
     }
 
     fn tool(&self, design: &Design) -> f64 {

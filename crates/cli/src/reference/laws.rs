@@ -1,7 +1,5 @@
 //! `gaitcam laws`: the catalogue of rise laws.
 
-use std::path::PathBuf;
-
 use clap::Args;
 use serde_json::{Value, json};
 
@@ -13,13 +11,10 @@ use crate::console::terminal::{print, print_json};
 use crate::console::words;
 use gaitcam::error::{Placed, Result, nearest};
 use gaitcam::law::{End, Ends, Factors, Rise};
-use gaitcam_app::folder::Folder;
-use gaitcam_output::laws_report;
 
 const EXAMPLES: &str = "Examples:
   gaitcam laws
   gaitcam laws cycloidal
-  gaitcam laws --out out
   gaitcam laws --json | python3 -m json.tool";
 
 /// How to print it.
@@ -31,9 +26,6 @@ pub struct LawsArgs {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
-    /// Also write laws.html into this folder: formulas, curves, factors and when to choose each law
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
 }
 
 /// What the two ends can join, once where they agree.
@@ -47,12 +39,8 @@ fn joined(ends: &Ends) -> String {
     }
 }
 
-/// Prints the catalogue as a table, or as a list of objects; writes the page where it is asked for.
+/// Prints the catalogue as a table, or as a list of objects.
 pub fn run(args: &LawsArgs) -> Result<u8> {
-    if let Some(out) = &args.out {
-        let page = laws_report::html(language::current())?;
-        Folder::open(out)?.write("laws.html", page.as_bytes())?;
-    }
     let all = Rise::catalogue();
     let asked = |rise: &Rise| {
         (args.name.as_deref()).is_none_or(|n| n == rise.name() || n == words::name(rise.name()))

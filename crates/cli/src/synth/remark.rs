@@ -13,13 +13,8 @@ pub fn sentence(remark: &Remark, measures: Measures) -> String {
     match remark {
         Remark::NoSolid(fault) => words::fill("synth-no-solid", &arguments(fault)),
         Remark::NoStep(fault) => words::fill("synth-no-step", &arguments(fault)),
-        Remark::Arcs { arcs, deviation } => {
-            let deviation = words::power(1e3 * deviation, 2);
-            words::fill("synth-arcs", &json!({"arcs": arcs, "deviation": deviation}))
-        }
         Remark::Ecam(made) => ecam::sentence(made),
         Remark::NoEcam(fault) => words::fill("synth-no-ecam", &arguments(fault)),
-        Remark::NoArcs => words::text("synth-no-arcs"),
         Remark::NoProgram(fault) => words::fill("synth-no-program", &arguments(fault)),
         Remark::Gouge(gouge) => self::gouge(gouge, measures),
     }

@@ -16,7 +16,7 @@ use gaitcam_cad::ecam::Dialect;
 /// What to write for CAD and the workshop.
 #[derive(Args, Debug, Default)]
 pub struct WorkshopArgs {
-    /// Also write manufacturing files: drawing (PDF), solid (STEP, STL, 3MF), arcs (DXF), workbook (XLSX)
+    /// Also write manufacturing files: drawing (PDF), solid (STEP, STL, 3MF), workbook (XLSX)
     #[arg(long)]
     pub solid: bool,
     /// Leave out of DXF drawings what is not cut: circles, marks, pitch curve (layers REF_*)

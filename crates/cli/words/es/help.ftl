@@ -162,7 +162,6 @@ keys-markdown = Escribe la página de referencia en Markdown
 scenes-name = Muestra esta escena en TOML
 
 laws-name = Solo esta ley
-laws-out = Escribe además laws.html en esta carpeta: fórmulas, curvas, factores y cuándo elegir cada ley
 
 init-machine = La máquina; sin ella, se enumeran
 init-out = Archivo que se escribe, o - para la salida estándar (por defecto MÁQUINA.toml)

@@ -291,12 +291,6 @@ sheet-pitch-x = Pitch curve, x, mm
 sheet-pitch-y = Pitch curve, y, mm
 
 # The catalogue of rise laws.
-laws-title = Rise laws
-laws-lead = Each law leads from s = 0 to s = 1 while x goes from 0 to 1. A rise by h over the angle β has peak velocity Cv·h/β, acceleration Ca·h/β², jerk Cj·h/β³ (per radian; times ω, ω², ω³ per second). Where a formula gives the acceleration, the law is its integral.
-laws-joins-both = Both ends join: { $start }.
-laws-joins-each = The start joins: { $start }. The end joins: { $end }.
-laws-torque = Largest acceleration × velocity, which scales the inertia torque: Ct = { $ct }.
-laws-footer = In a scene: family = "program", motion = the name of the law. Factors are those of the continuous law.
 laws-use-constant-velocity = Between two laws that run at the same velocity, for example the working stroke of a feed. Alone between dwells it makes the velocity jump: use it only with semiharmonic or semicycloidal ends.
 laws-use-parabolic = The smallest peak acceleration of all laws for a given lift and time. The acceleration jumps at both ends and in the middle, so it vibrates: low speed only.
 laws-use-cubic = Linear acceleration: the simplest polynomial at rest at both ends. The acceleration jumps at the ends: low speed only.

@@ -296,12 +296,6 @@ sheet-pitch-x = Curva de paso, x, mm
 sheet-pitch-y = Curva de paso, y, mm
 
 # El catálogo de leyes de subida.
-laws-title = Leyes de subida
-laws-lead = Cada ley lleva de s = 0 a s = 1 mientras x va de 0 a 1. Una subida h en el ángulo β tiene velocidad de pico Cv·h/β, aceleración Ca·h/β², sobreaceleración Cj·h/β³ (por radián; por ω, ω², ω³ en segundos). Donde la fórmula da la aceleración, la ley es su integral.
-laws-joins-both = Ambos extremos enlazan con: { $start }.
-laws-joins-each = El inicio enlaza con: { $start }. El final enlaza con: { $end }.
-laws-torque = Mayor aceleración × velocidad, que da la escala del par de inercia: Ct = { $ct }.
-laws-footer = En una escena: family = "program", motion = el nombre de la ley. Los factores son los de la ley continua.
 laws-use-constant-velocity = Entre dos leyes que marchan a la misma velocidad, por ejemplo la carrera de trabajo de un avance. Sola entre detenimientos la velocidad salta: úsela solo con extremos semiarmónicos o semicicloidales.
 laws-use-parabolic = La menor aceleración de pico de todas las leyes para una subida y un tiempo dados. La aceleración salta en los extremos y en el centro, así que vibra: solo a baja velocidad.
 laws-use-cubic = Aceleración lineal: el polinomio más simple en reposo en ambos extremos. La aceleración salta en los extremos: solo a baja velocidad.

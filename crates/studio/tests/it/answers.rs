@@ -191,7 +191,6 @@ fn every_file_that_the_page_lists_is_exported() {
         "profile.stl",
         "profile.3mf",
         "cam.step",
-        "profile_arcs.dxf",
         "profile.xlsx",
         "cutter.csv",
     ] {

@@ -112,30 +112,6 @@ fn a_file_of_rows_is_the_same_law_as_the_rows_written_out() {
 }
 
 #[test]
-fn a_file_of_control_points_is_the_same_law_as_the_points_written_out() {
-    let folder = tempfile::tempdir().unwrap();
-    let folder = folder.path();
-    let sizes = "lift = \"10 mm\"\nangle = \"120 deg\"";
-    let control = [0.0, 0.0, 0.0, 2.0, 9.0, 10.0, 10.0, 10.0];
-    let list = control.map(|c| c.to_string());
-    scene(
-        folder,
-        &format!("motion = \"spline {}\"\n{sizes}", list.join(" ")),
-    );
-    let inline = law(folder, &["scene.toml"]);
-    fs::write(
-        folder.join("control.csv"),
-        format!("lift_mm\n{}\n", list.join("\n")),
-    )
-    .unwrap();
-    scene(
-        folder,
-        "motion = \"spline control.csv\"\nangle = \"120 deg\"",
-    );
-    same(&inline, &law(folder, &["scene.toml"]));
-}
-
-#[test]
 fn paths_are_relative_to_the_scene_file_and_after_set_to_the_working_directory() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
@@ -345,13 +321,6 @@ fn rows_that_make_no_motion_are_refused() {
         &stated("lift", "-10 mm"),
         None,
         "lift_mm",
-    );
-    refuses(
-        "file-motion-control-angle",
-        &good,
-        "motion = \"spline lift.csv\"",
-        Some(1),
-        "angle_deg",
     );
     // The rows cover a third of the turn, the dwell and the fall two thirds; 110° leave 10° open.
     refuses(

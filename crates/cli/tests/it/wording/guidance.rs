@@ -1,4 +1,4 @@
-//! What leads a newcomer: `init`, `doctor`, `man`, the page of laws, help and faults of the command line.
+//! What leads a newcomer: `init`, `doctor`, help and faults of the command line.
 
 use std::fs;
 
@@ -78,15 +78,6 @@ fn the_doctor_names_every_fault_at_once_and_the_cure() {
     walk(&folder.path().join("walk.csv"));
     let walked = run_in(folder.path(), &["doctor", "walk.csv"]);
     assert_eq!(walked.status.code(), Some(0), "{}", both(&walked));
-}
-
-#[test]
-fn the_page_of_laws_is_written() {
-    let folder = tempfile::tempdir().unwrap();
-    let done = run_in(folder.path(), &["laws", "--out", "out"]);
-    assert_eq!(done.status.code(), Some(0), "{}", both(&done));
-    let page = fs::read_to_string(folder.path().join("out/laws.html")).unwrap();
-    assert!(page.contains("x − sin(2πx)/(2π)") && page.contains("Cv = 2"));
 }
 
 #[test]
