@@ -32,6 +32,8 @@ pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: R
     let Attempt { law, cam, refusal } = attempt;
     let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;
     let infeasible = match refusal {
+        // Without an answer nothing is proved: the law that was found is judged as it is.
+        Some(refusal) if search.halt.is_asked() && !refusal.is_found() => None,
         Some(refusal) => Some(infeasible::explain(problem, &refusal)),
         None if cam.checks.iter().any(too_large) => infeasible::bore_against_size(problem),
         None => None,

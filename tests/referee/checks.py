@@ -164,7 +164,9 @@ def cam_das(r, m):
 
 @field(r"outcome")
 def outcome(r, m):
-    return ("built" if r.is_built and "infeasible" not in r.summary else "infeasible"), 0, 0
+    if "infeasible" in r.summary or not r.is_built:
+        return "infeasible", 0, 0
+    return ("out-of-time" if r.summary.get("out_of_time") else "built"), 0, 0
 
 
 @field(r"verdict")

@@ -29,6 +29,11 @@ impl Refusal {
         })
     }
 
+    /// Whether the limits were found to leave no law; otherwise the solver stopped before an answer.
+    pub fn is_found(&self) -> bool {
+        !matches!(&self.failure, Failure::Numerical { .. })
+    }
+
     /// Whether there is a law without the accuracy.
     pub fn is_of_accuracy(&self) -> bool {
         let open = self.program.of_least_rms(Criterion::Accuracy);

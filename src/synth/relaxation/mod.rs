@@ -52,7 +52,8 @@ impl Design {
     /// The same in the search that made the design: with its cache and its end.
     #[must_use]
     pub fn relaxed_with(self, search: &Search) -> Design {
-        // No limit changes the mean of the force, what is open about the recording, nor a law that is prescribed.
+        // No limit changes the mean of the force, what is open about the recording, nor a law that is prescribed; and no
+        // limit is to blame where the solver stopped.
         let hopeless = self.reasons.iter().any(|reason| {
             matches!(
                 reason,
@@ -64,9 +65,10 @@ impl Design {
                     | Reason::LiftJumps { .. }
                     | Reason::VelocityJumps { .. }
                     | Reason::LimitUnbounded { .. }
+                    | Reason::SolverStopped { .. }
             )
         });
-        if hopeless || passes(&self) {
+        if hopeless || self.out_of_time || passes(&self) {
             return self;
         }
         let problem = Arc::clone(&self.problem);
@@ -215,7 +217,9 @@ impl<'a> Relaxing<'a> {
                     edge.and_then(|edge| relaxing.passing_from(number, edge))
                 }
             };
-            Some(Relaxation::of(number.criterion(), from, Some(to?)))
+            let eases = |to: &f64| number.sign() * (to - from) > 0.0;
+            let to = to.filter(eases)?;
+            Some(Relaxation::of(number.criterion(), from, Some(to)))
         };
         let tried = beside(numbers, &self.search.halt, relaxation);
         tried.into_iter().flatten().collect()

@@ -16,12 +16,13 @@ use gaitcam::wording::Language;
 pub fn summary(design: &Design, time: Timing) -> Value {
     let mut out = Map::new();
     let mut put = |key: &str, value: Value| out.insert(key.to_string(), value);
-    let is_infeasible = design.infeasible.is_some();
+    let outcome = match (&design.infeasible, design.out_of_time) {
+        (Some(_), _) => "infeasible",
+        (None, true) => "out-of-time",
+        (None, false) => "built",
+    };
     put("name", json!(design.problem.name));
-    put(
-        "outcome",
-        json!(if is_infeasible { "infeasible" } else { "built" }),
-    );
+    put("outcome", json!(outcome));
     put("verdict", json!(design.verdict.name()));
     put("reason", json!(design.reason(Language::En)));
     put("reasons", design.reasons.iter().map(coded).collect());

@@ -40,6 +40,17 @@ fn a_time_limit_ends_every_costly_design_with_what_is_known() {
         let taken = begun.elapsed().as_secs_f64();
         let summary: serde_json::Value = object(&run);
         assert_eq!(summary["out_of_time"], true, "{scene:?} took {taken} s");
+        // What was cut short is no proof: only a conflict of limits is called infeasible.
+        let outcome = summary["outcome"].as_str().unwrap();
+        let conflict = summary["infeasible"]["conflict"].as_array();
+        match outcome {
+            "out-of-time" => assert!(conflict.is_none() && summary.get("relaxations").is_none()),
+            _ => assert!(
+                outcome == "infeasible" && !conflict.unwrap().is_empty(),
+                "{scene:?}"
+            ),
+        }
+        assert_eq!(run.status.code(), Some(3));
         assert!(taken < 1.1 * LIMIT + 1.0, "{scene:?} took {taken} s");
         assert!(folder.path().join("summary.json").is_file(), "{scene:?}");
     }
