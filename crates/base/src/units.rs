@@ -64,10 +64,10 @@ const LB: f64 = 0.453_592_37;
 ///
 /// `"0"` needs no unit (zero is zero in every unit) and a [`Dimension::Ratio`] needs none either;
 /// any other bare number is refused. `lb` is a mass where a mass is expected and a force elsewhere.
-/// `inf` is refused, as is anything that is not finite after conversion.
+/// `inf` is refused, as is anything beyond 1e-30 to 1e30 after conversion: products of a few values stay finite.
 ///
 /// # Errors
-/// Text that is no quantity, another dimension, a value that is not finite.
+/// Text that is no quantity, another dimension, a value out of that range.
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
     let text = text.trim();
     let example = || dimension.example().to_string();
@@ -86,7 +86,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
         // Twelve digits hide the rounding of the product.
         let percent = (value * 1e14).round() / 1e12;
         return match dimension {
-            Dimension::Ratio => finite(value, &text),
+            Dimension::Ratio => in_range(value, &text),
             _ if value == 0.0 => Ok(0.0),
             Dimension::Percent => Err(UnitsError::BareShare { text, percent }.into()),
             _ => Err(UnitsError::NoUnit {
@@ -108,15 +108,18 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
         }
         .into());
     }
-    finite(value * factor, text)
+    in_range(value * factor, text)
 }
 
-fn finite(value: f64, text: &str) -> Result<f64> {
-    if value.is_finite() {
+/// Magnitudes of values other than 0, in SI units: products of a few of them are finite.
+const RANGE: std::ops::RangeInclusive<f64> = 1e-30..=1e30;
+
+fn in_range(value: f64, text: &str) -> Result<f64> {
+    if value == 0.0 || RANGE.contains(&value.abs()) {
         return Ok(value);
     }
     let text = text.to_string();
-    Err(UnitsError::NotFinite { text }.into())
+    Err(UnitsError::OutOfRange { text }.into())
 }
 
 /// The number that a text begins with, a whole number and a fraction included, and what follows it.
@@ -290,6 +293,20 @@ mod tests {
         for text in ["1,5 mm", "1.5 mm", "1234.5 mm", "1 3/8 in", "1,234 mm"] {
             assert!(parse(text, Dimension::Length).is_ok(), "{text}");
         }
+    }
+
+    #[test]
+    fn values_whose_products_overflow_are_refused() {
+        for text in ["1e300", "-1e31", "1e-31", "1e400"] {
+            let refused = parse(text, Dimension::Ratio).unwrap_err();
+            let text = text.to_string();
+            assert_eq!(refused.fault(), Some(&UnitsError::OutOfRange { text }));
+        }
+        assert!(parse("1e28 km", Dimension::Length).is_err());
+        for text in ["0", "-1e30", "1e-30", "1e27"] {
+            assert!(parse(text, Dimension::Ratio).is_ok(), "{text}");
+        }
+        assert_eq!(parse("0 mm", Dimension::Length).unwrap(), 0.0);
     }
 
     #[test]

@@ -95,11 +95,11 @@ fn number(
         Toml::String(s) => parse(s, dimension).map_err(|e| e.at_key(path))?,
         Toml::Integer(0) => 0.0,
         Toml::Float(x) if *x == 0.0 => 0.0,
-        Toml::Integer(_) | Toml::Float(_) if dimension == Dimension::Percent => {
+        Toml::Integer(_) | Toml::Float(_)
+            if matches!(dimension, Dimension::Percent | Dimension::Ratio) =>
+        {
             parse(&typed.to_string(), dimension).map_err(|e| e.at_key(path))?
         }
-        Toml::Integer(i) if dimension == Dimension::Ratio => *i as f64,
-        Toml::Float(x) if dimension == Dimension::Ratio && x.is_finite() => *x,
         _ => {
             return Err(SceneError::NotQuantity {
                 typed: typed.to_string(),

@@ -36,8 +36,8 @@ pub enum UnitsError {
         dimension: String,
         example: String,
     },
-    /// The quantity overflows.
-    NotFinite { text: String },
+    /// The quantity is so large or small that products of it overflow.
+    OutOfRange { text: String },
     /// An exponent that is not a small integer.
     Exponent { factor: String },
     /// No unit has this name.
