@@ -1,5 +1,6 @@
 """Recomputations of the checks, their limits, and the verdict."""
 
+import copy
 import math
 import re
 import tomllib
@@ -9,6 +10,7 @@ import numpy as np
 from figures import Second, continuity, force, mean_target, rho_min, second_cam
 from result import Unknown, close, field, place, size_of
 from units import quantity
+from walkers import population as field_of_population, walkers_of
 
 
 def by_motion(r, rising):
@@ -29,6 +31,8 @@ def concave(r):
 def in_time(order):
     return lambda r: (lambda *x: np.abs(x[1 + order]) * r.drive.speed**order)
 
+
+FOR_EACH = ("velocity", "acceleration", "jerk", "force_min", "force_max", "torque", "power", "power_mean", "torque_rate", "hertz_pressure")
 
 CHECKS = {
     "stroke": (lambda r: (lambda *x: x[1]), True),
@@ -82,6 +86,9 @@ def check(r, m):
     if what == "limit":
         return check_limit(r, name, row)
     if name == "rms_error":
+        if "population" in r.summary and what == "worst":
+            percent, relative, absolute = field_of_population(r, [None, "objective_percent"])
+            return percent / 100 * mean_target(r), relative, absolute
         return (force(r, [None, "rms_error_n"]) if what == "worst" else (0.0, 0, 0))
     if name == "base_outside_bore":
         return close(r.cam.size["base"], 1e-9) if what == "worst" else (0.0, 0, 0)
@@ -90,10 +97,21 @@ def check(r, m):
     if name not in CHECKS:
         raise Unknown(f"check {name}")
     value, _ = CHECKS[name]
+    if "population" in r.summary and name in FOR_EACH:
+        # The walker for whom it is worst.
+        runs = []
+        for _, _, drive in walkers_of(r):
+            run = copy.copy(r)
+            run.drive = drive
+            runs.append((run.law.extreme(value(run), largest)[0], run))
+        worst, run = max(runs, key=lambda pair: pair[0] if largest else -pair[0])
+        return close(worst, 1e-6, 1e-9) if what == "worst" else place(run, value(run), row["at_rad"], worst)
     worst = r.law.extreme(value(r), largest)[0]
+    if what == "at_rad":
+        return place(r, value(r), row["at_rad"], worst)
     if name == "stroke":
         worst -= r.law.extreme(lambda *x: x[1], False)[0]
-    return close(worst, 1e-6, 1e-9) if what == "worst" else place(r, value(r), row["at_rad"], worst)
+    return close(worst, 1e-6, 1e-9)
 
 
 DEFAULT_ANGLE = {"translating": math.radians(30), "oscillating": math.radians(35), "outer": math.radians(45)}

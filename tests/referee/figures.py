@@ -122,6 +122,9 @@ def speed(r, m):
     gait = r.scene.get("gait", {})
     if gait.get("feet", "both") == "both" and quantity(gait.get("step_frequency")):
         return close(2 * math.pi * quantity(gait["step_frequency"]), 1e-12)
+    parts = str(gait.get("step_frequency")).split(":")
+    if len(parts) == 3:
+        return close(math.pi * (quantity(parts[0]) + quantity(parts[1])), 1e-12)
     raise Unknown("automatic speed of a recording")
 
 

@@ -256,13 +256,10 @@ def floor(r, m):
     return close(peak if "peak" in m[2] else rms, 2e-5)
 
 
-@field(r"relaxations\[(\d+)\]\.(from|to)")
-def relaxed(r, m):
-    row = r.summary["relaxations"][int(m[1])]
-    if row["key"] != "machine.inertia":
-        raise Unknown(f"change of {row['key']}")
+def inertia(r, row, side):
+    """The smallest inertia with which the law reaches the accuracy over time."""
     own = motion_of(r).shaft.motor.inertia
-    if m[2] == "from":
+    if side == "from":
         return close(own, 1e-12)
     share = share_of(r)
 

@@ -5,10 +5,12 @@ import math
 import numpy as np
 
 import law as laws
-from figures import force
+from figures import force, mean_target
+from on_shaft import inertia, share_of
 from optimum import Program
 from result import Unknown, close, field
 from units import quantity
+from walkers import walkers_of
 
 
 def program_of(r, relaxed=None):
@@ -22,6 +24,8 @@ def program_of(r, relaxed=None):
         raise Unknown("certificate with such demands")
     if r.motion is not None and r.motion.shaft is not None and r.is_timed:
         raise Unknown("certificate under a motor")
+    if "population" in r.summary and (scene["law"].get("robust", "mean") != "mean" or set(scene["limits"]) - {"stroke", "curvature"}):
+        raise Unknown("certificate of such a population")
     if "learned_force" in r.machine or "natural_frequency" in r.machine or "stiffness" in r.machine:
         raise Unknown("certificate of such a machine")
     count, degree = len(law["coefficients"]), law["degree"]
@@ -44,7 +48,7 @@ def program_of(r, relaxed=None):
         bound = quantity(value)
         if bound is None:
             continue
-        bound *= 1.01 if name == relaxed else 1.0
+        bound *= relaxed[1] if relaxed and name == relaxed[0] else 1.0
         if name == "stroke":
             program.add(name, program.basis[0], bound)
         elif name in ("velocity", "acceleration", "jerk"):
@@ -58,12 +62,25 @@ def program_of(r, relaxed=None):
             continue  # the base circle grows until the limit holds
         else:
             raise Unknown(f"certificate under limits.{name}")
+    if "population" in r.summary:
+        for_walkers(r, program)
     order = {"acceleration": 2, "jerk": 3}.get(scene["law"].get("minimise"))
     if order is not None:
         program.objective = (program.basis[order], np.zeros(len(program.theta)))
     elif r.drive.kind == "moving-axis" and "force_min" not in scene.get("limits", {}):
         program.add("force_min", -program.force, program.rest)
     return program
+
+
+def for_walkers(r, program):
+    """The mean square of the force errors of all walkers as objective."""
+    rows, aims = [], []
+    for _, target, drive in walkers_of(r):
+        w, wanted = drive.speed, target(program.theta)
+        size = 1.0 if r.scene["law"].get("error") == "absolute" else float(np.mean(wanted))
+        rows.append((drive.stiffness * program.basis[0] + drive.damping * w * program.basis[1] + drive.inertia * w * w * program.basis[2]) / size)
+        aims.append((wanted - drive.rest) / size)
+    program.objective = (np.vstack(rows), np.concatenate(aims))
 
 
 def best_of(r, relaxed=None):
@@ -115,4 +132,28 @@ def easing(r, m):
         return close(quantity(r.scene["limits"][limit]) * (1.01 if m[2] == "to" else 1.0), 1e-9)
     if m[2] == "before":
         return force(r, [None, "rms_error_n"])
-    return close(math.sqrt(best_of(r, relaxed=limit)[2]), 2e-4)
+    return close(math.sqrt(best_of(r, (limit, 1.01))[2]), 2e-4)
+
+
+@field(r"relaxations\[(\d+)\]\.(from|to)")
+def relaxed(r, m):
+    """The least change: with it the optimum reaches the accuracy, with 0.1 % less of the change it does not."""
+    row = r.summary["relaxations"][int(m[1])]
+    section, _, name = row["key"].partition(".")
+    if row["key"] == "machine.inertia":
+        return inertia(r, row, m[2])
+    allowed = share_of(r)
+    if m[2] == "from":
+        own = allowed if name == "rms" else quantity(r.scene.get(section, {}).get(name))
+        if own is None:
+            raise Unknown(f"{row['key']} that the scene does not give")
+        return close(own, 1e-9)
+    if row["key"] == "accuracy.rms":
+        error = next(check for check in r.summary["checks"] if check["name"] == "rms_error")
+        own = error["worst"] / mean_target(r)
+        return (row["to"] if own <= row["to"] <= own * (1 + 5e-5) else math.nan), 1e-12, 0
+    if section != "limits":
+        raise Unknown(f"change of {row['key']}")
+    part = row["to"] / row["from"]
+    reaches = lambda factor, slack: best_of(r, (name, factor))[2] <= (allowed * mean_target(r)) ** 2 * (1 + slack)
+    return (row["to"] if reaches(part, 1e-4) and not reaches(1 + 0.998 * (part - 1), -1e-4) else math.nan), 1e-12, 0

@@ -245,6 +245,9 @@ def model_of(r):
     """The target of the scene's load model over the phase of the cycle; `None` for a recording."""
     gait = r.scene.get("gait", {})
     frequency, weight = quantity(gait.get("step_frequency")), quantity(gait.get("body_weight", 700.0)) or 700.0
+    parts = str(gait.get("step_frequency")).split(":")
+    if len(parts) == 3:  # of several walkers that in the middle
+        frequency = (quantity(parts[0]) + quantity(parts[1])) / 2
     if "model" not in gait or gait.get("feet", "both") != "both" or not frequency:
         return None
     shift = quantity(gait.get("phase", 0.0)) or 0.0

@@ -22,6 +22,8 @@ OPEN = {
     "motor": {"force", "checks", "load_factors", "solver.certified"},
     "motor_stall": {"force", "checks", "load_factors", "solver.certified"},
     "motor_floor": {"load_factors", "solver.certified"},
+    "walkers_worst": {"solver.certified", "relaxations"},
+    "walkers_spring": {"solver.certified", "relaxations"},
 }
 NEEDS_A_FILE = {"measured_walk"}
 SIMULATED = {"footbridge", "footbridge_thesis_scale", "heel_tester", "thesis_iteration_1", "thesis_iteration_4"}
@@ -32,7 +34,14 @@ WALKERS = ("machine.walkers.count=3", 'machine.walkers.phases=["0 deg", "40 deg"
 SLOPE = ("machine.motor.slope=10 N m s/rad", "machine.inertia=0.5 kg m^2")
 STALL = ("machine.motor.stall_torque=8 N m", "machine.motor.gear=12", "machine.motor.efficiency=0.8", "machine.friction_torque=0.5 N m",
          "machine.inertia=2 kg m^2")
-# Name: scene, values that are set. All of them are run too.
+# Name: scene, values that are set.
+WALKING = {
+    "walkers_mean": ("footbridge", ("gait.step_frequency=1.6 Hz:2.2 Hz:4",)),
+    "walkers_worst": ("footbridge", ("gait.step_frequency=1.7 Hz:2.3 Hz:5", "law.robust=worst", "limits.force_max=1400 N")),
+    "walkers_spring": ("footbridge", ("gait.step_frequency=1.5 Hz:1.9 Hz:3", "drive.kind=fixed-axis", "drive.spring_rate=20 N/mm", "drive.mass=2 kg",
+                                      "drive.speed=11 rad/s", "law.robust=cvar 0.5", "law.error=absolute", "gait.adjust=none")),
+}
+# All of them are run too.
 MACHINES = {
     "friction": ("footbridge", ("machine.friction=0.15",)),
     "mushroom_friction": ("mushroom", ("machine.friction=0.15", "drive.spring_rate=2000 N/m", "drive.preload=60 N", "drive.mass=1.5 kg")),
@@ -47,7 +56,7 @@ TURNED = r"simulation\.(shaft|force|torque)|shaft|force_time"
 # Case: pattern of the fields that are changed in turn.
 SELF_TESTED = {
     "footbridge_thesis_scale": "", "heel_tester": "", "camdas_07_conjugate_roller": "", "camdas_12_oscillating_flat": "", "thesis_barrel": "",
-    "floor_walkers": MOVED, "motor_floor": TURNED,
+    "walkers_worst": "population|checks|relaxations", "floor_walkers": MOVED, "motor_floor": TURNED,
 }
 
 
@@ -78,6 +87,7 @@ def main():
     gaitcam = str(Path(sys.argv[1]).resolve())
     scenes = [row["name"] for row in json.loads(subprocess.run([gaitcam, "scenes", "--json"], capture_output=True, check=True).stdout)]
     cases = {name: (name, (), name in SIMULATED) for name in scenes if name not in NEEDS_A_FILE}
+    cases |= {name: (scene, values, False) for name, (scene, values) in WALKING.items()}
     cases |= {name: (scene, values, True) for name, (scene, values) in MACHINES.items()}
     if only:
         cases = {name: case for name, case in cases.items() if name in only}
