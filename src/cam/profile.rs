@@ -2,7 +2,7 @@
 
 use super::Cam;
 use super::geometry::Geometry;
-use crate::law::{Joint, Svaj};
+use crate::law::Joint;
 
 /// Jumps below this part of the largest value of their derivative are rounding.
 const NO_JUMP: f64 = 1e-9;
@@ -76,29 +76,8 @@ impl Cam {
             n.saturating_sub(1).max(1)
         };
         let step = length / steps as f64;
-        let geometry = Geometry::new(&self.follower);
-        let at = |i: usize| {
-            let theta = start + step * i as f64;
-            geometry.profile_point(theta, self.law.svaj(theta))
-        };
-        (0..n).map(at).collect()
-    }
-}
-
-impl Geometry {
-    fn profile_point(&self, theta: f64, at: Svaj) -> ProfilePoint {
-        let contact = self.contact(at);
-        let frame = self.frame(theta);
-        let [x, y] = frame.seen(contact.point);
-        let [pitch_x, pitch_y] = frame.seen(contact.pitch);
-        ProfilePoint {
-            theta,
-            x,
-            y,
-            pitch_x,
-            pitch_y,
-            rho: contact.rho,
-            pressure_angle: contact.tan_pressure.atan(),
-        }
+        let angles: Vec<f64> = (0..n).map(|i| start + step * i as f64).collect();
+        let motions = self.law.svaj_along(&angles);
+        Geometry::new(&self.follower).profile_points(step, &angles, &motions)
     }
 }

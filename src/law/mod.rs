@@ -1,5 +1,6 @@
 //! Laws of motion: lift s over the cam angle θ with exact derivatives v = ds/dθ, a, j.
 
+mod along;
 mod cache;
 mod derived;
 mod extremes;

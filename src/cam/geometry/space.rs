@@ -2,6 +2,10 @@
 
 use super::Geometry;
 use crate::cam::{Cam, Follower, ProfilePoint};
+use crate::law::Svaj;
+
+/// Points of a profile between two that have a sine and a cosine computed: theirs follow by the addition theorems.
+const TURNS: usize = 32;
 
 /// The cam's frame at one instant.
 #[derive(Clone, Copy)]
@@ -14,6 +18,19 @@ impl Frame {
     fn turned(angle: f64) -> Frame {
         let (sin, cos) = angle.sin_cos();
         Frame::Turned { sin, cos }
+    }
+
+    /// The frame after another turn or another way.
+    #[inline(always)]
+    pub fn then(self, more: Frame) -> Frame {
+        match (self, more) {
+            (Frame::Turned { sin, cos }, Frame::Turned { sin: s, cos: c }) => Frame::Turned {
+                sin: sin * c + cos * s,
+                cos: cos * c - sin * s,
+            },
+            (Frame::Moved(by), Frame::Moved(more)) => Frame::Moved(by + more),
+            _ => unreachable!("a cam either turns or slides"),
+        }
     }
 
     /// A point fixed in space as the cam sees it.
@@ -40,6 +57,39 @@ impl Geometry {
         match self.straight() {
             Some(scale) => Frame::Moved(scale * theta),
             None => Frame::turned(theta),
+        }
+    }
+
+    /// The profile point at an angle.
+    pub fn profile_point(&self, theta: f64, at: Svaj) -> ProfilePoint {
+        self.seen_from(self.frame(theta), theta, at)
+    }
+
+    /// The profile points at angles that are `step` apart.
+    pub fn profile_points(&self, step: f64, angles: &[f64], motions: &[Svaj]) -> Vec<ProfilePoint> {
+        let turns: [Frame; TURNS] = std::array::from_fn(|k| self.frame(step * k as f64));
+        let mut out = Vec::with_capacity(angles.len());
+        for (angles, motions) in angles.chunks(TURNS).zip(motions.chunks(TURNS)) {
+            let first = self.frame(angles[0]);
+            for ((theta, at), turn) in angles.iter().zip(motions).zip(&turns) {
+                out.push(self.seen_from(first.then(*turn), *theta, *at));
+            }
+        }
+        out
+    }
+
+    fn seen_from(&self, frame: Frame, theta: f64, at: Svaj) -> ProfilePoint {
+        let contact = self.contact(at);
+        let [x, y] = frame.seen(contact.point);
+        let [pitch_x, pitch_y] = frame.seen(contact.pitch);
+        ProfilePoint {
+            theta,
+            x,
+            y,
+            pitch_x,
+            pitch_y,
+            rho: contact.rho,
+            pressure_angle: contact.tan_pressure.atan(),
         }
     }
 }
