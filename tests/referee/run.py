@@ -12,6 +12,8 @@ import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import cover
+import ecam
 from referee import Result, judge, judge_rows, self_test
 
 # Fields that have no recomputation yet, by case. This list only becomes shorter.
@@ -82,6 +84,30 @@ def write(gaitcam, folder, name, scene, values, is_run):
     return designed
 
 
+def covers(gaitcam, folder):
+    """Counts of numbers and changes, and lines of faults, of the tables of a cover."""
+    frequencies, out = "1.5 Hz:2.3 Hz:6", folder / "cover"
+    subprocess.run([gaitcam, "cover", "--set", f"gait.step_frequency={frequencies}", "--cams", "1:3", "--out", str(out)], check=True, capture_output=True)
+    count, faults = cover.judge(out, frequencies)
+    missed, changes = cover.self_test(out, frequencies)
+    return count, changes, faults + [f"a change of {what} is not noticed" for what in missed]
+
+
+def electronic(gaitcam, folder):
+    """The same of electronic cams."""
+    count, changes, faults, result = 0, 0, [], Result(folder)
+    for dialect, ending in (("csv", "csv"), ("segments", "csv"), ("codesys", "st")):
+        run = subprocess.run([gaitcam, "ecam", str(folder), "--dialect", dialect], check=True, capture_output=True, text=True)
+        path = folder / f"ecam_{dialect}.{ending}"
+        own, wrong = ecam.judge(result, dialect, path, run.stdout)
+        count, faults = count + own, faults + wrong
+        for column in range(ecam.points(dialect, path).shape[1]):
+            changes += 1
+            if not ecam.judge(result, dialect, path, run.stdout, column)[1]:
+                faults.append(f"{dialect}: a change of column {column} is not noticed")
+    return count, changes, faults
+
+
 def main():
     only = sys.argv[2:]
     gaitcam = str(Path(sys.argv[1]).resolve())
@@ -110,6 +136,12 @@ def main():
                 if not is_open(name, path):
                     print(f"{name}: a change of {path} is not noticed")
                     wrong += 1
+        for what, judged in (("cover", lambda: covers(gaitcam, Path(folder))), ("ecam", lambda: electronic(gaitcam, Path(folder) / "footbridge"))):
+            if only and what not in only:
+                continue
+            count, changed, faults = judged()
+            fields, changes, wrong = fields + count, changes + changed, wrong + len(faults)
+            print("\n".join(f"{what}: {fault}" for fault in faults), end="\n" if faults else "")
     left_out = sum(len(fields) for fields in OPEN.values())
     print(f"{len(cases)} cases, {fields} numbers recomputed, {changes} changes tried, {left_out} kinds of field left open, {wrong} faults")
     return bool(wrong or not fields or not changes)
