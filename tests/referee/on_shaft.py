@@ -206,7 +206,8 @@ def held(r):
     """Whether something beside the force error depends on the speed of the shaft."""
     still = ("stroke", "curvature", "pressure_angle", "pressure_angle_rise", "pressure_angle_fall", "prime_radius", "face_width")
     limits = [name for name in r.scene["limits"] if name not in still]
-    return bool(limits or "band" in r.scene["gait"] or r.scene["law"].get("minimise", "force-error") != "force-error")
+    usual = "force-error" if r.target is not None else "jerk"
+    return bool(limits or "band" in r.scene["gait"] or r.scene["law"].get("minimise", usual) != "force-error")
 
 
 def binding(r):
