@@ -3,12 +3,15 @@
 //! (J + τ m v) E′ = T_motor(ω) − T_friction − τ (F₀ + k s + c ω v + 2 m a E), with ω = √(2E) and τ the torque of the shaft
 //! per unit of contact force (v without friction), by collocation of sixth order in E = ω²/2 over the cam angle (theory §10).
 
+use std::f64::consts::TAU;
+
 use crate::drive::{Drive, Motor};
 use crate::law::Svaj;
 
-/// Newton iterations of a step at most; three are usual.
-const ROUNDS: usize = 30;
-/// Change of a stage, as part of the energy, at which its iteration ends.
+/// Steps of a start from rest.
+const SMALL_STEPS: usize = 2048;
+/// Newton iterations of its steps at most, three are usual; and the change, part of the energy, at which they end.
+const ROUNDS: usize = 60;
 const SAME: f64 = 1e-9;
 /// Part of a step before its end: a law may jump there.
 const INSIDE: f64 = 1e-12;
@@ -180,61 +183,96 @@ impl Load {
         }
     }
 
-    /// The angle at which the shaft stops, rad, where it does not pass its first turn, from rest at the step nearest to
-    /// `angle`.
+    /// The angle at which the shaft stops, rad, where it does not pass its first turn, from rest at `angle`: by a method of
+    /// second order that small wheels under stiff motors do not upset (Alexander 1977).
     pub fn stop_from_rest(&self, motor: &Motor, no_load: f64, angle: f64) -> Option<f64> {
-        let middle = |s: &Step| s.from + 0.5 * s.width;
-        let begin = self.steps.partition_point(|s| middle(s) < angle) % self.steps.len().max(1);
-        let turn = self.steps[begin..].iter().chain(&self.steps[..begin]);
-        let (mut energy, mut rate) = (0.0, 0.0);
-        for step in turn {
-            let Some(next) = end_of(step, motor, no_load, energy, rate) else {
-                return Some(step.from);
+        let h = TAU / SMALL_STEPS as f64;
+        let part = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
+        let mut energy = 0.0;
+        for x in (0..SMALL_STEPS).map(|i| angle + h * i as f64) {
+            let inner = self.at(x + part * h);
+            let end = self.at(x + h);
+            let middle = implicit(&inner, motor, no_load, energy, part * h);
+            let next = middle.and_then(|middle| {
+                let gained = (1.0 - part) / part * (middle - energy);
+                implicit(&end, motor, no_load, energy + gained, part * h)
+            });
+            let Some(next) = next else {
+                let rate = self.at(x).rate(motor, no_load, energy)[0];
+                return Some(
+                    x + if rate < 0.0 {
+                        (-energy / rate).min(h)
+                    } else {
+                        0.0
+                    },
+                );
             };
-            (energy, rate) = next;
+            energy = next;
         }
         None
     }
+
+    /// The load at an angle, by the polynomial through those of its step.
+    fn at(&self, angle: f64) -> Node {
+        let first = self.steps[0].from;
+        let angle = first + (angle - first).rem_euclid(TAU);
+        let i = self.steps.partition_point(|s| s.from <= angle);
+        let step = &self.steps[i.max(1) - 1];
+        let u = (angle - step.from) / step.width;
+        let [a, b, c] = PLACES;
+        let (places, [p, q, r]) = ([0.0, a, b, c, 1.0], step.nodes);
+        let factors: [f64; 5] = std::array::from_fn(|k| {
+            let others = (0..5).filter(|i| *i != k);
+            let terms = others.map(|i| (u - places[i]) / (places[k] - places[i]));
+            terms.product()
+        });
+        let nodes = [step.ends[0], p, q, r, step.ends[1]];
+        let sum = |of: &dyn Fn(&Node) -> f64| -> f64 {
+            factors.iter().zip(&nodes).map(|(f, n)| f * of(n)).sum()
+        };
+        Node {
+            arms: [sum(&|n| n.arms[0]), sum(&|n| n.arms[1])],
+            rest: sum(&|n| n.rest),
+            damping: sum(&|n| n.damping),
+            bend: sum(&|n| n.bend),
+            mass: sum(&|n| n.mass),
+        }
+    }
 }
 
-/// Energy at the end of a step and the rate at its last stage; nothing where the shaft stops in it.
-fn end_of(
-    step: &Step,
-    motor: &Motor,
-    no_load: f64,
-    energy: f64,
-    before: f64,
-) -> Option<(f64, f64)> {
-    let h = step.width;
-    let mut stages = PLACES.map(|part| energy + part * h * before);
-    if energy == 0.0 {
-        // From rest the shaft moves if the motor starts it.
-        let start = step.nodes[0].rate(motor, no_load, 0.0)[0];
-        stages = PLACES.map(|part| part * h * start);
+/// The positive energy E = `base` + `width` E′(E) at a load; nothing where the shaft stops.
+fn implicit(node: &Node, motor: &Motor, no_load: f64, base: f64, width: f64) -> Option<f64> {
+    let excess = |energy: f64| {
+        let [rate, slope, _] = node.rate(motor, no_load, energy);
+        [energy - base - width * rate, 1.0 - width * slope]
+    };
+    if excess(0.0)[0] >= 0.0 {
+        return None;
     }
-    for _ in 0..ROUNDS {
-        if stages.iter().any(|e| e.is_nan() || *e <= 0.0) {
+    let mut range = [0.0, base.abs().max(f64::MIN_POSITIVE)];
+    while excess(range[1])[0] < 0.0 {
+        range = [range[1], 4.0 * range[1]];
+        if !range[1].is_finite() {
             return None;
         }
-        let rates: [[f64; 3]; STAGES] =
-            std::array::from_fn(|k| step.nodes[k].rate(motor, no_load, stages[k]));
-        let residual = std::array::from_fn(|i| {
-            let sum: f64 = (0..STAGES).map(|k| INNER[i][k] * rates[k][0]).sum();
-            energy + h * sum - stages[i]
-        });
-        let change = Inverse::of(h, &rates).times(residual);
-        let mut largest = 0.0_f64;
-        for (stage, d) in stages.iter_mut().zip(change) {
-            largest = largest.max(d.abs() / *stage);
-            *stage += d.max(-0.9 * *stage);
-        }
-        if largest < SAME {
-            let gain: f64 = (0..STAGES).map(|k| WEIGHTS[k] * rates[k][0]).sum();
-            let end = energy + h * gain;
-            return (end > 0.0).then_some((end, rates[STAGES - 1][0]));
-        }
     }
-    None
+    let mut energy = range[1];
+    for _ in 0..ROUNDS {
+        let [off, slope] = excess(energy);
+        range[usize::from(off >= 0.0)] = energy;
+        let next = energy - off / slope;
+        let is_inside = next > range[0] && next < range[1];
+        let next = if is_inside {
+            next
+        } else {
+            0.5 * (range[0] + range[1])
+        };
+        if (next - energy).abs() <= SAME * next {
+            return Some(next);
+        }
+        energy = next;
+    }
+    Some(energy)
 }
 
 /// (I − h A D)⁻¹, D the derivatives of the rates by the energy.
@@ -260,5 +298,51 @@ impl Inverse {
     pub fn times(&self, x: [f64; STAGES]) -> [f64; STAGES] {
         self.0
             .map(|row| row[0] * x[0] + row[1] * x[1] + row[2] * x[2])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drive::TorqueLine;
+
+    /// With a constant torque T against a spring, J ω²/2 = T x − k s²/2 from the lowest lift on.
+    #[test]
+    fn a_start_from_rest_stops_where_the_work_of_the_motor_is_used_up() {
+        let (torque, rate, height) = (6.0, 2e5, 0.02);
+        let drive = Drive::fixed_axis(0.0, rate, 5.0);
+        let motor = Motor {
+            line: TorqueLine::Stall(torque),
+            nominal: None,
+            inertia: 0.01,
+            friction: 0.0,
+            gear: 1.0,
+            efficiency: 1.0,
+        };
+        let lowest = 2.1;
+        let lift = |x: f64| 0.5 * height * (1.0 - (x - lowest).cos());
+        let node = |x: f64| {
+            let at = Svaj {
+                s: lift(x),
+                v: 0.5 * height * (x - lowest).sin(),
+                a: 0.5 * height * (x - lowest).cos(),
+                j: 0.0,
+            };
+            Node::new(&drive, at, [at.v; 2], 0.0)
+        };
+        let load = Load::of((0.0, TAU), &[0.0, TAU], 32, &node);
+        let stop = load.stop_from_rest(&motor, 1e12, lowest).unwrap() - lowest;
+        let left = |x: f64| torque * x - 0.5 * rate * lift(lowest + x).powi(2);
+        let (mut low, mut high) = (0.5, 3.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            *(if left(middle) > 0.0 {
+                &mut low
+            } else {
+                &mut high
+            }) = middle;
+        }
+        assert!(low > 1.0 && low < 2.9);
+        assert!((stop - low).abs() < 1e-3, "{stop} {low}");
     }
 }
