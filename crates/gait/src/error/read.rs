@@ -39,6 +39,8 @@ pub enum ReadError {
     NoForceColumn { columns: Vec<String> },
     /// More columns of force than a walkway has.
     ManyForces { found: usize },
+    /// The columns are readings of single sensors, such as the pressures of an insole.
+    SingleSensors { sensors: usize },
     /// The file names no columns and none resembles a vertical force.
     NamelessColumns,
     /// No column of this name.

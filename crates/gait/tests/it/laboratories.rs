@@ -221,14 +221,6 @@ fn what_is_no_force_is_refused_by_its_kind() {
     let refused = |name: &str, bytes: &[u8]| {
         read(Path::new(name), bytes, &ReadOptions::default()).expect_err(name)
     };
-    // 198 pressure sensors: neither plates nor a table of stances.
-    let numbers: Vec<String> = (1..=198).map(|k| k.to_string()).collect();
-    let head = format!("sensor type:\tXS\ntime[secs]\t{}\n", numbers.join("\t"));
-    let row =
-        |t: f64, l: f64, _: f64| format!("{t:.3}{}", format!("\t{:.1}", l / 30.0).repeat(198));
-    let text = table(&head, row);
-    let e = refused("pedar.asc", text.as_bytes());
-    assert_eq!(fault(&e), "pedar.asc line 2: read-nameless-columns");
     let zeros = [0u8; 64];
     for (name, start, kind) in [
         ("book.xlsx", &b"PK\x03\x04"[..], FileKind::Zip),

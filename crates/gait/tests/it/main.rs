@@ -11,6 +11,7 @@ mod laboratories;
 mod layouts;
 mod models;
 mod recordings;
+mod sensors;
 mod wording;
 
 use gaitcam_gait::Recording;

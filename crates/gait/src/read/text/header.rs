@@ -118,10 +118,33 @@ fn is_wordy(row: &[String], delimiters: Delimiters) -> bool {
             .is_some_and(|c| c.contains('=') || c.eq_ignore_ascii_case("endheader"))
 }
 
+/// Fewest numbers in a row that are names of sensors where they count.
+const FEWEST_COUNTED: usize = 6;
+
+/// Whether the fields of a row count up by one from 0 or 1, perhaps among words: names of sensors.
+pub(super) fn are_counted<'a>(fields: impl Iterator<Item = &'a [u8]>, comma: bool) -> bool {
+    let mut next = None;
+    let mut count = 0;
+    for f in fields {
+        match field(f, comma) {
+            Field::Number(x) if next.map_or(x == 0.0 || x == 1.0, |n| x == n) => {
+                next = Some(x + 1.0);
+                count += 1;
+            }
+            Field::Missing if trim(f).is_empty() => (),
+            Field::Text => (),
+            _ => return false,
+        }
+    }
+    count >= FEWEST_COUNTED
+}
+
 /// A row that names at least half the columns.
 fn is_name_row(row: &[String], width: usize, delimiters: Delimiters) -> bool {
     let named = filled(row);
-    named > 0 && 2 * named >= width && row.len() <= 2 * width + 2 && is_wordy(row, delimiters)
+    let are_names = is_wordy(row, delimiters)
+        || are_counted(row.iter().map(String::as_bytes), delimiters.comma);
+    named > 0 && 2 * named >= width && row.len() <= 2 * width + 2 && are_names
 }
 
 /// A row above the names that tells apart columns of the same name: plates over their components.

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use super::clock_time::clock;
 use super::delimited::{Delimiters, Fields, Lines, Position, TextFile};
-use super::header::{Table, with_header};
+use super::header::{Table, are_counted, with_header};
 use super::plain_row::plain_row;
 use crate::error::{Placed, ReadError, Result};
 use crate::read::number::{Field, field, trim, value};
@@ -59,7 +59,8 @@ fn widest(row: &[u8], later: Lines, delimiters: Delimiters) -> usize {
 
 /// Number of fields of a row of numbers; `None` for any other line.
 ///
-/// Numbers must outweigh words, and the row must start with a number or a clock time, or be long.
+/// Numbers must outweigh words, and the row must start with a number or a clock time, or be long. Names of sensors that
+/// are numbers, 1 2 3 …, are no row.
 fn row_width(line: &[u8], delimiters: Delimiters) -> Option<usize> {
     let (mut width, mut numbers, mut words, mut count) = (0, 0, 0, 0);
     let mut starts_well = None;
@@ -85,7 +86,8 @@ fn row_width(line: &[u8], delimiters: Delimiters) -> Option<usize> {
     }
     let long = width >= 5 && numbers >= 4 * words;
     let is_row = numbers > words && (starts_well == Some(true) || long);
-    is_row.then_some(width)
+    let is_named = is_row && are_counted(Fields::new(line, delimiters), delimiters.comma);
+    (is_row && !is_named).then_some(width)
 }
 
 /// Numbers of some columns of a table, NaN where a field holds none.

@@ -2,7 +2,7 @@
 //! questioned, and how many are believed although they are wrong.
 
 mod cases;
-mod dice;
+pub mod dice;
 mod faults;
 mod headers;
 mod layout;

@@ -3,6 +3,7 @@
 
 mod converter_counts;
 mod plates;
+mod sensors;
 mod stances;
 
 use super::choose::choose;
@@ -52,6 +53,11 @@ const LAYOUTS: &[Layout] = &[
         is_of: |text| text.starts("file_type"),
         table: converter_counts::table,
         complete: converter_counts::complete,
+        ..DELIMITED
+    },
+    Layout {
+        is_of: |text| sensors::are_in(text.file, text.names, &text.head),
+        read: Some(sensors::read),
         ..DELIMITED
     },
     Layout {

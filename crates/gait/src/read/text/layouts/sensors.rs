@@ -1,0 +1,35 @@
+//! Tables of single sensors, as pedar writes the pressures of its insoles: columns `1 2 3 …` behind a time.
+
+use crate::error::{Placed, ReadError, Result};
+use crate::read::columns::{Role, role};
+use crate::read::text::delimited::TextFile;
+use crate::read::text::header::Table;
+use crate::recording::Recording;
+
+/// Fewest numbered columns that are sensors; two or four may be plates.
+const FEWEST: usize = 6;
+
+/// Whether columns are sensors: numbers as names behind a time or a frame, and no column that names a force.
+///
+/// A force column that the user names is read, unless the lines above, lower case, say that the values are pressures.
+pub(super) fn are_in(file: &TextFile, names: &[String], head: &[String]) -> bool {
+    let roles: Vec<Role> = names.iter().map(|n| role(n)).collect();
+    let has = |is: fn(&Role) -> bool| roles.iter().any(is);
+    let timed = has(|r| matches!(r, Role::Time | Role::Frame));
+    let forced = has(|r| matches!(r, Role::Force { .. }));
+    let says_pressure = |line: &String| ["pressure", "kpa"].iter().any(|w| line.contains(w));
+    let options = file.options;
+    let chosen =
+        !options.force.is_empty() && (options.unit.is_some() || !head.iter().any(says_pressure));
+    timed && !forced && !chosen && count(names) >= FEWEST
+}
+
+fn count(names: &[String]) -> usize {
+    names.iter().filter(|n| n.parse::<u32>().is_ok()).count()
+}
+
+/// Refuses the table: without the area of each sensor its readings make no force.
+pub(super) fn read(file: &TextFile, table: &Table, _: &[String]) -> Result<Recording> {
+    let sensors = count(&table.names);
+    Err(ReadError::SingleSensors { sensors }.at_line(file.path, table.header_line()))
+}
