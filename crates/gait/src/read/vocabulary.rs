@@ -15,6 +15,9 @@ pub(super) const VERTICAL: &str = "vertical vert vertikal verticale v normal up"
 pub(super) const VERTICAL_FORCE: &str = "vgrf fv grfv fvert vforce";
 /// A force of a whole plate or foot.
 pub(super) const WHOLE: &str = "total gesamt sum plate";
+/// Pressure insoles and their makes.
+pub(super) const INSOLE: &str = "insole insoles pedar loadsol opengo moticon fscan plantilla plantillas \
+    einlegesohle einlegesohlen sohle sohlen semelle semelles soletta palmilha";
 pub(super) const TIME: &str = "time zeit temps tiempo tempo";
 /// Words for time that count at the start of a name only.
 pub(super) const WEAK_TIME: &str = "t timestamp sec secs seconds";

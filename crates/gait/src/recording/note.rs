@@ -58,6 +58,11 @@ pub enum Note {
     LinesSkipped { first_line: usize },
     /// Two nameless columns are sums of sensors and taken for the left and the right insole.
     InsoleColumns { left: usize, right: usize },
+    /// Columns of an insole stand beside those of a plate, which were taken.
+    InsoleBesidePlate {
+        plate: Vec<String>,
+        insole: Vec<String>,
+    },
     /// Each row of the table is one stance.
     StancePerRow { rows: usize },
     /// The table of subjects gives the mass of some stances only.

@@ -5,8 +5,8 @@ use std::path::Path;
 use gaitcam_gait::error::ReadError;
 use gaitcam_gait::{ForceUnit, ReadOptions, Recording, force_curve, read, stances};
 
-use crate::fault;
 use crate::hard::dice::Dice;
+use crate::{fault, notes};
 
 /// A walk on two insoles of equal feet, with its truth.
 struct Walk {
@@ -124,6 +124,88 @@ fn forces_beside_the_pressures_are_read() {
         );
         assert!(
             (mass / walk.mass_kg - 1.0).abs() < 0.03,
+            "seed {seed}: {mass}"
+        );
+    }
+}
+
+/// Plates and insoles of the same walk in one table; the insoles read `gain` times too much.
+fn both_families(walk: &Walk, families: [[&str; 2]; 2], insole_first: bool, gain: f64) -> String {
+    let s = walk.separator;
+    let [insole, plate] = families.map(|f| f.join(s));
+    let put = |insole: &str, plate: &str| match insole_first {
+        true => format!("{s}{insole}{s}{plate}\n"),
+        false => format!("{s}{plate}{s}{insole}\n"),
+    };
+    let mut text = format!("time (s){}", put(&insole, &plate));
+    for i in 0..1200 {
+        let t = f64::from(i) / RATE;
+        let (l, r) = (walk.foot(t, 0.9), walk.foot(t, 0.4));
+        let pair = |k: f64| format!("{:.2}{s}{:.2}", k * l, k * r);
+        text += &format!("{t:.3}{}", put(&pair(gain), &pair(1.0)));
+    }
+    text
+}
+
+#[test]
+fn of_an_insole_beside_a_plate_the_plate_is_taken_and_both_are_named() {
+    let families = [
+        [
+            ["Insole left Fz (N)", "Insole right Fz (N)"],
+            ["FP1 Fz (N)", "FP2 Fz (N)"],
+        ],
+        [["L_insole_force", "R_insole_force"], ["fz1_N", "fz2_N"]],
+        [
+            ["pedar left force[N]", "pedar right force[N]"],
+            ["left belt Fz", "right belt Fz"],
+        ],
+        [
+            [
+                "Plantilla izquierda Fuerza (N)",
+                "Plantilla derecha Fuerza (N)",
+            ],
+            ["Placa 1 Fz", "Placa 2 Fz"],
+        ],
+    ];
+    for seed in 40..60 {
+        let dice = &mut Dice::new(seed);
+        let walk = Walk::of(dice);
+        let (names, gain) = (dice.of(&families), dice.between(0.6, 1.4));
+        let text = both_families(&walk, names, dice.chance(50.0), gain);
+        let read = |options: &ReadOptions| {
+            let recording = opened(&text, options).unwrap();
+            let curve = force_curve(
+                Path::new("a.csv"),
+                text.as_bytes(),
+                options,
+                Default::default(),
+            );
+            (recording, curve.unwrap())
+        };
+        let (recording, curve) = read(&ReadOptions::default());
+        let said = |r: &Recording| notes(r).contains(&"note-insole-beside-plate".to_string());
+        let columns: Vec<&str> = recording.channels.iter().map(|c| &*c.name).collect();
+        assert_eq!(columns, names[1], "seed {seed}");
+        assert!(said(&recording) && !recording.insole, "seed {seed}");
+        let mass = curve.mass_kg.unwrap();
+        assert!(
+            (mass / walk.mass_kg - 1.0).abs() < 0.03,
+            "seed {seed}: {mass}"
+        );
+        assert!(
+            (curve.period_s / walk.period_s - 1.0).abs() < 0.01,
+            "seed {seed}"
+        );
+        // The insole is taken where its columns are named, and known as one.
+        let named = ReadOptions {
+            force: names[0].map(String::from).to_vec(),
+            ..ReadOptions::default()
+        };
+        let (recording, curve) = read(&named);
+        assert!(recording.insole && !said(&recording), "seed {seed}");
+        let mass = curve.mass_kg.unwrap();
+        assert!(
+            (mass / walk.mass_kg / gain - 1.0).abs() < 0.03,
             "seed {seed}: {mass}"
         );
     }

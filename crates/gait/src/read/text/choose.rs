@@ -7,6 +7,7 @@ use super::table::{Numbers, numbers};
 use super::units::check_unit;
 use crate::error::{Placed, ReadError, Result, nearest};
 use crate::read::columns::{Role, foot, role, words};
+use crate::read::vocabulary::{INSOLE, is};
 use crate::recording::{Axis, Foot, ForceUnit, Note};
 
 /// Most columns of force: some hundred plates of three components. Each takes a channel of its own.
@@ -25,8 +26,8 @@ pub(in crate::read) struct Columns {
     /// Whether the time column counts samples instead of seconds.
     pub counts: bool,
     pub force: Vec<ForceColumn>,
-    /// Whether the forces are known to be sums of the sensors of pressure insoles.
-    pub insole: bool,
+    /// Whether the forces are those of pressure insoles, where that is known.
+    pub insole: Option<bool>,
     /// What was guessed in the choice.
     pub notes: Vec<Note>,
     /// All columns of a table without names, which were read to choose from.
@@ -64,6 +65,26 @@ pub(in crate::read) fn choose(file: &TextFile, table: &Table) -> Result<Option<C
         return Err(ReadError::ManyForces { found }.at_line(file.path, table.header_line()));
     }
     leave_zones(table, force);
+    let of_insole = |f: &ForceColumn| {
+        table
+            .names
+            .get(f.place)
+            .is_some_and(|n| is_insole(table, n))
+    };
+    if options.force.is_empty() {
+        let (insole, plate): (Vec<_>, Vec<_>) = force.iter().partition(|f| of_insole(f));
+        if !insole.is_empty() && !plate.is_empty() {
+            let name = |f: &ForceColumn| table.names[f.place].trim().to_string();
+            columns.notes.push(Note::InsoleBesidePlate {
+                plate: plate.iter().map(name).collect(),
+                insole: insole.iter().map(name).collect(),
+            });
+            *force = plate;
+        }
+    }
+    if table.names.iter().any(|n| is_insole(table, n)) {
+        columns.insole = Some(force.iter().all(of_insole));
+    }
     if options.unit.is_none() {
         leave_foreign_units(file, table, force)?;
     }
@@ -120,7 +141,7 @@ fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Col
         return Err(ReadError::NamelessColumns.at_line(file.path, table.start.line));
     }
     let sides = by_numbers::insole_sides(&force, columns.len(), time);
-    chosen.insole = sides.is_some();
+    chosen.insole = sides.map(|_| true);
     chosen.notes.extend(sides.map(|_| Note::InsoleColumns {
         left: force[0] + 1,
         right: force[1] + 1,
@@ -169,6 +190,15 @@ fn leave_zones(table: &Table, force: &mut Vec<ForceColumn>) {
     if zones.iter().all(has_total) {
         force.retain(|f| !name(f).contains("::"));
     }
+}
+
+/// Whether a column is of a pressure insole, by its name or because zones of it are columns too.
+fn is_insole(table: &Table, name: &str) -> bool {
+    let is_zone = |zone: &String| {
+        let owner = zone.split_once("::").map(|(owner, _)| owner.trim());
+        owner.is_some_and(|owner| !owner.is_empty() && name.trim().starts_with(owner))
+    };
+    words(name).iter().any(|w| is(w, INSOLE)) || table.names.iter().any(is_zone)
 }
 
 /// Leaves out columns that state a unit of something else; a fault where no column is left.

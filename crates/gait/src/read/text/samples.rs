@@ -20,8 +20,8 @@ pub(in crate::read) struct Samples {
     /// Whether times count samples.
     pub counts: bool,
     pub forces: Vec<RawForce>,
-    /// Whether the forces are those of pressure insoles.
-    pub insole: bool,
+    /// Whether the forces are those of pressure insoles, where that is known.
+    pub insole: Option<bool>,
     /// First lines that hold no row.
     pub skipped: Vec<usize>,
     /// Notes on what was guessed.
@@ -94,7 +94,7 @@ impl Samples {
         let base = self.time_base(file.options, keys.rate_hz).map_err(place)?;
         let facts = Facts {
             format,
-            insole: self.insole,
+            insole: self.insole.unwrap_or(false),
             samples,
             mass_kg: keys.mass_kg,
             zero: None,

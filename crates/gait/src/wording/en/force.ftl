@@ -68,6 +68,7 @@ note-rows-differ = the header states { $announced } rows, the file has { $found 
 note-frames-missing = the header states { $announced } frames, the file has { $found }
 note-lines-skipped = lines that are not rows of numbers were skipped; the first is line { $first-line }
 note-insole-columns = columns { $left } and { $right } are the sums of two equal groups of sensors; they are taken as left and right insole
+note-insole-beside-plate = forces of a plate ({ $plate }) and of an insole ({ $insole }) stand in one table: the plate is taken; name the columns of the insole to take it (option force)
 note-stance-per-row = one stance per row, { $rows } rows
 note-masses-missing = the mass is known for { $known } of { $rows } stances; add the others to the table of subjects (metadata)
 note-durations-lost = all stances have { $samples } samples, so their durations are unknown; { $assumed } is assumed

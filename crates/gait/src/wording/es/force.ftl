@@ -68,6 +68,7 @@ note-rows-differ = la cabecera indica { $announced } filas y el archivo tiene { 
 note-frames-missing = la cabecera indica { $announced } cuadros y el archivo tiene { $found }
 note-lines-skipped = se omitieron líneas que no son filas de números; la primera es la línea { $first-line }
 note-insole-columns = las columnas { $left } y { $right } son las sumas de dos grupos iguales de sensores; se toman como plantilla izquierda y derecha
+note-insole-beside-plate = la tabla contiene fuerzas de una placa ({ $plate }) y de una plantilla ({ $insole }): se toma la placa; para tomar la plantilla, indique sus columnas (opción force)
 note-stance-per-row = un apoyo por fila, { $rows } filas
 note-masses-missing = la masa se conoce en { $known } de { $rows } apoyos; añada las demás a la tabla de sujetos (metadata)
 note-durations-lost = todos los apoyos tienen { $samples } muestras, de modo que se desconoce su duración; se supone { $assumed }

@@ -182,7 +182,7 @@ impl Layout {
         if samples.forces.is_empty() {
             return Ok(None);
         }
-        samples.insole |= self.insole;
+        samples.insole.get_or_insert(self.insole);
         let keys = keys::read(head, file.delimiters.comma);
         let format = self.format(file.delimiters, table);
         samples.recording(file, table, &keys, format).map(Some)
