@@ -6,7 +6,8 @@
 
 use std::f64::consts::TAU;
 
-use serde::Serialize;
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
 use crate::error::{DynamicsError, Placed, Result};
 use crate::poly::{amplitudes, samples};
@@ -69,13 +70,65 @@ pub struct Floor {
     pub walkers: Vec<(f64, f64)>,
 }
 
+/// Comfort on a structure by its peak acceleration, in the classes of SETRA (2006) and HiVoSS (2008).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Comfort {
+    /// At most 0.5 m/s².
+    Maximum,
+    /// At most 1 m/s².
+    Mean,
+    /// At most 2.5 m/s².
+    Minimum,
+    /// More.
+    Unacceptable,
+}
+
+impl Comfort {
+    const ALL: [Comfort; 4] = [
+        Comfort::Maximum,
+        Comfort::Mean,
+        Comfort::Minimum,
+        Comfort::Unacceptable,
+    ];
+
+    /// Comfort class of HiVoSS.
+    pub fn hivoss(self) -> &'static str {
+        match self {
+            Comfort::Maximum => "CL1",
+            Comfort::Mean => "CL2",
+            Comfort::Minimum => "CL3",
+            Comfort::Unacceptable => "CL4",
+        }
+    }
+
+    /// Comfort of SETRA.
+    pub fn setra(self) -> &'static str {
+        match self {
+            Comfort::Maximum => "maximum",
+            Comfort::Mean => "mean",
+            Comfort::Minimum => "minimum",
+            Comfort::Unacceptable => "unacceptable",
+        }
+    }
+}
+
+impl Serialize for Comfort {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        let mut both = serializer.serialize_struct("Comfort", 2)?;
+        both.serialize_field("comfort", self.hivoss())?;
+        both.serialize_field("comfort_setra", self.setra())?;
+        both.end()
+    }
+}
+
 /// Steady vibration of the structure where the feet are.
 ///
 /// ```
-/// use gaitcam::dynamics::FloorMotion;
+/// use gaitcam::dynamics::{Comfort, FloorMotion};
 ///
 /// let motion = FloorMotion::of(&[(0.6, 0.0)]); // cosine and sine of harmonic 1, m/s²
-/// assert_eq!((motion.comfort, motion.comfort_setra), ("CL2", "mean"));
+/// assert_eq!(motion.comfort, Comfort::Mean);
+/// assert_eq!((motion.comfort.hivoss(), motion.comfort.setra()), ("CL2", "mean"));
 /// assert!((motion.acceleration_rms_m_per_s2 - 0.6 / 2_f64.sqrt()).abs() < 1e-12);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -84,10 +137,9 @@ pub struct FloorMotion {
     pub acceleration_peak_m_per_s2: f64,
     /// Its root mean square, m/s².
     pub acceleration_rms_m_per_s2: f64,
-    /// Comfort class of HiVoSS: CL1 … CL4.
-    pub comfort: &'static str,
-    /// Comfort of SETRA: maximum, mean, minimum, unacceptable.
-    pub comfort_setra: &'static str,
+    /// Comfort of those who walk on it.
+    #[serde(flatten)]
+    pub comfort: Comfort,
 }
 
 impl FloorMotion {
@@ -103,8 +155,7 @@ impl FloorMotion {
         FloorMotion {
             acceleration_peak_m_per_s2: peak,
             acceleration_rms_m_per_s2: (0.5 * square).sqrt(),
-            comfort: ["CL1", "CL2", "CL3", "CL4"][class],
-            comfort_setra: ["maximum", "mean", "minimum", "unacceptable"][class],
+            comfort: Comfort::ALL[class],
         }
     }
 }

@@ -28,7 +28,7 @@ pub use contact::impact::Pulse;
 pub use contact::{Impact, Limits as ContactLimits};
 pub use flexible::Train;
 pub use flexible::polydyne::Miss;
-pub use floor::{Floor, FloorMode, FloorMotion};
+pub use floor::{Comfort, Floor, FloorMode, FloorMotion};
 pub use outcome::{Difference, Force, Loads, Model, Outcome, Pressure, Row, Torque};
 pub use reason::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
 pub use recover::{Emitted, recover};

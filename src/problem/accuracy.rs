@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use super::Problem;
 use super::target::weight_at;
-use super::{Problem, Requirements};
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
 use crate::scene::Minimise;
@@ -14,7 +14,7 @@ const USUAL_ACCURACY: f64 = 0.005;
 /// digits.
 const SAME_MEAN: f64 = 1e-3;
 
-impl Requirements {
+impl Problem {
     /// Force error, N RMS, at which an automatic size of the law is large enough; 0 where no force is
     /// wanted.
     pub fn wanted_error(&self) -> f64 {
@@ -66,10 +66,8 @@ impl Requirements {
     fn noise(&self) -> f64 {
         0.2 * self.force.map_or(0.0, |force| force.spread_n)
     }
-}
 
-impl Problem {
-    /// [`Requirements::largest_error`], unless a band stands for the accuracy.
+    /// [`Problem::largest_error`], unless a band stands for the accuracy.
     pub fn allowed_error(&self) -> Option<f64> {
         self.largest_error().filter(|_| self.band.is_none())
     }

@@ -17,6 +17,7 @@ impl Problem {
             Criterion::Limit(kind) => self.limits[kind],
             Criterion::Accuracy => self.accuracy,
             Criterion::Bore => self.cam.bore,
+            Criterion::Inertia => self.machine.inertia,
             Criterion::BaseRadius => self.cam.base_radius,
             Criterion::GivenPrimeRadius => self.cam.prime_radius,
             _ => None,
@@ -29,11 +30,12 @@ impl Problem {
         let mut out = self.clone();
         let value = Some(value);
         match criterion {
-            Criterion::Limit(kind) => out.required.limits.set(kind, value),
-            Criterion::Accuracy => out.required.accuracy = value,
-            Criterion::Bore => out.required.cam.bore = value,
-            Criterion::BaseRadius => out.required.cam.base_radius = value,
-            Criterion::GivenPrimeRadius => out.required.cam.prime_radius = value,
+            Criterion::Limit(kind) => out.limits.set(kind, value),
+            Criterion::Accuracy => out.accuracy = value,
+            Criterion::Bore => out.cam.bore = value,
+            Criterion::Inertia => out.machine.inertia = value,
+            Criterion::BaseRadius => out.cam.base_radius = value,
+            Criterion::GivenPrimeRadius => out.cam.prime_radius = value,
             _ => {}
         }
         out
@@ -43,7 +45,7 @@ impl Problem {
     #[must_use]
     pub fn with_limits(&self, limits: Limits) -> Problem {
         let mut out = self.clone();
-        out.required.limits = limits;
+        out.limits = limits;
         out
     }
 
@@ -52,7 +54,7 @@ impl Problem {
     pub fn with_law(&self, law: LawSpec) -> Problem {
         let mut out = self.clone();
         out.length = self.length().into();
-        out.required.law = law;
+        out.law = law;
         out
     }
 
@@ -60,7 +62,7 @@ impl Problem {
     #[must_use]
     pub fn with_cam(&self, cam: CamSpec) -> Problem {
         let mut out = self.clone();
-        out.required.cam = cam;
+        out.cam = cam;
         out
     }
 
@@ -77,7 +79,7 @@ impl Problem {
     #[must_use]
     pub fn of_mean(&self) -> Problem {
         let mut out = self.clone();
-        out.required.limits.unjudged.accuracy |= self.serves_several();
+        out.limits.unjudged.accuracy |= self.serves_several();
         out.walkers = None;
         out
     }
@@ -86,7 +88,7 @@ impl Problem {
     #[must_use]
     pub fn without_accuracy(&self) -> Problem {
         let mut out = self.clone();
-        out.required.limits.unjudged.accuracy = true;
+        out.limits.unjudged.accuracy = true;
         out
     }
 
@@ -94,7 +96,7 @@ impl Problem {
     #[must_use]
     pub fn minimising(&self, objective: Minimise) -> Problem {
         let mut out = self.clone();
-        out.required.law.minimise = Some(objective);
+        out.law.minimise = Some(objective);
         out
     }
 
@@ -102,7 +104,7 @@ impl Problem {
     #[must_use]
     pub fn without_limits(&self) -> Problem {
         let mut out = self.clone();
-        (out.required.limits, out.band) = (Limits::default(), None);
+        (out.limits, out.band) = (Limits::default(), None);
         out.without_accuracy()
     }
 
@@ -111,7 +113,7 @@ impl Problem {
     pub fn with_drive(&self, drive: Drive) -> Problem {
         let mut out = self.clone();
         out.length = self.length().into();
-        out.required.drive = drive;
+        out.drive = drive;
         out
     }
 }

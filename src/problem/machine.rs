@@ -6,7 +6,7 @@ use super::mean_force::MeanForce;
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
-use crate::scene::{CamSpec, DriveSpec, ForceScale};
+use crate::scene::{CamSpec, DriveSpec, ForceScale, Scene};
 use crate::units::Quantity;
 
 /// The target as a multiple of a force, plus a constant, N.
@@ -33,6 +33,15 @@ impl Scaling {
         self.factor * force + self.shift
     }
 
+    /// Mean and spread of the target of a force.
+    pub fn of_mean(self, force: MeanForce) -> MeanForce {
+        MeanForce {
+            mean_n: self.at(force.mean_n),
+            spread_n: self.factor * force.spread_n,
+            ..force
+        }
+    }
+
     /// The target of a force.
     pub fn of(self, force: &ForceCurve) -> ForceCurve {
         let mut target = force.scaled(self.factor);
@@ -51,11 +60,26 @@ impl Scaling {
     }
 }
 
+/// The drive of a scene with every number, and how a force of known mean becomes its target.
+///
+/// # Errors
+/// The scene needs a force and none is given; the mean force is not positive on a moving axis; the drive relates no lift to
+/// force.
+pub fn of_force(scene: &Scene, force: Option<MeanForce>) -> Result<(Drive, Scaling)> {
+    let drive = drive(&scene.drive, &scene.cam, force)?;
+    let how = scene.gait.as_ref().map_or(ForceScale::None, |g| g.scale);
+    let scaling = scaling(&drive, how, force.map_or(1.0, |f| f.mean_n))?;
+    if force.is_some() && drive.weights() == [0.0; 4] {
+        return Err(SynthError::NoLiftChangesForce.at_key("drive"));
+    }
+    Ok((drive, scaling))
+}
+
 /// How a force of some mean, N, becomes the target: the moment of an arm, scaled to the mass where that is asked for.
 ///
 /// # Errors
 /// A mean force that no mass can rest under.
-pub fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
+fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
     let (mut factor, mut shift) = (drive.lever, 0.0);
     match how {
         ForceScale::ToMass | ForceScale::Alternating if drive.kind != DriveKind::MovingAxis => {}
@@ -74,7 +98,7 @@ pub fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
 ///
 /// # Errors
 /// No speed or no mass where no force gives one.
-pub fn drive(spec: &DriveSpec, cam: &CamSpec, force: Option<MeanForce>) -> Result<Drive> {
+fn drive(spec: &DriveSpec, cam: &CamSpec, force: Option<MeanForce>) -> Result<Drive> {
     let speed = match (spec.speed, force) {
         (Some(w), _) => w,
         (None, Some(force)) => TAU / force.period_s,

@@ -3,16 +3,6 @@
 use crate::force::ForceCurve;
 
 /// Mean of a cycle of force, with what else is known of it without its samples.
-///
-/// ```
-/// use gaitcam::force::ForceCurve;
-/// use gaitcam::problem::MeanForce;
-///
-/// let force = ForceCurve::from_samples("a step", 0.6, vec![700.0, 800.0, 700.0, 600.0])?;
-/// let mean = MeanForce::of(&force);
-/// assert_eq!((mean.mean_n, mean.period_s, mean.spread_n), (700.0, 0.6, 0.0));
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanForce {
     /// Its mean, N.
@@ -34,7 +24,7 @@ impl MeanForce {
     }
 
     /// Of a multiple of the force.
-    pub(super) fn times(self, factor: f64) -> MeanForce {
+    pub fn times(self, factor: f64) -> MeanForce {
         MeanForce {
             mean_n: factor * self.mean_n,
             spread_n: factor * self.spread_n,

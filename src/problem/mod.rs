@@ -13,7 +13,6 @@ mod mean_force;
 mod note;
 mod notes;
 mod on_shaft;
-mod requirements;
 mod size;
 mod target;
 #[cfg(test)]
@@ -21,11 +20,10 @@ mod tests;
 mod walkers;
 
 pub(crate) use force_cycle::{ForceCycle, Shape};
-pub use mean_force::MeanForce;
+use mean_force::MeanForce;
 pub use note::Note;
 pub use on_shaft::{Extra, OnShaft};
 pub(crate) use on_shaft::{product, sum};
-pub use requirements::Requirements;
 pub(crate) use size::hub_radius;
 pub use size::{Size, USUAL_PRESSURE_ANGLE};
 pub use target::Target;
@@ -33,14 +31,17 @@ pub(crate) use target::piecewise;
 use target::{Unturned, typical_lift};
 pub use walkers::{Served, Walkers};
 
-use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
+use crate::drive::Drive;
 use crate::dynamics::Train;
 use crate::error::{Placed, Result, SynthError};
 use crate::force::{self, ForceCurve, OpenQuestion};
 use crate::law::Rise;
-use crate::scene::{Family, Gait, MachineSpec, Minimise, Phase, PhaseWeight, Scene, Source};
+use crate::scene::{
+    CamSpec, Family, Gait, LawSpec, Limits, MachineSpec, Minimise, Phase, PhaseWeight, Scene,
+    Source,
+};
 use crate::units::G;
 
 /// Degree of spline laws; two more at the end of a damped polydyne follower, whose cam takes derivatives of the force up
@@ -64,8 +65,16 @@ const DAMPED_DEGREE: usize = 7;
 pub struct Problem {
     /// Name of the scene.
     pub name: String,
-    /// What does not depend on the course of the force; its fields are read as those of the problem.
-    required: Requirements,
+    /// The machine that turns lift into force.
+    pub drive: Drive,
+    /// Family, size and demands of the law.
+    pub law: LawSpec,
+    /// Follower and lengths.
+    pub cam: CamSpec,
+    /// Limits in force.
+    pub limits: Limits,
+    /// RMS force error asked for, part of the mean force.
+    pub accuracy: Option<f64>,
     /// Degree of spline laws.
     pub spline_degree: usize,
     /// One turn of the target force, scaled to the mass where the scene says so; `None` for a classical
@@ -92,16 +101,10 @@ pub struct Problem {
     weights: Vec<PhaseWeight>,
     /// The force and its band as they are at phase 0.
     unturned: Option<Arc<Unturned>>,
+    /// Mean, duration and spread of the target force; `None` for a classical programme.
+    force: Option<MeanForce>,
     /// Notes on scene and recording.
     remarks: Vec<Note>,
-}
-
-impl Deref for Problem {
-    type Target = Requirements;
-
-    fn deref(&self) -> &Requirements {
-        &self.required
-    }
 }
 
 /// Weight of a force's walker, N; of a written cycle, which no recording of feet is behind, its mean.
@@ -155,14 +158,14 @@ impl Problem {
         // A load model brings nothing but its force.
         let given = force.and_then(|(cycle, _)| cycle.given());
         let curve = given.map(|curve| &**curve);
-        let required = Requirements::of(scene, mean)?;
-        let walkers = Walkers::of(scene, curve, &required)?.map(Arc::new);
-        let scaling = required.scaling;
+        let (drive, scaling) = machine::of_force(scene, mean)?;
+        let mean = mean.map(|mean| scaling.of_mean(mean));
+        let walkers = Walkers::of(scene, curve, &drive, mean)?.map(Arc::new);
         let weight_n = gait.zip(force).map(|(gait, (cycle, times))| {
             scaling.factor * weight(gait, curve, times * cycle.mean.mean_n)
         });
         let band = gait.and_then(|g| g.band);
-        let band = band.map(|band| band.at_lever(required.drive.lever));
+        let band = band.map(|band| band.at_lever(drive.lever));
         let target = force.map(|(cycle, times)| Target::of(cycle.clone(), scaling.after(times)));
         let unturned = target.map(|target| Unturned::new(target, band));
         let unturned = unturned.transpose()?;
@@ -181,7 +184,11 @@ impl Problem {
             } else {
                 USUAL_DEGREE
             }),
-            required,
+            law: law_at_lever(&scene.law, drive.lever),
+            drive,
+            cam: scene.cam.clone(),
+            limits: scene.limits.clone(),
+            accuracy: scene.rms,
             target,
             band,
             phase: at,
@@ -196,6 +203,7 @@ impl Problem {
             on_shaft: None,
             weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
             unturned: unturned.map(Arc::new),
+            force: mean,
             remarks: note::remarks(scene, curve),
         })
     }
@@ -275,6 +283,15 @@ impl Problem {
         let w = self.drive.weights();
         (w[0] != 0.0 && w[1] == 0.0 && w[2] == 0.0).then(|| (force - self.drive.rest_force) / w[0])
     }
+}
+
+/// The law of a scene with its demands on the force at a lever, N·m on an arm.
+fn law_at_lever(law: &LawSpec, lever: f64) -> LawSpec {
+    let mut law = law.clone();
+    for force in law.points.iter_mut().filter_map(|p| p.force.as_mut()) {
+        *force *= lever;
+    }
+    law
 }
 
 /// What is open about a recording and was not accepted by the scene, with what opens it.

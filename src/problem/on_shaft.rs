@@ -79,10 +79,8 @@ pub struct OnShaft {
     pub force_rate: PiecewisePoly,
     /// The target by the cam angle, N.
     pub target: ForceCurve,
-    /// The target over the period, N.
-    pub in_time: Arc<ForceCurve>,
-    /// The band over the period, N.
-    pub band: Option<[ForceCurve; 2]>,
+    /// The problem at constant speed on a floor that stands still.
+    pub even: Arc<Problem>,
 }
 
 impl Problem {
@@ -122,8 +120,7 @@ impl Problem {
                     true => curve.with_forces(forces),
                     false => (**curve).clone(),
                 },
-                in_time: Arc::clone(curve),
-                band: self.band.clone(),
+                even: Arc::new(self.clone()),
             })
         });
         out
@@ -148,14 +145,18 @@ impl Problem {
 
     /// The target over the period.
     pub fn target_in_time(&self) -> Option<&ForceCurve> {
-        let shaft = self.on_shaft.as_ref().map(|shaft| &*shaft.in_time);
-        shaft.or(self.target.as_ref().map(|target| &**target.curve()))
+        let target = self.at_constant_speed().target.as_ref();
+        target.map(|target| &**target.curve())
     }
 
     /// The band over the period.
     pub fn band_in_time(&self) -> Option<&[ForceCurve; 2]> {
-        let shaft = self.on_shaft.as_ref();
-        shaft.map_or(self.band.as_ref(), |shaft| shaft.band.as_ref())
+        self.at_constant_speed().band.as_ref()
+    }
+
+    /// The problem whose machine is not yet in a known motion: at constant speed on a floor that stands still.
+    pub fn at_constant_speed(&self) -> &Problem {
+        self.on_shaft.as_ref().map_or(self, |shaft| &shaft.even)
     }
 
     /// The same on another drive, against another target over the period; what speed and floor add stays.
@@ -168,9 +169,11 @@ impl Problem {
             .as_ref()
             .zip(curve.clone())
             .map(|(shaft, curve)| {
-                let mut own = OnShaft::clone(shaft);
-                (own.target, own.in_time) = ((*curve).clone(), curve);
-                Arc::new(own)
+                Arc::new(OnShaft {
+                    target: (*curve).clone(),
+                    even: Arc::new(shaft.even.against(drive, Some((*curve).clone()))),
+                    ..OnShaft::clone(shaft)
+                })
             });
         out.target = curve.map(Target::new);
         out

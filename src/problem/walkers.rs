@@ -5,7 +5,9 @@
 
 use std::f64::consts::TAU;
 
-use super::{MeanForce, Requirements, Target};
+use super::machine;
+use super::mean_force::MeanForce;
+use super::target::Target;
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Placed, Result, SynthError};
 use crate::force::{ForceCurve, Walker};
@@ -71,11 +73,12 @@ pub struct Walkers {
 }
 
 impl Walkers {
-    /// The population behind a force, on a machine whose reference is `required`; `None` for one cycle.
+    /// The population behind a force, on a machine with this reference and the mean of its target; `None` for one cycle.
     pub(super) fn of(
         scene: &Scene,
         force: Option<&ForceCurve>,
-        required: &Requirements,
+        reference: &Drive,
+        mean: Option<MeanForce>,
     ) -> Result<Option<Walkers>> {
         let Some(population) = force.and_then(|f| f.population.as_deref()) else {
             return Ok(None);
@@ -84,24 +87,24 @@ impl Walkers {
         let mut set = scene.clone();
         if adjust.mass {
             set.drive.mass = None;
-        } else if required.drive.kind == DriveKind::MovingAxis {
-            set.drive.mass = Some(required.drive.mass);
+        } else if reference.kind == DriveKind::MovingAxis {
+            set.drive.mass = Some(reference.mass);
         }
-        set.drive.speed = (!adjust.speed).then_some(required.drive.speed);
+        set.drive.speed = (!adjust.speed).then_some(reference.speed);
         let samples = population.walkers.iter().map(|w| w.curve.force_n.len());
         let samples = samples.max().unwrap_or_default();
         let served = |(walker, share): (&Walker, f64)| {
             let curve = resampled(&walker.curve, samples);
-            let own = Requirements::of(&set, Some(MeanForce::of(&curve)))?;
-            let target = own.scaling.of(&curve);
+            let (drive, scaling) = machine::of_force(&set, Some(MeanForce::of(&curve)))?;
+            let target = scaling.of(&curve);
             Ok(Served {
                 name: walker.name.clone(),
                 share,
-                factor: factor(&own.drive, &required.drive)?,
-                drive: own.drive,
+                factor: factor(&drive, reference)?,
+                drive,
                 unit: match scene.law.error {
                     ErrorMeasure::Relative => target.mean_n().abs(),
-                    ErrorMeasure::Absolute => required.target_mean(),
+                    ErrorMeasure::Absolute => mean.map_or(0.0, |mean| mean.mean_n.abs()),
                 },
                 target,
                 speed_m_per_s: walker.speed_m_per_s,

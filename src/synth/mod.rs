@@ -60,6 +60,7 @@
 //! each value and moves it until every check passes.
 
 mod attempt;
+pub(crate) mod closed_form;
 mod design;
 mod families;
 mod finish;
@@ -78,7 +79,6 @@ mod report;
 mod samples;
 mod search;
 mod sizing;
-pub(crate) mod spectral;
 mod synthesis;
 mod verdict;
 
@@ -88,6 +88,7 @@ pub use design::figures::{FIGURES, Figure, Figures};
 pub use design::load_factors::LoadFactor;
 pub use design::machine::MachineReport;
 pub use design::resonance::AtFrequency;
+pub use families::inverse::{Spectral, invert};
 pub use infeasible::reasons::in_units;
 pub use machine::sensitivity::Sensitivity;
 pub use outcome::{Outcome, answer};
@@ -105,7 +106,6 @@ pub use report::shaft::{Forecast, OnShaft};
 pub use report::solver::{SolverReport, Step, Tier};
 pub use report::walkers::{OfPopulation, WalkerError};
 pub use search::Search;
-pub use spectral::{Spectral, invert};
 pub use synthesis::{design, passing};
 
 use crate::error::Result;

@@ -82,6 +82,111 @@ fn imports_point_downwards_only() {
     }
 }
 
+/// A test that stands in no module of a file: the file holds nothing else.
+const TEST: &str = "\n#[test]\n";
+
+/// Parts of `src/synth`, lowest first: an attempt of one law stands below the design, machine and population above it.
+const PARTS_OF_SYNTH: [&str; 20] = [
+    "search",
+    "qp",
+    "report",
+    "limits",
+    "sizing",
+    "verdict",
+    "optimum",
+    "infeasible",
+    "families",
+    "phase",
+    "attempt",
+    "design",
+    "closed_form",
+    "finish",
+    "machine",
+    "population",
+    "synthesis",
+    "relaxation",
+    "pareto",
+    "outcome",
+];
+
+/// The first names of all paths in a text that begin with `prefix`, those in braces too.
+fn named_after(text: &str, prefix: &str) -> Vec<String> {
+    let first = |path: &str| -> String {
+        let is_word = |c: &char| c.is_alphanumeric() || *c == '_';
+        path.trim().chars().take_while(is_word).collect()
+    };
+    let after = text.split(prefix).skip(1);
+    let names = after.flat_map(|rest| match rest.strip_prefix('{') {
+        None => vec![first(rest)],
+        Some(inside) => {
+            let mut depth = 1;
+            let ends = |c: char| {
+                depth += i32::from(c == '{') - i32::from(c == '}');
+                depth == 0
+            };
+            let inside = inside.split(ends).next().unwrap_or_default();
+            let mut depth = 0;
+            let apart = |c: char| {
+                depth += i32::from(c == '{') - i32::from(c == '}');
+                depth == 0 && c == ','
+            };
+            inside.split(apart).map(first).collect()
+        }
+    });
+    names.collect()
+}
+
+/// Imports of a part of `src/synth` from parts that do not stand below it.
+fn upwards(part: &str, text: &str, is_top: bool) -> Vec<String> {
+    let rank = |name: &str| PARTS_OF_SYNTH.iter().position(|p| *p == name);
+    let own = rank(part).unwrap_or_else(|| panic!("{part} has no place in synth"));
+    let mut names = named_after(text, "crate::synth::");
+    if is_top {
+        names.extend(named_after(text, "super::"));
+    }
+    names.retain(|name| name != part && rank(name).is_some_and(|other| other > own));
+    names
+}
+
+#[test]
+fn inside_synth_imports_point_downwards_only() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/synth");
+    let mut seen = 0;
+    for entry in fs::read_dir(root).unwrap() {
+        let path = entry.unwrap().path();
+        let part = path.file_stem().unwrap().to_str().unwrap().to_string();
+        if matches!(part.as_str(), "mod" | "samples") {
+            continue;
+        }
+        let mut files = Vec::new();
+        if path.is_dir() {
+            sources(&path, &mut files, &part);
+        } else {
+            files.push((part.clone(), fs::read_to_string(&path).unwrap()));
+        }
+        // A part's own file `mod.rs` calls the parts beside it by `super`, too.
+        let top = fs::read_to_string(path.join("mod.rs")).unwrap_or_default();
+        for (_, text) in &files {
+            if text.contains(TEST) {
+                continue;
+            }
+            let is_top = !path.is_dir() || *text == top;
+            let up = upwards(&part, &without_tests(text), is_top);
+            assert!(up.is_empty(), "{part} looks up to {up:?}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 70, "{seen}");
+}
+
+#[test]
+fn an_import_upwards_is_seen() {
+    let text = "use crate::synth::{\n    limits::{GEOMETRY, Press},\n    design::Design,\n};\nuse super::finish;";
+    assert_eq!(upwards("families", text, true), ["design", "finish"]);
+    assert_eq!(upwards("families", text, false), ["design"]);
+    assert!(upwards("population", text, true).is_empty());
+}
+
 /// The code of a file without comments (examples in the documentation are programs of users) and without the items that
 /// are compiled for tests only: from the attribute to the line that closes the item.
 fn without_tests(text: &str) -> String {

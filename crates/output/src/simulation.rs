@@ -135,8 +135,8 @@ pub fn floor(floor: &FloorMotion, language: Language) -> String {
     let values = [
         ("peak", &*peak),
         ("rms", &*rms),
-        ("class", floor.comfort),
-        ("setra", floor.comfort_setra),
+        ("class", floor.comfort.hivoss()),
+        ("setra", floor.comfort.setra()),
     ];
     words.fill("simulation-floor-values", &values)
 }

@@ -22,7 +22,7 @@ use crate::sweep::plan::batch::{Batch, Column};
 use crate::sweep::plan::key::Key;
 use crate::sweep::plan::{NamedScene, Plan};
 use crate::sweep::table::results::{Outcome, Row};
-use crate::synth::{Search, design, spectral};
+use crate::synth::{Search, closed_form, design};
 
 /// Seconds since any moment.
 pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
@@ -203,7 +203,7 @@ impl<'a> Kernel<'a> {
             Ok(problem) => problem,
             Err(e) => return refused(&e),
         };
-        if let Some(figures) = spectral::figures(&problem) {
+        if let Some(figures) = closed_form::figures(&problem) {
             return Row::spectral(&figures, problem.target.as_ref());
         }
         match design(&problem, &Search::until((self.halts)())) {

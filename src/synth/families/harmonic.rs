@@ -1,6 +1,7 @@
 //! The harmonic family: the spectral inverse (theory §1), or a program where it violates a limit.
 
 use super::formulation;
+use super::inverse::invert;
 use super::solved::{SolvedLaw, solved_law};
 use crate::error::{Error, Placed, Result, SynthError};
 use crate::problem::Problem;
@@ -10,7 +11,6 @@ use crate::synth::report::method::Method;
 use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::{SolverReport, Tier};
 use crate::synth::search::Search;
-use crate::synth::spectral::invert;
 use crate::units::Quantity;
 
 /// The force's harmonics inverted, without a look at the limits, and what lies in the rest, N RMS: `count`

@@ -5,6 +5,7 @@ mod demands;
 mod double_harmonic;
 mod formulation;
 mod harmonic;
+pub mod inverse;
 mod polynomial;
 mod program;
 mod solved;

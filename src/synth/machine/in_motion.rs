@@ -16,13 +16,14 @@ use crate::dynamics::shaft::{InTime, Motion};
 use crate::error::{Placed, Result, SynthError};
 use crate::law::Law;
 use crate::poly::Extreme;
-use crate::problem::Problem;
+use crate::problem::{Note, Problem};
 use crate::scene::{Family, ShaftSpeed};
 use crate::synth::attempt::{Attempt, attempt};
 use crate::synth::design::Design;
 use crate::synth::families::{SolvedLaw, TELLING};
 use crate::synth::finish::{Reports, finished};
 use crate::synth::qp::TOLERANCE;
+use crate::synth::report::limited::Relaxation;
 use crate::synth::report::shaft::{Forecast, OnShaft};
 use crate::synth::search::Search;
 use crate::synth::sizing::checked_cam::checked_cam;
@@ -35,6 +36,8 @@ const SETTLED: f64 = 1e-4;
 const SETTLED_OF_ACCURACY: f64 = 0.1;
 /// Ripple at which the rounds usually agree.
 const CALM: f64 = 0.25;
+/// Parts by which the inertia that is sufficient for a law is enlarged in turn, until the design with it is good.
+const INERTIA_ROOMS: [f64; 4] = [0.0, 0.01, 0.1, 0.5];
 /// Rounds that come no nearer than one before them, after which the law gets more spans.
 const STALLED: usize = 3;
 
@@ -89,8 +92,25 @@ impl Iterate {
 /// # Errors
 /// The shaft stops; the rounds do not contract; an undamped mode in resonance.
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
-    let (motor, floor) = (problem.machine.motor(), problem.machine.floor());
     let first = attempt(problem, search)?;
+    match on_machine(problem, search, &first) {
+        Ok((last, mut reports)) => {
+            if let Some((note, relaxation)) = larger_inertia(problem, search, &last, &reports) {
+                reports.notes.push(note);
+                reports.relaxations.push(relaxation);
+            }
+            Ok(finished(&last.problem, search, last.attempt, reports))
+        }
+        Err(_) if first.refusal.is_some() => {
+            Ok(finished(problem, search, first, Reports::default()))
+        }
+        Err(fault) => Err(fault),
+    }
+}
+
+/// The last iterate on its machine from the law for constant speed, with what the machine does.
+fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(Iterate, Reports)> {
+    let (motor, floor) = (problem.machine.motor(), problem.machine.floor());
     let target = problem.target.as_ref().map(|t| &**t.curve());
     let run = Runner::new(
         problem,
@@ -98,16 +118,7 @@ pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
         target,
         motor.as_ref(),
         floor.as_ref(),
-    );
-    let found = run.and_then(|run| on_machine(problem, search, &first, &run));
-    if found.is_ok() || first.refusal.is_none() {
-        return found;
-    }
-    Ok(finished(problem, search, first, Reports::default()))
-}
-
-/// The design on its machine, with what that does.
-fn on_machine(problem: &Problem, search: &Search, first: &Attempt, run: &Runner) -> Result<Design> {
+    )?;
     let law = &first.law.law;
     let before = run.of_law(law, None)?;
     let rows = before.shaft.clone().at_rows(ROWS);
@@ -159,10 +170,6 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt, run: &Runner)
         supply.map_err(|e| e.at_key("machine.motor"))?;
         let rows = shaft.clone().at_rows(ROWS);
         let force_time = run.error(law, &last.motion, &rows);
-        if let Some((note, relaxation)) = run.inertia_for_accuracy(&last.problem, law, force_time) {
-            reports.notes.push(note);
-            reports.relaxations.push(relaxation);
-        }
         let report = shaft.report(motor, law.extremes(0).0.at);
         reports.shaft = report.map(|shaft| OnShaft {
             shaft,
@@ -175,7 +182,46 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt, run: &Runner)
             time: rows.time,
         });
     }
-    Ok(finished(&last.problem, search, last.attempt, reports))
+    Ok((last, reports))
+}
+
+/// The inertia of the shaft with which the design meets the accuracy over time, where it misses it: that with which its law
+/// does, or a little more, designed again.
+fn larger_inertia(
+    problem: &Problem,
+    search: &Search,
+    last: &Iterate,
+    reports: &Reports,
+) -> Option<(Note, Relaxation)> {
+    let of_time = |reports: &Reports| {
+        let in_time = reports.shaft.as_ref()?.force_time?;
+        Some(in_time.rms_error_percent_of_mean)
+    };
+    let allowed = 100.0 * problem.allowed_error()? / problem.target_mean();
+    let error = of_time(reports).filter(|error| *error > allowed * (1.0 + TOLERANCE))?;
+    let (motor, floor) = (problem.machine.motor()?, problem.machine.floor());
+    let law = &last.attempt.cam.cam.law;
+    let target = problem.target.as_ref().map(|t| &**t.curve());
+    let cam = &last.attempt.cam.cam;
+    let run = Runner::new(problem, cam, target, Some(&motor), floor.as_ref()).ok()?;
+    let least = run.inertia_for_accuracy(law, allowed)?;
+    let meets = |inertia: &f64| {
+        let heavier = problem.with(Criterion::Inertia, *inertia);
+        let reports = attempt(&heavier, search)
+            .and_then(|first| on_machine(&heavier, search, &first))
+            .map(|(_, reports)| of_time(&reports));
+        matches!(reports, Ok(Some(error)) if error <= allowed * (1.0 + TOLERANCE))
+    };
+    let tried = INERTIA_ROOMS.map(|room| (1.0 + room) * least);
+    let enough = tried.into_iter().find(meets)?;
+    let [error, allowed] = [error, allowed].map(|percent| Quantity::share(0.01 * percent));
+    let note = Note::InertiaForAccuracy {
+        error,
+        allowed,
+        inertia: Quantity::new(enough, Dimension::Inertia),
+    };
+    let relaxation = Relaxation::of(Criterion::Inertia, motor.inertia, Some(enough));
+    Some((note, relaxation))
 }
 
 /// The last round from the law for constant speed and its motion, judged in the state of the machine that it is settled in; with

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::cam::{Cam, Criterion, LimitKind};
+use crate::cam::{Cam, LimitKind};
 use crate::drive::Motor;
 use crate::dynamics::floor::harmonics;
 use crate::dynamics::machine_motion::{Carrier, MachineMotion};
@@ -11,12 +11,9 @@ use crate::dynamics::{Floor, InTime};
 use crate::error::{DynamicsError, Placed, Result};
 use crate::force::ForceCurve;
 use crate::law::{Law, Svaj};
-use crate::problem::{Note, Problem};
+use crate::problem::Problem;
 use crate::scene::Minimise;
-use crate::synth::qp::TOLERANCE;
-use crate::synth::report::limited::Relaxation;
 use crate::synth::report::shaft::Forecast;
-use crate::units::{Dimension, Quantity};
 
 /// Equal angles at which speed and force are given.
 pub const ROWS: usize = 240;
@@ -179,18 +176,8 @@ impl<'a> Runner<'a> {
         Some(run.error(law, &motion, &shaft)?.rms_error_percent_of_mean)
     }
 
-    /// The smallest inertia with which a law meets the accuracy over time, where its own does not.
-    pub fn inertia_for_accuracy(
-        &self,
-        problem: &Problem,
-        law: &Law,
-        own: Option<InTime>,
-    ) -> Option<(Note, Relaxation)> {
-        let allowed = 100.0 * problem.allowed_error()? / problem.target_mean();
-        let error = own?.rms_error_percent_of_mean;
-        if error <= allowed * (1.0 + TOLERANCE) {
-            return None;
-        }
+    /// The smallest inertia with which a law meets the accuracy over time, kg·m², where its own does not.
+    pub fn inertia_for_accuracy(&self, law: &Law, allowed: f64) -> Option<f64> {
         let motor = self.carrier.motor?;
         let meets = |inertia: f64| {
             let wheel = Motor {
@@ -212,14 +199,7 @@ impl<'a> Runner<'a> {
             let middle = (range[0] * range[1]).sqrt();
             range[usize::from(meets(middle))] = middle;
         }
-        let relaxation = Relaxation::of(Criterion::Inertia, own, Some(range[1]));
-        let [error, allowed] = [error, allowed].map(|percent| Quantity::share(0.01 * percent));
-        let note = Note::InertiaForAccuracy {
-            error,
-            allowed,
-            inertia: Quantity::new(range[1], Dimension::Inertia),
-        };
-        Some((note, relaxation))
+        Some(range[1])
     }
 }
 

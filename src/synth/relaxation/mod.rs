@@ -8,6 +8,7 @@
 mod beside;
 mod by_size;
 mod relaxable;
+mod several;
 
 use std::sync::Arc;
 
@@ -23,7 +24,6 @@ use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
 use crate::synth::synthesis;
 use crate::synth::verdict::verdict;
-use crate::units::Quantity;
 use beside::beside;
 use by_size::BySize;
 use relaxable::{Relaxable, relaxables};
@@ -34,6 +34,8 @@ const COARSE: f64 = 1e-3;
 /// Parts by which a value is enlarged for a design to pass with it, tried in turn: at its own edge one may fail. A value
 /// from the convex program is right to the third of them.
 const ROOMS: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
+/// The same for a value that is sufficient in one motion of the machine, which changes with the cam.
+const MACHINE_ROOMS: [f64; 5] = [0.0, 1e-3, 1e-2, 0.05, 0.2];
 /// A change by more than this factor, or by this share, makes another scene.
 const FAR: f64 = 10.0;
 /// The share that is tried first.
@@ -49,7 +51,7 @@ impl Design {
         self.relaxed_with(&Search::default())
     }
 
-    /// The same in the search that made the design: with its cache and its end.
+    /// The design with its relaxations, within the limits of a search.
     #[must_use]
     pub fn relaxed_with(self, search: &Search) -> Design {
         // No limit changes the mean of the force, what is open about the recording, nor a law that is prescribed; and no
@@ -170,7 +172,8 @@ fn passing(problem: &Problem, search: &Search) -> Option<Design> {
 
 struct Relaxing<'a> {
     problem: &'a Problem,
-    /// Its cache and its end.
+    /// The problem whose machine moves as each design makes it; the other one is in the motion of the design.
+    asked: &'a Problem,
     search: &'a Search,
     /// Size of the force, N.
     force: f64,
@@ -182,6 +185,7 @@ impl<'a> Relaxing<'a> {
         let (mean, rest) = (design.force.target_mean_n, design.problem.drive.rest_force);
         Relaxing {
             problem,
+            asked: problem.at_constant_speed(),
             search,
             force: mean.abs().max(rest.abs()),
             precision: match design.solver.tier {
@@ -218,7 +222,7 @@ impl<'a> Relaxing<'a> {
                 }
             };
             let eases = |to: &f64| number.sign() * (to - from) > 0.0;
-            let to = to.filter(eases)?;
+            let to = relaxing.on_machine(number, to.filter(eases)?)?;
             Some(Relaxation::of(number.criterion(), from, Some(to)))
         };
         let tried = beside(numbers, &self.search.halt, relaxation);
@@ -255,6 +259,17 @@ impl<'a> Relaxing<'a> {
             return (room > 0.0 || self.tried(number, back).is_none()).then_some(to);
         }
         Some(weakest)
+    }
+
+    /// A value, or a little more, with which the design passes on its machine; it does in the motion of the design relaxed.
+    fn on_machine(&self, number: Relaxable, to: f64) -> Option<f64> {
+        if self.problem.on_shaft.is_none() {
+            return Some(to);
+        }
+        let mut rounded = MACHINE_ROOMS
+            .map(|room| number.with_room(to, room))
+            .into_iter();
+        rounded.find(|to| passing(&number.with(self.asked, *to), self.search).is_some())
     }
 
     /// The value nearest to `from` with which the design passes, rounded to the weak side.
@@ -364,111 +379,5 @@ impl<'a> Relaxing<'a> {
         let to = relaxation.to.map_or(from, f64::abs);
         let least = if from > 0.0 { 0.0 } else { 1e-3 * self.force };
         from.max(to) > FAR * from.min(to).max(least)
-    }
-
-    /// Reasons and values for changes of several limits, where no single change is sufficient.
-    fn several(&self, numbers: &Values, known: &[Reason]) -> (Vec<Reason>, Vec<Relaxation>) {
-        if let Some((share, all)) = self.together(numbers) {
-            let share = Quantity::share(share);
-            return (vec![Reason::AllTogether { share }], all);
-        }
-        let away = |&(number, from): &(Relaxable, f64)| (number, number.away(from, self.force));
-        let free: Vec<(Relaxable, f64)> = numbers.iter().map(away).collect();
-        match synthesis::design(&changed(self.problem, &free), self.search) {
-            Ok(design) if !passes(&design) => {
-                let mut reasons = vec![Reason::NotTheLimits];
-                reasons.extend(design.reasons.into_iter().filter(|r| !known.contains(r)));
-                (reasons, Vec::new())
-            }
-            Ok(_) => self.with_those_out_of_reach(numbers, &free),
-            Err(_) => (vec![Reason::NoRelaxation], Vec::new()),
-        }
-    }
-
-    /// The same where some limits cannot hold even without the others: these, or all, relaxed together from there.
-    fn with_those_out_of_reach(
-        &self,
-        numbers: &Values,
-        free: &Values,
-    ) -> (Vec<Reason>, Vec<Relaxation>) {
-        let alone = self.out_of_reach(numbers, free);
-        if alone.is_empty() {
-            return (vec![Reason::NoRelaxation], Vec::new());
-        }
-        // Each at its own boundary, they may conflict with each other or with the other limits.
-        let reached = changed(self.problem, &alone);
-        let relaxing = Relaxing {
-            problem: &reached,
-            ..*self
-        };
-        let moved = |&(number, from): &(Relaxable, f64)| {
-            let value = alone.iter().find(|a| a.0 == number);
-            (number, value.map_or(from, |a| a.1))
-        };
-        let all: Vec<(Relaxable, f64)> = numbers.iter().map(moved).collect();
-        let both = relaxing.together(&alone);
-        let eased = both.or_else(|| relaxing.together(&all));
-        let helps = eased.is_some();
-        let own =
-            |&(number, to): &(Relaxable, f64)| Relaxation::of(number.criterion(), to, Some(to));
-        let mut values = match eased {
-            Some((_, values)) => values,
-            None => alone.iter().map(own).collect(),
-        };
-        for value in &mut values {
-            let written = numbers.iter().find(|n| n.0.criterion() == value.limit);
-            value.from = written.map_or(value.from, |n| n.1);
-        }
-        let changes = changes(&values, self.problem.cam.measures());
-        if helps {
-            (vec![Reason::FarTogether { changes }], values)
-        } else {
-            (vec![Reason::OutOfReach { changes }], Vec::new())
-        }
-    }
-
-    /// Limits that cannot hold even where the others are `free`, with the values at which they do.
-    fn out_of_reach(&self, numbers: &Values, free: &Values) -> Vec<(Relaxable, f64)> {
-        let least = |&(number, from): &(Relaxable, f64), halt: &Halt| {
-            let own = |&(other, far): &(Relaxable, f64)| {
-                let value = if other == number { from } else { far };
-                (other, value)
-            };
-            let values: Vec<(Relaxable, f64)> = free.iter().map(own).collect();
-            let alone = changed(self.problem, &values);
-            let search = self.search.ended_by(halt);
-            if halt.is_asked() || passing(&alone, &search).is_some() {
-                return None;
-            }
-            let relaxing = Relaxing {
-                problem: &alone,
-                search: &search,
-                ..*self
-            };
-            Some((number, relaxing.smallest(number, from, None)?))
-        };
-        let tried = beside(numbers, &self.search.halt, least);
-        tried.into_iter().flatten().collect()
-    }
-
-    /// The smallest share by which all limits can be relaxed together, with the values.
-    fn together(&self, numbers: &Values) -> Option<(f64, Vec<Relaxation>)> {
-        let eased = |share: f64| -> Vec<(Relaxable, f64)> {
-            let by = |&(k, from): &(Relaxable, f64)| (k, k.eased(from, share, self.force));
-            numbers.iter().map(by).collect()
-        };
-        let holds =
-            |share: f64| passing(&changed(self.problem, &eased(share)), self.search).is_some();
-        if !holds(FAR) {
-            return None;
-        }
-        let share = if holds(SMALL) {
-            SMALL
-        } else {
-            self.bisected(FAR, SMALL, |works| 1e-2 * works, holds)
-        };
-        let all = (eased(share).into_iter().zip(numbers))
-            .map(|((number, to), &(_, from))| Relaxation::of(number.criterion(), from, Some(to)));
-        Some((share, all.collect()))
     }
 }

@@ -53,7 +53,8 @@ pub fn floor(design: &Design) -> Option<String> {
         ];
         format!(
             "{:.6},{peak},{rms},{},{of_cam}\n",
-            p.step_frequency, m.comfort
+            p.step_frequency,
+            m.comfort.hivoss()
         )
     });
     let names = "step_frequency_hz,acceleration_peak_m_per_s2,acceleration_rms_m_per_s2,comfort,cam_acceleration_peak_m_per_s2\n";

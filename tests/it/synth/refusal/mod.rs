@@ -1,5 +1,6 @@
 //! Scenes without a law: reasons, relaxations, and an end by the user.
 
+mod in_motion;
 mod interruption;
 mod out_of_reach;
 pub mod relaxations;

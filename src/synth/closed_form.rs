@@ -1,4 +1,8 @@
-//! The figures of a spectral design in closed form.
+//! The figures of a plain design in closed form, for many problems of one force (theory §1).
+//!
+//! Where the drive is pure inertia the law is one fixed curve times a factor: all extremes of lift, velocity, acceleration,
+//! jerk, force and flat-face curvature are those of the fixed curve, scaled. Tests compare these figures with the design's
+//! to 1e-9.
 
 use std::f64::consts::PI;
 

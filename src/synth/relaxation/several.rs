@@ -1,0 +1,136 @@
+//! Changes of several limits, where no single change is sufficient.
+
+use super::relaxable::Relaxable;
+use super::{FAR, MACHINE_ROOMS, Relaxing, SMALL, Values, beside, changed, passes, passing};
+use crate::halt::Halt;
+use crate::synth::infeasible::reasons::changes;
+use crate::synth::report::limited::Relaxation;
+use crate::synth::report::reason::Reason;
+use crate::synth::synthesis;
+use crate::units::Quantity;
+
+impl Relaxing<'_> {
+    /// Reasons and values for changes of several limits, where no single change is sufficient.
+    pub fn several(&self, numbers: &Values, known: &[Reason]) -> (Vec<Reason>, Vec<Relaxation>) {
+        if let Some((share, all)) = self.together(numbers) {
+            let share = Quantity::share(share);
+            return (vec![Reason::AllTogether { share }], all);
+        }
+        let away = |&(number, from): &(Relaxable, f64)| (number, number.away(from, self.force));
+        let free: Vec<(Relaxable, f64)> = numbers.iter().map(away).collect();
+        match synthesis::design(&changed(self.problem, &free), self.search) {
+            Ok(design) if !passes(&design) => {
+                let mut reasons = vec![Reason::NotTheLimits];
+                reasons.extend(design.reasons.into_iter().filter(|r| !known.contains(r)));
+                (reasons, Vec::new())
+            }
+            Ok(_) => self.with_those_out_of_reach(numbers, &free),
+            Err(_) => (vec![Reason::NoRelaxation], Vec::new()),
+        }
+    }
+
+    /// The same where some limits cannot hold even without the others: these, or all, relaxed together from there.
+    fn with_those_out_of_reach(
+        &self,
+        numbers: &Values,
+        free: &Values,
+    ) -> (Vec<Reason>, Vec<Relaxation>) {
+        let alone = self.out_of_reach(numbers, free);
+        if alone.is_empty() {
+            return (vec![Reason::NoRelaxation], Vec::new());
+        }
+        // Each at its own boundary, they may conflict with each other or with the other limits.
+        let reached = changed(self.problem, &alone);
+        let asked = changed(self.asked, &alone);
+        let relaxing = Relaxing {
+            problem: &reached,
+            asked: &asked,
+            ..*self
+        };
+        let moved = |&(number, from): &(Relaxable, f64)| {
+            let value = alone.iter().find(|a| a.0 == number);
+            (number, value.map_or(from, |a| a.1))
+        };
+        let all: Vec<(Relaxable, f64)> = numbers.iter().map(moved).collect();
+        let both = relaxing.together(&alone);
+        let eased = both.or_else(|| relaxing.together(&all));
+        let helps = eased.is_some();
+        let own =
+            |&(number, to): &(Relaxable, f64)| Relaxation::of(number.criterion(), to, Some(to));
+        let mut values = match eased {
+            Some((_, values)) => values,
+            None => alone.iter().map(own).collect(),
+        };
+        for value in &mut values {
+            let written = numbers.iter().find(|n| n.0.criterion() == value.limit);
+            value.from = written.map_or(value.from, |n| n.1);
+        }
+        let changes = changes(&values, self.problem.cam.measures());
+        if helps {
+            (vec![Reason::FarTogether { changes }], values)
+        } else {
+            (vec![Reason::OutOfReach { changes }], Vec::new())
+        }
+    }
+
+    /// Limits that cannot hold even where the others are `free`, with the values at which they do.
+    fn out_of_reach(&self, numbers: &Values, free: &Values) -> Vec<(Relaxable, f64)> {
+        let least = |&(number, from): &(Relaxable, f64), halt: &Halt| {
+            let own = |&(other, far): &(Relaxable, f64)| {
+                let value = if other == number { from } else { far };
+                (other, value)
+            };
+            let values: Vec<(Relaxable, f64)> = free.iter().map(own).collect();
+            let [alone, asked] = [self.problem, self.asked].map(|p| changed(p, &values));
+            let search = self.search.ended_by(halt);
+            if halt.is_asked() || passing(&alone, &search).is_some() {
+                return None;
+            }
+            let relaxing = Relaxing {
+                problem: &alone,
+                asked: &asked,
+                search: &search,
+                ..*self
+            };
+            let least = relaxing.smallest(number, from, None)?;
+            Some((number, relaxing.on_machine(number, least)?))
+        };
+        let tried = beside(numbers, &self.search.halt, least);
+        tried.into_iter().flatten().collect()
+    }
+
+    /// The smallest share by which all limits can be relaxed together, with the values.
+    fn together(&self, numbers: &Values) -> Option<(f64, Vec<Relaxation>)> {
+        let eased = |share: f64| -> Vec<(Relaxable, f64)> {
+            let by = |&(k, from): &(Relaxable, f64)| (k, k.eased(from, share, self.force));
+            numbers.iter().map(by).collect()
+        };
+        let holds =
+            |share: f64| passing(&changed(self.problem, &eased(share)), self.search).is_some();
+        if !holds(FAR) {
+            return None;
+        }
+        let share = if holds(SMALL) {
+            SMALL
+        } else {
+            self.bisected(FAR, SMALL, |works| 1e-2 * works, holds)
+        };
+        let share = self.share_on_machine(share, eased)?;
+        let all = (eased(share).into_iter().zip(numbers))
+            .map(|((number, to), &(_, from))| Relaxation::of(number.criterion(), from, Some(to)));
+        Some((share, all.collect()))
+    }
+
+    /// A share, or a little more, at which the design passes on its machine.
+    fn share_on_machine(
+        &self,
+        share: f64,
+        eased: impl Fn(f64) -> Vec<(Relaxable, f64)>,
+    ) -> Option<f64> {
+        if self.problem.on_shaft.is_none() {
+            return Some(share);
+        }
+        let mut shares = MACHINE_ROOMS.map(|room| share + room).into_iter();
+        shares.find(|share| passing(&changed(self.asked, &eased(*share)), self.search).is_some())
+    }
+}
