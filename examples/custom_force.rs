@@ -4,8 +4,10 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 
+use gaitcam::scene::Limits;
 use gaitcam::scene::{CamSpec, Gait};
-use gaitcam::{ForceCurve, LimitKind, Limits, Scene, synthesise};
+use gaitcam::synth::synthesise;
+use gaitcam::{ForceCurve, LimitKind, Scene};
 
 pub fn main() -> Result<(), Box<dyn Error>> {
     // One cycle of 0.8 s: 500 N with two harmonics, at equal steps of time.

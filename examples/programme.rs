@@ -4,9 +4,12 @@
 use std::error::Error;
 
 use gaitcam::cam::Continuity;
+use gaitcam::cam::FollowerKind;
 use gaitcam::law::Rise;
+use gaitcam::scene::Limits;
 use gaitcam::scene::{CamSpec, DriveSpec, LawSpec, SegmentSpec};
-use gaitcam::{FollowerKind, LimitKind, Limits, Scene, synthesise};
+use gaitcam::synth::synthesise;
+use gaitcam::{LimitKind, Scene};
 
 pub fn main() -> Result<(), Box<dyn Error>> {
     // Up 20 mm in 120°, dwell, down in 90°, dwell.

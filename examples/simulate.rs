@@ -3,9 +3,11 @@
 //! `cargo run --release --example simulate`
 use std::error::Error;
 
+use gaitcam::Scene;
+use gaitcam::dynamics::simulate;
 use gaitcam::dynamics::{Model, Run};
 use gaitcam::scene::{CamSpec, Gait};
-use gaitcam::{Scene, simulate, synthesise};
+use gaitcam::synth::synthesise;
 
 pub fn main() -> Result<(), Box<dyn Error>> {
     let scene = Scene {

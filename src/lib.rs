@@ -26,7 +26,8 @@
 //!
 //! ```
 //! use gaitcam::scene::{CamSpec, Gait};
-//! use gaitcam::{LimitKind, Limits, Scene};
+//! use gaitcam::{LimitKind, Scene};
+//! use gaitcam::scene::Limits;
 //!
 //! let scene = Scene {
 //!     gait: Some(Gait { step_frequency: Some(1.85), body_weight: Some(700.0), ..Gait::model("young") }),
@@ -86,18 +87,13 @@ pub mod identify;
 
 pub mod sweep;
 
-pub use cam::{Cam, Criterion, Follower, FollowerKind, LimitKind, Verdict};
-pub use drive::Drive;
-pub use dynamics::simulate;
-pub use error::{Error, Result};
+pub use criterion::LimitKind;
 pub use gaitcam_base::{halt, units};
 pub use gaitcam_gait::{self as force, ForceCurve};
-pub use law::Law;
 pub use problem::Problem;
-pub use scene::{Limits, Scene};
-pub use synth::{Design, synthesise};
+pub use scene::Scene;
 
 /// The program in the README compiles and runs.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
-pub struct Readme;
+struct Readme;

@@ -2,10 +2,10 @@
 
 use gaitcam::cam::Cam;
 use gaitcam::drive::Drive;
+use gaitcam::dynamics::Surface;
 use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
-use gaitcam::dynamics::recover::{Emitted, recover};
-use gaitcam::dynamics::surface::Surface;
+use gaitcam::dynamics::{Emitted, recover};
 use gaitcam::dynamics::{FollowerContact, Machine, Model, Run, simulate};
 use gaitcam::law::Svaj;
 use gaitcam::scene::{self, Family, Scene, ShaftSpeed};

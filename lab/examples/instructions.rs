@@ -10,10 +10,11 @@ use std::path::Path;
 
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::Drive;
+use gaitcam::dynamics::Surface;
+use gaitcam::dynamics::Surface;
 use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
-use gaitcam::dynamics::recover::recover;
-use gaitcam::dynamics::surface::Surface;
+use gaitcam::dynamics::recover;
 use gaitcam::force::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances};
 use gaitcam::halt::Halt;
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
@@ -133,7 +134,7 @@ fn default_scene(changes: &[&str]) -> Scene {
     scene::read(&table(changes)).expect("a scene")
 }
 
-fn table(changes: &[&str]) -> scene::toml::Table {
+fn table(changes: &[&str]) -> toml::Table {
     let mut table = scene::DEFAULT.parse().expect("the default scene");
     for change in changes {
         scene::set(&mut table, change).expect("a key of the scene");

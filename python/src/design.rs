@@ -51,14 +51,14 @@ impl Argument for Design {
 
 impl Design {
     /// The design, also one that breaks limits.
-    pub fn shown(&self) -> PyResult<&gaitcam::Design> {
+    pub fn shown(&self) -> PyResult<&gaitcam::synth::Design> {
         match &self.outcome {
             Outcome::Built(design) => Ok(design),
             Outcome::NoCam(why) => Err(NoSuchCam::new_err(why.sentence(Language::En))),
         }
     }
 
-    fn cam(&self, py: Python<'_>) -> PyResult<&gaitcam::Design> {
+    fn cam(&self, py: Python<'_>) -> PyResult<&gaitcam::synth::Design> {
         let design = self.shown()?;
         match &design.infeasible {
             Some(why) => Err(NoSuchCam::new_err(why.sentence(Language::En))),

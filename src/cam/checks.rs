@@ -32,7 +32,8 @@ pub struct Curvature {
 /// One limit compared with the value of the cam.
 ///
 /// ```
-/// use gaitcam::cam::{Check, LimitKind};
+/// use gaitcam::cam::Check;
+/// use gaitcam::criterion::LimitKind;
 /// use gaitcam::poly::Extreme;
 ///
 /// let stroke = Extreme { at: 1.0, value: 0.05 };

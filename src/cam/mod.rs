@@ -16,21 +16,22 @@ mod making;
 mod profile;
 mod size;
 
-pub use crate::criterion::{Criterion, LimitKind};
+pub(crate) use crate::criterion::{Criterion, LimitKind};
 pub use barrel::{BarrelGroove, Rollers, Wall};
-pub use checks::{Check, Curvature, Verdict};
+pub(crate) use checks::Curvature;
+pub use checks::{Check, Verdict};
 pub use conjugate::{Closure, Conjugate};
 pub use continuity::Continuity;
-pub use follower::{Arm, Follower, FollowerKind, Measures, Unit};
+pub(crate) use follower::Arm;
+pub use follower::{Follower, FollowerKind, Measures, Unit};
 pub(crate) use geometry::{Contact, Geometry};
-pub use inspect::{Deviation, FEWEST as FEWEST_MEASURED, Inspection};
-pub use interference::{Body, Interference};
-pub use making::{Bore, Hardness, HardnessScale, Keyway, Making};
+pub use inspect::{Deviation, Inspection};
+pub use interference::Body;
+pub use making::{Bore, Hardness, Keyway, Making};
 pub use profile::ProfilePoint;
+pub(crate) use size::PrimeCircle;
 pub(crate) use size::least_between;
-pub use size::{
-    PrimeCircle, SizeLimits, smallest_base_radius, smallest_for, smallest_prime_circle,
-};
+pub use size::{SizeLimits, smallest_base_radius, smallest_for, smallest_prime_circle};
 
 use crate::error::Result;
 use crate::law::Law;

@@ -8,7 +8,8 @@ use crate::problem::Problem;
 use crate::scene::Scene;
 use crate::synth::population::errors::{Aim, Nodes};
 use crate::synth::population::{phase, report::report};
-use crate::synth::{Design, OfPopulation, WalkerError};
+use crate::synth::report::walkers::WalkerError;
+use crate::synth::{Design, OfPopulation};
 
 /// A cycle and the cam that serves it.
 ///

@@ -41,13 +41,6 @@ impl Direction {
 }
 
 /// What a limited quantity depends on. It decides what a varying speed of the shaft and several walkers do to the limit.
-///
-/// ```
-/// use gaitcam::criterion::{DependsOn, LimitKind};
-///
-/// assert_eq!(LimitKind::Jerk.facts().depends_on, DependsOn::Motion(3));
-/// assert!(!DependsOn::Cam.varies_with_speed());
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DependsOn {
     /// The cam alone: speed and walker do not change it.
@@ -125,13 +118,6 @@ impl Diagram {
 }
 
 /// Lines by which a diagram shows a bound.
-///
-/// ```
-/// use gaitcam::criterion::Lines;
-///
-/// assert_eq!(Lines::BothSides.heights(2.0, -1.0), [2.0, -2.0]);
-/// assert_eq!(Lines::AboveLowest.heights(2.0, -1.0), [1.0]);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lines {
     /// At the bound.
@@ -166,13 +152,6 @@ impl Lines {
 }
 
 /// Rank of a failed check among the reasons of a verdict, the gravest first.
-///
-/// ```
-/// use gaitcam::criterion::{LimitKind, Severity};
-///
-/// assert_eq!(LimitKind::Curvature.facts().severity, Severity::Profile);
-/// assert!(Severity::Profile < Severity::Limit);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
     /// The profile cannot be made.
@@ -190,13 +169,6 @@ pub enum Severity {
 }
 
 /// The row of a limit.
-///
-/// ```
-/// use gaitcam::criterion::{Diagram, LimitKind, Lines};
-///
-/// let facts = LimitKind::Torque.facts();
-/// assert_eq!(facts.diagram, Some((Diagram::Torque, Lines::BothSides)));
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct LimitFacts {

@@ -3,7 +3,8 @@
 mod facts;
 mod limit_kind;
 
-pub use facts::{DependsOn, Diagram, Direction, LimitFacts, Lines, Severity};
+pub(crate) use facts::{DependsOn, LimitFacts, Lines, Severity};
+pub use facts::{Diagram, Direction};
 pub use limit_kind::LimitKind;
 
 use std::fmt;

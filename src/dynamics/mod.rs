@@ -16,27 +16,25 @@ pub mod flexible;
 pub(crate) mod floor;
 pub(crate) mod machine_motion;
 mod outcome;
-mod reason;
-pub mod recover;
-pub mod rigid;
+pub(crate) mod reason;
+pub(crate) mod recover;
+pub(crate) mod rigid;
 mod run;
 pub(crate) mod shaft;
 mod simulate;
-pub mod surface;
+pub(crate) mod surface;
 
-pub use contact::impact::Pulse;
-pub use contact::{Impact, Limits as ContactLimits};
-pub use flexible::Train;
-pub use flexible::polydyne::Miss;
-pub use floor::{Comfort, Floor, FloorMode, FloorMotion};
-pub use outcome::{Difference, Force, Loads, Model, Outcome, Pressure, Row, Torque};
-pub use reason::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
+pub(crate) use flexible::Train;
+pub use floor::{Floor, FloorMode, FloorMotion};
+pub use outcome::{Difference, Model, Outcome, Pressure, Row};
 pub use recover::{Emitted, recover};
-pub use rigid::hertz;
-pub use rigid::touch::{FollowerContact, Touch, touch};
+pub use rigid::touch::{FollowerContact, touch};
+pub use rigid::{hertz, least_preload, liftoff_speed, torque_curve};
 pub use run::{Face, Machine, Run};
-pub use shaft::{InTime, Shaft};
+pub(crate) use shaft::InTime;
+pub use shaft::Shaft;
 pub use simulate::simulate;
+pub use surface::Surface;
 
 /// Cams of a thesis that the tests run; unit tests of this crate compile them with its own types.
 #[cfg(test)]

@@ -143,7 +143,8 @@ pub struct Torque {
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
 /// use gaitcam::drive::Drive;
-/// use gaitcam::dynamics::{Model, Run, Train, simulate};
+/// use gaitcam::dynamics::flexible::Train;
+/// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
 /// // A stiff follower: the next finer model changes almost nothing.

@@ -15,7 +15,7 @@ const NO_PULL_STATIC: f64 = 1e-6;
 ///
 /// ```
 /// use gaitcam::drive::Drive;
-/// use gaitcam::dynamics::surface::Surface;
+/// use gaitcam::dynamics::Surface;
 /// use gaitcam::law::Law;
 ///
 /// // Above lift-off, about the highest point, contact would need a pull.

@@ -7,18 +7,6 @@ use strum::VariantNames;
 use crate::units::Quantity;
 
 /// Why no cam has the lengths of a follower, a size, a conjugate pair or a groove.
-///
-/// ```
-/// use gaitcam::cam::{Cam, Follower};
-/// use gaitcam::error::CamError;
-/// use gaitcam::law::Law;
-///
-/// // A roller as large as its prime circle leaves no cam.
-/// let follower = Follower::RollerTranslating { prime_radius: 0.01, offset: 0.0, roller_radius: 0.01 };
-/// let error = Cam::new(Law::harmonic(0.0, &[]), follower).unwrap_err();
-/// let Some(CamError::RollerFillsCam { radius, .. }) = error.fault() else { panic!("{error}") };
-/// assert_eq!(radius.value, 0.01);
-/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -137,16 +125,6 @@ pub enum CamInputError {
 }
 
 /// A length of a follower or cam.
-///
-/// ```
-/// use gaitcam::cam::{Cam, Follower};
-/// use gaitcam::error::{CamInputError, CamLength};
-/// use gaitcam::law::Law;
-///
-/// let follower = Follower::RollerTranslating { prime_radius: 0.05, offset: f64::NAN, roller_radius: 0.01 };
-/// let error = Cam::new(Law::harmonic(0.0, &[]), follower).unwrap_err();
-/// assert_eq!(error.fault(), Some(&CamInputError::NotFinite { length: CamLength::Offset }));
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation
@@ -164,19 +142,6 @@ pub enum CamLength {
 }
 
 /// Why an arm does not reach its prime circle.
-///
-/// ```
-/// use gaitcam::cam::{Cam, Follower};
-/// use gaitcam::error::{ArmFault, CamError};
-/// use gaitcam::law::Law;
-///
-/// // An arm of 20 mm about a pivot 130 mm away does not reach a prime circle of 68 mm: it has to be 62 mm.
-/// let follower = Follower::RollerOscillating { pivot_distance: 0.13, arm: 0.02, prime_radius: 0.068, roller_radius: 0.01 };
-/// let error = Cam::new(Law::harmonic(0.0, &[]), follower).unwrap_err();
-/// let Some(CamError::ArmReach { fault, least, .. }) = error.fault() else { panic!("{error}") };
-/// assert_eq!(fault, &ArmFault::Short);
-/// assert!((least.value - 0.062).abs() < 1e-12);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation

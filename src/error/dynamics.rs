@@ -9,7 +9,7 @@ use crate::units::Quantity;
 ///
 /// ```
 /// use gaitcam::drive::Drive;
-/// use gaitcam::dynamics::Train;
+/// use gaitcam::dynamics::flexible::Train;
 /// use gaitcam::error::DynamicsError;
 ///
 /// // Without a mass nothing has a natural frequency.

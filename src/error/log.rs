@@ -6,13 +6,6 @@ use strum::VariantNames;
 use crate::units::Quantity;
 
 /// What is wrong with a log.
-///
-/// ```
-/// use gaitcam::error::{LogError, Placed};
-///
-/// let error = LogError::FewRows { rows: 3, least: 32 }.in_file("log.csv".as_ref());
-/// assert_eq!(error.code(), "log-few-rows");
-/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -66,14 +59,6 @@ pub enum LogError {
 }
 
 /// Why a log gives no new cam.
-///
-/// ```
-/// use gaitcam::error::{Error, NoNewCamError};
-/// use gaitcam::units::Quantity;
-///
-/// let [residual, noise] = [0.2, 0.3].map(Quantity::force);
-/// assert!(Error::from(NoNewCamError::Noise { residual, noise }).is_answer());
-/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

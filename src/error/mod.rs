@@ -17,16 +17,19 @@ mod write;
 
 use crate::wording::{Catalogue, WORDS};
 
-pub use cam::{ArmFault, CamError, CamInputError, CamLength};
+pub use cam::CamInputError;
+pub(crate) use cam::{ArmFault, CamError, CamLength};
 pub use dynamics::DynamicsError;
 pub use file::FileError;
-pub use gaitcam_base::error::{Error, Fault, Place, Placed, Result, UnitsError, nearest};
-pub use gaitcam_gait::error::{CycleColumn, FileKind, ForceError, ReadError};
-pub use law::{JoinCure, JoinError, LawError, SegmentName};
-pub use log::{LogError, NoNewCamError};
+pub use gaitcam_base::error::{Error, Fault, Place, Placed, Result, nearest};
+pub use gaitcam_gait::error::{ForceError, ReadError};
+pub(crate) use law::SegmentName;
+pub use law::{JoinCure, JoinError, LawError};
+pub(crate) use log::{LogError, NoNewCamError};
 pub use scene::SceneError;
 pub use sweep::SweepError;
-pub use synth::{NoDesignError, SynthError};
+pub(crate) use synth::NoDesignError;
+pub use synth::SynthError;
 pub use write::WriteError;
 
 /// Areas of faults with their enums, and whether they say that no cam does what a scene asks for.

@@ -11,7 +11,8 @@ use crate::units::Quantity;
 /// ```
 /// use gaitcam::error::SynthError;
 /// use gaitcam::scene::Gait;
-/// use gaitcam::{Scene, synthesise};
+/// use gaitcam::Scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // A scene that names a force wants one.
 /// let scene = Scene { gait: Some(Gait::model("young")), ..Scene::default() };
@@ -110,17 +111,6 @@ pub enum SynthError {
 }
 
 /// Why no cam does what a scene asks for.
-///
-/// ```
-/// use gaitcam::error::NoDesignError;
-/// use gaitcam::scene;
-///
-/// // A cam of constant breadth under a law that has none.
-/// let scene = scene::built_in("camdas_06_constant_breadth")?.scene()?;
-/// let error = scene.with("cam.breadth", "10 mm")?.design().unwrap_err();
-/// assert!(matches!(error.fault(), Some(NoDesignError::BreadthTooSmall { .. })), "{error}");
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

@@ -27,7 +27,8 @@ mod period;
 mod recut;
 
 pub use log::Log;
-pub use next_run::{Change, NextRun};
+pub use next_run::Change;
+pub(crate) use next_run::NextRun;
 pub use parameter::Parameter;
 pub use recut::{Recut, recut};
 
@@ -43,7 +44,9 @@ use model::Effect;
 /// What a log shows of a machine.
 ///
 /// ```
-/// use gaitcam::{identify::{Log, identify}, scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::identify::{Log, identify};
+/// use gaitcam::synth::synthesise;
 ///
 /// // The footbridge shaker of 73 kg instead of 71.4 kg, with a cell that reads 5 N too much and scatters by 2 N.
 /// let scene = scene::built_in("footbridge")?.scene()?;

@@ -41,13 +41,6 @@ pub enum Change {
 }
 
 /// A run of the same cam beside the one of the log.
-///
-/// ```
-/// use gaitcam::identify::{Change, NextRun};
-///
-/// let run = NextRun { change: Change::Speed { rad_per_s: 9.3 }, identifies: vec!["log.scale"] };
-/// assert_eq!(serde_json::to_value(&run).unwrap()["identifies"][0], "log.scale");
-/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct NextRun {
     /// What differs from the run of the log.

@@ -22,14 +22,16 @@ mod walkers;
 pub(crate) use force_cycle::{ForceCycle, Shape};
 use mean_force::MeanForce;
 pub use note::Note;
-pub use on_shaft::{Extra, OnShaft};
+pub(crate) use on_shaft::{Extra, OnShaft};
 pub(crate) use on_shaft::{product, sum};
+pub(crate) use size::Size;
+pub(crate) use size::USUAL_PRESSURE_ANGLE;
 pub(crate) use size::hub_radius;
-pub use size::{Size, USUAL_PRESSURE_ANGLE};
 pub use target::Target;
 pub(crate) use target::piecewise;
 use target::{Unturned, typical_lift};
-pub use walkers::{Served, Walkers};
+pub use walkers::Served;
+pub(crate) use walkers::Walkers;
 
 use std::sync::{Arc, OnceLock};
 

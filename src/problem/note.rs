@@ -13,7 +13,8 @@ use crate::wording::{self, Language};
 /// A note on a problem or its design.
 ///
 /// ```
-/// use gaitcam::problem::{Note, Problem};
+/// use gaitcam::Problem;
+/// use gaitcam::problem::Note;
 /// use gaitcam::scene;
 ///
 /// // With v closed over a turn the stroke is at most 16 h/T² ≤ max |a| (theory §1).

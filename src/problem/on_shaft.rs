@@ -17,21 +17,6 @@ use crate::poly::{Extreme, PiecewisePoly};
 const EVEN: f64 = 1e-9;
 
 /// What a varying speed, or a floor that moves, adds by the cam angle.
-///
-/// ```
-/// use gaitcam::problem::Extra;
-/// use gaitcam::{Problem, scene};
-///
-/// // At 10 N more than at the mean speed the limits and the target of the force are 10 N less.
-/// let scene = scene::built_in("footbridge")?.scene()?;
-/// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
-/// let phases: Vec<f64> = (0..360).map(|i| f64::from(i).to_radians()).collect();
-/// let ten = gaitcam::poly::PiecewisePoly::new(vec![0.0, std::f64::consts::TAU], 0, vec![10.0]);
-/// let on_shaft = problem.on_shaft(&phases, Extra::of_force(ten));
-/// let targets = [&problem, &on_shaft].map(|p| p.target.as_ref().unwrap().curve().at(1.0));
-/// assert!((targets[0] - targets[1] - 10.0).abs() < 1e-3);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone)]
 pub struct Extra {
     /// Δ, N.
@@ -55,22 +40,6 @@ impl Extra {
 }
 
 /// A problem's part of a varying speed.
-///
-/// ```
-/// use gaitcam::problem::Extra;
-/// use gaitcam::poly::PiecewisePoly;
-/// use gaitcam::{Problem, scene};
-///
-/// let scene = scene::built_in("footbridge")?.scene()?;
-/// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
-/// let two = PiecewisePoly::new(vec![0.0, std::f64::consts::TAU], 0, vec![2.0]);
-/// let later: Vec<f64> = (0..360).map(|i| f64::from(i + 90).to_radians()).collect();
-/// let shaft = problem.on_shaft(&later, Extra::of_force(two)).on_shaft.unwrap();
-/// let target = problem.target.as_ref().unwrap().curve();
-/// assert!((shaft.target.at(0.0) - target.at(std::f64::consts::FRAC_PI_2)).abs() < 1e-3);
-/// assert_eq!(shaft.force_rate.eval(1.0), 0.0);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone)]
 pub struct OnShaft {
     /// What is added.

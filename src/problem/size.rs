@@ -109,19 +109,6 @@ impl Problem {
 pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
 
 /// How the size of the cam is determined. A flat face has no roller: its base and prime circles are one.
-///
-/// ```
-/// use gaitcam::problem::{Problem, Size};
-/// use gaitcam::scene;
-///
-/// let scene = scene::built_in("footbridge")?.scene()?;
-/// let force = scene.model_force()?;
-/// assert_eq!(Problem::resolve(&scene, force.as_ref())?.size(), Size::AfterLaw);
-/// let given = scene.with("cam.base_radius", "30 mm")?;
-/// let size = Problem::resolve(&given, force.as_ref())?.size();
-/// assert_eq!(size, Size::Given { base: 0.03, prime: 0.03 });
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Size {
     /// The size is fixed, and the law has to fit it.

@@ -15,21 +15,18 @@ mod set;
 mod walkers;
 mod write;
 
-pub use crate::cam::LimitKind;
-pub use builtin::{BuiltIn, DEFAULT, SCENES, built_in, built_in_file};
+pub(crate) use crate::criterion::LimitKind;
+pub use builtin::{DEFAULT, SCENES, built_in, built_in_file};
 pub use files::{BETWEEN_PLATES, Files, content, plates};
-pub use keys::schema;
 pub use motion_file::{LARGEST_MOTION, motion_files, with_motions};
+pub(crate) use parts::{Adjust, Band, ForceScale, Harmonic, Phase, PhaseWeight, StepFrequencies};
 pub use parts::{
-    Adjust, Band, CamSpec, ConjugateSpec, DriveSpec, Dwell, ErrorMeasure, Family, FloorSpec,
-    ForceScale, Gait, Harmonic, KeywaySpec, LawPoint, LawSpec, Limits, MachineSpec, Minimise,
-    MotorSpec, Phase, PhaseWeight, Robust, SegmentSpec, ShaftSpeed, Source, StepFrequencies,
-    WalkersSpec,
+    CamSpec, DriveSpec, Dwell, ErrorMeasure, Family, Gait, KeywaySpec, LawPoint, LawSpec, Limits,
+    MachineSpec, Minimise, Robust, SegmentSpec, ShaftSpeed, Source,
 };
 pub use read::{parse, read, read_keys, table};
-pub use rules::check;
+pub(crate) use rules::check;
 pub use set::{set, set_value, unset};
-pub use {serde_json, toml};
 
 use crate::error::Result;
 use crate::force::ForceCurve;
@@ -38,7 +35,8 @@ use crate::force::ForceCurve;
 ///
 /// ```
 /// use gaitcam::scene::{CamSpec, Gait, LawSpec};
-/// use gaitcam::{LimitKind, Limits, Scene, scene};
+/// use gaitcam::{LimitKind, Scene, scene};
+/// use gaitcam::scene::Limits;
 ///
 /// // The footbridge scene without its file.
 /// let made = Scene {

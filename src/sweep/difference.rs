@@ -10,14 +10,6 @@ use crate::error::{FileError, Placed, Result};
 use crate::wording::{self, Language};
 
 /// A difference between two descriptions of sweeps; `path` is the key path to it, such as `vary limits.stroke`.
-///
-/// ```
-/// use gaitcam::sweep::{Difference, differences};
-/// use serde_json::json;
-///
-/// let found = differences(&json!({"seed": 1}), &json!({"seed": 2}));
-/// assert!(matches!(&found[..], [Difference::Value { path, .. }] if path == "seed"));
-/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

@@ -6,7 +6,7 @@
 
 mod carried;
 mod content;
-mod difference;
+pub(crate) mod difference;
 mod front;
 mod kernel;
 mod made;
@@ -16,12 +16,12 @@ pub mod table;
 
 pub use carried::Files;
 pub use content::{Subject, Sweep};
-pub use difference::{Difference, agree, differences};
-pub use front::{Admission, Front, Objective, Point, objective};
+pub use difference::agree;
+pub use front::{Admission, Front, Objective, Point};
 pub use made::measured::{Behaviour, MadeCam};
-pub use made::scatter::{SAMPLE_COLUMNS, Scattered};
+pub use made::scatter::Scattered;
 pub use made::tolerance::{Made, Part, Scatter, Spread, Tolerance};
-pub use plan::axis::{Axis, AxisValue, Values};
+pub use plan::axis::{Axis, Values};
 pub use plan::key::Key;
 pub use plan::sample::Method;
 pub use plan::{List, NamedScene, Plan, Sampling};

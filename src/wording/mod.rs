@@ -1,17 +1,20 @@
 //! The library's messages in English and Spanish, one Fluent file an area ([`gaitcam_base::wording`] says how they are made).
 
+#[cfg(test)]
+mod tests;
 mod words;
 
 use serde::Serialize;
 
 pub use gaitcam_base::wording::{
-    Catalogue, DIGITS, File, InLanguages, Language, Messages, code, degrees, exact, fixed, number,
-    people, quantity, range, rounded,
+    Catalogue, DIGITS, File, Language, Messages, exact, fixed, number, people, quantity, range,
+    rounded,
 };
+pub(crate) use gaitcam_base::wording::{InLanguages, code, degrees};
 pub use words::Words;
 
 /// The messages of the library, one file an area.
-pub const FILES: &[File] = &[
+pub(crate) const FILES: &[File] = &[
     [include_str!("en/names.ftl"), include_str!("es/names.ftl")],
     [include_str!("en/cam.ftl"), include_str!("es/cam.ftl")],
     [
@@ -39,7 +42,7 @@ pub const FILES: &[File] = &[
 ];
 
 /// The messages of the library and of the crates below it.
-pub static WORDS: Catalogue = Catalogue::new(&[
+pub(crate) static WORDS: Catalogue = Catalogue::new(&[
     gaitcam_base::wording::FILES,
     gaitcam_gait::wording::FILES,
     FILES,

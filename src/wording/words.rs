@@ -7,9 +7,9 @@ use super::{Language, Messages, catalogue, degrees, number, range};
 /// The texts of a catalogue, and numbers and names in its language.
 ///
 /// ```
-/// use gaitcam::wording::{Language, WORDS, Words};
+/// use gaitcam::wording::{Language, Words, catalogue};
 ///
-/// let words = Words::new(WORDS.of(Language::Es));
+/// let words = Words::new(catalogue(Language::Es));
 /// assert_eq!((words.fixed(1.25, 2), words.tag()), ("1,25".to_string(), "es"));
 /// ```
 #[derive(Clone, Copy)]
@@ -52,9 +52,9 @@ impl Words {
     /// A number for people; what is only rounding beside values as large as `scale` is 0.
     ///
     /// ```
-    /// use gaitcam::wording::{Language, WORDS, Words};
+    /// use gaitcam::wording::{Language, Words, catalogue};
     ///
-    /// let words = Words::new(WORDS.of(Language::En));
+    /// let words = Words::new(catalogue(Language::En));
     /// assert_eq!(words.number_beside(3e-15, 18.5), "0");
     /// ```
     pub fn number_beside(&self, value: f64, scale: f64) -> String {

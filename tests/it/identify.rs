@@ -469,7 +469,7 @@ fn learned_force_is_part_of_the_force_of_a_design_and_of_its_run() {
     let run = design
         .emitted(&scene.machine, design.problem.drive)
         .unwrap();
-    let outcome = gaitcam::simulate(&run, gaitcam::dynamics::Model::Rigid).unwrap();
+    let outcome = gaitcam::dynamics::simulate(&run, gaitcam::dynamics::Model::Rigid).unwrap();
     let percent = 100.0 * outcome.force.rms_error.unwrap() / 700.0;
     assert!(
         (percent - design.force.rms_error_percent_of_mean).abs() < 0.02,

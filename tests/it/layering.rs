@@ -66,6 +66,9 @@ fn imports_point_downwards_only() {
     );
     assert!(files.len() > 20, "the sources were not found");
     for (module, text) in &files {
+        if text.contains(TEST) {
+            continue;
+        }
         // Doc comments may point anywhere.
         for line in text.lines().map(str::trim).filter(|l| !l.starts_with("//")) {
             for part in line.split("crate::").skip(1) {

@@ -12,4 +12,3 @@ mod readme;
 mod scene;
 mod sweep;
 mod synth;
-mod wording;

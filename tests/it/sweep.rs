@@ -6,7 +6,7 @@ use gaitcam::scene::{self, Gait, SCENES};
 use gaitcam::sweep::{
     Files, NUMBERS, Outcome, Plan, Records, Row, Sampling, Subject, Sweep, WORDS,
 };
-use gaitcam::synthesise;
+use gaitcam::synth::synthesise;
 use toml::Table;
 
 use crate::scene::random::{Numbers, grow, typed};

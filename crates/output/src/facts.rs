@@ -64,7 +64,7 @@ impl Group {
 /// use gaitcam_output::Language;
 ///
 /// let scene = gaitcam::scene::built_in("footbridge")?.scene()?;
-/// let design = gaitcam::synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let design = gaitcam::synth::synthesise(&scene, scene.model_force()?.as_ref())?;
 /// let cam = facts(&design, Group::Cam, Language::En);
 /// assert!(cam.iter().any(|fact| fact.name == "base radius" && fact.value.ends_with(" mm")));
 /// # Ok::<(), gaitcam::error::Error>(())

@@ -3,7 +3,8 @@
 use crate::csv::{self, Columns};
 use crate::words::{self, Words};
 use gaitcam::cam::Measures;
-use gaitcam::dynamics::{Difference, FloorMotion, Impact, Outcome, Pressure, Row, Shaft};
+use gaitcam::dynamics::contact::Impact;
+use gaitcam::dynamics::{Difference, FloorMotion, Outcome, Pressure, Row, Shaft};
 use gaitcam::wording::Language;
 use serde_json::{Value, json};
 use std::fmt::Write;

@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
-use gaitcam::cam::{Cam, Check, Criterion, Follower, LimitKind, Verdict, smallest_base_radius};
+use gaitcam::Problem;
+use gaitcam::cam::{Cam, Check, Follower, Verdict, smallest_base_radius};
+use gaitcam::criterion::{Criterion, LimitKind};
 use gaitcam::drive::Drive;
 use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::poly::{Extreme, PiecewisePoly, bernstein};
-use gaitcam::problem::{Note, Problem};
+use gaitcam::problem::Note;
 use gaitcam::scene::{CamSpec, DriveSpec, Family, KeywaySpec, Scene};
 use gaitcam::synth::{
     Binding, Conflicting, Design, ForceReport, Functions, Infeasible, Method, Reason, Relaxation,

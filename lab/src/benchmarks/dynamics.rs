@@ -2,9 +2,9 @@
 
 use std::hint::black_box;
 
+use gaitcam::dynamics::Surface;
 use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
-use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::{FollowerContact, recover};
 use gaitcam::law::Svaj;
 use gaitcam_test_support::thesis;

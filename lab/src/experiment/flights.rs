@@ -4,7 +4,7 @@ use super::{POINTS, Page, cams, run_points, scene};
 use gaitcam::dynamics::contact::Phase;
 use gaitcam::dynamics::recover;
 use gaitcam::dynamics::simulate;
-use gaitcam::dynamics::{Model, rigid};
+use gaitcam::dynamics::{Model, liftoff_speed};
 use gaitcam::error::Result;
 use gaitcam_test_support::thesis;
 use std::f64::consts::PI;
@@ -16,8 +16,8 @@ pub(super) fn lift_off(out: &mut Page) -> Result<()> {
         let drive = thesis::real(thesis::SPEED);
         let emitted = recover(&cam.follower, &cam.profile(POINTS))?.law;
         let (Some(own), Some(law)) = (
-            rigid::liftoff_speed(&emitted, &drive),
-            rigid::liftoff_speed(&cam.law, &drive),
+            liftoff_speed(&emitted, &drive),
+            liftoff_speed(&cam.law, &drive),
         ) else {
             continue;
         };

@@ -3,7 +3,7 @@
 use super::{POINTS, Page, cams, motor};
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::recover;
-use gaitcam::dynamics::rigid;
+use gaitcam::dynamics::torque_curve;
 use gaitcam::error::Result;
 use gaitcam_test_support::thesis;
 
@@ -43,7 +43,7 @@ pub(super) fn motors(out: &mut Page) -> Result<()> {
             "Least squares on the logarithms of the table in Campillo de Blas (2017): t = {c:.1}·x^{p:.4}, so 6 s for 11.1 turns takes {power:.1} % (stated there: 347.9·x^−0.967, 66.6 %)."));
     for (name, cam, _) in cams() {
         let drive = thesis::real(thesis::SPEED);
-        if let Some(torque) = rigid::torque_curve(&cam.law, &drive, 0.1, thesis::BASE_RADIUS) {
+        if let Some(torque) = torque_curve(&cam.law, &drive, 0.1, thesis::BASE_RADIUS) {
             let demand = motor::demand(&torque, drive.speed);
             out.line(format_args!(
                 "- {name}, μ = 0.1: mean {:.5} N·m, RMS {:.5}, peak {:.5}, mean power {:.4} W.",

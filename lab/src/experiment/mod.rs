@@ -12,9 +12,9 @@ mod running;
 
 use gaitcam::cam::Cam;
 use gaitcam::drive::Drive;
+use gaitcam::dynamics::Surface;
 use gaitcam::dynamics::contact::{self, ContactRun, Limits};
 use gaitcam::dynamics::recover;
-use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::{Machine, Run};
 use gaitcam::error::Result;
 use gaitcam_test_support::thesis;

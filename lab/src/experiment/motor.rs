@@ -78,7 +78,7 @@ pub fn seconds_for(speed: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gaitcam::dynamics::rigid;
+    use gaitcam::dynamics::torque_curve;
     use gaitcam_test_support::thesis;
 
     #[test]
@@ -99,7 +99,7 @@ mod tests {
     fn the_eccentric_asks_no_mean_torque_and_a_known_rms() {
         // T = M(g − ω²e sin θ) e cos θ: mean square = M²e²(g²/2 + ω⁴e²/8).
         let drive = thesis::real(thesis::SPEED);
-        let torque = rigid::torque_curve(&thesis::eccentric().law, &drive, 0.0, 0.03).unwrap();
+        let torque = torque_curve(&thesis::eccentric().law, &drive, 0.0, 0.03).unwrap();
         let demand = demand(&torque, drive.speed);
         let w2 = thesis::SPEED.powi(2);
         let exact = 0.01 * (0.5 * 9.81_f64.powi(2) + (w2 * 0.01).powi(2) / 8.0).sqrt();

@@ -2,7 +2,7 @@
 
 use super::{Page, cams, scene, worst_force_error};
 use gaitcam::dynamics::simulate;
-use gaitcam::dynamics::{Model, rigid};
+use gaitcam::dynamics::{Model, least_preload};
 use gaitcam::error::Result;
 use gaitcam_test_support::thesis;
 
@@ -46,7 +46,7 @@ pub(super) fn steady_running(out: &mut Page) -> Result<()> {
             .zip(&contact.rows)
             .map(|(a, b)| (a.contact_force - b.contact_force).abs())
             .fold(0.0, f64::max);
-        let preload = rigid::least_preload(&cam.law, &thesis::ideal(thesis::SPEED), 0.0);
+        let preload = least_preload(&cam.law, &thesis::ideal(thesis::SPEED), 0.0);
         out.line(format_args!(
                 "- {name}: rigid and contact model of the real machine differ by at most {difference:.1e} N. The ideal machine pulls where its force is negative: it needs a preload of {preload:.4} N to stay on the cam."));
     }

@@ -23,15 +23,6 @@ const CONVERSION: [[f64; 3]; 12] = [
 const SOFTEST: f64 = 100.0;
 
 /// How a hardness was measured.
-///
-/// ```
-/// use gaitcam::cam::{Hardness, HardnessScale};
-///
-/// let hardness = Hardness::parse("650 HV").ok_or("no hardness")?;
-/// assert_eq!(hardness.scale, HardnessScale::Vickers);
-/// assert_eq!(hardness.to_string(), "650 HV");
-/// # Ok::<(), &str>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr, strum::EnumString)]
 #[serde(rename_all = "kebab-case")]
 #[strum(ascii_case_insensitive)]

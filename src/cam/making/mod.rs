@@ -6,7 +6,7 @@ mod bore;
 mod hardness;
 
 pub use bore::{Bore, Keyway};
-pub use hardness::{Hardness, HardnessScale};
+pub use hardness::Hardness;
 
 /// Material, surface and tolerance; lengths in m.
 ///

@@ -10,15 +10,6 @@ const SERIES_PHASE: f64 = 0.5;
 const SERIES_TERMS: usize = 24;
 
 /// One flight, by the angle since its start.
-///
-/// ```
-/// use gaitcam::dynamics::contact::Flight;
-///
-/// // Without spring and damper a parabola: y = 0.02 t − 0.05 t².
-/// let flight = Flight { start: 0.0, y: 0.0, rate: 0.02, curvature: -0.1, kappa: 0.0, gamma: 0.0 };
-/// let (height, rate) = flight.at(0.1);
-/// assert!((height - 0.0015).abs() < 1e-12 && (rate - 0.01).abs() < 1e-12);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flight {
     /// Angle at which it starts, rad.

@@ -3,15 +3,6 @@
 use crate::error::{DynamicsError, Result};
 
 /// Result of one instantaneous impact.
-///
-/// ```
-/// use gaitcam::dynamics::Pulse;
-///
-/// // 2 kg at 0.5 m/s with e = 0.4: back at 0.2 m/s, p = m (1 + e) v.
-/// let pulse = Pulse::new(2.0, 0.5, 0.4);
-/// assert!((pulse.rebound - 0.2).abs() < 1e-15);
-/// assert!((pulse.impulse - 1.4).abs() < 1e-15);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Pulse {
     /// Speed at which the surfaces part, m/s; 0 when they stay together.

@@ -11,7 +11,7 @@ pub(crate) mod impact;
 pub(crate) mod two_cams;
 
 pub use events::run;
-pub use flight::Flight;
+pub(crate) use flight::Flight;
 
 use impact::Pulse;
 use std::f64::consts::TAU;
@@ -21,7 +21,7 @@ use std::f64::consts::TAU;
 /// ```
 /// use gaitcam::drive::Drive;
 /// use gaitcam::dynamics::contact::{self, Limits, Phase};
-/// use gaitcam::dynamics::surface::Surface;
+/// use gaitcam::dynamics::Surface;
 /// use gaitcam::law::Law;
 ///
 /// // A harmonic lift of amplitude 10 mm, 30 % faster than its lift-off speed √(g/10 mm).
@@ -52,7 +52,7 @@ pub enum Phase {
 /// ```
 /// use gaitcam::drive::Drive;
 /// use gaitcam::dynamics::contact::{self, Limits};
-/// use gaitcam::dynamics::surface::Surface;
+/// use gaitcam::dynamics::Surface;
 /// use gaitcam::law::Law;
 ///
 /// // A harmonic lift of amplitude 10 mm, 30 % faster than its lift-off speed √(g/10 mm).
@@ -108,7 +108,7 @@ pub struct Impact {
 /// ```
 /// use gaitcam::drive::Drive;
 /// use gaitcam::dynamics::contact::{self, Limits};
-/// use gaitcam::dynamics::surface::Surface;
+/// use gaitcam::dynamics::Surface;
 /// use gaitcam::law::Law;
 ///
 /// // A harmonic lift of amplitude 10 mm, 30 % faster than its lift-off speed √(g/10 mm).
@@ -139,9 +139,10 @@ pub struct ContactRun {
 /// Limits of the run.
 ///
 /// ```
-/// use gaitcam::dynamics::{ContactLimits, Machine};
+/// use gaitcam::dynamics::Machine;
+/// use gaitcam::dynamics::contact::Limits;
 ///
-/// let limits = ContactLimits { turns: 50, ..ContactLimits::default() };
+/// let limits = Limits { turns: 50, ..Limits::default() };
 /// let machine = Machine { limits, ..Machine::default() };
 /// assert_eq!(machine.limits.turns, 50);
 /// ```

@@ -18,7 +18,8 @@ pub const STIFFEST: f64 = 1e9;
 /// A linear system of two states under one forcing; an unused state decays and does not couple.
 ///
 /// ```
-/// use gaitcam::dynamics::flexible::{Linear, Matrix2, Vector2};
+/// use gaitcam::dynamics::flexible::Linear;
+/// use nalgebra::{Matrix2, Vector2};
 /// use gaitcam::law::Law;
 ///
 /// // z′ = −z + sin θ: after many turns z = (sin θ − cos θ)/2, so −½ at the start of a turn.

@@ -12,14 +12,14 @@ mod rest;
 mod train;
 
 pub use linear::Linear;
-pub use rest::in_rests;
+pub(crate) use rest::in_rests;
 pub use train::Train;
 
 use crate::drive::{Drive, DriveKind};
 use crate::error::{DynamicsError, Error, Result};
 use crate::law::{Joint, Law};
 use crate::poly::{Extreme, PiecewisePoly};
-pub use nalgebra::{Matrix2, Vector2};
+pub(crate) use nalgebra::{Matrix2, Vector2};
 
 /// Steady motion of a flexible machine at equal or unequal angles (the breaks of the forcing).
 ///

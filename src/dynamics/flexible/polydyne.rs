@@ -182,7 +182,7 @@ fn continuous_derivatives(law: &Law, most: usize) -> (usize, f64) {
 ///
 /// ```
 /// use gaitcam::scene;
-/// use gaitcam::synthesise;
+/// use gaitcam::synth::synthesise;
 ///
 /// // A polydyne cam has a smaller deviation than the target law itself as cam.
 /// let scene = scene::built_in("footbridge")?.scene()?;

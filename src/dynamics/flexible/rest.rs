@@ -15,21 +15,6 @@ const HARDLY_DAMPED: f64 = 1e-6;
 
 /// Amplitude, m, in the periodic steady state at each of these angles, where a dwell begins.
 ///
-/// ```
-/// use gaitcam::drive::{Drive, DriveKind};
-/// use gaitcam::dynamics::flexible::{Train, in_rests};
-/// use gaitcam::law::Law;
-///
-/// // s = h cos θ with mω² = 100 N/m and K = 10 kN/m: at its top the follower stands mω²h (1/(K − mω²) − 1/K) beside its
-/// // static deflection.
-/// let kind = DriveKind::FixedAxis;
-/// let drive = Drive { kind, rest_force: 5.0, spring_rate: 0.0, damping: 0.0, mass: 1.0, speed: 10.0, lever: 1.0 };
-/// let law = Law::harmonic(0.01, &[(0.01, 0.0)]);
-/// let found = in_rests(&law, &drive, &Train { stiffness: 1e4, damping: 0.0 }, &[0.0])?[0];
-/// assert!((found - (1.0 / 9900.0 - 1e-4)).abs() < 1e-10);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
-///
 /// # Errors
 /// Invalid stiffness or damping.
 pub fn in_rests(law: &Law, drive: &Drive, train: &Train, starts: &[f64]) -> Result<Vec<f64>> {

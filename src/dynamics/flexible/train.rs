@@ -7,7 +7,7 @@ use crate::error::{DynamicsError, Result};
 ///
 /// ```
 /// use gaitcam::drive::Drive;
-/// use gaitcam::dynamics::Train;
+/// use gaitcam::dynamics::flexible::Train;
 ///
 /// let drive = Drive::moving_axis(2.0, 9.81, 10.0);
 /// let train = Train::from_frequency(&drive, 50.0, 0.05)?;

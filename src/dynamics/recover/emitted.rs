@@ -33,15 +33,6 @@ pub struct Emitted {
 }
 
 /// Extent of a profile.
-///
-/// ```
-/// use gaitcam::dynamics::recover::Cycle;
-/// use gaitcam::law::Law;
-///
-/// let cycle = Cycle::of(&Law::harmonic(0.01, &[(0.0, 0.01)]));
-/// assert_eq!(cycle, Cycle::TURN);
-/// assert!((cycle.step(360) - 1.0_f64.to_radians()).abs() < 1e-15);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycle {
     /// rad (m of travel for a slide).

@@ -13,7 +13,8 @@ mod emitted;
 mod slopes;
 mod stance;
 
-pub use emitted::{Cycle, Emitted};
+pub(crate) use emitted::Cycle;
+pub use emitted::Emitted;
 
 use super::rigid::touch::touch;
 use crate::cam::{Cam, Follower, ProfilePoint};

@@ -3,8 +3,9 @@
 use super::*;
 use crate::cam::Cam;
 use crate::drive::Drive;
+use crate::dynamics::reason::{ForceMargin, ModelReason};
 use crate::dynamics::thesis;
-use crate::dynamics::{ForceMargin, Machine, ModelReason, Train};
+use crate::dynamics::{Machine, Train};
 use crate::law::{Extent, Law, Rise, Segment, program};
 use crate::wording::Language;
 use std::f64::consts::{PI, TAU};

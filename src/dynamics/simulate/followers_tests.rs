@@ -3,8 +3,9 @@
 use super::*;
 use crate::cam::{Cam, Closure, Conjugate, Follower};
 use crate::drive::Drive;
+use crate::dynamics::Machine;
+use crate::dynamics::reason::RunNote;
 use crate::dynamics::rigid::touch::tests::everything;
-use crate::dynamics::{Machine, RunNote};
 use crate::law::Law;
 
 fn law(stroke: f64) -> Law {

@@ -1,8 +1,9 @@
 use super::*;
 use crate::cam::{Cam, Follower};
 use crate::drive::{Drive, DriveKind};
+use crate::dynamics::reason::{ForceMargin, LiftoffMargin, ModelReason, Vibration};
 use crate::dynamics::thesis;
-use crate::dynamics::{Face, ForceMargin, LiftoffMargin, Machine, ModelReason, Train, Vibration};
+use crate::dynamics::{Face, Machine, Train};
 use std::f64::consts::{PI, TAU};
 
 fn scene(cam: &Cam, speed: f64) -> Run {

@@ -152,14 +152,6 @@ pub enum Relax {
 }
 
 /// Why a given key has no effect.
-///
-/// ```
-/// use gaitcam::Scene;
-/// use gaitcam::scene::keys::{self, Idle};
-///
-/// let damping = keys::find("machine.damping_ratio").unwrap();
-/// assert_eq!(damping.idle(&Scene::default()), Some(Idle::RigidFollower));
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]

@@ -16,7 +16,7 @@ mod value;
 
 use super::LimitKind;
 
-pub use kind::{Idle, Kind, Measure, Range, Relax};
+pub use kind::{Kind, Range, Relax};
 pub use list::{json, markdown, takes};
 pub(super) use read::read as read_value;
 pub use row::Key;

@@ -8,7 +8,7 @@ const THICKNESS: f64 = 0.01;
 /// The cam and its follower; lengths in m.
 ///
 /// ```
-/// use gaitcam::FollowerKind;
+/// use gaitcam::cam::FollowerKind;
 /// use gaitcam::scene::CamSpec;
 ///
 /// let cam = CamSpec { roller_radius: 0.01, bore: Some(0.012), ..CamSpec::new(FollowerKind::RollerTranslating) };
@@ -146,16 +146,6 @@ impl CamSpec {
 }
 
 /// The second cam of a conjugate pair: one of the first three lengths closes it.
-///
-/// ```
-/// use gaitcam::cam::Closure;
-/// use gaitcam::scene::ConjugateSpec;
-///
-/// let pair = ConjugateSpec { distance: Some(0.13), ..ConjugateSpec::default() };
-/// assert_eq!(pair.closure(), Some(Closure::Distance(0.13)));
-/// // Two lengths would close it twice.
-/// assert_eq!(ConjugateSpec { base_radius: Some(0.03), ..pair }.closure(), None);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ConjugateSpec {
     /// Translating followers: distance of both faces or roller centres, m.

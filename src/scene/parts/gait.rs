@@ -213,20 +213,6 @@ fn pairs(list: &[Harmonic]) -> Vec<(f64, f64)> {
 }
 
 /// Scaling of the target force to the moved mass of a moving axis.
-///
-/// ```
-/// use gaitcam::Scene;
-/// use gaitcam::problem::Problem;
-/// use gaitcam::scene::{DriveSpec, ForceScale, Gait};
-///
-/// // The walker's force scaled to a machine of 7 kg: its mean is M·g.
-/// let gait = Gait { step_frequency: Some(1.85), scale: ForceScale::ToMass, ..Gait::model("young") };
-/// let force = gait.model_force()?;
-/// let scene = Scene { gait: Some(gait), drive: DriveSpec::moving_axis(7.0), ..Scene::default() };
-/// let target = Problem::resolve(&scene, force.as_ref())?.target.unwrap();
-/// assert!((target.mean_n() - 7.0 * 9.81).abs() < 1e-9);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ForceScale {
@@ -250,19 +236,6 @@ impl ForceScale {
 }
 
 /// Half the width of a band about the target.
-///
-/// ```
-/// use gaitcam::Scene;
-/// use gaitcam::problem::Problem;
-/// use gaitcam::scene::{Band, Gait};
-///
-/// let gait = Gait { step_frequency: Some(1.85), band: Some(Band::Width(20.0)), ..Gait::model("young") };
-/// let force = gait.model_force()?;
-/// let scene = Scene { gait: Some(gait), ..Scene::default() };
-/// let [low, high] = Problem::resolve(&scene, force.as_ref())?.band.unwrap();
-/// assert!((high.at(1.0) - low.at(1.0) - 40.0).abs() < 1e-9);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Band {
     /// One standard deviation from step to step.
@@ -282,20 +255,6 @@ impl Band {
 }
 
 /// A range of the cycle with its weight in the mean square force error.
-///
-/// ```
-/// use gaitcam::scene::{Gait, PhaseWeight};
-/// use gaitcam::{Problem, Scene};
-///
-/// // The first half of the cycle counts four times.
-/// let weights = vec![PhaseWeight { from: 0.0, to: std::f64::consts::PI, weight: 4.0 }];
-/// let gait = Gait { step_frequency: Some(1.85), weights, ..Gait::model("young") };
-/// let force = gait.model_force()?;
-/// let scene = Scene { gait: Some(gait), ..Scene::default() };
-/// let problem = Problem::resolve(&scene, force.as_ref())?;
-/// assert_eq!((problem.weight(1.0), problem.weight(4.0)), (4.0, 1.0));
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PhaseWeight {
     /// First phase of the cycle, rad.
@@ -307,12 +266,6 @@ pub struct PhaseWeight {
 }
 
 /// Phase of the force cycle at cam angle 0.
-///
-/// ```
-/// use gaitcam::scene::{Gait, Phase};
-///
-/// assert_eq!(Gait::model("young").phase, Phase::At(0.0));
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Phase {
     /// rad.

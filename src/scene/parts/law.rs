@@ -88,7 +88,8 @@ impl ShaftSpeed {
 ///
 /// ```
 /// use gaitcam::scene::{DriveSpec, LawPoint, LawSpec, Minimise};
-/// use gaitcam::{Scene, synthesise};
+/// use gaitcam::Scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // 10 mm up and down with the least mean square acceleration.
 /// let law = LawSpec {
@@ -171,7 +172,8 @@ impl LawPoint {
 ///
 /// ```
 /// use gaitcam::scene::{DriveSpec, Dwell, LawPoint, LawSpec, Minimise};
-/// use gaitcam::{Scene, synthesise};
+/// use gaitcam::Scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // At rest on the base circle over the last quarter of the turn.
 /// let (from, to) = (1.5 * std::f64::consts::PI, std::f64::consts::TAU);

@@ -9,7 +9,8 @@ use crate::cam::LimitKind;
 /// [`LimitKind::PressureAngle`] is one bound for rise and fall: [`Limits::set`] and [`Limits::with`] set both.
 ///
 /// ```
-/// use gaitcam::{LimitKind, Limits};
+/// use gaitcam::LimitKind;
+/// use gaitcam::scene::Limits;
 ///
 /// let limits = Limits::default().with(LimitKind::Stroke, 0.04).with(LimitKind::PressureAngle, 0.5);
 /// assert_eq!(limits[LimitKind::Stroke], Some(0.04));

@@ -11,12 +11,11 @@ mod machine;
 mod machine_floor;
 mod population;
 
-pub use cam::{CamSpec, ConjugateSpec, KeywaySpec};
+pub use cam::{CamSpec, KeywaySpec};
 pub use drive::DriveSpec;
-pub use floor::{FloorSpec, WalkersSpec};
 pub use gait::{Band, ForceScale, Gait, Phase, PhaseWeight, Source};
 pub use harmonic::Harmonic;
 pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, ShaftSpeed};
 pub use limits::Limits;
-pub use machine::{MachineSpec, MotorSpec};
+pub use machine::MachineSpec;
 pub use population::{Adjust, ErrorMeasure, Robust, StepFrequencies};

@@ -96,14 +96,6 @@ impl ErrorMeasure {
 }
 
 /// What of the machine is set anew for each walker.
-///
-/// ```
-/// use gaitcam::scene::Adjust;
-///
-/// let adjust = Adjust::of(&["mass".to_string(), "phase".to_string()])?;
-/// assert_eq!(adjust, Adjust { mass: true, speed: false, phase: true });
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Adjust {
     /// The moved mass.
@@ -161,19 +153,6 @@ impl Adjust {
 }
 
 /// Step frequencies of walkers of one load model.
-///
-/// ```
-/// use gaitcam::scene::StepFrequencies;
-///
-/// let range: StepFrequencies = "1.4 Hz:2.4 Hz:11".parse()?;
-/// assert_eq!(range.points().len(), 11);
-/// assert_eq!(range.points()[10], (2.4, 1.0));
-/// // Points of a normal distribution count what its density is there.
-/// let normal: StepFrequencies = "normal 1.87 Hz 0.19 Hz".parse()?;
-/// assert_eq!(normal.to_string(), "normal 1.87 Hz 0.19 Hz");
-/// assert!(normal.points()[10].1 > normal.points()[0].1);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StepFrequencies {
     /// Equal steps from the first to the last, Hz.

@@ -28,7 +28,8 @@ const POINTS: usize = 4096;
 ///
 /// ```
 /// use gaitcam::sweep::MadeCam;
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // A cam without deviations behaves like the design.
 /// let scene = scene::built_in("footbridge")?.scene()?;
@@ -58,7 +59,8 @@ pub struct Behaviour {
 ///
 /// ```
 /// use gaitcam::sweep::MadeCam;
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;

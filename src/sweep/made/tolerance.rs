@@ -138,7 +138,8 @@ impl Tolerance {
 ///
 /// ```
 /// use gaitcam::sweep::{Scatter, Tolerance};
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // Without a tolerance a sample is the design.
 /// let scene = scene::built_in("footbridge")?.scene()?;
@@ -168,7 +169,8 @@ pub struct Made {
 ///
 /// ```
 /// use gaitcam::sweep::{Scatter, Tolerance};
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // 1 % of a mass of 71.36 kg is 0.7136 kg at most.
 /// let scene = scene::built_in("footbridge")?.scene()?;

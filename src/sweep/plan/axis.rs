@@ -36,15 +36,6 @@ pub enum Values {
 }
 
 /// One value of an axis.
-///
-/// ```
-/// use gaitcam::sweep::{Axis, AxisValue};
-///
-/// let axis = Axis::parse("limits.stroke=40 mm:60 mm:5", false)?;
-/// let AxisValue::Number(stroke) = axis.value(1) else { panic!() };
-/// assert!((stroke - 0.045).abs() < 1e-12);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum AxisValue {
     /// In SI.

@@ -1,5 +1,5 @@
 use super::*;
-use crate::sweep::{Difference, differences};
+use crate::sweep::difference::{Difference, differences};
 
 fn plan(vary: &[&str]) -> Plan {
     Plan::of(scene::DEFAULT.parse().unwrap(), vary, Sampling::Grid).unwrap()

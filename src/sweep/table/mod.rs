@@ -33,7 +33,7 @@ fn unit_entry(column: &str) -> Option<(&'static str, &'static str)> {
 }
 
 /// Unit of a column from the end of its name; empty for words, counts and ratios.
-pub fn unit_of(column: &str) -> &'static str {
+pub(crate) fn unit_of(column: &str) -> &'static str {
     unit_entry(column).map_or("", |u| u.1)
 }
 

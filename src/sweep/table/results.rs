@@ -86,7 +86,8 @@ impl Outcome {
 ///
 /// ```
 /// use gaitcam::sweep::{NUMBERS, Outcome, Row};
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;

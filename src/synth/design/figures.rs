@@ -11,7 +11,8 @@ use crate::wording::{DIGITS, Language, people, rounded, sentence};
 ///
 /// ```
 /// use gaitcam::synth::Figures;
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
@@ -77,7 +78,8 @@ impl Figures {
 ///
 /// ```
 /// use gaitcam::synth::{Figure, Figures};
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;

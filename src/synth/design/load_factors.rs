@@ -22,7 +22,8 @@ const ROUNDING: f64 = 1e-13;
 /// is subtracted, unlike in `gait.harmonics`, where it is added.
 ///
 /// ```
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // Young (2001) at 1.85 Hz: α₁ = 0.37 (f − 0.95).
 /// let scene = scene::built_in("footbridge")?.scene()?;

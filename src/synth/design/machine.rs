@@ -18,7 +18,8 @@ const GIVEN_BACK: f64 = 1e-12;
 /// ```
 /// use gaitcam::law::Rise;
 /// use gaitcam::scene::{CamSpec, DriveSpec, LawSpec, SegmentSpec};
-/// use gaitcam::{Scene, synthesise};
+/// use gaitcam::Scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // An eccentric of e = 10 mm lifts off at ω = √(g/e).
 /// let half = std::f64::consts::PI;

@@ -35,7 +35,9 @@ use crate::wording::Language;
 /// A finished design.
 ///
 /// ```
-/// use gaitcam::{Verdict, scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::cam::Verdict;
+/// use gaitcam::synth::synthesise;
 ///
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;

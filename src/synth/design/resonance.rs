@@ -23,7 +23,7 @@ const FLANKS: [f64; 9] = [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0];
 ///
 /// let motion = FloorMotion::of(&[(2.6, 0.0)]);
 /// let at = AtFrequency { step_frequency: 1.85, motion, of_cam: motion };
-/// assert_eq!(at.motion.comfort, gaitcam::dynamics::Comfort::Unacceptable);
+/// assert_eq!(at.motion.comfort.setra(), "unacceptable");
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AtFrequency {

@@ -10,14 +10,6 @@ use crate::synth::design::Design;
 const DEVIATION: f64 = 0.1;
 
 /// Force error of the cam on another machine.
-///
-/// ```
-/// use gaitcam::synth::Sensitivity;
-///
-/// // It does not turn with 10 % less of the inertia.
-/// let wheel = Sensitivity { key: "machine.inertia", percent: [None, Some(0.4)] };
-/// assert_eq!(serde_json::to_value(&wheel).unwrap()["percent"][1], 0.4);
-/// ```
 #[derive(Debug, Clone, Serialize)]
 pub struct Sensitivity {
     /// Key of what differs.

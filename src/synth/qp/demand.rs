@@ -6,12 +6,6 @@ use strum::VariantNames;
 use crate::units::Quantity;
 
 /// One demand on the law, as its scene writes it.
-///
-/// ```
-/// use gaitcam::synth::Demand;
-///
-/// assert_eq!(Demand::InDwell { dwell: 2 }.name(), "law.dwell[2]");
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -36,14 +30,6 @@ pub enum Demand {
 }
 
 /// What a point of a law gives.
-///
-/// ```
-/// use gaitcam::synth::{Demand, Given};
-/// use gaitcam::units::Quantity;
-///
-/// let demand = Demand::AtPoint { point: 1, at: Quantity::angle(1.0), given: Given::Velocity };
-/// assert_eq!(demand.name(), "law.point[1] at 57.30°: velocity");
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames, strum::IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

@@ -10,7 +10,8 @@ use crate::units::{Dimension, Quantity};
 /// What the end of a flexible follower does, where the cam is cut for it (`law.polydyne`).
 ///
 /// ```
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // F = M (g + ω²a): the end's force is that of the law, which the cam alone would not give.
 /// let scene = scene::built_in("footbridge")?.scene()?;

@@ -7,7 +7,8 @@ use crate::drive::Drive;
 /// Force of the cam against the target, N; all values belong to the continuous law.
 ///
 /// ```
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // The mean force of a cam that carries its own mass is M·g, whatever the law.
 /// let scene = scene::built_in("footbridge")?.scene()?;

@@ -12,7 +12,8 @@ use crate::wording::{self, Language};
 ///
 /// ```
 /// use gaitcam::synth::Method;
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // Young's load has four harmonics, and so has the law.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("law.family", "harmonic")?;
@@ -61,7 +62,8 @@ pub enum Method {
 /// Why a sequence of convex programs ended.
 ///
 /// ```
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // Why the sequence of programs under a limit of torque ended; designs without one have no such end.
 /// let scene = scene::built_in("footbridge")?.scene()?;
@@ -93,7 +95,9 @@ pub enum Ended {
 /// ```
 /// use gaitcam::scene::{Family, Gait, LawSpec};
 /// use gaitcam::synth::PassedOver;
-/// use gaitcam::{LimitKind, Limits, Scene, synthesise};
+/// use gaitcam::{LimitKind, Scene};
+/// use gaitcam::scene::Limits;
+/// use gaitcam::synth::synthesise;
 ///
 /// // Harmonics that reach the accuracy need more stroke than is allowed: a spline takes over.
 /// let scene = Scene {

@@ -8,7 +8,8 @@ use crate::synth::qp::Basis;
 ///
 /// ```
 /// use gaitcam::synth::Functions;
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // As many coefficients as knots in a turn.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("law.spans", "16")?;

@@ -15,7 +15,8 @@ use crate::wording::{self, Language};
 /// ```
 /// use gaitcam::synth::Reason;
 /// use gaitcam::wording::Language;
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
@@ -185,25 +186,6 @@ pub enum Reason {
 }
 
 /// The change of one limit that is enough.
-///
-/// ```
-/// use gaitcam::synth::{Change, Reason, synthesise};
-/// use gaitcam::{LimitKind, scene};
-///
-/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "30 mm")?;
-/// let force = scene.model_force()?;
-/// let design = synthesise(&scene, force.as_ref())?.relaxed();
-/// let changes = design.reasons.iter().find_map(|reason| match reason {
-///     Reason::Relaxation { changes } | Reason::Relaxations { changes } => Some(changes),
-///     _ => None,
-/// });
-/// let Change::Change { limit, from, to, .. } = changes.unwrap().iter().find(|c| {
-///     matches!(c, Change::Change { key, .. } if *key == "limits.stroke")
-/// }).unwrap();
-/// assert_eq!((limit.limit(), from.value), (Some(LimitKind::Stroke), 0.03));
-/// assert!(to.value > 0.03);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

@@ -7,7 +7,8 @@ use crate::dynamics::{InTime, Shaft};
 /// The design on its shaft.
 ///
 /// ```
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // A wheel of 0.5 kg m² and a motor that loses 10 N·m per rad/s: the speed ripples by a quarter.
 /// let mut table = scene::built_in("footbridge")?.scene()?.to_table();
@@ -49,7 +50,8 @@ pub struct OnShaft {
 /// Ripple and change of the force by a varying speed, estimated from inertia and the energy that swings.
 ///
 /// ```
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // A wheel of 500 kg m²: the speed hardly ripples, and the law is that for constant speed.
 /// let mut table = scene::built_in("footbridge")?.scene()?.to_table();

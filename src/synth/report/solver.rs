@@ -10,7 +10,8 @@ use crate::wording::Language;
 /// One convex program of a sequence, as it was taken.
 ///
 /// ```
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // A sequence of convex programs never gets worse.
 /// let scene = scene::built_in("footbridge")?.scene()?.with("limits.torque", "12 N m")?;
@@ -35,7 +36,8 @@ pub struct Step {
 ///
 /// ```
 /// use gaitcam::synth::Tier;
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// // Harmonics in closed form; with limits that bind it takes a program.
 /// let scene = scene::built_in("footbridge")?.scene()?;
@@ -73,7 +75,8 @@ impl Tier {
 ///
 /// ```
 /// use gaitcam::wording::Language;
-/// use gaitcam::{scene, synthesise};
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
 ///
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let solver = synthesise(&scene, scene.model_force()?.as_ref())?.solver;

@@ -2,12 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use gaitcam::dynamics::{Comfort, Floor, FloorMode, FloorMotion, Model, simulate};
-use gaitcam::{Design, Scene, Verdict, scene};
+use gaitcam::cam::Verdict;
+use gaitcam::dynamics::{Floor, FloorMode, FloorMotion, Model, simulate};
+use gaitcam::synth::Design;
+use gaitcam::{Scene, scene};
 
 const KEY: &str = "machine.floor.damping";
 
-fn with(changes: &[(&str, &str)]) -> gaitcam::Result<Scene> {
+fn with(changes: &[(&str, &str)]) -> gaitcam::error::Result<Scene> {
     let mut table = scene::built_in("footbridge")?.scene()?.to_table();
     for (key, value) in changes {
         scene::set(&mut table, &format!("{key}={value}"))?;
@@ -283,7 +285,7 @@ fn a_floor_of_endless_mass_is_no_floor() {
         assert!((heavy.cam.law.svaj(x).s - still.cam.law.svaj(x).s).abs() < 1e-9);
     }
     let motion = heavy.floor.unwrap();
-    assert!(motion.acceleration_peak_m_per_s2 < 1e-7 && motion.comfort == Comfort::Maximum);
+    assert!(motion.acceleration_peak_m_per_s2 < 1e-7 && motion.comfort.setra() == "maximum");
 }
 
 #[test]

@@ -1,10 +1,12 @@
 //! Laws for the speed that the motor gives the shaft.
 
+use gaitcam::cam::Verdict;
 use gaitcam::dynamics::{Model, simulate};
-use gaitcam::{Design, Scene, Verdict, scene};
+use gaitcam::synth::Design;
+use gaitcam::{Scene, scene};
 use std::f64::consts::TAU;
 
-fn changed(changes: &[(&str, &str)]) -> gaitcam::Result<Scene> {
+fn changed(changes: &[(&str, &str)]) -> gaitcam::error::Result<Scene> {
     let mut table = scene::built_in("footbridge")?.scene()?.to_table();
     for (key, value) in changes {
         scene::set(&mut table, &format!("{key}={value}"))?;

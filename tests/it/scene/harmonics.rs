@@ -2,13 +2,13 @@
 
 use gaitcam::error::SceneError;
 use gaitcam::scene::{self, Scene};
-use gaitcam::synthesise;
+use gaitcam::synth::synthesise;
 use std::f64::consts::TAU;
 
 /// The factors and phases of SETRA 2006, section 3.2.1.
 const SETRA: &str = r#"["0.4", "0.1 at -90 deg", "10 % at -0.25 rev"]"#;
 
-fn footbridge(change: &str) -> gaitcam::Result<Scene> {
+fn footbridge(change: &str) -> gaitcam::error::Result<Scene> {
     let mut table = scene::table(scene::built_in("footbridge")?.toml)?;
     scene::set(&mut table, change)?;
     scene::read(&table)
@@ -25,7 +25,7 @@ fn the_factors_of_setra_give_the_cam_of_setra_to_the_last_digit() {
         made(&format!("gait.harmonics={SETRA}")),
         made("gait.model=setra"),
     );
-    let points = |d: &gaitcam::Design| d.cam.profile(720);
+    let points = |d: &gaitcam::synth::Design| d.cam.profile(720);
     assert_eq!(points(&own), points(&model));
     assert_eq!(own.force.rms_error_n, model.force.rms_error_n);
     let factors = own.load_factors();

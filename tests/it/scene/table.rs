@@ -188,7 +188,7 @@ fn a_derivative_that_a_degree_does_not_have_is_no_objective() {
 /// The schema is a list of patterns: enough of it is evaluated here to accept every scene and refuse slips.
 #[test]
 fn the_schema_accepts_every_built_in_scene_and_refuses_unknown_keys() {
-    let schema = scene::schema(Language::En);
+    let schema = scene::keys::schema(Language::En);
     for built_in in SCENES {
         let table: Table = built_in.toml.parse().unwrap();
         let value = serde_json::to_value(&table).unwrap();

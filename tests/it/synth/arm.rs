@@ -4,11 +4,13 @@ use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
+use gaitcam::Problem;
 use gaitcam::force::ForceCurve;
 use gaitcam::halt::Halt;
 use gaitcam::scene::{self, Gait, Scene};
+use gaitcam::synth::Design;
+use gaitcam::synth::synthesise;
 use gaitcam::synth::{self, Figures, Search};
-use gaitcam::{Design, Problem, synthesise};
 
 const MEAN: f64 = 60.0;
 const SWING: f64 = 25.0;

@@ -1,6 +1,6 @@
 //! What a scene gets that names no family: harmonics in closed form while they pass, a spline otherwise.
 
-use gaitcam::cam::LimitKind;
+use gaitcam::criterion::LimitKind;
 use gaitcam::scene::{Family, Scene};
 use gaitcam::synth::{Design, PassedOver, synthesise};
 

@@ -1,7 +1,8 @@
 //! What a problem settles once, and what is answered where its demands cannot be met.
 
+use gaitcam::Problem;
 use gaitcam::force::{Feet, model};
-use gaitcam::problem::{Note, Problem, Size};
+use gaitcam::problem::Note;
 use gaitcam::scene::Scene;
 use gaitcam::synth::{Reason, synthesise};
 
@@ -38,13 +39,12 @@ fn base_and_prime_radius_of_a_flat_face_are_one_size() {
     let force = model("kerr", Some(1.986), 700.0, Feet::Both).unwrap();
     let by_base = read(FLAT);
     let by_prime = read(&FLAT.replace("base_radius", "prime_radius"));
-    let size = |scene: &Scene| Problem::resolve(scene, Some(&force)).unwrap().size();
-    let radius = 6.47e-3;
-    let given = Size::Given {
-        base: radius,
-        prime: radius,
+    let sizes = |scene: &Scene| {
+        let problem = Problem::resolve(scene, Some(&force)).unwrap();
+        [problem.base_radius(), problem.prime_radius()]
     };
-    assert_eq!((size(&by_base), size(&by_prime)), (given, given));
+    let given = [Some(6.47e-3); 2];
+    assert_eq!((sizes(&by_base), sizes(&by_prime)), (given, given));
     let [one, other] = [by_base, by_prime].map(|s| synthesise(&s, Some(&force)).unwrap());
     assert!(one.infeasible.is_none() && one.checks.iter().all(|c| c.pass));
     assert_eq!(one.coefficients, other.coefficients);

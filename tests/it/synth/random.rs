@@ -1,7 +1,7 @@
 //! Whatever a scene asks for: words, a cam that keeps every limit on a dense scan, or a conflict whose
 //! smallest relaxation does build.
 
-use gaitcam::cam::Criterion;
+use gaitcam::criterion::Criterion;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene;
 use gaitcam::synth::{Design, Relaxation, synthesise};

@@ -139,7 +139,7 @@ fn a_torque_is_advised_that_more_spans_keep() {
         let limit = format!("limits.torque={torque} N m");
         designed(&["law.family=spline", &given, &limit])
     };
-    let passes = |d: &Design| d.verdict != gaitcam::Verdict::Unacceptable;
+    let passes = |d: &Design| d.verdict != gaitcam::cam::Verdict::Unacceptable;
     for spans in [8, 16] {
         assert!(!passes(&at(spans, 0.98 * told)), "{spans}: {told}");
     }

@@ -1,9 +1,10 @@
 //! Every row of the verdict's table (docs/verdict.md) from both sides of its bound. Codes are compared, not words.
 
+use gaitcam::Problem;
 use gaitcam::cam::{Continuity, Verdict};
 use gaitcam::dynamics::{Model, simulate};
 use gaitcam::force::ForceCurve;
-use gaitcam::problem::{Note, Problem};
+use gaitcam::problem::Note;
 use gaitcam::scene;
 use gaitcam::synth::{Design, synthesise};
 use gaitcam_test_support::{scene_of, young};

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use gaitcam::Drive;
 use gaitcam::cam::{Bore, Wall};
+use gaitcam::drive::Drive;
 use gaitcam::synth::Design;
 use gaitcam_cad::Units;
 use gaitcam_cad::dxf::{Content, Curves};

@@ -2,8 +2,9 @@
 
 use clap::Args;
 use gaitcam::error::{Placed, Result};
+use gaitcam::scene::keys::schema;
 use gaitcam::scene::keys::{self, KEYS};
-use gaitcam::scene::{SCENES, built_in, schema};
+use gaitcam::scene::{SCENES, built_in};
 use gaitcam::wording::{Language, key_doc, scene_doc};
 use serde_json::{Value, json};
 

@@ -1,6 +1,7 @@
 //! The summary of a design on the console: verdict, reasons, numbers; at most 25 lines.
 
-use gaitcam::cam::{Check, Criterion};
+use gaitcam::cam::Check;
+use gaitcam::criterion::Criterion;
 use gaitcam::synth::{Design, SolverReport, in_units, sentences};
 use gaitcam::wording::range;
 use gaitcam_output::facts::{self, Group};

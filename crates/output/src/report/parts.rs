@@ -6,7 +6,7 @@ pub use super::motion::Motion;
 use super::{animation, cards_of, motion, tables};
 use crate::Timing;
 use crate::words;
-use gaitcam::cam::Criterion;
+use gaitcam::criterion::Criterion;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 

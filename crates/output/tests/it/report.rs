@@ -47,7 +47,7 @@ fn the_report_of_an_impossible_cam_says_why_and_shows_none() {
 
 #[test]
 fn the_report_of_a_run_moves_the_follower_as_it_ran() {
-    use gaitcam::Drive;
+    use gaitcam::drive::Drive;
     use gaitcam::dynamics::{Machine, Model, Run, simulate};
     use gaitcam_output::report::{Running, html_of_run};
     // Far above lift-off: the follower flies for a part of every turn.

@@ -51,7 +51,7 @@ fn law_csv_of_an_arm_has_lifts_in_radians_and_forces_in_newtons_at_the_lever() {
                 lever = \"80 mm\"\n[cam]\nfollower = \"roller-oscillating\"\npivot_distance = \"120 mm\"\narm = \"100 mm\"\n\
                 roller_radius = \"10 mm\"";
     let scene = gaitcam::scene::parse(toml).unwrap();
-    let design = gaitcam::synthesise(&scene, scene.model_force().unwrap().as_ref()).unwrap();
+    let design = gaitcam::synth::synthesise(&scene, scene.model_force().unwrap().as_ref()).unwrap();
     let (head, rows) = table(&gaitcam_output::csv::law(&design, 360));
     let promised = "theta_rad,s_rad,v_rad_per_rad,a_rad_per_rad2,j_rad_per_rad3,force_n,target_n,time_s,speed_rad_per_s";
     assert_eq!(head.join(","), promised);

@@ -10,7 +10,7 @@ use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, Limits, Phase};
 use gaitcam::dynamics::recover;
-use gaitcam::dynamics::surface::Surface;
+use gaitcam::dynamics::Surface;
 use gaitcam::law::Law;
 
 use rapier2d_f64::prelude::*;

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use gaitcam::cam::{Cam, Follower, ProfilePoint, smallest_prime_circle};
-use gaitcam::dynamics::rigid::liftoff_speed;
+use gaitcam::dynamics::liftoff_speed;
 use gaitcam::poly::PiecewisePoly;
 use gaitcam_test_support::thesis;
 use gaitcam_test_support::turn;

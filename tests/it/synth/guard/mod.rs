@@ -31,7 +31,7 @@ mod swing;
 
 use asked::Asked;
 use compare::{Built, Judgement, Seen, compare, design};
-use gaitcam::cam::Criterion;
+use gaitcam::criterion::Criterion;
 use gaitcam::force::{Feet, model};
 use gaitcam::synth::Design;
 use rayon::prelude::*;

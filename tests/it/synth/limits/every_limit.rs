@@ -2,9 +2,11 @@
 
 use gaitcam::cam::{Check, Verdict};
 use gaitcam::criterion::Direction;
+use gaitcam::criterion::LimitKind;
 use gaitcam::force::ForceCurve;
+use gaitcam::scene;
+use gaitcam::scene::Scene;
 use gaitcam::scene::keys;
-use gaitcam::scene::{self, LimitKind, Scene};
 use gaitcam::synth::{Design, synthesise};
 
 const RISE_AND_FALL: &str = r#"

@@ -1,11 +1,11 @@
 //! What is said of the machine in a scene: limits that shape the law, keys that the run takes up.
 
-use gaitcam::cam::LimitKind;
+use gaitcam::criterion::LimitKind;
 use gaitcam::dynamics::{hertz, touch};
 use gaitcam::law::Law;
 use gaitcam::problem::Note;
 use gaitcam::scene;
-use gaitcam::synth::{Design, MachineReport};
+use gaitcam::synth::Design;
 use gaitcam_test_support::design_of;
 use std::f64::consts::TAU;
 
@@ -234,7 +234,7 @@ fn an_eccentric_asks_of_the_machine_what_its_closed_form_says() {
         "kind = \"moving-axis\", mass = \"2 kg\"",
         "kind = \"fixed-axis\"",
     );
-    assert_eq!(design_of(&idle, &[]).machine(), MachineReport::default());
+    assert_eq!(design_of(&idle, &[]).machine(), Default::default());
 }
 
 /// Highest pressure at one depth of a groove, from its formulas at many angles.

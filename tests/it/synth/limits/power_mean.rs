@@ -1,6 +1,7 @@
 //! The limit on the mean power of the shaft.
 
-use gaitcam::cam::{Check, LimitKind};
+use gaitcam::cam::Check;
+use gaitcam::criterion::LimitKind;
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Design, synthesise};
 

@@ -1,7 +1,9 @@
 //! The pressure angle on rise and fall against the profile.
 
 use gaitcam::cam::{Cam, Verdict};
-use gaitcam::scene::{self, LimitKind, Scene};
+use gaitcam::criterion::LimitKind;
+use gaitcam::scene;
+use gaitcam::scene::Scene;
 use gaitcam::synth::{Design, synthesise};
 
 const SIDES: [LimitKind; 2] = [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall];

@@ -1,6 +1,6 @@
 //! Residual vibration in dwells against a time integration of the follower.
 
-use gaitcam::cam::LimitKind;
+use gaitcam::criterion::LimitKind;
 use gaitcam::error::SceneError;
 use gaitcam::law::Law;
 use gaitcam::scene::Scene;

@@ -1,6 +1,6 @@
 //! The size of a cam where the scene leaves it open, against its closed forms, and what is said about it.
 
-use gaitcam::cam::LimitKind;
+use gaitcam::criterion::LimitKind;
 use gaitcam::error::Error;
 use gaitcam::problem::Note;
 use gaitcam::synth::{Design, Reason, synthesise};

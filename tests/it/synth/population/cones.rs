@@ -104,9 +104,12 @@ fn the_least_error_in_percent_and_in_newtons_is_that_of_a_conic_program_of_its_o
                         (worst / other - 1.0).abs() < 1e-6,
                         "{what}: {worst} {other}"
                     );
-                    let of = |e: &gaitcam::synth::WalkerError| e.measured(scene.law.error);
-                    let most = own.each.iter().map(of).fold(0.0, f64::max);
-                    assert_eq!(of(&own.each[own.worst]), most);
+                    let errors = own.each.iter().map(|e| e.measured(scene.law.error));
+                    let errors: Vec<f64> = errors.collect();
+                    assert_eq!(
+                        errors[own.worst],
+                        errors.iter().copied().fold(0.0, f64::max)
+                    );
                 }
             }
         }

@@ -1,8 +1,10 @@
 //! Changes printed for a machine that moves with its cam are sufficient on that machine.
 
+use gaitcam::Problem;
+use gaitcam::cam::Verdict;
+use gaitcam::criterion::Criterion;
 use gaitcam::scene;
 use gaitcam::synth::{Search, design};
-use gaitcam::{Criterion, Problem, Verdict};
 
 /// A motor whose speed varies by some percent under the load of the cam.
 const MOTOR: [(&str, &str); 2] = [

@@ -4,8 +4,9 @@ mod walkers;
 
 use serde::{Deserialize, Serialize};
 
-use gaitcam::cam::{Cam, Check, Criterion, LimitKind, Measures, ProfilePoint, Unit};
+use gaitcam::cam::{Cam, Check, Measures, ProfilePoint, Unit};
 use gaitcam::criterion::Diagram;
+use gaitcam::criterion::{Criterion, LimitKind};
 use gaitcam::dynamics::hertz::{STEEL, line, modulus};
 use gaitcam::dynamics::touch;
 use gaitcam::law::Svaj;

@@ -10,7 +10,8 @@ use std::fmt::Write;
 
 use super::heading;
 use crate::words::Words;
-use gaitcam::cam::{Check, Criterion, Measures};
+use gaitcam::cam::{Check, Measures};
+use gaitcam::criterion::Criterion;
 use gaitcam::synth::{Design, unit};
 use gaitcam_base::text::escaped;
 

@@ -2,21 +2,25 @@
 
 use std::collections::BTreeSet;
 
-use gaitcam::cam::{Criterion, LimitKind};
-use gaitcam::dynamics::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
-use gaitcam::error::{
+use crate::criterion::{Criterion, LimitKind};
+use crate::dynamics::reason::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
+use crate::error::{
     CamError, CamInputError, DynamicsError, Error, FileError, JoinCure, JoinError, LawError,
     LogError, NoDesignError, NoNewCamError, SceneError, SegmentName, SweepError, SynthError,
     WriteError,
 };
-use gaitcam::law::End;
-use gaitcam::problem;
-use gaitcam::scene::SCENES;
-use gaitcam::scene::keys::KEYS;
-use gaitcam::sweep::Difference;
-use gaitcam::synth::{Change, Demand, Doubt, Ended, FIGURES, Method, PassedOver, Reason};
-use gaitcam::units::Quantity;
-use gaitcam::wording::{FILES, Language, catalogue};
+use crate::law::End;
+use crate::problem;
+use crate::scene::SCENES;
+use crate::scene::keys::KEYS;
+use crate::sweep::difference::Difference;
+use crate::synth::qp::Demand;
+use crate::synth::report::method::Ended;
+use crate::synth::report::proof::Doubt;
+use crate::synth::report::reason::Change;
+use crate::synth::{FIGURES, Method, PassedOver, Reason};
+use crate::units::Quantity;
+use crate::wording::{FILES, Language, catalogue};
 use strum::{EnumCount, VariantNames};
 
 use gaitcam_test_support::words::assert_same_messages;
