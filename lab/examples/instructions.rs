@@ -11,7 +11,6 @@ use std::path::Path;
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::Surface;
-use gaitcam::dynamics::Surface;
 use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::recover;

@@ -19,10 +19,10 @@ pub(crate) use crate::criterion::LimitKind;
 pub use builtin::{DEFAULT, SCENES, built_in, built_in_file};
 pub use files::{BETWEEN_PLATES, Files, content, plates};
 pub use motion_file::{LARGEST_MOTION, motion_files, with_motions};
-pub(crate) use parts::{Adjust, Band, ForceScale, Harmonic, Phase, PhaseWeight, StepFrequencies};
+pub(crate) use parts::{Adjust, Band, ForceScale, Phase, PhaseWeight, StepFrequencies};
 pub use parts::{
-    CamSpec, DriveSpec, Dwell, ErrorMeasure, Family, Gait, KeywaySpec, LawPoint, LawSpec, Limits,
-    MachineSpec, Minimise, Robust, SegmentSpec, ShaftSpeed, Source,
+    CamSpec, DriveSpec, Dwell, ErrorMeasure, Family, Gait, Harmonic, KeywaySpec, LawPoint, LawSpec,
+    Limits, MachineSpec, Minimise, MotorSpec, Robust, SegmentSpec, ShaftSpeed, Source,
 };
 pub use read::{parse, read, read_keys, table};
 pub(crate) use rules::check;

@@ -4,6 +4,15 @@ use crate::error::SceneError;
 use crate::units::{Dimension, parse};
 
 /// One harmonic of a force: a sin(2π i f t + p), in parts of the weight.
+///
+/// ```
+/// use gaitcam::scene::Harmonic;
+///
+/// let list = Harmonic::list(&["0.4".to_string(), "10 % at -90 deg".to_string()])?;
+/// assert_eq!(list[0], Harmonic { factor: 0.4, phase: 0.0 });
+/// assert_eq!(list[1], Harmonic { factor: 0.1, phase: -std::f64::consts::FRAC_PI_2 });
+/// # Ok::<(), gaitcam::error::SceneError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Harmonic {
     /// Dynamic load factor, part of the weight; of `machine.learned_force` a force, N.

@@ -53,6 +53,17 @@ pub struct MachineSpec {
 }
 
 /// `[machine.motor]`: how its torque falls with the speed.
+///
+/// ```
+/// use gaitcam::scene::{MachineSpec, MotorSpec};
+///
+/// // 2 N·m at standstill, 100 rad/s without load, behind a gear of 8: a line of 8²·2/100 N·m·s/rad at the camshaft.
+/// let motor = MotorSpec { stall_torque: Some(2.0), no_load_speed: Some(100.0), gear: 8.0, ..MotorSpec::default() };
+/// let machine = MachineSpec { motor, inertia: Some(0.5), ..MachineSpec::default() };
+/// let motor = machine.motor().unwrap();
+/// assert!((motor.torque(10.0, 12.5)[0] - 1.28 * 2.5).abs() < 1e-12);
+/// assert_eq!(motor.nominal, Some(12.5));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotorSpec {
     /// Torque lost per speed, at the camshaft, N·m·s/rad.

@@ -17,5 +17,5 @@ pub use gait::{Band, ForceScale, Gait, Phase, PhaseWeight, Source};
 pub use harmonic::Harmonic;
 pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, ShaftSpeed};
 pub use limits::Limits;
-pub use machine::MachineSpec;
+pub use machine::{MachineSpec, MotorSpec};
 pub use population::{Adjust, ErrorMeasure, Robust, StepFrequencies};

@@ -11,11 +11,11 @@ const MOTOR: [(&str, &str); 2] = [
     ("machine.motor.slope", "10 N m s/rad"),
     ("machine.inertia", "2 kg m^2"),
 ];
-/// A footbridge whose first mode is near the second harmonic of the step.
+/// A footbridge of 40 t whose first mode is near the frequency of the steps.
 const FLOOR: [(&str, &str); 3] = [
-    ("machine.floor.mass", "3 t"),
-    ("machine.floor.frequency", "3.9 Hz"),
-    ("machine.floor.damping", "0.03"),
+    ("machine.floor.mass", "4e4 kg"),
+    ("machine.floor.frequency", "2.1 Hz"),
+    ("machine.floor.damping", "0.02"),
 ];
 
 fn problem(changes: &[(&str, &str)]) -> Problem {
@@ -33,7 +33,6 @@ fn each_change_printed_for_a_motor_or_a_floor_is_sufficient_when_designed_again(
         ("limits.stroke", "40 mm"),
         ("limits.acceleration", "2 m/s^2"),
         ("limits.force_max", "850 N"),
-        ("limits.jerk", "30 m/s^3"),
     ];
     let mut printed = 0;
     for machine in [&MOTOR[..], &FLOOR[..]] {
@@ -60,7 +59,6 @@ fn each_change_printed_for_a_motor_or_a_floor_is_sufficient_when_designed_again(
                 assert!(passes(&all), "{limit:?}: {:?}", relaxed.together);
                 printed += 1;
             }
-            println!("{limit:?}: {:?}", relaxed.relaxations);
         }
     }
     assert!(printed >= 8, "{printed}");
