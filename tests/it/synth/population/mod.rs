@@ -161,7 +161,7 @@ fn limits_on_loads_and_force_hold_for_every_walker_of_random_populations() {
     for (count, seed) in [(20, 1), (40, 2), (80, 3), (300, 4)] {
         let mut people = people(count, 4, 0.3);
         // Weight has nothing to do with speed: light ones walk fast, too.
-        let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+        let mut random = Random(u64::wrapping_mul(seed, 0x9e37_79b9_7f4a_7c15));
         for (walker, _) in &mut people {
             let factor = 0.5 + 1.5 * random.next();
             let force = walker.curve.force_n.iter().map(|f| factor * f).collect();
