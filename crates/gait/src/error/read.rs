@@ -41,6 +41,8 @@ pub enum ReadError {
     ManyForces { found: usize },
     /// The columns are readings of single sensors, such as the pressures of an insole.
     SingleSensors { sensors: usize },
+    /// A long table of cycles over their phase, one for each subject, task and step, without a clock.
+    LongTable { cycles: usize },
     /// The file names no columns and none resembles a vertical force.
     NamelessColumns,
     /// No column of this name.

@@ -11,7 +11,7 @@ use super::critical_points::{critical, through};
 use super::keys;
 use super::text::{
     ForceColumn, Lines, Position, Samples, Table, TextFile, check_unit, choose, next_table, plain,
-    text,
+    refuse_long_table, text,
 };
 use super::timebase::polyline;
 use crate::curve::{ForceCurve, SAMPLES};
@@ -42,6 +42,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     let Some(kind) = said.or(asked.then_some(Kind::Cycle)) else {
         return Ok(None);
     };
+    refuse_long_table(path, bytes)?;
     let file = &TextFile::new(path, bytes, options);
     let table = next_table(bytes, file.delimiters, Position::START)
         .ok_or_else(|| ReadError::CycleWithoutTable.in_file(path))?;

@@ -31,6 +31,11 @@ read-many-forces = { $found } columns of force are more than a walkway has
     .help = name those that are meant (option force)
 read-single-sensors = the { $sensors } numbered columns are readings of single sensors, such as the pressures of an insole, and none is a force
     .help = export the total force of each insole in newtons; pressures make a force only with the area of each sensor
+read-long-table = a long table of { $cycles ->
+        [one] one cycle
+       *[other] { $cycles } cycles
+    } over their phase, one for each subject, task and step, has no clock and is not read as a recording
+    .help = save the phase and force columns of one subject, task and step, without the words, as a table of its own, and give it with the duration of the cycle, the phase column, the force column and the mass (options period, time, force and mass)
 read-nameless-columns = the columns have no names, and none resembles a vertical force
     .help = give the number of the force column (option force), and of the time column where there is one (option time)
 read-no-column = no column "{ $column }"

@@ -31,6 +31,11 @@ read-many-forces = { $found } columnas de fuerza son más de las que tiene una p
     .help = indique las que se quieren (opción force)
 read-single-sensors = las { $sensors } columnas numeradas son lecturas de sensores sueltos, como las presiones de una plantilla, y ninguna es una fuerza
     .help = exporte la fuerza total de cada plantilla en newtons; las presiones dan una fuerza solo con el área de cada sensor
+read-long-table = una tabla larga de { $cycles ->
+        [one] un ciclo
+       *[other] { $cycles } ciclos
+    } según su fase, uno por sujeto, tarea y paso, no tiene reloj y no se lee como registro
+    .help = guarde las columnas de fase y de fuerza de un sujeto, una tarea y un paso, sin las palabras, en una tabla propia, y dela con la duración del ciclo, la columna de fase, la de fuerza y la masa (opciones period, time, force y mass)
 read-nameless-columns = las columnas no tienen nombre y ninguna se parece a una fuerza vertical
     .help = indique el número de la columna de fuerza (opción force), y el de la columna de tiempo si la hay (opción time)
 read-no-column = no hay ninguna columna «{ $column }»

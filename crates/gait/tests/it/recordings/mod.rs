@@ -5,6 +5,7 @@
 
 mod heels;
 mod landmarks;
+mod long_tables;
 mod movements;
 mod plates;
 
