@@ -405,3 +405,31 @@ fn width_and_shear_depth_of_the_worst_contact_carry_its_force() {
         }
     }
 }
+
+#[test]
+fn friction_turns_a_face_on_a_base_circle_without_radius_too() {
+    let law = thesis::eccentric().law;
+    let law = law.raised(0.002 - law.extremes(0).0.value);
+    for base_radius in [0.0, 0.001, 0.03] {
+        let follower = Follower::FlatTranslating { base_radius };
+        let cam = Cam {
+            law: law.clone(),
+            follower,
+        };
+        let mut run = scene(&cam, 11.624);
+        run.machine.friction = 0.12;
+        let outcome = simulate(&run, Model::Rigid).unwrap();
+        let rows = &outcome.rows;
+        let mean = rows.iter().map(|row| row.torque).sum::<f64>() / rows.len() as f64;
+        assert!(mean > 1e-4);
+        assert!(
+            (outcome.torque.mean / mean - 1.0).abs() < 1e-6,
+            "{base_radius}"
+        );
+        let most = rows.iter().map(|row| row.torque).fold(f64::MIN, f64::max);
+        assert!(
+            (outcome.torque.max / most - 1.0).abs() < 1e-5,
+            "{base_radius}"
+        );
+    }
+}

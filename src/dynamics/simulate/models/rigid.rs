@@ -7,6 +7,7 @@ use crate::dynamics::machine_motion::MachineMotion;
 use crate::dynamics::outcome::{Force, Model, Outcome};
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::rigid;
+use crate::dynamics::rigid::touch::rubs;
 use crate::dynamics::run::Run;
 use crate::dynamics::shaft::force;
 use crate::dynamics::simulate::prepared::Prepared;
@@ -35,8 +36,9 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     let curve = if p.rubs {
         None
     } else {
-        let reach = rigid::reach(&input.cam.follower);
-        let friction = if reach > 0.0 { friction } else { 0.0 };
+        let follower = &input.cam.follower;
+        let reach = rigid::reach(follower);
+        let friction = if rubs(follower) { friction } else { 0.0 };
         rigid::torque_curve(&p.lift, &p.drive, friction, reach)
     };
     if let Some(curve) = curve {
