@@ -24,6 +24,7 @@ use crate::synth::families::{SolvedLaw, TELLING};
 use crate::synth::finish::{Reports, finished};
 use crate::synth::qp::TOLERANCE;
 use crate::synth::report::limited::Relaxation;
+use crate::synth::report::proof::Doubt;
 use crate::synth::report::shaft::{Forecast, OnShaft};
 use crate::synth::search::Search;
 use crate::synth::sizing::checked_cam::checked_cam;
@@ -59,6 +60,15 @@ impl Iterate {
         self.problem = problem.on_shaft(&phases, extra);
         self.attempt.cam = checked_cam(&self.problem, &law.law, law.circle, None)?;
         Ok(self)
+    }
+
+    /// The optimum was found for one motion of the machine, not among all laws with theirs.
+    fn hold_for_its_motion(&mut self) {
+        let solver = &mut self.attempt.law.solver;
+        if solver.certificate.is_some() && solver.certified {
+            solver.certified = false;
+            solver.doubt = Some(Doubt::FixedMotion);
+        }
     }
 
     /// Takes the error over time, and checks that one.
@@ -147,6 +157,9 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(It
     if is_corrected && !varies {
         last.motion = run.of_law(&last.attempt.cam.cam.law, None)?;
     }
+    if varies || (is_corrected && floor.is_some()) {
+        last.hold_for_its_motion();
+    }
     // A law for constant speed is judged at the speed that its motor gives it.
     let has_ripple = forecast.as_ref().is_some_and(|f| !f.is_negligible);
     if has_ripple && !varies && problem.target.is_some() {
@@ -154,6 +167,7 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(It
         let layout = Layout::new(problem, law, true, true);
         let state = layout.state(problem, &last.motion, &|x| law.svaj(x));
         last = last.judged(problem, &layout, &state)?;
+        last.hold_for_its_motion();
         last.take_means_over_time(problem);
         let rows = last.motion.shaft.clone().at_rows(ROWS);
         let error = run.error(&last.attempt.cam.cam.law, &last.motion, &rows);

@@ -30,6 +30,8 @@ pub enum Doubt {
     Local,
     /// No law was found that keeps the limits that are not convex: they are left out.
     LeftOut,
+    /// The motion of shaft or floor was held fixed: laws that give the machine another motion are not compared.
+    FixedMotion,
 }
 
 impl Doubt {
@@ -84,6 +86,7 @@ mod tests {
                 of(Doubt::TouchingAngle),
                 of(Doubt::Local),
                 of(Doubt::LeftOut),
+                of(Doubt::FixedMotion),
             ];
             let distinct: std::collections::HashSet<_> = clauses.iter().collect();
             assert!(distinct.len() == every && clauses.iter().all(|c| c.len() > 10));

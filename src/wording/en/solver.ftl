@@ -33,6 +33,7 @@ doubt-limits = a limit is exceeded by more than the solver's tolerance
 doubt-gap = the duality gap could not be closed to one part in a million
 doubt-touching-angle = the angle at which the law touches the base circle was searched for, not proved to be the best
 doubt-left-out = no law was found that satisfies the nonconvex limits; they are left out
+doubt-fixed-motion = it is the optimum for one motion of shaft and floor; laws that give the machine another motion were not compared
 doubt-local = the problem is not convex, so only a local optimum is found; the gap is to the best lower bound known
 
 # Why a simpler family was rejected.

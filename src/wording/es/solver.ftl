@@ -33,6 +33,7 @@ doubt-limits = un límite se supera en más de la tolerancia del método
 doubt-gap = no se pudo cerrar la brecha de dualidad hasta una parte en un millón
 doubt-touching-angle = el ángulo en que la ley toca el círculo base se buscó, sin demostrar que sea el mejor
 doubt-left-out = no se encontró ninguna ley que cumpla los límites no convexos; quedan fuera
+doubt-fixed-motion = es el óptimo para un movimiento dado del eje y del suelo; no se compararon leyes que dan otro movimiento a la máquina
 doubt-local = el problema no es convexo y solo se obtiene un óptimo local; la brecha es respecto a la mejor cota inferior conocida
 
 # Por qué se descartó una familia más sencilla.

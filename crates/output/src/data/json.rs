@@ -6,7 +6,7 @@ use crate::Timing;
 use gaitcam::cam::{Cam, Continuity, Verdict};
 use gaitcam::drive::Drive;
 use gaitcam::error::Error;
-use gaitcam::synth::{Design, End, FIGURES, Figures, OnShaft, Reason};
+use gaitcam::synth::{Design, Doubt, End, FIGURES, Figures, OnShaft, Reason};
 use gaitcam::wording::Language;
 
 /// The summary of a design.
@@ -266,5 +266,8 @@ fn solver(design: &Design, time: Timing) -> Value {
         out["doubt"] = json!(doubt);
     }
     out["certificate"] = json!(solver.certificate);
+    if solver.doubt == Some(Doubt::FixedMotion) && solver.certificate.is_some() {
+        out["certificate"]["scope"] = json!(Doubt::FixedMotion);
+    }
     out
 }
