@@ -51,13 +51,12 @@ impl Scene {
         if key.default.is_empty() || key.default == "auto" {
             return false;
         }
-        let text = Toml::String(key.default.to_string());
         let plain = match value {
             Value::Flag(_) => Toml::Boolean(key.default == "true"),
-            Value::Number(_) if key.default.parse::<f64>().is_ok() => {
-                Toml::Float(key.default.parse().unwrap_or(0.0))
+            Value::Number(x) if let Ok(default) = key.default.parse::<f64>() => {
+                return default == *x;
             }
-            _ => text,
+            _ => Toml::String(key.default.to_string()),
         };
         let default = read_value(key, &plain, self, key.path);
         default.is_ok_and(|d| d.as_ref() == Some(value))

@@ -8,7 +8,7 @@ use super::row::Key;
 use super::value::Value;
 use crate::error::{Placed, Result, SceneError};
 use crate::scene::{Scene, StepFrequencies};
-use crate::units::{Dimension, Quantity, parse};
+use crate::units::{Dimension, Quantity, in_range, parse};
 
 /// Reads what a scene file gives for a key; `None` for `"auto"`.
 ///
@@ -95,10 +95,12 @@ fn number(
         Toml::String(s) => parse(s, dimension).map_err(|e| e.at_key(path))?,
         Toml::Integer(0) => 0.0,
         Toml::Float(x) if *x == 0.0 => 0.0,
-        Toml::Integer(_) | Toml::Float(_)
-            if matches!(dimension, Dimension::Percent | Dimension::Ratio) =>
-        {
+        Toml::Integer(_) | Toml::Float(_) if dimension == Dimension::Percent => {
             parse(&typed.to_string(), dimension).map_err(|e| e.at_key(path))?
+        }
+        Toml::Integer(i) if dimension == Dimension::Ratio => *i as f64,
+        Toml::Float(x) if dimension == Dimension::Ratio && x.is_finite() => {
+            in_range(*x, x).map_err(|e| e.at_key(path))?
         }
         _ => {
             return Err(SceneError::NotQuantity {

@@ -36,7 +36,7 @@ pub enum UnitsError {
         dimension: String,
         example: String,
     },
-    /// The quantity is so large or small that products of it overflow.
+    /// The quantity is so large that products of it overflow.
     OutOfRange { text: String },
     /// An exponent that is not a small integer.
     Exponent { factor: String },
