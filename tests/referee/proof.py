@@ -91,9 +91,23 @@ def best_of(r, relaxed=None):
     return r.kept(f"best of {relaxed}", solve)
 
 
+def holds_motion(r):
+    """Whether the law was found for one motion of shaft or floor, so that no law with another one is excluded."""
+    shaft = r.summary.get("shaft_design")
+    turned = shaft is not None and (shaft["rounds"] > 0 or r.scene["law"].get("shaft") == "constant")
+    return turned or "floor" in r.summary
+
+
+@field(r"solver\.doubt|solver\.certificate\.scope")
+def doubt(r, m):
+    return ("fixed-motion" if holds_motion(r) else math.nan), 0, 0
+
+
 @field(r"solver\.certified")
 def certified(r, m):
     """Prescribed laws have nothing to prove; otherwise no law of the family is better than the stated one."""
+    if holds_motion(r):
+        return False, 0, 0
     if isinstance(r.summary["law"]["functions"], str) and r.summary["law"]["functions"] != "fourier" or "monomial" in r.summary["law"]["functions"]:
         return True, 0, 0
     program, _, least, _ = best_of(r)
