@@ -1,9 +1,9 @@
 //! Simulation of the cam, with the simplest sufficient model.
 //!
 //! [`simulate()`] takes the emitted profile, recovers the smooth lift its points give the follower
-//! ([`mod@recover`]) and runs it under one of three models:
+//! (`recover`) and runs it under one of three models:
 //!
-//! - [`rigid`]: F = F₀ + k s + c ω v + m ω² a, torque, contact pressure ([`rigid::hertz`]);
+//! - `rigid`: F = F₀ + k s + c ω v + m ω² a, torque, contact pressure ([`hertz`]);
 //! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::Linear`]);
 //! - `machine_motion`: the rigid follower on a shaft whose speed its motor and its inertia give, on a floor that moves;
 //! - [`contact`]: lift-off, flight, impact and rest, one event after the other.

@@ -44,7 +44,7 @@ pub fn read(table: &Table) -> Result<Scene> {
     Ok(scene)
 }
 
-/// Reads each key by itself, without the checks of [`check`](super::check) on combinations of keys.
+/// Reads each key by itself, without the checks on combinations of keys.
 ///
 /// # Errors
 /// Unknown keys and invalid values.

@@ -135,7 +135,7 @@ impl Objective {
     /// A column of a table by an objective's name.
     ///
     /// # Errors
-    /// As [`objective`].
+    /// No such column, with the nearest name.
     pub fn of(name: &str, maximised: bool, columns: &[String]) -> Result<Objective> {
         let column = objective(name, columns)?;
         Ok(Objective {

@@ -13,7 +13,7 @@ impl Cam {
     /// Undercut and steep pressure angles are not errors of the input; the verdict of a synthesis reports them.
     ///
     /// # Errors
-    /// The length or angle at fault, as a [`CamError`] or a [`CamInputError`].
+    /// The length or angle at fault, as a fault of the cam or of its input.
     pub fn check(&self) -> Result<()> {
         self.check_beside()?;
         match self.follower.pivot() {

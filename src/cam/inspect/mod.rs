@@ -135,7 +135,7 @@ impl Cam {
     /// probing ball of that radius, m.
     ///
     /// # Errors
-    /// On fewer than [`FEWEST`] points, on coordinates that are not finite, on points that fit nowhere (those of
+    /// On fewer than 12 points, on coordinates that are not finite, on points that fit nowhere (those of
     /// another cam), on a cam that is a circle within the scatter of the points, whose zero angle cannot be found, and on a cam that does not turn.
     pub fn inspect(&self, points: &[[f64; 2]], ball: f64) -> Result<Inspection> {
         self.refuse_unfit(points)?;

@@ -109,7 +109,7 @@ impl Key {
         (self.access.get)(scene, index)
     }
 
-    /// Sets the value; [`check`](crate::scene::check) tests it against the rest of the scene.
+    /// Sets the value; the checks of the scene test it against the rest of the scene.
     ///
     /// # Errors
     /// An unknown word.
