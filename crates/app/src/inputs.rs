@@ -47,7 +47,9 @@ pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
         return Ok(());
     }
     let file = place.display().to_string();
-    Err(FileError::Replaced { file }.in_file(place.parent().unwrap_or(place)))
+    // A name alone has an empty parent.
+    let folder = place.parent().filter(|p| !p.as_os_str().is_empty());
+    Err(FileError::Replaced { file }.in_file(folder.unwrap_or(place)))
 }
 
 /// The same before any work is done, for files of a folder.
