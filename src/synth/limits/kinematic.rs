@@ -8,8 +8,8 @@ use crate::synth::qp::{LOWEST, Limit, Meaning, Variable, only, structural};
 
 /// A law may dip below its base circle by this part of the stroke: rounding.
 const DIP: f64 = 1e-7;
-/// A lift below this is none, m or rad: what rounding leaves of a law without a stroke.
-const NO_LIFT: f64 = 1e-15;
+/// A lift below this is none, m or rad: a tenth of an atom, which a solver leaves of a law without a stroke.
+const NO_LIFT: f64 = 1e-11;
 
 /// The law stays above its base circle.
 pub fn base_circle(problem: &Problem) -> Vec<Limit> {

@@ -444,3 +444,22 @@ fn a_roller_larger_than_its_cam_is_noted() {
     let mushroom = walking(&["cam.follower=mushroom-translating", "cam.arc_radius=10 m"]);
     assert!(!(mushroom.notes.iter()).any(|note| matches!(note, Note::LargeRoller { .. })));
 }
+
+/// A law without a stroke lies on its base circle to the rounding of the solver.
+#[test]
+fn a_wider_accuracy_keeps_a_law_that_needs_no_stroke() {
+    let text = "name = \"still\"\n[gait]\nmodel = \"young\"\nstep_frequency = \"1.85 Hz\"\nbody_weight = \"700 N\"\n\
+        [drive]\nkind = \"fixed-axis\"\nmass = \"34.0260598325689 kg\"\nspring_rate = \"0.7434987753318931 N/mm\"\n\
+        preload = \"0.4746198878647813 kN\"\n[law]\nfamily = \"spline\"\ndegree = 3\nminimise = \"peak-acceleration\"\n\
+        [cam]\nfollower = \"flat-translating\"\nbore = \"12 mm\"\n";
+    for rms in ["5 %", "20 %", "50 %", "100 %", "500 %"] {
+        let scene = scene_of(text, &[&format!("accuracy.rms={rms}")]);
+        let design = synthesise(&scene, Some(&young())).unwrap();
+        assert_ne!(
+            design.verdict,
+            Verdict::Unacceptable,
+            "{rms}: {:?}",
+            design.reasons
+        );
+    }
+}
