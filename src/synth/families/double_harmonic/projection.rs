@@ -36,7 +36,7 @@ pub(super) struct Projection {
 
 /// The nearest double harmonic of given angles.
 pub(super) struct Nearest {
-    /// Lift of its rise, m, at most the stroke.
+    /// Lift of its rise, m, at most the stroke; negative where it falls first.
     pub lift: f64,
     /// Lift at rest, m; 0 where the force does not depend on it.
     pub level: f64,
@@ -74,30 +74,57 @@ impl Projection {
         }
     }
 
-    /// The nearest double harmonic of these angles: lift, and level where a spring feels it, of two linear equations.
+    /// The nearest double harmonic of these angles: lift, and level where a spring feels it, of two linear equations; on the
+    /// base circle where it would dip below.
     pub fn nearest(&self, angles: Angles) -> Nearest {
         self.fit(&self.means(angles))
     }
 
     fn fit(&self, of: &Means) -> Nearest {
-        let has_level = self.weights[0] != 0.0;
-        let (product, square, rest) = if has_level {
-            let square = of.square - of.mean * of.mean;
-            (of.product, square, self.square - self.mean * self.mean)
+        // With the mean of the force, for a law whose rest is at 0.
+        let product = of.product + self.mean * of.mean;
+        let at_zero = |lifts: [f64; 2]| self.along(product, of.square, 0.0, lifts);
+        let spring = self.weights[0];
+        if spring == 0.0 {
+            return at_zero([-self.stroke, self.stroke]);
+        }
+        let lift = best(
+            of.product,
+            of.square - of.mean * of.mean,
+            [-self.stroke, self.stroke],
+        );
+        let level = (self.mean - lift * of.mean) / spring;
+        if level >= 0.0 && level + lift >= 0.0 {
+            let rest = self.square - self.mean * self.mean;
+            let alone = of.square - of.mean * of.mean;
+            return Nearest {
+                lift,
+                level,
+                square: (rest - lift * (2.0 * of.product - lift * alone)).max(0.0),
+            };
+        }
+        // The law would dip below its base circle: it rests on it, or turns on it.
+        let rests = at_zero([0.0, self.stroke]);
+        let turns = self.along(
+            product - spring * self.mean,
+            of.square + spring * (spring - 2.0 * of.mean),
+            -1.0,
+            [-self.stroke, 0.0],
+        );
+        if rests.square <= turns.square {
+            rests
         } else {
-            (of.product + self.mean * of.mean, of.square, self.square)
-        };
-        let free = if square > 0.0 { product / square } else { 0.0 };
-        let lift = free.clamp(-self.stroke, self.stroke);
-        let level = if has_level {
-            (self.mean - lift * of.mean) / self.weights[0]
-        } else {
-            0.0
-        };
+            turns
+        }
+    }
+
+    /// The nearest of the laws whose level is a multiple of their lift.
+    fn along(&self, product: f64, square: f64, level: f64, lifts: [f64; 2]) -> Nearest {
+        let lift = best(product, square, lifts);
         Nearest {
             lift,
-            level,
-            square: (rest - lift * (2.0 * product - lift * square)).max(0.0),
+            level: level * lift,
+            square: (self.square - lift * (2.0 * product - lift * square)).max(0.0),
         }
     }
 
@@ -191,6 +218,12 @@ impl Projection {
             products: (0..STEPS).map(product).collect(),
         }
     }
+}
+
+/// The lift of the least square within two bounds.
+fn best(product: f64, square: f64, [low, high]: [f64; 2]) -> f64 {
+    let free = if square > 0.0 { product / square } else { 0.0 };
+    free.clamp(low, high)
 }
 
 struct Row {
