@@ -16,10 +16,13 @@ def extreme_of_law(r, m):
     if name == "stroke":
         return close(r.law.extreme(lambda *x: x[1])[0] - r.law.extreme(lambda *x: x[1], False)[0])
     order = "svaj".index(name[0])
+    sign = 1.0 if name.endswith("max") else -1.0
     for below in range(order):
-        jump, size = r.law.jumps(below)
-        if below > 0 and jump > 1e-7 * max(size, 1e-12) or below == 0 and jump > 1e-7 * max(size, 1e-12):
-            return (math.inf if name.endswith("max") else -math.inf), 0.0, 0.0
+        least = 1e-7 * max(r.law.jumps(below)[1], 1e-12)
+        steps = r.law.steps(below)
+        # A step is infinite once differentiated, on its own side; differentiated again, on both.
+        if any(abs(step) > least if below + 1 < order else sign * step > least for step in steps):
+            return sign * math.inf, 0.0, 0.0
     return close(r.law.extreme(lambda *x: x[1 + order], name.endswith("max"))[0], 1e-6, 1e-9 * max(1e-6, r.law.jumps(order)[1]))
 
 
@@ -71,7 +74,7 @@ def degree(r, m):
         degrees = {"3-4-5": 5, "4-5-6-7": 7, "5-6-7-8-9": 9, "berzak-d": 7, "parabolic": 2, "cubic": 3, "constant-velocity": 1}
         used = [degrees.get(name, 0) for name, lift, _ in r.segments() if name != "dwell"]
         return (max(used) if used and all(used) else 0), 0, 0
-    if kind == "fourier":
+    if kind in ("fourier", "double-harmonic"):
         return 0, 0, 0
     return (len(r.summary["law"]["coefficients"]) - 1 if "monomial" in kind else r.summary["law"]["degree"]), 0, 0
 
@@ -95,7 +98,7 @@ def named(r, m):
     default = {"family": None, "follower": "flat-translating", "kind": None}[key]
     stated = r.scene[section].get(key, default)
     kind = r.summary["law"]["functions"]
-    by_functions = {"fourier": "harmonic", "segments": "program"}.get(kind) if isinstance(kind, str) else ("polynomial" if "monomial" in kind else "spline")
+    by_functions = {"fourier": "harmonic", "segments": "program", "double-harmonic": "double-harmonic"}.get(kind) if isinstance(kind, str) else ("polynomial" if "monomial" in kind else "spline")
     if key == "family":
         return by_functions, 0, 0
     if key == "kind" and stated is None:

@@ -27,13 +27,14 @@ class Law:
     def motion(self, theta):
         return [self(theta, k) for k in range(4)]
 
+    def steps(self, order):
+        """Changes of a derivative between pieces and over the end of the cycle."""
+        after = self.pieces[1:] + self.pieces[:1]
+        return [float(b[2](np.array([b[0]]), order)[0]) - float(a[2](np.array([a[1]]), order)[0]) for a, b in zip(self.pieces, after)]
+
     def jumps(self, order):
         """Largest jump of a derivative between pieces and over the end of the cycle, with its size."""
-        worst = size = 0.0
-        for (a, b) in zip(self.pieces, self.pieces[1:] + self.pieces[:1]):
-            left = float(a[2](np.array([a[1]]), order)[0])
-            right = float(b[2](np.array([b[0]]), order)[0])
-            worst = max(worst, abs(left - right))
+        worst, size = max(map(abs, self.steps(order))), 0.0
         for start, end, function in self.pieces:
             size = max(size, float(np.max(np.abs(function(np.linspace(start, end, 65), order)))))
         return worst, size
@@ -300,6 +301,20 @@ def programme(segments, start=0.0):
     lowest = min(float(np.min(f(np.linspace(a, b, 257), 0))) for a, b, f in pieces)
     raised = [(a, b, lambda x, k, f=f: f(x, k) - (lowest if k == 0 else 0.0)) for a, b, f in pieces]
     return Law(raised)
+
+
+def double_harmonic(level, lift, start, rise, fall):
+    """A rise, a fall and a rest over one turn that begins at an angle of its own; the fall is the rise in the mirror."""
+    turn = 2 * math.pi
+    hump = [("double-harmonic", 1.0, rise), ("double-harmonic", -1.0, fall)]
+    rest = turn - rise - fall
+    pieces = []
+    for low, high, f in programme(hump + ([("dwell", 0.0, rest)] if rest > 1e-9 else []), start).pieces:
+        for back in (0.0, turn):
+            a, b = max(low - back, 0.0), min(high - back, turn)
+            if b - a > 1e-12:
+                pieces.append((a, b, lambda x, k, f=f, back=back: lift * f(x + back, k) + (level if k == 0 else 0.0)))
+    return Law(sorted(pieces, key=lambda piece: piece[0]))
 
 
 def segment(shape, theta, length, lift, change, mirrored):

@@ -138,6 +138,8 @@ class Result:
             return laws.fourier(coefficients)
         if functions == "segments":
             return laws.programme(self.segments())
+        if functions == "double-harmonic":
+            return laws.double_harmonic(*coefficients)
         if "monomial" in functions:
             return laws.monomial(functions["monomial"]["range_rad"], coefficients)
         if "b-spline" in functions:

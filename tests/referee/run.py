@@ -45,6 +45,7 @@ WALKING = {
 }
 # All of them are run too.
 MACHINES = {
+    "double_harmonic": ("footbridge_thesis_scale", ("law.family=double-harmonic",)),
     "friction": ("footbridge", ("machine.friction=0.15",)),
     "mushroom_friction": ("mushroom", ("machine.friction=0.15", "drive.spring_rate=2000 N/m", "drive.preload=60 N", "drive.mass=1.5 kg")),
     "floor": ("footbridge", FLOOR),
@@ -57,6 +58,7 @@ MOVED = r"simulation\.(floor|force|torque)|floor|machine"
 TURNED = r"simulation\.(shaft|force|torque)|shaft|force_time"
 # Case: pattern of the fields that are changed in turn.
 SELF_TESTED = {
+    "double_harmonic": "law",
     "footbridge_thesis_scale": "", "heel_tester": "", "camdas_07_conjugate_roller": "", "camdas_12_oscillating_flat": "", "thesis_barrel": "",
     "walkers_worst": "population|checks|relaxations", "floor_walkers": MOVED, "motor_floor": TURNED,
 }
