@@ -31,12 +31,16 @@ impl Design {
             own
         };
         let checks: Vec<Check> = self.checks.iter().map(judged).collect();
-        let is_same = |(a, b): (&Check, &Check)| a.pass == b.pass;
-        if checks.iter().zip(&self.checks).all(is_same) {
-            return self.losing_contact(run);
-        }
-        let (verdict, reasons) = verdict(&self.problem, &self.cam, &checks, &self.force);
-        let reasons = reasons.into_iter().map(of_run).collect();
+        let mut every = checks.iter().chain(&self.checks);
+        let is_settled = self.infeasible.is_some() || every.all(|check| check.pass);
+        let (verdict, reasons) = match is_settled {
+            true => (self.verdict, self.reasons),
+            // What is said of a broken limit has the numbers of the run.
+            false => {
+                let own = verdict(&self.problem, &self.cam, &checks, &self.force);
+                (own.0, own.1.into_iter().map(of_run).collect())
+            }
+        };
         let out = Design {
             verdict,
             reasons,
@@ -67,7 +71,9 @@ impl Design {
                 let most = run.torque.max.max(-run.torque.min);
                 exactly(most, largest(&|row: &Row| row.torque.abs()))
             }
+            Criterion::Limit(LimitKind::TorqueRate) => steepest(run),
             Criterion::Limit(LimitKind::Power) => largest(&|row: &Row| row.power.abs()),
+            Criterion::Limit(LimitKind::PowerMean) => mean_power(run),
             Criterion::Limit(LimitKind::HertzPressure) => run.hertz.as_ref().map(|most| Extreme {
                 at: most.theta,
                 value: most.contact.pressure,
@@ -142,6 +148,29 @@ impl Design {
             ..self
         }
     }
+}
+
+/// The largest rate of the torque between neighbouring rows, N·m/rad.
+fn steepest(run: &Outcome) -> Option<Extreme> {
+    let rates = run.rows.windows(2).map(|rows| Extreme {
+        at: rows[0].theta,
+        value: ((rows[1].torque - rows[0].torque) / (rows[1].theta - rows[0].theta)).abs(),
+    });
+    rates.max_by(|a, b| a.value.total_cmp(&b.value))
+}
+
+/// The mean of the power over time, W: rows stand at equal angles.
+fn mean_power(run: &Outcome) -> Option<Extreme> {
+    let (mut work, mut time) = (0.0, 0.0);
+    for row in &run.rows {
+        work += row.torque;
+        time += 1.0 / row.speed;
+    }
+    let at = run.rows.first()?.theta;
+    Some(Extreme {
+        at,
+        value: work / time,
+    })
 }
 
 /// A reason that advises another cam, as one about the run.

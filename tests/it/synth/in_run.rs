@@ -1,10 +1,12 @@
 //! A run is judged by the limits of its scene.
 
+use std::f64::consts::TAU;
+
 use gaitcam::cam::Verdict;
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::{Model, Outcome, Row, simulate};
 use gaitcam::scene::{self, MachineSpec};
-use gaitcam::synth::Design;
+use gaitcam::synth::{Design, Reason};
 use gaitcam_test_support::{design_of, designed, designs, scene_file};
 
 /// The run of a cam on a drive.
@@ -22,7 +24,7 @@ fn shown(run: &Outcome) -> Vec<(&'static str, f64, &'static str)> {
     let rows = &run.rows;
     let n = rows.len();
     let slope = |values: &[f64]| -> Vec<f64> {
-        let turn = rows[0].speed.recip() * std::f64::consts::TAU / n as f64;
+        let turn = rows[0].speed.recip() * TAU / n as f64;
         let at = |i: usize| (values[(i + 1) % n] - values[(i + n - 1) % n]) / (2.0 * turn);
         (0..n).map(at).collect()
     };
@@ -73,6 +75,78 @@ fn a_run_that_breaks_one_limit_is_unacceptable() {
                 .unwrap();
             assert_eq!(check.pass, !is_broken, "{name}");
         }
+    }
+}
+
+#[test]
+fn what_is_said_of_a_broken_limit_has_the_number_of_the_run() {
+    // The prescribed law breaks the limit at its own speed too.
+    let design = design_of(
+        &scene_file("thesis_iteration_4"),
+        &["limits.force_max=10 N"],
+    );
+    let drive = design.problem.drive;
+    let faster = Drive {
+        speed: 1.3 * drive.speed,
+        ..drive
+    };
+    let run = run(&design, faster);
+    let judged = design.on_drive(faster).judged_in(&run);
+    let check = judged.checks.iter().find(|c| c.name.name() == "force_max");
+    let most = most(&run, |row| row.contact_force);
+    assert!((check.unwrap().worst - most).abs() < 1e-3);
+    let said = judged.reasons.iter().any(|reason| match reason {
+        Reason::LimitBroken { value, .. } => (value.value - most).abs() < 1e-3,
+        _ => false,
+    });
+    assert!(said, "{:?}", judged.reasons);
+}
+
+#[test]
+fn mean_power_and_rate_of_the_torque_are_those_of_the_run() {
+    let design = design_of(
+        &scene_file("footbridge"),
+        &[
+            "drive.kind=fixed-axis",
+            "drive.mass=71 kg",
+            "drive.spring_rate=5 N/mm",
+            "drive.damping=300 N s/m",
+            "accuracy.rms=none",
+            "limits.power_mean=1000 W",
+            "limits.torque_rate=1000 N m/rad",
+        ],
+    );
+    let drive = Drive {
+        speed: 1.1 * design.problem.drive.speed,
+        ..design.problem.drive
+    };
+    let run = run(&design, drive);
+    // By the law alone: F·v at fine angles.
+    let n = 36_000;
+    let torque = |i: i32| {
+        let at = design
+            .cam
+            .law
+            .svaj(TAU * f64::from(i.rem_euclid(n)) / f64::from(n));
+        drive.force(at) * at.v
+    };
+    let mean = drive.speed * (0..n).map(torque).sum::<f64>() / f64::from(n);
+    let step = TAU / f64::from(n);
+    let rates = (0..n).map(|i| ((torque(i + 1) - torque(i - 1)) / (2.0 * step)).abs());
+    let steepest = rates.fold(0.0, f64::max);
+    let judged = design.on_drive(drive).judged_in(&run);
+    assert!(mean > 1.0);
+    for (name, own) in [("power_mean", mean), ("torque_rate", steepest)] {
+        let check = judged
+            .checks
+            .iter()
+            .find(|c| c.name.name() == name)
+            .unwrap();
+        assert!(
+            (check.worst / own - 1.0).abs() < 1e-3,
+            "{name}: {} {own}",
+            check.worst
+        );
     }
 }
 
