@@ -32,7 +32,7 @@ pub struct Cover {
     pub scene: Scene,
     /// The cams; the design of each is for its own walkers.
     pub cams: Vec<Design>,
-    /// Who is served by which, cycle by cycle.
+    /// The cam of each cycle.
     pub each: Vec<Assigned>,
     /// Mean of the RMS force errors, by weight: in percent of each walker's mean force, or in newtons, as the scene's `law.error`
     /// says, like all that follows.

@@ -1,4 +1,4 @@
-//! Several cams for many walkers: which cams, and who is served by which.
+//! Several cams for many walkers: which cams, and which cam each walker gets.
 //!
 //! Cams and walkers are sought in turn from several starts: every cam is the design for its walkers, then every walker goes to
 //! the cam that serves him best, until nobody changes (Lloyd, 1982). Where the worst part of all walkers counts, every cam counts

@@ -227,7 +227,7 @@ impl Subject {
     /// The recordings that rows name, each with the index of its base scene.
     ///
     /// # Errors
-    /// A value of `gait.file` that is none.
+    /// A value of `gait.file` that is not a name.
     fn recordings(&self) -> Result<Vec<(usize, Gait)>> {
         let plan = match self {
             Subject::Designs(plan) => plan,

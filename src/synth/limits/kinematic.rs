@@ -8,7 +8,8 @@ use crate::synth::qp::{LOWEST, Limit, Meaning, Variable, only, structural};
 
 /// A law may dip below its base circle by this part of the stroke: rounding.
 const DIP: f64 = 1e-7;
-/// A lift below this is none, m or rad: a tenth of an atom, which a solver leaves of a law without a stroke.
+/// A dip below this counts as none, m or rad: the tolerance of a program on a lift of a centimetre, which is what it leaves of a
+/// law without a stroke.
 const NO_LIFT: f64 = 1e-11;
 
 /// The law stays above its base circle.

@@ -1,4 +1,4 @@
-//! Files of a cover: the scene of each cam, the errors, who is served by which cam, and how others are served.
+//! Files of a cover: the scene of each cam, the errors, the cam of each walker, and how well other walkers are served.
 
 use super::{CYCLES, PARTS};
 use gaitcam::cover::{Assigned, Cover, Fold};
