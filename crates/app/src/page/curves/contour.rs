@@ -1,0 +1,165 @@
+//! The contour of a cam with its colours, and the places where limits act.
+
+use serde::{Deserialize, Serialize};
+
+use super::{MM, Sample, Shown, short};
+use gaitcam::cam::{Cam, Check};
+use gaitcam::criterion::{Criterion, LimitKind};
+use gaitcam::dynamics::hertz::{STEEL, line, modulus};
+use gaitcam::dynamics::touch;
+use gaitcam::synth::Design;
+
+/// The contour in the cam's frame, mm.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Contour {
+    x: Vec<Shown>,
+    y: Vec<Shown>,
+    /// Centre of curvature, and the radius with its sign.
+    centre_x: Vec<Shown>,
+    centre_y: Vec<Shown>,
+    radius: Vec<Shown>,
+    /// What the colour means, and its values; none where nothing is coloured.
+    colour: Colour,
+    values: Vec<Shown>,
+}
+
+/// By what the contour is coloured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Colour {
+    /// By nothing.
+    #[default]
+    None,
+    /// Pressure angle, °.
+    PressureAngle,
+    /// Curvature, 1/m.
+    Curvature,
+    /// Curvature as a part of what is allowed, %.
+    CurvatureUse,
+    /// Contact force, N.
+    Force,
+    /// Hertz pressure, MPa.
+    Hertz,
+}
+
+/// A place on the contour where a limit acts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Place {
+    /// Name of the limit in data.
+    pub limit: String,
+    /// Where, in the unit of the angle.
+    pub theta: f64,
+    /// Where on the contour, mm.
+    pub x: f64,
+    /// Where on the contour, mm.
+    pub y: f64,
+    /// Whether the limit is broken there.
+    pub broken: bool,
+}
+
+/// The contour of a design at the angles of samples.
+pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Contour {
+    let cam = &design.cam;
+    let all = |value: &dyn Fn(&Sample) -> f64| -> Vec<Shown> {
+        samples.iter().map(|s| short(value(s))).collect()
+    };
+    let normal = |s: &Sample| normal(cam, s);
+    let most = 20.0 * cam.follower.prime_radius();
+    let bent = |s: &Sample| {
+        if s.point.rho.abs() > most {
+            f64::NAN
+        } else {
+            s.point.rho
+        }
+    };
+    Contour {
+        x: all(&|s| MM * s.point.x),
+        y: all(&|s| MM * s.point.y),
+        centre_x: all(&|s| MM * (s.point.x - bent(s) * normal(s).cos())),
+        centre_y: all(&|s| MM * (s.point.y - bent(s) * normal(s).sin())),
+        radius: all(&|s| MM * bent(s)),
+        colour,
+        values: match colour {
+            Colour::None => Vec::new(),
+            Colour::PressureAngle => all(&|s| s.point.pressure_angle.to_degrees().abs()),
+            Colour::Curvature => all(&|s| 1.0 / s.point.rho),
+            Colour::CurvatureUse => {
+                let [convex, concave] = smallest_radii(design);
+                let least = |s: &Sample| if s.point.rho > 0.0 { convex } else { concave };
+                all(&|s| 100.0 * least(s) / s.point.rho.abs())
+            }
+            Colour::Force => all(&|s| s.force),
+            Colour::Hertz => all(&|s| hertz(design, s)),
+        },
+    }
+}
+
+/// The smallest radius allowed where the contour is convex, and where it is concave, m; NaN where any is.
+fn smallest_radii(design: &Design) -> [f64; 2] {
+    [Criterion::from(LimitKind::Curvature), Criterion::Concave].map(|name| {
+        let limits = |c: &&Check| c.name == name && c.limit > 0.0;
+        design
+            .checks
+            .iter()
+            .find(limits)
+            .map_or(f64::NAN, |c| c.limit)
+    })
+}
+
+/// Direction of the contact's normal in the cam's frame, rad.
+fn normal(cam: &Cam, s: &Sample) -> f64 {
+    let [x, y] = cam.motion(s.theta);
+    let unrolled = cam.follower.is_unrolled();
+    let turned = if unrolled { 0.0 } else { s.theta };
+    y.atan2(x) + s.point.pressure_angle - turned
+}
+
+/// Hertz pressure of steel on steel, MPa; none where nothing presses.
+fn hertz(design: &Design, s: &Sample) -> f64 {
+    let follower = &design.cam.follower;
+    let sharp = !follower.is_flat() && follower.roller_radius() == 0.0;
+    if design.is_idle() || sharp || s.force <= 0.0 {
+        return f64::NAN;
+    }
+    let here = touch(
+        follower,
+        design.problem.drive.speed.abs(),
+        0.0,
+        s.at,
+        s.force,
+    );
+    1e-6 * line(
+        here.normal,
+        design.problem.cam.thickness,
+        here.curvature,
+        modulus(STEEL, STEEL),
+    )
+    .pressure
+}
+
+/// Where limits act or are broken, each once.
+pub(super) fn places(design: &Design) -> Vec<Place> {
+    let cam = &design.cam;
+    let factor = cam.follower.measures().angle().factor;
+    let acting = design.binding.iter().map(|b| (b.limit.name(), b.at, false));
+    let broken = design.checks.iter().filter(|c| !c.pass && c.at.is_finite());
+    let broken = broken.map(|c| (c.name.name(), c.at, true));
+    let mut out: Vec<Place> = Vec::new();
+    for (limit, at, broken) in broken.chain(acting) {
+        let theta = factor * at;
+        let near = |p: &Place| p.limit == limit && (p.theta - theta).abs() < 0.5;
+        if out.iter().any(near) || out.len() >= 24 {
+            continue;
+        }
+        let point = cam.point(at);
+        let (limit, x, y) = (limit.to_string(), MM * point.x, MM * point.y);
+        out.push(Place {
+            limit,
+            theta,
+            x,
+            y,
+            broken,
+        });
+    }
+    out
+}

@@ -1,0 +1,100 @@
+//! What to know of the size of a finished cam: hole, shaft, roller, and what was settled by habit.
+
+use std::f64::consts::PI;
+
+use super::ROUNDING;
+use crate::cam::{Cam, Follower, LimitKind, Measures};
+use crate::law::Law;
+use crate::problem::{Note, Problem, Size, USUAL_PRESSURE_ANGLE};
+use crate::synth::limits;
+use crate::units::{Dimension, Quantity};
+
+/// Shear stress that a shaft of mild steel is designed for, Pa.
+const SHEAR: f64 = 40e6;
+/// A hole this many times as wide as its shaft has to be is mostly a slip of the unit.
+const WIDE_HOLE: f64 = 8.0;
+
+/// What to know of the size.
+pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
+    let (size, wall) = (chosen_size(problem, cam), thin_wall(problem, cam));
+    let shaft = shaft(problem, cam, pressing);
+    let roller = large_roller(problem, cam);
+    [size, wall, shaft, roller].into_iter().flatten().collect()
+}
+
+/// A roller larger than the cam itself is mostly a slip of the unit.
+fn large_roller(problem: &Problem, cam: &Cam) -> Option<Note> {
+    let follower = &cam.follower;
+    let largest = follower.base_radius() + problem.lever() * cam.law.stroke();
+    let rolls = !follower.is_unrolled() && !follower.kind().is_mushroom();
+    (rolls && follower.roller_radius() > largest).then(|| Note::LargeRoller {
+        roller: Quantity::length(follower.roller_radius()),
+        cam: Quantity::length(largest),
+    })
+}
+
+/// A wall around the hole for the shaft that is thinner than usual; a hole that cuts the profile is a failed check.
+fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
+    let hole = problem.cam.hole()?;
+    let wall = cam.follower.base_radius() - hole.reach();
+    let usual = hole.hub_radius() - hole.reach();
+    let turns = !cam.follower.is_unrolled();
+    (turns && wall > 0.0 && wall < usual * (1.0 - ROUNDING)).then(|| Note::ThinWall {
+        wall: Quantity::length(wall),
+        usual: Quantity::length(usual),
+    })
+}
+
+/// The base circle, or the hole that is given, against the steel shaft that carries the cam's torque.
+fn shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
+    let circle = 2.0 * cam.follower.base_radius();
+    let turns = cam.follower.measures() != Measures::Straight;
+    if !turns || circle <= 0.0 {
+        return None;
+    }
+    let force = problem.force_curve(pressing);
+    let torque = limits::largest(&limits::torque_curve(force, &cam.law)).value;
+    // τ = 16 T/(π d³).
+    let least = (16.0 * torque / (PI * SHEAR)).cbrt();
+    let [circle, shaft, torque] = [
+        Quantity::length(circle),
+        Quantity::length(least),
+        Quantity::new(torque, Dimension::Torque),
+    ];
+    match problem.cam.bore {
+        None => (circle.value < least).then_some(Note::ThinShaft {
+            circle,
+            shaft,
+            torque,
+        }),
+        Some(bore) => (bore > WIDE_HOLE * least && least > 0.0).then_some(Note::LargeBore {
+            bore: Quantity::length(bore),
+            shaft,
+            torque,
+        }),
+    }
+}
+
+/// What was left open about the size and is settled by habit.
+fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
+    if matches!(problem.size(), Size::Given { .. }) || problem.cam.breadth.is_some() {
+        return None;
+    }
+    if cam.follower.base_radius() <= 0.0 && matches!(cam.follower, Follower::FlatTranslating { .. })
+    {
+        return Some(Note::NoBaseCircle);
+    }
+    let limits = &problem.limits;
+    let asked = limits[LimitKind::PressureAngleRise].is_some()
+        || limits[LimitKind::PressureAngleFall].is_some();
+    let by_curvature_alone =
+        cam.follower.is_flat() || matches!(cam.follower, Follower::TranslatingCam { .. });
+    if asked || by_curvature_alone {
+        return None;
+    }
+    let (low, high) = cam.pressure_angle_extremes();
+    let steepest = high.value.max(-low.value);
+    (steepest > USUAL_PRESSURE_ANGLE * (1.0 - 1e-6)).then(|| Note::UsualPressureAngle {
+        angle: Quantity::angle(USUAL_PRESSURE_ANGLE),
+    })
+}
