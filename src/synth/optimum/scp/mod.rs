@@ -15,6 +15,8 @@
 mod at_size;
 mod linearised;
 mod start;
+#[cfg(test)]
+mod tests;
 mod trial;
 
 pub use at_size::AtSize;
