@@ -149,3 +149,77 @@ impl Layout {
 fn node(k: usize) -> f64 {
     0.5 * (1.0 - (PI * (k as f64 + 0.5) / NODES as f64).cos())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::shaft::Motion;
+    use crate::synth::samples::{FLAT, amplitude, one_wave};
+
+    const LIMITS: &str = "velocity = \"1 m/s\"\nacceleration = \"10 m/s^2\"\njerk = \"300 m/s^3\"";
+
+    /// A law of one wave on a shaft that turns evenly, but by another speed than the drive's.
+    fn added(part: f64) -> (Problem, Law, Extra, Vec<f64>) {
+        let problem = one_wave(FLAT, LIMITS);
+        let a = amplitude(&problem);
+        let law = Law::harmonic(a, &[(-a, 0.0)]);
+        let layout = Layout::new(&problem, &law, true, true);
+        let shaft = Motion::even(part * problem.drive.speed);
+        let motion = MachineMotion::new(shaft, Vec::new());
+        let state = layout.state(&problem, &motion, &|x| law.svaj(x));
+        let (phases, extra) = layout.extra(&problem, &state);
+        (problem, law, extra, phases)
+    }
+
+    /// d/dt = w d/dθ: velocity, acceleration and jerk grow with w, w² and w³, the force with the acceleration.
+    #[test]
+    fn another_speed_adds_its_powers() {
+        let part = 1.2;
+        let (problem, law, extra, phases) = added(part);
+        let (drive, w) = (&problem.drive, problem.drive.speed);
+        let speed = extra.speed.as_ref().unwrap();
+        for x in [0.3, 1.0, 2.6, 5.9] {
+            let at = law.svaj(x);
+            let force = drive.mass * at.a * w * w * (part * part - 1.0);
+            assert!((extra.force.eval(x) - force).abs() < 1e-7 * problem.target_mean());
+            for (k, even) in [at.v, at.a, at.j].into_iter().enumerate() {
+                let order = k as i32 + 1;
+                let timed = extra.timed[k].as_ref().unwrap().eval(x);
+                let truth = even * w.powi(order) * (part.powi(order) - 1.0);
+                assert!((timed - truth).abs() < 1e-7 * w.powi(order) * even.abs().max(0.01));
+            }
+            assert!((speed.eval(x) - part * w).abs() < 1e-12 * w);
+        }
+        // Even turning takes equal times for equal angles.
+        let apart = |i: usize| (phases[i] - TAU * i as f64 / ANGLES as f64).abs();
+        assert!((0..ANGLES).all(|i| apart(i) < 1e-12));
+    }
+
+    #[test]
+    fn the_speed_of_the_drive_adds_nothing() {
+        let (problem, _, extra, _) = added(1.0);
+        let (low, high) = extra.force.extremes();
+        let mean = problem.target_mean();
+        assert!(low.value.abs().max(high.value.abs()) < 1e-12 * mean);
+        assert!(
+            extra
+                .timed
+                .iter()
+                .flatten()
+                .all(|t| t.extremes().1.value.abs() < 1e-12)
+        );
+    }
+
+    #[test]
+    fn curves_of_the_degree_of_a_part_are_kept() {
+        let problem = one_wave(FLAT, "");
+        let law = Law::harmonic(0.0, &[(0.01, 0.0)]);
+        let layout = Layout::new(&problem, &law, false, false);
+        let quintic = |x: f64| 1.0 + x - 0.2 * x.powi(3) + 0.01 * x.powi(5);
+        let values: Vec<f64> = layout.nodes().map(quintic).collect();
+        let curve = layout.curve(&values, 2.0);
+        for x in [0.0, 0.77, 3.1, 6.2] {
+            assert!((curve.eval(x) - 2.0 * quintic(x)).abs() < 1e-10 * quintic(x).abs());
+        }
+    }
+}

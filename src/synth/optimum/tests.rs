@@ -30,3 +30,49 @@ fn half_the_acceleration_costs_the_square_of_half_the_wave() {
     let error = limits::force_report(&problem, &law).rms_error_n;
     assert!((error / missing - 1.0).abs() < 1e-6);
 }
+
+/// tan φ = A sin θ/(D + A − A cos θ) is largest where sin φ = A/(D + A). The lift counts from the place at which the law
+/// touches its base circle, which one wave may choose.
+#[test]
+fn a_pressure_angle_leaves_the_wave_of_its_sine() {
+    let cam = "follower = \"roller-translating\"\nroller_radius = \"1 mm\"\noffset = \"0 mm\"\n\
+               prime_radius = \"30 mm\"";
+    let problem = one_wave(cam, "pressure_angle = \"20 deg\"");
+    let found = families::law(&problem, &Search::default()).unwrap().ok();
+    let found = found.unwrap();
+    let sine = 20.0_f64.to_radians().sin();
+    let wanted = 0.03 * sine / (1.0 - sine);
+    assert!(wanted < amplitude(&problem));
+    let stroke = found.law.stroke();
+    assert!((0.5 * stroke / wanted - 1.0).abs() < 1e-6, "{stroke}");
+    assert!(found.solver.certified);
+}
+
+/// Touching at every angle is as good: the bound over the turn is the optimum.
+#[test]
+fn the_bound_over_all_touching_angles_is_the_optimum_of_a_wave() {
+    let mut wave = Quadratic::zero(&qp::Basis::Harmonic { count: 1 });
+    let pull = [0.0, 0.03, 0.04];
+    for (i, pull) in pull.into_iter().enumerate() {
+        // ½ mean (a² + b²) of the second derivative is ¼ of these squares.
+        wave.hessian.add(i, i, if i == 0 { 0.0 } else { 0.5 });
+        wave.gradient[i] = -0.5 * pull;
+    }
+    let basis = qp::Basis::Harmonic { count: 1 };
+    let mut program = Program::new(basis, wave, Vec::new(), 0.01);
+    qp::sizes::declare(&mut program);
+    // s + 2 a ≥ −(D + 2 A): of s = A (1 − cos θ) it is least, −2 A, where θ = 0, and A ≤ 0.02 leaves 1 − 0.02/0.05.
+    let mut limit = Limit::on(Criterion::BaseCircle, [-1.0, 0.0, 2.0, 0.0, 0.0]).at_most(0.04);
+    limit.from_reference = true;
+    program.limits.push(limit);
+    let found = touching::at_best_angle(program, Some(1.0)).ok().unwrap();
+    let [_, a, b] = found.solution.x[..] else {
+        panic!("one wave has three numbers");
+    };
+    assert!((a.hypot(b) / 0.02 - 1.0).abs() < 1e-6, "{a} {b}");
+    // In the direction that the objective draws to.
+    assert!((a / b - 0.75).abs() < 1e-3);
+    let value = found.program.merit(&found.solution);
+    let bound = found.bound.unwrap();
+    assert!(bound <= value && value - bound < 1e-6 * value.abs());
+}

@@ -330,3 +330,23 @@ fn node(program: &Program, at: f64, solution: Solution) -> Node {
         solution,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_distance_of_two_touching_angles_is_its_series() {
+        for t in [0.0, 0.01, 0.5, 2.0, PI] {
+            let term = |n: i32| (1.0 - (f64::from(n) * t).cos()) / f64::from(n).powi(4);
+            let series: f64 = 4.0 * (1..2000).map(term).sum::<f64>();
+            assert!((distance(t) - series).abs() < 1e-9, "{t}");
+        }
+    }
+
+    #[test]
+    fn angles_are_apart_by_the_shorter_way() {
+        assert!((apart(0.1, TAU - 0.1) - 0.2).abs() < 1e-14);
+        assert!((apart(1.0, 1.0 + PI) - PI).abs() < 1e-14);
+    }
+}
