@@ -442,11 +442,3 @@ fn what_is_no_recording_and_no_law_is_told_so() {
         .collect();
     assert_eq!(columns.len(), 1, "Cv stands in one column: {all}");
 }
-
-#[test]
-fn the_load_models_are_listed_with_their_key() {
-    let keys = stdout(&gaitcam(&["keys", "gait.model"]));
-    for model in ["young", "iso-22675", "sci-p354", "setra"] {
-        assert!(keys.contains(model), "{model}: {keys}");
-    }
-}

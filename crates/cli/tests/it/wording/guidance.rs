@@ -177,3 +177,11 @@ fn the_check_of_a_bore_names_the_radius_that_it_judges() {
         "{shown}"
     );
 }
+
+#[test]
+fn the_load_models_are_listed_with_their_key() {
+    let keys = stdout(&gaitcam(&["keys", "gait.model"]));
+    for model in ["young", "iso-22675", "sci-p354", "setra"] {
+        assert!(keys.contains(model), "{model}: {keys}");
+    }
+}
