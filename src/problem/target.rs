@@ -94,7 +94,7 @@ impl Target {
         self.cycle.given()?.recording.as_deref()
     }
 
-    /// Number of samples.
+    /// Number of equal steps into which one cycle is divided: one sample of the force each.
     pub fn samples(&self) -> usize {
         self.cycle.samples()
     }

@@ -106,7 +106,7 @@ impl ForceCycle {
         }
     }
 
-    /// The samples, N.
+    /// Force in N at equal steps over one cycle, the first at the start of the cycle.
     pub fn curve(&self) -> &Arc<ForceCurve> {
         self.samples.curve()
     }
@@ -116,7 +116,7 @@ impl ForceCycle {
         self.samples.as_given()
     }
 
-    /// Number of samples.
+    /// Number of equal steps into which one cycle is divided: one sample of the force each.
     pub fn samples(&self) -> usize {
         self.samples.count()
     }

@@ -42,7 +42,7 @@ impl Samples {
         self.curve.get().filter(|_| self.series.is_none())
     }
 
-    /// The samples, N.
+    /// Force in N at equal steps over one cycle, the first at the start of the cycle.
     pub fn curve(&self) -> &Arc<ForceCurve> {
         self.curve.get_or_init(|| match &self.series {
             Some(force) => Arc::new(force.curve()),
@@ -50,7 +50,7 @@ impl Samples {
         })
     }
 
-    /// Number of samples.
+    /// Number of equal steps into which one cycle is divided: one sample of the force each.
     pub fn count(&self) -> usize {
         self.as_given().map_or(SAMPLES, |curve| curve.force_n.len())
     }

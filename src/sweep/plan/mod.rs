@@ -122,7 +122,7 @@ pub struct Plan {
     pub scenes: Vec<NamedScene>,
     /// Listed rows, if any.
     pub list: Option<List>,
-    /// Varied keys.
+    /// The keys of the scene that vary from row to row, each with its values.
     pub axes: Vec<Axis>,
     /// How they are combined.
     pub sampling: Sampling,

@@ -6,7 +6,7 @@ use crate::results::front::read::each_row;
 use gaitcam::cam::Verdict;
 use gaitcam::sweep::{Outcome, Records};
 
-/// What rows hold.
+/// Numbers of rows of a sweep by their outcome and verdict.
 #[derive(Debug, Clone, Default)]
 pub struct Counts {
     /// All rows.

@@ -68,11 +68,11 @@ impl Input {
 pub struct Kept {
     /// Rows of the table.
     pub seen: u64,
-    /// Those that count.
+    /// Rows among them whose design may stand on the front, kept or not.
     pub candidates: u64,
     /// Numbers of the rows kept.
     pub rows: Vec<u64>,
-    /// Varied keys.
+    /// The keys that the sweep varies, each with its values in the rows kept.
     pub inputs: Vec<Input>,
     /// Objectives of the rows kept.
     pub goals: Vec<Vec<f64>>,
