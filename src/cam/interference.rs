@@ -3,7 +3,7 @@
 //! Undercut is local; this looks at the whole profile, which CAM-DAS leaves to visual inspection. It samples: the
 //! profile is taken at n points, so depths below its sagitta (about step²/8ρ) are not seen.
 
-use super::{Cam, Follower, Geometry};
+use super::{Cam, Follower, Geometry, ProfilePoint};
 
 /// The body that interferes with the cam.
 ///
@@ -64,28 +64,44 @@ impl Cam {
         let mut worst: Vec<Interference> = Vec::new();
         for here in &profile {
             let frame = geometry.frame(here.theta);
-            let stand = Here {
-                contact: frame.in_space([here.x, here.y]),
-                centre: frame.in_space([here.pitch_x, here.pitch_y]),
-                motion: self.motion(here.theta),
+            let in_space = |p: &ProfilePoint| frame.in_space([p.x, p.y]);
+            let centre = [here.pitch_x, here.pitch_y];
+            let touching = if self.follower.is_flat() {
+                let ([nx, ny], [x, y]) = (self.motion(here.theta), in_space(here));
+                let depth = |p: &ProfilePoint| {
+                    let [px, py] = in_space(p);
+                    nx * (px - x) + ny * (py - y)
+                };
+                (Body::Face, deepest(&profile, depth))
+            } else {
+                // Squares, and no turn into space: most of the time of a roller's design was spent here.
+                let near =
+                    |p: &ProfilePoint| -((p.x - centre[0]).powi(2) + (p.y - centre[1]).powi(2));
+                let (square, point) = deepest(&profile, near);
+                let depth = self.follower.roller_radius() - (-square).sqrt();
+                (Body::Roller, (depth, point))
             };
-            for other in &profile {
-                let point = frame.in_space([other.x, other.y]);
-                for (body, depth) in depths(&self.follower, &stand, point, arm_width) {
-                    if depth <= tolerance {
-                        continue;
-                    }
-                    let found = Interference {
-                        body,
-                        at: here.theta,
-                        point: other.theta,
-                        depth,
-                    };
-                    match worst.iter_mut().find(|w| w.body == body) {
-                        Some(w) if w.depth >= depth => {}
-                        Some(w) => *w = found,
-                        None => worst.push(found),
-                    }
+            let centre = frame.in_space(centre);
+            let arm = (arm_width > 0.0).then(|| {
+                let depth = |p: &ProfilePoint| {
+                    0.5 * arm_width - to_arm(&self.follower, centre, in_space(p))
+                };
+                (Body::Arm, deepest(&profile, depth))
+            });
+            for (body, (depth, point)) in [Some(touching), arm].into_iter().flatten() {
+                if depth <= tolerance {
+                    continue;
+                }
+                let found = Interference {
+                    body,
+                    at: here.theta,
+                    point: profile[point].theta,
+                    depth,
+                };
+                match worst.iter_mut().find(|w| w.body == body) {
+                    Some(w) if w.depth >= depth => {}
+                    Some(w) => *w = found,
+                    None => worst.push(found),
                 }
             }
         }
@@ -93,43 +109,27 @@ impl Cam {
     }
 }
 
-/// The follower in space at one instant.
-struct Here {
-    contact: [f64; 2],
-    centre: [f64; 2],
-    /// Direction of the lift, which is the normal of a flat face.
-    motion: [f64; 2],
+/// The largest depth, m, and the first point that has it.
+fn deepest(profile: &[ProfilePoint], depth: impl Fn(&ProfilePoint) -> f64) -> (f64, usize) {
+    let larger = |most: (f64, usize), (i, p)| {
+        let depth = depth(p);
+        if depth > most.0 { (depth, i) } else { most }
+    };
+    let points = profile.iter().enumerate();
+    points.fold((f64::NEG_INFINITY, 0), larger)
 }
 
-/// How deep a point of the cam lies in each body; negative outside.
-fn depths(
-    follower: &Follower,
-    here: &Here,
-    point: [f64; 2],
-    arm_width: f64,
-) -> impl Iterator<Item = (Body, f64)> {
-    let half = 0.5 * arm_width;
-    let [x, y] = here.centre;
-    let touching = if follower.is_flat() {
-        let [nx, ny] = here.motion;
-        let [cx, cy] = here.contact;
-        (Body::Face, nx * (point[0] - cx) + ny * (point[1] - cy))
-    } else {
-        let distance = (point[0] - x).hypot(point[1] - y);
-        (Body::Roller, follower.roller_radius() - distance)
-    };
-    let arm = match follower {
-        Follower::RollerTranslating { .. } | Follower::TranslatingCam { .. } => {
-            // The stem stands on the roller's centre.
-            (point[1] > y).then(|| half - (point[0] - x).abs())
+/// Distance of a point in space from the middle line of the arm, or of the stem above the roller, m.
+fn to_arm(follower: &Follower, [x, y]: [f64; 2], point: [f64; 2]) -> f64 {
+    match follower {
+        Follower::RollerTranslating { .. } | Follower::TranslatingCam { .. } if point[1] > y => {
+            (point[0] - x).abs()
         }
         Follower::RollerOscillating { pivot_distance, .. } => {
-            Some(half - distance_to_segment(point, [*pivot_distance, 0.0], [x, y]))
+            distance_to_segment(point, [*pivot_distance, 0.0], [x, y])
         }
-        _ => None,
-    };
-    let arm = arm.filter(|_| half > 0.0).map(|depth| (Body::Arm, depth));
-    [Some(touching), arm].into_iter().flatten()
+        _ => f64::INFINITY,
+    }
 }
 
 fn distance_to_segment(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
