@@ -9,6 +9,7 @@
 //! only those that gaitcam itself writes under their names.
 
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -153,6 +154,7 @@ fn put(path: &Path, ready: &Path, new: &[&str]) -> io::Result<()> {
         true => fs::read_to_string(listed).unwrap_or_default(),
         false => String::new(),
     };
+    let listed: BTreeSet<&str> = listed.lines().collect();
     let (last, first): (Vec<&str>, Vec<&str>) = new.iter().partition(|name| is_last(name));
     for name in &last {
         remove_plain(&path.join(name))?;
@@ -163,7 +165,7 @@ fn put(path: &Path, ready: &Path, new: &[&str]) -> io::Result<()> {
         fs::rename(ready.join(name), place)?;
         remove_empty_parent(ready, name);
     }
-    for name in own().filter(|own| listed.lines().any(|line| line == *own)) {
+    for name in own().filter(|own| listed.contains(own)) {
         if !new.contains(&name) && is_inside(path, name) {
             remove_plain(&path.join(name))?;
             remove_empty_parent(path, name);
