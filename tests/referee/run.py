@@ -14,6 +14,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import cover
 import ecam
+import identified
 from referee import Result, judge, judge_rows, self_test
 
 # Fields that have no recomputation yet, by case. This list only becomes shorter.
@@ -98,7 +99,7 @@ def covers(gaitcam, folder):
 def electronic(gaitcam, folder):
     """The same of electronic cams."""
     count, changes, faults, result = 0, 0, [], Result(folder)
-    for dialect, ending in (("csv", "csv"), ("segments", "csv"), ("codesys", "st")):
+    for dialect, (ending, _) in ecam.DIALECTS.items():
         run = subprocess.run([gaitcam, "ecam", str(folder), "--dialect", dialect], check=True, capture_output=True, text=True)
         path = folder / f"ecam_{dialect}.{ending}"
         own, wrong = ecam.judge(result, dialect, path, run.stdout)
@@ -108,6 +109,14 @@ def electronic(gaitcam, folder):
             if not ecam.judge(result, dialect, path, run.stdout, column)[1]:
                 faults.append(f"{dialect}: a change of column {column} is not noticed")
     return count, changes, faults
+
+
+def identifications(gaitcam, folder):
+    """The same of parameters found in logs of a design's machine."""
+    result = Result(folder)
+    count, faults = identified.judge(gaitcam, result, folder)
+    missed, changes = identified.self_test(gaitcam, result, folder)
+    return count, changes, faults + [f"a change of {what} is not noticed" for what in missed]
 
 
 def main():
@@ -138,7 +147,13 @@ def main():
                 if not is_open(name, path):
                     print(f"{name}: a change of {path} is not noticed")
                     wrong += 1
-        for what, judged in (("cover", lambda: covers(gaitcam, Path(folder))), ("ecam", lambda: electronic(gaitcam, Path(folder) / "footbridge"))):
+        design = Path(folder) / "footbridge"
+        further = {
+            "cover": lambda: covers(gaitcam, Path(folder)),
+            "ecam": lambda: electronic(gaitcam, design),
+            "identify": lambda: identifications(gaitcam, design),
+        }
+        for what, judged in further.items():
             if only and what not in only:
                 continue
             count, changed, faults = judged()
