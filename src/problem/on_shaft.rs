@@ -95,6 +95,20 @@ impl Problem {
         out
     }
 
+    /// The same with another accuracy, part of the mean force.
+    #[must_use]
+    pub fn with_accuracy(&self, accuracy: Option<f64>) -> Problem {
+        let mut out = self.clone();
+        out.accuracy = accuracy;
+        if let Some(shaft) = &self.on_shaft {
+            out.on_shaft = Some(Arc::new(OnShaft {
+                even: Arc::new(shaft.even.with_accuracy(accuracy)),
+                ..OnShaft::clone(shaft)
+            }));
+        }
+        out
+    }
+
     /// What speed and floor add to the force at a cam angle, N.
     pub fn extra_force(&self, theta: f64) -> f64 {
         let shaft = self.on_shaft.as_ref();

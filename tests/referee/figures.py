@@ -6,6 +6,7 @@ import numpy as np
 
 from cam import Cam
 from force import harmonics
+from on_shaft import error_over_time
 from result import Unknown, close, field, model_of, place, presses, size_of
 from units import quantity
 
@@ -254,13 +255,15 @@ def force(r, m):
         return None, 0, 0
     error = r.force(r.theta, *(r.law(r.theta, k) for k in range(3))) - r.target
     mean = mean_target(r)
-    rms = math.sqrt(float(np.mean(error**2)))
+    has_motor = r.motion is not None and r.motion.shaft is not None
+    rms = r.kept("error", lambda: error_over_time(r, r.motion))[0] if has_motor else math.sqrt(float(np.mean(error**2)))
+    rounding = 1e-6 * mean if has_motor else 0.0
     if name == "target_mean_n":
         return close(mean, 2e-4)
     if name == "rms_error_n":
-        return close(rms, 4e-4)
+        return close(rms, 4e-4, rounding)
     if name == "rms_error_percent_of_mean":
-        return close(100 * rms / mean, 4e-4)
+        return close(100 * rms / mean, 4e-4, 100 * rounding / mean)
     if name == "max_error_n":
         return close(peak_between_rows(np.abs(error)), 4e-4)
     raise Unknown(name)

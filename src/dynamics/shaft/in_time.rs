@@ -34,9 +34,14 @@ pub struct InTime {
 /// that change follows from the slope.
 const ROUNDS: usize = 20;
 const SAME: f64 = 1e-4;
+/// Equal phases among which the minima are looked for, and the step of the forces there: a target of a walk has a few harmonics.
+const PHASES: usize = 48;
+const STEP: usize = 6;
+/// Part by which the error of another minimum is lower.
+const LOWER: f64 = 1e-6;
 
 /// The distance of forces at equal angles, with speed, rad/s, and time, s, from a target at equal times of one period
-/// that begins at the same angle.
+/// that begins at the same angle: the least over the phase of the target.
 pub fn error_in_time(
     forces: &[f64],
     speed: &[f64],
@@ -44,44 +49,80 @@ pub fn error_in_time(
     period: f64,
     target: &[f64],
 ) -> InTime {
-    let weights: Vec<f64> = speed
-        .iter()
-        .map(|w| TAU / forces.len() as f64 / w / period)
+    let rows: Vec<Weighed> = (0..forces.len())
+        .map(|i| Weighed {
+            force: forces[i],
+            part: time[i] / period,
+            weight: TAU / forces.len() as f64 / speed[i] / period,
+        })
         .collect();
-    let cubic = Cubic(target);
-    let (mut shift, mut square) = (0.0, 0.0);
-    for _ in 0..ROUNDS {
-        let (mut slope, mut bend) = (0.0, 0.0);
-        square = 0.0;
-        for ((force, t), w) in forces.iter().zip(time).zip(&weights) {
-            let (wanted, rate) = cubic.at(t / period + shift);
-            let off = force - wanted;
-            square += w * off * off;
-            slope += w * off * rate;
-            bend += w * rate * rate;
+    let target = Cubic(target);
+    let mut least = target.least_from(0.0, &rows);
+    let few: Vec<Weighed> = rows.iter().copied().step_by(STEP).collect();
+    let phase = |i: usize| i as f64 / PHASES as f64;
+    let coarse: Vec<f64> = (0..PHASES)
+        .map(|i| target.distance(phase(i), &few)[0])
+        .collect();
+    for i in 1..PHASES {
+        if coarse[i] < coarse[i - 1] && coarse[i] <= coarse[(i + 1) % PHASES] {
+            let other = target.least_from(phase(i), &rows);
+            if other < (1.0 - LOWER) * least {
+                least = other;
+            }
         }
-        if bend == 0.0 {
-            break;
-        }
-        let change = slope / bend;
-        if change.abs() < SAME {
-            square = (square - change * slope).max(0.0);
-            break;
-        }
-        shift += change;
     }
-    let mean = target.iter().sum::<f64>() / target.len() as f64;
-    let rms_error_n = f64::sqrt(square);
+    let mean = target.0.iter().sum::<f64>() / target.0.len() as f64;
+    let rms_error_n = f64::sqrt(least);
     InTime {
         rms_error_n,
         rms_error_percent_of_mean: 100.0 * rms_error_n / mean.abs(),
     }
 }
 
+/// A force with its time and the time that it lasts, parts of the period.
+#[derive(Clone, Copy)]
+struct Weighed {
+    force: f64,
+    part: f64,
+    weight: f64,
+}
+
 /// Samples of one period with cubics between them.
 pub struct Cubic<'a>(pub &'a [f64]);
 
 impl Cubic<'_> {
+    /// The least mean square distance near a phase, by Gauss and Newton's steps.
+    fn least_from(&self, phase: f64, rows: &[Weighed]) -> f64 {
+        let mut shift = phase;
+        let mut least = f64::INFINITY;
+        for _ in 0..ROUNDS {
+            let [square, slope, bend] = self.distance(shift, rows);
+            least = square.min(least);
+            if bend == 0.0 {
+                break;
+            }
+            let change = slope / bend;
+            if change.abs() < SAME {
+                return (square - change * slope).max(0.0);
+            }
+            shift += change;
+        }
+        least
+    }
+
+    /// The mean square distance of forces at a phase, with its slope and curvature of Gauss and Newton.
+    fn distance(&self, shift: f64, rows: &[Weighed]) -> [f64; 3] {
+        let mut out = [0.0; 3];
+        for row in rows {
+            let (wanted, rate) = self.at(row.part + shift);
+            let off = row.force - wanted;
+            out[0] += row.weight * off * off;
+            out[1] += row.weight * off * rate;
+            out[2] += row.weight * rate * rate;
+        }
+        out
+    }
+
     /// Value and slope at a share of the period, by Catmull and Rom's cubics.
     pub fn at(&self, part: f64) -> (f64, f64) {
         let n = self.0.len();
@@ -96,5 +137,38 @@ impl Cubic<'_> {
         let value = y[1] + u * (m + u * (square + u * cube));
         let slope = m + u * (2.0 * square + 3.0 * u * cube);
         (value, slope * n as f64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_phase_is_the_best_of_the_whole_turn() {
+        let count = 720;
+        let walk = |x: f64| {
+            700.0 + 250.0 * x.cos() - 200.0 * (2.0 * x + 1.0).cos() + 90.0 * (5.0 * x).sin()
+        };
+        let target: Vec<f64> = (0..count)
+            .map(|i| walk(TAU * i as f64 / count as f64))
+            .collect();
+        let time: Vec<f64> = (0..count).map(|i| i as f64 / count as f64).collect();
+        let speed = vec![TAU; count];
+        for k in 0..36 {
+            let delay = TAU * f64::from(k) / 36.0;
+            let poor = |t: &f64| walk(TAU * t - delay) + 60.0 * (3.0 * TAU * t).cos();
+            let forces: Vec<f64> = time.iter().map(poor).collect();
+            let found = error_in_time(&forces, &speed, &time, 1.0, &target).rms_error_n;
+            let at = |shift: usize| {
+                let off = |i: usize| forces[i] - target[(i + shift) % count];
+                ((0..count).map(|i| off(i).powi(2)).sum::<f64>() / count as f64).sqrt()
+            };
+            let least = (0..count).map(at).fold(f64::INFINITY, f64::min);
+            assert!(
+                found < least * (1.0 + 1e-9) && found > 0.99 * least,
+                "{delay}: {found} {least}"
+            );
+        }
     }
 }

@@ -164,26 +164,45 @@ fn even(load: &Load, motor: &Motor, speed: f64) -> (Vec<[f64; STAGES]>, f64) {
     )
 }
 
-/// Range of the speed, part of its mean, and RMS change of the force, part of its mean, by what is linear in the change of
-/// the speed: the first step of Newton's method from a constant speed, rad/s.
+/// Range of the speed, part of its mean, and RMS change of the force over time, part of its mean, by what is linear in the
+/// change of the speed: the first step of Newton's method from a constant speed, rad/s. The force changes at an angle, and the
+/// angle comes at another time; the phase is that of the least change.
 pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
     let (stages, no_load) = even(load, motor, speed);
     let mut lines = vec![[[0.0; STAGES]; 3]; stages.len()];
     let level = 0.5 * speed * speed;
     let found = sweep(load, motor, speed, &stages, no_load, &mut lines);
     let (first, supply) = found.unwrap_or((f64::NAN, f64::NAN));
-    let (mut low, mut high, mut square, mut sum) = (0.0_f64, 0.0_f64, 0.0, 0.0);
+    let (mut low, mut high, mut sum) = (0.0_f64, 0.0_f64, 0.0);
+    // Sums of squares and products of the change and of the slope of the force.
+    let (mut square, mut product, mut steepness) = (0.0, 0.0, 0.0);
+    // What the shaft is ahead of a constant speed, rad.
+    let mut ahead = 0.0;
     for (step, line) in load.steps.iter().zip(&lines) {
+        let changes: [f64; STAGES] =
+            std::array::from_fn(|k| line[0][k] + line[1][k] * first + line[2][k] * supply - level);
+        let slopes = step.slopes(|node| node.force(level, 0.0));
+        let along = |weights: &[f64; STAGES]| -> f64 {
+            let sum: f64 = weights.iter().zip(&changes).map(|(w, c)| w * c).sum();
+            step.width * sum / (2.0 * level)
+        };
         for (k, node) in step.nodes.iter().enumerate() {
-            let change = line[0][k] + line[1][k] * first + line[2][k] * supply - level;
+            let change = changes[k];
             let [rate, by_energy, by_supply] = node.rate(motor, no_load, level);
             let rate = rate + by_energy * change + by_supply * supply;
-            let (still, by_change) = (node.force(level, 0.0), node.by_energy(speed));
+            let at_angle = node.by_energy(speed) * change + node.mass * rate;
+            let in_time = at_angle + slopes[k] * (ahead + along(&INNER[k]));
             let w = step.width * WEIGHTS[k];
-            square += w * (by_change * change + node.mass * rate).powi(2);
-            sum += w * still;
+            square += w * in_time * in_time;
+            product += w * in_time * slopes[k];
+            steepness += w * slopes[k] * slopes[k];
+            sum += w * node.force(level, 0.0);
             (low, high) = (low.min(change), high.max(change));
         }
+        ahead += along(&WEIGHTS);
+    }
+    if steepness > 0.0 {
+        square = (square - product * product / steepness).max(0.0);
     }
     let rms = (TAU * square).sqrt() / sum.abs();
     (0.5 * (high - low) / level, rms)

@@ -21,6 +21,8 @@ pub const PLACES: [f64; STAGES] = {
     let r = ROOT / 10.0;
     [0.5 - r, 0.5, 0.5 + r]
 };
+/// Stages and ends of a step.
+const ALL_PLACES: [f64; 5] = [0.0, PLACES[0], PLACES[1], PLACES[2], 1.0];
 pub const WEIGHTS: [f64; STAGES] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
 /// √15
 const ROOT: f64 = 3.872_983_346_207_417;
@@ -105,6 +107,31 @@ pub struct Step {
     pub width: f64,
     pub ends: [Node; 2],
     pub nodes: [Node; STAGES],
+}
+
+impl Step {
+    /// Its nodes at [`ALL_PLACES`].
+    fn all(&self) -> [Node; 5] {
+        let [p, q, r] = self.nodes;
+        [self.ends[0], p, q, r, self.ends[1]]
+    }
+
+    /// Derivative by the angle, at the stages, of a value of its nodes, by the polynomial through all of them.
+    pub fn slopes(&self, value: impl Fn(&Node) -> f64) -> [f64; STAGES] {
+        let values = self.all().map(|node| value(&node));
+        std::array::from_fn(|stage| {
+            let at = stage + 1;
+            let apart = |i: usize, k: usize| ALL_PLACES[i] - ALL_PLACES[k];
+            let others = |i: usize| (0..5).filter(move |k| *k != i && *k != at);
+            // Lagrange's polynomials, one after the other less that of the stage: constants have no slope.
+            let term = |i: usize| {
+                let by_others: f64 = others(i).map(|k| apart(at, k) / apart(i, k)).product();
+                by_others * (values[i] - values[at]) / apart(i, at)
+            };
+            let sum: f64 = (0..5).filter(|i| *i != at).map(term).sum();
+            sum / self.width
+        })
+    }
 }
 
 /// The load of a law over one turn.
@@ -219,14 +246,12 @@ impl Load {
         let i = self.steps.partition_point(|s| s.from <= angle);
         let step = &self.steps[i.max(1) - 1];
         let u = (angle - step.from) / step.width;
-        let [a, b, c] = PLACES;
-        let (places, [p, q, r]) = ([0.0, a, b, c, 1.0], step.nodes);
         let factors: [f64; 5] = std::array::from_fn(|k| {
             let others = (0..5).filter(|i| *i != k);
-            let terms = others.map(|i| (u - places[i]) / (places[k] - places[i]));
+            let terms = others.map(|i| (u - ALL_PLACES[i]) / (ALL_PLACES[k] - ALL_PLACES[i]));
             terms.product()
         });
-        let nodes = [step.ends[0], p, q, r, step.ends[1]];
+        let nodes = step.all();
         let sum = |of: &dyn Fn(&Node) -> f64| -> f64 {
             factors.iter().zip(&nodes).map(|(f, n)| f * of(n)).sum()
         };

@@ -31,10 +31,12 @@ use crate::synth::sizing::checked_cam::checked_cam;
 use crate::units::{Dimension, Quantity};
 
 /// Largest difference of target and force between what a law is designed for and what it makes, part of the mean, at which
-/// the design is final: where a limit depends on it or a floor moves, and at most; else this part of the accuracy.
-const SETTLED_AT_LIMITS: f64 = 1e-6;
-const SETTLED: f64 = 1e-4;
-const SETTLED_OF_ACCURACY: f64 = 0.1;
+/// the design is final; and that at which the last of all rounds is accepted.
+const SETTLED: f64 = 1e-6;
+const ACCEPTED: f64 = 1e-4;
+/// Designs with a tighter accuracy at most, where a law keeps it over the angle and not over time, and what they leave free.
+const TIGHTER: usize = 4;
+const ROOM: f64 = 1e-4;
 /// Ripple at which the rounds usually agree.
 const CALM: f64 = 0.25;
 /// Parts by which the inertia that is sufficient for a law is enlarged in turn, until the design with it is good.
@@ -74,6 +76,7 @@ impl Iterate {
     /// Takes the error over time, and checks that one.
     fn take_error_over_time(&mut self, error: Option<InTime>) {
         let Some(error) = error else { return };
+        let allowed = self.problem.judged_error();
         let cam = &mut self.attempt.cam;
         cam.force.rms_error_n = error.rms_error_n;
         cam.force.rms_error_percent_of_mean = error.rms_error_percent_of_mean;
@@ -83,9 +86,20 @@ impl Iterate {
                     at: check.at,
                     value: error.rms_error_n,
                 };
-                *check = Check::of(check.name, worst, check.limit, TOLERANCE);
+                let limit = allowed.unwrap_or(check.limit);
+                *check = Check::of(check.name, worst, limit, TOLERANCE);
             }
         }
+    }
+
+    /// The part of the accuracy over the angle that may be left for a law to keep it over time too; nothing where it does, or
+    /// misses it over the angle.
+    fn tighter(&self, run: &Runner, allowed: f64) -> Option<f64> {
+        let rows = self.motion.shaft.clone().at_rows(ROWS);
+        let over_time = run.error(&self.attempt.cam.cam.law, &self.motion, &rows)?;
+        let part = allowed / over_time.rms_error_n;
+        let keeps = self.attempt.cam.force.rms_error_n <= (1.0 + TOLERANCE) * allowed;
+        (part < 1.0 && keeps && self.attempt.refusal.is_none()).then_some((1.0 - ROOM) * part)
     }
 
     /// Takes the means of target and force over the period.
@@ -133,7 +147,7 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(It
     let before = run.of_law(law, None)?;
     let rows = before.shaft.clone().at_rows(ROWS);
     let at_constant_speed = run.error(law, &before, &rows);
-    let forecast = run.forecast(problem, law);
+    let forecast = run.forecast(problem, law, at_constant_speed);
     let is_designed_for = |forecast: &Forecast| {
         let fixed = problem.law.shaft == ShaftSpeed::Constant || forecast.is_negligible;
         !fixed && !matches!(problem.law.family, Family::Program | Family::Polynomial)
@@ -169,21 +183,18 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(It
         last = last.judged(problem, &layout, &state)?;
         last.hold_for_its_motion();
         last.take_means_over_time(problem);
-        let rows = last.motion.shaft.clone().at_rows(ROWS);
-        let error = run.error(&last.attempt.cam.cam.law, &last.motion, &rows);
-        last.take_error_over_time(error);
     }
     let mut reports = Reports {
         floor: floor.map(|_| FloorMotion::of(&last.motion.floor)),
         ..Reports::default()
     };
     if let Some((motor, forecast)) = run.carrier.motor.zip(forecast) {
-        let law = &last.attempt.cam.cam.law;
-        let shaft = &last.motion.shaft;
-        let supply = shaft.check_supply(motor);
+        let supply = last.motion.shaft.check_supply(motor);
         supply.map_err(|e| e.at_key("machine.motor"))?;
-        let rows = shaft.clone().at_rows(ROWS);
-        let force_time = run.error(law, &last.motion, &rows);
+        let rows = last.motion.shaft.clone().at_rows(ROWS);
+        let force_time = run.error(&last.attempt.cam.cam.law, &last.motion, &rows);
+        last.take_error_over_time(force_time);
+        let (law, shaft) = (&last.attempt.cam.cam.law, &last.motion.shaft);
         let report = shaft.report(motor, law.extremes(0).0.at);
         reports.shaft = report.map(|shaft| OnShaft {
             shaft,
@@ -247,11 +258,30 @@ fn corrected(
     problem: &Problem,
     search: &Search,
 ) -> Result<(Iterate, usize, Option<f64>)> {
-    let (settled, layout) = rounds(first, before, run, problem, search)?;
-    let mut last = settled.design;
-    if let Some(state) = &settled.made {
-        last = last.judged(problem, &layout, state)?;
+    let rounds_of = |problem: &Problem| -> Result<Settled<Iterate>> {
+        let (mut settled, layout) = rounds(first, before.clone(), run, problem, search)?;
+        if let Some(state) = &settled.made {
+            settled.design = settled.design.judged(problem, &layout, state)?;
+        }
+        Ok(settled)
+    };
+    let mut settled = rounds_of(problem)?;
+    let accuracy = problem
+        .judged_error()
+        .filter(|_| run.carrier.motor.is_some());
+    let mut of_mean = accuracy.unwrap_or(0.0) / problem.target_mean();
+    for _ in 0..TIGHTER {
+        let Some(part) = accuracy.and_then(|most| settled.design.tighter(run, most)) else {
+            break;
+        };
+        of_mean *= part;
+        match rounds_of(&problem.with_accuracy(Some(of_mean))) {
+            Ok(next) if next.design.attempt.refusal.is_none() => settled = next,
+            _ => break,
+        }
     }
+    let mut last = settled.design;
+    last.problem = last.problem.with_accuracy(problem.accuracy);
     if run.carrier.motor.is_some() {
         last.take_means_over_time(problem);
     }
@@ -297,20 +327,12 @@ fn rounds(
     let is_exact = depends_on_speed(problem) || run.carrier.floor.is_some();
     let layout = Layout::new(problem, law, run.carrier.motor.is_some(), is_exact);
     let state = layout.state(problem, &motion, &|x| retimed(law, &motion.shaft, x));
-    let allowed = if is_exact {
-        SETTLED_AT_LIMITS
-    } else {
-        let accuracy = problem
-            .allowed_error()
-            .map_or(0.0, |most| most / problem.target_mean());
-        (SETTLED_OF_ACCURACY * accuracy).max(SETTLED_AT_LIMITS)
-    };
     // A round has no fewer spans than the one before, so that what depends on their number stays the same; and more, where
     // rounds come no nearer with so few that very different laws are nearly as good.
     let mut search = search.clone();
     search.least_spans = first.law.spans;
     let (mut nearest, mut stalled) = (f64::INFINITY, 0);
-    let last = settled(state, allowed, |state| {
+    let last = settled(state, SETTLED, |state| {
         let (phases, extra) = layout.extra(problem, state);
         let own = problem.on_shaft(&phases, extra);
         let attempt = attempt(&own, &search)?;
@@ -339,7 +361,7 @@ fn rounds(
             },
         })
     })?;
-    let disagrees = last.difference > allowed.max(SETTLED) && last.design.attempt.refusal.is_none();
+    let disagrees = last.difference > ACCEPTED && last.design.attempt.refusal.is_none();
     if disagrees && run.carrier.motor.is_some() {
         return Err(diverges(&last.design.motion, last.contraction));
     }

@@ -150,8 +150,13 @@ impl<'a> Runner<'a> {
         ))
     }
 
-    /// What inertia, motor and energy of the load say of a law for constant speed; nothing without a motor.
-    pub fn forecast(&self, problem: &Problem, law: &Law) -> Option<Forecast> {
+    /// What inertia, motor and energy of the load say of a law for constant speed that errs so in its run; nothing without a motor.
+    pub fn forecast(
+        &self,
+        problem: &Problem,
+        law: &Law,
+        in_run: Option<InTime>,
+    ) -> Option<Forecast> {
         let motor = self.carrier.motor?;
         let load = self.load_of_law(law);
         let (ripple, change) = forecast(&load, motor, self.carrier.drive.speed);
@@ -159,11 +164,14 @@ impl<'a> Runner<'a> {
         let neglected = allowed.map_or(NEGLECTED_OF_MEAN, |(most, _)| {
             NEGLECTED * most / problem.target_mean()
         });
+        let misses = allowed
+            .zip(in_run)
+            .is_some_and(|((most, _), own)| own.rms_error_n > most);
         Some(Forecast {
             ripple,
             force_change_percent_of_mean: 100.0 * change,
             neglected_percent_of_mean: 100.0 * neglected,
-            is_negligible: change <= neglected && !depends_on_speed(problem),
+            is_negligible: change <= neglected && !misses && !depends_on_speed(problem),
         })
     }
 

@@ -539,3 +539,50 @@ fn motors_that_cannot_turn_the_shaft_are_named_with_what_would_do() {
     }
     assert!(changed(&[wheel, line]).is_ok());
 }
+
+#[test]
+fn what_is_stated_of_the_force_under_a_motor_is_what_the_emitted_cam_does_over_time() {
+    let hydraulic = [
+        ("drive.kind", "hydraulic"),
+        ("drive.pressure_per_volume", "0.02 MPa/cm^3"),
+        ("drive.piston_radius", "15 mm"),
+        ("cam.follower", "roller-translating"),
+        ("cam.roller_radius", "10 mm"),
+    ];
+    let spring = [
+        ("drive.kind", "fixed-axis"),
+        ("drive.spring_rate", "15 N/mm"),
+        ("drive.preload", "200 N"),
+        ("drive.mass", "2 kg"),
+    ];
+    let mut judged = 0;
+    for drive in [&[][..], &hydraulic, &spring] {
+        for minimise in ["force-error", "acceleration", "jerk"] {
+            for accuracy in ["0.1 %", "1.8 %"] {
+                let mut changes = vec![
+                    ("machine.motor.slope", "5 N m s/rad"),
+                    ("machine.inertia", "1 kg m^2"),
+                    ("law.minimise", minimise),
+                    ("accuracy.rms", accuracy),
+                ];
+                changes.extend(drive);
+                let what = format!("{minimise} {accuracy} {drive:?}");
+                let design = footbridge(&changes).design().unwrap();
+                let (stated, run) = (
+                    design.force.rms_error_percent_of_mean,
+                    emitted_error(&design),
+                );
+                assert!(
+                    (stated - run).abs() < 2e-3 * run + 1e-4,
+                    "{what}: {stated} {run}"
+                );
+                if design.verdict == Verdict::Acceptable {
+                    let most: f64 = accuracy.trim_end_matches(" %").parse().unwrap();
+                    assert!(run < 1.002 * most, "{what}: {run}");
+                    judged += 1;
+                }
+            }
+        }
+    }
+    assert!(judged > 12, "{judged}");
+}
