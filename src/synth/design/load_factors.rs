@@ -16,7 +16,7 @@ const SAMPLES: usize = 8192;
 /// Samples of the target of a load model, which is a sum of few harmonics.
 const MODEL_SAMPLES: usize = 1024;
 /// A harmonic below this part of the weight is rounding: it has no phase.
-const ROUNDING: f64 = 1e-13;
+const ROUNDING: f64 = 1e-9;
 
 /// One harmonic of the target and of the achieved force: F = F₀ + W Σ αₖ sin(kθ − φₖ), W the weight of the walker. The phase
 /// is subtracted, unlike in `gait.harmonics`, where it is added.
