@@ -82,7 +82,7 @@ def check(r, m):
     largest = name in ("interference", "second_interference", "rms_error") or CHECKS.get(name, (None, name not in ("base_outside_bore", "upper_wall", "lower_wall")))[1]
     if what == "pass":
         margin = row["limit"] - row["worst"] if largest else row["worst"] - row["limit"]
-        return bool(margin >= -1e-9 * max(abs(row["limit"]), 1e-12)), 0, 0
+        return bool(margin >= -max(1e-9 * abs(row["limit"]), 1e-12)), 0, 0
     if what == "limit":
         return check_limit(r, name, row)
     if name == "rms_error":
@@ -119,7 +119,9 @@ DEFAULT_ANGLE = {"translating": math.radians(30), "oscillating": math.radians(35
 
 def check_limit(r, name, row):
     limits = r.scene.get("limits", {})
-    given = quantity(limits.get(name, limits.get("pressure_angle") if name.startswith("pressure_angle") else None))
+    on_first = name.removeprefix("second_")
+    key = name if name in limits else on_first
+    given = quantity(limits.get(key, limits.get("pressure_angle") if name.startswith("pressure_angle") else None))
     if given is not None:
         return close(given, 1e-12)
     second = name.startswith("second_")

@@ -90,7 +90,10 @@ def pieces(r, m):
 
 @field(r"law\.phase_rad")
 def phase(r, m):
-    return close(quantity(r.scene.get("gait", {}).get("phase", 0.0)) or 0.0, 1e-9)
+    phase, stated = r.scene.get("gait", {}).get("phase", 0.0), r.summary["law"]["phase_rad"]
+    if phase == "free":  # chosen by the design; the target of the rows is the one at this phase
+        return (stated if 0.0 <= stated < 2 * math.pi else math.nan), 0, 0
+    return close(quantity(phase) or 0.0, 1e-9)
 
 
 @field(r"law\.family|cam\.follower|drive\.kind")
@@ -191,7 +194,11 @@ def face_width(r, m):
 def second_size(r, m):
     distance = quantity(r.scene["cam"].get("conjugate", {}).get("distance"))
     if distance is None:
-        raise Unknown("conjugate pair by angle")
+        roller = Second(r).cam.roller
+        base = quantity(r.scene["cam"]["conjugate"].get("base_radius"))
+        if base is None:
+            raise Unknown("conjugate pair by angle")
+        return close(base if m[1].startswith("base") else base + roller, 1e-9)
     depth = math.sqrt(r.cam.size["prime"] ** 2 - r.cam.size["offset"] ** 2) if not r.cam.is_face else r.cam.size["base"]
     prime = distance - depth - r.law.extreme(lambda *x: x[1])[0]
     roller = quantity(r.scene["cam"]["conjugate"].get("roller_radius")) or r.cam.size["roller"]
@@ -310,7 +317,8 @@ def machine(r, m):
         mean = r.time_mean(power) if varies(r) else r.law.mean(power)
         return close(mean, 1e-6, (1e-5 if varies(r) else 1e-7 if r.motion else 1e-9) * r.law.extreme(lambda *x: np.abs(power(*x)))[0])
     if name == "liftoff_speed_rad_per_s":
-        if r.drive.motion is not None:
+        # A conjugate pair is held from both sides.
+        if r.drive.motion is not None or "conjugate" in r.scene["cam"]:
             return None, 0, 0
         return close(r.drive.liftoff(r.law), 1e-7) if r.drive.liftoff(r.law) is not None else (None, 0, 0)
     if name == "hertz_pressure_max_pa":

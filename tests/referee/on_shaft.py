@@ -46,7 +46,8 @@ def shaft(r, m):
         stop = own.stop_from_rest(r.law.extreme(lambda *x: x[1], False)[1])
         return (None, 0, 0) if stop is None else close(stop, 5e-4, 5e-4)
     if name == "least_inertia_kg_m2":
-        return r.kept("least_inertia", lambda: least_inertia(own)), 0.02, 0.0
+        # Below a part of the inertia given both have to say only that it is small.
+        return r.kept("least_inertia", lambda: least_inertia(own)), 0.02, 5e-4 * own.motor.inertia
     if name == "motor_torque_max_n_m":
         return close(max(abs(motor.torque(w, own.no_load)) for w in (low, high)) / (motor.gear * motor.efficiency), 2e-4)
     if name == "motor_torque_rms_n_m":
