@@ -18,7 +18,9 @@ def program_of(r, relaxed=None):
     law, scene = r.summary["law"], r.scene
     if isinstance(law["functions"], str) and law["functions"] != "fourier" or "monomial" in law["functions"]:
         raise Unknown("certificate of this family")
-    if scene["law"].get("minimise", "force-error") not in ("force-error", "acceleration", "jerk") or r.target is None:
+    # Harmonics are those of the force: the key has no effect there.
+    minimised = "force-error" if law["functions"] == "fourier" else scene["law"].get("minimise", "force-error")
+    if minimised not in ("force-error", "acceleration", "jerk") or r.target is None:
         raise Unknown("certificate of this objective")
     if any(key in scene["law"] for key in ("monotone", "polydyne")) or "weight" in scene.get("gait", {}):
         raise Unknown("certificate with such demands")
@@ -64,7 +66,7 @@ def program_of(r, relaxed=None):
             raise Unknown(f"certificate under limits.{name}")
     if "population" in r.summary:
         for_walkers(r, program)
-    order = {"acceleration": 2, "jerk": 3}.get(scene["law"].get("minimise"))
+    order = {"acceleration": 2, "jerk": 3}.get(minimised)
     if order is not None:
         program.objective = (program.basis[order], np.zeros(len(program.theta)))
     elif r.drive.kind == "moving-axis" and "force_min" not in scene.get("limits", {}):
