@@ -57,7 +57,7 @@ pub static KEYS: &[Key] = &[
     row("gait.leave_out",       TEXTS,                                "",      field!(gait?.leave_out)).idle_when(over_models),
     row("gait.adjust",          TEXTS,                                "auto",  field!(gait?.adjust)),
     row("gait.feet",            words::<Feet>(),                      "both",  field!(gait?.feet)),
-    row("gait.scale",           words::<ForceScale>(),                "none",  field!(gait?.scale)),
+    row("gait.scale",           words::<ForceScale>(),                "none",  field!(gait?.scale)).idle_when(off_moving_axis),
     row("gait.band",            number(Force, Positive).or("spread"), "",      field!(gait?.band)),
     row("gait.phase",           number(Angle, Any).or("free"),        "0 deg", field!(gait?.phase)),
     row("gait.weight.N.from",   number(Angle, Any),                   "",      field!(gait?.weights[N].from)).required(),
@@ -325,6 +325,10 @@ fn no_face(scene: &Scene) -> Option<Idle> {
 fn undamped(scene: &Scene) -> Option<Idle> {
     let gives_back = scene.drive.damping == 0.0 && scene.machine.learned_force.is_empty();
     gives_back.then_some(Idle::Drive)
+}
+
+fn off_moving_axis(s: &Scene) -> Option<Idle> {
+    (s.drive.kind != DriveKind::MovingAxis).then_some(Idle::Drive)
 }
 
 fn hydraulic(scene: &Scene) -> Option<Idle> {
