@@ -89,7 +89,7 @@ def check(r, m):
         if "population" in r.summary and what == "worst":
             percent, relative, absolute = field_of_population(r, [None, "objective_percent"])
             return percent / 100 * mean_target(r), relative, absolute
-        return (force(r, [None, "rms_error_n"]) if what == "worst" else (0.0, 0, 0))
+        return force(r, [None, "rms_error_n"]) if what == "worst" else (0.0, 0, 0)
     if name == "base_outside_bore":
         return close(r.cam.size["base"], 1e-9) if what == "worst" else (0.0, 0, 0)
     if name.endswith("interference"):
@@ -114,6 +114,9 @@ def check(r, m):
     return close(worst, 1e-6, 1e-9)
 
 
+# DIN 6885-1: bores up to this many mm, width and depth in the hub, mm.
+KEYWAYS = ((8, 2, 1.0), (10, 3, 1.4), (12, 4, 1.8), (17, 5, 2.3), (22, 6, 2.8), (30, 8, 3.3), (38, 10, 3.3), (44, 12, 3.3), (50, 14, 3.8), (58, 16, 4.3),
+           (65, 18, 4.4), (75, 20, 4.9), (85, 22, 5.4), (95, 25, 5.4), (110, 28, 6.4))
 DEFAULT_ANGLE = {"translating": math.radians(30), "oscillating": math.radians(35), "outer": math.radians(45)}
 
 
@@ -135,7 +138,11 @@ def check_limit(r, name, row):
     if name == "interference":
         return close(1e-6 * (Second(r).cam.size if second else r.cam.size)["prime"], 1e-9)
     if name == "base_outside_bore":
-        return close(quantity(r.scene["cam"]["bore"]) / 2, 1e-12)
+        bore, half = quantity(r.scene["cam"]["bore"]), quantity(r.scene["cam"]["bore"]) / 2
+        if r.scene["cam"].get("keyway") == "auto":
+            width, depth = next(row[1:] for row in KEYWAYS if 1e3 * bore <= row[0])
+            return close(math.hypot(half + 1e-3 * depth, 5e-4 * width), 1e-9)
+        return close(half, 1e-12)
     if name == "rms_error":
         share = quantity(r.scene.get("accuracy", {}).get("rms", "auto"))
         return close((0.005 if share is None else share) * mean_target(r), 2e-4)

@@ -264,7 +264,7 @@ def force(r, m):
     mean = mean_target(r)
     has_motor = r.motion is not None and r.motion.shaft is not None
     rms = r.kept("error", lambda: error_over_time(r, r.motion))[0] if has_motor else math.sqrt(float(np.mean(error**2)))
-    rounding = 1e-6 * mean if has_motor else 0.0
+    rounding = (1e-6 if has_motor else 1e-10) * mean
     if name == "target_mean_n":
         return close(mean, 2e-4)
     if name == "rms_error_n":
@@ -272,7 +272,7 @@ def force(r, m):
     if name == "rms_error_percent_of_mean":
         return close(100 * rms / mean, 4e-4, 100 * rounding / mean)
     if name == "max_error_n":
-        return close(peak_between_rows(np.abs(error)), 4e-4)
+        return close(peak_between_rows(np.abs(error)), 4e-4, rounding)
     raise Unknown(name)
 
 
@@ -322,6 +322,8 @@ def machine(r, m):
             return None, 0, 0
         return close(r.drive.liftoff(r.law), 1e-7) if r.drive.liftoff(r.law) is not None else (None, 0, 0)
     if name == "hertz_pressure_max_pa":
+        if r.cam.kind.startswith("knife"):
+            return math.inf, 0, 0
         if rho_min(r, None)[0] <= 1e-9 * size_of(r):
             return None, 0, 0
         return close(r.law.extreme(r.hertz)[0], max(exact, 1e-6))
