@@ -1,5 +1,8 @@
 //! Checks that a follower can execute its law, whatever the profile.
 
+#[cfg(test)]
+mod tests;
+
 use super::Geometry;
 use crate::cam::{Cam, Follower};
 use crate::error::{ArmFault, CamError, CamInputError, CamLength, Result};
