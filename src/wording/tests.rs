@@ -20,7 +20,7 @@ use crate::synth::report::proof::Doubt;
 use crate::synth::report::reason::Change;
 use crate::synth::{FIGURES, Method, PassedOver, Reason};
 use crate::units::Quantity;
-use crate::wording::{FILES, Language, catalogue};
+use crate::wording::{Language, SENTENCES, catalogue};
 use strum::{EnumCount, VariantNames};
 
 use gaitcam_test_support::words::assert_same_messages;
@@ -83,7 +83,10 @@ fn every_code_has_a_sentence_and_every_sentence_a_code() {
             .iter()
             .map(|j| format!("joins-{}", j.replace(' ', "-"))),
     );
-    let keys = FILES.iter().flat_map(|[english, _]| english.lines());
+    let keys = SENTENCES
+        .files
+        .iter()
+        .flat_map(|[english, _]| english.lines());
     let keys = keys.filter(|line| line.starts_with(|c: char| c.is_ascii_lowercase()));
     let keys = keys.filter_map(|line| Some(line.split_once(" =")?.0.to_string()));
     let keys: BTreeSet<String> = keys.filter(|key| !key.starts_with("name-")).collect();
@@ -97,7 +100,7 @@ fn every_code_has_a_sentence_and_every_sentence_a_code() {
 
 #[test]
 fn spanish_has_the_messages_help_texts_and_arguments_of_english() {
-    for [english, spanish] in FILES {
+    for [english, spanish] in SENTENCES.files {
         assert_same_messages(english, spanish);
     }
     assert_eq!(

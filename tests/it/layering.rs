@@ -240,3 +240,85 @@ fn numerics_neither_read_nor_write_nor_look_at_the_clock() {
         }
     }
 }
+
+/// Folders of the code that words the messages of a crate, each with the English Fluent files of those messages; lowest crate
+/// first.
+const WORDED: [[&str; 2]; 7] = [
+    ["crates/base/src/wording", "crates/base/src/wording/en"],
+    ["crates/gait/src/wording", "crates/gait/src/wording/en"],
+    ["src/wording", "src/wording/en"],
+    ["crates/cad/src/words", "crates/cad/src/words"],
+    ["crates/output/src/words", "crates/output/src/words"],
+    ["crates/app/src/page/words", "crates/app/src/page/words"],
+    ["crates/cli/src/console", "crates/cli/words/en"],
+];
+
+/// Fields of a quantity, which every crate shows, and a unit that is also the name of a field.
+const OF_QUANTITY: [&str; 3] = ["ratio", "unit", "value"];
+
+/// The texts of the files in a folder with this ending, one after another; of Fluent files, the English ones.
+fn texts(folder: &str, ending: &str) -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let paths = fs::read_dir(root)
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    let wanted = |path: &std::path::PathBuf| {
+        let name = path.file_name().unwrap().to_str().unwrap();
+        name.ends_with(ending) && !name.starts_with("es.") && !name.starts_with("tests")
+    };
+    let mut paths: Vec<_> = paths.filter(wanted).collect();
+    paths.sort();
+    paths
+        .iter()
+        .map(|path| fs::read_to_string(path).unwrap())
+        .collect()
+}
+
+/// Names of the fields and areas of Fluent messages: `typed` and `scene` of `scene-no-key = { $typed }`.
+fn fields_and_areas(fluent: &str) -> Vec<String> {
+    let areas = fluent.lines().filter_map(|line| {
+        let (key, _) = line.split_once(" =")?;
+        let begins = key.starts_with(|c: char| c.is_ascii_lowercase());
+        Some(key.split_once('-').filter(|_| begins)?.0.to_string())
+    });
+    named_after(fluent, "$").into_iter().chain(areas).collect()
+}
+
+/// Whole quoted words of a code: `known` of `as_typed: &["known"]`.
+fn quoted(code: &str) -> Vec<&str> {
+    let is_word = |text: &&str| !text.is_empty() && text.chars().all(|c| c.is_ascii_lowercase());
+    code.split('"').skip(1).step_by(2).filter(is_word).collect()
+}
+
+#[test]
+fn no_crate_names_fields_or_areas_of_messages_of_a_crate_above() {
+    let of = WORDED.map(|[_, fluent]| fields_and_areas(&texts(fluent, ".ftl")));
+    let mut seen = 0;
+    for (at, [code, _]) in WORDED.into_iter().enumerate() {
+        let (below, above) = of.split_at(at + 1);
+        let names = |fields: &[Vec<String>], word: &str| fields.iter().flatten().any(|f| f == word);
+        for word in quoted(&without_tests(&texts(code, ".rs"))) {
+            let is_own = names(below, word) || OF_QUANTITY.contains(&word);
+            assert!(
+                is_own || !names(above, word),
+                "{code} names {word} of a crate above"
+            );
+            seen += usize::from(is_own);
+        }
+    }
+    assert!(seen > 40, "{seen}");
+}
+
+#[test]
+fn fields_areas_and_quoted_words_are_told_apart() {
+    let fluent =
+        "scene-no-key = { $typed } of { $kind ->\n    [a] one\n}\n    .help = see { $other-key }\n";
+    assert_eq!(
+        fields_and_areas(fluent),
+        ["typed", "kind", "other", "scene"]
+    );
+    assert_eq!(
+        quoted("a: &[\"known\", \"b c\", \"near\"]"),
+        ["known", "near"]
+    );
+}

@@ -2,7 +2,7 @@
 
 use gaitcam_base::error::{Fault, UnitsError};
 use gaitcam_base::units::Quantity;
-use gaitcam_base::wording::{Catalogue, FILES, Language, WORDS};
+use gaitcam_base::wording::{Catalogue, Language, SENTENCES, Sentences, WORDS};
 use serde::Serialize;
 use strum::VariantNames;
 
@@ -25,7 +25,7 @@ fn every_fault_has_a_sentence_and_every_sentence_a_fault() {
 
 #[test]
 fn spanish_has_the_messages_help_texts_and_arguments_of_english() {
-    for [english, spanish] in FILES {
+    for [english, spanish] in SENTENCES.files {
         fluent::assert_same_messages(english, spanish);
     }
 }
@@ -40,7 +40,11 @@ enum Message {
 fn quantities_of_notes_have_four_digits_and_those_of_reasons_six() {
     const ENGLISH: &str =
         "design-forces = { $mean }, { $weight }\nreason-forces = { $mean }, { $weight }\n";
-    static WORDS: Catalogue = Catalogue::new(&[&[[ENGLISH, ENGLISH]]]);
+    static WORDS: Catalogue = Catalogue::new(&[Sentences {
+        files: &[[ENGLISH, ENGLISH]],
+        notes: &["design"],
+        ..Sentences::NONE
+    }]);
     let say = |language, area, mean, weight| {
         let (mean, weight) = (Quantity::force(mean), Quantity::force(weight));
         let message = Message::Forces { mean, weight };

@@ -12,7 +12,7 @@ use crate::wording::{Catalogue, Language, code};
 ///
 /// ```
 /// use gaitcam_base::error::{Error, Fault};
-/// use gaitcam_base::wording::{Catalogue, Language};
+/// use gaitcam_base::wording::{Catalogue, Language, Sentences};
 /// use serde::Serialize;
 ///
 /// #[derive(Debug, PartialEq, Serialize)]
@@ -22,7 +22,10 @@ use crate::wording::{Catalogue, Language, code};
 /// }
 ///
 /// const ENGLISH: &str = "table-too-short = only { $rows } rows\n    .help = give 16 or more";
-/// static WORDS: Catalogue = Catalogue::new(&[&[[ENGLISH, ""]]]);
+/// static WORDS: Catalogue = Catalogue::new(&[Sentences {
+///     files: &[[ENGLISH, ""]],
+///     ..Sentences::NONE
+/// }]);
 ///
 /// impl Fault for TableError {
 ///     const AREA: &'static str = "table";

@@ -7,31 +7,72 @@ use super::{Language, Messages};
 /// A Fluent file in English and in Spanish.
 ///
 /// ```
-/// use gaitcam_base::wording::FILES;
+/// use gaitcam_base::wording::SENTENCES;
 ///
-/// assert!(FILES.iter().all(|[english, spanish]| english != spanish));
+/// assert!(SENTENCES.files.iter().all(|[english, spanish]| english != spanish));
 /// ```
 pub type File = [&'static str; 2];
+
+/// The messages of one crate, with the fields and areas in them that are not shown like all others.
+///
+/// ```
+/// use gaitcam_base::wording::{Catalogue, Language, Sentences};
+/// use serde_json::json;
+///
+/// const ENGLISH: &str = "name-arm = the arm\nfile-missing = { $file } without { $part }";
+/// const OWN: Sentences = Sentences {
+///     files: &[[ENGLISH, ""]],
+///     as_typed: &["file"],
+///     ..Sentences::NONE
+/// };
+/// static WORDS: Catalogue = Catalogue::new(&[OWN]);
+/// let message = json!({"missing": {"file": "arm", "part": "arm"}});
+/// assert_eq!(WORDS.of(Language::En).sentence("file", &message), "arm without the arm");
+/// ```
+pub struct Sentences {
+    /// The Fluent files.
+    pub files: &'static [File],
+    /// Fields that quote the user or select a variant of a sentence; they are not translated.
+    pub as_typed: &'static [&'static str],
+    /// Areas whose messages appear as arguments of messages of other areas.
+    pub shared: &'static [&'static str],
+    /// Areas of notes on a result. Their quantities have four digits, which is what a reader needs of them; those of errors
+    /// and reasons have more, because they are typed back.
+    pub notes: &'static [&'static str],
+}
+
+impl Sentences {
+    /// No message.
+    pub const NONE: Sentences = Sentences {
+        files: &[],
+        as_typed: &[],
+        shared: &[],
+        notes: &[],
+    };
+}
 
 /// The messages of a crate and of the crates below it; a language is indexed when it is first needed.
 ///
 /// ```
-/// use gaitcam_base::wording::{Catalogue, Language};
+/// use gaitcam_base::wording::{Catalogue, Language, Sentences};
 ///
-/// static WORDS: Catalogue = Catalogue::new(&[&[["name-arm = arm", "name-arm = brazo"]]]);
+/// static WORDS: Catalogue = Catalogue::new(&[Sentences {
+///     files: &[["name-arm = arm", "name-arm = brazo"]],
+///     ..Sentences::NONE
+/// }]);
 /// assert_eq!(WORDS.of(Language::Es).name("arm"), "brazo");
 /// ```
 pub struct Catalogue {
-    files: &'static [&'static [File]],
+    crates: &'static [Sentences],
     /// By language.
     messages: [OnceLock<Messages>; 2],
 }
 
 impl Catalogue {
-    /// A catalogue of the files of one or more crates.
-    pub const fn new(files: &'static [&'static [File]]) -> Catalogue {
+    /// A catalogue of the messages of one or more crates.
+    pub const fn new(crates: &'static [Sentences]) -> Catalogue {
         Catalogue {
-            files,
+            crates,
             messages: [const { OnceLock::new() }; 2],
         }
     }
@@ -39,10 +80,6 @@ impl Catalogue {
     /// The messages in a language.
     pub fn of(&self, language: Language) -> &Messages {
         let place = language as usize;
-        self.messages[place].get_or_init(|| {
-            let files = self.files.iter().copied().flatten();
-            let texts: Vec<&'static str> = files.map(|file| file[place]).collect();
-            Messages::new(language, &texts)
-        })
+        self.messages[place].get_or_init(|| Messages::new(language, self.crates))
     }
 }

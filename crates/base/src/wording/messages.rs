@@ -10,58 +10,16 @@ use serde::Serialize;
 use serde_json::Value;
 use unic_langid::LanguageIdentifier;
 
-use super::Language;
 use super::number::{EXACT, exact, fixed, quantity_to_digits};
+use super::{Language, Sentences};
 
-/// Areas whose messages appear as arguments of other messages.
-const SHARED: &[&str] = &["demand", "note", "reason", "scene"];
-
-/// Areas of notes on a result. Their quantities have four digits, which is what a reader needs of them; those of errors
-/// and reasons have more, because they are typed back.
-const NOTES: &[&str] = &["design", "model", "run"];
 /// Significant digits of a quantity in a note.
 const NOTE_DIGITS: usize = 4;
-
-/// Arguments that quote the user or select a variant of a sentence; they are not translated.
-const AS_TYPED: &[&str] = &[
-    "catalogue",
-    "channel",
-    "channels",
-    "column",
-    "columns",
-    "derivative",
-    "example",
-    "fault",
-    "file",
-    "folder",
-    "from",
-    "key",
-    "known",
-    "length",
-    "list",
-    "model",
-    "most",
-    "motion",
-    "movement",
-    "name",
-    "pair",
-    "near",
-    "nearest",
-    "new",
-    "old",
-    "path",
-    "text",
-    "typed",
-    "walker",
-    "walkers",
-    "who",
-    "word",
-];
 
 /// Messages of one language.
 ///
 /// ```
-/// use gaitcam_base::wording::{Catalogue, Language};
+/// use gaitcam_base::wording::{Catalogue, Language, Sentences};
 /// use serde::Serialize;
 ///
 /// #[derive(Serialize)]
@@ -70,7 +28,10 @@ const AS_TYPED: &[&str] = &[
 ///     TooShort { rows: usize },
 /// }
 /// const ENGLISH: &str = "table-too-short = only { $rows } rows\n    .help = give 16 or more";
-/// static WORDS: Catalogue = Catalogue::new(&[&[[ENGLISH, ""]]]);
+/// static WORDS: Catalogue = Catalogue::new(&[Sentences {
+///     files: &[[ENGLISH, ""]],
+///     ..Sentences::NONE
+/// }]);
 /// let words = WORDS.of(Language::En);
 /// let fault = Fault::TooShort { rows: 3 };
 /// assert_eq!(words.sentence("table", &fault), "only 3 rows");
@@ -78,6 +39,8 @@ const AS_TYPED: &[&str] = &[
 /// ```
 pub struct Messages {
     language: Language,
+    /// By crate.
+    crates: &'static [Sentences],
     /// Messages parsed so far. Parsing all of them takes longer than most designs.
     bundle: RwLock<FluentBundle<FluentResource>>,
     /// The Fluent text of every message by key.
@@ -92,18 +55,20 @@ impl Messages {
     /// # Panics
     ///
     /// On a line that begins no message and on a duplicate key; both are programming errors.
-    pub(super) fn new(language: Language, files: &[&'static str]) -> Messages {
+    pub(super) fn new(language: Language, crates: &'static [Sentences]) -> Messages {
         let tag: LanguageIdentifier = language.tag().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![tag]);
         // All text runs left to right; isolation marks around arguments would only disturb terminals.
         bundle.set_use_isolating(false);
         let mut texts = BTreeMap::new();
-        for (key, text) in files.iter().flat_map(|file| messages(file)) {
+        let files = crates.iter().flat_map(|own| own.files);
+        for (key, text) in files.flat_map(|file| messages(file[language as usize])) {
             let earlier = texts.insert(key, text);
             assert!(earlier.is_none(), "duplicate message: {key}");
         }
         Messages {
             language,
+            crates,
             bundle: RwLock::new(bundle),
             texts,
         }
@@ -201,7 +166,8 @@ impl Messages {
             return missing();
         };
         let of = |own: &str| self.value_of(&format!("{own}-{variant}"), area, fields);
-        let sentence = of(area).or_else(|| SHARED.iter().find_map(|area| of(area)));
+        let mut shared = self.crates.iter().flat_map(|own| own.shared);
+        let sentence = of(area).or_else(|| shared.find_map(|area| of(area)));
         sentence.unwrap_or_else(missing)
     }
 
@@ -232,13 +198,18 @@ impl Messages {
     fn arguments(&self, area: &str, fields: &Value) -> FluentArgs<'static> {
         let mut arguments = FluentArgs::new();
         if let Value::Object(fields) = fields {
-            let digits = digits(area, fields.values());
+            let is_note = (self.crates.iter()).any(|own| own.notes.contains(&area));
+            let digits = match is_note {
+                true => note_digits(fields.values()),
+                false => EXACT,
+            };
             for (name, value) in fields {
-                let argument = if AS_TYPED.contains(&name.as_str()) {
-                    self.typed(area, value, digits)
-                } else {
-                    self.argument(area, value, digits)
-                };
+                let argument =
+                    if (self.crates.iter()).any(|own| own.as_typed.contains(&name.as_str())) {
+                        self.typed(area, value, digits)
+                    } else {
+                        self.argument(area, value, digits)
+                    };
                 arguments.set(name.replace('_', "-"), argument);
             }
         }
@@ -296,11 +267,8 @@ impl Messages {
     }
 }
 
-/// Significant digits of the quantities of a message; two that differ are not shown as one number.
-fn digits<'a>(area: &str, fields: impl Iterator<Item = &'a Value>) -> usize {
-    if !NOTES.contains(&area) {
-        return EXACT;
-    }
+/// Significant digits of the quantities of a note; two that differ are not shown as one number.
+fn note_digits<'a>(fields: impl Iterator<Item = &'a Value>) -> usize {
     let mut values: Vec<f64> = fields
         .filter_map(|f| f.get("value")?.as_f64())
         .filter(|x| *x != 0.0)

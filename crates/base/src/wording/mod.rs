@@ -18,16 +18,20 @@ mod language;
 mod messages;
 mod number;
 
-pub use catalogue::{Catalogue, File};
+pub use catalogue::{Catalogue, File, Sentences};
 pub use language::{InLanguages, Language};
 pub use messages::{Messages, code};
 pub use number::{DIGITS, degrees, exact, fixed, number, people, quantity, range, rounded};
 
 /// The messages of this crate: names of quantities, faults of quantities.
-pub const FILES: &[File] = &[
-    [include_str!("en/names.ftl"), include_str!("es/names.ftl")],
-    [include_str!("en/units.ftl"), include_str!("es/units.ftl")],
-];
+pub const SENTENCES: Sentences = Sentences {
+    files: &[
+        [include_str!("en/names.ftl"), include_str!("es/names.ftl")],
+        [include_str!("en/units.ftl"), include_str!("es/units.ftl")],
+    ],
+    as_typed: &["example", "nearest", "text"],
+    ..Sentences::NONE
+};
 
 /// The catalogue of this crate.
-pub static WORDS: Catalogue = Catalogue::new(&[FILES]);
+pub static WORDS: Catalogue = Catalogue::new(&[SENTENCES]);

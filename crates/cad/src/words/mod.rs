@@ -2,11 +2,14 @@
 
 use std::ops::Deref;
 
-use gaitcam::wording::{Catalogue, Language, Words};
+use gaitcam::wording::{Catalogue, Language, Sentences, Words};
 
 use crate::Units;
 
-static WORDS: Catalogue = Catalogue::new(&[&[[include_str!("en.ftl"), include_str!("es.ftl")]]]);
+static WORDS: Catalogue = Catalogue::new(&[Sentences {
+    files: &[[include_str!("en.ftl"), include_str!("es.ftl")]],
+    ..Sentences::NONE
+}]);
 
 /// The labels of a drawing, and lengths in its unit.
 #[derive(Clone, Copy)]

@@ -2,7 +2,7 @@
 //! stand in `words/es/help.ftl`, under `VERB`, `VERB-ARGUMENT` and, for arguments of several verbs, `all-ARGUMENT`.
 
 use clap::{Arg, Command, CommandFactory};
-use gaitcam::wording::{Catalogue, Language, Messages};
+use gaitcam::wording::{Catalogue, Language, Messages, Sentences};
 
 use crate::Cli;
 
@@ -37,7 +37,10 @@ fn lang() -> Arg {
 }
 
 /// The English texts are those of the arguments themselves.
-static HELP: Catalogue = Catalogue::new(&[&[["", include_str!("../../words/es/help.ftl")]]]);
+static HELP: Catalogue = Catalogue::new(&[Sentences {
+    files: &[["", include_str!("../../words/es/help.ftl")]],
+    ..Sentences::NONE
+}]);
 
 fn spanish() -> &'static Messages {
     HELP.of(Language::Es)

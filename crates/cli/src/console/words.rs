@@ -1,7 +1,7 @@
 //! The command's own sentences, by language: `words/LANGUAGE/cli.ftl`.
 
 use gaitcam::synth::Figure;
-use gaitcam::wording::{Catalogue, Language, Messages};
+use gaitcam::wording::{Catalogue, Language, Messages, Sentences};
 use serde_json::Value;
 
 use crate::console::language;
@@ -12,10 +12,17 @@ pub fn catalogue() -> &'static Messages {
 }
 
 /// The command's own messages.
-pub static WORDS: Catalogue = Catalogue::new(&[&[[
-    include_str!("../../words/en/cli.ftl"),
-    include_str!("../../words/es/cli.ftl"),
-]]]);
+pub static WORDS: Catalogue = Catalogue::new(&[Sentences {
+    files: &[[
+        include_str!("../../words/en/cli.ftl"),
+        include_str!("../../words/es/cli.ftl"),
+    ]],
+    as_typed: &[
+        "column", "columns", "fault", "file", "folder", "key", "known", "list", "name", "near",
+        "nearest", "text", "typed", "who",
+    ],
+    ..Sentences::NONE
+}]);
 
 /// A heading or label.
 pub fn text(key: &str) -> String {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use gaitcam_gait::error::{Fault, ForceError, ReadError};
-use gaitcam_gait::wording::{FILES, Language, WORDS};
+use gaitcam_gait::wording::{Language, SENTENCES, WORDS};
 use gaitcam_gait::{
     ClockSource, CycleSource, Format, Idle, Kind, LeftOut, MassSource, Note, OpenQuestion,
     ReadOptions, RejectReason, read,
@@ -36,7 +36,10 @@ fn every_code_has_a_sentence_and_every_sentence_a_code() {
         codes.collect()
     };
     let codes: BTreeSet<String> = (areas.iter().flat_map(|(a, v)| code(a, v))).collect();
-    let keys = FILES.iter().flat_map(|[english, _]| english.lines());
+    let keys = SENTENCES
+        .files
+        .iter()
+        .flat_map(|[english, _]| english.lines());
     let keys = keys.filter(|line| line.starts_with(|c: char| c.is_ascii_lowercase()));
     let keys = keys.filter_map(|line| Some(line.split_once(" =")?.0.to_string()));
     let keys: BTreeSet<String> = keys.filter(|key| !key.starts_with("name-")).collect();
@@ -50,7 +53,7 @@ fn every_code_has_a_sentence_and_every_sentence_a_code() {
 
 #[test]
 fn spanish_has_the_messages_help_texts_and_arguments_of_english() {
-    for [english, spanish] in FILES {
+    for [english, spanish] in SENTENCES.files {
         fluent::assert_same_messages(english, spanish);
     }
     let keys = [Language::En, Language::Es].map(|language| WORDS.of(language).keys());

@@ -5,18 +5,22 @@ mod json;
 mod table;
 mod trials;
 
-use gaitcam::wording::{Catalogue, File};
+use gaitcam::wording::{Catalogue, Sentences};
 
 pub use json::{cycle_json, json};
 pub use table::{cycle_table, table};
 pub use trials::{TrialRow, trials_json, trials_table};
 
 /// Labels of the tables.
-const LABELS: &[File] = &[[include_str!("en.ftl"), include_str!("es.ftl")]];
+const LABELS: Sentences = Sentences {
+    files: &[[include_str!("en.ftl"), include_str!("es.ftl")]],
+    as_typed: &["list"],
+    ..Sentences::NONE
+};
 
 /// The labels with the notes and names that the tables quote.
 static WORDS: Catalogue = Catalogue::new(&[
-    gaitcam_base::wording::FILES,
-    gaitcam::force::wording::FILES,
+    gaitcam_base::wording::SENTENCES,
+    gaitcam::force::wording::SENTENCES,
     LABELS,
 ]);

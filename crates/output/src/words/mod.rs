@@ -2,9 +2,13 @@
 
 use gaitcam::cam::Measures;
 pub use gaitcam::wording::Words;
-use gaitcam::wording::{Catalogue, Language};
+use gaitcam::wording::{Catalogue, Language, Sentences};
 
-static WORDS: Catalogue = Catalogue::new(&[&[[include_str!("en.ftl"), include_str!("es.ftl")]]]);
+static WORDS: Catalogue = Catalogue::new(&[Sentences {
+    files: &[[include_str!("en.ftl"), include_str!("es.ftl")]],
+    as_typed: &["fault", "file", "key", "model", "name", "walker"],
+    ..Sentences::NONE
+}]);
 
 /// The words of a language.
 pub fn words(language: Language) -> Words {

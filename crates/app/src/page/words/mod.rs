@@ -5,12 +5,15 @@ use std::cell::Cell;
 use gaitcam::criterion::LimitKind;
 use gaitcam::scene::keys;
 use gaitcam::synth::{FIGURES, Figure};
-use gaitcam::wording::{Catalogue, Language, limit_label};
+use gaitcam::wording::{Catalogue, Language, Sentences, limit_label};
 use serde_json::{Map, Value};
 
 /// The studio's own messages.
-pub static WORDS: Catalogue =
-    Catalogue::new(&[&[[include_str!("en.ftl"), include_str!("es.ftl")]]]);
+pub static WORDS: Catalogue = Catalogue::new(&[Sentences {
+    files: &[[include_str!("en.ftl"), include_str!("es.ftl")]],
+    as_typed: &["fault", "file", "folder", "list", "name"],
+    ..Sentences::NONE
+}]);
 
 thread_local! {
     static LANGUAGE: Cell<Language> = const { Cell::new(Language::En) };
