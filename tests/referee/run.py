@@ -25,7 +25,6 @@ OPEN = {
     "motor_stall": {"load_factors"},
     "motor_floor": {"load_factors"},
     "motor_spring": {"load_factors", "force.max_error_n", "rows.speed_rad_per_s"},
-    "motor_stiff": {"load_factors"},
     "walkers_worst": {"solver.certified", "relaxations"},
     "walkers_spring": {"solver.certified", "relaxations"},
 }

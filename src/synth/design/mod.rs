@@ -187,9 +187,10 @@ impl Design {
         (mix(&shaft.speed, 0.0), mix(&shaft.time, period))
     }
 
-    /// Cam angle at a part of the turn's time, rad, both from 0.
+    /// Cam angle at a part of the turn's time, rad, both from 0, at the speed for which the force is given.
     fn angle_at(&self, phase: f64) -> f64 {
-        let Some(shaft) = &self.shaft else {
+        let shaft = self.shaft.as_ref();
+        let Some(shaft) = shaft.filter(|_| self.problem.on_shaft.is_some()) else {
             return phase;
         };
         let period = TAU / self.problem.drive.speed.abs();

@@ -7,7 +7,7 @@ use crate::synth::qp::{Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row,
 use crate::synth::report::limited::{Easing, Minimised};
 
 /// Part of a limit by which it is relaxed.
-const RELAXED: f64 = 0.01;
+pub const RELAXED: f64 = 0.01;
 
 /// What relaxing one limit by 1 % would do to the objective, to first order.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,6 +6,7 @@
 //! those of one walker (theory §8).
 
 pub mod alone;
+mod easing;
 pub mod errors;
 mod limits;
 pub mod phase;
@@ -25,6 +26,7 @@ use crate::synth::families::{self, SolvedLaw};
 use crate::synth::finish::{Reports, finished};
 use crate::synth::phase::best as at_best_phase;
 use crate::synth::qp::{Certificate, PROVED};
+use crate::synth::report::limited::Easing;
 use crate::synth::report::proof::Doubt;
 use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
@@ -63,7 +65,7 @@ pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result
             loads *= part * (1.0 - LOAD_ROOM);
             continue;
         }
-        return found.judged(problem, search, walkers, checked, loads < 1.0);
+        return found.judged(problem, search, walkers, checked, loads);
     }
     unreachable!("the last round returns")
 }
@@ -236,8 +238,9 @@ impl Found {
         search: &Search,
         walkers: &Walkers,
         checked: CheckedCam,
-        is_tightened: bool,
+        loads: f64,
     ) -> Result<Design> {
+        let is_tightened = loads < 1.0;
         let mut attempt = Attempt {
             refusal: self.attempt.refusal,
             ..Attempt::of(self.attempt.law, checked)
@@ -249,6 +252,8 @@ impl Found {
         let is_free = walkers.adjust.phase && walkers.each.len() > 1;
         report.bound_percent = is_free.then(|| 100.0 * phase::bound(walkers).max(0.0).sqrt());
         if walkers.each.len() > 1 {
+            let own = |e: &Easing| easing::of_all(e, problem, walkers, self.upper, loads);
+            attempt.law.easing = attempt.law.easing.iter().filter_map(own).collect();
             attempt.cam.checks.extend(accuracy(problem, self.upper));
             let solver = &mut attempt.law.solver;
             if let Some(proof) = &mut solver.certificate {

@@ -6,6 +6,9 @@ use gaitcam::synth::Design;
 
 use super::Number;
 
+/// Values below this are rounding: mm or degrees, and their derivatives.
+const ROUNDING: f64 = 1e-15;
+
 /// A point of the cam with the derivatives of the follower's position by that of the cam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
@@ -99,9 +102,10 @@ impl Table {
 }
 
 impl Number {
-    /// The nearest number that the controller has.
+    /// The nearest number that the controller has; what is left by rounding is 0.
     pub fn nearest(self, x: f64) -> f64 {
         match self {
+            _ if x.abs() < ROUNDING => 0.0,
             Number::Single => f64::from(x as f32),
             Number::Double => x,
         }

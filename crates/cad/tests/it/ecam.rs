@@ -56,6 +56,9 @@ fn quintic_dialects_carry_a_law_of_degree_five_exactly_at_its_own_breaks() {
         assert_eq!(made.intervals, spans);
         assert!(made.replayed.share < 1e-12, "{}", made.replayed.share);
         let [x, y, v, a] = names.map(|name| numbers(&made.text, name));
+        for value in x.iter().chain(&y).chain(&v).chain(&a) {
+            assert!(*value == 0.0 || value.abs() > 1e-15, "{value}");
+        }
         assert_eq!(x.len(), spans + 1);
         for i in 0..spans {
             let (h, at) = (x[i + 1] - x[i], |k: usize| [y[k], v[k], a[k]]);

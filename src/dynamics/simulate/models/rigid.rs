@@ -47,8 +47,7 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
         out.torque.mean = curve.integral() / p.cycle.length;
     }
     out.torque = p.signed(out.torque);
-    let pulled = surface.pulls.iter().fold(0.0, |sum, (a, b)| sum + b - a) / p.cycle.length;
-    note_pull(&mut out, input, p, pulled);
+    note_pull(&mut out, input, p, pulled_share(&surface, p));
     out.contact_lost = out.lost_fraction > 0.0;
     if out.contact_lost {
         out.notes.push(RunNote::RigidPulls);
@@ -58,6 +57,12 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     }
     p.fill(input, &mut out, &forces, &vec![0.0; forces.len()]);
     Ok(out)
+}
+
+/// Part of the cycle in which a surface would have to pull; 0 has no sign.
+fn pulled_share(surface: &Surface, p: &Prepared) -> f64 {
+    let pulled = surface.pulls.iter().fold(0.0, |sum, (a, b)| sum + b - a);
+    pulled / p.cycle.length
 }
 
 /// The rigid follower on a shaft whose speed varies, or on a floor that moves: there smallest and largest force are those of
@@ -80,8 +85,7 @@ fn over_time(input: &Run, p: &Prepared, machine: &MachineMotion) -> Outcome {
         Some(shaft) if is_smooth => {
             let surface = Surface::new(in_time(&p.lift, &p.breaks, shaft), &p.drive);
             let (low, high) = surface.force.extremes();
-            let pulled = surface.pulls.iter().map(|(a, b)| b - a).sum::<f64>();
-            ([low.value, high.value], pulled / p.cycle.length)
+            ([low.value, high.value], pulled_share(&surface, p))
         }
         _ => {
             let pulled = forces.iter().filter(|f| **f < 0.0).count();

@@ -1,6 +1,7 @@
 //! One cam for many walkers, against closed forms and an independent conic program.
 
 mod cones;
+mod easing;
 mod sweep;
 
 use std::f64::consts::TAU;

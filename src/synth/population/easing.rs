@@ -1,0 +1,61 @@
+//! What relaxing a limit of the scene buys all walkers, from what it buys the mean curve at the reference machine.
+
+use super::limits::for_all;
+use crate::criterion::{Criterion, DependsOn};
+use crate::problem::{Problem, Served, Walkers};
+use crate::scene::Robust;
+use crate::synth::optimum::easing::RELAXED;
+use crate::synth::report::limited::{Easing, Minimised};
+
+/// The easing of a limit for all walkers, whose mean square error is `square` times that of the mean force. `None` where their
+/// mean is not minimised: the weights of the walkers change with the limit; and where the mean curve would be reached.
+pub fn of_all(
+    easing: &Easing,
+    problem: &Problem,
+    walkers: &Walkers,
+    square: f64,
+    loads: f64,
+) -> Option<Easing> {
+    if walkers.robust != Robust::Mean || walkers.adjust.phase || easing.after <= 0.0 {
+        return None;
+    }
+    let (mut from, mut to, mut scale) = (easing.from, easing.to, 1.0);
+    if let Criterion::Limit(kind) = easing.limit
+        && let Some(own) = problem.limits[kind]
+    {
+        if own == 0.0 {
+            return None;
+        }
+        let eased = own + (easing.to - easing.from).signum() * RELAXED * own.abs();
+        if kind.facts().depends_on == DependsOn::Force {
+            let mut wider = problem.limits.clone();
+            wider[kind] = Some(eased);
+            let of = |problem: &Problem| for_all(problem, walkers, loads).limits[kind];
+            let reached = of(&problem.with_limits(wider))? - of(problem)?;
+            scale = reached / (easing.to - easing.from);
+        }
+        (from, to) = (own, eased);
+    }
+    let (before, after) = match easing.objective {
+        Minimised::RmsError => {
+            // The mean square of the walkers is that of the mean curve, but for this factor and a constant.
+            let part = |w: &Served| w.share * (w.factor / w.unit).powi(2);
+            let factor: f64 = walkers.each.iter().map(part).sum();
+            let gain = factor * scale * (easing.before.powi(2) - easing.after.powi(2));
+            let mean = problem.target_mean();
+            let root = |square: f64| mean * square.max(0.0).sqrt();
+            (root(square), root(square - gain))
+        }
+        _ => (
+            easing.before,
+            easing.before - scale * (easing.before - easing.after),
+        ),
+    };
+    Some(Easing {
+        from,
+        to,
+        before,
+        after,
+        ..easing.clone()
+    })
+}
