@@ -346,11 +346,11 @@ def load_factor(r, m):
         wanted = r.target if not varies(r) else (model_of(r) or r.target_at)(2 * math.pi * np.arange(1440) / 1440)
         amplitude, angle = harmonics(wanted, n)[n - 1]
     else:
-        # Over time, on the shaft as it turns.
-        run = r.running()
-        phase = (lambda x: x) if r.motion is None else r.motion.phase
-        cos = 2 * r.time_mean(lambda *x: run.force(*x) * np.cos(n * phase(x[0])))
-        sin = 2 * r.time_mean(lambda *x: run.force(*x) * np.sin(n * phase(x[0])))
+        # Over time, at the speed for which the design states its force.
+        turns = r.motion is not None and (r.motion.shaft is None or varies(r))
+        run, mean, phase = (r.running(), r.time_mean, r.motion.phase) if turns else (r, r.law.mean, lambda x: x)
+        cos = 2 * mean(lambda *x: run.force(*x) * np.cos(n * phase(x[0])))
+        sin = 2 * mean(lambda *x: run.force(*x) * np.sin(n * phase(x[0])))
         amplitude, angle = math.hypot(cos, sin), math.atan2(cos, sin)
     # Stated as A sin(nθ − φ).
     angle = -angle
