@@ -9,6 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DMatrix, DVector};
 
+use super::over_time::{OverTime, POINTS, angle};
 use crate::cam::{Cam, Inspection};
 use crate::dynamics::rigid::liftoff_speed;
 use crate::dynamics::rigid::touch::held;
@@ -21,8 +22,6 @@ const MOST_WAVES: usize = 60;
 const POINTS_PER_WAVE: usize = 4;
 /// Deviations below this, m, are rounding.
 const ROUNDING: f64 = 1e-10;
-/// Points for the RMS of the force: the functions are smooth, so the trapezoidal rule converges fast.
-const POINTS: usize = 4096;
 
 /// Force and motion of a cam on its machine; the extremes of the law are exact.
 ///
@@ -113,15 +112,13 @@ fn behaviour(design: &Design, pressing: &Law, cut: &Law) -> Behaviour {
     let (low, high) = problem.force_extremes(pressing);
     let (least, most) = pressing.extremes(2);
     let error = |target: &crate::force::ForceCurve| {
-        let (mut square, mut largest) = (0.0, 0.0_f64);
-        for i in 0..POINTS {
-            let theta = TAU * i as f64 / POINTS as f64;
-            let force = drive.force(pressing.svaj(theta)) + problem.extra_force(theta);
-            let off = force - target.at(theta);
-            square += off * off / POINTS as f64;
-            largest = largest.max(off.abs());
-        }
-        (square.sqrt(), largest)
+        let off = |i: usize| {
+            let theta = angle(i);
+            drive.force(pressing.svaj(theta)) + problem.extra_force(theta) - target.at(theta)
+        };
+        let off: Vec<f64> = (0..POINTS).map(off).collect();
+        let largest = off.iter().fold(0.0, |most: f64, off| most.max(off.abs()));
+        (OverTime::of(design, target).error(|i| off[i]), largest)
     };
     let error = design.target().map(error);
     let made = Cam {

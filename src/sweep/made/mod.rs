@@ -1,5 +1,6 @@
 //! Cams as made: manufacturing errors within tolerances, and measured profiles.
 
 pub(super) mod measured;
+mod over_time;
 pub(super) mod scatter;
 pub(super) mod tolerance;
