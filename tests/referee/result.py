@@ -256,9 +256,10 @@ def model_of(r):
     if gait.get("phase") == "free":
         shift = r.summary["law"]["phase_rad"]
     size = 1.0
-    if gait.get("scale") == "to-mass":
+    if gait.get("scale") == "to-mass" and r.drive.kind == "moving-axis":
         size = r.drive.mass * r.drive.gravity / weight
     if model(gait["model"], frequency, weight, np.zeros(1)) is None:
         return None
-    level = r.drive.mass * r.drive.gravity - weight if gait.get("scale") == "alternating" else 0.0
+    is_shifted = gait.get("scale") == "alternating" and r.drive.kind == "moving-axis"
+    level = r.drive.mass * r.drive.gravity - weight if is_shifted else 0.0
     return lambda phase: size * model(gait["model"], frequency, weight, phase + shift) + level
