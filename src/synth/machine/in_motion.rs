@@ -258,14 +258,18 @@ fn corrected(
     problem: &Problem,
     search: &Search,
 ) -> Result<(Iterate, usize, Option<f64>)> {
-    let rounds_of = |problem: &Problem| -> Result<Settled<Iterate>> {
-        let (mut settled, layout) = rounds(first, before.clone(), run, problem, search)?;
+    let rounds_of = |problem: &Problem, last: Option<&Iterate>| -> Result<Settled<Iterate>> {
+        let begin = match last {
+            Some(last) => Begin::Settled(last),
+            None => Begin::ConstantSpeed(first, &before),
+        };
+        let (mut settled, layout) = rounds(begin, run, problem, search)?;
         if let Some(state) = &settled.made {
             settled.design = settled.design.judged(problem, &layout, state)?;
         }
         Ok(settled)
     };
-    let mut settled = rounds_of(problem)?;
+    let mut settled = rounds_of(problem, None)?;
     let accuracy = problem
         .judged_error()
         .filter(|_| run.carrier.motor.is_some());
@@ -275,7 +279,8 @@ fn corrected(
             break;
         };
         of_mean *= part;
-        match rounds_of(&problem.with_accuracy(Some(of_mean))) {
+        let tighter = problem.with_accuracy(Some(of_mean));
+        match rounds_of(&tighter, Some(&settled.design)) {
             Ok(next) if next.design.attempt.refusal.is_none() => settled = next,
             _ => break,
         }
@@ -299,15 +304,26 @@ fn mean_over_time(problem: &Problem, law: &Law, shaft: &Motion) -> f64 {
     sum / all
 }
 
-/// Designs for the machine that the design before makes, from that of a law for constant speed on a stiff floor, until both
-/// agree.
+/// Where rounds begin.
+#[derive(Clone, Copy)]
+enum Begin<'a> {
+    /// At the law for constant speed on a stiff floor, and the motion that it makes.
+    ConstantSpeed(&'a Attempt, &'a MachineMotion),
+    /// At the last of other rounds.
+    Settled(&'a Iterate),
+}
+
+/// Designs for the machine that the design before makes until both agree.
 fn rounds(
-    first: &Attempt,
-    before: MachineMotion,
+    begin: Begin,
     run: &Runner,
     problem: &Problem,
     search: &Search,
 ) -> Result<(Settled<Iterate>, Layout)> {
+    let (first, before) = match begin {
+        Begin::ConstantSpeed(first, before) => (first, before),
+        Begin::Settled(last) => (&last.attempt, &last.motion),
+    };
     let law = &first.law.law;
     let diverges = |motion: &MachineMotion, contraction: Option<f64>| {
         let speed = problem.drive.speed;
@@ -321,12 +337,21 @@ fn rounds(
         };
         fault.at_key("machine.inertia")
     };
-    // The motion in time of a law for constant speed may stop a small wheel that the law itself turns.
-    let start = run.in_time(law, before.clone());
-    let mut motion = start.map_err(|_| diverges(&before, None))?;
     let is_exact = depends_on_speed(problem) || run.carrier.floor.is_some();
     let layout = Layout::new(problem, law, run.carrier.motor.is_some(), is_exact);
-    let state = layout.state(problem, &motion, &|x| retimed(law, &motion.shaft, x));
+    let (mut motion, state) = match begin {
+        Begin::ConstantSpeed(..) => {
+            // The motion in time of a law for constant speed may stop a small wheel that the law itself turns.
+            let start = run.in_time(law, before.clone());
+            let motion = start.map_err(|_| diverges(before, None))?;
+            let state = layout.state(problem, &motion, &|x| retimed(law, &motion.shaft, x));
+            (motion, state)
+        }
+        Begin::Settled(_) => {
+            let state = layout.state(problem, before, &|x| law.svaj(x));
+            (before.clone(), state)
+        }
+    };
     // A round has no fewer spans than the one before, so that what depends on their number stays the same; and more, where
     // rounds come no nearer with so few that very different laws are nearly as good.
     let mut search = search.clone();
