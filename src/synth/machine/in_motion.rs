@@ -273,7 +273,8 @@ fn corrected(
     let accuracy = problem
         .judged_error()
         .filter(|_| run.carrier.motor.is_some());
-    let mut of_mean = accuracy.unwrap_or(0.0) / problem.target_mean();
+    let asked = accuracy.unwrap_or(0.0) / problem.target_mean();
+    let mut of_mean = asked;
     for _ in 0..TIGHTER {
         let Some(part) = accuracy.and_then(|most| settled.design.tighter(run, most)) else {
             break;
@@ -287,6 +288,12 @@ fn corrected(
     }
     let mut last = settled.design;
     last.problem = last.problem.with_accuracy(problem.accuracy);
+    // By as many percent as the tighter accuracy, that of the scene is eased.
+    let eased = last.attempt.law.easing.iter_mut();
+    for easing in eased.filter(|e| e.limit == Criterion::Accuracy) {
+        let found = easing.from;
+        (easing.from, easing.to) = (asked, easing.to / found * asked);
+    }
     if run.carrier.motor.is_some() {
         last.take_means_over_time(problem);
     }

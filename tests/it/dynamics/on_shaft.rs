@@ -1,6 +1,7 @@
 //! Laws for the speed that the motor gives the shaft.
 
 use gaitcam::cam::Verdict;
+use gaitcam::criterion::Criterion;
 use gaitcam::dynamics::{Model, simulate};
 use gaitcam::synth::Design;
 use gaitcam::{Scene, scene};
@@ -555,7 +556,7 @@ fn what_is_stated_of_the_force_under_a_motor_is_what_the_emitted_cam_does_over_t
         ("drive.preload", "200 N"),
         ("drive.mass", "2 kg"),
     ];
-    let mut judged = 0;
+    let (mut judged, mut easings) = (0, 0);
     for drive in [&[][..], &hydraulic, &spring] {
         for minimise in ["force-error", "acceleration", "jerk"] {
             for accuracy in ["0.1 %", "1.8 %"] {
@@ -576,15 +577,21 @@ fn what_is_stated_of_the_force_under_a_motor_is_what_the_emitted_cam_does_over_t
                     (stated - run).abs() < 2e-3 * run + 1e-4,
                     "{what}: {stated} {run}"
                 );
+                let most: f64 = accuracy.trim_end_matches(" %").parse().unwrap();
+                let eased = design.easing.iter();
+                for easing in eased.filter(|e| e.limit == Criterion::Accuracy) {
+                    assert!((100.0 * easing.from / most - 1.0).abs() < 1e-9, "{what}");
+                    assert!((easing.to / easing.from - 1.01).abs() < 1e-9, "{what}");
+                    easings += 1;
+                }
                 if design.verdict == Verdict::Acceptable {
-                    let most: f64 = accuracy.trim_end_matches(" %").parse().unwrap();
                     assert!(run < 1.002 * most, "{what}: {run}");
                     judged += 1;
                 }
             }
         }
     }
-    assert!(judged > 12, "{judged}");
+    assert!(judged > 12 && easings > 3, "{judged} {easings}");
 }
 
 #[test]
