@@ -327,8 +327,8 @@ fn undamped(scene: &Scene) -> Option<Idle> {
     gives_back.then_some(Idle::Drive)
 }
 
-fn off_moving_axis(s: &Scene) -> Option<Idle> {
-    (s.drive.kind != DriveKind::MovingAxis).then_some(Idle::Drive)
+fn off_moving_axis(scene: &Scene) -> Option<Idle> {
+    (scene.drive.kind != DriveKind::MovingAxis).then_some(Idle::Drive)
 }
 
 fn hydraulic(scene: &Scene) -> Option<Idle> {

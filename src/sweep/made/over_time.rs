@@ -1,5 +1,5 @@
 //! The force error of a design as it is stated, from forces at equal cam angles: over the angle at constant speed; under a motor
-//! over time, with the phase of the least error.
+//! over time, with the phase of the least error. The phase is counted to first order: a made cam moves it by little.
 
 use std::f64::consts::TAU;
 

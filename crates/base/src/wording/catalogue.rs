@@ -30,7 +30,7 @@ pub type File = [&'static str; 2];
 /// assert_eq!(WORDS.of(Language::En).sentence("file", &message), "arm without the arm");
 /// ```
 pub struct Sentences {
-    /// The Fluent files.
+    /// The Fluent files with all messages of the crate, in English and in Spanish.
     pub files: &'static [File],
     /// Fields that quote the user or select a variant of a sentence; they are not translated.
     pub as_typed: &'static [&'static str],
@@ -42,7 +42,7 @@ pub struct Sentences {
 }
 
 impl Sentences {
-    /// No message.
+    /// A crate without messages, to fill the fields that are not given.
     pub const NONE: Sentences = Sentences {
         files: &[],
         as_typed: &[],

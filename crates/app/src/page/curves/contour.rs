@@ -30,15 +30,15 @@ pub enum Colour {
     /// By nothing.
     #[default]
     None,
-    /// Pressure angle, °.
+    /// Pressure angle along the contour, °.
     PressureAngle,
-    /// Curvature, 1/m.
+    /// Curvature of the contour, 1/m.
     Curvature,
     /// Curvature as a part of what is allowed, %.
     CurvatureUse,
-    /// Contact force, N.
+    /// Contact force along the contour, N.
     Force,
-    /// Hertz pressure, MPa.
+    /// Hertz pressure along the contour, MPa.
     Hertz,
 }
 
