@@ -61,11 +61,13 @@ def is_product(name):
 
 
 def code_lines(text):
-    """Lines before the tests that are neither blank nor a comment."""
-    count = 0
-    for line in text.splitlines():
+    """Lines that are neither blank nor a comment nor of tests, which stand in files of their own or last in a file."""
+    count, lines = 0, iter(text.splitlines())
+    for line in lines:
         if line.startswith("#[cfg(test)]"):
-            break
+            if not next(lines, "").endswith(";"):
+                break
+            continue
         stripped = line.strip()
         count += bool(stripped) and not stripped.startswith("//")
     return count
