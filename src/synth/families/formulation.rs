@@ -3,15 +3,14 @@
 use std::f64::consts::TAU;
 
 use super::demands::{dwell_demands, implied_by_limits, point_demands};
-use crate::criterion::Criterion;
 use crate::error::{Placed, Result, SynthError};
 use crate::law::Law;
 use crate::poly::{SplineSpace, gauss_legendre};
-use crate::problem::{Problem, Size, Target};
+use crate::problem::{Problem, Target};
 use crate::scene::{Dwell, Minimise};
 use crate::synth::limits;
 use crate::synth::optimum::Formulation;
-use crate::synth::qp::{self, Basis, Limit, MeanSquare, PEAK, Program, Quadratic};
+use crate::synth::qp::{self, Basis, MeanSquare, Program, Quadratic};
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
@@ -41,32 +40,11 @@ pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Pr
     Ok((program, force))
 }
 
-/// The limits over the whole turn that a search keeps.
-fn rows(problem: &Problem, search: &Search) -> Vec<Limit> {
-    let mut out = limits::rows(problem);
-    out.retain(|l| l.name != Criterion::BaseCircle || !search.below_base_circle);
-    out
-}
-
 /// A spline law under every convex limit.
 pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<Formulation> {
     let stiffness = stiffness(problem);
     let (mut program, force) = unlimited(problem, search, spans)?;
-    program.rms = limits::root_mean_squares(problem, &program.basis, mean_square);
-    let mut rows = rows(problem, search);
-    if problem.law.monotone {
-        rows.extend(limits::monotone(problem));
-    }
-    if let Minimise::Peak(order) = problem.objective() {
-        rows.extend(limits::peak(problem, order));
-        program.cost[PEAK] = 1.0;
-    }
-    rows.extend(limits::rows_on_shaft(problem, &mut program));
-    rows.extend(limits::about_the_target(problem, &mut program));
-    program.limits = rows;
-    if problem.size() == Size::Sought {
-        limits::with_size(problem, &mut program);
-    }
+    limits::constrain(problem, search, &mut program, mean_square);
     Ok(Formulation {
         program,
         force,
@@ -90,10 +68,7 @@ pub fn of_harmonics(
     let mut program = Program::new(basis, force.clone(), Vec::new(), problem.length());
     qp::sizes::declare(&mut program);
     program.halt = search.halt.clone();
-    program.rms = limits::root_mean_squares(problem, &program.basis, mean_square);
-    program.limits = rows(problem, search);
-    let on_shaft = limits::rows_on_shaft(problem, &mut program);
-    program.limits.extend(on_shaft);
+    limits::constrain(problem, search, &mut program, mean_square);
     if !problem.level_is_known() {
         program.count_from(unlimited.extremes(0).0.at);
     }

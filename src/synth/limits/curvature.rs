@@ -15,32 +15,25 @@ const TOUCH: f64 = 1e-6;
 /// s + a under a flat face: the radius of curvature is Rb + s + a (theory §6).
 const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];
 
-/// Under a flat face on a given base circle: Rb + s + a ≥ ρ.
-pub fn row(problem: &Problem) -> Option<Limit> {
-    let (base, rho) = (
-        problem.base_radius()?,
-        problem.limits[LimitKind::Curvature]?,
-    );
+/// Under a flat face: Rb + s + a ≥ ρ, on a given base circle or with its radius among the variables (`is_sized`).
+pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
+    let rho = problem.limits[LimitKind::Curvature];
+    let (base, rho, scale) = if is_sized {
+        (0.0, rho.unwrap_or(0.0), problem.length())
+    } else {
+        let base = problem.base_radius()?;
+        (base, rho?, base)
+    };
     let meaning = Meaning::Value {
         factor: -1.0,
         offset: base,
     };
-    let is_flat = problem.cam.follower == FollowerKind::FlatTranslating;
-    let limit = structural(LimitKind::Curvature, BEND, base - rho, base);
-    is_flat.then(|| meaning.of(limit))
-}
-
-/// The same with the base radius among the variables.
-pub fn row_with_size(problem: &Problem) -> Limit {
-    let rho = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
-    let meaning = Meaning::Value {
-        factor: -1.0,
-        offset: 0.0,
-    };
-    let limit = structural(LimitKind::Curvature, BEND, -rho, problem.length());
+    let limit = structural(LimitKind::Curvature, BEND, base - rho, scale);
     let mut limit = meaning.of(limit);
-    limit.extra[RADIUS] = -1.0;
-    limit
+    if is_sized {
+        limit.extra[RADIUS] = -1.0;
+    }
+    (problem.cam.follower == FollowerKind::FlatTranslating).then_some(limit)
 }
 
 /// w^{3/2}/ρ − (w + vY − aX).

@@ -18,13 +18,12 @@ use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 /// A cam is not made larger for a pressure of whose square the roller alone makes more than this part.
 const WORTH_GROWING: f64 = 0.95;
 
-/// Steel on steel under a flat face of given base radius.
-pub fn row(problem: &Problem) -> Option<Limit> {
-    pressed(problem, problem.base_radius()?)
-}
-
-/// F ≤ π L p²/E*·(Rb + s + a): linear in law and radius together.
-pub fn row_with_size(problem: &Problem) -> Option<Limit> {
+/// Steel on steel under a flat face: F ≤ π L p²/E*·(Rb + s + a), linear in law and radius together (`is_sized`: the radius is
+/// among the variables).
+pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
+    if !is_sized {
+        return pressed(problem, problem.base_radius()?);
+    }
     let mut limit = pressed(problem, 0.0)?;
     limit.extra[RADIUS] = limit.weights[2] - problem.drive.weights()[2];
     Some(limit)

@@ -1,10 +1,13 @@
-//! Base circle, stroke, velocity, acceleration, jerk; monotone flanks and the peak of a derivative.
+//! Base circle, stroke, face width, velocity, acceleration, jerk; monotone flanks and the peak of a derivative.
 
 use super::finished::SLACK;
-use crate::cam::{Cam, Check, Criterion, LimitKind};
+use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::{Problem, sum};
-use crate::synth::qp::{LOWEST, Limit, Meaning, Variable, only, structural};
+use crate::scene::Minimise;
+use crate::synth::qp::{
+    FACE_END, LOWEST, Limit, Meaning, PEAK, Program, Variable, only, structural,
+};
 
 /// A law may dip below its base circle by this part of the stroke: rounding.
 const DIP: f64 = 1e-7;
@@ -12,14 +15,12 @@ const DIP: f64 = 1e-7;
 /// law without a stroke.
 const NO_LIFT: f64 = 1e-11;
 
-/// The law stays above its base circle.
-pub fn base_circle(problem: &Problem) -> Vec<Limit> {
+/// The law stays above its base circle, where something else says how high it stands.
+pub fn base_circle(problem: &Problem) -> Option<Limit> {
     let stroke = problem.limits[LimitKind::Stroke];
-    if !(problem.level_is_known() || stroke.is_some()) {
-        return Vec::new();
-    }
     let scale = stroke.map_or(problem.length(), |h| h.min(problem.length()));
-    vec![structural(Criterion::BaseCircle, only(0, -1.0), 0.0, scale)]
+    let limit = structural(Criterion::BaseCircle, only(0, -1.0), 0.0, scale);
+    (problem.level_is_known() || stroke.is_some()).then_some(limit)
 }
 
 /// The same with the size of the cam among the variables.
@@ -43,8 +44,18 @@ pub fn stroke(problem: &Problem) -> Vec<Limit> {
     range(problem, LimitKind::Stroke, 0, h, window)
 }
 
+/// The contact on a flat face moves by v (theory §6): its range is the face's width.
+pub fn face_width(problem: &Problem) -> Vec<Limit> {
+    match (problem.limits[LimitKind::FaceWidth], problem.cam.follower) {
+        (Some(width), FollowerKind::FlatTranslating) => {
+            range(problem, LimitKind::FaceWidth, 1, width, Some(FACE_END))
+        }
+        _ => Vec::new(),
+    }
+}
+
 /// A derivative within a range of the given width, from 0 on or from the value of a variable on.
-pub fn range(
+fn range(
     problem: &Problem,
     name: LimitKind,
     order: usize,
@@ -112,8 +123,11 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     out
 }
 
-/// The law rises or falls steadily between neighbouring points whose lifts differ.
+/// The law rises or falls steadily between neighbouring points whose lifts differ, where the scene asks for it.
 pub fn monotone(problem: &Problem) -> Vec<Limit> {
+    if !problem.law.monotone {
+        return Vec::new();
+    }
     let lift_of = |force: f64| problem.lift_of_force(force);
     let mut points: Vec<(f64, f64)> = problem
         .law
@@ -136,9 +150,14 @@ pub fn monotone(problem: &Problem) -> Vec<Limit> {
         .collect()
 }
 
-/// The largest absolute value of a derivative, as the quantity to minimise.
-pub fn peak(problem: &Problem, order: usize) -> [Limit; 2] {
-    [1.0, -1.0].map(|sign| {
+/// The largest absolute value of a derivative, where that is the quantity to minimise. Its cost joins the program.
+pub fn peak(problem: &Problem, program: &mut Program) -> Vec<Limit> {
+    let Minimise::Peak(order) = problem.objective() else {
+        return Vec::new();
+    };
+    program.cost[PEAK] = 1.0;
+    let side = |sign: f64| {
         structural(Criterion::Peak, only(order, sign), 0.0, problem.length()).minimised()
-    })
+    };
+    vec![side(1.0), side(-1.0)]
 }

@@ -23,9 +23,9 @@ mod slack;
 
 pub use dwell_vibration::Vibrations;
 pub use finished::{Finished, GEOMETRY};
-pub use force::{about_the_target, report as force_report};
+pub use force::report as force_report;
 pub use hertz_pressure::{bearable_on_some_size, smallest_base_radius};
-pub use kinematic::{above_base_circle, monotone, peak};
+pub use kinematic::above_base_circle;
 pub use loads::{largest, power_curve, torque_curve};
 pub use nonconvex::{ENLARGED, NonconvexLimits, clearances, loaded, relative};
 pub use press::Press;
@@ -33,75 +33,64 @@ pub use pressure_angle::{NEARLY_RIGHT, is_usual, usual_pressure_angle};
 pub use profile::Profile;
 pub use slack::ProfileSize;
 
-use super::qp::{Basis, Limit, MeanSquare, Program, RmsLimit};
-use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, FollowerKind, LimitKind, Wall};
+use super::qp::{Basis, Limit, MeanSquare, Program};
+use super::search::Search;
+use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, LimitKind, Wall};
 use crate::criterion::DependsOn;
 use crate::poly::PiecewisePoly;
-use crate::problem::Problem;
+use crate::problem::{OnShaft, Problem, Size};
 
-/// Limits over the whole turn that are linear in the law.
+/// Adds the limits of a problem that are convex in its law to a program: on root mean squares, over the whole turn, and on the
+/// size where that is sought. Laws of harmonics answer no demand, no other objective and no size.
 ///
-/// Where nothing fixes the level of the law, limits on the distance to the base circle count from the angle at
-/// which the law touches it.
-pub fn rows(problem: &Problem) -> Vec<Limit> {
-    let mut out = kinematic::base_circle(problem);
-    out.extend(kinematic::stroke(problem));
-    out.extend(size::face_width(problem));
-    if problem.on_shaft.is_none() {
-        out.extend(kinematic::timed(problem));
-        out.extend(force::rows(problem));
-    }
-    let of_law_alone = out.len();
-    out.extend(curvature::row(problem));
-    out.extend(pressure_angle::rows(problem));
-    if problem.on_shaft.is_none() {
-        out.extend(hertz_pressure::row(problem));
-    }
-    count_from_base_circle(problem, &mut out[of_law_alone..]);
-    out
-}
-
-/// Limits on root mean squares over the turn; `force_error` gives half the mean square of the force error.
-pub fn root_mean_squares(
+/// Where nothing fixes the level of the law, limits on the profile count the lift from the angle at which the law touches its
+/// base circle. Where the speed of the shaft varies or the floor moves, a bound is less by what that adds to its quantity.
+/// `force_error` gives half the mean square of the force error.
+pub fn constrain(
     problem: &Problem,
-    basis: &Basis,
+    search: &Search,
+    program: &mut Program,
     force_error: impl FnOnce(&Problem, &Basis) -> MeanSquare,
-) -> Vec<RmsLimit> {
-    let accuracy = force::accuracy(problem, || force_error(problem, basis));
-    let power = power_mean::root_mean_square(problem, basis);
-    accuracy.into_iter().chain(power).collect()
-}
-
-/// The lift in limits on the profile is a distance from the base circle.
-fn count_from_base_circle(problem: &Problem, limits: &mut [Limit]) {
-    for limit in limits {
+) {
+    let is_spline = matches!(program.basis, Basis::Spline { .. });
+    let is_sized = is_spline && problem.size() == Size::Sought;
+    let base_circle = kinematic::base_circle(problem).filter(|_| !search.below_base_circle);
+    let mut rows: Vec<Limit> = base_circle.into_iter().collect();
+    rows.extend(kinematic::stroke(problem));
+    rows.extend(kinematic::face_width(problem));
+    rows.extend(kinematic::timed(problem));
+    if is_spline {
+        rows.extend(kinematic::monotone(problem));
+        rows.extend(kinematic::peak(problem, program));
+    }
+    rows.extend(force::rows(problem));
+    let of_law_alone = rows.len();
+    rows.extend(curvature::row(problem, is_sized));
+    rows.extend(pressure_angle::rows(problem, is_sized));
+    rows.extend(hertz_pressure::row(problem, is_sized));
+    for limit in &mut rows[of_law_alone..] {
         limit.from_reference = !problem.level_is_known() && limit.weights[0] != 0.0;
     }
+    if let Some(shaft) = &problem.on_shaft {
+        for limit in &mut rows {
+            shift(shaft, problem.drive.speed, program, limit);
+        }
+    }
+    if is_spline {
+        rows.extend(force::about_the_target(problem, program));
+    }
+    let accuracy = force::accuracy(problem, || force_error(problem, &program.basis));
+    let power = power_mean::root_mean_square(problem, &program.basis);
+    program.rms = accuracy.into_iter().chain(power).collect();
+    if is_sized {
+        rows.extend(size::priced(problem, program));
+    }
+    program.limits = rows;
 }
 
-/// Limits by time, on the force and on its pressure where the speed of the shaft varies or the floor moves: their bounds are
-/// less by what that adds; these shapes join the program.
-pub fn rows_on_shaft(problem: &Problem, program: &mut Program) -> Vec<Limit> {
-    if problem.on_shaft.is_none() {
-        return Vec::new();
-    }
-    let mut out = force::rows(problem);
-    out.extend(kinematic::timed(problem));
-    let of_law_alone = out.len();
-    out.extend(hertz_pressure::row(problem));
-    count_from_base_circle(problem, &mut out[of_law_alone..]);
-    for limit in &mut out {
-        shift(problem, program, limit);
-    }
-    out
-}
-
-/// Lowers the bound of a limit by what a varying speed or a floor adds to its quantity.
-fn shift(problem: &Problem, program: &mut Program, limit: &mut Limit) {
-    let Some(shaft) = &problem.on_shaft else {
-        return;
-    };
-    let per_time = problem.drive.speed.powi(limit.highest_order() as i32);
+/// Lowers the bound of a limit by what a varying speed or a floor adds to its quantity: its shape joins the program.
+fn shift(shaft: &OnShaft, speed: f64, program: &mut Program, limit: &mut Limit) {
+    let per_time = speed.powi(limit.highest_order() as i32);
     let timed = |order: usize| {
         let extra = shaft.extra.timed[order - 1].as_ref()?;
         Some((extra, -limit.weights[order] / per_time))
@@ -120,26 +109,6 @@ fn shift(problem: &Problem, program: &mut Program, limit: &mut Limit) {
         program.shapes.push(shape);
         limit.shape = Some(program.shapes.len() - 1);
     }
-}
-
-/// Limits of the profile with the cam's size among the variables, and what the size costs (theory §6).
-/// The radius is what is minimised, or it stays below its limit while something else is.
-pub fn with_size(problem: &Problem, program: &mut Program) {
-    let follower = problem.cam.follower;
-    let mut sized = Vec::new();
-    if follower == FollowerKind::FlatTranslating {
-        sized.push(curvature::row_with_size(problem));
-        let mut pressed = hertz_pressure::row_with_size(problem);
-        pressed
-            .iter_mut()
-            .for_each(|limit| shift(problem, program, limit));
-        sized.extend(pressed);
-    } else if !follower.is_oscillating() {
-        sized.extend(pressure_angle::rows_with_size(problem));
-    }
-    count_from_base_circle(problem, &mut sized);
-    program.limits.extend(sized);
-    size::priced(problem, program);
 }
 
 impl Finished<'_> {

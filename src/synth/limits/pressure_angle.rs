@@ -60,52 +60,56 @@ impl AngleRow {
         let velocity = if self.moves { self.side } else { 0.0 };
         structural(self.name, [-self.tan, velocity, 0.0, 0.0, 0.0], 0.0, scale)
     }
-}
 
-/// On a given prime circle: ±(v − e) ≤ tan φ·(s + D) (theory §6).
-pub fn rows(problem: &Problem) -> Vec<Limit> {
-    let kind = problem.cam.follower;
-    let slides = kind.is_translating() && kind != FollowerKind::FlatTranslating;
-    let Some(prime) = problem.prime_radius().filter(|_| slides) else {
-        return Vec::new();
-    };
-    let e = problem.cam.offset.unwrap_or(0.0);
-    let rise = (prime * prime - e * e).max(0.0).sqrt();
-    let tangents = problem
-        .limits
-        .pressure_angles()
-        .map(|side| side.map(f64::tan));
-    // On the line through the centre nothing leans where the follower turns.
-    let rows = angle_rows(tangents)
-        .into_iter()
-        .filter(|row| row.moves || e != 0.0);
-    rows.map(|row| {
-        let (tan, offset) = (row.tan, row.side * e);
-        let mut limit = row.limit(prime);
+    /// On a prime circle of given radius and offset.
+    fn on_circle(self, prime: f64, e: f64) -> Limit {
+        let (tan, offset) = (self.tan, self.side * e);
+        let rise = (prime * prime - e * e).max(0.0).sqrt();
+        let mut limit = self.limit(prime);
         limit.bound = tan * rise + offset;
         Meaning::PrimeRadius { tan, offset }.of(limit)
-    })
-    .collect()
-}
+    }
 
-/// With D, and e where it is open, among the variables.
-pub fn rows_with_size(problem: &Problem) -> Vec<Limit> {
-    let angles = problem.sizing_pressure_angles();
-    let tangents = angles.map(|angle| Some(libm::tan(angle.min(NEARLY_RIGHT))));
-    let offset = problem.offset();
-    let rows = angle_rows(tangents)
-        .into_iter()
-        .filter(|row| row.moves || offset != Some(0.0));
-    rows.map(|row| {
-        let mut limit = Meaning::Sized.of(row.limit(problem.length()));
-        limit.bound = row.side * offset.unwrap_or(0.0);
-        limit.extra[RISE] = -row.tan;
+    /// With D, and e where it is open, among the variables.
+    fn sized(self, length: f64, offset: Option<f64>) -> Limit {
+        let mut limit = Meaning::Sized.of(self.limit(length));
+        limit.bound = self.side * offset.unwrap_or(0.0);
+        limit.extra[RISE] = -self.tan;
         if offset.is_none() {
-            limit.extra[OFFSET] = -row.side;
+            limit.extra[OFFSET] = -self.side;
         }
         limit
-    })
-    .collect()
+    }
+}
+
+/// ±(v − e) ≤ tan φ·(s + D) (theory §6), on a given prime circle or with D, and e where it is open, among the variables
+/// (`is_sized`).
+pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
+    let kind = problem.cam.follower;
+    let prime = problem.prime_radius();
+    if !(is_sized || prime.is_some()) || !kind.is_translating() || kind.is_flat() {
+        return Vec::new();
+    }
+    let (tangents, offset) = match prime {
+        Some(_) => {
+            let angles = problem.limits.pressure_angles();
+            let given = problem.cam.offset.unwrap_or(0.0);
+            (angles.map(|side| side.map(f64::tan)), Some(given))
+        }
+        None => {
+            let angles = problem.sizing_pressure_angles();
+            let tangent = |angle: f64| Some(libm::tan(angle.min(NEARLY_RIGHT)));
+            (angles.map(tangent), problem.offset())
+        }
+    };
+    // On the line through the centre nothing leans where the follower turns.
+    let rows = angle_rows(tangents).into_iter();
+    let rows = rows.filter(|row| row.moves || offset != Some(0.0));
+    let row_of = |row: AngleRow| match prime {
+        Some(prime) => row.on_circle(prime, offset.unwrap_or(0.0)),
+        None => row.sized(problem.length(), offset),
+    };
+    rows.map(row_of).collect()
 }
 
 /// Of a roller on an arm: t c sin ξ ∓ (A(1 + ξ′) − c cos ξ), from tan φ = (A(1 + ξ′) − c cos ξ)/(c sin ξ).

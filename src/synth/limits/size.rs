@@ -1,29 +1,16 @@
 //! Face width, prime radius and bore.
 
 use super::finished::{GEOMETRY, SLACK};
-use super::kinematic::range;
 use super::nonconvex::ENLARGED;
 use super::profile::Profile;
 use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::scene::Minimise;
-use crate::synth::qp::{
-    FACE_END, Limit, Meaning, OFFSET, Program, RADIUS, RISE, Variable, structural,
-};
-
-/// The contact on a flat face moves by v (theory §6): its range is the face's width.
-pub fn face_width(problem: &Problem) -> Vec<Limit> {
-    match (problem.limits[LimitKind::FaceWidth], problem.cam.follower) {
-        (Some(width), FollowerKind::FlatTranslating) => {
-            range(problem, LimitKind::FaceWidth, 1, width, Some(FACE_END))
-        }
-        _ => Vec::new(),
-    }
-}
+use crate::synth::qp::{Limit, Meaning, OFFSET, Program, RADIUS, RISE, Variable, structural};
 
 /// Cost of a size among the variables, the limit on it, and the cone Rp ≥ ‖(D, e)‖ of an open offset.
-pub fn priced(problem: &Problem, program: &mut Program) {
+pub fn priced(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     let cost = match problem.objective() {
         Minimise::Size => 1.0,
         _ => 0.0,
@@ -33,7 +20,7 @@ pub fn priced(problem: &Problem, program: &mut Program) {
     let least = problem.hub_radius() + problem.cam.roller_radius;
     let below = limit.map_or(f64::INFINITY, |limit| limit * (1.0 - 4.0 * ENLARGED));
     let least = least.min(below);
-    let limits = &mut program.limits;
+    let mut limits = Vec::new();
     if let Some([least, most]) = problem.reach_of_arm() {
         // A limit larger than the arm can reach is inactive.
         let limit = limit.filter(|limit| *limit <= most);
@@ -61,6 +48,7 @@ pub fn priced(problem: &Problem, program: &mut Program) {
         program.cost[RADIUS] = cost;
         program.cone(Criterion::BaseCircle, RADIUS, &[RISE, OFFSET]);
     }
+    limits
 }
 
 /// A size that no cost holds down is held by its limit: one row, at angle 0. What the sequence for a
