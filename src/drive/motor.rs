@@ -57,6 +57,13 @@ impl TorqueLine {
 }
 
 impl Motor {
+    /// Whether its numbers are those of a motor.
+    pub(crate) fn is_sound(&self) -> bool {
+        let numbers = [self.inertia, self.friction, self.gear, self.efficiency];
+        let is_positive = self.gear > 0.0 && self.efficiency > 0.0;
+        numbers.iter().all(|x| x.is_finite() && *x >= 0.0) && is_positive
+    }
+
     /// Torque at the camshaft, N·m, at a speed under a no-load speed, rad/s; its derivatives by both.
     pub fn torque(&self, speed: f64, no_load: f64) -> [f64; 3] {
         match &self.line {

@@ -9,7 +9,7 @@ use super::fixed_point::{Round, settled};
 use super::floor::{Floor, Term, harmonics};
 use super::rigid::touch::FollowerContact;
 use super::shaft::{Cubic, Load, Motion, Node, force, periodic};
-use crate::cam::Follower;
+use crate::cam::{Cam, Follower};
 use crate::drive::{Drive, Motor};
 use crate::error::{DynamicsError, Placed, Result};
 use crate::law::Svaj;
@@ -72,6 +72,51 @@ impl MachineMotion {
             true => 0.0,
             false => Cubic(&self.at_parts).at(self.shaft.phase(angle)[0] / TAU).0,
         }
+    }
+}
+
+/// Drive, motor, floor and friction of a machine.
+#[derive(Clone, Copy)]
+pub struct Parts<'a> {
+    /// The drive.
+    pub drive: Drive,
+    /// The motor.
+    pub motor: Option<&'a Motor>,
+    /// The floor.
+    pub floor: Option<&'a Floor>,
+    /// Coefficient of sliding friction of the follower.
+    pub friction: f64,
+}
+
+impl<'a> Carrier<'a> {
+    /// What carries a cam; a floor asks for the `walker`'s force at equal parts of the period, N.
+    ///
+    /// # Errors
+    /// A motor whose cam has no whole turn, or with numbers that no motor has.
+    pub fn new(
+        cam: &Cam,
+        parts: Parts<'a>,
+        walker: impl FnOnce() -> Vec<f64>,
+        steps: usize,
+    ) -> Result<Self> {
+        if let Some(motor) = parts.motor {
+            if !cam.law.is_closed() || cam.law.extent() != (0.0, TAU) {
+                return Err(DynamicsError::MotorTurns.into());
+            }
+            if parts.drive.speed == 0.0 || !parts.drive.speed.is_finite() || !motor.is_sound() {
+                return Err(DynamicsError::Motor.into());
+            }
+        }
+        let walker = parts.floor.map(|_| harmonics(&walker()));
+        Ok(Carrier {
+            drive: parts.drive,
+            motor: parts.motor,
+            floor: parts.floor,
+            walker: walker.unwrap_or_default(),
+            follower: cam.follower,
+            friction: parts.friction,
+            steps,
+        })
     }
 }
 

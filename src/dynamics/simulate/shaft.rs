@@ -2,12 +2,9 @@
 
 use super::choose::RIGID_ENOUGH;
 use super::prepared::Prepared;
-use crate::drive::Motor;
-use crate::dynamics::floor::harmonics;
-use crate::dynamics::machine_motion::Carrier;
+use crate::dynamics::machine_motion::{Carrier, Parts};
 use crate::dynamics::outcome::Model;
 use crate::dynamics::reason::RunNote;
-use crate::dynamics::recover::Cycle;
 use crate::dynamics::run::Run;
 use crate::dynamics::shaft::forecast;
 use crate::error::{DynamicsError, Result};
@@ -18,32 +15,33 @@ const STEPS: usize = 160;
 const FEW: usize = 32;
 
 /// What carries the cam of a run.
-pub(super) fn carrier<'a>(input: &'a Run, p: &Prepared) -> Carrier<'a> {
+///
+/// # Errors
+/// Those of [`Carrier::new`]; two laws have no steady turn under a motor.
+pub(super) fn carrier<'a>(input: &'a Run, p: &Prepared) -> Result<Carrier<'a>> {
     let machine = &input.machine;
-    let walker = machine.floor.as_ref().map(|_| match &p.target {
-        Some(target) => harmonics(target),
-        None => harmonics(&p.still_forces()),
-    });
-    Carrier {
-        drive: p.drive,
-        motor: machine.motor.as_ref(),
-        floor: machine.floor.as_ref(),
-        walker: walker.unwrap_or_default(),
-        follower: input.cam.follower,
-        friction: machine.friction,
-        steps: STEPS,
+    let motor = machine.motor.as_ref();
+    if motor.is_some() && p.laws.len() > 1 {
+        return Err(DynamicsError::MotorTurns.into());
     }
+    let parts = Parts {
+        drive: p.drive,
+        motor,
+        floor: machine.floor.as_ref(),
+        friction: machine.friction,
+    };
+    let walker = || p.target.clone().unwrap_or_else(|| p.still_forces());
+    Carrier::new(&input.cam, parts, walker, STEPS)
 }
 
 /// Gives shaft and floor their motion; the automatic model has the motor only where it changes the force by more than
 /// [`RIGID_ENOUGH`] of its mean.
 pub(super) fn turn(input: &Run, p: &mut Prepared, model: Model) -> Result<()> {
-    let mut carrier = carrier(input, p);
+    let mut carrier = carrier(input, p)?;
     let lift = p.lift.clone();
     let at = |angle: f64| lift.svaj(angle);
     let mut neglected = None;
     if let Some(motor) = carrier.motor {
-        refuse_unknown(input, p, motor)?;
         let few = Carrier {
             steps: FEW,
             ..carrier.clone()
@@ -78,25 +76,5 @@ pub(super) fn turn(input: &Run, p: &mut Prepared, model: Model) -> Result<()> {
         p.shaft = Some(motion.shaft.clone().at_rows(p.nodes.len()));
     }
     p.machine = Some(motion);
-    Ok(())
-}
-
-/// Refuses what has no steady turn under a motor.
-fn refuse_unknown(input: &Run, p: &Prepared, motor: &Motor) -> Result<()> {
-    if p.cycle != Cycle::TURN || p.laws.len() > 1 {
-        return Err(DynamicsError::MotorTurns.into());
-    }
-    let numbers = [
-        motor.inertia,
-        motor.friction,
-        motor.gear,
-        motor.efficiency,
-        input.drive.speed,
-    ];
-    let sound =
-        numbers.iter().all(|x| x.is_finite()) && motor.inertia >= 0.0 && motor.friction >= 0.0;
-    if !sound || motor.gear <= 0.0 || motor.efficiency <= 0.0 || input.drive.speed == 0.0 {
-        return Err(DynamicsError::Motor.into());
-    }
     Ok(())
 }

@@ -4,11 +4,10 @@ use std::f64::consts::TAU;
 
 use crate::cam::{Cam, LimitKind};
 use crate::drive::Motor;
-use crate::dynamics::floor::harmonics;
-use crate::dynamics::machine_motion::{Carrier, MachineMotion};
+use crate::dynamics::machine_motion::{Carrier, MachineMotion, Parts};
 use crate::dynamics::shaft::{Load, Motion, error_in_time, force, forecast, periodic};
 use crate::dynamics::{Floor, InTime};
-use crate::error::{DynamicsError, Placed, Result};
+use crate::error::{Placed, Result};
 use crate::force::ForceCurve;
 use crate::law::{Law, Svaj};
 use crate::problem::Problem;
@@ -51,27 +50,21 @@ impl<'a> Runner<'a> {
         motor: Option<&'a Motor>,
         floor: Option<&'a Floor>,
     ) -> Result<Self> {
-        let (drive, law) = (problem.drive, &cam.law);
-        let turns = law.is_closed() && law.extent() == (0.0, TAU) && drive.speed > 0.0;
-        if motor.is_some() && !turns {
-            return Err(DynamicsError::MotorTurns.at_key("machine.motor"));
-        }
         let at = |count: usize, curve: &ForceCurve| -> Vec<f64> {
             (0..count)
                 .map(|i| curve.at(TAU * i as f64 / count as f64))
                 .collect()
         };
-        let walker = floor.and(target).map(|curve| harmonics(&at(WALKER, curve)));
+        let parts = Parts {
+            drive: problem.drive,
+            motor,
+            floor: floor.filter(|_| target.is_some()),
+            friction: problem.machine.friction,
+        };
+        let walker = || target.map_or_else(Vec::new, |curve| at(WALKER, curve));
+        let carrier = Carrier::new(cam, parts, walker, STEPS);
         Ok(Runner {
-            carrier: Carrier {
-                drive,
-                motor,
-                floor,
-                walker: walker.unwrap_or_default(),
-                follower: cam.follower,
-                friction: problem.machine.friction,
-                steps: STEPS,
-            },
+            carrier: carrier.map_err(|e| e.at_key("machine.motor"))?,
             target: target.map(|curve| at(ROWS, curve)),
             learned: (0..ROWS).map(|i| problem.learned_force(angle(i))).collect(),
         })
