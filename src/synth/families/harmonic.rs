@@ -48,7 +48,7 @@ pub fn harmonic_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     if !formulation.is_broken_by(&found.coefficients) {
         return Ok(Ok(found));
     }
-    let optimum = match optimum::convex(formulation) {
+    let optimum = match optimum::at_best_angle(formulation) {
         Ok(optimum) => optimum,
         Err(refusal) => return Ok(Err(refusal)),
     };

@@ -1,6 +1,6 @@
-//! From a problem to a law: one file per family, and `choose` for problems that leave the family open.
+//! From a problem to a law, one file per family. Where the family is open the harmonics in closed form answer if they suffice,
+//! and a spline otherwise.
 
-mod choose;
 mod demands;
 mod double_harmonic;
 mod formulation;
@@ -16,10 +16,15 @@ pub use spline::{TELLING, WORTHWHILE, larger, stopped_at_noise};
 
 use super::optimum::Sought;
 use super::search::Search;
+use crate::error::Result;
 use crate::problem::Problem;
-use crate::scene::Family;
+use crate::scene::{Family, Minimise};
+use crate::synth::report::method::PassedOver;
+use crate::synth::report::reason::quantity;
 use crate::synth::report::solver::SolverReport;
-use choose::ClosedForm;
+use crate::synth::sizing::checked_cam::checked_cam;
+use crate::units::Quantity;
+use harmonic::inverted;
 
 /// The law of the problem's family; a spline where the family is open and the closed form does not pass every check.
 pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
@@ -29,7 +34,7 @@ pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
         Family::DoubleHarmonic => return Ok(Ok(double_harmonic::double_harmonic_law(problem)?)),
         Family::Harmonic => return harmonic::harmonic_law(problem, search),
         Family::Spline => None,
-        Family::Auto => match choose::closed_form(problem)? {
+        Family::Auto => match closed_form(problem)? {
             ClosedForm::Passes(law) => return Ok(Ok(*law)),
             ClosedForm::Missed(passed_over) => passed_over,
         },
@@ -42,4 +47,62 @@ pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
         };
         SolvedLaw { solver, ..law }
     }))
+}
+
+/// What the harmonics in closed form come to.
+enum ClosedForm {
+    /// Their cam passes every check: the optimum (theory §1).
+    Passes(Box<SolvedLaw>),
+    /// What they miss; `None` where they cannot be asked.
+    Missed(Option<PassedOver>),
+}
+
+/// The name of the closed form in [`PassedOver`].
+const FAMILY: &str = "inverse-by-harmonics";
+
+/// The harmonics in closed form, or what they miss.
+fn closed_form(problem: &Problem) -> Result<ClosedForm> {
+    if !suits(problem) {
+        return Ok(ClosedForm::Missed(None));
+    }
+    let missed = |miss| Ok(ClosedForm::Missed(Some(miss)));
+    let (family, wanted) = (FAMILY, problem.wanted_error());
+    // In resonance a spline may still have a law: it distributes the force of the missing harmonic.
+    let (law, left_over) = match inverted(problem, problem.law.harmonics, wanted) {
+        Ok(found) => found,
+        Err(fault) => {
+            let fault = fault.to_string();
+            return missed(PassedOver::Fault { family, fault });
+        }
+    };
+    let excess = |error: f64| Quantity::force(error - wanted);
+    if left_over > wanted {
+        let excess = excess(left_over);
+        return missed(PassedOver::Accuracy { family, excess });
+    }
+    let checked = checked_cam(problem, &law.law, law.circle, None)?;
+    // Without a required accuracy the usual one applies.
+    let error = checked.force.rms_error_n;
+    if problem.accuracy.is_none() && error > wanted {
+        let excess = excess(error);
+        return missed(PassedOver::Accuracy { family, excess });
+    }
+    let Some(broken) = checked.broken() else {
+        return Ok(ClosedForm::Passes(Box::new(law)));
+    };
+    let measures = checked.cam.follower.measures();
+    missed(PassedOver::Check {
+        family,
+        value: quantity(measures, broken.name, broken.worst),
+        limit: quantity(measures, broken.name, broken.limit),
+        check: broken.name,
+    })
+}
+
+/// Whether only the force is asked for. Only a spline meets demands and other objectives.
+fn suits(problem: &Problem) -> bool {
+    let law = &problem.law;
+    problem.target.is_some()
+        && problem.objective() == Minimise::ForceError
+        && !(problem.has_demands() || problem.is_weighed() || law.monotone || law.polydyne)
 }
