@@ -2,6 +2,8 @@
 
 use super::*;
 use crate::synth::families;
+use crate::synth::qp::{self, PROVED};
+use crate::synth::report::solver::SolverReport;
 use crate::synth::samples::{FLAT, amplitude, one_wave};
 use crate::units::G;
 
@@ -59,20 +61,27 @@ fn the_bound_over_all_touching_angles_is_the_optimum_of_a_wave() {
         wave.gradient[i] = -0.5 * pull;
     }
     let basis = qp::Basis::Harmonic { count: 1 };
-    let mut program = Program::new(basis, wave, Vec::new(), 0.01);
+    let mut program = Program::new(basis, wave.clone(), Vec::new(), 0.01);
     qp::sizes::declare(&mut program);
     // s + 2 a ≥ −(D + 2 A): of s = A (1 − cos θ) it is least, −2 A, where θ = 0, and A ≤ 0.02 leaves 1 − 0.02/0.05.
     let mut limit = Limit::on(Criterion::BaseCircle, [-1.0, 0.0, 2.0, 0.0, 0.0]).at_most(0.04);
     limit.from_reference = true;
     program.limits.push(limit);
-    let found = touching::at_best_angle(program, Some(1.0)).ok().unwrap();
+    let formulation = Formulation {
+        force: wave.clone(),
+        program,
+        stiffness: Some(1.0),
+        above_base_circle: None,
+        pieces: 2,
+    };
+    let found = at_best_angle(formulation).ok().unwrap();
     let [_, a, b] = found.solution.x[..] else {
         panic!("one wave has three numbers");
     };
     assert!((a.hypot(b) / 0.02 - 1.0).abs() < 1e-6, "{a} {b}");
     // In the direction that the objective draws to.
     assert!((a / b - 0.75).abs() < 1e-3);
-    let value = found.program.merit(&found.solution);
+    let value = found.formulation.program.merit(&found.solution);
     let bound = found.bound.unwrap();
     assert!(bound <= value && value - bound < 1e-6 * value.abs());
 }

@@ -20,6 +20,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::refusal::Refusal;
+use super::solved::{Formulation, Optimum};
 use crate::criterion::Criterion;
 use crate::law::Law;
 use crate::synth::qp::{self, Failure, Program, Row, Solution};
@@ -41,51 +42,63 @@ const NARROWEST: f64 = TAU / 65536.0;
 /// Angles tried where the first leaves no law.
 const TRIED: usize = 12;
 
-/// A solved program with its touching angle.
-pub struct Touching {
-    /// The program at that angle.
-    pub program: Program,
-    /// Its solution.
-    pub solution: Solution,
-    /// The angle, where there was one to choose.
-    pub at: Option<f64>,
-    /// No angle gives an objective below this; `None` where none was to choose or nothing is proved.
-    pub bound: Option<f64>,
+/// The optimum under the convex limits alone, at the touching angle that serves it best; a program that counts no lift from the
+/// base circle is solved as it is.
+///
+/// # Errors
+/// The program without solution.
+pub fn at_best_angle(formulation: Formulation) -> Result<Optimum, Box<Refusal>> {
+    let program = &formulation.program;
+    let (program, solution, at, bound) = if program.limits.iter().any(|l| l.from_reference) {
+        let (best, bound) = searched(program, formulation.stiffness)?;
+        let mut program = program.clone();
+        program.count_from(best.at);
+        (program, best.solution, Some(best.at), bound)
+    } else {
+        match program.solve() {
+            Ok(solution) => (formulation.program, solution, None, None),
+            Err(failure) => return Err(Refusal::of(formulation.program, failure)),
+        }
+    };
+    Ok(Optimum {
+        formulation: Formulation {
+            program,
+            ..formulation
+        },
+        solution,
+        at,
+        bound,
+        sequence: None,
+        left_out: false,
+    })
 }
 
-/// Solves a program at the touching angle that serves it best; one that counts no lift from the base circle as
-/// it is. `stiffness` is α above, where the objective has a square part.
-pub fn at_best_angle(program: Program, stiffness: Option<f64>) -> Result<Touching, Box<Refusal>> {
-    if !program.limits.iter().any(|l| l.from_reference) {
-        return match program.solve() {
-            Ok(solution) => Ok(Touching {
-                program,
-                solution,
-                at: None,
-                bound: None,
-            }),
-            Err(failure) => Err(Refusal::of(program, failure)),
-        };
-    }
+/// The best touching angle, and the objective below which none comes; `stiffness` is α above, where the objective has a square
+/// part.
+fn searched(
+    program: &Program,
+    stiffness: Option<f64>,
+) -> Result<(Node, Option<f64>), Box<Refusal>> {
     // Where the law is lowest without limits is a fair guess; one whose error is limited is near that of the least error.
     let least = program.of_least_rms(Criterion::Accuracy);
-    let first = match qp::solve_equalities(least.as_ref().unwrap_or(&program)) {
+    let first = match qp::solve_equalities(least.as_ref().unwrap_or(program)) {
         Ok(unlimited) => Law::of(&program.basis, &unlimited.x).extremes(0).0.at,
         Err(_) => 0.0,
     };
     let mut search = Search {
-        program,
+        program: program.clone(),
         nodes: Vec::new(),
         programs: 0,
     };
-    let Some(alpha) = stiffness else {
-        search.begin(first)?;
-        search.beside();
-        return Ok(search.finished(None));
-    };
     search.begin(first)?;
-    let bound = search.proved(alpha);
-    Ok(search.finished(bound))
+    let bound = match stiffness {
+        Some(alpha) => search.proved(alpha),
+        None => {
+            search.beside();
+            None
+        }
+    };
+    Ok((search.finished(), bound))
 }
 
 /// A solved touching angle.
@@ -291,22 +304,12 @@ impl Search {
         }
     }
 
-    fn finished(mut self, bound: Option<f64>) -> Touching {
-        let best = self.nodes.swap_remove(self.best());
-        let mut solution = best.solution;
-        solution.iterations += self
-            .nodes
-            .iter()
-            .map(|n| n.solution.iterations)
-            .sum::<usize>();
-        let mut program = self.program;
-        program.count_from(best.at);
-        Touching {
-            program,
-            solution,
-            at: Some(best.at),
-            bound,
-        }
+    /// The best node, with the iterations of all.
+    fn finished(mut self) -> Node {
+        let mut best = self.nodes.swap_remove(self.best());
+        let others = self.nodes.iter().map(|n| n.solution.iterations);
+        best.solution.iterations += others.sum::<usize>();
+        best
     }
 }
 

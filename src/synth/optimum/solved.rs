@@ -1,0 +1,192 @@
+//! A formulation with its solution, and what is proved of it.
+
+use crate::law::Law;
+use crate::problem::Problem;
+use crate::scene::Minimise;
+use crate::synth::qp::{self, Certificate, Limit, PROVED, Program, Quadratic, Solution};
+use crate::synth::report::method::{Ended, Method};
+use crate::synth::report::proof::{self, Doubt};
+use crate::synth::report::solver::{SolverReport, Step, Tier};
+
+/// Relative rounding of a lower bound of the force error.
+const BOUND_ROUNDING: f64 = 1e-6;
+
+/// The last law of a sequence, its steps and why no more were taken.
+pub type Refined = (Solution, Vec<Step>, Ended);
+
+/// The convex program of a problem over the functions of a family, with what its solution needs beside it.
+#[derive(Clone)]
+pub struct Formulation {
+    /// Demands, objective and convex limits.
+    pub program: Program,
+    /// Half the mean square of the force error.
+    pub force: Quadratic,
+    /// α: the square part of the objective is at least ½ α mean(s″²); `None` where it has none.
+    pub stiffness: Option<f64>,
+    /// s ≥ 0, where the law has to stay above its base circle.
+    pub above_base_circle: Option<Limit>,
+    /// Spans, or half waves of the highest harmonic: contacts nearer than half of one are one contact.
+    pub pieces: usize,
+}
+
+impl Formulation {
+    /// Whether a law with these coefficients breaks a limit, its lowest point standing on the base circle where nothing
+    /// else fixes the level.
+    pub fn is_broken_by(&self, coefficients: &[f64]) -> bool {
+        let program = &self.program;
+        if program.limits.is_empty() && program.rms.is_empty() {
+            return false;
+        }
+        let mut x = coefficients.to_vec();
+        if program.constant_is_free() {
+            x[0] -= Law::of(&program.basis, &x).extremes(0).0.value;
+        }
+        let misses = program.rms.iter().any(|limit| limit.excess(&x) > 0.0);
+        misses || !program.broken(&x, &program.windows(&x)).is_empty()
+    }
+}
+
+/// The best law found for a formulation.
+pub struct Optimum {
+    /// The formulation, at the touching angle.
+    pub formulation: Formulation,
+    /// The solution of its program, or the last one of the sequence.
+    pub solution: Solution,
+    /// The touching angle, where there was one to choose.
+    pub at: Option<f64>,
+    /// No touching angle gives an objective below this; `None` where none was to choose or nothing is proved.
+    pub bound: Option<f64>,
+    /// The sequence of convex programs, where one was needed.
+    pub sequence: Option<Sequence>,
+    /// Limits that are not convex and that no law was found to keep.
+    pub left_out: bool,
+}
+
+/// How a sequence of convex programs went.
+pub struct Sequence {
+    /// Its steps.
+    steps: Vec<Step>,
+    /// Why no more were taken.
+    ended: Ended,
+    /// Lower bound of the objective from the convex limits.
+    least: Option<f64>,
+}
+
+impl Optimum {
+    /// The law.
+    pub fn law(&self) -> Law {
+        Law::of(&self.formulation.program.basis, &self.solution.x)
+    }
+
+    /// RMS force error of the law, N.
+    pub fn force_error(&self) -> f64 {
+        self.formulation.force.root(&self.solution.x)
+    }
+
+    /// The report of a method with its certificate.
+    pub fn proved(&self, report: SolverReport) -> SolverReport {
+        let (certificate, doubt) = self.evidence();
+        let doubt = doubt.or_else(|| proof::doubt(&certificate));
+        SolverReport {
+            certified: doubt.is_none(),
+            doubt,
+            certificate: Some(certificate),
+            ..report
+        }
+    }
+
+    /// The certificate of the law, and what else keeps it from being a proof.
+    fn evidence(&self) -> (Certificate, Option<Doubt>) {
+        let Some(sequence) = &self.sequence else {
+            let (certificate, doubt) = self.of_convex();
+            let left_out = self.left_out.then_some(Doubt::LeftOut);
+            return (certificate, doubt.or(left_out));
+        };
+        let program = &self.formulation.program;
+        let mut evidence = qp::certificate(program, &self.solution);
+        let merit = program.merit(&self.solution);
+        evidence.bounded_by(sequence.least.map(|least| merit - least));
+        // Where the limits that are not convex cost nothing, no law that keeps the others is better.
+        let is_global = evidence.global_gap.is_some_and(|gap| gap <= PROVED);
+        (evidence, (!is_global).then_some(Doubt::Local))
+    }
+
+    /// The same of the convex program alone, over all touching angles.
+    fn of_convex(&self) -> (Certificate, Option<Doubt>) {
+        let program = &self.formulation.program;
+        let mut evidence = qp::certificate(program, &self.solution);
+        match (self.bound, self.at) {
+            (Some(bound), _) => evidence.widen(program.merit(&self.solution) - bound),
+            (None, Some(_)) => {
+                // The multipliers speak of laws that touch at this angle.
+                evidence.bounded_by(None);
+                return (evidence, Some(Doubt::TouchingAngle));
+            }
+            (None, None) => (),
+        }
+        (evidence, None)
+    }
+
+    /// A lower bound of the objective over all laws that keep the convex limits, where one is known.
+    fn least(&self) -> Option<f64> {
+        let (evidence, doubt) = self.of_convex();
+        let value = self.formulation.program.merit(&self.solution);
+        doubt.is_none().then_some(value - evidence.duality_gap)
+    }
+
+    /// Whether the multipliers prove that no law which keeps the convex limits reaches the accuracy (theory §8): then a
+    /// sequence of convex programs is of no use. With an open number of spans more of them may reach it.
+    pub fn misses_accuracy(&self, problem: &Problem) -> bool {
+        let is_objective = problem.law.spans.is_some()
+            && problem.objective() == Minimise::ForceError
+            && !problem.is_weighed();
+        let allowed = problem.allowed_error().filter(|_| is_objective);
+        (allowed.zip(self.least())).is_some_and(|(most, least)| {
+            (2.0 * least).max(0.0).sqrt() > (1.0 + BOUND_ROUNDING) * most
+        })
+    }
+
+    /// Which tier answered, how, and what is proved.
+    pub fn report(&self) -> SolverReport {
+        let solution = &self.solution;
+        let violation = solution.violation;
+        let (tier, method) = match &self.sequence {
+            Some(Sequence { steps, ended, .. }) => {
+                let method = Method::Sequence {
+                    programs: steps.len() + 1,
+                    ended: *ended,
+                    violation,
+                };
+                (Tier::Scp, method)
+            }
+            None if !solution.used_rows => (Tier::Equality, Method::NoLimitActive),
+            None => {
+                let rounds = solution.rounds;
+                let cone = !self.formulation.program.cones.is_empty();
+                let tier = if cone { Tier::Socp } else { Tier::Qp };
+                (tier, Method::Exchange { rounds, violation })
+            }
+        };
+        let iterations = match tier {
+            Tier::Equality => 0,
+            _ => solution.iterations,
+        };
+        let steps = self.sequence.as_ref().map(|s| s.steps.clone());
+        self.proved(SolverReport {
+            steps: steps.unwrap_or_default(),
+            ..SolverReport::of(tier, method, iterations)
+        })
+    }
+
+    /// Takes the last law of a sequence in place of the convex optimum.
+    pub fn ended_by(&mut self, program: Program, (refined, steps, ended): Refined) {
+        let least = self.least();
+        self.sequence = Some(Sequence {
+            steps,
+            ended,
+            least,
+        });
+        self.formulation.program = program;
+        self.solution = refined;
+    }
+}
