@@ -2,10 +2,11 @@
 
 use super::at_size::AtSize;
 use super::linearised::{Room, contacts, least_of, linearised, restricted};
+use super::steps::descended;
 use super::trial::{ROOM, blend, solved};
 use crate::cam::LimitKind;
 use crate::synth::limits::Profile;
-use crate::synth::qp::{PEAK, Program, Quadratic, SIZES, Solution, sizes};
+use crate::synth::qp::{PEAK, Program, Quadratic, SIZES, Solution, Values, sizes, smoothing};
 
 /// Steps of the tightening, linearisations per step, and the smallest step.
 const TIGHTENINGS: usize = 40;
@@ -18,6 +19,21 @@ const PATIENCE: usize = 4;
 const HEAVY: f64 = 1e3;
 /// Parts of a step that are looked at.
 const PARTS: [f64; 4] = [1.0, 0.7, 0.4, 0.15];
+
+/// The best feasible point that the `starts` lead to; they keep the convex limits, except those on the size.
+pub fn best(program: &Program, starts: &[Solution], at_size: &AtSize) -> Option<Solution> {
+    let each = starts.iter();
+    let each = each.filter_map(|start| feasible(program, start, at_size));
+    let best = each.min_by(|a, b| program.merit(a).total_cmp(&program.merit(b)));
+    best.or_else(|| {
+        let last = starts.last()?;
+        if sizes::keep(program, &last.extra) {
+            tightened(program, last, at_size)
+        } else {
+            shrunk(program, last, at_size)
+        }
+    })
+}
 
 /// The start itself where it holds; otherwise the optimum under the sufficient restriction, tightened
 /// about its own X a few times. Followers on an arm have no such restriction: there the linearised limits
@@ -159,4 +175,26 @@ fn nearest_to(program: &Program, before: &Solution) -> Program {
     (near.hessian, near.gradient) = (distance.hessian, distance.gradient);
     near.constant = 0.0;
     near
+}
+
+/// A start by shrinking a cam that is larger than allowed: on the way to the smallest one, until it is small enough.
+pub fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<Solution> {
+    let smallest = of_least_size(program, &large.extra);
+    let convex = solved(&smallest);
+    let start = (convex.iter().chain([large]))
+        .find_map(|from| feasible(&smallest, from, at_size))
+        .or_else(|| tightened(&smallest, large, at_size))?;
+    let small = |s: &Solution| sizes::keep(program, &s.extra);
+    let (mut found, ..) = descended(&smallest, start, at_size, small);
+    found.active.clear();
+    found.extra[PEAK] = program.own_peak(&found.x, &found.extra);
+    small(&found).then_some(found)
+}
+
+/// The program of the smallest cam that keeps the limits, those on its size left out where these sizes exceed them.
+pub fn of_least_size(program: &Program, large: &Values) -> Program {
+    let mut smooth = Quadratic::zero(&program.basis);
+    smooth.add_energy(&program.basis, 3, smoothing(program.length, program.length));
+    let smallest = program.clone().minimising(smooth);
+    sizes::priced(&smallest, large, 1.0)
 }

@@ -4,14 +4,19 @@
 //! largest at w = D² − A², where its radius is √(D² − A²). So a radius of ρ allows A² ≤ D² − ρ², and the clearance h/w is
 //! smallest at w³ = ρ²(D² − A²)², where it is 3/2 (((D² − A²)/ρ²)^{1/3} − 1).
 
-use super::linearised::restricted;
+use super::linearised::{NEARLY, Room, linearised, restricted};
+use super::start::shrunk;
+use super::steps::*;
+use super::trial::{ROOM, blend, solved};
 use super::*;
-use crate::cam::Criterion;
+use crate::cam::{Criterion, LimitKind};
 use crate::halt::Halt;
 use crate::law::Law;
 use crate::poly::SplineSpace;
 use crate::synth::limits::{Profile, ProfileSize};
-use crate::synth::qp::{Basis, Demand, Equality, Limit, OFFSET, apply};
+use crate::synth::qp::{
+    Basis, Demand, Equality, Limit, OFFSET, Quadratic, RADIUS, RISE, Row, Values, apply, sizes,
+};
 use std::f64::consts::{PI, TAU};
 
 /// D, ρ and the greatest A, m.
