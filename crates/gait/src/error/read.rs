@@ -43,6 +43,10 @@ pub enum ReadError {
     SingleSensors { sensors: usize },
     /// A long table of cycles over their phase, one for each subject, task and step, without a clock.
     LongTable { cycles: usize },
+    /// A long table of cycles of several movements.
+    LongTasks { tasks: Vec<String> },
+    /// A long table with several vertical forces.
+    LongForces { columns: Vec<String> },
     /// The file names no columns and none resembles a vertical force.
     NamelessColumns,
     /// No column of this name.

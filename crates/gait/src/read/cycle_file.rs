@@ -10,8 +10,8 @@ use super::columns::words;
 use super::critical_points::{critical, through};
 use super::keys;
 use super::text::{
-    ForceColumn, Lines, Position, Samples, Table, TextFile, check_unit, choose, next_table, plain,
-    refuse_long_table, text,
+    ForceColumn, Lines, LongTable, Position, Samples, Table, TextFile, check_unit, choose,
+    next_table, plain, text,
 };
 use super::timebase::polyline;
 use crate::curve::{ForceCurve, SAMPLES};
@@ -42,13 +42,22 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     let Some(kind) = said.or(asked.then_some(Kind::Cycle)) else {
         return Ok(None);
     };
-    refuse_long_table(path, bytes)?;
     let file = &TextFile::new(path, bytes, options);
-    let table = next_table(bytes, file.delimiters, Position::START)
-        .ok_or_else(|| ReadError::CycleWithoutTable.in_file(path))?;
+    let long = LongTable::of(path, bytes, options);
+    let (table, (mut samples, time_unit), cycles) = match &long {
+        Some(long) => {
+            let (samples, cycles) = long.mean()?;
+            (long.table().clone(), (samples, None), cycles)
+        }
+        None => {
+            let table = next_table(bytes, file.delimiters, Position::START)
+                .ok_or_else(|| ReadError::CycleWithoutTable.in_file(path))?;
+            let samples = samples(file, &table)?;
+            (table, samples, 1)
+        }
+    };
     let keys = keys::read(&comments, file.delimiters.comma);
     let mass_kg = options.mass_kg.or(keys.mass_kg);
-    let (mut samples, time_unit) = samples(file, &table)?;
     let factor = newtons(file, &table, &samples, mass_kg)?;
     for x in samples.forces.iter_mut().flat_map(|f| &mut f.values) {
         *x *= factor;
@@ -68,6 +77,10 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     }
     let name = path.file_name().and_then(|n| n.to_str());
     let name = name.unwrap_or("cycle");
+    let name = &match cycles {
+        1 => name.to_string(),
+        _ => format!("{name}, {cycles} cycles"),
+    };
     let place = |e: Error| e.in_file(path);
     let mut curve = match kind {
         Kind::CriticalPoints => critical(name, &times, &force, period),

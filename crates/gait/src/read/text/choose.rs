@@ -241,7 +241,7 @@ fn named_by_side(table: &Table) -> Vec<ForceColumn> {
 }
 
 /// A column by name (case does not matter) or by number from 1; without a header by number.
-fn column(file: &TextFile, table: &Table, stated: &str) -> Result<usize> {
+pub(super) fn column(file: &TextFile, table: &Table, stated: &str) -> Result<usize> {
     let plain = |s: &str| s.trim().to_lowercase();
     let names = &table.names;
     let count = match names.len() {

@@ -29,7 +29,7 @@ pub(super) use choose::{ForceColumn, choose};
 pub(super) use delimited::{Lines, Position, TextFile, plain, text};
 pub(super) use header::Table;
 pub use layouts::{PlateFile, joined_plates, metadata_name, parts, plate_of};
-pub(super) use long_table::refuse as refuse_long_table;
+pub(super) use long_table::LongTable;
 pub use number_table::{Cell, NumberTable};
 pub(super) use samples::Samples;
 pub(super) use table::next_table;
@@ -38,7 +38,9 @@ pub(super) use units::check_unit;
 /// Reads a delimited text; the first table with a force column counts.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     let bytes = &*plain(bytes);
-    long_table::refuse(path, bytes)?;
+    if let Some(long) = LongTable::of(path, bytes, options) {
+        return Err(long.refusal());
+    }
     let file = &TextFile::new(path, bytes, options);
     let mut from = Position::START;
     let mut head: Vec<String> = Vec::new();

@@ -34,8 +34,12 @@ read-single-sensors = the { $sensors } numbered columns are readings of single s
 read-long-table = a long table of { $cycles ->
         [one] one cycle
        *[other] { $cycles } cycles
-    } over their phase, one for each subject, task and step, has no clock and is not read as a recording
-    .help = save the phase and force columns of one subject, task and step, without the words, as a table of its own, and give it with the duration of the cycle, the phase column, the force column and the mass (options period, time, force and mass)
+    } over their phase, one for each subject, task and step, has no clock
+    .help = give the duration of the cycle (option period): the mean of the cycles is read. Forces in body weights also need the mass (option mass)
+read-long-tasks = the cycles of this table are of several tasks: { $tasks }
+    .help = keep the rows of one task
+read-long-forces = the table has several vertical forces: { $columns }
+    .help = name the one that is meant (option force)
 read-nameless-columns = the columns have no names, and none resembles a vertical force
     .help = give the number of the force column (option force), and of the time column where there is one (option time)
 read-no-column = no column "{ $column }"

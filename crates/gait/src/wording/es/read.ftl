@@ -34,8 +34,12 @@ read-single-sensors = las { $sensors } columnas numeradas son lecturas de sensor
 read-long-table = una tabla larga de { $cycles ->
         [one] un ciclo
        *[other] { $cycles } ciclos
-    } según su fase, uno por sujeto, tarea y paso, no tiene reloj y no se lee como registro
-    .help = guarde las columnas de fase y de fuerza de un sujeto, una tarea y un paso, sin las palabras, en una tabla propia, y dela con la duración del ciclo, la columna de fase, la de fuerza y la masa (opciones period, time, force y mass)
+    } según su fase, uno por sujeto, tarea y paso, no tiene reloj
+    .help = indique la duración del ciclo (opción period): se lee la media de los ciclos. Las fuerzas en pesos corporales necesitan también la masa (opción mass)
+read-long-tasks = los ciclos de esta tabla son de varias tareas: { $tasks }
+    .help = conserve las filas de una sola tarea
+read-long-forces = la tabla tiene varias fuerzas verticales: { $columns }
+    .help = nombre la que corresponde (opción force)
 read-nameless-columns = las columnas no tienen nombre y ninguna se parece a una fuerza vertical
     .help = indique el número de la columna de fuerza (opción force), y el de la columna de tiempo si la hay (opción time)
 read-no-column = no hay ninguna columna «{ $column }»
