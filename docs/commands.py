@@ -17,7 +17,7 @@ Each page has a temporary folder with copies of scenes/ and data/, in which its 
 - `csv` is written to the file that the line before names, `NAME.csv`: in backquotes;
 - `toml` that begins with the comment `# NAME.toml` is written to that file; any other is set, key by key, in the scene
   written last (else in the built-in footbridge), which must then be designed with exit code 0 or 3;
-- `rust`: stands in a file of examples/, which the tests run, or in the README, which is a documentation test;
+- `rust`: stands in a file of examples/ or in docs/guide/rust.md, which the tests run;
 - `python`: the blocks of a page are one program, run by INTERPRETER, in which the package of python/ is installed;
   without --python it is only compiled. Pages below docs/guia/ are run in Spanish.
 """
@@ -149,7 +149,7 @@ class Page:
 
     def rust(self, block):
         same = any(block.strip() in example.read_text(encoding="utf-8") for example in (ROOT / "examples").glob("*.rs"))
-        return None if same or self.path.name == "README.md" else "not in any file of examples/"
+        return None if same or self.path.name == "rust.md" else "not in any file of examples/"
 
     def python(self, block):
         self.program += block

@@ -3,10 +3,12 @@
 
     python3 docs/pictures.py target/release/gaitcam            # --check: compares instead, and fails where one is old
 
-Nothing is drawn here: every SVG is a file that gaitcam wrote, or a diagram of its report. The picture of the studio is
-a screenshot; it is taken where Playwright and Chromium are installed (CHROMIUM names the browser).
+Every SVG is a file that gaitcam wrote, a diagram of its report, or the moving drawing of its report with the force beside
+it. The picture of the studio is a screenshot; it is taken where Playwright and Chromium are installed (CHROMIUM names the
+browser).
 """
 
+import json
 import os
 import re
 import shutil
@@ -18,9 +20,14 @@ from pathlib import Path
 from commands import ROOT, Page
 
 TARGET = ROOT / "docs" / "pictures"
-# Page and, where there is one, its Spanish translation; picture and the file it is, `FILE.html#ID` for a diagram in it.
+# Page and, where there is one, its Spanish translation; picture and the file it is, `FILE.html#ID` for a diagram in it,
+# `FILE.html#motion` for the cam in motion.
 PICTURES = {
-    ("first-cam", "primera-leva"): {"cam": "out/footbridge/cam.svg", "force": "out/footbridge/force.svg"},
+    ("first-cam", "primera-leva"): {
+        "cam": "out/footbridge/cam.svg",
+        "force": "out/footbridge/force.svg",
+        "motion": "out/footbridge/report.html#motion",
+    },
     ("recording", "registro"): {"stances": "walk.svg"},
     ("heel-tester", "tacones"): {"force": "out/heel_tester_fitted/force.svg", "svaj": "out/heel_tester/svaj.svg"},
     ("footbridge-shaker", "pasarela"): {
@@ -52,10 +59,59 @@ def diagram(report, name):
     return re.sub(r"^<svg ([^>]*>)", rf'{start}\1{style}<rect width="{width}" height="{height}" fill="#fff"/>', svg)
 
 
+# Seconds of a turn in the moving picture, and moments of it that are given.
+TURN, MOMENTS = 4, 72
+
+
+def moving(kind, values):
+    """A change of place or size over a turn, without end."""
+    return (f'<animateTransform attributeName="transform" type="{kind}" values="{";".join(values)}" '
+            f'dur="{TURN}s" repeatCount="indefinite"/>')
+
+
+def motion(report):
+    """The moving drawing of a report beside the force over the turn, as a picture that moves by itself."""
+    data = json.loads(re.search(r'<script type="application/json" id="motion">(.*?)</script>', report, re.S).group(1))
+    drawing = re.search(r'<svg (viewBox="\S+ \S+ \S+ \S+")[^>]*>(?=<g transform="scale\(1 -1\)">\n<g id="cam-turning">)(.*?)</svg>',
+                        report, re.S)
+    view, parts = drawing.groups()
+    steps = len(data["f"]) - 1
+    moments = [round(steps * k / MOMENTS) for k in range(MOMENTS + 1)]
+    most = max(data["f"])
+    places = {"cam-follower": ("px", "py"), "cam-push": ("cx", "cy"), "cam-contact": ("cx", "cy")}
+    parts = parts.replace('<g id="cam-turning">', '<g id="cam-turning">' + moving("rotate", ["0", "360"]), 1)
+    for part, (x, y) in places.items():
+        path = [f"{data[x][i]:.2f} {data[y][i]:.2f}" for i in moments]
+        first, moves = f' transform="translate({path[0]})">', moving("translate", path)
+        parts = re.sub(rf'(<g id="{part}"[^>]*)>', lambda tag: tag.group(1) + first + moves, parts, count=1)
+        parts = re.sub(rf'(<circle id="{part}"[^>]*)/>', lambda tag: tag.group(1) + first + moves + "</circle>", parts, count=1)
+    reach = float(re.search(r'data-reach="([\d.]+)"', parts).group(1))
+    sizes = [f"{reach * data['f'][i] / most:.2f}" for i in moments]
+    arrow = re.search(r'<path d="M0 0H1M[^>]*/>', parts).group()
+    line = arrow.replace('stroke-width="2.4"', 'stroke-width="1.6" vector-effect="non-scaling-stroke"')
+    parts = parts.replace(arrow, f'<g transform="rotate(90)"><g transform="scale({sizes[0]})">{moving("scale", sizes)}{line}</g></g>')
+    # The force over the turn: 400 points wide, from 0 to its maximum.
+    across, up = lambda i: 340 + 440 * i / steps, lambda f: 300 - 250 * f / most
+    curve = "M" + "L".join(f"{across(i):.1f} {up(f):.1f}" for i, f in enumerate(data["f"]))
+    along = [f"{across(i):.1f} {up(data['f'][i]):.1f}" for i in moments]
+    ticks = "".join(f'<text x="{across(steps * k / 4):.0f}" y="322" text-anchor="middle">{90 * k}°</text>' for k in range(5))
+    levels = "".join(
+        f'<path d="M340 {up(f):.1f}H780" stroke="var(--grid)"/>'
+        f'<text x="332" y="{up(f) + 5:.1f}" text-anchor="end">{f}</text>' for f in range(0, int(most) + 1, 200))
+    colours = re.search(r":root \{(.*?)color-scheme", report, re.S).group(1)
+    picture = (
+        '<svg xmlns="http://www.w3.org/2000/svg" width="800" height="340" viewBox="0 0 800 340" font-size="14">'
+        f'<style>svg {{ {" ".join(colours.split())} font-family: sans-serif }} text {{ fill: var(--quiet) }}</style>'
+        f'<rect width="800" height="340" fill="#fff"/><svg {view} x="10" y="10" width="280" height="320" fill="none">{parts}</svg>'
+        f'{levels}{ticks}<text x="340" y="24">F, N</text><path d="{curve}" fill="none" stroke="var(--blue)" stroke-width="2.5"/>'
+        f'<circle r="6" fill="var(--red)" transform="translate({along[0]})">{moving("translate", along)}</circle></svg>\n')
+    return re.sub(r"var\(--(\w+)\)", lambda name: re.search(rf"--{name.group(1)}: (#\w+)", colours).group(1), picture)
+
+
 def content(folder, source):
     file, _, name = source.partition("#")
     text = (folder / file).read_text(encoding="utf-8")
-    text = diagram(text, name) if name else text
+    text = motion(text) if name == "motion" else diagram(text, name) if name else text
     assert len(text.encode()) <= LARGEST, f"{source}: {len(text.encode())} bytes"
     return text
 

@@ -1,15 +1,14 @@
-//! The program of the README in a crate that depends on `gaitcam` alone.
+//! The program of the page on Rust in a crate that depends on `gaitcam` alone.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::SystemTime;
 
-const README: &str = include_str!("../../README.md");
+const PAGE: &str = include_str!("../../docs/guide/rust.md");
 
-/// The first block of a kind after a heading.
-fn block(heading: &str, kind: &str) -> &'static str {
-    let section = README.split_once(heading).expect("the heading").1;
-    let text = section
+/// The first block of a kind.
+fn block(kind: &str) -> &'static str {
+    let text = PAGE
         .split_once(&format!("```{kind}\n"))
         .expect("a block")
         .1;
@@ -41,8 +40,8 @@ fn library(folder: &Path) -> PathBuf {
 }
 
 #[test]
-fn the_program_of_the_readme_needs_no_other_crate() {
-    let manifest: toml::Table = block("## From Rust", "toml").parse().unwrap();
+fn the_program_of_the_page_needs_no_other_crate() {
+    let manifest: toml::Table = block("toml").parse().unwrap();
     let dependencies = manifest["dependencies"].as_table().unwrap();
     assert_eq!(dependencies.keys().collect::<Vec<_>>(), ["gaitcam"]);
 
@@ -50,7 +49,7 @@ fn the_program_of_the_readme_needs_no_other_crate() {
     let libraries = test.parent().unwrap();
     let folder = tempfile::tempdir().unwrap();
     let (source, program) = (folder.path().join("main.rs"), folder.path().join("main"));
-    std::fs::write(&source, block("## From Rust", "rust")).unwrap();
+    std::fs::write(&source, block("rust")).unwrap();
     // What cargo does for such a crate: `gaitcam` by its name, what it depends on only through it.
     let built = Command::new(std::env::var("RUSTC").unwrap_or("rustc".to_string()))
         .args(["--edition", "2024", "-o"])
