@@ -7,7 +7,7 @@
 //! until the true h holds all around: every limit that is convex holds along the whole step.
 //! A whole step that breaks h is linearised once more about its own end (Newton's method on the contacts), and cut
 //! short only where that does not mend it.
-//! The first steps use the restriction a ≥ X − X²/ρ with X² ≥ 2X₀X − X₀², which is sufficient for X ≥ 4ρ/3
+//! The first steps use the restriction a ≥ X − X²/ρ with X² ≥ 2X₀X − X₀², which is sufficient for X ≥ 4ρ/3 and e = 0
 //! and needs no trust in the linearisation. Followers on an arm go the same way with the h of their own
 //! geometry. A concave profile needs no row: its radius is the pitch curve's plus the roller's, so the
 //! roller always fits.
