@@ -39,9 +39,9 @@ dynamics-held-by-pair = a conjugate pair guides the follower on both sides: cont
 dynamics-not-one-turn = the contact model needs a cam that turns once per cycle
     .help = use the rigid model: its minimum contact force shows whether a translating cam keeps contact
 dynamics-motor = inertia and friction of the motor's shaft must not be negative, gear and efficiency positive, and the speed of the shaft not 0
-dynamics-motor-turns = a motor turns one cam whose law is one turn
+dynamics-motor-turns = a motor can only turn one cam whose law spans one turn
     .help = omit machine.motor or the second cam
-dynamics-stalls = the shaft does not keep turning: its inertia of { $inertia } carries it not over the hardest part of the turn
+dynamics-stalls = the shaft does not keep turning: its inertia of { $inertia } is too small to carry it past the maximum load
     .help = set machine.inertia = "{ $needed }" or more, or a steeper torque line
 dynamics-stalls-anyway = the shaft does not keep turning with any inertia: the torque line of the motor is too weak for the load
     .help = give a steeper torque line (machine.motor.slope, machine.motor.stall_torque)

@@ -28,9 +28,9 @@ write-too-sharp = the profile is too sharp for a smooth spline
     .help = set limits.curvature so that the profile has no cusp
 write-ecam-intervals = { $asked } points are too few or too many for this controller
     .help = give { $least } to { $most }, or leave --points out
-write-ecam-points = { $points } points make { $dialect } miss the force by { $error } of the mean RMS (at most { $allowed })
+write-ecam-points = with { $points } points the force error of { $dialect } is { $error } of the mean RMS (maximum { $allowed })
     .help = give --points { $better } ({ $to }), or leave it out
-write-ecam-law = { $dialect } misses the force by { $error } of the mean RMS (at most { $allowed }) at its best, with { $points } points
+write-ecam-law = the smallest force error of { $dialect } is { $error } of the mean RMS, with { $points } points (maximum { $allowed })
     .help = choose codesys, twincat or segments, or a law whose acceleration does not jump
-write-ecam-of-motor = the law is made for a shaft whose speed its motor lets vary; the master of an electronic cam turns evenly
+write-ecam-of-motor = the law is designed for a shaft of varying speed; the master of an electronic cam turns at constant speed
     .help = set law.shaft = "constant"

@@ -5,11 +5,11 @@ cam-not-positive = valor no válido de { $length ->
         [pivot-distance] distancia al pivote
         [arm] longitud del brazo
         [base-height] altura base
-        [barrel-radius] radio del tambor
+        [barrel-radius] radio de la leva cilíndrica
        *[prime-radius] radio primario
     }: { $value }
     .help = { $length ->
-        [roller-radius] debe ser mayor que 0 (0: seguidor de cuña)
+        [roller-radius] debe ser mayor que 0 (0: seguidor puntual)
        *[other] debe ser mayor que 0
     }
 cam-not-finite = { $length ->

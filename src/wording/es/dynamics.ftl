@@ -39,9 +39,9 @@ dynamics-held-by-pair = un par conjugado guía el seguidor por ambos lados: no p
 dynamics-not-one-turn = el modelo de contacto necesita una leva que gire una vuelta por ciclo
     .help = use el modelo rígido: su fuerza de contacto mínima indica si una leva de traslación mantiene el contacto
 dynamics-motor = inercia y rozamiento del eje del motor no deben ser negativos, reductor y rendimiento positivos y la velocidad del eje distinta de 0
-dynamics-motor-turns = un motor gira una sola leva cuya ley es una vuelta
+dynamics-motor-turns = un motor solo puede accionar una leva cuya ley abarque una vuelta
     .help = omita machine.motor o la segunda leva
-dynamics-stalls = el eje no sigue girando: su inercia de { $inertia } no lo lleva por la parte más dura de la vuelta
+dynamics-stalls = el eje no sigue girando: su inercia de { $inertia } no basta para superar la carga máxima
     .help = ponga machine.inertia = "{ $needed }" o más, o una recta de par más inclinada
 dynamics-stalls-anyway = el eje no sigue girando con ninguna inercia: la recta de par del motor es demasiado débil para la carga
     .help = dé una recta de par más inclinada (machine.motor.slope, machine.motor.stall_torque)
@@ -63,7 +63,7 @@ dynamics-polydyne-jump = la { $derivative ->
         [jerk] sobreaceleración
        *[other] cuarta derivada
     } de la ley es discontinua en { $at }; la elevación de una leva polidina contiene la fuerza, de modo que la aceleración de la propia leva sería discontinua ahí
-    .help = use una ley con cuatro derivadas continuas: un spline de grado 5 o mayor, armónicos o segmentos 5-6-7-8-9
+    .help = use una ley con cuatro derivadas continuas: una spline de grado 5 o mayor, armónicos o segmentos 5-6-7-8-9
 
 # Por qué se eligió un modelo.
 model-asked-for = elegido

@@ -35,7 +35,7 @@ law-no-condition = un polinomio necesita al menos una condición
 law-interval = intervalo no válido de un polinomio: de { $start } a { $end } rad
     .help = el inicio debe ser menor que el final
 law-many-conditions = { $conditions } condiciones requieren un polinomio de grado { $degree }
-    .help = como máximo se resuelven con precisión { $most }; un spline admite cualquier número de puntos
+    .help = como máximo se resuelven con precisión { $most }; una spline admite cualquier número de puntos
 law-condition-not-finite = la condición { $condition } no es un número finito
     .help = dé su ángulo y su valor en números
 law-condition-outside = la condición { $condition } está en { $at }, fuera de { $start } … { $end }
@@ -75,7 +75,7 @@ law-table-order = { $table }: la fila { $row } tiene x = { $x } después de { $b
     .help = x debe aumentar de fila en fila
 law-table-level = { $table }: termina en su elevación inicial
     .help = un movimiento va de una elevación a otra: divida la tabla por su punto más alto
-law-table-spacing = { $table }: las filas están demasiado desigualmente espaciadas para un spline
+law-table-spacing = { $table }: las filas están demasiado desigualmente espaciadas para una spline
     .help = espácielas con más regularidad
 
 # Lo que puede estar junto al extremo de una ley.

@@ -3,14 +3,14 @@
 # Seguidores.
 name-flat-translating = seguidor de traslación de cara plana
 name-roller-translating = seguidor de traslación de rodillo
-name-knife-translating = seguidor de traslación de cuña
+name-knife-translating = seguidor puntual de traslación
 name-mushroom-translating = seguidor de traslación de hongo
 name-roller-oscillating = seguidor oscilante de rodillo
-name-knife-oscillating = seguidor oscilante de cuña
+name-knife-oscillating = seguidor puntual oscilante
 name-mushroom-oscillating = seguidor oscilante de hongo
 name-flat-oscillating = seguidor oscilante de cara plana
 name-translating-cam = rodillo sobre leva de traslación
-name-barrel = rodillo en leva de tambor
+name-barrel = rodillo en leva cilíndrica
 
 # Accionamientos.
 name-moving-axis = eje móvil

@@ -39,7 +39,7 @@ cli-no-model = "{ $typed }" no es un modelo
     .help = escriba auto, rigid, flexible o contact
 cli-speeds = { $typed } no es un intervalo de velocidades
     .help = escriba la primera, la última y el número de velocidades, de 2 a { $most }: --speeds '1.4 Hz:2.3 Hz:10'
-cli-cam-is-made = la leva de un resultado ya está hecha: { $key } diseñaría otra
+cli-cam-is-made = el perfil de este resultado está terminado: cambiar { $key } exige un diseño nuevo
     .help = dé solo claves de drive y machine, o diseñe la otra leva con gaitcam synth SUMMARY.json --set …
 cli-broken-table = { $fault }
     .help = escríbala de nuevo con gaitcam synth
@@ -176,7 +176,7 @@ synth-relaxing = { $limit } un 1 % hasta { $to }: { $name } { $after } { $unit }
 synth-solved = nivel { $tier }, { $solve } ms de { $total } ms: { $status }
 synth-uncertified = no se certifica como óptimo: { $why }
 synth-optimum = brecha de dualidad relativa { $gap }, residuo KKT { $kkt }, violación de restricciones { $violation }
-synth-no-sequence = ninguna: bastó con un programa convexo o menos
+synth-no-sequence = no hizo falta ninguna
 synth-sequence = { $count } programas convexos
 synth-step-head = paso radio primario           objetivo    holgura relativa      longitud
 synth-ended = detenida: { $why }
@@ -254,7 +254,7 @@ scatter-tolerance = tolerancia
 # front.
 front-none-built = { $file }: no se construyó ningún diseño
 front-none-feasible = { $file }: ningún diseño es aceptable (--all incluye los demás)
-front-counts = { $file }: { $candidates } de { $seen } diseños cuentan, { $front } de ellos no dominados
+front-counts = { $file }: { $candidates } de { $seen } diseños admisibles, { $front } de ellos no dominados
 front-missing = { $count ->
         [one] la fila { $list } no está en la carpeta
        *[other] { $count } filas no están en la carpeta ({ $list })
@@ -298,7 +298,7 @@ cover-objective = minimizado
 cover-bound = cota
 cover-others-mean = otros, media
 cover-others-worst = otros, peor
-cover-who = el peor servido (mayor parte del error)
+cover-who = peor caso (componente principal del error)
 cover-weight = fuerza media
 cover-speed = tamaño a esta velocidad
 cover-shape = forma

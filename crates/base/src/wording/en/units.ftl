@@ -1,7 +1,7 @@
 # Faults in a quantity with a unit.
 units-no-number = "{ $text }" does not start with a number
     .help = write for example { $example }
-units-grouped = "{ $text }" parts thousands by a mark
+units-grouped = "{ $text }" contains a thousands separator
     .help = write "{ $plain }"
 units-no-unit = "{ $text }" has no unit
     .help = write for example { $example }

@@ -1,7 +1,7 @@
 # Errores en una magnitud con unidad.
 units-no-number = «{ $text }» no empieza por un número
     .help = escriba por ejemplo { $example }
-units-grouped = «{ $text }» separa los millares con un signo
+units-grouped = «{ $text }» contiene un separador de millares
     .help = escriba «{ $plain }»
 units-no-unit = «{ $text }» no tiene unidad
     .help = escriba por ejemplo { $example }
