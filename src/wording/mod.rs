@@ -66,6 +66,40 @@ pub(crate) static WORDS: Catalogue = Catalogue::new(&[
     SENTENCES,
 ]);
 
+/// Spanish words for values of a scene beside their names in the messages.
+const SPANISH: [(&str, &str); 5] = [
+    ("reposo", "dwell"),
+    ("rodillo", "roller-translating"),
+    ("cara plana", "flat-translating"),
+    ("puntual", "knife-translating"),
+    ("hongo", "mushroom-translating"),
+];
+
+/// The one of some words that Spanish calls so, whatever its accents and capitals.
+pub(crate) fn called_in_spanish(typed: &str, known: &[&'static str]) -> Option<&'static str> {
+    let typed = without_accents(typed);
+    let other = SPANISH.iter().find(|(spanish, _)| *spanish == typed);
+    let is_meant = |word: &&'static str| {
+        let name = catalogue(Language::Es).name(word);
+        without_accents(&name) == typed || other.is_some_and(|(_, own)| own == word)
+    };
+    known.iter().copied().find(|word| is_meant(word))
+}
+
+/// Small letters without accents.
+fn without_accents(text: &str) -> String {
+    let plain = |c: char| match c {
+        'á' => 'a',
+        'é' => 'e',
+        'í' => 'i',
+        'ó' => 'o',
+        'ú' | 'ü' => 'u',
+        'ñ' => 'n',
+        _ => c,
+    };
+    text.trim().to_lowercase().chars().map(plain).collect()
+}
+
 /// The library's messages in a language.
 pub fn catalogue(language: Language) -> &'static Messages {
     WORDS.of(language)

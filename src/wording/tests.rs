@@ -169,3 +169,23 @@ fn spanish_sentences_have_spanish_names_and_a_decimal_comma() {
         "{help}"
     );
 }
+
+#[test]
+fn spanish_names_of_laws_and_followers_are_values_of_a_scene() {
+    use crate::cam::FollowerKind;
+    use crate::law::Rise;
+    let leaked = |rise: &Rise| -> &'static str { rise.name().to_string().leak() };
+    let laws: Vec<&'static str> = Rise::catalogue().iter().map(leaked).collect();
+    let followers: Vec<&'static str> = FollowerKind::ALL.iter().map(|k| k.name()).collect();
+    for known in [laws, followers] {
+        for name in &known {
+            let spanish = catalogue(Language::Es).name(name);
+            let found = super::called_in_spanish(&spanish.to_uppercase(), &known);
+            assert_eq!(found, Some(*name), "{spanish}");
+        }
+    }
+    let scene = crate::scene::built_in("footbridge").unwrap();
+    let roller = scene.scene().unwrap().with("cam.follower", "Rodillo");
+    let kind = roller.unwrap().cam.follower;
+    assert_eq!(kind, FollowerKind::RollerTranslating);
+}

@@ -8,10 +8,7 @@ const PAGE: &str = include_str!("../../docs/guide/rust.md");
 
 /// The first block of a kind.
 fn block(kind: &str) -> &'static str {
-    let text = PAGE
-        .split_once(&format!("```{kind}\n"))
-        .expect("a block")
-        .1;
+    let text = PAGE.split_once(&format!("```{kind}\n")).expect("a block").1;
     text.split_once("```").expect("its end").0
 }
 

@@ -59,7 +59,7 @@ impl Dimension {
     fn row(self) -> (Exponents, &'static str, &'static str) {
         let power = |n: u8, units: [&'static str; 3]| units[usize::from(n.clamp(1, 3)) - 1];
         match self {
-            Dimension::Ratio => ([0, 0, 0, 0], "", "\"0.5 %\""),
+            Dimension::Ratio => ([0, 0, 0, 0], "", "0.05, \"5 %\""),
             Dimension::Percent => ([0, 0, 0, 0], "ratio", "\"0.5 %\""),
             Dimension::Length => ([1, 0, 0, 0], "m", "\"25 mm\", \"1 in\""),
             Dimension::Angle => ([0, 0, 0, 1], "rad", "\"90 deg\", \"1.57 rad\""),

@@ -9,6 +9,7 @@ use super::value::Value;
 use crate::error::{Placed, Result, SceneError};
 use crate::scene::{Scene, StepFrequencies};
 use crate::units::{Dimension, Quantity, in_range, parse};
+use crate::wording::called_in_spanish;
 
 /// Reads what a scene file gives for a key; `None` for `"auto"`.
 ///
@@ -53,7 +54,9 @@ fn plain(key: &Key, typed: &Toml) -> std::result::Result<Value, SceneError> {
             if known.is_empty() || known.contains(&word) {
                 return Ok(Value::Text(word.to_string()));
             }
-            Err(unknown_word(word, &known))
+            let spanish = called_in_spanish(word, &known);
+            let spanish = spanish.map(|own| Value::Text(own.to_string()));
+            spanish.ok_or_else(|| unknown_word(word, &known))
         }
     }
 }

@@ -28,7 +28,7 @@ key-limits-curvature = Smallest convex radius of curvature of the finished cam.
 name-curvature = curvature
 label-limits-curvature = Minimum radius
 
-key-limits-pressure_angle = Largest pressure angle on both sides; without it the verdict's own bounds apply (docs/verdict.md), and none switches them off.
+key-limits-pressure_angle = Largest pressure angle on both sides; without it the verdict's own bounds apply (30° and 45° for a slide), and none switches them off.
 name-pressure-angle = pressure_angle
 label-limits-pressure_angle = Pressure angle
 

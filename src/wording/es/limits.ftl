@@ -28,7 +28,7 @@ key-limits-curvature = Radio de curvatura convexo mínimo de la leva acabada.
 name-curvature = radio de curvatura
 label-limits-curvature = Radio mínimo
 
-key-limits-pressure_angle = Ángulo de presión máximo en ambos lados; sin él valen los límites propios del veredicto (docs/verdict.md), y none los quita.
+key-limits-pressure_angle = Ángulo de presión máximo en ambos lados; sin él valen los límites propios del veredicto (30° y 45° para una guía recta), y none los quita.
 name-pressure-angle = ángulo de presión
 label-limits-pressure_angle = Ángulo de presión
 

@@ -153,6 +153,11 @@ impl std::error::Error for Error {}
 
 /// The candidate nearest to `word` by edit distance, if one is within typing distance.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let candidates: Vec<&str> = candidates.into_iter().collect();
+    let is_part = |c: &&&str| c.split(['-', '_']).any(|part| part == word);
+    if let Some(part) = candidates.iter().find(is_part) {
+        return Some(part);
+    }
     candidates
         .into_iter()
         .map(|c| (strsim::damerau_levenshtein(word, c), c))
