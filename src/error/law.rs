@@ -180,6 +180,15 @@ pub enum JoinError {
         depth: Quantity,
         at: Quantity,
     },
+    /// The spline through a table falls below the base circle between two rows, by more than half a unit of their
+    /// last decimal.
+    TableBelowBaseCircle {
+        segment: SegmentName,
+        first: usize,
+        second: usize,
+        depth: Quantity,
+        at: Quantity,
+    },
 }
 
 /// A segment of a programme in a message.

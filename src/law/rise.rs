@@ -97,6 +97,10 @@ pub enum Rise {
         written: String,
         /// The law on [0, 1], leading from 0 to 1.
         law: Box<Law>,
+        /// Its rows, both columns from 0 to 1.
+        rows: Vec<(f64, f64)>,
+        /// Half a unit of the last decimal of the rows, at most a thousandth, as a share of the lift.
+        rounding: f64,
     },
 }
 

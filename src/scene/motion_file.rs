@@ -211,7 +211,7 @@ impl Column {
         }))
     }
 
-    /// The number of a row, in SI.
+    /// The number of a row, as typed.
     fn number(&self, path: &Path, line: usize, row: &[Cell]) -> Result<f64> {
         let cell = row.get(self.place);
         let fault = || {
@@ -219,12 +219,11 @@ impl Column {
             let column = self.name.clone();
             FileError::MotionValue { column, typed }.at_line(path, line)
         };
-        let number = cell.and_then(|c| c.number).ok_or_else(fault)?;
-        Ok(number * self.factor)
+        cell.and_then(|c| c.number).ok_or_else(fault)
     }
 }
 
-/// The numbers of a motion, SI.
+/// The numbers of a motion, as typed: a motion has no unit, and the last decimal is the accuracy of a row.
 struct Rows {
     angle: (Column, Vec<f64>),
     lift: (Column, Vec<f64>),
@@ -256,11 +255,10 @@ impl Rows {
             }
             let x = angle.number(path, line, &row)?;
             if angles.last().is_some_and(|&before| x <= before) {
-                let typed = |x: f64| x / angle.factor;
                 let fault = FileError::MotionOrder {
                     column: angle.name.clone(),
-                    x: typed(x),
-                    before: typed(angles[angles.len() - 1]),
+                    x,
+                    before: angles[angles.len() - 1],
                 };
                 return Err(fault.at_line(path, line));
             }
@@ -289,7 +287,14 @@ impl Rows {
                 _ => "angle",
             });
             if let [first, .., last] = values[..] {
-                agree(segment, key, name, column, last - first, path)?;
+                agree(
+                    segment,
+                    key,
+                    name,
+                    column,
+                    (last - first) * column.factor,
+                    path,
+                )?;
             }
         }
         Ok(())

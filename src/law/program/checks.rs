@@ -2,7 +2,7 @@
 
 use super::segment::{Draft, Extent, JUMP, ROUNDING, Segment, name};
 use crate::error::{JoinCure, JoinError, LawError, Result};
-use crate::law::{Joint, Rise};
+use crate::law::{Joint, Law, Rise};
 use crate::units::{Dimension, Quantity};
 
 impl Extent {
@@ -145,23 +145,49 @@ fn cure(
     }
 }
 
-/// The lift never falls below 0.
-pub fn base_circle(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()> {
+/// The law on its base circle. Rows of a table that are rounded may lead it below by half a unit of their last
+/// decimal.
+///
+/// # Errors
+/// A law that falls deeper.
+pub fn on_base_circle(draft: Draft, segments: &[Segment], extent: Extent) -> Result<Law> {
     let (low, high) = draft.law.extremes(0);
     let rounding = JUMP * (high.value - low.value);
     if low.value >= -rounding {
-        return Ok(());
+        return Ok(draft.law);
     }
     // Report the first segment below; later ones may only stay below.
     let depth = draft.law.combination([-1.0, 0.0, 0.0, 0.0], 0.0);
     let peaks = depth.peaks_above(rounding, f64::NEG_INFINITY, f64::INFINITY);
-    let first = peaks.first();
-    let (at, by) = first.map_or((low.at, -low.value), |peak| (peak.at, peak.value));
-    let i = draft.holding(at) - 1;
-    Err(JoinError::BelowBaseCircle {
-        segment: name(segments, i),
-        depth: Quantity::length(by),
-        at: extent.quantity(at),
-    }
-    .into())
+    let beyond = |at: f64, depth: f64| {
+        let i = draft.holding(at) - 1;
+        let allowed = segments[i].lift.abs() * segments[i].motion.rounding();
+        (depth > allowed).then_some((i, at, depth))
+    };
+    let first = peaks.iter().find_map(|peak| beyond(peak.at, peak.value));
+    let Some((i, at, depth)) = first.or_else(|| beyond(low.at, -low.value)) else {
+        return Ok(draft.law.raised(-low.value));
+    };
+    let start = i.checked_sub(1).map_or(0.0, |before| draft.ends[before]);
+    let row = segments[i]
+        .motion
+        .row_before((at - start) / (draft.ends[i] - start));
+    let height: f64 = segments[..i].iter().map(|s| s.lift).sum();
+    let is_above = |s: f64| height + segments[i].lift * s >= -rounding;
+    let (segment, depth) = (name(segments, i), Quantity::length(depth));
+    let at = extent.quantity(at);
+    let fault = match row {
+        Some((first, lifts)) if lifts.into_iter().all(is_above) => {
+            let second = first + 1;
+            JoinError::TableBelowBaseCircle {
+                segment,
+                first,
+                second,
+                depth,
+                at,
+            }
+        }
+        _ => JoinError::BelowBaseCircle { segment, depth, at },
+    };
+    Err(fault.into())
 }

@@ -34,8 +34,7 @@ use std::f64::consts::{PI, TAU};
 pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
     let draft = draft(segments, extent)?;
     checks::joints(&draft, segments, extent)?;
-    checks::base_circle(&draft, segments, extent)?;
-    Ok(draft.law)
+    checks::on_base_circle(draft, segments, extent)
 }
 
 /// As [`program`], but lets jumps of lift and velocity and falls below the base circle pass: for reports on
@@ -68,7 +67,8 @@ pub fn constant_breadth(half: &[Segment]) -> Result<Law> {
     let first = assemble(half, Extent::Length(total))?;
     let lift: f64 = half.iter().map(|s| s.lift).sum();
     let (low, high) = first.extremes(0);
-    let slack = JUMP * lift.abs();
+    let rounding = |s: &Segment| s.lift.abs() * s.motion.rounding();
+    let slack = half.iter().map(rounding).fold(JUMP * lift.abs(), f64::max);
     if lift <= 0.0 || low.value < -slack || high.value > lift + slack {
         return Err(LawError::BreadthLift {
             lift: Quantity::length(lift),
@@ -90,7 +90,7 @@ pub fn constant_breadth(half: &[Segment]) -> Result<Law> {
     let ends = ends_of(&segments, TAU / (2.0 * total));
     let draft = Draft { law, ends };
     checks::joints(&draft, &segments, Extent::TURN)?;
-    Ok(draft.law)
+    checks::on_base_circle(draft, &segments, Extent::TURN)
 }
 
 fn ends_of(segments: &[Segment], stretch: f64) -> Vec<f64> {

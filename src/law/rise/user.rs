@@ -8,6 +8,9 @@ use crate::poly::{PiecewisePoly, SplineSpace};
 /// Degree of the spline through a table: continuous to the fourth derivative.
 const TABLE_DEGREE: usize = 5;
 
+/// Largest part of the lift that counts as rounding: lifts in whole numbers may be exact.
+const MOST_ROUNDING: f64 = 1e-3;
+
 impl Rise {
     /// The file of a motion whose rows stand in a file: `table lift.csv`. `None` where numbers follow the word, or nothing.
     pub(crate) fn named_file(text: &str) -> Option<&str> {
@@ -32,7 +35,8 @@ impl Rise {
     /// A law through a table of (x, s), at least two rows, x increasing: a spline of degree 5, at rest
     /// (v = a = 0) at both ends if asked, otherwise as smooth at the ends as inside (not-a-knot).
     ///
-    /// The table is normalised: its first row becomes (0, 0), its last (1, 1).
+    /// The table is normalised: its first row becomes (0, 0), its last (1, 1). Its last decimal is its accuracy: a
+    /// programme may run below its base circle by half a unit of it.
     ///
     /// # Errors
     /// Too few rows, numbers that are not finite, x that does not increase, a table that ends at its first lift.
@@ -71,8 +75,38 @@ impl Rise {
             name: name.to_string(),
             written: written("table", numbers),
             law: Box::new(Law::from_poly(poly, false)),
+            rows: points,
+            rounding: (half_unit(rows) / lift.abs()).min(MOST_ROUNDING),
         })
     }
+
+    /// The part of its lift by which rounded rows may miss the motion that they are from; 0 without rows.
+    pub(in crate::law) fn rounding(&self) -> f64 {
+        match self {
+            Rise::User { rounding, .. } => *rounding,
+            _ => 0.0,
+        }
+    }
+
+    /// Number, from 1, of the row before x, with the lifts of this row and the next; `None` without rows.
+    pub(in crate::law) fn row_before(&self, x: f64) -> Option<(usize, [f64; 2])> {
+        let Rise::User { rows, .. } = self else {
+            return None;
+        };
+        let next = rows.partition_point(|row| row.0 <= x);
+        let next = next.clamp(1, rows.len() - 1);
+        Some((next, [rows[next - 1].1, rows[next].1]))
+    }
+}
+
+/// Half a unit of the last decimal of the lifts of a table.
+fn half_unit(rows: &[(f64, f64)]) -> f64 {
+    let decimals = |s: f64| {
+        let text = format!("{s}");
+        text.split_once('.').map_or(0, |(_, part)| part.len())
+    };
+    let most = rows.iter().map(|row| decimals(row.1)).max().unwrap_or(0);
+    0.5 * 0.1_f64.powi(most as i32)
 }
 
 /// A word with its numbers.

@@ -288,6 +288,111 @@ fn tables_become_laws() {
     ));
 }
 
+/// 12 mm in 90° as textbooks print it: rows each `step` degrees, lifts in mm with `decimals` decimals.
+fn textbook_table(motion: &Rise, step: usize, decimals: usize) -> Vec<(f64, f64)> {
+    let exact = motion.law().unwrap();
+    let row = |degrees: usize| {
+        let lift = 12.0 * exact.svaj(degrees as f64 / 90.0).s;
+        (
+            degrees as f64,
+            format!("{lift:.decimals$}").parse().unwrap(),
+        )
+    };
+    (0..=90).step_by(step).map(row).collect()
+}
+
+/// A table as rise or fall of 12 mm, with a dwell and the other motion.
+fn with_table(table: Rise, is_rise: bool) -> [Segment; 3] {
+    let segment = |motion, lift, degrees: f64| Segment {
+        motion,
+        lift,
+        angle: degrees.to_radians(),
+    };
+    match is_rise {
+        true => [
+            segment(table, 12.0, 90.0),
+            segment(Rise::Cycloidal, -12.0, 180.0),
+            segment(Rise::Dwell, 0.0, 90.0),
+        ],
+        false => [
+            segment(Rise::Cycloidal, 12.0, 180.0),
+            segment(table, -12.0, 90.0),
+            segment(Rise::Dwell, 0.0, 90.0),
+        ],
+    }
+}
+
+#[test]
+fn textbook_tables_are_laws_within_half_a_unit_of_their_last_decimal() {
+    for motion in [
+        Rise::Cycloidal,
+        Rise::Poly345,
+        Rise::Poly4567,
+        Rise::SimpleHarmonic,
+    ] {
+        for (step, decimals) in [1, 2, 5, 10].into_iter().flat_map(|s| [(s, 2), (s, 3)]) {
+            let rows = textbook_table(&motion, step, decimals);
+            let half_unit = 0.5 * 0.1_f64.powi(decimals as i32);
+            for is_rise in [true, false] {
+                let case = format!("{} {step}° {decimals} {is_rise}", motion.name());
+                let table = Rise::table("table", &rows, true).unwrap();
+                let law = program(&with_table(table, is_rise), Extent::TURN)
+                    .unwrap_or_else(|e| panic!("{case}: {e}"));
+                assert!(law.extremes(0).0.value >= -1e-9, "{case}");
+                for &(degrees, s) in &rows {
+                    let (at, lift) = match is_rise {
+                        true => (degrees, s),
+                        false => (180.0 + degrees, 12.0 - s),
+                    };
+                    let miss = law.svaj(at.to_radians()).s - lift;
+                    assert!(
+                        (-1e-9..=half_unit).contains(&miss),
+                        "{case}: {miss} at {at}°"
+                    );
+                }
+            }
+            let table = Rise::table("table", &rows, true).unwrap();
+            let half = with_table(table, true);
+            let half = [
+                half[0].clone(),
+                segments(&[("dwell", 0.0, 90.0)])[0].clone(),
+            ];
+            let breadth = constant_breadth(&half).unwrap_or_else(|e| panic!("{step}°: {e}"));
+            assert!(breadth.extremes(0).0.value >= -1e-9);
+            assert!((breadth.stroke() - 12.0).abs() <= 2.0 * half_unit);
+        }
+    }
+}
+
+#[test]
+fn tables_that_fall_below_the_base_circle_name_the_two_rows() {
+    let rows = [
+        (0.0, 0.0),
+        (20.0, 0.0),
+        (30.0, 3.01),
+        (40.0, 10.02),
+        (90.0, 12.0),
+    ];
+    let table = Rise::table("table", &rows, true).unwrap();
+    let error = program(&with_table(table, true), Extent::TURN).unwrap_err();
+    assert!(
+        matches!(
+            error.fault(),
+            Some(JoinError::TableBelowBaseCircle { first: 1, second: 2, depth, .. })
+                if depth.value > 0.05
+        ),
+        "{error}"
+    );
+    // The rows themselves lie below the first one.
+    let rows = [(0.0, 0.0), (20.0, -1.0), (50.0, 5.0), (90.0, 12.0)];
+    let table = Rise::table("table", &rows, true).unwrap();
+    let error = program(&with_table(table, true), Extent::TURN).unwrap_err();
+    assert!(
+        matches!(error.fault(), Some(JoinError::BelowBaseCircle { .. })),
+        "{error}"
+    );
+}
+
 #[test]
 fn a_scene_writes_tables_behind_the_motion() {
     let exact = Rise::Poly345.law().unwrap();
