@@ -116,6 +116,11 @@ pub enum CamInputError {
     MeasuredUnrolled { follower: &'static str },
     /// Points of a circle do not show the zero angle.
     MeasuredCircle,
+    /// The points fit the mirror image of the cam.
+    MeasuredMirror {
+        distance: Quantity,
+        mirrored: Quantity,
+    },
     /// The points are those of another cam.
     MeasuredOther {
         distance: Quantity,

@@ -5,9 +5,13 @@
 //! method: the distance of a point changes by n·J(q − b) per turn and by n per shift, n being the normal at its
 //! foot. The sum has other minima, so the search starts from many angles.
 //!
+//! Points far outside the scatter of the others are outliers: they are listed and left out of the fit. Points of the
+//! mirror image are refused, and a part of the profile without points is reported.
+//!
 //! A rotation or translation of the whole cam is not a deviation: an eccentric bore is detected only if the centre of
 //! the bore is measured as well.
 
+mod coverage;
 mod pose;
 
 use nalgebra::{Matrix3, Vector3};
@@ -43,6 +47,19 @@ const ROUNDING: f64 = 1e-13;
 /// Standard error of the turn, rad, above which the points do not show it.
 const UNSURE: f64 = 0.1;
 
+/// Outliers: deviations from the median above this many standard deviations, the latter from the median absolute
+/// deviation, and above this part of the largest radius.
+const OUTLIER: (f64, f64) = (10.0, 1e-6);
+/// Standard deviation of a normal distribution by its median absolute deviation.
+const NORMAL: f64 = 1.4826;
+/// Largest share of outliers; more of them are the shape of the cam.
+const FEW: f64 = 0.05;
+/// Rounds in which outliers are looked for and left out.
+const OUTLIER_ROUNDS: usize = 3;
+/// Points that fit the mirror image this many times as well, and not the cam to this part of its largest radius, are
+/// those of the mirror image.
+const MIRRORED: (f64, f64) = (10.0, 1e-5);
+
 /// One measured point against the profile.
 ///
 /// ```
@@ -67,6 +84,8 @@ pub struct Deviation {
     pub theta: f64,
     /// Distance from the profile along the normal, m: positive where there is too much material.
     pub normal: f64,
+    /// Far outside the scatter of the other points, and left out of the fit.
+    pub is_outlier: bool,
 }
 
 /// Result of an inspection.
@@ -95,20 +114,29 @@ pub struct Inspection {
     pub deviations: Vec<Deviation>,
     /// Other rotations with an equally good fit, rad, for cams with rotational symmetry.
     pub alike: Vec<f64>,
+    /// Cam angles, rad, from and to which the profile was not measured; `None` where the points are all around.
+    pub unmeasured: Option<[f64; 2]>,
 }
 
 impl Inspection {
-    /// Root mean square of the deviations, m.
-    pub fn rms(&self) -> f64 {
-        let squares = self.deviations.iter().map(|d| d.normal * d.normal);
-        (squares.sum::<f64>() / self.deviations.len() as f64).sqrt()
+    /// The points that are not outliers.
+    pub fn kept(&self) -> impl Iterator<Item = &Deviation> {
+        self.deviations.iter().filter(|d| !d.is_outlier)
     }
 
-    /// The points farthest inside and outside the profile.
+    /// Root mean square of the deviations without outliers, m.
+    pub fn rms(&self) -> f64 {
+        let (sum, count) = self.kept().fold((0.0, 0.0), |(sum, count), d| {
+            (sum + d.normal * d.normal, count + 1.0)
+        });
+        (sum / f64::max(count, 1.0)).sqrt()
+    }
+
+    /// The points farthest inside and outside the profile, without outliers.
     pub fn extremes(&self) -> Option<[Deviation; 2]> {
         let order = |a: &&Deviation, b: &&Deviation| a.normal.total_cmp(&b.normal);
-        let least = self.deviations.iter().min_by(order)?;
-        let most = self.deviations.iter().max_by(order)?;
+        let least = self.kept().min_by(order)?;
+        let most = self.kept().max_by(order)?;
         Some([*least, *most])
     }
 }
@@ -136,7 +164,8 @@ impl Cam {
     ///
     /// # Errors
     /// On fewer than 12 points, on coordinates that are not finite, on points that fit nowhere (those of
-    /// another cam), on a cam that is a circle within the scatter of the points, whose zero angle cannot be found, and on a cam that does not turn.
+    /// another cam) or those of the mirror image, on a cam that is a circle within the scatter of the points, whose
+    /// zero angle cannot be found, and on a cam that does not turn.
     pub fn inspect(&self, points: &[[f64; 2]], ball: f64) -> Result<Inspection> {
         self.refuse_unfit(points)?;
         let exact = Exact {
@@ -145,21 +174,39 @@ impl Cam {
             samples: self.samples(PROFILE),
         };
         let (low, high) = radii(&exact.samples);
-        let mut fits = Vec::new();
-        for pose in self.starts(points, ball) {
-            let foot = |q| exact.foot(q);
-            let (pose, feet) = fitted(pose, points, high, (ROUNDS, CONVERGED), foot);
-            fits.push((rms(&feet), pose, feet));
+        let mut kept = vec![true; points.len()];
+        let mut fits = exact.fits(points, &kept);
+        for _ in 0..OUTLIER_ROUNDS {
+            let Some(fewer) = fits
+                .first()
+                .and_then(|fit| without_outliers(&fit.feet, high))
+            else {
+                break;
+            };
+            if fewer == kept {
+                break;
+            }
+            kept = fewer;
+            fits = exact.fits(points, &kept);
         }
-        fits.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // Of equal fits that whose centre is nearest to the frame's origin: most cams are measured about their shaft.
-        let equal = fits.partition_point(|f| f.0 <= fits[0].0 + ALIKE.1);
-        let far = |pose: &Pose| pose.centre()[0].hypot(pose.centre()[1]);
-        fits[..equal].sort_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
-        let Some((least, pose, feet)) = fits.first() else {
+        let Some(best) = fits.first() else {
             return Err(CamInputError::MeasuredCircle.into());
         };
-        if *least > OTHER * (high - low) {
+        if best.rms > MIRRORED.1 * high {
+            let mirrored: Vec<[f64; 2]> = points.iter().map(|[x, y]| [-x, *y]).collect();
+            let mirrored = exact.fits(&mirrored, &kept);
+            let fits = |other: &&Fit| {
+                other.rms * MIRRORED.0 < best.rms && other.rms <= OTHER * (high - low)
+            };
+            if let Some(other) = mirrored.first().filter(fits) {
+                return Err(CamInputError::MeasuredMirror {
+                    distance: Quantity::length(best.rms),
+                    mirrored: Quantity::length(other.rms),
+                }
+                .into());
+            }
+        }
+        if best.rms > OTHER * (high - low) {
             // Steps towards the points of another cam may lead ever farther away; laid on its middle they are near.
             let outline: Vec<[f64; 2]> = exact.samples.iter().map(|s| s.p).collect();
             let (angle, pivot, place) = (0.0, middle(points), middle(&outline));
@@ -171,27 +218,32 @@ impl Cam {
             let feet = points.iter().map(|m| exact.foot(laid.seen(*m)));
             let laid = rms(&feet.collect::<Vec<Foot>>());
             return Err(CamInputError::MeasuredOther {
-                distance: Quantity::length(least.min(laid)),
+                distance: Quantity::length(best.rms.min(laid)),
                 low: Quantity::length(low),
                 high: Quantity::length(high),
             }
             .into());
         }
-        if !is_determined(feet, pose, high) {
+        if !is_determined(&chosen(&best.feet, &kept), &best.pose, high) {
             return Err(CamInputError::MeasuredCircle.into());
         }
-        let mut turns = vec![wrapped(-pose.angle)];
-        for (off, pose, _) in &fits[1..] {
-            let turn = wrapped(-pose.angle);
+        let mut turns = vec![wrapped(-best.pose.angle)];
+        for other in &fits[1..] {
+            let turn = wrapped(-other.pose.angle);
             let listed = turns.iter().any(|t| wrapped(t - turn).abs() < SAME);
-            if *off <= ALIKE.0 * least + ALIKE.1 && !listed {
+            if other.rms <= ALIKE.0 * best.rms + ALIKE.1 && !listed {
                 turns.push(turn);
             }
         }
+        let deviations = deviations(&best.feet, &kept);
+        let outline: Vec<[f64; 2]> = exact.samples.iter().map(|s| s.p).collect();
+        let of_kept = deviations.iter().filter(|d| !d.is_outlier);
+        let angles: Vec<f64> = of_kept.map(|d| d.theta).collect();
         Ok(Inspection {
             turn: turns[0],
-            centre: pose.centre(),
-            deviations: deviations(feet),
+            centre: best.pose.centre(),
+            unmeasured: coverage::unmeasured(&outline, &angles),
+            deviations,
             alike: turns[1..].to_vec(),
         })
     }
@@ -267,7 +319,35 @@ struct Exact<'a> {
     samples: Vec<Sample>,
 }
 
+/// A pose with the feet of all points and the root mean square of the distances of those that are kept, m.
+struct Fit {
+    rms: f64,
+    pose: Pose,
+    feet: Vec<Foot>,
+}
+
 impl Exact<'_> {
+    /// The minima of the distances of the points that are kept, best first; of equal ones first that whose centre is
+    /// nearest to the frame's origin: most cams are measured about their shaft.
+    fn fits(&self, points: &[[f64; 2]], kept: &[bool]) -> Vec<Fit> {
+        let (_, high) = radii(&self.samples);
+        let used = chosen(points, kept);
+        let mut fits = Vec::new();
+        for pose in self.cam.starts(&used, self.ball) {
+            let (pose, feet) = fitted(pose, &used, high, (ROUNDS, CONVERGED), |q| self.foot(q));
+            let rms = rms(&feet);
+            let feet = points.iter().map(|m| self.foot(pose.seen(*m))).collect();
+            fits.push(Fit { rms, pose, feet });
+        }
+        fits.sort_by(|a, b| a.rms.total_cmp(&b.rms));
+        if let Some(least) = fits.first().map(|f| f.rms) {
+            let equal = fits.partition_point(|f| f.rms <= least + ALIKE.1);
+            let far = |pose: &Pose| pose.centre()[0].hypot(pose.centre()[1]);
+            fits[..equal].sort_by(|a, b| far(&a.pose).total_cmp(&far(&b.pose)));
+        }
+        fits
+    }
+
     /// The foot of a point: where the profile's tangent is square to the way from the profile to it.
     fn foot(&self, q: [f64; 2]) -> Foot {
         let n = self.samples.len();
@@ -414,13 +494,35 @@ fn rms(feet: &[Foot]) -> f64 {
     (squares.sum::<f64>() / feet.len() as f64).sqrt()
 }
 
-fn deviations(feet: &[Foot]) -> Vec<Deviation> {
-    let deviation = |(row, f): (usize, &Foot)| Deviation {
+fn deviations(feet: &[Foot], kept: &[bool]) -> Vec<Deviation> {
+    let deviation = |(row, (f, kept)): (usize, (&Foot, &bool))| Deviation {
         row,
         theta: f.theta,
         normal: f.distance,
+        is_outlier: !kept,
     };
-    let mut out: Vec<Deviation> = feet.iter().enumerate().map(deviation).collect();
+    let feet = feet.iter().zip(kept).enumerate();
+    let mut out: Vec<Deviation> = feet.map(deviation).collect();
     out.sort_by(|a, b| a.theta.total_cmp(&b.theta));
     out
+}
+
+fn chosen<T: Copy>(all: &[T], kept: &[bool]) -> Vec<T> {
+    let is_kept = |(one, kept): (&T, &bool)| kept.then_some(*one);
+    all.iter().zip(kept).filter_map(is_kept).collect()
+}
+
+/// Which points are no outliers; `None` where too many are far from the others.
+fn without_outliers(feet: &[Foot], size: f64) -> Option<Vec<bool>> {
+    let middle_of = |mut values: Vec<f64>| {
+        values.sort_by(f64::total_cmp);
+        values.get(values.len() / 2).copied()
+    };
+    let middle = middle_of(feet.iter().map(|f| f.distance).collect())?;
+    let off = |f: &Foot| (f.distance - middle).abs();
+    let scatter = NORMAL * middle_of(feet.iter().map(off).collect())?;
+    let most = (OUTLIER.0 * scatter).max(OUTLIER.1 * size);
+    let kept: Vec<bool> = feet.iter().map(|f| off(f) <= most).collect();
+    let outliers = kept.iter().filter(|kept| !**kept).count();
+    (outliers as f64 <= FEW * feet.len() as f64).then_some(kept)
 }

@@ -83,15 +83,19 @@ pub struct MadeCam {
 }
 
 impl MadeCam {
-    /// The cam of `design` as it was measured. `None` for a law that does not cover one turn.
+    /// The cam of `design` as it was measured, without outliers. `None` for a law that does not cover one turn, and
+    /// where a part of the profile was not measured.
     pub fn of(design: &Design, inspection: &Inspection) -> Option<MadeCam> {
         let (start, length) = design.cam.law.extent();
-        if !design.cam.law.is_closed() || (length - TAU).abs() > 1e-9 || start != 0.0 {
+        if inspection.unmeasured.is_some()
+            || !design.cam.law.is_closed()
+            || (length - TAU).abs() > 1e-9
+            || start != 0.0
+        {
             return None;
         }
         let moves: Vec<(f64, f64)> = inspection
-            .deviations
-            .iter()
+            .kept()
             .map(|d| (d.theta, d.normal / lever(&design.cam, d.theta)))
             .collect();
         let series = Series::fitted(&moves);

@@ -372,6 +372,7 @@ mod tests {
                 centre: [0.0; 2],
                 deviations: (0..90).map(exact).collect(),
                 alike: Vec::new(),
+                unmeasured: None,
             };
             let cam = MadeCam::of(&design, &none).unwrap().made;
             assert!((cam.rms_error_n.unwrap() / own - 1.0).abs() < 1e-4);
@@ -383,7 +384,12 @@ mod tests {
     fn exact(row: usize) -> Deviation {
         let theta = TAU * row as f64 / 90.0;
         let normal = 0.0;
-        Deviation { row, theta, normal }
+        Deviation {
+            row,
+            theta,
+            normal,
+            is_outlier: false,
+        }
     }
 
     #[test]

@@ -65,5 +65,7 @@ cam-measured-not-finite = measured point { $row } is not finite
 cam-measured-unrolled = { $follower }: only the profile of a cam that turns can be fitted
 cam-measured-circle = the profile is a circle, or one within the scatter of the measured points: they do not show its zero angle
     .help = measure the bore and the keyway, which fix centre and angle
+cam-measured-mirror = the points are those of the mirror image of this cam: mirrored they lie { $mirrored } RMS off its profile, as they are { $distance }
+    .help = the cam was measured from its other side: change the sign of x
 cam-measured-other = the points are not those of this cam: at their best fit they lie { $distance } RMS off its profile, whose radii run from { $low } to { $high }
     .help = check the units of the columns, the radius of the probing ball (--ball) and which cam was measured

@@ -65,5 +65,7 @@ cam-measured-not-finite = el punto medido { $row } no es finito
 cam-measured-unrolled = { $follower }: solo se puede ajustar el perfil de una leva que gira
 cam-measured-circle = el perfil es un círculo, o lo es dentro de la dispersión de los puntos medidos: no muestran su ángulo cero
     .help = mida el agujero y el chavetero, que fijan centro y ángulo
+cam-measured-mirror = los puntos son de la imagen especular de esta leva: reflejados quedan a { $mirrored } RMS de su perfil, tal como están a { $distance }
+    .help = la leva se midió por el otro lado: cambie el signo de x
 cam-measured-other = los puntos no son de esta leva: en su mejor ajuste quedan a { $distance } RMS de su perfil, cuyos radios van de { $low } a { $high }
     .help = compruebe las unidades de las columnas, el radio de la bola palpadora (--ball) y qué leva se midió

@@ -197,6 +197,90 @@ fn points_that_say_nothing_about_this_cam_are_refused() {
     assert!(matches!(fault(round), CamInputError::MeasuredCircle));
 }
 
+/// Cams without a mirror image of their own, on a slide and on an arm, under a roller and a flat face.
+fn lopsided() -> [Cam; 4] {
+    let [roller_arm, flat_arm] = arms();
+    [roller(), flat(0.04), roller_arm, flat_arm]
+}
+
+#[test]
+fn points_of_the_mirror_image_are_said_to_be_those() {
+    for cam in lopsided() {
+        for size in [0.0, 5e-6] {
+            let points = measured(&cam, &made(&cam, size), 0.0);
+            let mirrored: Vec<[f64; 2]> = points.iter().map(|[x, y]| [-x, *y]).collect();
+            let CamInputError::MeasuredMirror { distance, mirrored } =
+                fault(cam.inspect(&mirrored, 0.0))
+            else {
+                panic!("{}: not mirrored", cam.follower.name());
+            };
+            assert!(distance.value > 10.0 * mirrored.value && mirrored.value <= size + 1e-9);
+        }
+    }
+}
+
+#[test]
+fn points_far_off_the_others_are_outliers_and_do_not_move_the_fit() {
+    for cam in lopsided() {
+        for size in [0.0, 2e-6] {
+            let deviations = made(&cam, size);
+            let mut points = measured(&cam, &deviations, 0.0);
+            let far = [(30, 5e-3), (200, -4e-3), (201, 4e-4)];
+            for (row, off) in far {
+                let [x, y] = [points[row][0] - CENTRE[0], points[row][1] - CENTRE[1]];
+                let r = x.hypot(y);
+                points[row] = [points[row][0] + off * x / r, points[row][1] + off * y / r];
+            }
+            let found = cam.inspect(&points, 0.0).unwrap();
+            let mut rows: Vec<usize> = (found.deviations.iter())
+                .filter(|d| d.is_outlier)
+                .map(|d| d.row)
+                .collect();
+            rows.sort_unstable();
+            assert_eq!(rows, far.map(|f| f.0), "{}", cam.follower.name());
+            // Three points less: the fit is no longer the truth itself.
+            assert!((found.turn - TURN).abs() < 1e-8 + 0.1 * size / 0.01);
+            for d in found.kept() {
+                let truth = deviations[77 * d.row % POINTS];
+                assert!(
+                    (d.normal - truth).abs() < 1e-9 + 0.1 * size,
+                    "{d:?}: {truth}"
+                );
+            }
+            assert!(found.rms() < 1e-9 + 2.0 * size && found.deviations.len() == POINTS);
+        }
+    }
+}
+
+#[test]
+fn a_part_without_points_is_reported_and_leaves_the_made_cam_unknown() {
+    let mut design = footbridge();
+    for cam in lopsided() {
+        let points = measured(&cam, &made(&cam, 2e-6), 0.0);
+        // In the order of the profile.
+        let points: Vec<[f64; 2]> = (0..POINTS)
+            .map(|k| points[(0..POINTS).find(|i| 77 * i % POINTS == k).unwrap()])
+            .collect();
+        design.cam = cam.clone();
+        for share in [4, 2] {
+            let part = cam.inspect(&points[..POINTS / share], 0.0).unwrap();
+            let [from, to] = part.unmeasured.expect("a part without points");
+            let last = TAU * (POINTS / share - 1) as f64 / POINTS as f64;
+            assert!(
+                (from - last).abs() < 0.02 && to.min(TAU - to) < 0.02,
+                "{from} {to}"
+            );
+            assert!(MadeCam::of(&design, &part).is_none());
+        }
+        for step in [1, 9] {
+            let all: Vec<[f64; 2]> = points.iter().copied().step_by(step).collect();
+            let found = cam.inspect(&all, 0.0).unwrap();
+            assert_eq!(found.unmeasured, None, "{} {step}", cam.follower.name());
+            assert!(MadeCam::of(&design, &found).is_some());
+        }
+    }
+}
+
 #[test]
 fn a_disc_with_a_second_sine_of_a_micrometre_is_no_circle() {
     for (base_radius, small) in [(0.02, 1e-3), (0.05, 1e-5), (0.1, 1e-6)] {
@@ -234,8 +318,12 @@ fn the_force_of_a_made_cam_is_that_of_its_waves() {
     let deviations = (0..POINTS)
         .map(|row| {
             let theta = TAU * row as f64 / POINTS as f64;
-            let normal = size * (7.0 * theta + 0.4).cos();
-            Deviation { row, theta, normal }
+            Deviation {
+                row,
+                theta,
+                normal: size * (7.0 * theta + 0.4).cos(),
+                is_outlier: false,
+            }
         })
         .collect();
     let inspection = Inspection {
@@ -243,6 +331,7 @@ fn the_force_of_a_made_cam_is_that_of_its_waves() {
         centre: [0.0; 2],
         deviations,
         alike: Vec::new(),
+        unmeasured: None,
     };
     let made = MadeCam::of(&design, &inspection).unwrap();
     assert_eq!(made.waves, 7);

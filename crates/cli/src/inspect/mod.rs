@@ -84,7 +84,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         .inspect(&points.xy, ball)
         .map_err(|e| e.at(Place::File(args.measured.clone())))?;
     let made = MadeCam::of(&design, &inspected);
-    let json = summary_json(&design, &inspected, made.as_ref());
+    let json = summary_json(&design, &inspected, made.as_ref(), &points.lines);
     let place = match place {
         Some(path) => Some(write(
             &path,
@@ -97,7 +97,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         print_json(&json);
         return Ok(BUILT);
     }
-    print(&text(&design, &inspected, made.as_ref()));
+    print(&text(&design, &inspected, made.as_ref(), &points.lines));
     if let Some(place) = place {
         print(&files_in(&place, "deviation.svg"));
     }

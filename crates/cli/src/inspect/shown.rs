@@ -13,11 +13,14 @@ pub(super) fn summary_json(
     design: &Design,
     inspected: &Inspection,
     made: Option<&MadeCam>,
+    lines: &[usize],
 ) -> Value {
     let [least, most] = inspected.extremes().map_or([None; 2], |e| e.map(Some));
     let place =
         |d: Option<Deviation>| d.map(|d| json!({"deviation_m": d.normal, "at_rad": d.theta}));
     let drive = &design.problem.drive;
+    let outlier =
+        |d: &Deviation| json!({"line": lines[d.row], "deviation_m": d.normal, "at_rad": d.theta});
     json!({
         "name": design.problem.name,
         "points": inspected.deviations.len(),
@@ -25,11 +28,33 @@ pub(super) fn summary_json(
         "centre_m": inspected.centre,
         "fits_as_well_rad": inspected.alike,
         "deviation": {"rms_m": inspected.rms(), "min": place(least), "max": place(most)},
+        "outliers": outliers(inspected).map(outlier).collect::<Vec<Value>>(),
+        "unmeasured_rad": inspected.unmeasured,
         "waves": made.map(|m| m.waves),
         "left_m": made.map(|m| m.left),
         "designed": made.map(|m| behaviour(&m.designed, drive)),
         "made": made.map(|m| behaviour(&m.made, drive)),
     })
+}
+
+fn outliers(inspected: &Inspection) -> impl Iterator<Item = &Deviation> {
+    inspected.deviations.iter().filter(|d| d.is_outlier)
+}
+
+/// The line on outliers; `None` without them. At most ten lines are named.
+fn about_outliers(inspected: &Inspection, lines: &[usize]) -> Option<Value> {
+    let most = outliers(inspected)
+        .map(|d| d.normal.abs())
+        .reduce(f64::max)?;
+    let mut rows: Vec<usize> = outliers(inspected).map(|d| lines[d.row]).collect();
+    rows.sort_unstable();
+    let count = rows.len();
+    let mut named: Vec<String> = rows.iter().take(10).map(usize::to_string).collect();
+    if count > named.len() {
+        named.push("…".to_string());
+    }
+    let most = number(1e6 * most);
+    Some(json!({"count": count, "most": most, "lines": named.join(", ")}))
 }
 
 fn behaviour(b: &Behaviour, drive: &Drive) -> Value {
@@ -44,7 +69,12 @@ fn behaviour(b: &Behaviour, drive: &Drive) -> Value {
     })
 }
 
-pub(super) fn text(design: &Design, inspected: &Inspection, made: Option<&MadeCam>) -> String {
+pub(super) fn text(
+    design: &Design,
+    inspected: &Inspection,
+    made: Option<&MadeCam>,
+    file_lines: &[usize],
+) -> String {
     let measures = design.cam.follower.measures();
     let micro = |x: f64| number(1e6 * x);
     let degrees = |x: f64| number(x.to_degrees());
@@ -70,6 +100,13 @@ pub(super) fn text(design: &Design, inspected: &Inspection, made: Option<&MadeCa
             json!({"rms": micro(inspected.rms()), "least": micro(least.normal), "below": place(least.theta),
                 "most": micro(most.normal), "above": place(most.theta)}),
         );
+    }
+    if let Some(outliers) = about_outliers(inspected, file_lines) {
+        line("inspect-outliers", outliers);
+    }
+    if let Some(ends) = inspected.unmeasured {
+        let [from, to] = ends.map(place);
+        line("inspect-part", json!({"from": from, "to": to}));
     }
     let Some(made) = made else {
         return lines.join("\n");

@@ -389,6 +389,11 @@ inspect-alike = the cam repeats itself: it fits as well turned by { $others }
 inspect-deviation = deviation along the normal: { $rms } µm RMS, from { $least } µm at { $below } to { $most } µm at { $above }
 inspect-waves = { $waves } waves per turn explain it; { $left } RMS are left as noise
 inspect-rms = force error RMS: designed { $before }, as made { $after } { $unit }
+inspect-outliers = { $count } { $count ->
+        [one] point lies
+       *[other] points lie
+    } up to { $most } µm off the others (lines { $lines }) and are left out
+inspect-part = a part of the profile is measured: no point lies between { $from } and { $to }; force and motion as made are unknown
 inspect-max = force error maximum: designed { $before }, as made { $after } { $unit }
 inspect-least-force = smallest force: designed { $before }, as made { $after } { $unit }
 inspect-most-force = largest force: designed { $before }, as made { $after } { $unit }

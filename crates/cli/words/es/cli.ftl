@@ -389,6 +389,11 @@ inspect-alike = la leva se repite: ajusta igual de bien girada { $others }
 inspect-deviation = desviación según la normal: { $rms } µm RMS, de { $least } µm en { $below } a { $most } µm en { $above }
 inspect-waves = la explican { $waves } ondas por vuelta; quedan { $left } RMS como ruido
 inspect-rms = error de fuerza RMS: diseñado { $before }, hecho { $after } { $unit }
+inspect-outliers = { $count } { $count ->
+        [one] punto queda
+       *[other] puntos quedan
+    } hasta { $most } µm fuera de los demás (líneas { $lines }) y no se cuentan
+inspect-part = se midió una parte del perfil: ningún punto queda entre { $from } y { $to }; la fuerza y el movimiento reales no se conocen
 inspect-max = error de fuerza máximo: diseñado { $before }, hecho { $after } { $unit }
 inspect-least-force = fuerza mínima: diseñada { $before }, hecha { $after } { $unit }
 inspect-most-force = fuerza máxima: diseñada { $before }, hecha { $after } { $unit }

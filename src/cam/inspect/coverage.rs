@@ -1,0 +1,37 @@
+//! Which part of a profile was measured.
+
+use std::f64::consts::TAU;
+
+/// A gap between neighbouring points is a part that was not measured where it is longer than this part of the outline
+/// and than this many mean distances.
+const GAP: (f64, f64) = (0.05, 4.0);
+
+/// The longest part of the outline, points at equal cam angles, without points measured at the `angles`, rad in rising
+/// order: cam angles from and to; `None` where the points are all around.
+pub fn unmeasured(outline: &[[f64; 2]], angles: &[f64]) -> Option<[f64; 2]> {
+    let n = outline.len();
+    let length = |i: usize| {
+        let (a, b) = (outline[i], outline[(i + 1) % n]);
+        (b[0] - a[0]).hypot(b[1] - a[1])
+    };
+    // Length of the outline up to each sample.
+    let mut along = vec![0.0; n + 1];
+    for i in 0..n {
+        along[i + 1] = along[i] + length(i);
+    }
+    let place = |theta: f64| {
+        let x = theta / TAU * n as f64;
+        let i = (x as usize).min(n - 1);
+        along[i] + (x - i as f64) * (along[i + 1] - along[i])
+    };
+    let next = angles.iter().skip(1).chain(angles.first());
+    let gap = |(from, to): (&f64, &f64)| {
+        let gap = place(*to) - place(*from);
+        let gap = if to > from { gap } else { gap + along[n] };
+        (gap, [*from, *to])
+    };
+    let (gap, ends) = (angles.iter().zip(next).map(gap)).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    // Without the gap: all points may lie close together.
+    let mean = (along[n] - gap) / (angles.len() as f64 - 1.0);
+    (gap > GAP.0 * along[n] && gap > GAP.1 * mean).then_some(ends)
+}
