@@ -5,6 +5,8 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
+use gaitcam_base::threads;
+
 use super::carried::Files;
 use super::kernel::{Clock, Halts, Kernel};
 use super::made::scatter::Samples;
@@ -81,9 +83,12 @@ impl<'a> Runner<'a> {
         each: &(dyn Fn(Records) -> T + Sync),
     ) -> Vec<T> {
         let parts = Parts::new(rows, jobs);
-        if jobs <= 1 {
+        let on_this_thread = || {
             let part = |k| self.part(parts.rows(k), stop).map(each);
-            return (0..parts.count).map_while(part).collect();
+            (0..parts.count).map_while(part).collect()
+        };
+        if jobs <= 1 {
+            return on_this_thread();
         }
         let (next, ended) = (AtomicU64::new(0), AtomicBool::new(false));
         let is_ended = || ended.load(Ordering::Relaxed);
@@ -93,30 +98,32 @@ impl<'a> Runner<'a> {
             Some((k, each(self.part(rows, &is_ended)?)))
         };
         let mut done: Vec<Option<T>> = (0..parts.count).map(|_| None).collect();
-        std::thread::scope(|scope| {
+        let started = std::thread::scope(|scope| {
             let (send, receive) = channel();
-            for _ in 0..(jobs as u64).min(parts.count) {
-                let (send, compute) = (send.clone(), &compute);
-                scope.spawn(move || {
-                    while let Some(part) = compute() {
-                        if send.send(part).is_err() {
-                            return;
-                        }
+            let compute = &compute;
+            let work = move || {
+                while let Some(part) = compute() {
+                    if send.send(part).is_err() {
+                        return;
                     }
-                });
-            }
-            drop(send);
+                }
+            };
+            let count = (jobs as u64).min(parts.count) as usize;
+            let started = threads::start(scope, count, work);
             loop {
                 match receive.recv_timeout(LOOK) {
                     Ok((k, part)) => done[k as usize] = Some(part),
                     Err(RecvTimeoutError::Timeout) => {}
-                    Err(RecvTimeoutError::Disconnected) => return,
+                    Err(RecvTimeoutError::Disconnected) => return started,
                 }
                 if stop() {
                     ended.store(true, Ordering::Relaxed);
                 }
             }
         });
+        if started == 0 {
+            return on_this_thread();
+        }
         done.into_iter().map_while(|part| part).collect()
     }
 

@@ -4,7 +4,8 @@
 //! - [`units`]: quantities with units as users write them, `"3 in"` or `"30 psi/in^3"`;
 //! - [`wording`]: sentences made from data, in English and Spanish;
 //! - [`text`]: numbers and text as files and pages show them;
-//! - [`halt`]: how a caller ends a computation.
+//! - [`halt`]: how a caller ends a computation;
+//! - [`threads`]: threads where the system may refuse them.
 //!
 //! ```
 //! use gaitcam_base::units::{Dimension, parse};
@@ -23,6 +24,7 @@ pub mod error;
 pub mod halt;
 mod quantity;
 pub mod text;
+pub mod threads;
 pub mod units;
 pub mod wording;
 

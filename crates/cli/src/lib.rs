@@ -109,7 +109,19 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
+/// A write beyond the size that the system allows for files (`ulimit -f`) fails as one on a full disk does; without
+/// this it ends the process.
+#[cfg(unix)]
+fn fail_on_large_files() {
+    let noticed = std::sync::Arc::default();
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, noticed);
+}
+
+#[cfg(not(unix))]
+fn fail_on_large_files() {}
+
 fn dispatch(cli: Cli) -> Result<u8> {
+    fail_on_large_files();
     if !matches!(cli.command, Some(Command::Studio(_))) {
         inputs::protect();
     }

@@ -5,6 +5,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, Thread};
 use std::time::Duration;
 
+use gaitcam_base::threads;
+
 use crate::halt::Halt;
 
 /// Time between two looks at the caller's halt.
@@ -19,9 +21,10 @@ pub fn beside<T: Sync, R: Send>(
     halt: &Halt,
     search: impl Fn(&T, &Halt) -> R + Sync,
 ) -> Vec<R> {
+    let on_this_thread = || items.iter().map(|item| search(item, halt)).collect();
     // On a thread of a pool the cores have work already; a browser's module has one thread.
     if items.len() < 2 || rayon::current_thread_index().is_some() || cfg!(target_family = "wasm") {
-        return items.iter().map(|item| search(item, halt)).collect();
+        return on_this_thread();
     }
     let asked = Arc::new(AtomicBool::new(false));
     let told = Arc::clone(&asked);
@@ -45,18 +48,19 @@ pub fn beside<T: Sync, R: Send>(
         }
     };
     let count = thread::available_parallelism().map_or(1, usize::from);
-    let count = count.min(items.len());
-    thread::scope(|scope| {
-        for _ in 0..count {
-            scope.spawn(work);
-        }
-        while done.load(Ordering::Acquire) < count {
+    let started = thread::scope(|scope| {
+        let started = threads::start(scope, count.min(items.len()), work);
+        while done.load(Ordering::Acquire) < started {
             if halt.is_asked() {
                 asked.store(true, Ordering::Relaxed);
             }
             thread::park_timeout(LOOK);
         }
+        started
     });
+    if started == 0 {
+        return on_this_thread();
+    }
     let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
     found.sort_by_key(|&(at, _)| at);
     found.into_iter().map(|(_, result)| result).collect()

@@ -4,7 +4,7 @@ use std::io::{IsTerminal, Write, stderr};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::thread::{JoinHandle, spawn};
+use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
 use serde_json::json;
@@ -21,12 +21,12 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// Starts `work`, whose receiver fails once the watch is dropped.
+    /// Starts `work`, whose receiver fails once the watch is dropped; nothing where the system admits no thread.
     pub fn new(work: impl FnOnce(Receiver<()>) + Send + 'static) -> Watch {
         let (done, waits) = channel();
         Watch {
             done: Some(done),
-            thread: Some(spawn(move || work(waits))),
+            thread: Builder::new().spawn(move || work(waits)).ok(),
         }
     }
 }

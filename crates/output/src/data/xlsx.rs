@@ -54,6 +54,11 @@ fn not_built(fault: XlsxError) -> gaitcam::error::Error {
 
 /// An empty workbook; its date is fixed, so that the same results give the same bytes.
 fn book(title: &str) -> std::result::Result<Workbook, XlsxError> {
+    // The library assembles each sheet on a thread of its own and panics where the system admits none.
+    #[cfg(not(target_family = "wasm"))]
+    std::thread::Builder::new()
+        .spawn(|| ())
+        .map_err(XlsxError::IoError)?;
     let mut book = Workbook::new();
     let epoch = ExcelDateTime::from_ymd(2000, 1, 1)?;
     let properties = DocProperties::new().set_title(title);

@@ -4,4 +4,6 @@ mod folder;
 mod foreign;
 mod input_and_output;
 mod inputs;
+#[cfg(target_os = "linux")]
+mod of_the_system;
 mod polish;
