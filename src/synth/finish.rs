@@ -31,9 +31,10 @@ pub struct Reports {
 pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: Reports) -> Design {
     let Attempt { law, cam, refusal } = attempt;
     let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;
+    let out_of_time = search.halt.was_heard();
     let infeasible = match refusal {
         // Without an answer nothing is proved: the law that was found is judged as it is.
-        Some(refusal) if search.halt.is_asked() && !refusal.is_found() => None,
+        Some(refusal) if out_of_time && !refusal.is_found() => None,
         Some(refusal) => Some(infeasible::explain(problem, &refusal)),
         None if cam.checks.iter().any(too_large) => infeasible::bore_against_size(problem),
         None => None,
@@ -43,12 +44,16 @@ pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: R
         verdict = Verdict::Unacceptable;
         reasons.retain(|r| matches!(r, Reason::MeanForce { .. }));
         reasons.extend(infeasible.reasons.iter().cloned());
+    } else if out_of_time {
+        verdict = Verdict::Unacceptable;
+        reasons.retain(|r| *r != Reason::AllHold);
+        reasons.insert(0, Reason::OutOfTime);
     }
     let mut notes = problem.notes();
     if matches!(reasons.first(), Some(Reason::MeanForce { .. })) {
         notes.retain(|n| !matches!(n, Note::MeanForce { .. }));
     }
-    if search.halt.is_asked() {
+    if out_of_time && infeasible.is_some() {
         notes.push(Note::OutOfTime);
     }
     notes.extend(stopped_at_noise(problem, law.family));
@@ -79,7 +84,7 @@ pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: R
         binding: law.binding,
         easing: law.easing,
         solver: law.solver,
-        out_of_time: search.halt.is_asked(),
+        out_of_time,
         notes,
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Polled by every iterative computation between its steps; once true, the computation returns its best result so far.
 ///
@@ -19,17 +19,24 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// assert!(halt.is_asked() && !Halt::never().is_asked());
 /// ```
 #[derive(Clone, Default)]
-pub struct Halt(Option<Arc<dyn Fn() -> bool + Send + Sync>>);
+pub struct Halt {
+    asked: Option<Arc<dyn Fn() -> bool + Send + Sync>>,
+    /// Shared by all copies.
+    was_heard: Arc<AtomicBool>,
+}
 
 impl Halt {
     /// Computations run to their end.
     pub fn never() -> Self {
-        Halt(None)
+        Halt::default()
     }
 
     /// Computations end once `asked` returns true; it is called often, from any thread.
     pub fn when(asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
-        Halt(Some(Arc::new(asked)))
+        Halt {
+            asked: Some(Arc::new(asked)),
+            was_heard: Arc::default(),
+        }
     }
 
     /// The same, and at the latest after this many looks at it: an end that is the same on every machine.
@@ -52,13 +59,30 @@ impl Halt {
 
     /// Whether the computation should end.
     pub fn is_asked(&self) -> bool {
-        self.0.as_ref().is_some_and(|asked| asked())
+        let is_asked = self.asked.as_ref().is_some_and(|asked| asked());
+        if is_asked {
+            self.was_heard.store(true, Ordering::Relaxed);
+        }
+        is_asked
+    }
+
+    /// Whether a computation was told to end. One that was complete before is not: its result does not depend on time.
+    ///
+    /// ```
+    /// use gaitcam_base::halt::Halt;
+    ///
+    /// let halt = Halt::when(|| true);
+    /// assert!(!halt.was_heard());
+    /// assert!(halt.clone().is_asked() && halt.was_heard());
+    /// ```
+    pub fn was_heard(&self) -> bool {
+        self.was_heard.load(Ordering::Relaxed)
     }
 }
 
 impl fmt::Debug for Halt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(if self.0.is_some() {
+        f.write_str(if self.asked.is_some() {
             "Halt::when"
         } else {
             "Halt::never"

@@ -109,7 +109,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
     // What the machine needs does not change with a limit of the cam.
     let of_machine = design.relaxations.into_iter();
     let of_machine = of_machine.filter(|r| r.limit == Criterion::Inertia);
-    let out_of_time = search.halt.is_asked() && !design.out_of_time;
+    let out_of_time = search.halt.was_heard() && !design.out_of_time;
     let notes = design.notes.into_iter();
     Design {
         infeasible,

@@ -33,6 +33,8 @@ use crate::wording::{self, Language};
 pub enum Reason {
     /// Every check passes and lift, velocity and acceleration are continuous.
     AllHold,
+    /// The search was ended before it was complete.
+    OutOfTime,
     /// The mean of the target is not the weight of the moved mass.
     MeanForce {
         mean: Quantity,

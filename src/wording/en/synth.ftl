@@ -1,4 +1,5 @@
 # Reasons for the verdict on a design.
+reason-out-of-time = The time limit ended the search: this is the best cam found until then. Allow more with --time-limit.
 reason-all-hold = All limits are satisfied; lift, velocity and acceleration are continuous over the whole cycle.
 reason-mean-force = The mean target force is { $mean }, but the weight of the mass is { $weight }. A cam cannot change the mean force over a turn, so the force error is at least { $error } RMS. Set drive.mass = "auto" or gait.scale = "to-mass".
 reason-recording-kind = The kind of movement in the recording is not certain: { $because }. Set { $keys }, or gait.accept = "kind" if it is right as it is.

@@ -1,4 +1,5 @@
 # Razones del veredicto sobre un diseño.
+reason-out-of-time = El límite de tiempo terminó la búsqueda: esta es la mejor leva hallada hasta entonces. Permita más con --time-limit.
 reason-all-hold = Se cumplen todos los límites; elevación, velocidad y aceleración son continuas en todo el ciclo.
 reason-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la masa es { $weight }. Una leva no puede cambiar la fuerza media de una vuelta, de modo que el error de fuerza es como mínimo { $error } RMS. Fije drive.mass = "auto" o gait.scale = "to-mass".
 reason-recording-kind = No está claro qué movimiento contiene el registro: { $because }. Indique { $keys }, o gait.accept = "kind" si es correcto tal como está.

@@ -1,9 +1,10 @@
 //! A search that may take long: a progress line after half a second, a time limit.
 
 use std::sync::mpsc::RecvTimeoutError;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use clap::Args;
+use cpu_time::{ProcessTime, ThreadTime};
 use gaitcam::error::{Placed, Result};
 use gaitcam::halt::Halt;
 use gaitcam::synth::{self, Outcome, Search};
@@ -26,7 +27,7 @@ const LONGEST_S: f64 = 1e9;
 /// How long searches may take.
 #[derive(Args, Debug, Default, Clone, Copy)]
 pub struct TimeLimit {
-    /// End the search after this time and keep the best result (default 60 s, in sweeps 5 s per design)
+    /// End the search after this processor time and keep the best result (default 60 s, in sweeps 5 s per design)
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time_limit: Option<f64>,
 }
@@ -45,9 +46,11 @@ impl TimeLimit {
         after(self.time_limit.unwrap_or(DESIGN_S))
     }
 
-    /// The same for one row of a sweep.
+    /// The same for one row of a sweep, which this thread computes.
     pub fn of_row(self) -> Halt {
-        after(self.time_limit.unwrap_or(ROW_S))
+        let limit = duration(self.time_limit.unwrap_or(ROW_S));
+        let begun = ThreadTime::now().as_duration();
+        Halt::when(move || ThreadTime::now().as_duration() - begun >= limit)
     }
 
     /// How long to wait for another process that writes into the same folder.
@@ -86,11 +89,37 @@ pub fn search() -> Search {
     Search::until(after(DESIGN_S))
 }
 
+/// After this processor time of the process: what a design gets does not depend on what else the machine does.
 fn after(seconds: f64) -> Halt {
-    let end = Instant::now() + duration(seconds);
-    Halt::when(move || Instant::now() >= end)
+    let (begun, limit) = (ProcessTime::now(), duration(seconds));
+    Halt::when(move || begun.elapsed() >= limit)
 }
 
 fn duration(seconds: f64) -> Duration {
     Duration::from_secs_f64(seconds.min(LONGEST_S))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::hint::black_box;
+    use std::time::Instant;
+
+    #[test]
+    fn a_limit_counts_the_time_of_the_processor_and_not_of_the_clock() {
+        let limit = TimeLimit {
+            time_limit: Some(0.1),
+        };
+        // Other tests of this process run beside this one: only the time of a thread is its own.
+        let row = limit.of_row();
+        std::thread::sleep(Duration::from_millis(300));
+        assert!(!row.is_asked());
+        let (begun, design) = (Instant::now(), limit.of_design());
+        let worked = ThreadTime::now();
+        while worked.elapsed() < Duration::from_millis(120) {
+            black_box((0..1000).fold(0.0, |sum, i| sum + f64::from(i).sqrt()));
+        }
+        assert!(row.is_asked() && design.is_asked());
+        assert!(begun.elapsed() >= Duration::from_millis(100));
+    }
 }

@@ -161,11 +161,7 @@ fn design_of(
     };
     hand_over(args, input, request, &answer)?;
     let design = &answer.design;
-    Ok(if design.out_of_time {
-        exit_code::NO_SUCH_CAM
-    } else {
-        exit_code::of(design.verdict)
-    })
+    Ok(exit_code::of(design.verdict))
 }
 
 fn rows(args: &SynthArgs) -> Result<usize> {

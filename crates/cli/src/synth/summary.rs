@@ -25,12 +25,12 @@ const NOTES: usize = 3;
 /// The summary for people.
 pub fn text(design: &Design, time: Timing) -> String {
     let language = language::current();
+    let headline = match design.out_of_time && design.infeasible.is_none() {
+        true => "out-of-time",
+        false => design.verdict.name(),
+    };
     let mut out = vec![
-        format!(
-            "{}: {}",
-            design.problem.name,
-            words::name(design.verdict.name())
-        ),
+        format!("{}: {}", design.problem.name, words::name(headline)),
         format!("  {}", sentences(&design.reasons, language)),
     ];
     out.extend(failed_checks(design));

@@ -74,7 +74,7 @@ all-help = Muestra la ayuda
 all-version = Muestra la versión
 all-scene = Archivo de escena, nombre de una escena incluida (gaitcam scenes), o - para la entrada estándar; por defecto footbridge
 all-set = Cambia un valor: --set 'limits.stroke=40 mm' (se puede repetir)
-all-time_limit = Termina la búsqueda pasado este tiempo y conserva el mejor resultado (por defecto 60 s, en barridos 5 s por diseño)
+all-time_limit = Termina la búsqueda pasado este tiempo de procesador y conserva el mejor resultado (por defecto 60 s, en barridos 5 s por diseño)
 all-json = Escribe JSON
 all-out = Carpeta de los archivos (por defecto out/NOMBRE)
 
