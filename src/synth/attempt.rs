@@ -87,13 +87,7 @@ impl Attempt {
 /// The best law without the accuracy where the other limits have one, without any limit, or without the base circle
 /// either. Where the accuracy is a limit and the objective no force, the best is that of the least force error.
 fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Sought<Attempt> {
-    let endless = Search::default().below_base_circle();
-    // Such laws are quickly found: where the time is over already, they get all that they take.
-    let timely = if search.halt.is_asked() {
-        Search::default()
-    } else {
-        Search::until(search.halt.clone())
-    };
+    let timely = Search::until(search.halt.clone());
     let of_accuracy = refusal.is_of_accuracy();
     let bare = if of_accuracy {
         problem.without_accuracy()
@@ -110,9 +104,17 @@ fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Soug
         },
         ..bare.law.clone()
     });
-    let law = match families::law(&bare, &timely)? {
-        Err(_) => families::law(&bare, &endless)?,
-        law => law,
+    // Where the time is over, least squares get all the time that they take: a moment.
+    let endless = Search::default().below_base_circle();
+    let is_late = search.halt.is_asked();
+    let timely = (!is_late)
+        .then(|| families::law(&bare, &timely))
+        .transpose()?;
+    let law = match timely {
+        Some(Ok(law)) => Ok(law),
+        None => families::law(&quick(&bare), &endless)?,
+        Some(Err(_)) if search.halt.is_asked() => families::law(&quick(&bare), &endless)?,
+        Some(Err(_)) => families::law(&bare, &endless)?,
     };
     // The optimum under the limits that misses the accuracy keeps its proof, as where the force error is minimised.
     if of_accuracy {
@@ -127,6 +129,15 @@ fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Soug
         law
     };
     on_cam(problem, law.map(unproved))
+}
+
+/// The problem with an objective in closed form or by least squares.
+fn quick(problem: &Problem) -> Problem {
+    match problem.objective() {
+        Minimise::Peak(order) => problem.minimising(Minimise::Energy(order)),
+        Minimise::PeakForceError => problem.minimising(Minimise::ForceError),
+        Minimise::ForceError | Minimise::Energy(_) | Minimise::Size => problem.clone(),
+    }
 }
 
 #[cfg(test)]

@@ -16,13 +16,13 @@ use crate::scene::{Family, LawSpec, LimitKind, Minimise};
 /// A point of the front.
 ///
 /// ```
-/// use gaitcam::synth::{trade, traded};
+/// use gaitcam::synth::{Search, trade, traded};
 /// use gaitcam::{Problem, scene};
 ///
 /// // Less stroke costs force error.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
-/// let front = trade(&problem, traded("force_error:stroke")?, 4)?;
+/// let front = trade(&problem, traded("force_error:stroke")?, 4, &Search::default())?;
 /// for pair in front.windows(2) {
 ///     let cost = |i: usize| (pair[i].allowed, -pair[i].design.force.rms_error_n);
 ///     assert!((cost(0) <= cost(1)) || (cost(1) <= cost(0)));
@@ -178,34 +178,42 @@ fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
 }
 
 /// The front between force error and another quantity, from the tightest value to what the unlimited law
-/// needs, in even steps.
+/// needs, in even steps; fewer points where the search was told to end.
 ///
 /// # Errors
 /// A problem without a force, a family other than splines, a given size, and where
 /// the law without the limit cannot be built.
-pub fn trade(problem: &Problem, against: &Figure, points: usize) -> Result<Vec<Trade>> {
-    let search = Search::default();
+pub fn trade(
+    problem: &Problem,
+    against: &Figure,
+    points: usize,
+    search: &Search,
+) -> Result<Vec<Trade>> {
     let bound = Bound::of(against);
     bound.check(problem)?;
     let of = |design: &Design| against.value(&Figures::of(design));
-    let open = unlimited(problem, &search)?;
-    let free = design(&open, &search)?;
+    let open = unlimited(problem, search)?;
+    let free = design(&open, search)?;
     if let Some(why) = &free.infeasible {
         return Err(why.no_law().at_key("limits"));
     }
     let most = bound.turned(of(&free)) * INSIDE;
-    let held = |value: f64| design(&bound.held(&open, bound.turned(value)), &search);
+    let held = |value: f64| design(&bound.held(&open, bound.turned(value)), search);
     // Demands may keep even the unlimited law farther away than that.
     let own = free.force.rms_error_n;
     let worst = (WORST * free.force.target_mean_n.abs()).max(2.0 * own);
     let good = |design: &Design| {
         let held = |c: &crate::cam::Check| c.pass || c.name == Criterion::RmsError;
         design.infeasible.is_none()
+            && !design.out_of_time
             && design.checks.iter().all(held)
             && design.force.rms_error_n <= worst
     };
     let (mut low, mut high) = (0.0, most);
     for _ in 0..HALVINGS {
+        if search.halt.is_asked() {
+            return Ok(Vec::new());
+        }
         let middle = 0.5 * (low + high);
         match held(middle) {
             Ok(design) if good(&design) => high = middle,
@@ -222,6 +230,9 @@ pub fn trade(problem: &Problem, against: &Figure, points: usize) -> Result<Vec<T
         let share = i as f64 / (points - 1).max(1) as f64;
         let value = high + share * (most - high);
         let design = held(value)?;
+        if search.halt.is_asked() {
+            break;
+        }
         if design.infeasible.is_none() {
             let allowed = bound.turned(value);
             out.push(Trade { allowed, design });

@@ -12,7 +12,7 @@ use crate::input;
 use gaitcam::Problem;
 use gaitcam::error::Result;
 use gaitcam::sweep::{Field, Records};
-use gaitcam::synth::{FIGURES, Figure, Figures, ForceReport, Trade, trade, traded};
+use gaitcam::synth::{FIGURES, Figure, Figures, ForceReport, Search, Trade, trade, traded};
 use gaitcam_app::folder::Folder;
 use gaitcam_output::sweep_plots::{self, Quantity};
 
@@ -28,7 +28,14 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     let target = input.target()?;
     let points = args.points.unwrap_or(POINTS) as usize;
     let problem = Problem::resolve(&input.scene, target.as_ref())?;
-    let front = trade(&problem, against, points)?;
+    let limit = args.time.of_design();
+    let front = trade(&problem, against, points, &Search::until(limit.clone()))?;
+    if limit.was_heard() {
+        report(words::text("trade-stopped"));
+    }
+    if front.is_empty() && limit.was_heard() {
+        return Ok(NO_SUCH_CAM);
+    }
     if front.is_empty() {
         report(words::text("trade-none"));
         return Ok(NO_SUCH_CAM);
@@ -61,7 +68,11 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         print(&lines(&input.scene.name, against, &front));
         print(&super::files_in(folder.path(), "front.png"));
     }
-    Ok(BUILT)
+    Ok(if limit.was_heard() {
+        NO_SUCH_CAM
+    } else {
+        BUILT
+    })
 }
 
 fn title(name: &str, against: &Figure) -> String {

@@ -188,6 +188,7 @@ synth-gouge-elsewhere = at { $at } the cutter gouges the profile by { $depth } m
 synth-gouge-undercut = the profile is undercut at { $at }: it cannot be cut
 
 # synth --front.
+trade-stopped = The time limit ended the search: points of the front are missing. Give a longer --time-limit.
 trade-none = no point of the front can be built
 trade-title = { $name }: least force error at each { $quantity }
 
@@ -306,6 +307,7 @@ cover-bound-worst = minimised: the worst error; bound: no cams of this number ha
 cover-bound-mean = minimised: the root mean square of the errors; bound: no cams of this number have a smaller one. others: walkers left out of the design (five parts in turn)
 cover-bound-tail = minimised: the root mean square of the errors of the worst part of the walkers; bound: no cams of this number have a smaller one. others: walkers left out of the design (five parts in turn)
 cover-stopped = The time limit ended the search: numbers of cams are missing. Give a longer --time-limit.
+cover-cut = The time limit ended the search: better covers may exist. Give a longer --time-limit.
 cover-error = RMS force error, % of the mean force
 cover-error-n = RMS force error, N
 cover-number = number of cams
@@ -387,13 +389,13 @@ inspect-no-cam = there is no cam to compare with: { $why }
 inspect-fit = { $points } points; the cam lies turned by { $turn }° with its centre at x { $x } mm, y { $y } mm
 inspect-alike = the cam repeats itself: it fits as well turned by { $others }
 inspect-deviation = deviation along the normal: { $rms } µm RMS, from { $least } µm at { $below } to { $most } µm at { $above }
-inspect-waves = { $waves } waves per turn explain it; { $left } RMS are left as noise
-inspect-rms = force error RMS: designed { $before }, as made { $after } { $unit }
 inspect-outliers = { $count } { $count ->
         [one] point lies
        *[other] points lie
     } up to { $most } µm off the others (lines { $lines }) and are left out
 inspect-part = a part of the profile is measured: no point lies between { $from } and { $to }; force and motion as made are unknown
+inspect-waves = { $waves } waves per turn explain it; { $left } RMS are left as noise
+inspect-rms = force error RMS: designed { $before }, as made { $after } { $unit }
 inspect-max = force error maximum: designed { $before }, as made { $after } { $unit }
 inspect-least-force = smallest force: designed { $before }, as made { $after } { $unit }
 inspect-most-force = largest force: designed { $before }, as made { $after } { $unit }

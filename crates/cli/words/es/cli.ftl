@@ -188,6 +188,7 @@ synth-gouge-elsewhere = al cortar en { $at }, la fresa penetra { $depth } mm en 
 synth-gouge-undercut = el perfil tiene rebaje en { $at }: ninguna fresa lo mecaniza
 
 # synth --front.
+trade-stopped = El límite de tiempo terminó la búsqueda: faltan puntos del frente. Dé un --time-limit mayor.
 trade-none = no se puede construir ningún punto del frente
 trade-title = { $name }: menor error de fuerza para cada { $quantity }
 
@@ -306,6 +307,7 @@ cover-bound-worst = minimizado: el peor error; cota: ningún conjunto de este n�
 cover-bound-mean = minimizado: la media cuadrática de los errores; cota: ningún conjunto de este número de levas tiene una menor. otros: caminantes excluidos del diseño (cinco partes por turno)
 cover-bound-tail = minimizado: la media cuadrática de los errores de la peor parte de los caminantes; cota: ningún conjunto de este número de levas tiene una menor. otros: caminantes excluidos del diseño (cinco partes por turno)
 cover-stopped = El límite de tiempo terminó la búsqueda: faltan números de levas. Dé un --time-limit mayor.
+cover-cut = El límite de tiempo terminó la búsqueda: puede haber mejores repartos. Dé un --time-limit mayor.
 cover-error = error de fuerza RMS, % de la fuerza media
 cover-error-n = error de fuerza RMS, N
 cover-number = número de levas
@@ -387,13 +389,13 @@ inspect-no-cam = no hay leva con que comparar: { $why }
 inspect-fit = { $points } puntos; la leva está girada { $turn }° con su centro en x { $x } mm, y { $y } mm
 inspect-alike = la leva se repite: ajusta igual de bien girada { $others }
 inspect-deviation = desviación según la normal: { $rms } µm RMS, de { $least } µm en { $below } a { $most } µm en { $above }
-inspect-waves = la explican { $waves } ondas por vuelta; quedan { $left } RMS como ruido
-inspect-rms = error de fuerza RMS: diseñado { $before }, hecho { $after } { $unit }
 inspect-outliers = { $count } { $count ->
         [one] punto queda
        *[other] puntos quedan
     } hasta { $most } µm fuera de los demás (líneas { $lines }) y no se cuentan
 inspect-part = se midió una parte del perfil: ningún punto queda entre { $from } y { $to }; la fuerza y el movimiento reales no se conocen
+inspect-waves = la explican { $waves } ondas por vuelta; quedan { $left } RMS como ruido
+inspect-rms = error de fuerza RMS: diseñado { $before }, hecho { $after } { $unit }
 inspect-max = error de fuerza máximo: diseñado { $before }, hecho { $after } { $unit }
 inspect-least-force = fuerza mínima: diseñada { $before }, hecha { $after } { $unit }
 inspect-most-force = fuerza máxima: diseñada { $before }, hecha { $after } { $unit }

@@ -4,7 +4,7 @@
 use super::targets::{mean_square_jerk, read};
 use gaitcam::Problem;
 use gaitcam::scene;
-use gaitcam::synth::{Design, Figures, synthesise, trade, traded};
+use gaitcam::synth::{Design, Figures, Search, synthesise, trade, traded};
 use gaitcam_test_support::young;
 
 #[test]
@@ -33,7 +33,7 @@ fn the_front_falls_and_ends_at_the_unlimited_law() {
         let against = traded(pair).unwrap();
         let of = |design: &Design| against.value(&Figures::of(design));
         let problem = Problem::resolve(&scene, Some(&target)).unwrap();
-        let front = trade(&problem, against, 8).unwrap();
+        let front = trade(&problem, against, 8, &Search::default()).unwrap();
         assert!(front.len() >= 6, "{pair}: {}", front.len());
         for t in &front {
             assert!(

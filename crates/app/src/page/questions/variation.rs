@@ -11,7 +11,7 @@ use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
 use gaitcam::scene::keys::{KEYS, Key};
-use gaitcam::synth::{Design, Figure, Figures, synthesise, trade, traded};
+use gaitcam::synth::{Design, Figure, Figures, Search, synthesise, trade, traded};
 use gaitcam::wording::people;
 
 /// Whether a front gives scenes: a point of it is a value of a limit.
@@ -140,7 +140,7 @@ pub fn front(files: &Files, asked: &Trade) -> Result<Value> {
     let (scene, _) = files.scene(&table(&asked.scene)?)?;
     let target = files.target(&scene)?.map(|t| t.0);
     let problem = Problem::resolve(&scene, target.as_ref())?;
-    let front = trade(&problem, against, POINTS)?;
+    let front = trade(&problem, against, POINTS, &Search::default())?;
     let (unit, factor) = people(against.unit);
     let language = words::current();
     let points = front.iter().map(|point| {

@@ -80,7 +80,8 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
     // What is designed here is what the scenes that are written give.
     let walkers = read_population(&place.join(CYCLES), table.as_bytes())?;
     let force = ForceCurve::of_walkers(walkers.clone())?;
-    let search = Search::until(args.time.of_design());
+    let limit = args.time.of_design();
+    let search = Search::until(limit.clone());
     let shown = args.time.shown();
     let mut found = covers(&input.scene, &force, numbers.1, &search)?;
     let mut other = folds(&input.scene, &force, numbers.1, &search)?;
@@ -108,14 +109,21 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
         print(&text(&input, &found, &other));
         print(&files_in(&place, "cover.png"));
     }
+    let is_cut = limit.was_heard();
     if !is_whole {
         report(words::text("cover-stopped"));
+    } else if is_cut {
+        report(words::text("cover-cut"));
     }
     let is_built = found
         .iter()
         .flat_map(|c| &c.cams)
         .all(|d| d.infeasible.is_none());
-    Ok(if is_built { BUILT } else { NO_SUCH_CAM })
+    Ok(if is_built && !is_cut {
+        BUILT
+    } else {
+        NO_SUCH_CAM
+    })
 }
 
 /// The smallest and the largest number of cams to design, from `--cams`: `1:6`, or `3` for both.

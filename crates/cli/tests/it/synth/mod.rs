@@ -5,5 +5,6 @@ mod explain;
 mod main_job;
 mod motion_file;
 mod motor_file;
+#[cfg(target_os = "linux")]
 mod time_limit;
 mod verdicts;
