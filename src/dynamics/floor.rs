@@ -251,7 +251,11 @@ impl Floor {
         still: &[Term],
         others: &[Term],
     ) -> Result<Vec<Term>> {
-        let gains = self.gains(speed, still)?;
+        // The floor feels all feet: what the shaker lacks the others may press.
+        let size = |(a, b): &Term| a.hypot(*b);
+        let both = still.iter().zip(others);
+        let felt: Vec<Term> = both.map(|(p, o)| (size(p), size(o))).collect();
+        let gains = self.gains(speed, &felt)?;
         let each = still.iter().zip(others).zip(gains);
         Ok(each
             .map(|((p, o), [re, im])| {

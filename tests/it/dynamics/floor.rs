@@ -327,6 +327,35 @@ fn the_force_on_the_moving_floor_is_the_wanted_one() {
 }
 
 #[test]
+fn the_shaker_feels_the_floor_in_harmonics_that_only_the_others_press() {
+    let floor = Floor {
+        modes: vec![mode(3000.0, 3.8, 0.005), mode(20_000.0, 7.1, 0.02)],
+        walkers: vec![(0.0, 1.0), (1.0, 1.0)],
+    };
+    let (mass, speed) = (71.4, 11.62);
+    let others = [(280.0, 30.0), (-70.0, 12.0), (40.0, -9.0), (8.0, 21.0)];
+    for count in 0..=4 {
+        let own = |n: usize| {
+            if n < count {
+                300.0 / (n + 1) as f64
+            } else {
+                1e-15
+            }
+        };
+        let still: Vec<(f64, f64)> = (0..4).map(|n| (own(n), -0.4 * own(n))).collect();
+        let pressed = floor.pressed(mass, speed, &still, &others).unwrap();
+        let sum = |(a, b): (&(f64, f64), &(f64, f64))| (a.0 + b.0, a.1 + b.1);
+        let all: Vec<(f64, f64)> = pressed.iter().zip(&others).map(sum).collect();
+        let moved = floor.acceleration(speed, &all).unwrap();
+        // F = P + M z″.
+        for ((f, p), z) in pressed.iter().zip(&still).zip(&moved) {
+            let off = [f.0 - p.0 - mass * z.0, f.1 - p.1 - mass * z.1];
+            assert!(off[0].hypot(off[1]) < 1e-9, "{count}: {off:?}");
+        }
+    }
+}
+
+#[test]
 fn walkers_in_step_add_and_walkers_half_a_turn_apart_cancel_the_first_harmonic() {
     let peak = |count: &str, phases: &str| {
         let mut changes = bridge("50000 kg", "1.85 Hz", "0.01");
