@@ -168,10 +168,12 @@ impl Cam {
     /// zero angle cannot be found, and on a cam that does not turn.
     pub fn inspect(&self, points: &[[f64; 2]], ball: f64) -> Result<Inspection> {
         self.refuse_unfit(points)?;
+        let samples = self.samples(PROFILE);
         let exact = Exact {
             cam: self,
             ball,
-            samples: self.samples(PROFILE),
+            longest: longest(&samples),
+            samples,
         };
         let (low, high) = radii(&exact.samples);
         let mut kept = vec![true; points.len()];
@@ -281,6 +283,7 @@ impl Cam {
         let outline: Vec<[f64; 2]> = samples.iter().map(|s| s.p).collect();
         let (pivot, place) = (middle(points), middle(&outline));
         let (_, size) = radii(&samples);
+        let longest = longest(&samples);
         let mut fits: Vec<(f64, Pose)> = Vec::new();
         for k in 0..STARTS {
             let start = Pose {
@@ -288,7 +291,7 @@ impl Cam {
                 pivot,
                 place,
             };
-            let foot = |q| tangent_distance(&samples[nearest(&samples, q)], q, ball);
+            let foot = |q| tangent_distance(&samples[nearest(&samples, longest, q)], q, ball);
             let (pose, feet) = fitted(start, &few, size, (COARSE_ROUNDS, 0.0), foot);
             fits.push((rms(&feet), pose));
         }
@@ -317,6 +320,7 @@ struct Exact<'a> {
     cam: &'a Cam,
     ball: f64,
     samples: Vec<Sample>,
+    longest: f64,
 }
 
 /// A pose with the feet of all points and the root mean square of the distances of those that are kept, m.
@@ -351,7 +355,7 @@ impl Exact<'_> {
     /// The foot of a point: where the profile's tangent is square to the way from the profile to it.
     fn foot(&self, q: [f64; 2]) -> Foot {
         let n = self.samples.len();
-        let near = nearest(&self.samples, q);
+        let near = nearest(&self.samples, self.longest, q);
         let step = std::f64::consts::TAU / n as f64;
         let here = self.samples[near].theta;
         let along = |s: &Sample| {
@@ -412,16 +416,35 @@ fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
     Some(x)
 }
 
-fn nearest(samples: &[Sample], q: [f64; 2]) -> usize {
+/// The sample nearest to a point. Along the profile the distance changes by at most `longest` per sample, so that far
+/// from the point samples are passed over; without that an inspection of 1440 points takes three times as long.
+fn nearest(samples: &[Sample], longest: f64, q: [f64; 2]) -> usize {
+    let distance = |i: usize| {
+        let [x, y] = [q[0] - samples[i].p[0], q[1] - samples[i].p[1]];
+        (x * x + y * y).sqrt()
+    };
     let mut best = (0, f64::INFINITY);
-    for (i, s) in samples.iter().enumerate() {
-        let (x, y) = (q[0] - s.p[0], q[1] - s.p[1]);
-        let square = x * x + y * y;
-        if square < best.1 {
-            best = (i, square);
+    for step in [32, 1] {
+        let mut i = 0;
+        while i < samples.len() {
+            let away = distance(i);
+            if away < best.1 {
+                best = (i, away);
+            }
+            i = i.saturating_add(step.max(((away - best.1) / longest) as usize));
         }
     }
     best.0
+}
+
+/// Longest distance between neighbouring samples, m; a little more for rounding.
+fn longest(samples: &[Sample]) -> f64 {
+    let between = |s: &[Sample]| (s[1].p[0] - s[0].p[0]).hypot(s[1].p[1] - s[0].p[1]);
+    1.000_001
+        * samples
+            .windows(2)
+            .map(between)
+            .fold(f64::MIN_POSITIVE, f64::max)
 }
 
 fn tangent_distance(s: &Sample, q: [f64; 2], ball: f64) -> Foot {
