@@ -338,7 +338,7 @@ fn damaged_logs_are_read_or_refused_by_what_they_show() {
         for row in &mut rows[1..] {
             row.push(shaker.1.problem.drive.speed.to_string());
         }
-        for k in 0..300 {
+        for k in 0..150 {
             match found(&damaged(&rows, k), &shaker) {
                 Ok(list) => {
                     read += 1;
@@ -352,7 +352,7 @@ fn damaged_logs_are_read_or_refused_by_what_they_show() {
         }
     }
     println!("{read} read, {refused} refused");
-    assert!(read > 100 && refused > 200);
+    assert!(read > 50 && refused > 100);
 }
 
 #[test]

@@ -7,9 +7,9 @@ use toml::Table;
 use super::random::{Numbers, table, typed};
 
 /// Random tables that are read.
-const TABLES: u64 = 10_000;
+const TABLES: u64 = 4_000;
 /// At least this many of them have to be scenes.
-const SCENES_WANTED: usize = 300;
+const SCENES_WANTED: usize = 120;
 
 #[test]
 fn a_scene_reads_back_exactly_from_toml_and_from_json() {

@@ -116,10 +116,12 @@ fn both_cams_of_a_pair_are_drawn_as_they_stand_on_the_shaft() {
         let (v, closed) = drawn(&s).outline("CUT_SECOND_PROFILE");
         assert!(closed && v.len() > 16);
         for v in v {
+            let square = |[x, y]: [f64; 2]| x * x + y * y;
             let near = fine
                 .iter()
-                .map(|p| (1e3 * p.x - v[0]).hypot(1e3 * p.y - v[1]))
-                .fold(f64::INFINITY, f64::min);
+                .map(|p| square([1e3 * p.x - v[0], 1e3 * p.y - v[1]]))
+                .fold(f64::INFINITY, f64::min)
+                .sqrt();
             assert!(near < 0.012, "{scene}: {v:?} is {near} mm off");
         }
         assert!(path(&gaitcam_cad::svg::profile(&s, 360), "second-profile").ends_with('Z'));
