@@ -18,6 +18,10 @@ mod sweep;
 mod synth;
 mod table;
 
+// For their features alone, as Cargo.toml says.
+#[cfg(target_os = "linux")]
+use {getrandom as _, libc as _, rustix as _, serde_core as _};
+
 use pyo3::prelude::*;
 
 #[pymodule]

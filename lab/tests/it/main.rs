@@ -1,6 +1,6 @@
 //! The papers' numbers, the methods that fail, the restitution of a compliant contact.
 
-mod equality_by_faer;
+mod equality;
 mod reproduce;
 mod restitution;
 mod stability;
