@@ -146,6 +146,7 @@ impl Drive {
     }
 
     /// Weights of s, v, a, j in the force: `[k, cω, mω², 0]`, N per m, m/rad, m/rad².
+    #[inline]
     pub fn weights(&self) -> [f64; 4] {
         [
             self.spring_rate,
@@ -156,6 +157,7 @@ impl Drive {
     }
 
     /// Force at one point of a law, N.
+    #[inline]
     pub fn force(&self, at: Svaj) -> f64 {
         let w = self.weights();
         self.rest_force + w[0] * at.s + w[1] * at.v + w[2] * at.a

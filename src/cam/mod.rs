@@ -24,7 +24,7 @@ pub use conjugate::{Closure, Conjugate};
 pub use continuity::Continuity;
 pub(crate) use follower::Arm;
 pub use follower::{Follower, FollowerKind, Measures, Unit};
-pub(crate) use geometry::{Contact, Geometry};
+pub(crate) use geometry::{Contact, Geometry, Kind};
 pub use inspect::{Deviation, Inspection};
 pub use interference::Body;
 pub use making::{Bore, Hardness, Keyway, Making};

@@ -6,7 +6,6 @@ use gaitcam::dynamics::Surface;
 use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
 use gaitcam::dynamics::{FollowerContact, recover};
-use gaitcam::law::Svaj;
 use gaitcam_test_support::thesis;
 
 use super::table::Report;
@@ -17,12 +16,12 @@ pub(crate) fn dynamics(report: &mut Report) {
     let emitted = recover(&cam.follower, &cam.profile(1440)).expect("a curve");
     let drive = thesis::real(thesis::SPEED);
     let torques = || -> Vec<f64> {
-        let contact = FollowerContact::of(&cam.follower);
-        let of = |at: &Svaj| contact.torque(0.1, *at, drive.force(*at));
-        black_box(&emitted.nodes).iter().map(of).collect()
+        let nodes = black_box(&emitted.nodes);
+        let forces: Vec<f64> = nodes.iter().map(|at| drive.force(*at)).collect();
+        FollowerContact::of(&cam.follower).torques(0.1, nodes, &forces)
     };
     let seconds = times(torques);
-    report.time("dynamics", "rigid, cycle of 1440 points", 50e-6, seconds);
+    report.time("dynamics", "rigid, cycle of 1440 points", 5e-6, seconds);
     let train = Train::from_frequency(&drive, 30.0, 0.05).expect("a fine train");
     let seconds = times(|| flexible::steady(black_box(&emitted.law), &drive, &train));
     report.time(

@@ -7,7 +7,25 @@ use crate::law::Svaj;
 pub trait Kind {
     /// The contact at lift, velocity and acceleration.
     fn contact(&self, motion: [f64; 3]) -> Contact;
+
+    /// Velocities at a point of the fixed frame: of the follower there per unit of s, of the cam there per unit of θ.
+    fn velocities(&self, point: [f64; 2]) -> [[f64; 2]; 2];
 }
+
+/// Velocity of a cam that turns, per rad.
+#[inline(always)]
+fn turning([x, y]: [f64; 2]) -> [f64; 2] {
+    [-y, x]
+}
+
+/// Velocity of an arm about a pivot on the x axis, per rad.
+#[inline(always)]
+fn swinging([x, y]: [f64; 2], pivot: f64, side: f64) -> [f64; 2] {
+    [side * y, -side * (x - side * pivot)]
+}
+
+/// Velocity of a slide, per m.
+const SLIDING: [f64; 2] = [0.0, 1.0];
 
 /// A flat face that translates.
 #[derive(Debug, Clone, Copy)]
@@ -27,6 +45,11 @@ impl Kind for Flat {
             rho: height + a,
             tan_pressure: 0.0,
         }
+    }
+
+    #[inline(always)]
+    fn velocities(&self, point: [f64; 2]) -> [[f64; 2]; 2] {
+        [SLIDING, turning(point)]
     }
 }
 
@@ -56,6 +79,11 @@ impl Kind for Circle {
             tan_pressure: y / x,
         }
     }
+
+    #[inline(always)]
+    fn velocities(&self, point: [f64; 2]) -> [[f64; 2]; 2] {
+        [SLIDING, turning(point)]
+    }
 }
 
 /// Translating cam (scale 1) and unrolled barrel (scale = its radius): pitch curve (scale·θ, base + s).
@@ -82,6 +110,11 @@ impl Kind for Unrolled {
             rho: if a == 0.0 { f64::INFINITY } else { rho },
             tan_pressure: slope,
         }
+    }
+
+    #[inline(always)]
+    fn velocities(&self, _: [f64; 2]) -> [[f64; 2]; 2] {
+        [SLIDING, [-self.scale, 0.0]]
     }
 }
 
@@ -127,6 +160,11 @@ impl Kind for FlatOnArm {
             // From the foot of the pivot on the face the contact lies c cos ξ/(1 + σξ′) along it.
             tan_pressure: side * offset / (pivot * cos * speed) + 0.0,
         }
+    }
+
+    #[inline(always)]
+    fn velocities(&self, point: [f64; 2]) -> [[f64; 2]; 2] {
+        [swinging(point, self.pivot, self.side), turning(point)]
     }
 }
 
@@ -177,5 +215,10 @@ impl Kind for CircleOnArm {
             rho: square * length / bend - self.radius,
             tan_pressure: lean / push,
         }
+    }
+
+    #[inline(always)]
+    fn velocities(&self, point: [f64; 2]) -> [[f64; 2]; 2] {
+        [swinging(point, self.pivot, self.side), turning(point)]
     }
 }

@@ -19,7 +19,8 @@ pub(super) use shape::finished_radius;
 
 use super::{Arm, Follower};
 use crate::law::Svaj;
-use kinds::{Circle, CircleOnArm, Flat, FlatOnArm, Kind, Unrolled};
+pub(crate) use kinds::Kind;
+use kinds::{Circle, CircleOnArm, Flat, FlatOnArm, Unrolled};
 
 /// A follower with everything that does not change with θ computed once.
 #[derive(Debug, Clone, Copy)]
@@ -71,14 +72,6 @@ impl Geometry {
                 offset: follower.offset(),
                 radius,
             }),
-        }
-    }
-
-    /// How far the cam's frame moves per unit of θ where it moves straight; `None` where it turns.
-    pub fn straight(&self) -> Option<f64> {
-        match self {
-            Geometry::Unrolled(unrolled) => Some(unrolled.scale),
-            _ => None,
         }
     }
 

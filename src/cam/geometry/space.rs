@@ -54,9 +54,9 @@ impl Frame {
 impl Geometry {
     /// The cam's frame at an angle or travel.
     pub fn frame(&self, theta: f64) -> Frame {
-        match self.straight() {
-            Some(scale) => Frame::Moved(scale * theta),
-            None => Frame::turned(theta),
+        match self {
+            Geometry::Unrolled(unrolled) => Frame::Moved(unrolled.scale * theta),
+            _ => Frame::turned(theta),
         }
     }
 

@@ -7,7 +7,7 @@
 //! T = Q·v. For an arm Q is the moment about its pivot, N·m, and v is in rad/rad; for a slide T is the
 //! push along its travel, N.
 
-use crate::cam::{Cam, Contact, Follower, Geometry};
+use crate::cam::{Cam, Contact, Follower, Geometry, Kind};
 use crate::law::Svaj;
 
 /// The contact at one cam angle.
@@ -77,6 +77,57 @@ struct Forces {
     torque: f64,
 }
 
+/// The forces of a kind of follower.
+trait Pressed: Kind {
+    /// The contact at one point of the motion and its forces, with friction between the surfaces. Where friction locks
+    /// the follower the normal force is infinite.
+    fn forces(&self, friction: f64, at: Svaj, force: f64) -> (Contact, Forces);
+
+    /// Torques at points of the motion under as many forces. A loop of one kind without branches takes vectors of points.
+    fn torques(&self, friction: f64, motion: &[Svaj], forces: &[f64], torques: &mut [f64]);
+}
+
+impl<K: Kind> Pressed for K {
+    #[inline(always)]
+    fn forces(&self, friction: f64, at: Svaj, force: f64) -> (Contact, Forces) {
+        let contact = self.contact([at.s, at.v, at.a]);
+        let n = contact.normal;
+        let tangent = [-n[1], n[0]];
+        let [g, cam] = self.velocities(contact.point);
+        let rubbing = dot([cam[0] - at.v * g[0], cam[1] - at.v * g[1]], tangent);
+        let drag = friction * 1.0_f64.copysign(rubbing);
+        // Under a negative force of the rigid model friction still opposes the sliding.
+        let pressed = dot(n, g) + drag * 1.0_f64.copysign(force) * dot(tangent, g);
+        // Where friction locks the follower the force is divided by zero.
+        let pressed = if pressed > 0.0 { pressed } else { 0.0 };
+        let normal = if force == 0.0 { 0.0 } else { force / pressed };
+        let rub = if drag == 0.0 {
+            0.0
+        } else {
+            drag * normal.abs()
+        };
+        let total = [
+            normal * n[0] + rub * tangent[0],
+            normal * n[1] + rub * tangent[1],
+        ];
+        // Cam and follower have one velocity along the normal: only friction adds to F·v.
+        let torque = force * at.v + rub * rubbing;
+        let forces = Forces {
+            normal,
+            rubbing,
+            total,
+            torque,
+        };
+        (contact, forces)
+    }
+
+    fn torques(&self, friction: f64, motion: &[Svaj], forces: &[f64], torques: &mut [f64]) {
+        for ((at, force), torque) in motion.iter().zip(forces).zip(torques) {
+            *torque = self.forces(friction, *at, *force).1.torque;
+        }
+    }
+}
+
 impl FollowerContact {
     /// The contact of a follower.
     pub fn of(follower: &Follower) -> FollowerContact {
@@ -91,27 +142,46 @@ impl FollowerContact {
         }
     }
 
+    fn kind(&self) -> &dyn Pressed {
+        match &self.geometry {
+            Geometry::Flat(kind) => kind,
+            Geometry::FlatOnArm(kind) => kind,
+            Geometry::Circle(kind) => kind,
+            Geometry::CircleOnArm(kind) => kind,
+            Geometry::Unrolled(kind) => kind,
+        }
+    }
+
     /// Torque of the shaft in the sense of growing θ, N·m, at one point of the motion, under `force` on the follower's
     /// freedom; friction is negative where the cam turns backwards.
-    #[inline]
     pub fn torque(&self, friction: f64, at: Svaj, force: f64) -> f64 {
-        if friction == 0.0 || !self.rubs {
-            return force * at.v;
+        let mut torque = [0.0];
+        self.fill(friction, &[at], &[force], &mut torque);
+        torque[0]
+    }
+
+    /// As [`FollowerContact::torque`], at many points of the motion under as many forces.
+    pub fn torques(&self, friction: f64, motion: &[Svaj], forces: &[f64]) -> Vec<f64> {
+        let mut torques = vec![0.0; motion.len().min(forces.len())];
+        self.fill(friction, motion, forces, &mut torques);
+        torques
+    }
+
+    fn fill(&self, friction: f64, motion: &[Svaj], forces: &[f64], torques: &mut [f64]) {
+        if friction != 0.0 && self.rubs {
+            return self.kind().torques(friction, motion, forces, torques);
         }
-        self.forces(&self.geometry.contact(at), friction, at, force)
-            .torque
+        for ((at, force), torque) in motion.iter().zip(forces).zip(torques) {
+            *torque = force * at.v;
+        }
     }
 
     /// The contact at one point of the motion, the cam turning at `speed` rad/s.
     pub fn at(&self, speed: f64, friction: f64, at: Svaj, force: f64) -> Touch {
-        let contact = self.geometry.contact(at);
-        let Forces {
-            normal,
-            rubbing,
-            total,
-            torque,
-        } = self.forces(&contact, friction, at, force);
-        let rubbing = if self.rubs { rubbing } else { 0.0 };
+        // A roller's own friction is in its bearing and is left out.
+        let friction = if self.rubs { friction } else { 0.0 };
+        let (contact, forces) = self.kind().forces(friction, at, force);
+        let rubbing = if self.rubs { forces.rubbing } else { 0.0 };
         let across = match self.start {
             Some(start) => {
                 let (sin, cos) = (start + at.s).sin_cos();
@@ -122,72 +192,13 @@ impl FollowerContact {
         let (walk, curvature) = self.walk(&contact, at);
         let is_slide = self.is_flat && self.pivot.is_none();
         Touch {
-            normal,
+            normal: forces.normal,
             sliding: speed * rubbing,
             entraining: speed * (walk - 0.5 * rubbing),
-            side_thrust: -dot(total, across),
+            side_thrust: -dot(forces.total, across),
             tipping: if is_slide { force * at.v } else { 0.0 },
-            torque,
+            torque: forces.torque,
             curvature,
-        }
-    }
-
-    /// A roller's own friction is in its bearing and is left out. Where friction locks the follower the normal force is
-    /// infinite.
-    #[inline]
-    fn forces(&self, contact: &Contact, friction: f64, at: Svaj, force: f64) -> Forces {
-        let (n, g) = (contact.normal, self.of_follower(contact.point));
-        let cam = self.of_cam(contact.point);
-        let tangent = [-n[1], n[0]];
-        let relative = [cam[0] - at.v * g[0], cam[1] - at.v * g[1]];
-        let rubbing = dot(relative, tangent);
-        let mu = if self.rubs { friction } else { 0.0 };
-        let drag = mu * rubbing.signum();
-        // Under a negative force of the rigid model friction still opposes the sliding.
-        let pressed = dot(n, g) + force.signum() * drag * dot(tangent, g);
-        let normal = if force == 0.0 {
-            0.0
-        } else if pressed > 0.0 {
-            force / pressed
-        } else {
-            f64::INFINITY.copysign(force)
-        };
-        let rub = drag * normal.abs();
-        let total = [
-            normal * n[0] + rub * tangent[0],
-            normal * n[1] + rub * tangent[1],
-        ];
-        let torque = if mu == 0.0 {
-            force * at.v
-        } else {
-            dot(total, cam)
-        };
-        Forces {
-            normal,
-            rubbing,
-            total,
-            torque,
-        }
-    }
-
-    /// Velocity of the follower's point per unit of s.
-    #[inline]
-    fn of_follower(&self, point: [f64; 2]) -> [f64; 2] {
-        match self.pivot {
-            Some(c) => [
-                self.side * (point[1] - c[1]),
-                -self.side * (point[0] - c[0]),
-            ],
-            None => [0.0, 1.0],
-        }
-    }
-
-    /// Velocity of the cam's point per unit of θ.
-    #[inline]
-    fn of_cam(&self, point: [f64; 2]) -> [f64; 2] {
-        match self.geometry.straight() {
-            Some(scale) => [-scale, 0.0],
-            None => [-point[1], point[0]],
         }
     }
 
@@ -199,7 +210,7 @@ impl FollowerContact {
             return (contact.rho * turning, 1.0 / contact.rho);
         }
         // The circle's centre moves along the pitch curve.
-        let (own, cam) = (self.of_follower(contact.pitch), self.of_cam(contact.pitch));
+        let [own, cam] = self.kind().velocities(contact.pitch);
         let length = (at.v * own[0] - cam[0]).hypot(at.v * own[1] - cam[1]);
         let radius = self.geometry.radius();
         let inner = 1.0 - radius * self.geometry.pitch_curvature(at);

@@ -252,6 +252,20 @@ impl Prepared {
         sign * self.contact.torque(friction, Svaj { v, ..at }, force)
     }
 
+    /// As [`Prepared::torque`], at the rows of a cycle.
+    pub fn torques(&self, input: &Run, forces: &[f64]) -> Vec<f64> {
+        let sign = if self.reversed { -1.0 } else { 1.0 };
+        let turned = |at: &Svaj| Svaj {
+            v: sign * at.v,
+            ..*at
+        };
+        let motion: Vec<Svaj> = self.nodes.iter().map(turned).collect();
+        let friction = sign * input.machine.friction;
+        let mut torques = self.contact.torques(friction, &motion, forces);
+        torques.iter_mut().for_each(|torque| *torque *= sign);
+        torques
+    }
+
     /// The contact in the sense of turning. A cam that turns backwards touches at the same angles as one that turns forwards:
     /// only what moves along it changes sign.
     pub fn seen(

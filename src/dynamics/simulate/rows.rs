@@ -126,8 +126,7 @@ impl Prepared {
     }
 
     pub fn sampled_torque(&self, input: &Run, forces: &[f64]) -> Torque {
-        let rows = forces.iter().zip(&self.nodes);
-        let values: Vec<f64> = rows.map(|(f, at)| self.torque(input, *f, *at)).collect();
+        let values = self.torques(input, forces);
         let count = values.len() as f64;
         Torque {
             min: values.iter().copied().fold(f64::INFINITY, f64::min),

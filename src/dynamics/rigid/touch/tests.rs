@@ -126,7 +126,7 @@ fn the_normal_force_does_the_work_that_the_shaft_gives() {
             let at = cam.law.svaj(theta);
             let own = FollowerContact::of(&cam.follower);
             let contact = own.geometry.contact(at);
-            let [of_cam, of_follower] = [own.of_cam(contact.point), own.of_follower(contact.point)];
+            let [of_follower, of_cam] = own.kind().velocities(contact.point);
             // N = Q/(n·G) pushed through the cam's own point gives Q·v.
             let through = dot(contact.normal, of_cam) / dot(contact.normal, of_follower);
             assert!((through - at.v).abs() < 1e-14, "{}", name(&cam, theta));
