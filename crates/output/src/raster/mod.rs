@@ -7,6 +7,9 @@ mod png;
 pub use coverage::Coverage;
 pub use outline::{disc, outline, straightened};
 
+/// From this opacity on the mixed colour rounds to the colour itself.
+const OPAQUE: f32 = 1.0 - 1.0 / 1024.0;
+
 /// A page of pixels, white at first; x to the right, y down, one unit a pixel.
 pub struct Page {
     width: usize,
@@ -41,9 +44,19 @@ impl Page {
         let (width, pixels) = (self.width, &mut self.pixels);
         self.coverage.take(|row, columns, covered| {
             let alpha = alpha as f32 * covered;
+            let run = &mut pixels[row * width..][columns];
+            if alpha > OPAQUE {
+                match rgb {
+                    [red, green, blue] if red == green && green == blue => {
+                        run.as_flattened_mut().fill(red);
+                    }
+                    _ => run.fill(rgb),
+                }
+                return;
+            }
             // Most pixels have the background of their neighbour.
             let (mut under, mut over) = ([0; 3], mixed([0; 3], rgb, alpha));
-            for pixel in &mut pixels[row * width..][columns] {
+            for pixel in run {
                 if *pixel != under {
                     (under, over) = (*pixel, mixed(*pixel, rgb, alpha));
                 }
