@@ -185,7 +185,7 @@ fn spanish_names_of_laws_and_followers_are_values_of_a_scene() {
         }
     }
     let scene = crate::scene::built_in("footbridge").unwrap();
-    let roller = scene.scene().unwrap().with("cam.follower", "Rodillo");
-    let kind = roller.unwrap().cam.follower;
-    assert_eq!(kind, FollowerKind::RollerTranslating);
+    let scene = scene.scene().unwrap();
+    let knife = scene.with("cam.follower", "Puntual").unwrap();
+    assert_eq!(knife.cam.follower, FollowerKind::KnifeTranslating);
 }
