@@ -65,6 +65,8 @@ pub enum Note {
     Phase { phase: Quantity },
     /// The size of the law stops where it would follow noise.
     Noise { size: &'static str, error: Quantity },
+    /// Rounded rows of a segment's table can be a large part of its acceleration.
+    RoundedTable { segment: usize, share: Quantity },
     /// The caller ended the search.
     OutOfTime,
     /// The smallest base circle has no radius.

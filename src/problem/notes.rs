@@ -12,6 +12,8 @@ use crate::units::{Dimension, Quantity};
 const CLOSURE: f64 = 1e-6;
 /// A force below this part of the mean asks the moving axis for free fall.
 const FREE_FALL: f64 = 0.02;
+/// A smaller part of an acceleration that rounded rows of a table can be is not worth a note.
+const OF_ROUNDING: f64 = 0.1;
 /// A turn that differs from the force cycle by less, as a part of it, is that cycle.
 const SAME_PERIOD: f64 = 1e-3;
 
@@ -22,6 +24,7 @@ impl Problem {
         let off = self.limits.unjudged.keys().into_iter();
         out.extend(off.map(|key| Note::NotJudged { key }));
         out.extend(self.stretched());
+        out.extend(self.rounded_tables());
         if self.drive.kind == DriveKind::MovingAxis {
             out.extend(self.closure());
         }
@@ -31,6 +34,18 @@ impl Problem {
             });
         }
         out
+    }
+
+    fn rounded_tables(&self) -> impl Iterator<Item = Note> + '_ {
+        let segments = self.law.segments.iter().enumerate();
+        segments.filter_map(|(i, segment)| {
+            let most = segment.motion.factors().ok()?.ca;
+            let share = (segment.motion.rounded_acceleration() / most).min(1.0);
+            (share > OF_ROUNDING).then(|| Note::RoundedTable {
+                segment: i + 1,
+                share: Quantity::share(share),
+            })
+        })
     }
 
     fn stretched(&self) -> Option<Note> {

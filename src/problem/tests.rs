@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Extra, Problem, Size};
+use super::{Extra, Note, Problem, Size};
 use crate::cam::{Criterion, LimitKind};
 use crate::poly::PiecewisePoly;
 use crate::scene::{Minimise, Scene, built_in};
@@ -109,4 +109,59 @@ fn a_size_is_given_sought_or_follows_the_law() {
     assert!(matches!(given, Size::Given { base, .. } if base == 0.03));
     assert_eq!(size(&[("law.minimise", "size")]), Size::Sought);
     assert_eq!(size(&[("limits.prime_radius", "50 mm")]), Size::Sought);
+}
+
+/// The rows of a motion of 12 mm over 90°, rounded.
+fn rounded(motion: &crate::law::Rise, step: u32, decimals: i32) -> crate::law::Rise {
+    let law = motion.law().unwrap();
+    let unit = 10.0_f64.powi(decimals);
+    let row = |degrees: u32| {
+        let lift = 12.0 * law.svaj(f64::from(degrees) / 90.0).s;
+        (f64::from(degrees), (lift * unit).round() / unit)
+    };
+    let rows: Vec<(f64, f64)> = (0..=90 / step).map(|k| row(k * step)).collect();
+    crate::law::Rise::table("table", &rows, true).unwrap()
+}
+
+#[test]
+fn a_note_says_where_rounded_rows_make_the_acceleration() {
+    use crate::law::Rise;
+    use crate::scene::{LawSpec, SegmentSpec};
+    let scene = built_in("camdas_03_flat").unwrap().scene().unwrap();
+    for motion in [Rise::Cycloidal, Rise::Poly345, Rise::Poly4567] {
+        for (step, decimals) in [1, 2, 5]
+            .into_iter()
+            .flat_map(|s| [2, 3, 4, 9].map(|d| (s, d)))
+        {
+            let table = rounded(&motion, step, decimals);
+            let own = motion.factors().unwrap().ca;
+            let excess = table.factors().unwrap().ca / own - 1.0;
+            let case = format!("{} {step}° {decimals}: {excess}", motion.name());
+            // What rounding adds is below its bound.
+            assert!(
+                excess <= table.rounded_acceleration() / own + 0.02,
+                "{case}"
+            );
+            let turn = std::f64::consts::TAU;
+            let segments = vec![
+                SegmentSpec::new(table, 0.012, 0.25 * turn),
+                SegmentSpec::new(Rise::Cycloidal, -0.012, 0.75 * turn),
+            ];
+            let law = LawSpec::program(segments);
+            let problem = Problem::resolve(
+                &crate::Scene {
+                    law,
+                    ..scene.clone()
+                },
+                None,
+            )
+            .unwrap();
+            let noted = problem
+                .notes()
+                .iter()
+                .any(|n| matches!(n, Note::RoundedTable { .. }));
+            assert!(noted || excess < 0.12, "{case}");
+            assert!(!noted || decimals < 9, "{case}");
+        }
+    }
 }

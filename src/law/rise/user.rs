@@ -1,5 +1,7 @@
 //! Laws that the user brings as a table.
 
+use std::f64::consts::PI;
+
 use super::super::{Condition, Law, hermite_birkhoff};
 use super::Rise;
 use crate::error::{LawError, Result};
@@ -86,6 +88,17 @@ impl Rise {
             Rise::User { rounding, .. } => *rounding,
             _ => 0.0,
         }
+    }
+
+    /// Acceleration that rounded rows can add to a rise of 1 over 1: that of a wave through them as high as the rounding; 0
+    /// without rows.
+    pub(crate) fn rounded_acceleration(&self) -> f64 {
+        let Rise::User { rows, rounding, .. } = self else {
+            return 0.0;
+        };
+        let steps = rows.windows(2).map(|w| w[1].0 - w[0].0);
+        let step = steps.fold(f64::INFINITY, f64::min);
+        rounding * (PI / step).powi(2)
     }
 
     /// Number, from 1, of the row before x, with the lifts of this row and the next; `None` without rows.

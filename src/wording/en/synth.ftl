@@ -38,6 +38,7 @@ reason-limit-broken = The limit { $limit } is violated at { $at }: the value is 
 design-scene = { $note }
 design-recording = { $note }
 design-stretched = One turn takes { $turn } and the force cycle { $cycle }: the force curve is stretched to the turn.
+design-rounded-table = The lifts of the table of segment { $segment } are rounded: up to { $share } of its maximum acceleration can be due to rounding. Give lifts with more decimals.
 design-not-judged = { $key } = "none": the default bound is not judged.
 design-mean-force = The mean target force is { $mean }, but the weight of the mass is { $weight }. A cam cannot change the mean force over a turn, so the force error is at least { $error } RMS. Set drive.mass = "auto" or gait.scale = "to-mass".
 design-free-fall = The target force is near zero for { $share } of the turn ({ $duration }). The mass must be in free fall there, which alone needs a lift of about { $lift }. The total force of both feet (feet = "both") does not reach zero in walking.

@@ -38,6 +38,7 @@ reason-limit-broken = No se cumple el límite «{ $limit }» en { $at }: el valo
 design-scene = { $note }
 design-recording = { $note }
 design-stretched = Una vuelta dura { $turn } y el ciclo de fuerza { $cycle }: la curva de fuerza se adapta a la vuelta.
+design-rounded-table = Las elevaciones de la tabla del segmento { $segment } están redondeadas: hasta el { $share } de su aceleración máxima puede deberse al redondeo. Dé elevaciones con más decimales.
 design-not-judged = { $key } = "none": el límite habitual no se juzga.
 design-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la masa es { $weight }. Una leva no puede cambiar la fuerza media de una vuelta, de modo que el error de fuerza es como mínimo { $error } RMS. Fije drive.mass = "auto" o gait.scale = "to-mass".
 design-free-fall = La fuerza objetivo es casi nula durante { $share } de la vuelta ({ $duration }). Ahí la masa debe estar en caída libre, lo que por sí solo requiere una elevación de unos { $lift }. Al caminar, la fuerza total de ambos pies (feet = "both") no llega a cero.
