@@ -65,6 +65,10 @@ const THINNED: usize = if cfg!(debug_assertions) { 40 } else { 10 };
 const FEWEST: usize = if cfg!(debug_assertions) { 3 } else { 12 };
 /// Seconds of a processor that an answer may take.
 const LONGEST: f64 = if cfg!(debug_assertions) { 100.0 } else { 5.0 };
+/// Seconds of a processor that the default design takes on the machine of reports/benchmarks.md, to which the limit belongs.
+const USUAL: f64 = 103e-6;
+/// Default designs of which the median is taken.
+const YARDSTICKS: usize = 201;
 /// One law in this many may be without a certificate.
 const UNCERTIFIED: usize = 200;
 /// From so many laws on that share is exact; of fewer, three standard deviations more may be.
@@ -197,7 +201,7 @@ fn timely(asked: &Asked) -> Result<Seen, String> {
     let answer = design(asked).map(Design::relaxed);
     let taken = processor_seconds() - before;
     let seen = compare(asked, answer)?;
-    if taken > LONGEST {
+    if is_too_long(taken) {
         return Err(format!("{taken:.1} s for {seen:?}"));
     }
     Ok(seen)
@@ -226,7 +230,7 @@ fn a_refused_law_at_its_jerk_limit_nearly_everywhere_is_proved_and_in_time() {
         let before = processor_seconds();
         let design = scene.design_for(&force).unwrap().relaxed();
         let taken = processor_seconds() - before;
-        assert!(taken <= LONGEST, "{spans} {objective}: {taken:.1} s");
+        assert!(!is_too_long(taken), "{spans} {objective}: {taken:.1} s");
         // The law shown is the one nearest to the force under the limit on the jerk.
         assert!(
             design.solver.certified,
@@ -242,6 +246,26 @@ fn a_refused_law_at_its_jerk_limit_nearly_everywhere_is_proved_and_in_time() {
                 .all(|c| c.pass || c.name == Criterion::RmsError)
         );
     }
+}
+
+/// Whether an answer took longer than it may. Machines and what runs beside a test differ by a factor of two, so an answer that
+/// seems too long is compared with the default design, timed at once on the same machine.
+fn is_too_long(taken: f64) -> bool {
+    taken > LONGEST && taken > LONGEST * default_design() / USUAL
+}
+
+/// Median seconds of a processor of the default design.
+fn default_design() -> f64 {
+    let scene = gaitcam::scene::parse(gaitcam::scene::DEFAULT).unwrap();
+    let force = scene.model_force().unwrap().unwrap();
+    let one = |_| {
+        let before = processor_seconds();
+        std::hint::black_box(scene.design_for(&force).unwrap());
+        processor_seconds() - before
+    };
+    let mut all: Vec<f64> = (0..YARDSTICKS).map(one).collect();
+    all.sort_by(f64::total_cmp);
+    all[YARDSTICKS / 2]
 }
 
 /// Seconds that this thread has had of a processor; on the wall where the system does not say.

@@ -5,7 +5,7 @@
 
 use super::machines::{Random, fixed, hydraulic, moving};
 use super::scenes::Kind;
-use super::{LONGEST, processor_seconds, times};
+use super::{is_too_long, processor_seconds, times};
 use gaitcam::law::Law;
 use gaitcam::scene;
 use gaitcam::synth::{Design, synthesise};
@@ -86,7 +86,7 @@ impl Roller {
         let design = synthesise(&scene, Some(&self.force)).map_err(|e| e.to_string())?;
         let design = design.relaxed();
         let taken = processor_seconds() - before;
-        if taken > LONGEST {
+        if is_too_long(taken) {
             return Err(format!("{taken:.1} s"));
         }
         Ok(design)

@@ -108,7 +108,7 @@ fn changes_that_would_be_another_cam_are_refused() {
         }
         let said = stderr(&gaitcam(&["simulate", &made, "--set", key]));
         assert!(
-            said.contains("made") && said.contains(key.split('=').next().unwrap()),
+            said.contains("finished") && said.contains(key.split('=').next().unwrap()),
             "{said}"
         );
     }
