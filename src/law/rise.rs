@@ -12,6 +12,7 @@ pub use ends::{End, Ends, Factors};
 
 use super::{Condition, Law, Svaj, hermite_birkhoff};
 use crate::error::{Error, LawError, Result, nearest};
+use crate::wording::called_in_spanish;
 use std::f64::consts::PI;
 use std::mem::discriminant;
 
@@ -161,7 +162,7 @@ impl Rise {
         }
     }
 
-    /// The motion of a name as in the catalogue, or `dwell`. Parameters may follow the name:
+    /// The motion of a name as in the catalogue or in Spanish, or `dwell`. Parameters may follow the name:
     /// `scca 0.25 0.25 0.5` (b, c, d), `eccentric 4` (ratio), `table 0 0 0.5 0.3 1 1` (pairs of x and s, at rest at
     /// both ends).
     ///
@@ -177,6 +178,13 @@ impl Rise {
             .split(|c: char| c.is_whitespace() || c == ',')
             .filter(|w| !w.is_empty());
         let word = words.next().unwrap_or("").to_lowercase().replace('_', "-");
+        let names = names();
+        if word != "table" && !names.contains(&word.as_str()) {
+            return match called_in_spanish(text, &names) {
+                Some(own) => Rise::from_name(own),
+                None => Err(unknown(&word).into()),
+            };
+        }
         let fault = |w: &str| LawError::Parameter {
             word: w.to_string(),
             motion: word.clone(),
@@ -274,13 +282,19 @@ impl Rise {
     }
 }
 
+/// The names of the catalogue, and `dwell`.
+fn names() -> Vec<&'static str> {
+    let catalogue = CATALOGUE.iter().map(|row| row.0);
+    catalogue.chain(["dwell"]).collect()
+}
+
 fn unknown(word: &str) -> LawError {
     let motion = word.to_string();
     if word == "table" {
         return LawError::MotionNeedsPoints { motion };
     }
-    let names = CATALOGUE.iter().map(|row| row.0);
-    let names: Vec<&str> = names.chain(["dwell", "table"]).collect();
+    let mut names = names();
+    names.push("table");
     LawError::UnknownMotion {
         motion,
         nearest: nearest(word, names.iter().copied()).map(str::to_string),

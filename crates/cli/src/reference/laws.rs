@@ -42,8 +42,11 @@ fn joined(ends: &Ends) -> String {
 /// Prints the catalogue as a table, or as a list of objects.
 pub fn run(args: &LawsArgs) -> Result<u8> {
     let all = Rise::catalogue();
-    let asked = |rise: &Rise| {
-        (args.name.as_deref()).is_none_or(|n| n == rise.name() || n == words::name(rise.name()))
+    // As scenes name it, in both languages.
+    let named = args.name.as_deref().map(Rise::from_name);
+    let asked = |rise: &Rise| match &named {
+        None => true,
+        Some(named) => named.as_ref().is_ok_and(|n| n.name() == rise.name()),
     };
     let mut rows = Vec::new();
     for rise in all.iter().filter(|rise| asked(rise)) {
