@@ -78,18 +78,18 @@ impl MachineMotion {
 /// Drive, motor, floor and friction of a machine.
 #[derive(Clone, Copy)]
 pub struct Parts<'a> {
-    /// The drive.
+    /// Relation of motion and force, and mean speed.
     pub drive: Drive,
-    /// The motor.
+    /// Motor of the shaft; `None` at constant speed.
     pub motor: Option<&'a Motor>,
-    /// The floor.
+    /// Floor under the mass; `None` for a stiff one.
     pub floor: Option<&'a Floor>,
     /// Coefficient of sliding friction of the follower.
     pub friction: f64,
 }
 
 impl<'a> Carrier<'a> {
-    /// What carries a cam; a floor asks for the `walker`'s force at equal parts of the period, N.
+    /// What carries a cam; a floor asks for the `walker`'s force at equal parts of the period, N, empty where there is none.
     ///
     /// # Errors
     /// A motor whose cam has no whole turn, or with numbers that no motor has.
@@ -107,12 +107,16 @@ impl<'a> Carrier<'a> {
                 return Err(DynamicsError::Motor.into());
             }
         }
-        let walker = parts.floor.map(|_| harmonics(&walker()));
+        let forces = parts.floor.map(|_| walker()).unwrap_or_default();
+        let walker = match forces.is_empty() {
+            true => Vec::new(),
+            false => harmonics(&forces),
+        };
         Ok(Carrier {
             drive: parts.drive,
             motor: parts.motor,
             floor: parts.floor,
-            walker: walker.unwrap_or_default(),
+            walker,
             follower: cam.follower,
             friction: parts.friction,
             steps,

@@ -58,7 +58,7 @@ impl<'a> Runner<'a> {
         let parts = Parts {
             drive: problem.drive,
             motor,
-            floor: floor.filter(|_| target.is_some()),
+            floor,
             friction: problem.machine.friction,
         };
         let walker = || target.map_or_else(Vec::new, |curve| at(WALKER, curve));
