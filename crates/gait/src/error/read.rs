@@ -45,7 +45,7 @@ pub enum ReadError {
     LongTable { cycles: usize },
     /// A long table of cycles of several movements.
     LongTasks { tasks: Vec<String> },
-    /// A long table with several vertical forces.
+    /// Several vertical forces of a long table, of which one can be read.
     LongForces { columns: Vec<String> },
     /// The file names no columns and none resembles a vertical force.
     NamelessColumns,

@@ -28,7 +28,7 @@ const FEWEST: usize = 4;
 /// A phase above this is in percent of the cycle.
 const LARGEST_PART: f64 = 1.5;
 
-/// A long table.
+/// A text with many cycles, and how its columns tell them apart.
 pub(in crate::read) struct LongTable<'a> {
     file: TextFile<'a>,
     /// Its header, and the place of its first row.
@@ -137,8 +137,14 @@ impl<'a> LongTable<'a> {
         let first = names.iter().position(|name| is_phase(&name));
         let phase = options.time.as_ref().map(asked).transpose()?;
         let phase = phase.or(first).unwrap_or(0);
-        if let Some(name) = options.force.first() {
-            return Ok([phase, asked(name)?]);
+        match &options.force[..] {
+            [] => (),
+            [name] => return Ok([phase, asked(name)?]),
+            several => {
+                let columns = several.to_vec();
+                let fault = ReadError::LongForces { columns };
+                return Err(fault.at_line(self.file.path, self.table.header_line()));
+            }
         }
         let is_force = |place: &usize| matches!(role(&names[*place]), Role::Force { axis, .. } if axis == Axis::Vertical);
         let mut forces: Vec<usize> = (0..names.len()).filter(is_force).collect();

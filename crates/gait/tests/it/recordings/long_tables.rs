@@ -180,7 +180,19 @@ fn a_damaged_long_table_is_refused_at_its_line() {
         "a.csv line 2: read-few-samples"
     );
     assert_eq!(refused(&rows(0, "A")), "a.csv line 2: read-cycle-value");
-    let two = rows(99, "")
+    let both = ReadOptions {
+        force: vec!["4".into(), "5".into()],
+        ..given.clone()
+    };
+    let text = rows(99, "");
+    let e = force_curve(
+        Path::new("a.csv"),
+        text.as_bytes(),
+        &both,
+        Default::default(),
+    );
+    assert_eq!(fault(&e.unwrap_err()), "a.csv line 1: read-long-forces");
+    let two = text
         .replace("_ipsi_N", "_left_N")
         .replace("_contra_N", "_right_N");
     assert_eq!(refused(&two), "a.csv line 1: read-long-forces");
