@@ -29,6 +29,14 @@ pub fn run_in(folder: &Path, arguments: &[&str]) -> Output {
     command(folder).args(arguments).output().unwrap()
 }
 
+/// A run from a folder under a limit of `prlimit`.
+pub fn limited(folder: &Path, limit: &str, arguments: &[&str]) -> Output {
+    let mut limited = Command::new("prlimit");
+    limited.args([limit, env!("CARGO_BIN_EXE_gaitcam")]);
+    let limited = limited.args(arguments).current_dir(folder);
+    limited.output().unwrap()
+}
+
 /// Standard output.
 pub fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()

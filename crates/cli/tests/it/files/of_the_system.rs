@@ -2,12 +2,11 @@
 
 use std::fs::{self, Permissions};
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
-use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 
-use crate::support::{both, run_in, stderr};
+use crate::support::{both, limited, run_in, stderr};
 
-/// Commands that write files, and whether they have an earlier result to keep.
+/// Commands that write files.
 const WRITING: [&[&str]; 7] = [
     &["synth", "footbridge", "--out", "design"],
     &["simulate", "footbridge", "--out", "run"],
@@ -55,17 +54,6 @@ const WRITING: [&[&str]; 7] = [
         "solid",
     ],
 ];
-
-/// The command under limits of `prlimit`.
-fn limited(folder: &Path, limit: &str, arguments: &[&str]) -> Output {
-    let mut limited = Command::new("prlimit");
-    limited.args([limit, env!("CARGO_BIN_EXE_gaitcam")]);
-    limited
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap()
-}
 
 #[test]
 fn a_limit_on_the_size_of_files_is_said_and_keeps_the_earlier_result() {

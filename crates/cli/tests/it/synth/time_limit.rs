@@ -2,9 +2,8 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
 
-use crate::support::{ROOT, object};
+use crate::support::{ROOT, limited, object};
 
 /// Refused designs whose relaxations take seconds to a minute, and a sequence of many spans.
 const COSTLY: [&[&str]; 4] = [
@@ -28,16 +27,8 @@ const COSTLY: [&[&str]; 4] = [
     ],
 ];
 
-/// The command, which the system ends after 2 s of processor time.
-fn two_seconds(folder: &Path, arguments: &[&str]) -> Output {
-    let mut limited = Command::new("prlimit");
-    limited.args(["--cpu=2", env!("CARGO_BIN_EXE_gaitcam")]);
-    limited
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap()
-}
+/// The system ends the command after 2 s of processor time.
+const TWO_SECONDS: &str = "--cpu=2";
 
 #[test]
 fn a_time_limit_ends_every_costly_design_with_what_is_known() {
@@ -46,7 +37,7 @@ fn a_time_limit_ends_every_costly_design_with_what_is_known() {
         let mut arguments = vec!["synth", scene[0], "--json", "--time-limit", "0.3", "--out"];
         arguments.push(folder.path().to_str().unwrap());
         arguments.extend(scene[1..].iter().flat_map(|change| ["--set", change]));
-        let run = two_seconds(Path::new(ROOT), &arguments);
+        let run = limited(Path::new(ROOT), TWO_SECONDS, &arguments);
         let summary: serde_json::Value = object(&run);
         assert_eq!(summary["out_of_time"], true, "{scene:?}");
         // What was cut short is no proof: only a conflict of limits is called infeasible.
@@ -124,7 +115,7 @@ fn a_time_limit_holds_for_fronts_covers_and_arms_without_a_cam() {
     ];
     for arguments in costly {
         let arguments = [arguments, &["--time-limit", "0.3", "--out", "out"]].concat();
-        let run = two_seconds(folder.path(), &arguments);
+        let run = limited(folder.path(), TWO_SECONDS, &arguments);
         assert_eq!(run.status.code(), Some(3), "{arguments:?}: {run:?}");
     }
 }
