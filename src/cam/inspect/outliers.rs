@@ -1,0 +1,26 @@
+//! Points far outside the scatter of the others.
+
+use super::fit::Foot;
+
+/// Outliers: deviations from the median above this many standard deviations, the latter from the median absolute
+/// deviation, and above this part of the largest radius.
+const OUTLIER: (f64, f64) = (10.0, 1e-6);
+/// Standard deviation of a normal distribution by its median absolute deviation.
+const NORMAL: f64 = 1.4826;
+/// Largest share of outliers; more of them are the shape of the cam.
+const FEW: f64 = 0.05;
+
+/// Which points are no outliers; `None` where too many are far from the others.
+pub fn without_outliers(feet: &[Foot], size: f64) -> Option<Vec<bool>> {
+    let middle_of = |mut values: Vec<f64>| {
+        values.sort_by(f64::total_cmp);
+        values.get(values.len() / 2).copied()
+    };
+    let middle = middle_of(feet.iter().map(|f| f.distance).collect())?;
+    let off = |f: &Foot| (f.distance - middle).abs();
+    let scatter = NORMAL * middle_of(feet.iter().map(off).collect())?;
+    let most = (OUTLIER.0 * scatter).max(OUTLIER.1 * size);
+    let kept: Vec<bool> = feet.iter().map(|f| off(f) <= most).collect();
+    let outliers = kept.iter().filter(|kept| !**kept).count();
+    (outliers as f64 <= FEW * feet.len() as f64).then_some(kept)
+}
