@@ -64,7 +64,7 @@ pub struct Optimum {
 
 /// How a sequence of convex programs went.
 pub struct Sequence {
-    /// Its steps.
+    /// Programs that improved the law, in order.
     steps: Vec<Step>,
     /// Why no more were taken.
     ended: Ended,
@@ -73,7 +73,7 @@ pub struct Sequence {
 }
 
 impl Optimum {
-    /// The law.
+    /// The law of the solution's coefficients.
     pub fn law(&self) -> Law {
         Law::of(&self.formulation.program.basis, &self.solution.x)
     }
