@@ -137,10 +137,13 @@ fn a_law_is_found_by_its_name_in_the_language_and_a_mistyped_one_is_suggested() 
         shown.contains("cycloidal") && shown.contains("cicloidal"),
         "{shown}"
     );
+    // Scenes take both names in any language, and so does the catalogue.
+    let english = stdout(&gaitcam(&["laws", "cicloidal", "--lang", "en"]));
+    assert_eq!(english, stdout(&gaitcam(&["laws", "cycloidal"])));
     let all = stdout(&gaitcam(&["laws", "--lang", "es"]));
     assert!(all.contains("sinusoidal modificada"), "{all}");
     for (typed, language, says) in [
-        ("cicloidal", "en", "did you mean \"cycloidal\"?"),
+        ("cycloydal", "en", "did you mean \"cycloidal\"?"),
         ("cicloydal", "es", "¿quiso decir «cycloidal»?"),
         ("senoidal modificada", "es", "¿quiso decir «modified-sine»?"),
     ] {
