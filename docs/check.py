@@ -4,12 +4,12 @@
     python3 docs/check.py
     python3 docs/check.py --book target/book      the links of the HTML that docs/book.sh has built
 
-- `theory §n` anywhere in the repository is a section of docs/theory.md;
+- `theory §n` anywhere in the repository is a section of docs/theory/;
 - a path such as `src/law/rise.rs` in README, CONTRIBUTING and docs/ is that of a file or folder;
 - a relative link in a Markdown file leads to a file, and its #anchor to a heading;
 - every number with a decimal point (in Spanish a comma) or of four digits and more in the paragraph after `<!-- from FILE -->` stands in that file,
   but for rounding of decimals;
-- every number of four digits and more with a decimal point in docs/theory.md stands, but for rounding and powers of a
+- every number of four digits and more with a decimal point in docs/theory/ stands, but for rounding and powers of a
   thousand, in a test, a source or a report, unless `docs/commands.py` computes it (`<!-- printed by`);
 - nothing cites a document that is not in the repository;
 - the README installs and tests with the commands that `.ci/run` runs;
@@ -91,7 +91,7 @@ def unknown_figures(theory):
     computed = r"(?ms)^<!-- printed.*?-->\n.*?(?:\n\n|\Z)|`[^`\n]*`|\]\([^)]*\)|§[\d.]+|arXiv [\d.]+"
     for number in re.findall(r"(?<![\w.])\d+\.\d+(?!\d*/)", re.sub(computed, "\n", theory)):
         if len(number.replace(".", "").lstrip("0")) >= 4 and not any(holds(known, number, s) for s in (1e-3, 1, 1e3)):
-            yield f"docs/theory.md: {number}, which no test, source or report has"
+            yield f"docs/theory: {number}, which no test, source or report has"
 
 
 def faults(path, sections):
@@ -99,7 +99,7 @@ def faults(path, sections):
     for list_ in re.findall(r"theory((?:,? (?:and )?§\d+(?:[–-]§?\d+)?)+)", text):
         for number in re.findall(r"\d+", list_):
             if int(number) not in sections:
-                yield f"theory §{number}, which docs/theory.md does not have"
+                yield f"theory §{number}, which docs/theory/ does not have"
     if path != Path(__file__).resolve():
         for found in FOREIGN.finditer(text):
             yield f"`{found.group()}`, which is not in the repository"
@@ -169,7 +169,7 @@ def main():
     if sys.argv[1:2] == ["--book"]:
         found = list(broken_book_links(Path(sys.argv[2]).resolve()))
         sys.exit("\n".join(found) or 0)
-    theory = (ROOT / "docs" / "theory.md").read_text(encoding="utf-8")
+    theory = "\n".join(page.read_text(encoding="utf-8") for page in sorted((ROOT / "docs" / "theory").glob("*.md")))
     sections = {int(n) for n in re.findall(r"(?m)^## (\d+)\. ", theory)}
     found = [f"{p.relative_to(ROOT)}: {f}" for p in files() for f in faults(p, sections)]
     found += [*install_faults(), *package_faults(), *unknown_figures(theory)]

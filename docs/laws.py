@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/reference/laws.md and its picture from the catalogue of the program and the formulas of docs/theory.md.
+"""Writes docs/reference/laws.md and its picture from the catalogue of the program and the formulas of docs/theory/cams.md.
 
     python3 docs/laws.py target/release/gaitcam [--check]
 
@@ -110,7 +110,7 @@ the acceleration: `not-for-high-speed`.
 | the force of a walker, a law that no catalogue has | none: `law.family = "spline"` computes it |
 
 `scca b c d` and `eccentric ratio` take their parameters behind the name. Formulas, numbers and sources:
-[theory §7](../theory.md#7-rise-laws). This page is written by `docs/laws.py`, which evaluates every formula.
+[theory §7](../theory/cams.md#7-rise-laws). This page is written by `docs/laws.py`, which evaluates every formula.
 """
 
 
@@ -143,7 +143,7 @@ def cell(name, rows, left, top):
 
 
 def main(binary, check):
-    theory = (ROOT / "docs/theory.md").read_text(encoding="utf-8")
+    theory = (ROOT / "docs/theory/cams.md").read_text(encoding="utf-8")
     table = re.search(r"(?ms)^\| law \| s\(x\).*?\n\n", theory).group()
     formulas = dict(re.findall(r"(?m)^\| ([^|]+?) \| ([^|]+?) \|", table))
     catalogue = json.loads(subprocess.run([binary, "laws", "--json"], capture_output=True, check=True, text=True).stdout)

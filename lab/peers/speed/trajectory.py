@@ -5,7 +5,7 @@ docs/guide/trajectory.md shows.
     pip install ./python scipy toppra ruckig drake && python3 lab/peers/speed/trajectory.py
 
 In units of the rise and its duration: |jerk| ≤ 50. The least peak acceleration in time 1 is 5, and with |acceleration| ≤ 5 the
-least time is 1 (docs/theory.md, section 8). Peaks are those of 20 011 points, which no program was given; gaitcam's are the exact ones that it
+least time is 1 (docs/theory/program.md). Peaks are those of 20 011 points, which no program was given; gaitcam's are the exact ones that it
 reports of its law, for rise and fall, and its time is that of the whole design. What is
 not installed is left out.
 """

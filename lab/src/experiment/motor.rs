@@ -64,7 +64,7 @@ pub fn power_law(table: &[(f64, f64)]) -> Result<(f64, f64)> {
     Ok(((mt - p * mx).exp(), p))
 }
 
-/// Power (%) that turns 11.1 times in `seconds`, by a table such as that of theory §3.
+/// Power (%) that turns 11.1 times in `seconds`, by a table such as that of the thesis (reports/reproduction.md).
 pub fn power_for(table: &[(f64, f64)], seconds: f64) -> Result<f64> {
     let (c, p) = power_law(table)?;
     Ok((seconds / c).powf(1.0 / p))
@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn the_thesis_table_fits_355_9_x_to_the_minus_0_9662() {
-        // theory §3: least squares on logs of the table as printed → 68.4 % for 6 s.
+        // reports/reproduction.md: least squares on logs of the table as printed → 68.4 % for 6 s.
         let (c, p) = power_law(&MOTOR_TABLE).unwrap();
         assert!(
             (c - 355.9).abs() < 0.05 && (p + 0.9662).abs() < 5e-5,

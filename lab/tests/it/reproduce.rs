@@ -2,7 +2,7 @@
 
 use gaitcam_lab::reproduce::{Class, reproduce};
 
-/// Quantity (its beginning), recomputed value, tolerance: the digits that docs/theory.md shows.
+/// Quantity (its beginning), recomputed value, tolerance: the digits of an independent calculation.
 const STATED: [(&str, f64, f64); 37] = [
     ("coefficient C3", 612.721, 5e-4),
     ("coefficient C6", -13873.375, 5e-4),

@@ -51,7 +51,7 @@ fn paper_coefficients_come_from_its_boundary_conditions() {
 
 #[test]
 fn paper_peaks_are_those_of_the_continuous_law() {
-    // theory §2, recomputed column, whose values in time belong to the paper's rounded ω = 12.566 rad/s
+    // reports/reproduction.md, recomputed column, whose values in time belong to the paper's rounded ω = 12.566 rad/s
     // (4π gives 22.5508 in/s, 685.575 and −594.256 in/s²). Inches and pounds.
     let law = paper_rise();
     let w = 12.566;

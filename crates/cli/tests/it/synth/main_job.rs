@@ -186,7 +186,7 @@ fn peaks_are_those_of_the_paper(summary: &Value) {
 
 #[test]
 fn heel_tester_reproduces_the_paper() {
-    // theory §2, recomputed column, four significant digits.
+    // reports/reproduction.md, recomputed column, four significant digits.
     let run = synth(&["scenes/heel_tester.toml"]);
     assert_eq!(run.code, 0);
     let s = &run.summary;
