@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
-"""Writes made_log.csv: a log of a footbridge shaker that is not quite the one of its scene, made by a computer, so that its truth
-is known.
+"""Writes logs of a footbridge shaker that is not quite the one of its scene, made by a computer, so that their truth is known.
 
     gaitcam synth footbridge --out out/bridge && python3 data/logs/made_log.py out/bridge
 
 The moved mass is 73 kg (the scene: 71.4 kg), the guide rubs with 20 N s/m and 3 N, a bearing that runs out adds 6 N twice and
 3 N five times per turn; the load cell is 1 ms late, reads 4 N too much and scatters by 2 N. 20 cycles, 250 samples a second.
+
+- made_log.csv: time, angle and force at constant speed;
+- made_time.csv: the same without the angle;
+- made_torque.csv: with speed and torque at the camshaft. The speed varies by 2 % once per turn, the shaft has 0.05 kg m² and
+  a friction of 0.5 N m.
 """
 
 import csv
@@ -28,9 +32,29 @@ def force(theta):
     return 73 * (9.81 + speed**2 * a) + rubs + 6 * math.sin(2 * theta + 1) + 3 * math.cos(5 * theta)
 
 
-with open(Path(__file__).parent / "made_log.csv", "w") as file:
-    file.write("time_s,theta_rad,force_n\n")
-    for i in range(round(20 / 1.85 * rate)):
-        theta = 2 + speed * i / rate
-        reading = force(theta - 0.001 * speed) + 4 + random.gauss(0, 2)
-        file.write(f"{i / rate:.3f},{theta % (2 * math.pi):.4f},{reading:.2f}\n")
+def write(name, header, rows):
+    with open(Path(__file__).parent / name, "w") as file:
+        file.write("\n".join([header, *rows]) + "\n")
+
+
+samples = range(round(20 / 1.85 * rate))
+log = []
+for i in samples:
+    theta = 2 + speed * i / rate
+    reading = force(theta - 0.001 * speed) + 4 + random.gauss(0, 2)
+    log.append((f"{i / rate:.3f}", f"{theta % (2 * math.pi):.4f}", f"{reading:.2f}"))
+write("made_log.csv", "time_s,theta_rad,force_n", map(",".join, log))
+write("made_time.csv", "time_s,force_n", (f"{time},{reading}" for time, _, reading in log))
+
+theta, steps, log = 2.0, 40, []
+for i in samples:
+    turning = speed * (1 + 0.02 * math.sin(theta))
+    pressed = force(theta)
+    place = theta / (2 * math.pi) % 1 * len(law)
+    v, w = law[int(place)][0], law[(int(place) + 1) % len(law)][0]
+    torque = pressed * (v + place % 1 * (w - v)) + 0.05 * turning * 0.02 * speed * math.cos(theta) + 0.5
+    reading, torque = pressed + 4 + random.gauss(0, 2), torque + random.gauss(0, 0.05)
+    log.append(f"{i / rate:.3f},{theta % (2 * math.pi):.4f},{reading:.2f},{turning:.4f},{torque:.3f}")
+    for _ in range(steps):
+        theta += speed * (1 + 0.02 * math.sin(theta)) / rate / steps
+write("made_torque.csv", "time_s,theta_rad,force_n,speed_rad_per_s,torque_n_m", log)

@@ -36,6 +36,8 @@ pub(super) fn parameters(design: &Design, fitted: &Fitted) -> Vec<Parameter> {
     let inertia = columns(&|i| speed(i) * slope[i], true);
     let constant = columns(&|_| 1.0, torque.is_some());
     let line = columns(&|i| speed(i) - fitted.cycles.speed, true);
+    // Zero of the load cell, which the other columns would take up.
+    let bias = columns(&|i| law.svaj(angle(i)).v, false);
     // The load of every cycle: what its force does along the law.
     let load = |force: &[f64]| {
         let force = clock.at_angles(force);
@@ -53,11 +55,11 @@ pub(super) fn parameters(design: &Design, fitted: &Fitted) -> Vec<Parameter> {
     let left = left.map(<[f64]>::to_vec);
     let (columns, keys) = match torque {
         Some(_) => (
-            vec![inertia, constant],
+            vec![inertia, constant, bias],
             ["machine.inertia", "machine.friction_torque"],
         ),
         None => (
-            vec![inertia, line, constant],
+            vec![inertia, line, constant, bias],
             ["machine.inertia", "machine.motor.slope"],
         ),
     };

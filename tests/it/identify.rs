@@ -510,7 +510,8 @@ fn inertia_and_motor_line_follow_from_the_energy_of_a_cycle_whose_speed_was_logg
             let at = design.cam.law.svaj(x);
             let force = design.problem.drive.mass * (9.81 + w * w * at.a + rate * at.v);
             let torque = 0.5 * rate + force * at.v + 1.5;
-            let force = force + scatter(i as usize);
+            // The load cell reads 6 N too much.
+            let force = force + 6.0 + scatter(i as usize);
             let w = w + 0.01 * scatter(i as usize + 50_000);
             write!(text, "{t:.6},{:.6},{force:.4},{w:.5}", TAU * turn + x).unwrap();
             if has_torque {
@@ -520,8 +521,9 @@ fn inertia_and_motor_line_follow_from_the_energy_of_a_cycle_whose_speed_was_logg
         }
         let list = found(&text, &(scene.clone(), design.clone())).unwrap();
         let inertia = parameter(&list, "machine.inertia");
-        assert!((inertia.value / 0.5 - 1.0).abs() < 0.03, "{inertia:?}");
         assert!(inertia.identifiable);
+        let (low, high) = (inertia.low.unwrap(), inertia.high.unwrap());
+        assert!(low < 0.5 && 0.5 < high && high - low < 0.1, "{inertia:?}");
         if has_torque {
             let friction = parameter(&list, "machine.friction_torque");
             assert!((friction.value / 1.5 - 1.0).abs() < 0.05, "{friction:?}");
