@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/reference/laws.md and its picture from the catalogue of the program and the formulas of docs/theory/cams.md.
+"""Writes docs/reference/laws.md and its picture from the catalogue of the program and the formulas below.
 
     python3 docs/laws.py target/release/gaitcam [--check]
 
@@ -8,7 +8,6 @@ written, and the page in the repository must be what would be written.
 """
 
 import json
-import re
 import subprocess
 import sys
 from math import cos, pi, sin
@@ -49,31 +48,31 @@ def sines(*terms):
 
 
 ALPHA = 1125 / 1192
-# Name in the catalogue: name in the table of theory §7 or, if it is not there, the formula; the function.
+# Name in the catalogue: the formula, the function.
 LAWS = {
     "constant-velocity": ("x", lambda x: x),
-    "parabolic": ("@parabolic", lambda x: 2 * x * x if x < 0.5 else 1 - 2 * (1 - x) ** 2),
-    "cubic": ("@cubic 2-3", powers((2, 3), (3, -2))),
-    "simple-harmonic": ("@simple harmonic", lambda x: (1 - cos(pi * x)) / 2),
-    "double-harmonic": ("@double harmonic (rise)", lambda x: (1 - cos(pi * x) - (1 - cos(2 * pi * x)) / 4) / 2),
-    "cycloidal": ("@cycloidal", sines((2, 1 / (2 * pi)))),
+    "parabolic": ("2x², then 1 − 2(1 − x)²", lambda x: 2 * x * x if x < 0.5 else 1 - 2 * (1 - x) ** 2),
+    "cubic": ("3x² − 2x³", powers((2, 3), (3, -2))),
+    "simple-harmonic": ("½(1 − cos πx)", lambda x: (1 - cos(pi * x)) / 2),
+    "double-harmonic": ("½[(1 − cos πx) − ¼(1 − cos 2πx)]", lambda x: (1 - cos(pi * x) - (1 - cos(2 * pi * x)) / 4) / 2),
+    "cycloidal": ("x − sin(2πx)/2π", sines((2, 1 / (2 * pi)))),
     "semiharmonic-start": ("1 − cos(πx/2)", lambda x: 1 - cos(pi * x / 2)),
     "semiharmonic-end": ("sin(πx/2)", lambda x: sin(pi * x / 2)),
     "semicycloidal-start": ("x − sin(πx)/π", sines((1, 1 / pi))),
     "semicycloidal-end": ("x + sin(πx)/π", sines((1, -1 / pi))),
-    "modified-trapezoid": ("@modified trapezoid", scca(0.25, 0.5, 0.25)),
-    "modified-sine": ("@modified sine", scca(0.25, 0, 0.75)),
+    "modified-trapezoid": ("SCCA b = ¼, c = ½, d = ¼", scca(0.25, 0.5, 0.25)),
+    "modified-sine": ("SCCA b = ¼, c = 0, d = ¾", scca(0.25, 0, 0.75)),
     "scca": ("SCCA: sine, constant, cosine acceleration; b = c = ¼, d = ½", scca(0.25, 0.25, 0.5)),
-    "3-4-5": ("@3-4-5", powers((3, 10), (4, -15), (5, 6))),
-    "4-5-6-7": ("@4-5-6-7", powers((4, 35), (5, -84), (6, 70), (7, -20))),
-    "5-6-7-8-9": ("@5-6-7-8-9", powers((5, 126), (6, -420), (7, 540), (8, -315), (9, 70))),
+    "3-4-5": ("10x³ − 15x⁴ + 6x⁵", powers((3, 10), (4, -15), (5, 6))),
+    "4-5-6-7": ("35x⁴ − 84x⁵ + 70x⁶ − 20x⁷", powers((4, 35), (5, -84), (6, 70), (7, -20))),
+    "5-6-7-8-9": ("126x⁵ − 420x⁶ + 540x⁷ − 315x⁸ + 70x⁹", powers((5, 126), (6, -420), (7, 540), (8, -315), (9, 70))),
     "polynomial-5": ("between rests 3-4-5; otherwise the degree 5 that joins its neighbours", None),
     "polynomial-7": ("between rests 4-5-6-7; otherwise the degree 7 that joins its neighbours", None),
     "berzak-d": ("12.1x³ − 25.5x⁴ + 24.9x⁵ − 14.7x⁶ + 4.2x⁷", powers((3, 12.1), (4, -25.5), (5, 24.9), (6, -14.7), (7, 4.2))),
-    "gutman-1-3": ("@Gutman 1-3", sines((2, 15 / (32 * pi)), (6, 1 / (96 * pi)))),
-    "freudenstein-1-3": ("@Freudenstein 1-3", sines((2, 27 / (56 * pi)), (6, 27 / (56 * pi * 54)))),
+    "gutman-1-3": ("x − (15/32π) sin 2πx − (1/96π) sin 6πx", sines((2, 15 / (32 * pi)), (6, 1 / (96 * pi)))),
+    "freudenstein-1-3": ("x − (27/56π)(sin 2πx + sin(6πx)/54)", sines((2, 27 / (56 * pi)), (6, 27 / (56 * pi * 54)))),
     "freudenstein-1-3-at-rest": ("x − (27/56π)(sin 2πx + sin(6πx)/81)", sines((2, 27 / (56 * pi)), (6, 27 / (56 * pi * 81)))),
-    "freudenstein-1-3-5": ("@Freudenstein 1-3-5", sines((2, ALPHA / (2 * pi)), (6, ALPHA / (108 * pi)), (10, ALPHA / (2500 * pi)))),
+    "freudenstein-1-3-5": ("x − (α/2π)(sin 2πx + sin(6πx)/54 + sin(10πx)/1250), α = 1125/1192", sines((2, ALPHA / (2 * pi)), (6, ALPHA / (108 * pi)), (10, ALPHA / (2500 * pi)))),
     "eccentric": ("½(1 − cos πx) under a flat face; of a disc under a roller its ratio matters", None),
 }
 HEAD = """# Rise laws
@@ -109,7 +108,7 @@ the acceleration: `not-for-high-speed`.
 | constant velocity in the middle | `semicycloidal-start`, `constant-velocity`, `semicycloidal-end` |
 | the force of a walker, a law that no catalogue has | none: `law.family = "spline"` computes it |
 
-`scca b c d` and `eccentric ratio` take their parameters behind the name. Formulas, numbers and sources:
+`scca b c d` and `eccentric ratio` take their parameters behind the name. SCCA, residual vibration and sources:
 [theory §7](../theory/cams.md#7-rise-laws). This page is written by `docs/laws.py`, which evaluates every formula.
 """
 
@@ -143,15 +142,11 @@ def cell(name, rows, left, top):
 
 
 def main(binary, check):
-    theory = (ROOT / "docs/theory/cams.md").read_text(encoding="utf-8")
-    table = re.search(r"(?ms)^\| law \| s\(x\).*?\n\n", theory).group()
-    formulas = dict(re.findall(r"(?m)^\| ([^|]+?) \| ([^|]+?) \|", table))
     catalogue = json.loads(subprocess.run([binary, "laws", "--json"], capture_output=True, check=True, text=True).stdout)
     assert {law["name"] for law in catalogue} == set(LAWS), "the catalogue has other laws than this script"
     lines, drawn = [], []
     for law in catalogue:
         formula, function = LAWS[law["name"]]
-        formula = formulas[formula[1:]] if formula.startswith("@") else formula
         numbers = " | ".join("∞" if law[k] is None else f"{law[k]:.5g}" for k in ("cv", "ca", "cj", "ct"))
         lines.append(f"| `{law['name']}` | {formula} | {numbers} | {' → '.join(dict.fromkeys(law['joins']))} |")
         if function:

@@ -86,7 +86,7 @@ fn near(value: f64, expected: f64, relative: f64) -> bool {
     (value - expected).abs() <= relative * expected.abs()
 }
 
-/// The table of theory §7: Cv, Ca, Cj, Ct; 0 stands for a factor that it does not give.
+/// Published peak factors (theory §7, §12): Cv, Ca, Cj, Ct; 0 stands for a factor that the source does not give.
 fn peak_factors() -> [(&'static str, f64, f64, f64, f64); 15] {
     let p = PI;
     [
