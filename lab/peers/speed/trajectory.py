@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""One rise from rest to rest under a jerk limit by programs for trajectories: writes reports/trajectory.md, whose table
-docs/guide/trajectory.md shows.
+"""One rise from rest to rest under a jerk limit by programs for trajectories: writes reports/trajectory.md, which
+docs/comparison.md cites.
 
     pip install ./python scipy toppra ruckig drake && python3 lab/peers/speed/trajectory.py
 
