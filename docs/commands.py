@@ -45,7 +45,8 @@ for row in csv.DictReader(open(sys.argv[1])): print(float(row[sys.argv[2]]) * fl
 value() { python3 -c 'import json, sys; from math import *
 d = json.load(sys.stdin); print(eval(sys.argv[1]))' "$@"; }
 """
-PAGES = ("README.md", "docs/start.md", "docs/comparison.md", "docs/theory/*.md", "docs/guide/*.md", "docs/guia/*.md", "docs/reference/*.md")
+PAGES = ("README.md", "docs/start.md", "docs/comparison.md", "docs/verdict.md", "docs/theory/*.md", "docs/guide/*.md",
+         "docs/guia/*.md", "docs/reference/*.md")
 
 
 class Page:

@@ -74,7 +74,8 @@ def build():
 def commands(gaitcam, lab, out, recordings):
     """Every command line; pages of the documents first, whose blocks build on each other."""
     yield [sys.executable, str(ROOT / "docs" / "laws.py"), gaitcam, "--check"]
-    for pattern in ("README.md", "docs/start.md", "docs/comparison.md", "docs/theory/*.md", "docs/guide/*.md", "docs/guia/*.md", "docs/reference/*.md"):
+    for pattern in ("README.md", "docs/start.md", "docs/comparison.md", "docs/verdict.md", "docs/theory/*.md", "docs/guide/*.md",
+                    "docs/guia/*.md", "docs/reference/*.md"):
         for page in sorted(ROOT.glob(pattern)):
             yield [sys.executable, str(ROOT / "docs" / "commands.py"), gaitcam, str(page)]
     listed = subprocess.run([gaitcam, "scenes", "--json"], check=True, capture_output=True).stdout
