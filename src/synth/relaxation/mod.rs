@@ -20,7 +20,6 @@ use crate::synth::design::Design;
 use crate::synth::infeasible::reasons::{changes, smallest_relaxations};
 use crate::synth::report::limited::{Conflicting, Infeasible, Relaxation};
 use crate::synth::report::reason::Reason;
-use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
 use crate::synth::synthesis;
 use crate::synth::verdict::verdict;
@@ -28,9 +27,6 @@ use beside::beside;
 use by_size::BySize;
 use relaxable::{Relaxable, relaxables};
 
-/// The value is found to this part of it; costly designs to `COARSE`.
-const FINE: f64 = 2e-5;
-const COARSE: f64 = 1e-3;
 /// Parts by which a value is enlarged for a design to pass with it, tried in turn: at its own edge one may fail. A value
 /// from the convex program is right to the third of them.
 const ROOMS: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
@@ -40,6 +36,10 @@ const MACHINE_ROOMS: [f64; 5] = [0.0, 1e-3, 1e-2, 0.05, 0.2];
 const FAR: f64 = 10.0;
 /// The share that is tried first.
 const SMALL: f64 = 0.01;
+/// A value of unknown size is found to this part of the first one that is sufficient.
+const SMALLEST: f64 = 1e-7;
+/// A value that is sufficient on the machine is found to this part of it.
+const ON_MACHINE: f64 = 5e-3;
 /// Part by which a value must be able to come back towards the old one for a better one to be sought.
 const BACK: f64 = 1e-3;
 
@@ -150,6 +150,15 @@ fn passes(design: &Design) -> bool {
     design.verdict != Verdict::Unacceptable
 }
 
+/// Between two values; between values of different sizes their geometric mean.
+fn middle(works: f64, fails: f64) -> f64 {
+    if fails > 0.0 && works / fails > 4.0 {
+        (works * fails).sqrt()
+    } else {
+        0.5 * (works + fails)
+    }
+}
+
 /// Numbers of a problem with values for them.
 type Values = [(Relaxable, f64)];
 
@@ -177,7 +186,6 @@ struct Relaxing<'a> {
     search: &'a Search,
     /// Size of the force, N.
     force: f64,
-    precision: f64,
 }
 
 impl<'a> Relaxing<'a> {
@@ -188,10 +196,6 @@ impl<'a> Relaxing<'a> {
             asked: problem.at_constant_speed(),
             search,
             force: mean.abs().max(rest.abs()),
-            precision: match design.solver.tier {
-                Tier::Spectral | Tier::Equality => FINE,
-                _ => COARSE,
-            },
         }
     }
 
@@ -215,7 +219,7 @@ impl<'a> Relaxing<'a> {
                 (Some(own), _) => own,
                 (None, None) => relaxing.smallest(number, from, hint),
                 (None, Some(by_size)) => {
-                    let precise = |works: f64| self.precision * works.abs().max(from.abs());
+                    let precise = |works: f64| number.step(works.abs().max(from.abs()));
                     let free = number.away(from, self.force);
                     let edge = by_size.value(number, [from, free], precise);
                     edge.and_then(|edge| relaxing.passing_from(number, edge))
@@ -252,13 +256,38 @@ impl<'a> Relaxing<'a> {
         self.tried(number, weakest)?;
         for room in [none, less] {
             let to = number.with_room(hint, room);
+            let back = to - BACK * to.abs() * number.sign();
             if self.tried(number, to).is_none() {
                 continue;
             }
-            let back = to - BACK * to.abs() * number.sign();
-            return (room > 0.0 || self.tried(number, back).is_none()).then_some(to);
+            let is_edge = room > 0.0 || self.tried(number, back).is_none();
+            return is_edge.then(|| self.edge(number, to, back));
         }
         Some(weakest)
+    }
+
+    /// The round value nearest to one that fails with which the design passes, up to a round one that passes.
+    fn edge(&self, number: Relaxable, works: f64, fails: f64) -> f64 {
+        let (mut works, mut fails) = (works, fails);
+        // Towards zero the steps become ever smaller.
+        let least = SMALLEST * works.abs();
+        while !self.search.halt.is_asked() && (works - fails).abs() > least {
+            let halved = number.rounded(middle(works, fails));
+            let value = if halved == works || halved == fails {
+                number.after(fails)
+            } else {
+                halved
+            };
+            if number.sign() * (works - value) <= 0.5 * number.step(works) {
+                break;
+            }
+            if self.tried(number, value).is_some() {
+                works = value;
+            } else {
+                fails = value;
+            }
+        }
+        works
     }
 
     /// A value, or a little more, with which the design passes on its machine; it does in the motion of the design relaxed.
@@ -266,10 +295,17 @@ impl<'a> Relaxing<'a> {
         if self.problem.on_shaft.is_none() {
             return Some(to);
         }
-        let mut rounded = MACHINE_ROOMS
-            .map(|room| number.with_room(to, room))
-            .into_iter();
-        rounded.find(|to| passing(&number.with(self.asked, *to), self.search).is_some())
+        let holds = |to: f64| passing(&number.with(self.asked, to), self.search).is_some();
+        let values = MACHINE_ROOMS.map(|room| number.with_room(to, room));
+        let at = values.iter().position(|to| holds(*to))?;
+        let Some(last) = at.checked_sub(1) else {
+            return Some(to);
+        };
+        let precise = |works: f64| ON_MACHINE * works.abs();
+        let edge = self.bisected(values[at], values[last], precise, |to| {
+            holds(number.rounded(to))
+        });
+        Some(number.rounded(edge))
     }
 
     /// The value nearest to `from` with which the design passes, rounded to the weak side.
@@ -299,24 +335,13 @@ impl<'a> Relaxing<'a> {
             }
             fails = value;
         }
-        let size = from.abs().max(1e-3 * works.abs());
-        let precise = |works: f64| self.precision * works.abs().max(size);
-        let holds = |value: f64| self.tried(number, value).is_some();
-        let works = self.bisected(works, fails, precise, holds);
-        self.passing_from(number, works)
+        Some(self.edge(number, works, fails))
     }
 
     /// A value at which the design passes, from one at its edge: rounded to the weak side, with as much room as it takes.
     fn passing_from(&self, number: Relaxable, works: f64) -> Option<f64> {
         // At the boundary of feasibility a program may fail numerically; a slightly weaker one is solved.
-        // Next to its own edge a limited accuracy makes every program of a sequence slow.
-        let least = if self.problem.limited_error().is_some() {
-            COARSE
-        } else {
-            0.0
-        };
-        let rooms = ROOMS.into_iter().filter(|room| *room >= least);
-        let mut rounded = rooms.map(|room| number.with_room(works, room));
+        let mut rounded = ROOMS.map(|room| number.with_room(works, room)).into_iter();
         rounded.find(|to| self.tried(number, *to).is_some())
     }
 
@@ -329,12 +354,7 @@ impl<'a> Relaxing<'a> {
         holds: impl Fn(f64) -> bool,
     ) -> f64 {
         while !self.search.halt.is_asked() && (works - fails).abs() > precise(works) {
-            // Wide intervals are bisected geometrically.
-            let middle = if fails > 0.0 && works / fails > 4.0 {
-                (works * fails).sqrt()
-            } else {
-                0.5 * (works + fails)
-            };
+            let middle = middle(works, fails);
             if holds(middle) {
                 works = middle;
             } else {

@@ -104,18 +104,32 @@ impl Relaxable {
         self.rounded(value + room * value.abs() * self.sign())
     }
 
-    /// The value rounded to the steps of the report, towards the weaker limit.
+    /// The value rounded to four digits (an angle to 0.01°), towards the weaker limit.
     pub fn rounded(self, value: f64) -> f64 {
-        let step = match self.key.range {
-            Range::Acute => 1e-3_f64.to_radians(),
-            _ => 10_f64.powf((value.abs().max(f64::MIN_POSITIVE)).log10().floor() - 5.0),
-        };
-        // A value that is round already stays.
+        self.on_step(value, 1e-9)
+    }
+
+    /// The first round value that is weaker than this one.
+    pub fn after(self, value: f64) -> f64 {
+        self.on_step(value + 1e-3 * self.step(value) * self.sign(), 0.0)
+    }
+
+    /// The distance between round values.
+    pub fn step(self, value: f64) -> f64 {
+        match self.key.range {
+            Range::Acute => 1e-2_f64.to_radians(),
+            _ => 10_f64.powf((value.abs().max(f64::MIN_POSITIVE)).log10().floor() - 3.0),
+        }
+    }
+
+    /// The value in whole steps, towards the weaker limit; one that is round to this part of a step stays.
+    fn on_step(self, value: f64, same: f64) -> f64 {
+        let step = self.step(value);
         let steps = value / step;
         step * if self.grows() {
-            (steps - 1e-9).ceil()
+            (steps - same).ceil()
         } else {
-            (steps + 1e-9).floor()
+            (steps + same).floor()
         }
     }
 }

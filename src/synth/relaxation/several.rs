@@ -113,7 +113,13 @@ impl Relaxing<'_> {
         let share = if holds(SMALL) {
             SMALL
         } else {
-            self.bisected(FAR, SMALL, |works| 1e-2 * works, holds)
+            let found = self.bisected(
+                FAR,
+                SMALL,
+                |works| 1e-2 * works,
+                |share| holds(rounded(share)),
+            );
+            rounded(found)
         };
         let share = self.share_on_machine(share, eased)?;
         let all = (eased(share).into_iter().zip(numbers))
@@ -130,7 +136,12 @@ impl Relaxing<'_> {
         if self.problem.on_shaft.is_none() {
             return Some(share);
         }
-        let mut shares = MACHINE_ROOMS.map(|room| share + room).into_iter();
+        let mut shares = MACHINE_ROOMS.map(|room| rounded(share + room)).into_iter();
         shares.find(|share| passing(&changed(self.asked, &eased(*share)), self.search).is_some())
     }
+}
+
+/// A share, rounded up to a thousandth.
+fn rounded(share: f64) -> f64 {
+    (1e3 * share - 1e-9).ceil() / 1e3
 }
