@@ -19,7 +19,7 @@ pub struct Front {
     left_out: usize,
 }
 
-/// Its fields, as they travel where it is pickled.
+/// Fields of the object for pickling.
 type State = (Vec<String>, Vec<i64>, Option<i64>, Vec<Vec<f64>>, usize);
 
 /// One name or several.

@@ -23,7 +23,7 @@ pub struct Law {
 
 /// What a law follows from: that is what travels where it is pickled.
 enum Origin {
-    /// Its name in the catalogue.
+    /// Name of the law in the catalogue.
     Catalogue,
     /// Motion, lift in m and angle in rad of each segment.
     Program(Vec<(String, f64, f64)>),

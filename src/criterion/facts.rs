@@ -99,7 +99,7 @@ pub enum Diagram {
 }
 
 impl Diagram {
-    /// Its name in data.
+    /// Name of the diagram in data.
     pub const fn name(self) -> &'static str {
         match self {
             Diagram::Force => "force",

@@ -64,7 +64,7 @@ pub struct FloorMode {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Floor {
-    /// Its modes.
+    /// Modes of the floor.
     pub modes: Vec<FloorMode>,
     /// Phase, rad, and weight, part of the shaker's, of every walker; the first is the shaker.
     pub walkers: Vec<(f64, f64)>,
@@ -134,7 +134,7 @@ impl Serialize for Comfort {
 pub struct FloorMotion {
     /// Largest acceleration, m/s².
     pub acceleration_peak_m_per_s2: f64,
-    /// Its root mean square, m/s².
+    /// Root mean square of the acceleration, m/s².
     pub acceleration_rms_m_per_s2: f64,
     /// Comfort of those who walk on it.
     #[serde(flatten)]

@@ -161,13 +161,13 @@ pub struct Torque {
 pub struct Difference {
     /// The model that was run for comparison.
     pub model: Model,
-    /// Its smallest force less this one's, N.
+    /// Difference of the smallest forces, N.
     pub force_min: f64,
-    /// Its largest force less this one's, N.
+    /// Difference of the largest forces, N.
     pub force_max: f64,
-    /// Its RMS error less this one's, N.
+    /// Difference of the RMS errors, N.
     pub rms_error: Option<f64>,
-    /// Its lost fraction less this one's.
+    /// Difference of the fractions of the cycle without contact.
     pub lost_fraction: f64,
     /// Why it could not be run.
     pub failed: Option<Error>,

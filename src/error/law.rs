@@ -207,7 +207,7 @@ pub enum JoinError {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum SegmentName {
-    /// Its number, counted from 1, and its motion.
+    /// Number of the segment, counted from 1, and its motion.
     Segment {
         /// Counted from 1.
         number: usize,
@@ -252,7 +252,7 @@ pub enum JoinCure {
     LetCover {
         /// The segment to change.
         segment: SegmentName,
-        /// Its new length.
+        /// New length of the segment.
         length: Quantity,
     },
     /// One of the two segments moves at the joint: a segment has to be put between them.

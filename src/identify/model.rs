@@ -117,7 +117,7 @@ pub(super) fn angle(i: usize) -> f64 {
 /// A parameter of the machine or of the log.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Term {
-    /// Its key in the scene, or its name.
+    /// Key of the parameter in the scene, or its name.
     pub key: &'static str,
     /// Value in the scene, in the units of its drive.
     pub nominal: f64,

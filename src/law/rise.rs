@@ -92,13 +92,13 @@ pub enum Rise {
     },
     /// A law given by the user: see [`Rise::table`].
     User {
-        /// Its name in messages.
+        /// Name of the table in messages.
         name: String,
         /// What a scene says of it, as [`Rise::from_name`] reads it.
         written: String,
         /// The law on [0, 1], leading from 0 to 1.
         law: Box<Law>,
-        /// Its rows, both columns from 0 to 1.
+        /// Rows of the table, both columns from 0 to 1.
         rows: Vec<(f64, f64)>,
         /// Half a unit of the last decimal of the rows, at most a thousandth, as a share of the lift.
         rounding: f64,

@@ -5,9 +5,9 @@ use crate::force::ForceCurve;
 /// Mean of a cycle of force, with what else is known of it without its samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanForce {
-    /// Its mean, N.
+    /// Mean force, N, over one cycle.
     pub mean_n: f64,
-    /// Its duration, s.
+    /// Duration of the cycle, s.
     pub period_s: f64,
     /// Root mean square of its step-to-step spread, N; 0 where none is known.
     pub spread_n: f64,

@@ -168,7 +168,7 @@ impl Target {
         most(self.samples())
     }
 
-    /// Its first harmonics, (cosine, sine), N.
+    /// Harmonics of the force from the first on, (cosine, sine), N.
     pub(crate) fn harmonics(&self, count: usize) -> impl Iterator<Item = (f64, f64)> {
         let factor = self.scaling.factor;
         let waves = self.cycle.series().first(count).iter();

@@ -17,9 +17,9 @@ use crate::error::{Error, Result, SceneError, nearest};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BuiltIn {
-    /// Its name.
+    /// Name of the built-in scene.
     pub name: &'static str,
-    /// Its scene file.
+    /// TOML text of the built-in scene.
     pub toml: &'static str,
 }
 

@@ -16,7 +16,7 @@ use crate::wording::{self, Language};
 pub enum Difference {
     /// A value, `None` where a description has none.
     Value {
-        /// Its key path.
+        /// Key path of the changed value.
         path: String,
         /// In the first description.
         old: Option<String>,
@@ -25,7 +25,7 @@ pub enum Difference {
     },
     /// A value too long to quote.
     Long {
-        /// Its key path.
+        /// Key path of the long text.
         path: String,
     },
     /// A line of a scene that only the first description has.

@@ -21,7 +21,7 @@ use crate::synth::Figure;
 pub struct Point {
     /// Number of its row.
     pub row: u64,
-    /// Its costs: of each objective smaller is better.
+    /// Costs of the design, one per objective; smaller is better.
     pub values: Vec<f64>,
     /// The cells of its row as text.
     pub cells: Vec<String>,
@@ -122,7 +122,7 @@ impl Front {
 pub struct Objective {
     /// Index of its column.
     pub column: usize,
-    /// Its name.
+    /// Name of the objective.
     pub name: String,
     /// Whether larger is better.
     pub maximised: bool,

@@ -21,7 +21,7 @@ pub struct Attempt {
     /// The best law under the limits, or without them where they leave none; its lowest point stands on the base circle where
     /// nothing else fixes the level.
     pub law: SolvedLaw,
-    /// Its cam, with force and checks.
+    /// Cam of the attempt, with force and checks.
     pub cam: CheckedCam,
     /// Why the limits leave no law.
     pub refusal: Option<Arc<Refusal>>,

@@ -21,7 +21,7 @@ impl Words {
         Words(own)
     }
 
-    /// Its language.
+    /// Language of the messages.
     pub fn language(&self) -> Language {
         self.0.language()
     }

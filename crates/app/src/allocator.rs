@@ -1,7 +1,7 @@
 //! The allocator of the page: that of the standard library, kept out of its callers.
 //!
-//! Inlined into a caller, the allocator reads its own word in front of a block that the optimiser knows as a block of
-//! zeros, and the optimiser writes a zero for it: a freed block then has no size, and the page ends.
+//! Inlined into a caller, the allocator reads its own word in front of a block that the optimiser knows as a block of zeros, and the optimiser writes
+//! a zero for it: a freed block then has no size, and the page crashes.
 #![allow(unsafe_code)] // A global allocator is unsafe by its trait; every call goes to the standard library's.
 
 use std::alloc::{GlobalAlloc, Layout, System};

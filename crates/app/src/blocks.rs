@@ -1,4 +1,4 @@
-//! A folder that holds a sweep in blocks: one file per range of rows, each whole or not there.
+//! A folder that holds a sweep in blocks: one file per range of rows, each complete or absent.
 //!
 //! `_plan.json` says which sweep it is. A block is named by its rows, `rows-000000131072-000000262144.parquet`, in the
 //! unfinished table of one process by its checksum too, `rows-000000000008-000000000072.1c291ca3.csv`. It is
@@ -22,11 +22,9 @@ use crate::lock::is_plain;
 use crate::read::{cannot_be_read, read_bytes};
 use crate::scene::not_json;
 
-/// The file that says which sweep the folder holds.
-///
-/// Readers of folders of Parquet pass over names that begin with an underscore or a dot.
+/// The file that describes the sweep of the folder. Readers of folders of Parquet pass over names that begin with an underscore or a dot.
 pub const PLAN: &str = "_plan.json";
-/// Rows of a block by default.
+/// Default number of rows of a block.
 pub const BLOCK_ROWS: u64 = 131_072;
 /// Beginning of the name of a block.
 const NAME: &str = "rows-";
@@ -62,13 +60,13 @@ impl Blocks {
         Ok(Blocks { folder, ending })
     }
 
-    /// The place of a block.
+    /// Path of a block in the folder.
     pub fn path(&self, rows: &Range<u64>) -> PathBuf {
         let name = format!("{NAME}{:012}-{:012}.{}", rows.start, rows.end, self.ending);
         self.folder.join(name)
     }
 
-    /// Puts a block into its place, whole.
+    /// Moves a complete block into the folder.
     ///
     /// # Errors
     /// A file that cannot be written.
@@ -76,7 +74,7 @@ impl Blocks {
         put_whole(&self.path(rows), bytes)
     }
 
-    /// The same under a name that holds the checksum (CRC-32) of its bytes.
+    /// Moves a complete block into the folder under a name that holds the checksum (CRC-32) of its bytes.
     ///
     /// # Errors
     /// A file that cannot be written.
@@ -85,7 +83,7 @@ impl Blocks {
         put_whole(&self.path(rows).with_extension(ending), bytes)
     }
 
-    /// Removes what processes that were killed have begun to write.
+    /// Removes unfinished files of processes that were killed.
     pub fn remove_abandoned(&self) {
         for entry in fs::read_dir(&self.folder).into_iter().flatten().flatten() {
             let (name, path) = (entry.file_name(), entry.path());
@@ -96,7 +94,7 @@ impl Blocks {
         }
     }
 
-    /// The blocks that are there, in the order of their rows.
+    /// The blocks that exist, in the order of their rows.
     ///
     /// # Errors
     /// A folder that cannot be read.
@@ -108,7 +106,7 @@ impl Blocks {
 /// The blocks of equal length in which several processes share a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SharedBlocks {
-    /// The folder.
+    /// The folder of the sweep.
     pub blocks: Blocks,
     rows: u64,
     block_rows: u64,
@@ -138,7 +136,7 @@ impl SharedBlocks {
         })
     }
 
-    /// Blocks that are not there yet.
+    /// Blocks that are still missing.
     ///
     /// # Errors
     /// A folder that cannot be read.
@@ -149,7 +147,7 @@ impl SharedBlocks {
         Ok(all.filter(|rows| !present.contains(rows)).collect())
     }
 
-    /// The blocks of one of `parts` equal shares that are not there yet; share 0 is share `parts`.
+    /// The blocks of one of `parts` equal shares that are still missing; share 0 is share `parts`.
     ///
     /// # Errors
     /// As [`SharedBlocks::missing`].
@@ -192,7 +190,7 @@ pub fn files(folder: &Path) -> Result<Vec<(Range<u64>, PathBuf)>> {
     Ok(out)
 }
 
-/// Ranges of rows of a sweep that its folder lacks: gaps between blocks, and what the plan has after the last.
+/// Ranges of rows that the folder lacks: gaps between blocks, and the rows after the last block.
 ///
 /// # Errors
 /// A folder that cannot be read.
@@ -238,7 +236,7 @@ pub fn is_whole(block: &Path) -> bool {
     fs::read(block).is_ok_and(|bytes| named == Some(OsStr::new(&checksum(&bytes))))
 }
 
-/// The rows that the name of a block says.
+/// Range of rows in the name of a block.
 fn rows_of(name: &str) -> Option<Range<u64>> {
     let (rows, ending) = name.strip_prefix(NAME)?.split_once('.')?;
     let (start, end) = rows.split_once('-')?;

@@ -1,13 +1,13 @@
-//! What the files of a design are to contain.
+//! Contents of the files of a design.
 
 use gaitcam_output::Language;
 
 use crate::workshop::Workshop;
 
-/// Rows of law.csv and profile.csv unless the user asks for another number.
+/// Default number of rows of law.csv and profile.csv.
 pub const ROWS: usize = 1440;
 
-/// What the files of a design are to contain.
+/// Contents of the files of a design.
 #[derive(Debug, Clone, Copy)]
 pub struct Contents {
     /// Rows of law.csv and profile.csv.

@@ -26,20 +26,20 @@ pub fn summary(design: &Design, scene: &toml::Table, time: Timing) -> Value {
     out
 }
 
-/// `summary.json` where no cam does what the scene asks: why, and the key at fault.
+/// `summary.json` of a scene without a cam: the reason, and the key at fault.
 pub fn summary_without_cam(name: &str, error: &Error, scene: &toml::Table, total_s: f64) -> Value {
     let mut out = json::summary_without_cam(name, error, total_s);
     out["scene"] = serde_json::to_value(scene).unwrap_or_default();
     out
 }
 
-/// Whether a key of a scene changes the machine around a cam and not the cam.
+/// Whether a key changes the machine but not the cam.
 pub fn is_of_machine(key: &str) -> bool {
     key.starts_with("drive.") || key.starts_with("machine.")
 }
 
-/// A cam that is cut on the machine of another scene: its drive and, at another speed, the force that a load model gives at
-/// the step frequency of that speed as the target; and why there is none, where the model is not defined there.
+/// A manufactured cam on the machine of another scene: its drive and the target force. A load model gives the target at the step frequency of the new
+/// speed, or the reason why it is not defined there.
 ///
 /// # Errors
 /// A drive without speed or mass.
@@ -112,7 +112,7 @@ pub fn write_scene(folder: &ResultFolder, input: &Input, text: &str) -> Result<(
     folder.write(name, text.as_bytes())
 }
 
-/// Refuses a folder in which a design would replace one of its own inputs; `more` is one that its scene does not name.
+/// Rejects a folder in which a design would replace one of its inputs; `more` is a further input that the scene does not name.
 ///
 /// # Errors
 /// The input that would be replaced.

@@ -1,4 +1,4 @@
-//! Files on the disk, by the names that a scene gives them.
+//! Files on the disk, found by their names in a scene.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,7 +11,8 @@ use toml::Table;
 use crate::read::{read_bytes, read_motion};
 use crate::recordings::inside;
 
-/// Files by the names that a scene gives them.
+/// Files on the disk, found by their names in a scene. The search order is the folder of the scene file, the files of the program, the working
+/// directory. A built-in scene has no folder of its own.
 ///
 /// A name is looked up beside the scene file, then among the files that came with the program, then in the working
 /// directory. A scene that was read from no file, such as a built-in one, has nothing beside it.
@@ -22,7 +23,7 @@ pub struct Disk {
 }
 
 impl Disk {
-    /// The files beside a scene file.
+    /// Files in the folder of the scene file.
     pub fn beside(file: &Path) -> Disk {
         let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
         Disk {
@@ -30,7 +31,7 @@ impl Disk {
         }
     }
 
-    /// The file of a name beside the scene.
+    /// Path of a file in the folder of the scene.
     fn own(&self, name: &Path) -> Option<PathBuf> {
         let beside = self.folder.as_ref()?.join(name);
         beside.exists().then_some(beside)

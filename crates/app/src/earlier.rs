@@ -7,11 +7,11 @@ use std::sync::LazyLock;
 use crate::files;
 use crate::lock::is_plain;
 
-/// The resolved scene.
+/// File name of the resolved scene.
 pub(crate) const SCENE: &str = "scene.toml";
-/// The same where the input itself has that name.
+/// File name of the resolved scene where the input is called `scene.toml`.
 pub(crate) const SCENE_BESIDE_INPUT: &str = "scene.used.toml";
-/// What `simulate` adds to the design that it runs.
+/// Files that `simulate` adds to the design.
 pub const OF_RUN: [&str; 6] = [
     "dynamics.csv",
     "dynamics.xlsx",
@@ -21,7 +21,7 @@ pub const OF_RUN: [&str; 6] = [
     "speeds.png",
 ];
 
-/// What `inspect` adds.
+/// Files that `inspect` adds.
 pub const OF_INSPECTION: [&str; 6] = [
     "inspection.csv",
     "inspection.json",
@@ -31,7 +31,7 @@ pub const OF_INSPECTION: [&str; 6] = [
     "deviation_polar.png",
 ];
 
-/// What `identify` writes.
+/// Files that `identify` writes.
 pub const OF_IDENTIFICATION: [&str; 4] = [
     "identified.toml",
     "identify.json",
@@ -39,16 +39,16 @@ pub const OF_IDENTIFICATION: [&str; 4] = [
     "identify.png",
 ];
 
-/// The force that a design was made for, where it came from arrays and not from a file.
+/// The target force, where it came from arrays and not from a file.
 pub const FORCE: &str = "force.csv";
 
-/// Present only while the files of the folder belong together.
+/// Files that exist only while all files of the folder belong together.
 pub(crate) const SUMMARY: &str = "summary.json";
 
-/// Most cams of a cover.
+/// Maximum number of cams of a cover.
 pub const MOST_CAMS: usize = 50;
 
-/// The tables and the picture of a cover; the first is present only while the files of the folder belong together.
+/// The tables and the picture of a cover. The first exists only while the files of the folder belong together.
 pub const OF_COVER: [&str; 6] = [
     "cover.csv",
     "assignment.csv",
@@ -63,7 +63,7 @@ pub fn scene_of_cover(cams: usize, cam: usize) -> String {
     format!("cams_{cams}/cam_{cam}.toml")
 }
 
-/// Every file that a cover may have.
+/// Every file of a cover.
 pub fn of_cover() -> impl Iterator<Item = &'static str> {
     static SCENES: LazyLock<Vec<String>> = LazyLock::new(|| {
         let numbers = (1..=MOST_CAMS).flat_map(|cams| (1..=cams).map(move |cam| (cams, cam)));
@@ -76,7 +76,7 @@ pub fn of_cover() -> impl Iterator<Item = &'static str> {
         .chain(SCENES.iter().map(String::as_str))
 }
 
-/// Every file that a result may have.
+/// Every file of a result.
 pub(crate) fn own() -> impl Iterator<Item = &'static str> {
     let design = files::ALL.iter().map(|file| file.name);
     let rest = [SCENE, SCENE_BESIDE_INPUT, FORCE].into_iter().chain(OF_RUN);
@@ -84,12 +84,12 @@ pub(crate) fn own() -> impl Iterator<Item = &'static str> {
     design.chain(rest).chain(added).chain(of_cover())
 }
 
-/// Whether a file is present only while the files of its folder belong together.
+/// Whether a file exists only while the files of its folder belong together.
 pub(crate) fn is_last(name: &str) -> bool {
     name == SUMMARY || name == OF_COVER[0]
 }
 
-/// Every file that `synth` may write, and so may remove.
+/// Every file that `synth` may write or remove.
 pub fn of_design() -> Vec<&'static str> {
     files::ALL.iter().map(|file| file.name).collect()
 }
@@ -134,7 +134,7 @@ fn is_of(folder: &Path, scene: &str) -> bool {
         .any(|name| content(&folder.join(name)) == scene.as_bytes())
 }
 
-/// The content of a plain file; nothing of what may never end.
+/// Content of a plain file; pipes and devices are not read.
 fn content(path: &Path) -> Vec<u8> {
     match is_plain(path) {
         true => fs::read(path).unwrap_or_default(),

@@ -13,43 +13,43 @@ use crate::workshop::Piece;
 pub use crate::workshop::usual_cutter;
 use crate::workshop::{Made, Remark};
 
-/// Which designs have a file.
+/// Kinds of designs that have a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Of {
     /// Every design, infeasible ones too.
     All,
-    /// Those that have a cam.
+    /// Designs with a cam.
     Cams,
     /// Cams that turn about their shaft under a follower.
     Discs,
-    /// All but barrels.
+    /// All cams but barrel cams.
     Profiles,
-    /// The same; offered for cams that turn alone, since no other is a plate.
+    /// All cams but barrel cams; offered only for rotating cams, since no other is a plate.
     Plates,
-    /// Conjugate pairs.
+    /// Conjugate pairs of cams.
     Pairs,
-    /// Barrels.
+    /// Barrel cams only.
     Barrels,
-    /// Those on a floor that moves.
+    /// Designs for a moving floor.
     Floors,
-    /// Those for several walkers.
+    /// Designs for several walkers.
     Populations,
 }
 
-/// What [`Contents`] must ask for to have a file, and what makes it.
+/// Option of [`Contents`] that a file needs, and the function that makes it.
 #[derive(Debug, Clone, Copy)]
 enum Maker {
-    /// Nothing.
+    /// No option: the file is always written.
     Always(fn(&Source) -> Made),
-    /// Pictures as PNG.
+    /// Pictures as PNG files.
     Png(fn(&Source) -> Made),
-    /// What the workshop asks for.
+    /// Files for the workshop.
     Workshop(Piece),
-    /// Nothing, but it is written last, by [`design::finish`](crate::design::finish).
+    /// No option, but written last, by [`design::finish`](crate::design::finish).
     Finish,
 }
 
-/// What files are made from; each picture is drawn once for SVG and PNG.
+/// Sources of the files; each picture is drawn once for SVG and PNG.
 pub struct Source<'a> {
     design: &'a Design,
     time: Timing,
@@ -60,9 +60,9 @@ pub struct Source<'a> {
 /// A file that a design may have.
 #[derive(Debug, Clone, Copy)]
 pub struct File {
-    /// Its name.
+    /// Name of the file.
     pub name: &'static str,
-    /// What it is for.
+    /// Purpose of the file.
     pub group: Group,
     of: Of,
     maker: Maker,
@@ -207,7 +207,7 @@ fn second_profile(source: &Source) -> Made {
 }
 
 impl<'a> Source<'a> {
-    /// A design, how long it took, and what its files are to contain.
+    /// A design, its computing time, and the contents of its files.
     pub fn new(design: &'a Design, time: Timing, contents: &'a Contents) -> Self {
         Source {
             design,
@@ -239,7 +239,7 @@ impl<'a> Source<'a> {
 }
 
 impl File {
-    /// Its bytes, where it can be made, and remarks about it.
+    /// Bytes of the file, if it can be made, and remarks about it.
     ///
     /// # Errors
     /// A cutter that has no path; a workbook or mesh that cannot be put together.
@@ -283,14 +283,14 @@ impl File {
     }
 }
 
-/// The files that a design has by its kind, but those for a wire, whose radius only the user knows.
+/// The files of a design by its kind, without the program for a wire, whose radius the user must give.
 pub fn of(design: &Design) -> impl Iterator<Item = &'static File> {
     let is_plate = !design.cam.follower.is_unrolled();
     let offered = move |f: &&File| !f.is(Piece::Wire) && (f.of != Of::Plates || is_plate);
     ALL.iter().filter(offered).filter(|file| file.suits(design))
 }
 
-/// Makes the files that are asked for and gives each to `put`; returns remarks on them.
+/// Makes the requested files and passes each to `put`; returns remarks on them.
 ///
 /// # Errors
 /// Files that cannot be written; a cutter that has no path.

@@ -1,4 +1,4 @@
-//! Writing: a file appears whole or not at all.
+//! Writing files atomically: a file appears complete or not at all.
 
 use std::ffi::OsString;
 use std::fs;
@@ -43,7 +43,7 @@ impl Folder {
         self.write(&format!("{name}.png"), &picture.png())
     }
 
-    /// The folder's path.
+    /// Path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -57,8 +57,7 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     through_temporary(path, "", bytes, |_| Ok(()))
 }
 
-/// The same through a hidden temporary file that is synced before it is renamed: for folders that other processes
-/// read meanwhile.
+/// Writes and renames through a hidden temporary file that is synced first, for folders that other processes read at the same time.
 ///
 /// # Errors
 /// A file that cannot be written.
@@ -66,7 +65,7 @@ pub fn put_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     through_temporary(path, ".", bytes, fs::File::sync_all)
 }
 
-/// Writes a file that must not be there yet, whole or not at all.
+/// Writes a new file, complete or not at all.
 ///
 /// # Errors
 /// [`AlreadyExists`](std::io::ErrorKind::AlreadyExists), or a file that cannot be written.
@@ -93,7 +92,7 @@ fn through_temporary(
     })
 }
 
-/// A file with a name of its own in the folder of `path`; removed where it is dropped.
+/// A file with a unique name in the folder of `path`; dropping it removes it.
 fn temporary(path: &Path, prefix: &str, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
     let mut name = OsString::from(prefix);
     name.push(path.file_name().unwrap_or_default());

@@ -1,22 +1,22 @@
 //! Groups in which the files of a design are listed.
 
-/// What a file is for.
+/// Purpose of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
-    /// Numbers.
+    /// Tables of numbers.
     Tables,
     /// The cam at true scale.
     Drawings,
-    /// Pictures.
+    /// Pictures of the design.
     Pictures,
-    /// The report.
+    /// The HTML report.
     Report,
     /// Solids, workshop drawing, programs for machines.
     Workshop,
 }
 
 impl Group {
-    /// Every group, in the order in which they are listed.
+    /// Every group, in the order of the list.
     pub const ALL: [Group; 5] = [
         Group::Tables,
         Group::Drawings,
@@ -25,7 +25,7 @@ impl Group {
         Group::Workshop,
     ];
 
-    /// Its name in data.
+    /// Name of the group in data.
     pub fn name(self) -> &'static str {
         match self {
             Group::Tables => "tables",

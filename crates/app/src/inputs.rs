@@ -1,4 +1,4 @@
-//! Inputs stay: a command replaces no file that it reads.
+//! Protection of inputs: a command replaces no file that it reads.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -6,10 +6,10 @@ use std::sync::{Mutex, PoisonError};
 
 use gaitcam::error::{FileError, Placed, Result};
 
-/// The files that were read, links resolved; `None` where a program answers more than one question.
+/// Files read so far, with links resolved; `None` in a program that answers several questions.
 static READ: Mutex<Option<BTreeSet<PathBuf>>> = Mutex::new(None);
 
-/// Protects every file that is read from here on, for a program that answers one question.
+/// Protects every file that is read from now on, in a program that answers one question.
 pub fn protect() {
     with(|read| *read = Some(BTreeSet::new()));
 }
@@ -18,7 +18,7 @@ fn with<T>(act: impl FnOnce(&mut Option<BTreeSet<PathBuf>>) -> T) -> T {
     act(&mut READ.lock().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// Notes a file that is read.
+/// Records that a file was read.
 pub fn note(path: &Path) {
     with(|read| {
         if let Some(read) = read {
@@ -27,10 +27,11 @@ pub fn note(path: &Path) {
     });
 }
 
-/// Refuses to replace a file that was read.
+/// Rejects the replacement of a file that was read.
 ///
 /// # Errors
-/// The file.
+///
+/// The path of the file.
 pub fn check(place: &Path) -> Result<()> {
     with(|read| match read {
         Some(read) => check_among(read, place),
@@ -38,10 +39,11 @@ pub fn check(place: &Path) -> Result<()> {
     })
 }
 
-/// Refuses to replace one of some files, given with their links resolved.
+/// Rejects the replacement of one of some files, given with their links resolved.
 ///
 /// # Errors
-/// The file.
+///
+/// The path of the file.
 pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
     // Links of a place are not followed where nothing was read.
     let replaces = || place.canonicalize().is_ok_and(|p| inputs.contains(&p));
@@ -54,9 +56,10 @@ pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
     Err(FileError::Replaced { file }.in_file(folder.unwrap_or(place)))
 }
 
-/// The same before any work is done, for files of a folder.
+/// Checks files of a folder before any work is done.
 ///
 /// # Errors
+///
 /// The first file that would be replaced.
 pub fn check_in<'a>(folder: &Path, names: impl IntoIterator<Item = &'a str>) -> Result<()> {
     let mut names = names.into_iter();

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use gaitcam::error::{self, FileError, Placed, WriteError};
 
-/// How long a writer waits for another one unless the user says otherwise.
+/// Default waiting time for another writer.
 pub const PATIENCE: Duration = Duration::from_secs(60);
 /// Time between two attempts.
 const PAUSE: Duration = Duration::from_millis(20);
@@ -45,7 +45,7 @@ impl Lock {
         }
     }
 
-    /// The lock, `None` where another process holds it.
+    /// The lock, or `None` if another process holds it.
     fn attempt(path: &Path) -> Result<Option<Lock>> {
         loop {
             let mut options = OpenOptions::new();
@@ -94,7 +94,7 @@ pub(crate) fn is_plain(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|about| about.is_file())
 }
 
-/// The number of the process that holds a lock, as it has written it there.
+/// Process number written in a lock file.
 fn holder(path: &Path) -> Option<String> {
     let mut text = String::new();
     let file = File::open(path).ok()?;

@@ -1,4 +1,4 @@
-//! Reading input files whole, within limits.
+//! Reading complete input files of limited size.
 
 use std::fs::{self, File, Metadata};
 use std::io::{ErrorKind, Read};
@@ -9,19 +9,19 @@ use gaitcam::scene::LARGEST_MOTION;
 
 use crate::inputs;
 
-/// Largest scene file, bytes.
+/// Maximum size of a scene file, bytes.
 const LARGEST_SCENE: u64 = 64 << 20;
-/// Largest other input that is held in memory, bytes.
+/// Maximum size of another input held in memory, bytes.
 const LARGEST_FILE: u64 = 64 << 30;
-/// Most that is taken from standard input or another source that may never end, bytes.
+/// Maximum number of bytes read from standard input, a pipe or a device.
 const LARGEST_STREAM: u64 = 512 << 20;
 
-/// A whole file: a recording, a table, a summary.
+/// Reads a whole file: a recording, a table, a summary.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
     read_at_most(path, LARGEST_FILE)
 }
 
-/// A whole file of a motion.
+/// Reads a whole file of a motion.
 pub fn read_motion(path: &Path) -> Result<Vec<u8>> {
     read_at_most(path, LARGEST_MOTION)
 }
@@ -41,10 +41,11 @@ pub fn read_standard_input() -> Result<String> {
         .map_err(|e| FileError::NotUtf8.at_byte(place, e.utf8_error().valid_up_to()))
 }
 
-/// A file to be read piece by piece.
+/// Opens a file for reading in parts.
 ///
 /// # Errors
-/// Folders; pipes and devices, which may never end, before they are opened.
+///
+/// Folders, and pipes and devices, which may never end.
 pub fn open(path: &Path) -> Result<File> {
     checked(path)?;
     File::open(path).map_err(|e| cannot_be_read(path, &e))
@@ -62,7 +63,7 @@ fn checked(path: &Path) -> Result<Metadata> {
     Ok(about)
 }
 
-/// A whole file of at most so many bytes.
+/// A whole file of at most a given number of bytes.
 ///
 /// # Errors
 /// As [`open`]; a larger file.
@@ -101,7 +102,7 @@ fn too_large(path: &Path, most: u64) -> Error {
     FileError::TooLarge { mib: most >> 20 }.in_file(path)
 }
 
-/// The error of a file that the system does not give.
+/// Error of a file that the system cannot read.
 pub fn cannot_be_read(path: &Path, e: &std::io::Error) -> Error {
     let fault = match e.kind() {
         ErrorKind::NotFound => "missing".to_string(),

@@ -6,7 +6,7 @@ use gaitcam::error::Result;
 
 use crate::read::cannot_be_read;
 
-/// Endings of recordings; a folder may also hold other files.
+/// File endings of recordings; a folder may contain other files.
 pub const ENDINGS: [&str; 13] = [
     "c3d", "mot", "sto", "forces", "asc", "ascii", "csv", "tsv", "tab", "txt", "dat", "data", "prn",
 ];
@@ -24,14 +24,13 @@ const ABOUT: [&str; 7] = [
 /// Files of a folder.
 #[derive(Debug, Default)]
 pub struct Inside {
-    /// Those called as recordings are, in the order of their names.
+    /// Files with names of recordings, in alphabetical order.
     pub recordings: Vec<PathBuf>,
-    /// Names of the others.
+    /// Names of the other files.
     pub others: Vec<String>,
 }
 
-/// The files of a folder and of those in it; hidden files are left out without a word. Links to folders are not followed: they
-/// may lead back to where they stand.
+/// The files of a folder and of those in it; hidden files are skipped. Links to folders are not followed, because they may form a cycle.
 ///
 /// # Errors
 /// A folder that cannot be read.

@@ -1,12 +1,10 @@
 //! A folder that holds one result, replaced as a whole.
 //!
-//! New files are written into a hidden folder inside. When all are there, that folder is renamed to
-//! `READY`: from then on every gaitcam that writes into the folder completes the move first, so
-//! a process that is killed leaves the old result or the new one. A lock keeps a second writer waiting.
-//! `summary.json` goes first and comes last, so that whoever sees one sees the files that belong to it.
-//!
-//! A folder may come from anybody. Names of files are never taken from it: only plain files are moved or removed, and
-//! only those that gaitcam itself writes under their names.
+//! New files are first written into a hidden folder inside it. When all are there, that folder is renamed to `READY`: from then on every gaitcam that
+//! writes into the folder completes the move first, so a process that is killed leaves the old result or the new one. A lock makes a second writer
+//! wait. `summary.json` is removed first and written last, so that it always belongs to the other files. The folder may come from an untrusted
+//! source. Names of files are never taken from it: only plain files are moved or removed, and only those that gaitcam itself writes under their
+//! names.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -24,9 +22,9 @@ use crate::read::read_bytes;
 
 /// New files that wait to be moved into place.
 const READY: &str = ".gaitcam.ready";
-/// Inside it: names of files of the earlier result, one a line.
+/// Name of the list of files of the earlier result, one per line.
 const STALE: &str = ".stale";
-/// Held by the writer.
+/// Name of the writer's lock file.
 const LOCK: &str = ".gaitcam.lock";
 
 /// A result folder that is being written.
@@ -38,10 +36,10 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Creates the folder where needed, waits `patience` long for another writer, and checks that it can be written,
-    /// before any work is done.
+    /// Creates the folder if needed, waits up to `patience` for another writer, and checks that it can be written, before any work is done.
     ///
     /// # Errors
+    ///
     /// A folder that cannot be written, or that another process still holds.
     pub fn open(path: &Path, patience: Duration) -> Result<ResultFolder> {
         let fault = |e: io::Error| {
@@ -62,12 +60,12 @@ impl ResultFolder {
         })
     }
 
-    /// The folder's path.
+    /// Path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Writes a file of the new result, by one of the names that results have.
+    /// Writes a file of the new result under one of the file names of results.
     ///
     /// # Errors
     /// A file that cannot be written, or a folder in its place.
@@ -87,7 +85,7 @@ impl ResultFolder {
         Ok(())
     }
 
-    /// Puts the new files into place and removes those of `others` that the new result does not have.
+    /// Moves the new files into place and removes those of `others` that the new result does not contain.
     ///
     /// # Errors
     /// Files that cannot be moved.
@@ -111,7 +109,7 @@ impl Drop for ResultFolder {
     }
 }
 
-/// A file of the result in a folder, wherever a writer that was killed has left it; changes nothing.
+/// A file of the result, also where a killed writer left it; changes nothing.
 ///
 /// # Errors
 /// A file that cannot be read.
@@ -177,7 +175,7 @@ fn put(path: &Path, ready: &Path, new: &[&str]) -> io::Result<()> {
     Ok(())
 }
 
-/// Refuses a folder where a file is to be put, and anything but a folder where its folder is to be.
+/// Rejects a folder in the place of a file, and anything but a folder in the place of a folder.
 fn check_place(path: &Path, name: &str) -> Result<()> {
     match is_folder(&path.join(name)) || !is_inside(path, name) {
         true => Err(FileError::Foreign.in_file(&path.join(name))),
@@ -185,7 +183,7 @@ fn check_place(path: &Path, name: &str) -> Result<()> {
     }
 }
 
-/// Whether the folder of a file is the result's or a real folder in it, there already or not, and no link to another.
+/// Whether the folder of a file is the result folder or a real folder in it, existing or not, and not a link.
 fn is_inside(path: &Path, name: &str) -> bool {
     let parent = Path::new(name)
         .parent()

@@ -1,4 +1,4 @@
-//! Scenes from files, with the files that they name.
+//! Scenes from files, with their input files.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,26 +11,27 @@ use gaitcam::error::{Error, FileError, Place, Placed, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, BETWEEN_PLATES, Files, Scene, Source, plates};
 
-/// A scene with the files that it names.
+/// A scene with its input files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Input {
-    /// The scene.
+    /// The parsed scene.
     pub scene: Scene,
-    /// Its table as it was written and changed.
+    /// Table of the scene as written, with the changes.
     pub table: Table,
-    /// The same with the rows of every motion in place of the file that it names.
+    /// Table of the scene with the rows of every motion in place of its file.
     pub whole: Table,
-    /// The files that it names.
+    /// Input files of the scene.
     pub files: Disk,
-    /// The file that it was read from.
+    /// File of the scene.
     pub file: Option<PathBuf>,
 }
 
 impl Input {
-    /// The scene of a table, which came from `file` or from nowhere.
+    /// The scene of a table, with the file it came from if any.
     ///
     /// # Errors
-    /// Keys and values that are wrong, with the file where there is one.
+    ///
+    /// Invalid keys and values, with the file if there is one.
     pub fn new(table: Table, files: Disk, file: Option<PathBuf>) -> Result<Input> {
         let named = |e| name_file(file.as_deref(), e);
         let whole = files.with_motions(&table).map_err(named)?;
@@ -83,7 +84,7 @@ impl Input {
         table
     }
 
-    /// The recording that the scene names, with those of further walkers.
+    /// The recording of the scene, with those of further walkers.
     fn recordings(&self) -> Option<(&PathBuf, &[PathBuf])> {
         let gait = self.scene.gait.as_ref()?;
         match &gait.source {
@@ -92,7 +93,7 @@ impl Input {
         }
     }
 
-    /// The path of the recording that the scene names, if it names one.
+    /// Path of the recording of the scene, if there is one.
     pub fn recording(&self) -> Option<PathBuf> {
         Some(self.files.shown(self.recordings()?.0))
     }
@@ -119,7 +120,7 @@ impl Input {
         }
     }
 
-    /// The force curve that the scene names, if it names one.
+    /// The force curve of the scene, if there is one.
     ///
     /// # Errors
     /// Faults of the load model, the file or the recording.
@@ -132,7 +133,7 @@ impl Input {
     }
 }
 
-/// Day on which a file was last changed, counted from 1970-01-01 (UTC).
+/// Day of the last change of a file, counted from 1970-01-01 (UTC).
 #[cfg(feature = "cad")]
 fn last_change(file: &Path) -> Option<u64> {
     const SECONDS: u64 = 86_400;
@@ -154,14 +155,13 @@ pub fn table(path: &Path) -> Result<Table> {
 
 /// The table of a scene's text; `path` names the file in faults.
 ///
-/// # Errors
-/// Text that is no TOML, with its line where there is a file.
+/// # Errors Text that is not TOML, with its line where there is a file.
 pub fn parse(text: &str, path: Option<&Path>) -> Result<Table> {
     text.parse()
         .map_err(|e: toml::de::Error| not_toml(path, text, &e))
 }
 
-/// The scene that a summary.json was made from.
+/// The scene in a summary.json.
 fn of_summary(path: &Path, text: &str) -> Result<Table> {
     let value: serde_json::Value = serde_json::from_str(text).map_err(|e| not_json(path, &e))?;
     let missing = || FileError::NoSceneInSummary.in_file(path);
@@ -169,7 +169,7 @@ fn of_summary(path: &Path, text: &str) -> Result<Table> {
     serde_json::from_value(scene.clone()).map_err(|_| missing())
 }
 
-/// The error of a text that is no JSON.
+/// Error of a text that is not JSON.
 pub fn not_json(path: &Path, e: &serde_json::Error) -> Error {
     let fault = e.to_string();
     FileError::NotJson { fault }.at_line(path, e.line())
@@ -187,7 +187,7 @@ fn not_toml(path: Option<&Path>, text: &str, e: &toml::de::Error) -> Error {
     }
 }
 
-/// Puts the scene file's name before a key's.
+/// Adds the scene file's name to the place of a fault.
 fn name_file(path: Option<&Path>, mut e: Error) -> Error {
     if let (Some(path), Place::Key(key)) = (path, &e.place) {
         e.place = Place::Key(format!("{}: {key}", path.display()));

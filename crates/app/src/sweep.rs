@@ -1,4 +1,4 @@
-//! The question of a sweep, as the command, the Python package and the page ask it.
+//! Definition of a sweep, shared by the command, the Python package and the page.
 
 use std::sync::Arc;
 
@@ -9,17 +9,17 @@ use gaitcam::sweep::{
 };
 use serde::{Deserialize, Serialize};
 
-/// Number of manufactured cams by default.
+/// Default number of manufactured cams.
 const SAMPLES: u64 = 10_000;
 
 /// A key with its values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Varied {
-    /// As `gaitcam sweep --vary` takes it: `KEY=START:STOP:COUNT`, `KEY=A,B`, of a sample `KEY=START:STOP`.
+    /// Text of `gaitcam sweep --vary`: `KEY=START:STOP:COUNT`, `KEY=A,B`, of a sample `KEY=START:STOP`.
     Text(String),
-    /// Key and values as a scene file has them.
+    /// Key and values as written in a scene file.
     Listed(String, Vec<String>),
-    /// Key with its unit, as tables name it, and numbers (SI).
+    /// Key with its unit, as in tables, and numbers (SI).
     Numbers(String, Vec<f64>),
 }
 
@@ -36,30 +36,30 @@ impl Varied {
     }
 }
 
-/// What is swept: scenes with a list, a grid or a sample of values, or one scene with manufacturing tolerances.
+/// Subject of a sweep: scenes with a list, a grid or a sample of values, or one scene with manufacturing tolerances.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct SweepQuestion {
-    /// Base scenes; they travel as text.
+    /// Base scenes, stored as text.
     #[serde(skip)]
     pub scenes: Vec<NamedScene>,
-    /// Values of several keys together.
+    /// Values of several keys, row by row.
     pub list: Vec<Varied>,
-    /// Recordings, each with all values of `vary`.
+    /// Recordings, each combined with all values of `vary`.
     pub recordings: Vec<String>,
-    /// Keys with the values that are combined.
+    /// Keys with the values to combine.
     pub vary: Vec<Varied>,
-    /// Number of points of a sample, in place of every combination.
+    /// Number of sampled points, instead of every combination.
     pub sample: Option<u64>,
-    /// How the points of a sample are spread.
+    /// Sampling method of the points.
     pub method: Method,
     /// Seed of the random numbers.
     pub seed: u64,
-    /// Manufacturing tolerances: `profile=0.02 mm`.
+    /// Manufacturing tolerances, such as `profile=0.02 mm`.
     pub tolerances: Vec<String>,
 }
 
 impl SweepQuestion {
-    /// The sweep with its recordings; `files` gives the files of a base scene by its index.
+    /// The sweep with its recordings; `files` returns the files of a base scene by its index.
     ///
     /// # Errors
     /// As [`SweepQuestion::subject`] and [`Sweep::new`].

@@ -1,4 +1,4 @@
-//! How a caller ends a computation: the library has no clock and polls this instead.
+//! Stopping a computation: the library has no clock and polls this object instead.
 
 use std::fmt;
 use std::sync::Arc;
@@ -21,17 +21,17 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 #[derive(Clone, Default)]
 pub struct Halt {
     asked: Option<Arc<dyn Fn() -> bool + Send + Sync>>,
-    /// Shared by all copies.
+    /// State shared by all copies.
     was_heard: Arc<AtomicBool>,
 }
 
 impl Halt {
-    /// Computations run to their end.
+    /// Never stops a computation.
     pub fn never() -> Self {
         Halt::default()
     }
 
-    /// Computations end once `asked` returns true; it is called often, from any thread.
+    /// Stops computations once `asked` returns true; it is called often, from any thread.
     pub fn when(asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Halt {
             asked: Some(Arc::new(asked)),
@@ -39,7 +39,7 @@ impl Halt {
         }
     }
 
-    /// The same, and at the latest after this many looks at it: an end that is the same on every machine.
+    /// Stops computations once `asked` returns true, at the latest after a given number of polls, which is the same on every machine.
     ///
     /// ```
     /// use gaitcam_base::halt::Halt;
@@ -57,7 +57,7 @@ impl Halt {
         })
     }
 
-    /// Whether the computation should end.
+    /// Whether the computation should stop.
     pub fn is_asked(&self) -> bool {
         let is_asked = self.asked.as_ref().is_some_and(|asked| asked());
         if is_asked {
@@ -66,7 +66,7 @@ impl Halt {
         is_asked
     }
 
-    /// Whether a computation was told to end. One that was complete before is not: its result does not depend on time.
+    /// Whether a computation was stopped. A computation that finished earlier was not; its result does not depend on time.
     ///
     /// ```
     /// use gaitcam_base::halt::Halt;

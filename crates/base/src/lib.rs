@@ -1,4 +1,4 @@
-//! What the crates of gaitcam share.
+//! Foundations shared by the crates of gaitcam.
 //!
 //! - [`error`]: a fault in the input, with its place, a code for programs and its data;
 //! - [`units`]: quantities with units as users write them, `"3 in"` or `"30 psi/in^3"`;

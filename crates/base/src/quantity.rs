@@ -6,7 +6,7 @@ use serde::ser::{SerializeStruct, Serializer};
 /// Exponents of metre, kilogram, second and radian.
 pub(crate) type Exponents = [i32; 4];
 
-/// The dimension of a quantity.
+/// Dimension of a physical quantity.
 ///
 /// ```
 /// use gaitcam_base::units::{Dimension, parse};
@@ -22,7 +22,7 @@ pub(crate) type Exponents = [i32; 4];
 pub enum Dimension {
     /// A plain number or a percentage.
     Ratio,
-    /// A share that must be written with %, because a bare number would be ambiguous.
+    /// A fraction that must be written with %, because a bare number would be ambiguous.
     Percent,
     Length,
     Angle,
@@ -100,7 +100,7 @@ impl Dimension {
         self.row().0
     }
 
-    /// Its name in messages.
+    /// Name of the dimension in messages.
     pub(crate) fn name(self) -> String {
         <&str>::from(self).replace('-', " ")
     }
@@ -132,7 +132,7 @@ impl Dimension {
 pub struct Quantity {
     /// Value in SI (radians for angles).
     pub value: f64,
-    /// Its dimension.
+    /// Dimension of the quantity.
     pub dimension: Dimension,
 }
 
@@ -142,27 +142,27 @@ impl Quantity {
         Quantity { value, dimension }
     }
 
-    /// m.
+    /// A length in m.
     pub fn length(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Length)
     }
 
-    /// rad.
+    /// An angle in rad.
     pub fn angle(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Angle)
     }
 
-    /// N.
+    /// A force in N.
     pub fn force(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Force)
     }
 
-    /// s.
+    /// A time in s.
     pub fn time(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Time)
     }
 
-    /// A share: 0.05 is 5 %.
+    /// A fraction: 0.05 is 5 %.
     pub fn share(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Percent)
     }

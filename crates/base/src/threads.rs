@@ -1,8 +1,8 @@
-//! Threads where the system may refuse them.
+//! Starting threads where the system may refuse them.
 
 use std::thread::{Builder, Scope};
 
-/// Starts up to `count` threads in a scope, as many as the system admits; their number.
+/// Starts up to `count` threads in a scope, as many as the system allows; returns their number.
 ///
 /// ```
 /// use gaitcam_base::threads::start;

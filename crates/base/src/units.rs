@@ -62,12 +62,10 @@ const LB: f64 = 0.453_592_37;
 
 /// Reads a quantity of the given dimension; the result is in SI and radians.
 ///
-/// `"0"` needs no unit (zero is zero in every unit) and a [`Dimension::Ratio`] needs none either;
-/// any other bare number is refused. `lb` is a mass where a mass is expected and a force elsewhere.
-/// `inf` is refused, as is anything above 1e30 after conversion: products of a few values stay finite.
+/// `"0"` needs no unit (zero is zero in every unit) and a [`Dimension::Ratio`] needs none either; any other bare number is rejected. `lb` is a mass
+/// where a mass is expected and a force elsewhere. `inf` is rejected, as is a magnitude above 1e30: products of a few values stay finite.
 ///
-/// # Errors
-/// Text that is no quantity, another dimension, a value above 1e30.
+/// # Errors Text that is not a quantity, another dimension, a value above 1e30.
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
     let text = text.trim();
     let example = || dimension.example().to_string();
@@ -114,7 +112,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
 /// Largest magnitude of a value in SI units: products of a few of them are finite.
 const MOST: f64 = 1e30;
 
-/// A value in SI units, refused where it is so large that products of a few such values overflow.
+/// A value in SI units, rejected if products of a few such values would overflow.
 ///
 /// # Errors
 /// A magnitude above 1e30; not a number.
@@ -126,7 +124,7 @@ pub fn in_range(value: f64, text: impl ToString) -> Result<f64> {
     Err(UnitsError::OutOfRange { text }.into())
 }
 
-/// The number that a text begins with, a whole number and a fraction included, and what follows it.
+/// The number at the start of a text, including a whole number with a fraction, and the remaining text.
 fn leading_number(text: &str) -> Option<(f64, &str)> {
     let (number, rest) = split_number(text);
     let value: f64 = number.replace(',', ".").parse().ok()?;
@@ -153,14 +151,14 @@ fn leading_number(text: &str) -> Option<(f64, &str)> {
     })
 }
 
-/// `value` divided by the number that follows a slash, and what follows that.
+/// `value` divided by the number after a slash, and the remaining text.
 fn quotient(value: f64, rest: &str) -> Option<(f64, &str)> {
     let (number, after) = split_number(rest.trim_start().strip_prefix('/')?.trim_start());
     let divisor: f64 = number.replace(',', ".").parse().ok()?;
     (divisor > 0.0).then(|| (value / divisor, after))
 }
 
-/// `1234.5 mm` for `1.234,5 mm` and `1,234.5 mm`; `None` where no marks part the thousands.
+/// `1234.5 mm` for `1.234,5 mm` and `1,234.5 mm`; `None` without thousands separators.
 fn without_groups(text: &str) -> Option<String> {
     let mark = |c: char| c == '.' || c == ',';
     let end = text.find(|c: char| !(c.is_ascii_digit() || mark(c) || "+-".contains(c)));

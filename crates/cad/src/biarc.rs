@@ -1,19 +1,19 @@
 //! The profile as circular arcs that follow it to a stated tolerance.
 //!
-//! Between two points of the profile, with their exact tangents, two arcs meet with a common tangent (a
-//! biarc). Where their distance from the profile exceeds the tolerance the interval is halved.
+//! Between two points of the profile, with their exact tangents, two arcs meet with a common tangent (a biarc). Intervals whose arcs exceed the
+//! tolerance are halved.
 
 use gaitcam::cam::Cam;
 use gaitcam::synth::{Edge, EdgePoint};
 
-/// Widest interval that one biarc is tried on, rad.
+/// Widest interval of one biarc, rad.
 const WIDEST: f64 = std::f64::consts::FRAC_PI_2;
 /// Points of an interval at which the distance is measured, while fitting and for the report.
 const TRIED: usize = 16;
 const PROVED: usize = 64;
-/// Halvings of an interval after which the profile is assumed to have a corner.
+/// Maximum number of halvings of an interval; more mean a corner.
 const DEEPEST: usize = 14;
-/// Arcs flatter than this are chords: the radius would be lost in rounding.
+/// Arcs flatter than this become chords, because rounding would destroy the radius.
 const FLAT: f64 = 1e-10;
 
 /// A chain of arcs.
@@ -36,7 +36,8 @@ struct Biarc {
     tangent: [f64; 2],
 }
 
-/// Arcs within `tolerance` m of the profile.
+/// Arcs within `tolerance` m of the profile. `None` for an undercut profile (its tangent turns back in cusps), a law with velocity jumps, and a
+/// tolerance that is not positive or below rounding.
 ///
 /// `None` where no chain of arcs does it: an undercut profile (its tangent turns back in cusps), a law
 /// whose velocity jumps, a tolerance that is not positive or lies below rounding.
@@ -44,7 +45,7 @@ pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
     along(&Edge::of(cam), tolerance)
 }
 
-/// The same for any edge that is cut.
+/// Arcs within a tolerance of any edge that is cut.
 pub(super) fn along(edge: &Edge, tolerance: f64) -> Option<Arcs> {
     let sensible = tolerance.is_finite() && tolerance > 0.0;
     if !sensible || edge.is_undercut() {
@@ -110,7 +111,7 @@ fn follow(
 }
 
 impl Biarc {
-    /// The biarc whose arms at both ends have one length d: |P₁ − P₀ − d(T₀ + T₁)| = 2d.
+    /// The biarc with equal arms d at both ends: |P₁ − P₀ − d(T₀ + T₁)| = 2d.
     fn between(from: EdgePoint, to: EdgePoint) -> Self {
         let v = [to.p[0] - from.p[0], to.p[1] - from.p[1]];
         let t = [from.t[0] + to.t[0], from.t[1] + to.t[1]];
@@ -140,7 +141,7 @@ impl Biarc {
         }
     }
 
-    /// The circles of its arcs.
+    /// Circles of both arcs.
     fn circles(&self) -> [Option<Circle>; 2] {
         [0, 1].map(|k| circle(self.points[k], self.points[k + 1], self.bulges[k]))
     }
@@ -166,10 +167,10 @@ fn from_chord(q: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
     (cross(c, [q[0] - a[0], q[1] - a[1]]) / length).abs()
 }
 
-/// Centre and radius.
+/// Centre and radius of a circle.
 pub(super) type Circle = ([f64; 2], f64);
 
-/// Centre and radius of the arc from `a` to `b`; `None` where it is flat.
+/// Centre and radius of the arc from `a` to `b`; `None` for a chord.
 pub(super) fn circle(a: [f64; 2], b: [f64; 2], bulge: f64) -> Option<Circle> {
     let c = [b[0] - a[0], b[1] - a[1]];
     let length = c[0].hypot(c[1]);
@@ -185,7 +186,7 @@ pub(super) fn circle(a: [f64; 2], b: [f64; 2], bulge: f64) -> Option<Circle> {
     Some((centre, radius.abs()))
 }
 
-/// Where an arc of less than half a circle reaches farthest to ±x and ±y beyond its ends.
+/// Extreme points in ±x and ±y of an arc of less than half a circle, beyond its ends.
 pub(super) fn crests(a: [f64; 2], b: [f64; 2], bulge: f64) -> Vec<[f64; 2]> {
     let Some(([x, y], r)) = circle(a, b, bulge) else {
         return Vec::new();

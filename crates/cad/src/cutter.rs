@@ -20,7 +20,7 @@ pub struct CutterPoint {
     pub y: f64,
 }
 
-/// Why a cutter damages the profile.
+/// Reasons why a cutter damages the profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Gouge {
     /// The cutter is wider than a hollow of the profile.
@@ -30,7 +30,7 @@ pub enum Gouge {
         /// Radius of the hollow, m: the largest cutter that fits it.
         radius: f64,
     },
-    /// While cutting at one angle the cutter reaches into the profile elsewhere.
+    /// The cutter penetrates the profile at an angle other than the one being cut.
     Elsewhere {
         /// Cam angle being cut, rad.
         at: f64,
@@ -41,7 +41,7 @@ pub enum Gouge {
     },
     /// The profile itself is undercut: no cutter makes it.
     Undercut {
-        /// Cam angle of the sharpest point, rad.
+        /// Cam angle of the cusp, rad.
         at: f64,
     },
 }
@@ -55,11 +55,12 @@ pub struct CutterPath {
     pub gouges: Vec<Gouge>,
 }
 
-/// Path of a cutter of radius `tool` (m) around the outside of the cam: the profile's parallel at that
-/// distance, taken along the exact normals at `points` equal steps of the cam angle.
+/// Path of a cutter of radius `tool` (m) around the outside of the cam: the profile's parallel at that distance, along the exact normals at `points`
+/// equal steps of the cam angle. Gouging in hollows is detected by the exact curvature, elsewhere at the `points` of the profile.
 ///
-/// Fails on a tool radius that is not positive. Gouging is looked for in the hollows by the exact
-/// curvature, and elsewhere on the `points` of the profile.
+/// # Errors
+///
+/// A tool radius that is not positive.
 pub fn path(synthesis: &Design, tool: f64, points: usize) -> Result<CutterPath> {
     let tool = positive(tool)?;
     let cam = &synthesis.cam;
@@ -104,7 +105,7 @@ pub fn path(synthesis: &Design, tool: f64, points: usize) -> Result<CutterPath> 
     })
 }
 
-/// A radius of a cutter.
+/// A valid radius of a cutter.
 pub(crate) fn positive(radius: f64) -> Result<f64> {
     if radius.is_finite() && radius > 0.0 {
         return Ok(radius);

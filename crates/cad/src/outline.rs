@@ -1,11 +1,11 @@
-//! What the drawings of an outline have beside its edges: layers, marks, the arrow of rotation.
+//! Annotations of outline drawings: layers, marks, the arrow of rotation.
 
 use gaitcam::synth::Design;
 
 /// Half the length of the centre mark's strokes, m.
 const MARK: f64 = 0.003;
 
-/// What is on a layer, named as in an SVG.
+/// Content of a layer, named as in an SVG.
 pub fn id(layer: &str) -> String {
     let name = layer.split_once('_').map_or(layer, |(_, name)| name);
     name.to_lowercase().replace('_', "-")
@@ -45,13 +45,13 @@ pub fn zero_mark(base: f64, bore: f64) -> [[f64; 2]; 2] {
 
 /// Arrow in the sense of rotation: an arc about the centre, on the side away from the mark of θ = 0.
 pub struct Arrow {
-    /// Whether θ falls: the profile's angle grows counter-clockwise.
+    /// Whether θ decreases: the profile's angle increases counter-clockwise.
     pub clockwise: bool,
-    /// Its radius.
+    /// Radius of the arrow.
     pub radius: f64,
-    /// Where it begins, and its tip.
+    /// Start and tip of the arrow.
     pub ends: [[f64; 2]; 2],
-    /// The other ends of the two strokes of its head.
+    /// Ends of the two strokes of the arrow's head.
     pub head: [[f64; 2]; 2],
 }
 
@@ -59,7 +59,7 @@ impl Arrow {
     /// Angle of the arc, rad.
     pub const ANGLE: f64 = std::f64::consts::FRAC_PI_3;
 
-    /// Halfway between bore and base circle.
+    /// Radius halfway between bore and base circle.
     pub fn new(base: f64, bore: f64, clockwise: bool) -> Self {
         let radius = 0.5 * (base + bore);
         let sense = if clockwise { -1.0 } else { 1.0 };

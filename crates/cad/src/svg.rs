@@ -77,7 +77,7 @@ pub fn profile(synthesis: &Design, points: usize) -> String {
     out
 }
 
-/// Base and prime circle and bore of a cam that turns, the mark of θ = 0 and the arrow; radii in mm.
+/// Base and prime circle and bore of a rotating cam, the mark of θ = 0 and the arrow; radii in mm.
 fn circles(out: &mut String, synthesis: &Design, base: f64, prime: f64) {
     let _ = writeln!(
         out,

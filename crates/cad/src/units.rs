@@ -9,7 +9,7 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Units {
-    /// Millimetres.
+    /// Lengths in millimetres.
     #[default]
     Millimetres,
     /// Inches of 25.4 mm.
@@ -17,7 +17,7 @@ pub enum Units {
 }
 
 impl Units {
-    /// How many make a metre.
+    /// Number of units per metre.
     pub fn per_metre(self) -> f64 {
         match self {
             Units::Millimetres => 1e3,
@@ -25,7 +25,7 @@ impl Units {
         }
     }
 
-    /// The unit as it stands after a number.
+    /// Symbol of the unit after a number.
     pub fn name(self) -> &'static str {
         match self {
             Units::Millimetres => "mm",
@@ -33,7 +33,7 @@ impl Units {
         }
     }
 
-    /// A length in m as its number, with so many decimals of a millimetre, one more of an inch.
+    /// A length in m as a number with a given count of decimals of a millimetre, one more for inches.
     pub fn number(self, length: f64, decimals: usize) -> String {
         let decimals = decimals + usize::from(self == Units::Inches);
         format!("{:.decimals$}", self.per_metre() * length)

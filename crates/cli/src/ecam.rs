@@ -83,7 +83,7 @@ pub fn run(args: &EcamArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// What the controller makes of the cam.
+/// Prints the error of the controller.
 pub fn sentence(cam: &ElectronicCam) -> String {
     let carries = cam.dialect.carries();
     let curve = words::text(match carries.interpolation {

@@ -86,7 +86,7 @@ struct Run {
 }
 
 impl LoggedArgs {
-    /// The run, with a folder that takes the files `names`; `None` where the design has no cam, which is reported.
+    /// Prepares the run, with a folder for the files `names`; `None` if the design has no cam, which is reported.
     fn read<'a>(
         &self,
         place: impl Fn(&Input) -> Result<Option<PathBuf>>,
@@ -139,7 +139,7 @@ pub fn identify(args: &IdentifyArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// The folder for files; none where only data is printed.
+/// The folder for files; `None` if only data is printed.
 fn folder(input: &Input, out: Option<&Path>, json: bool, ending: &str) -> Result<Option<PathBuf>> {
     match (out, json) {
         (None, true) => Ok(None),
@@ -164,7 +164,7 @@ fn write(path: &Path, input: &Input, design: &Design, found: &Identified) -> Res
     Ok(place)
 }
 
-/// The scene of the input, whatever folder it is read from, with some keys as another scene has them.
+/// The scene of the input with absolute paths, and some keys from another scene.
 fn carried<'a>(from: &Table, input: &Input, keys: impl Iterator<Item = &'a str>) -> Result<Table> {
     let mut out = input.resolved();
     for key in keys {
@@ -178,7 +178,7 @@ fn carried<'a>(from: &Table, input: &Input, keys: impl Iterator<Item = &'a str>)
     Ok(out)
 }
 
-/// Writes the next cam as `synth` does; exit code 3 where there is none, or what repeats is noise.
+/// Writes the next cam like `synth`; exit code 3 if there is none, or if the repeatable error is noise.
 pub fn recut(args: &RecutArgs) -> Result<u8> {
     let start = Instant::now();
     let place = |input: &Input| folder(input, args.out.as_deref(), args.json, "_recut");

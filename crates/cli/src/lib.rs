@@ -109,8 +109,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
-/// A write beyond the size that the system allows for files (`ulimit -f`) fails as one on a full disk does; without
-/// this it ends the process.
+/// Ignores the signal of a write beyond the file size limit (`ulimit -f`), so that it fails like a full disk.
 #[cfg(unix)]
 fn fail_on_large_files() {
     let noticed = std::sync::Arc::default();
@@ -147,7 +146,7 @@ fn dispatch(cli: Cli) -> Result<u8> {
     }
 }
 
-/// Says what is wrong, for programs too where they asked.
+/// Prints an error, as JSON where requested.
 pub(crate) fn refused(error: &Error, json: bool) -> u8 {
     report(error.sentence(language::current()));
     if json {
@@ -156,7 +155,7 @@ pub(crate) fn refused(error: &Error, json: bool) -> u8 {
     final_exit_code(exit_code::of_error(error))
 }
 
-/// An error for programs; the message is that of standard error.
+/// An error as JSON, with the message of standard error.
 fn error_json(error: &Error) -> Value {
     let language = language::current();
     let place = error.place.to_string();
@@ -169,7 +168,7 @@ fn error_json(error: &Error) -> Value {
 }
 
 impl Command {
-    /// Whether the answer is to be JSON.
+    /// Whether the output is to be JSON.
     fn json(&self) -> bool {
         match self {
             Command::Synth(args) => args.json,
@@ -193,7 +192,7 @@ impl Command {
         }
     }
 
-    /// What the command does when no verb is given.
+    /// Runs the command without a verb.
     fn main_job() -> Command {
         Command::Synth(synth::SynthArgs::default())
     }

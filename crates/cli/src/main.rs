@@ -1,4 +1,4 @@
-//! The `gaitcam` command.
+//! Entry point of the `gaitcam` command.
 #![forbid(unsafe_code)]
 
 use std::process::ExitCode;

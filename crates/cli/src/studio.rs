@@ -49,7 +49,7 @@ pub fn run(args: &StudioArgs) -> Result<u8> {
     ready.serve()
 }
 
-/// Opens the system's browser, where it has one; the address is printed anyway.
+/// Opens the system's browser, if there is one; the address is printed in any case.
 fn show(url: &str) {
     let (program, before): (&str, &[&str]) = if cfg!(target_os = "macos") {
         ("open", &[])

@@ -20,9 +20,9 @@ enum Brief {
 /// A fact of a design.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fact {
-    /// Its name.
+    /// Name of the fact.
     pub name: String,
-    /// Its value with the unit.
+    /// Value of the fact with its unit.
     pub value: String,
     /// Column of its figure, or key of its name.
     pub(crate) key: &'static str,
@@ -46,7 +46,7 @@ impl Group {
     /// In the order of the console.
     pub const ALL: [Group; 4] = [Group::Law, Group::Drive, Group::Cam, Group::Machine];
 
-    /// Its name in data.
+    /// Name of the group in data.
     pub fn name(self) -> &'static str {
         match self {
             Group::Law => "law",

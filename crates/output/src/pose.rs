@@ -61,7 +61,7 @@ pub enum Pose {
     Roller {
         /// Centre of the roller.
         centre: [f64; 2],
-        /// Its radius.
+        /// Radius of the roller.
         radius: f64,
     },
 }

@@ -9,7 +9,7 @@ use crate::Names;
 pub struct Unlimited {
     /// H, made positive definite by multiples of the equalities' outer products.
     pub hessian: ArrowMatrix,
-    /// Its Cholesky factor.
+    /// Cholesky factor of the Hessian.
     pub factor: ArrowFactor,
     /// −g of the objective with that H.
     pub pull: Vec<f64>,

@@ -35,7 +35,7 @@ pub struct Square {
 }
 
 impl Square {
-    /// Its value.
+    /// Value of the squared norm.
     pub fn at(&self, v: &[f64]) -> f64 {
         let dot: f64 = self.towards.iter().zip(v).map(|(b, v)| b * v).sum();
         let square: f64 = v.iter().map(|v| v * v).sum();

@@ -27,7 +27,7 @@ pub fn open(studio: &Studio, path: &str) -> Result<Value> {
 pub struct Save {
     /// The scene file.
     pub scene: String,
-    /// Its name.
+    /// Name of the saved file.
     pub name: String,
     /// The kept files that it names.
     #[serde(default)]

@@ -38,7 +38,7 @@ pub struct Folder {
 /// A file of the folder that the page may open.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct Listed {
-    /// Its path in the folder, with `/`.
+    /// Path of the file in the folder, with `/`.
     pub path: String,
     /// Whether it is a scene rather than a recording.
     pub scene: bool,
@@ -55,7 +55,7 @@ impl Folder {
         Ok(Folder { root, read })
     }
 
-    /// Its path.
+    /// Path of the folder.
     pub fn root(&self) -> &Path {
         &self.root
     }

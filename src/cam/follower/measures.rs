@@ -18,7 +18,7 @@ use crate::wording::{Language, degrees, fixed, number, people};
 pub struct Unit {
     /// From SI to this unit.
     pub factor: f64,
-    /// Its name; empty for a plain number.
+    /// Name of the unit; empty for a plain number.
     pub name: &'static str,
 }
 
@@ -158,7 +158,7 @@ impl Measures {
         unit(1.0, if self.swings() { "N·m" } else { "N" })
     }
 
-    /// Its name.
+    /// Name of the force in messages.
     pub fn force_words(self) -> &'static str {
         if self.swings() { "moment" } else { "force" }
     }

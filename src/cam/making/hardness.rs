@@ -39,12 +39,12 @@ pub enum HardnessScale {
 }
 
 impl HardnessScale {
-    /// Its symbol.
+    /// Symbol of the hardness scale.
     pub fn symbol(self) -> &'static str {
         self.into()
     }
 
-    /// Its column of the conversion.
+    /// Column of the scale in the conversion table.
     fn column(self) -> usize {
         match self {
             HardnessScale::RockwellC => 0,

@@ -44,7 +44,7 @@ pub struct Steady {
     pub deflection: Vec<f64>,
     /// Force between cam and follower, N.
     pub contact: Vec<f64>,
-    /// Its derivative by the angle, N/rad.
+    /// Derivative of the force with respect to the angle, N/rad.
     pub contact_rate: Vec<f64>,
     /// Output force of the machine, N: the contact force, of a hydraulic drive the piston's.
     pub output: Vec<f64>,

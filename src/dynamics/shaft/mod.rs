@@ -61,7 +61,7 @@ pub struct Shaft {
     pub inertia: f64,
     /// Root mean square over time of the motor's own torque, N·m.
     pub motor_torque_rms_n_m: f64,
-    /// Its largest absolute value, N·m.
+    /// Largest absolute value of the shaft, N·m.
     pub motor_torque_max_n_m: f64,
     /// Mean power that the motor gives, W.
     pub motor_power_mean_w: f64,

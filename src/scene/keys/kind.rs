@@ -180,7 +180,7 @@ pub enum Idle {
 }
 
 impl Idle {
-    /// Its name in data.
+    /// Name in data of the idle.
     pub fn name(self) -> &'static str {
         self.into()
     }

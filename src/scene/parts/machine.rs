@@ -28,7 +28,7 @@ pub struct MachineSpec {
     pub natural_frequency: Option<f64>,
     /// Stiffness of the follower train, N/m (an arm: N·m/rad), in place of the frequency.
     pub stiffness: Option<f64>,
-    /// Its damping ratio.
+    /// Damping ratio of the follower train.
     pub damping_ratio: f64,
     /// Coefficient of sliding friction between cam and follower.
     pub friction: f64,
@@ -46,7 +46,7 @@ pub struct MachineSpec {
     pub learned_force: Vec<Harmonic>,
     /// The one mode of the structure under the feet.
     pub floor: FloorSpec,
-    /// Its modes, where it has several.
+    /// Modes of the floor, where there are several.
     pub modes: Vec<FloorSpec>,
     /// Who walks on it.
     pub walkers: WalkersSpec,

@@ -135,7 +135,7 @@ impl Adjust {
         Ok(out)
     }
 
-    /// Its words.
+    /// Words for the adjusted quantity in a scene.
     pub fn words(self) -> Vec<String> {
         let all = [
             (self.mass, "mass"),

@@ -70,7 +70,7 @@ pub struct Behaviour {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MadeCam {
-    /// Its law of motion.
+    /// Law of motion of the made cam.
     pub law: Law,
     /// Waves per turn by which its law differs from the design's.
     pub waves: usize,

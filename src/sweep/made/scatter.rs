@@ -32,7 +32,7 @@ use crate::synth::{Design, Search, design};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scattered {
-    /// Its scene.
+    /// Scene of the scattered cams.
     pub scene: NamedScene,
     /// The tolerances as written: `profile=0.02 mm`.
     pub tolerances: Vec<String>,

@@ -45,7 +45,7 @@ pub enum Part {
 impl Part {
     const ALL: [Part; 4] = [Part::Profile, Part::BaseRadius, Part::Mass, Part::Speed];
 
-    /// Its key in the scene; the profile has none.
+    /// Key of the toleranced part in the scene; the profile has none.
     fn key(self) -> Option<&'static str> {
         match self {
             Part::Profile => None,

@@ -57,7 +57,7 @@ pub enum AxisValue {
 pub struct Axis {
     /// The key.
     pub key: Key,
-    /// Its values.
+    /// Values of the axis.
     pub values: Values,
 }
 

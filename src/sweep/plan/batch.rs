@@ -22,7 +22,7 @@ impl Column {
         }
     }
 
-    /// Its words; `None` for numbers.
+    /// Words of the column; `None` for numbers.
     pub fn words(&self) -> Option<&Vec<Arc<str>>> {
         match self {
             Column::Words(words) => Some(words),

@@ -28,9 +28,9 @@ use crate::scene;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedScene {
-    /// Its name in tables, usually its file.
+    /// Name of the scene in tables, usually its file.
     pub name: String,
-    /// Its table.
+    /// TOML table of the scene.
     pub table: Table,
 }
 

@@ -51,9 +51,9 @@ pub struct Words {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
-    /// Its name, which ends in its unit.
+    /// Name of the field, which ends in its unit.
     pub name: String,
-    /// Its values.
+    /// Values of the field.
     pub values: Values,
 }
 

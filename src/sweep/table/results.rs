@@ -100,7 +100,7 @@ impl Outcome {
 pub struct Row {
     /// In the order of [`NUMBERS`].
     pub numbers: [f64; NUMBERS.len()],
-    /// Its outcome.
+    /// Outcome of the design in this row.
     pub outcome: Outcome,
     /// The class of the cam, where one was built.
     pub verdict: Option<Verdict>,
@@ -114,12 +114,12 @@ pub struct Row {
     pub error: String,
     /// Codes of the warnings about its recording, joined by `+`.
     pub warnings: String,
-    /// Its time, s.
+    /// Processor time of the row, s.
     pub time_s: f64,
 }
 
 impl Row {
-    /// Its cells of [`WORDS`]; empty where there is none.
+    /// Cells of [`WORDS`] of the row; empty where there is none.
     pub fn words(&self) -> [&str; WORDS.len()] {
         [
             self.outcome.name(),

@@ -19,7 +19,7 @@ use crate::cam::{Cam, Wall};
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Edge<'a> {
-    /// Its layer in a DXF.
+    /// Layer of the edge in a DXF file.
     pub layer: &'static str,
     cam: &'a Cam,
     place: Place,

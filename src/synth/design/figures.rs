@@ -137,7 +137,7 @@ impl Figure {
         self
     }
 
-    /// Its name for people, whatever the follower.
+    /// Name of the figure in messages, for every follower.
     ///
     /// ```
     /// use gaitcam::synth::Figure;
@@ -191,7 +191,7 @@ impl Figure {
         unit.after(&rounded(language, unit.factor * value, self.digits))
     }
 
-    /// Its value, SI; NaN where a design has none.
+    /// Value of the figure, SI; NaN where a design has none.
     pub fn value(&self, figures: &Figures) -> f64 {
         (self.value)(figures)
     }

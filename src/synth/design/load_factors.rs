@@ -38,7 +38,7 @@ pub struct LoadFactor {
     pub harmonic: usize,
     /// The same as a multiple of the step frequency: half of it where a turn is a stride of two steps.
     pub of_step: f64,
-    /// Its frequency, Hz.
+    /// Frequency of the load factor, Hz.
     pub frequency_hz: f64,
     /// αₖ of the target.
     pub target: f64,

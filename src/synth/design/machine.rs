@@ -45,7 +45,7 @@ pub struct MachineReport {
     pub torque_rms_n_m: Option<f64>,
     /// Largest absolute power of the shaft, W: driving or braking.
     pub power_max_w: Option<f64>,
-    /// Its mean, W: what damping uses up.
+    /// Mean of the machine report, W: what damping uses up.
     pub power_mean_w: Option<f64>,
     /// Lowest speed at which the follower leaves the cam, rad/s.
     pub liftoff_speed_rad_per_s: Option<f64>,

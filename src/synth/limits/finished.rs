@@ -24,6 +24,6 @@ pub struct Finished<'a> {
     pub groove: Option<&'a BarrelGroove>,
     /// The law that makes the force: the cam's own, or that of a polydyne follower's end.
     pub pressing: &'a Law,
-    /// Its force against the target.
+    /// Achieved force against the target.
     pub force: &'a ForceReport,
 }

@@ -14,7 +14,7 @@ pub const RELAXED: f64 = 0.01;
 struct Sensitivity {
     /// Name of the limit, or key of the scene where that is another.
     limit: Criterion,
-    /// Its value, SI.
+    /// Present value of the limit, SI.
     from: f64,
     /// The value relaxed, SI.
     to: f64,

@@ -10,7 +10,7 @@ use crate::synth::search::Search;
 
 /// The cam of one walker alone.
 pub struct Point {
-    /// Its force at the nodes, N.
+    /// Force at the quadrature nodes, N.
     pub at: Vec<f64>,
     /// How far from it the best one may be, N.
     pub slack: f64,

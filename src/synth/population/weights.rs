@@ -23,7 +23,7 @@ pub struct Weights<'a> {
     laws: Vec<Vec<f64>>,
     /// Parts of the laws in the best combination.
     pub best: Vec<f64>,
-    /// Its measure.
+    /// Measure of the weights.
     pub upper: f64,
     /// No law of the family has a measure below this.
     pub lower: f64,

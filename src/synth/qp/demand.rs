@@ -13,16 +13,16 @@ use crate::units::Quantity;
 pub enum Demand {
     /// A value at a point of the law.
     AtPoint {
-        /// Its place in the scene, counted from 1.
+        /// Position of the entry in the scene, counted from 1.
         point: usize,
-        /// Its cam angle.
+        /// Cam angle of the prescribed point.
         at: Quantity,
         /// What is given there.
         given: Given,
     },
     /// A dwell.
     InDwell {
-        /// Its place in the scene, counted from 1.
+        /// Position of the entry in the scene, counted from 1.
         dwell: usize,
     },
     /// The law stands on its base circle somewhere.

@@ -16,7 +16,7 @@ const STEEPEST: f64 = 1.55;
 /// A number of the scene that may be relaxed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Relaxable {
-    /// Its row.
+    /// Row of the key table.
     pub key: &'static Key,
     relax: Relax,
     criterion: Criterion,

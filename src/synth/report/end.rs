@@ -28,7 +28,7 @@ pub struct End {
     pub law: Law,
     /// Stiffness of the follower train, N/m (an arm: N·m/rad).
     pub stiffness: f64,
-    /// Its damping, N·s/m.
+    /// Damping of the output end, N·s/m.
     pub damping: f64,
     /// How far the end of the flexible follower stays from its law when this cam is run; `None` where
     /// nothing is steady.

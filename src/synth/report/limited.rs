@@ -85,15 +85,15 @@ pub struct Binding {
 pub struct Easing {
     /// The limit, or the scene's own number where that is another.
     pub limit: Criterion,
-    /// Its value, SI.
+    /// Present value of the limit, SI.
     pub from: f64,
     /// The value eased, SI.
     pub to: f64,
     /// What is minimised.
     pub objective: Minimised,
-    /// Its value.
+    /// Present value of the objective.
     pub before: f64,
-    /// Its value with the limit eased.
+    /// Value of the objective with the relaxed limit.
     pub after: f64,
 }
 
@@ -238,9 +238,9 @@ pub struct Infeasible {
 pub struct Relaxation {
     /// The limit.
     pub limit: Criterion,
-    /// Its key, as typed after `--set`.
+    /// Key of the limit, as typed after `--set`.
     pub key: &'static str,
-    /// Its present value, SI.
+    /// Present value of the relaxation, SI.
     pub from: f64,
     /// The value that works, SI; `None` when no value of this limit alone helps.
     pub to: Option<f64>,

@@ -208,7 +208,7 @@ impl Reason {
         wording::sentence(language, "reason", self)
     }
 
-    /// Its code: `reason-` and the variant in kebab-case.
+    /// Code of the reason: `reason-` and the variant in kebab-case.
     pub fn code(&self) -> String {
         wording::code("reason", self)
     }

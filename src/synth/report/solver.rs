@@ -88,7 +88,7 @@ impl Tier {
 pub struct SolverReport {
     /// The method that gave the law.
     pub tier: Tier,
-    /// Its details.
+    /// Details of the solution method.
     pub method: Method,
     /// What the harmonics in closed form missed, where they were tried first.
     pub passed_over: Option<PassedOver>,

@@ -22,11 +22,11 @@ use gaitcam::scene;
 
 #[link(wasm_import_module = "env")]
 unsafe extern "C" {
-    /// The page's clock, s.
+    /// Clock of the page, s.
     safe fn seconds() -> f64;
 }
 
-/// A page: it has no folder, and ends a search with its worker or after the longest time.
+/// Host in a browser: it has no folder, and a search ends with its worker or after the time limit.
 struct Page;
 
 impl Host for Page {
@@ -52,7 +52,7 @@ impl Host for Page {
 }
 
 static ENGINE: LazyLock<Engine> = LazyLock::new(Engine::default);
-/// Questions that the page writes and answers that it reads, by their addresses.
+/// Questions written and answers read by the page, by their addresses.
 static SHARED: Mutex<BTreeMap<usize, Vec<u8>>> = Mutex::new(BTreeMap::new());
 
 fn share(mut bytes: Vec<u8>) -> *mut u8 {
@@ -65,7 +65,7 @@ fn taken(at: *mut u8) -> Vec<u8> {
     lock(&SHARED).remove(&(at as usize)).unwrap_or_default()
 }
 
-/// Bytes for the page, behind their length.
+/// Bytes for the page, preceded by their length.
 fn given(bytes: &[u8]) -> *mut u8 {
     let mut all = (bytes.len() as u32).to_le_bytes().to_vec();
     all.extend_from_slice(bytes);
@@ -78,7 +78,7 @@ extern "C" fn room(length: usize) -> *mut u8 {
     share(vec![0; length])
 }
 
-/// Takes an answer back.
+/// Frees an answer.
 #[unsafe(no_mangle)]
 extern "C" fn free(at: *mut u8) {
     taken(at);

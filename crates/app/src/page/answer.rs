@@ -7,28 +7,28 @@ use crate::page::fault::StudioError;
 use crate::page::words;
 use gaitcam::error::{Error, Place, ReadError, Result};
 
-/// What an answer holds.
+/// Content of an answer.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
-    /// Data.
+    /// Data as JSON.
     Json(Vec<u8>),
     /// A file of a design.
     File {
-        /// Its name.
+        /// Name of the file.
         name: String,
-        /// Its media type.
+        /// Media type of the file.
         kind: &'static str,
-        /// Its contents.
+        /// Contents of the file.
         bytes: Vec<u8>,
     },
 }
 
-/// An answer.
+/// An answer to the page.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
-    /// Whether the question was understood: a scene at fault is an answer too.
+    /// Whether the question was understood; a fault of the scene is an answer too.
     pub understood: bool,
-    /// What it holds.
+    /// Content of the answer.
     pub body: Body,
 }
 
@@ -41,7 +41,7 @@ impl Answer {
         Answer { understood, body }
     }
 
-    /// Data, or its error as data.
+    /// Data, or the error as data.
     pub fn of<T: Serialize>(result: Result<T>) -> Answer {
         match result {
             Ok(value) => Answer::json(&value),
@@ -49,7 +49,7 @@ impl Answer {
         }
     }
 
-    /// Of a question that is not understood.
+    /// Error of a question that is not understood.
     pub(crate) fn bad(fault: String) -> Answer {
         let error = Error::from(StudioError::BadRequest { fault });
         Answer {
@@ -59,7 +59,7 @@ impl Answer {
     }
 }
 
-/// An error for the page.
+/// Error as data for the page.
 pub fn fault_json(error: &Error) -> Value {
     let language = words::current();
     let key = match &error.place {

@@ -14,8 +14,8 @@ use gaitcam::error::Result;
 use gaitcam::wording::Language;
 
 impl Engine {
-    /// Answers a question. Every answer names the hash of the question in `of`; of a file that is named and not kept it
-    /// gives nothing but its hash, in `missing`.
+    /// Answers a question. `of` in every answer is the hash of the question. If a named file is not kept, the answer consists of its hash in
+    /// `missing`.
     pub fn answer(&self, host: &dyn Host, route: &str, question: &[u8]) -> Answer {
         let mut answer = match serde_json::from_slice::<Map<String, Value>>(question) {
             Ok(object) => self.routed(host, route, object),
@@ -62,7 +62,7 @@ impl Engine {
         }
     }
 
-    /// What the page's first module leaves to the second.
+    /// Questions that the first module of the page leaves to the second.
     fn whole(&self, files: &Files, route: &str, object: Map<String, Value>) -> Answer {
         match route {
             "simulate" => asked(object, |q| runs::simulate(files, q)),

@@ -9,38 +9,38 @@ use gaitcam::scene::keys::{self, Key, Kind};
 use gaitcam::scene::{self, Scene, unset};
 use gaitcam::units::{Dimension, parse};
 
-/// One change.
+/// One change of a scene.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Edit {
-    /// Sets a value as a scene file has it; an empty one takes the key out.
+    /// Sets a value as written in a scene file; an empty value removes the key.
     Set {
-        /// Dotted key.
+        /// Dotted key of the value.
         key: String,
-        /// Its value.
+        /// New value of the key.
         value: String,
     },
-    /// Adds an entry to a list, as a copy of the one before or as the list's first.
+    /// Adds an entry to a list, as a copy of the one before or as the first entry.
     Insert {
         /// Dotted name of the list.
         list: String,
-        /// Its number from 1 on.
+        /// Number of the entry inserted, counted from 1.
         number: usize,
     },
-    /// Takes an entry out of a list.
+    /// Removes an entry from a list.
     Remove {
         /// Dotted name of the list.
         list: String,
-        /// Its number from 1 on.
+        /// Number of the entry removed, counted from 1.
         number: usize,
     },
     /// Moves an entry of a list.
     Move {
         /// Dotted name of the list.
         list: String,
-        /// Its number from 1 on.
+        /// Number of the entry moved, counted from 1.
         from: usize,
-        /// Its new number.
+        /// Number of the entry after the move.
         to: usize,
     },
     /// Scales the angles of all segments but one so that they cover the turn.
@@ -50,15 +50,15 @@ pub enum Edit {
     },
 }
 
-/// Attempts to make a scene whole after a choice.
+/// Attempts to complete a scene after a choice.
 const MENDINGS: usize = 12;
-/// Decimals of an angle in degrees that rebalancing writes.
+/// Decimals of the angles in degrees that rebalancing writes.
 const PLACES: f64 = 1e6;
 
-/// Reads a scene, the files of its motions included.
+/// Reads a scene with the files of its motions.
 pub type Read<'a> = dyn Fn(&Table) -> Result<Scene> + 'a;
 
-/// Makes a change.
+/// Applies a change.
 ///
 /// # Errors
 /// Paths through values, entries that are not there.
@@ -176,7 +176,7 @@ fn first(list: &str) -> Value {
     Value::Table(entry.collect())
 }
 
-/// Gives the keys that a choice needs and takes out those that it does not have, one after another.
+/// Adds the keys that a choice needs and removes those that it does not have.
 fn mend(table: &mut Table, read: &Read) {
     for _ in 0..MENDINGS {
         let Err(fault) = read(table) else {
@@ -205,7 +205,7 @@ fn mend(table: &mut Table, read: &Read) {
     }
 }
 
-/// A right value for a key.
+/// A valid value for a key.
 fn example(key: &Key) -> String {
     let example = key.example(&Scene::default());
     example.split('"').nth(1).unwrap_or("0").to_string()

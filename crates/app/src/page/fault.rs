@@ -1,4 +1,4 @@
-//! Faults that only the page and its server can meet. Their sentences stand in `words/`.
+//! Faults of the page and its server. Their messages are in `words/`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -7,7 +7,7 @@ use crate::page::words::WORDS;
 use gaitcam::error::Fault;
 use gaitcam::wording::Catalogue;
 
-/// What is wrong.
+/// Faults of the page.
 #[allow(missing_docs)] // The fields are the arguments of the sentences.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
@@ -15,25 +15,25 @@ use gaitcam::wording::Catalogue;
 pub enum StudioError {
     /// A path leads out of the opened folder.
     Outside,
-    /// The system does not give a file.
+    /// The system cannot read a file.
     CannotRead { fault: String },
-    /// The system does not take a file.
+    /// The system cannot write a file.
     CannotWrite { fault: String },
-    /// A name that no file may have.
+    /// An invalid file name.
     FileName { name: String },
-    /// No text, or no TOML.
+    /// Not text, or not TOML.
     NotToml { line: usize, fault: String },
-    /// A request that says nothing this server knows.
+    /// A request that the server does not know.
     BadRequest { fault: String },
     /// A file that was not given to a page without a folder.
     NotDropped,
     /// A design has no file of this name.
     NoFile { name: String },
-    /// A list entry that is not there.
+    /// A missing list entry.
     NoEntry { list: String, number: usize },
-    /// The port is taken.
+    /// The port is in use.
     Port { port: u16, fault: String },
-    /// The points of a force do not follow one another in time.
+    /// The times of the points of a force are not increasing.
     FewPoints,
 }
 

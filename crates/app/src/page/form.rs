@@ -1,4 +1,4 @@
-//! What the fields of the form hold for one scene: text, placeholder, slider.
+//! Contents of the form's fields for one scene: text, placeholder, slider.
 
 use std::collections::BTreeMap;
 
@@ -14,13 +14,13 @@ use gaitcam::units::{Dimension, parse};
 /// A field of the form.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Field {
-    /// What the scene file has; empty where it has nothing.
+    /// Text in the scene file; empty if the key is absent.
     pub text: String,
-    /// What applies then: the value in the design, or the default.
+    /// Value that applies without text: that of the design, or the default.
     pub placeholder: String,
-    /// Whether it changes something in this scene.
+    /// Whether the key has an effect in this scene.
     pub acts: bool,
-    /// The slider, where a range makes sense.
+    /// The slider, for keys with a meaningful range.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub slider: Option<Slider>,
 }
@@ -28,19 +28,19 @@ pub struct Field {
 /// A slider in the unit of its field.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Slider {
-    /// Its ends.
+    /// One end of the slider.
     pub from: f64,
-    /// Its ends.
+    /// One end of the slider.
     pub to: f64,
-    /// Its step.
+    /// Step of the slider.
     pub step: f64,
-    /// Where it stands.
+    /// Position of the slider.
     pub at: f64,
-    /// What stands behind the number in a scene file, blank included; empty for a count.
+    /// Unit after the number in a scene file, with its blank; empty for a count.
     pub unit: String,
 }
 
-/// The fields that a scene has, by their keys; a list's entries under their own numbers.
+/// The fields of a scene by their keys; the keys of list entries contain their numbers.
 pub fn fields(table: &Table, scene: &Scene, design: Option<&Design>) -> BTreeMap<String, Field> {
     let figures = design.map(Figures::of);
     let several = design
@@ -114,7 +114,7 @@ pub fn typed(table: &Table, path: &str) -> String {
     }
 }
 
-/// Value that a design has for a key that the scene leaves open, SI.
+/// Value in the design of a key that the scene omits, SI.
 fn value_in_design(path: &str, scene: &Scene, figures: Option<&Figures>) -> Option<f64> {
     let figures = figures?;
     let value = match path {
@@ -135,7 +135,7 @@ fn value_in_design(path: &str, scene: &Scene, figures: Option<&Figures>) -> Opti
     value.is_finite().then_some(value)
 }
 
-/// A number in the unit that people use and scenes take.
+/// A number in the customary unit of scenes.
 fn shown(value: f64, dimension: Dimension) -> String {
     let unit = Unit::of(dimension);
     let (number, name) = (short(value * unit.factor), unit.name);
@@ -193,7 +193,7 @@ fn slider(
     })
 }
 
-/// A positive number cannot slide to nothing.
+/// Lower end of a slider for a positive number.
 fn lowest(range: Range, step: f64) -> f64 {
     match range {
         Range::Positive | Range::Acute => step,
@@ -226,7 +226,7 @@ fn ends(range: Range, dimension: Dimension, at: f64, factor: f64) -> Option<(f64
     Some(ends)
 }
 
-/// The unit as typed, or the one that people use, with the blank before it.
+/// The unit as typed, or the customary unit, with the blank before it.
 fn unit_of(text: &str, dimension: Dimension) -> String {
     let number = |c: char| c.is_ascii_digit() || "+-.".contains(c);
     let typed = text.trim().trim_start_matches(number).trim();

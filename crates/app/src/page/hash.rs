@@ -1,4 +1,4 @@
-//! The hash by which bytes are known.
+//! Hash that identifies bytes.
 
 use std::fmt;
 
@@ -13,7 +13,7 @@ impl Hash {
         Hash::of_parts(&[bytes])
     }
 
-    /// The hash of parts, one after another.
+    /// The hash of several parts, in order.
     pub fn of_parts(parts: &[&[u8]]) -> Hash {
         let mut sum = hmac_sha256::Hash::new();
         for part in parts {
@@ -23,7 +23,7 @@ impl Hash {
         Hash(sum.iter().map(|b| format!("{b:02x}")).collect())
     }
 
-    /// Its digits.
+    /// Hexadecimal digits of the hash.
     pub fn as_str(&self) -> &str {
         &self.0
     }

@@ -1,4 +1,4 @@
-//! What is kept from one question to the next, and what the machine below gives to an answer.
+//! Cache between questions, and services of the host for an answer.
 
 use std::path::Path;
 use std::sync::{Arc, Mutex};
@@ -15,50 +15,51 @@ use gaitcam::scene::Scene;
 use gaitcam::synth::Design;
 use gaitcam_output::Timing;
 
-/// Files that are kept, and the most bytes of all of them.
+/// Maximum number of kept files, and of their bytes.
 const FILES: usize = 32;
 const BYTES: usize = 256 << 20;
-/// Force curves and designs that need not be computed again.
+/// Maximum number of cached force curves and designs.
 const CURVES: usize = 12;
 const DESIGNS: usize = 12;
 
-/// What the page shows at first.
+/// State that the page shows first.
 #[derive(Debug, Clone, Default)]
 pub struct Start {
-    /// The scene.
+    /// TOML text of the scene.
     pub scene: String,
-    /// The file of the folder that it was read from.
+    /// File of the folder that the scene was read from.
     pub file: Option<String>,
     /// The opened folder, where there is one.
     pub folder: Option<String>,
 }
 
-/// What the machine below gives to the answer of one question.
+/// Services of the host for the answer of one question.
 pub trait Host {
     /// A file that is neither kept nor built in, with its hash.
     ///
     /// # Errors
-    /// Files that are not to be had.
+    ///
+    /// Files that cannot be read.
     fn read(&self, path: &Path) -> Result<(Hash, Arc<Vec<u8>>)>;
-    /// A clock, s.
+    /// Clock of the host, s.
     fn seconds(&self) -> f64;
-    /// When the search of this question ends.
+    /// Time at which the search of this question ends.
     fn halt(&self) -> Halt;
-    /// What the page shows at first.
+    /// State that the page shows first.
     fn start(&self) -> Start;
 }
 
 /// A design with its inputs.
 pub struct Made {
-    /// The scene's table.
+    /// Table of the scene.
     pub table: Table,
-    /// The same with the rows of every motion in place of the file that it names.
+    /// Table of the scene with the rows of every motion in place of its file.
     pub whole: Table,
-    /// The scene.
+    /// The parsed scene.
     pub scene: Scene,
-    /// The design.
+    /// The finished design.
     pub design: Design,
-    /// How long it took.
+    /// Computing time of the design.
     pub time: Timing,
     /// The hash of all that it depends on.
     pub hash: Hash,
@@ -66,7 +67,7 @@ pub struct Made {
     pub force: Option<Hash>,
 }
 
-/// Answers questions. What it keeps is found by contents alone, so that no page can see what another one has.
+/// Answers questions. Cached data are found by hash alone, so that pages cannot see each other's data.
 pub struct Engine {
     files: Mutex<Recent<Hash, Arc<Vec<u8>>>>,
     pub(crate) curves: Mutex<Recent<Hash, ForceCurve>>,
@@ -84,7 +85,7 @@ impl Default for Engine {
 }
 
 impl Engine {
-    /// Keeps the bytes of a file and gives their hash.
+    /// Keeps the bytes of a file and returns their hash.
     pub fn keep(&self, bytes: Vec<u8>) -> Hash {
         let hash = Hash::of(&bytes);
         let mut files = lock(&self.files);
@@ -93,7 +94,7 @@ impl Engine {
         hash
     }
 
-    /// The bytes of a hash, where they are kept.
+    /// The kept bytes with a hash.
     pub fn kept(&self, hash: &Hash) -> Option<Arc<Vec<u8>>> {
         lock(&self.files).get(hash)
     }

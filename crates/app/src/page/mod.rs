@@ -1,9 +1,7 @@
-//! What the page of gaitcam asks, and the answers: the same in the server of `gaitcam studio` and, compiled to
-//! WebAssembly, inside the page.
+//! Questions of the page and their answers: the same in the server of `gaitcam studio` and, compiled to WebAssembly, inside the page.
 //!
-//! A question is a JSON object with the whole scene and the hashes of the files that it names; an answer depends on
-//! nothing else. What is kept is found by its contents alone: bytes by their hash, force curves and designs by the
-//! hash of all that they are made from.
+//! A question is a JSON object with the whole scene and the hashes of the files that it names; an answer depends on nothing else. Cached data are
+//! found by their contents alone: bytes by their hash, force curves and designs by the hash of all that they are made from.
 //!
 //! ```text
 //! ask.rs      questions by their routes              sources.rs  files and force curves of a question
@@ -42,13 +40,12 @@ pub use recent::Recent;
 pub use sources::Named;
 pub use words::{current as language, settle as set_language};
 
-/// The longest search, s.
+/// Longest time of a search, s.
 pub const LONGEST: f64 = 60.0;
 
 /// A scene's text as a table.
 ///
-/// # Errors
-/// Text that is no TOML, with its line.
+/// # Errors Text that is not TOML, with its line.
 pub fn table(text: &str) -> Result<Table> {
     text.parse().map_err(|e: toml::de::Error| {
         let start = e.span().map_or(0, |s| s.start.min(text.len()));
@@ -58,7 +55,7 @@ pub fn table(text: &str) -> Result<Table> {
     })
 }
 
-/// Locks; a thread that panicked has left nothing half done here.
+/// Locks the mutex; a panic of another thread leaves no inconsistent state.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

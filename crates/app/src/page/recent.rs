@@ -2,20 +2,20 @@
 
 use std::collections::VecDeque;
 
-/// The `most` values used last.
+/// The last `most` values used.
 pub struct Recent<K, V> {
     most: usize,
     list: VecDeque<(K, V)>,
 }
 
 impl<K: PartialEq, V: Clone> Recent<K, V> {
-    /// An empty cache.
+    /// Creates an empty cache.
     pub fn new(most: usize) -> Self {
         let list = VecDeque::new();
         Recent { most, list }
     }
 
-    /// The value of a key, which becomes the most recent.
+    /// The value of a key, which becomes the most recently used.
     pub fn get(&mut self, key: &K) -> Option<V> {
         let at = self.list.iter().position(|(k, _)| k == key)?;
         let entry = self.list.remove(at)?;

@@ -15,22 +15,22 @@ use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
 
-/// A file by the name that the scene gives it.
+/// A file with its name in the scene.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Named {
-    /// Its name.
+    /// Name of the file.
     pub name: String,
     /// Hash of its bytes.
     pub hash: Hash,
 }
 
-/// The files of one question: kept ones that it names, then those that came with the program, then those of the host.
+/// Files of one question. The search order is the kept files, those of the program, those of the host.
 pub struct Files<'a> {
     pub engine: &'a Engine,
     pub host: &'a dyn Host,
     named: Vec<Named>,
-    /// What was read for the answer.
+    /// Files read for the answer.
     used: RefCell<BTreeMap<String, Hash>>,
 }
 
@@ -46,7 +46,7 @@ impl<'a> Files<'a> {
         }
     }
 
-    /// A file by the name that a scene gives it.
+    /// A file by its name in the scene.
     ///
     /// # Errors
     /// As [`Host::read`].
@@ -66,15 +66,14 @@ impl<'a> Files<'a> {
 
     /// The scene of a table with the rows of every motion in place of the file that it names, and that table.
     ///
-    /// # Errors
-    /// Files that are not to be had or that hold no motion; faults of the scene.
+    /// # Errors Files that cannot be read or that contain no motion; faults of the scene.
     pub fn scene(&self, table: &Table) -> Result<(Scene, Table)> {
         let mut read = |file: &Path| Ok((file.to_path_buf(), self.bytes(file)?.1.to_vec()));
         let whole = scene::with_motions(table, &mut read)?;
         Ok((scene::read(&whole)?, whole))
     }
 
-    /// The force curve that a scene names, if it names one, with the hash of its file, or of the curve of a load model.
+    /// The force curve of a scene, if it has one, with the hash of its file or load model.
     ///
     /// # Errors
     /// Faults of the load model, the file or the recording.
@@ -107,7 +106,7 @@ impl<'a> Files<'a> {
         Ok(Some((curve, hash)))
     }
 
-    /// The hash of all that a scene's design depends on; its files are read already.
+    /// The hash of all inputs of a scene's design; its files are read already.
     pub fn of_scene(&self, text: &str) -> Hash {
         let files = format!("{:?}\n", self.used.borrow());
         Hash::of_parts(&[files.as_bytes(), text.as_bytes()])
@@ -128,7 +127,7 @@ impl scene::Files for Files<'_> {
     }
 }
 
-/// The hash of a curve that is in no file.
+/// The hash of a curve without a file.
 fn of_curve(curve: &ForceCurve) -> Hash {
     let force = curve.force_n.iter().flat_map(|x| x.to_le_bytes());
     let numbers: Vec<u8> = curve

@@ -6,34 +6,33 @@ use gaitcam::synth::Design;
 /// A file for CAD or the workshop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Piece {
-    /// Outline as DXF.
+    /// Outline as a DXF file.
     Dxf,
-    /// Outline as SVG.
+    /// Outline as an SVG file.
     Svg,
-    /// Drawing as PDF.
+    /// Drawing as a PDF file.
     Sheet,
     /// The plate as STL.
     Stl,
     /// The plate as 3MF.
     ThreeMf,
-    /// A wall of a groove as STL.
+    /// Wall of a groove as STL.
     Wall(Wall),
-    /// Solid as STEP.
+    /// Solid as a STEP file.
     Step,
-    /// Workbook.
+    /// Workbook of tables.
     Workbook,
-    /// Path of a cutter.
+    /// Path of a milling cutter.
     Cutter,
-    /// Program for that cutter, of the first or the second cam.
+    /// Program for that cutter, for the first or the second cam.
     Program(usize),
-    /// Program for a wire.
+    /// Program for a wire cutter.
     Wire,
-    /// Electronic cam, by the place of its dialect in their list.
+    /// Electronic cam, by the index of its dialect.
     Ecam(usize),
 }
 
-/// Radius of the cutter that a path is made for unless the user gives another, m: that of a barrel's roller, otherwise
-/// 3 mm.
+/// Default radius of the cutter for a path, m: that of a barrel's roller, otherwise 3 mm.
 pub fn usual_cutter(design: &Design) -> f64 {
     let roller = design.groove.as_ref().map(|groove| groove.roller_radius());
     roller.unwrap_or(0.003)

@@ -1,4 +1,4 @@
-//! Files for CAD and the workshop: what is asked of them, and what makes them.
+//! Files for CAD and the workshop: options and makers.
 
 use gaitcam::cam::Wall;
 use gaitcam::error::{Error, Result};
@@ -17,25 +17,25 @@ const VERTICES: usize = 720;
 /// Triangles of a groove's wall: along the groove for every turn, and through its depth.
 const WALL: [usize; 2] = [720, 8];
 
-/// The bytes of a file, if it can be made, with remarks about it.
+/// Bytes of a file, if it can be made, with remarks about it.
 pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 
-/// What the workshop asks for.
+/// Options of the files for the workshop.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Workshop {
     /// Solids, a sheet and a workbook for manufacturing.
     pub solid: bool,
-    /// Radius of a cutter whose path is written, m.
+    /// Radius of the cutter of the path, m.
     pub tool: Option<f64>,
     /// Depth of a pass of that cutter, m; without it the operator brings the cutter to depth.
     pub pass: Option<f64>,
-    /// Half the diameter of a wire and its spark gap, m: its path is written.
+    /// Half the diameter of a wire plus its spark gap, m.
     pub wire: Option<f64>,
-    /// For which controller an electronic cam is written.
+    /// Controllers for which an electronic cam is written.
     pub ecam: Option<Dialect>,
     /// Layers of the DXF drawings.
     pub drawn: dxf::Content,
-    /// Edges of profile.dxf as arcs or splines.
+    /// Edges of profile.dxf as arcs or as splines.
     pub curves: dxf::Curves,
     /// Unit of the drawing, of DXF and of programs.
     pub units: Units,
@@ -46,27 +46,27 @@ pub struct Workshop {
 /// A remark on the files for manufacturing.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Remark {
-    /// There is no solid.
+    /// The solid cannot be made.
     NoSolid(Error),
-    /// There is no STEP file.
+    /// The STEP file cannot be made.
     NoStep(Error),
     /// The cutter damages the profile.
     Gouge(Gouge),
-    /// What the controller makes of its electronic cam.
+    /// Error of the electronic cam on its controller.
     Ecam(ElectronicCam),
-    /// There is no electronic cam.
+    /// The electronic cam cannot be made.
     NoEcam(Error),
-    /// There is no program for the cutter or the wire.
+    /// The program for the cutter or the wire cannot be made.
     NoProgram(Error),
 }
 
 impl Remark {
-    /// Whether there is no program for the cutter after it.
+    /// Whether the program for the cutter fails for this reason.
     pub fn forbids_program(&self) -> bool {
         matches!(self, Remark::Gouge(_) | Remark::NoProgram(_))
     }
 
-    /// Why a file could not be made, if the remark is about that.
+    /// Reason why a file could not be made, if the remark contains one.
     pub fn into_fault(self) -> Option<Error> {
         match self {
             Remark::NoSolid(fault)
@@ -90,7 +90,7 @@ fn or_remark(made: Result<impl Into<Vec<u8>>>, remark: fn(Error) -> Remark) -> M
 }
 
 impl Workshop {
-    /// Whether a file is to be written.
+    /// Whether a file is requested.
     pub(crate) fn asks(&self, piece: Piece) -> bool {
         match piece {
             Piece::Dxf | Piece::Svg => true,
@@ -200,7 +200,7 @@ fn electronic(design: &Design, dialect: Dialect) -> Made {
     })
 }
 
-/// Title block of a drawing of a scene that is no file; `whole` is its table with the rows of every motion.
+/// Title block of a drawing of a scene without a file; `whole` is its table with the rows of every motion.
 pub fn title(scene: &Scene, whole: &toml::Table) -> Title {
     let usual = Title::default();
     Title {

@@ -1,4 +1,4 @@
-//! Without CAD: files of the workshop are known by name, so that those of an earlier result are removed; none is made.
+//! Build without CAD: the names of workshop files are known, so that earlier ones are removed, but none is made.
 
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Design;
@@ -6,14 +6,14 @@ use gaitcam_output::{Language, Timing};
 
 use super::piece::Piece;
 
-/// The bytes of a file, if it can be made, with remarks about it.
+/// Bytes of a file, if it can be made, with remarks about it.
 pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 
-/// Nothing is asked for.
+/// No options.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Workshop {}
 
-/// There are no files to remark on.
+/// Remarks on files, of which there are none.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Remark {}
 
@@ -22,7 +22,7 @@ impl Remark {
         match *self {}
     }
 
-    /// Why a file could not be made.
+    /// Reason why a file could not be made.
     pub fn into_fault(self) -> Option<Error> {
         match self {}
     }

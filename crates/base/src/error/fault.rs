@@ -1,4 +1,4 @@
-//! Kinds of fault, and how an error holds one of any area.
+//! Kinds of fault, and an error that holds a fault of any area.
 
 use std::any::Any;
 use std::fmt::Debug;
@@ -7,8 +7,8 @@ use serde::Serialize;
 
 use crate::wording::{Catalogue, Language, code};
 
-/// The faults of one area: an enum whose variants carry data and whose sentences stand in a catalogue under
-/// `AREA-variant`, the help as the attribute `.help`.
+/// The faults of one area: an enum whose variants carry data and whose messages are in a catalogue under `AREA-variant`, the help as the attribute
+/// `.help`.
 ///
 /// ```
 /// use gaitcam_base::error::{Error, Fault};
@@ -38,17 +38,17 @@ use crate::wording::{Catalogue, Language, code};
 /// assert_eq!(error.fault(), Some(&TableError::TooShort { rows: 3 }));
 /// ```
 pub trait Fault: Serialize + PartialEq + Debug + Send + Sync + 'static {
-    /// The area of its messages.
+    /// Prefix of the messages of the area.
     const AREA: &'static str;
-    /// The area of its codes.
+    /// Prefix of the codes of the area.
     const CODES: &'static str = Self::AREA;
-    /// Its sentences.
+    /// Catalogue of the messages of these faults.
     const WORDS: &'static Catalogue;
-    /// Whether its faults are answers: the input can be read, but nothing does what it asks for.
+    /// Whether the faults are answers: the input is valid but no result satisfies it.
     const IS_ANSWER: bool = false;
 }
 
-/// A fault of any area, or one with a sentence of its own.
+/// A fault of any area, or one with its own text.
 pub trait AnyFault: Debug + Send + Sync {
     fn code(&self) -> String;
     fn what(&self, language: Language) -> String;
@@ -88,7 +88,7 @@ impl<F: Fault> AnyFault for F {
     }
 }
 
-/// A fault whose sentence stands in no catalogue.
+/// A fault without a message in a catalogue.
 #[derive(Debug, PartialEq)]
 pub struct Own {
     pub code: String,

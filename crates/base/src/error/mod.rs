@@ -1,7 +1,7 @@
 //! Faults in the input: what is wrong, where it is, and what would be right.
 //!
-//! Each area has an enum of its faults, which implements [`Fault`]; an [`Error`] holds any of them with its place. The
-//! sentences stand in the catalogue of the crate that has the enum.
+//! Each area has an enum of its faults, which implements [`Fault`]; an [`Error`] holds any of them with its place. The messages are in the catalogue
+//! of the crate that has the enum.
 
 mod fault;
 mod place;
@@ -37,12 +37,12 @@ pub use units::UnitsError;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Error {
-    /// Where the fault is.
+    /// Location of the fault.
     pub place: Place,
     fault: Arc<dyn AnyFault>,
 }
 
-/// Result of everything that reads input.
+/// Result type of all functions that read input.
 ///
 /// ```
 /// use gaitcam_base::error::Result;
@@ -66,7 +66,7 @@ impl<F: Fault> From<F> for Error {
 }
 
 impl Error {
-    /// A fault with a code and an English sentence of the caller's own.
+    /// A fault with a code and English text given by the caller.
     pub fn own(code: &str, what: impl Into<String>) -> Self {
         let (code, what) = (code.to_string(), what.into());
         Error {
@@ -84,14 +84,14 @@ impl Error {
         self
     }
 
-    /// Places the fault anew.
+    /// Replaces the place of the fault.
     #[must_use]
     pub fn placed(mut self, place: Place) -> Self {
         self.place = place;
         self
     }
 
-    /// The fault, where it is one of this area.
+    /// The fault, if it belongs to this area.
     pub fn fault<F: Fault>(&self) -> Option<&F> {
         self.fault.as_any().downcast_ref()
     }
@@ -101,17 +101,17 @@ impl Error {
         self.fault.code()
     }
 
-    /// Whether it is an answer: the input can be read, but nothing does what it asks for.
+    /// Whether the fault is an answer: the input is valid but no result satisfies it.
     pub fn is_answer(&self) -> bool {
         self.fault.is_answer()
     }
 
-    /// What is wrong, without the place.
+    /// Message without the place.
     pub fn what(&self, language: Language) -> String {
         self.fault.what(language)
     }
 
-    /// What would be right.
+    /// Suggested remedy.
     pub fn help(&self, language: Language) -> Option<String> {
         self.fault.help(language)
     }
@@ -132,7 +132,7 @@ impl PartialEq for Error {
     }
 }
 
-/// Place, code, and what is wrong in English.
+/// Place, code, and English message.
 impl Serialize for Error {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         let mut out = serializer.serialize_struct("Error", 3)?;

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::Error;
 use crate::wording::Language;
 
-/// Where in the input a fault is.
+/// Location of a fault in the input.
 ///
 /// ```
 /// use gaitcam_base::error::Place;
@@ -19,9 +19,9 @@ use crate::wording::Language;
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Place {
-    /// No place: the caller passed values.
+    /// No location: the caller passed values.
     Unplaced,
-    /// A whole file.
+    /// A file as a whole.
     File(PathBuf),
     /// One line of a text file, counted from 1.
     Line(PathBuf, usize),
@@ -34,7 +34,7 @@ pub enum Place {
 }
 
 impl Place {
-    /// The place before a sentence of this language, with its colon.
+    /// The location as prefix of a message in this language, with its colon.
     pub fn before(&self, language: Language) -> String {
         let line_word = match language {
             Language::En => "line",
@@ -68,27 +68,27 @@ impl fmt::Display for Place {
 /// assert_eq!(error.clone().at_key("gait.file"), error);
 /// ```
 pub trait Placed: Into<Error> {
-    /// In a whole file.
+    /// Locates the fault in a whole file.
     fn in_file(self, path: &Path) -> Error {
         self.into().at(Place::File(path.to_path_buf()))
     }
 
-    /// In a line of a file, counted from 1.
+    /// Locates the fault in a line of a file, counted from 1.
     fn at_line(self, path: &Path, line: usize) -> Error {
         self.into().at(Place::Line(path.to_path_buf(), line))
     }
 
-    /// At a byte of a file, counted from 0.
+    /// Locates the fault at a byte of a file, counted from 0.
     fn at_byte(self, path: &Path, offset: usize) -> Error {
         self.into().at(Place::Byte(path.to_path_buf(), offset))
     }
 
-    /// At a dotted key of a scene.
+    /// Locates the fault at a dotted key of a scene.
     fn at_key(self, key: &str) -> Error {
         self.into().at(Place::Key(key.to_string()))
     }
 
-    /// At a flag or argument of the command.
+    /// Locates the fault at a flag or argument of the command.
     fn at_argument(self, argument: &str) -> Error {
         self.into().at(Place::Argument(argument.to_string()))
     }

@@ -6,7 +6,7 @@ use strum::VariantNames;
 use super::Fault;
 use crate::wording::{Catalogue, WORDS};
 
-/// What is wrong with the text of a quantity. `example` is a valid one.
+/// Fault in the text of a quantity. `example` is a valid one.
 ///
 /// ```
 /// use gaitcam_base::error::UnitsError;
@@ -23,11 +23,11 @@ use crate::wording::{Catalogue, WORDS};
 pub enum UnitsError {
     /// No number at the start.
     NoNumber { text: String, example: String },
-    /// A number whose thousands are parted; `plain`: without.
+    /// A number with separated thousands; `plain` is the number without separators.
     Grouped { text: String, plain: String },
     /// A number without its unit.
     NoUnit { text: String, example: String },
-    /// A share that could be meant in per cent.
+    /// A fraction that may be meant as a percentage.
     BareShare { text: String, percent: f64 },
     /// A unit of another dimension.
     WrongDimension {
@@ -40,7 +40,7 @@ pub enum UnitsError {
     OutOfRange { text: String },
     /// An exponent that is not a small integer.
     Exponent { factor: String },
-    /// No unit has this name.
+    /// An unknown unit.
     UnknownUnit {
         unit: String,
         nearest: Option<String>,

@@ -2,8 +2,7 @@
 
 use std::borrow::Cow;
 
-/// A text as a cell of CSV that no spreadsheet takes for a formula: an apostrophe stands before what begins like one.
-/// Numbers stay as they are.
+/// A text as a cell of CSV that no spreadsheet takes for a formula: an apostrophe precedes such a text. Numbers remain unchanged.
 ///
 /// ```
 /// use gaitcam_base::text::{cell_text, text_cell};
@@ -19,14 +18,14 @@ pub fn text_cell(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// The text of a cell that [`text_cell`] has made.
+/// The original text of a cell made by [`text_cell`].
 pub fn cell_text(cell: &str) -> &str {
     let text = cell.strip_prefix('\'');
     text.filter(|text| begins_like_formula(text))
         .unwrap_or(cell)
 }
 
-/// Apostrophes before it count too, so that one more can always be taken off again.
+/// Leading apostrophes count too, so that removing one restores the text.
 fn begins_like_formula(text: &str) -> bool {
     let begins = |c: char| matches!(c, '=' | '+' | '-' | '@' | '\t' | '\r');
     text.trim_start_matches('\'').starts_with(begins) && text.parse::<f64>().is_err()

@@ -13,7 +13,7 @@ use super::{Language, Messages};
 /// ```
 pub type File = [&'static str; 2];
 
-/// The messages of one crate, with the fields and areas in them that are not shown like all others.
+/// The messages of one crate, with the fields and areas that need special formatting.
 ///
 /// ```
 /// use gaitcam_base::wording::{Catalogue, Language, Sentences};
@@ -36,13 +36,12 @@ pub struct Sentences {
     pub as_typed: &'static [&'static str],
     /// Areas whose messages appear as arguments of messages of other areas.
     pub shared: &'static [&'static str],
-    /// Areas of notes on a result. Their quantities have four digits, which is what a reader needs of them; those of errors
-    /// and reasons have more, because they are typed back.
+    /// Areas of notes on a result. Their quantities have four digits; those of errors and reasons have six, because users type them back.
     pub notes: &'static [&'static str],
 }
 
 impl Sentences {
-    /// A crate without messages, to fill the fields that are not given.
+    /// An empty catalogue, for default fields.
     pub const NONE: Sentences = Sentences {
         files: &[],
         as_typed: &[],
@@ -51,7 +50,7 @@ impl Sentences {
     };
 }
 
-/// The messages of a crate and of the crates below it; a language is indexed when it is first needed.
+/// The messages of a crate and of the crates below it; a language is indexed at first use.
 ///
 /// ```
 /// use gaitcam_base::wording::{Catalogue, Language, Sentences};
@@ -64,7 +63,7 @@ impl Sentences {
 /// ```
 pub struct Catalogue {
     crates: &'static [Sentences],
-    /// By language.
+    /// Messages by language.
     messages: [OnceLock<Messages>; 2],
 }
 

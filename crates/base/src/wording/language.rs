@@ -15,10 +15,10 @@ use strum::{Display, IntoStaticStr};
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
 pub enum Language {
-    /// English.
+    /// English messages.
     #[default]
     En,
-    /// Spanish.
+    /// Spanish messages.
     Es,
 }
 
@@ -38,7 +38,7 @@ impl Language {
         }
     }
 
-    /// The tag: `en`, `es`.
+    /// Language tag: `en`, `es`.
     pub fn tag(self) -> &'static str {
         self.into()
     }
@@ -54,14 +54,14 @@ impl Language {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct InLanguages {
-    /// In English.
+    /// English text.
     pub en: String,
-    /// In Spanish.
+    /// Spanish text.
     pub es: String,
 }
 
 impl InLanguages {
-    /// The text that a function has for each language.
+    /// The texts of a function for all languages.
     pub fn of(text: impl Fn(Language) -> String) -> InLanguages {
         InLanguages {
             en: text(Language::En),

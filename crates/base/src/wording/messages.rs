@@ -39,9 +39,9 @@ const NOTE_DIGITS: usize = 4;
 /// ```
 pub struct Messages {
     language: Language,
-    /// By crate.
+    /// Messages by crate.
     crates: &'static [Sentences],
-    /// Messages parsed so far. Parsing all of them takes longer than most designs.
+    /// Messages parsed so far; parsing all takes longer than most designs.
     bundle: RwLock<FluentBundle<FluentResource>>,
     /// The Fluent text of every message by key.
     texts: BTreeMap<&'static str, &'static str>,
@@ -50,7 +50,7 @@ pub struct Messages {
 type Bundle<'a> = RwLockReadGuard<'a, FluentBundle<FluentResource>>;
 
 impl Messages {
-    /// Indexes the texts of Fluent files; a message is parsed when it is first needed.
+    /// Indexes the texts of Fluent files; a message is parsed at first use.
     ///
     /// # Panics
     ///
@@ -128,7 +128,7 @@ impl Messages {
         self.of_value(area, &data)
     }
 
-    /// The remedy: the attribute `.help` of the same message.
+    /// The remedy: the `.help` attribute of the message.
     pub fn help(&self, area: &str, message: &impl Serialize) -> Option<String> {
         let data = serde_json::to_value(message).unwrap_or_default();
         let (variant, fields) = parts(&data)?;
@@ -137,7 +137,7 @@ impl Messages {
         })
     }
 
-    /// Its language.
+    /// Language of the messages.
     pub fn language(&self) -> Language {
         self.language
     }
@@ -216,7 +216,7 @@ impl Messages {
         arguments
     }
 
-    /// What the user wrote, one text or several, letter by letter.
+    /// Text of the user, one or several, unchanged.
     fn typed(&self, area: &str, value: &Value, digits: usize) -> FluentValue<'static> {
         let texts = match value {
             Value::String(_) => std::slice::from_ref(value),
@@ -267,7 +267,7 @@ impl Messages {
     }
 }
 
-/// Significant digits of the quantities of a note; two that differ are not shown as one number.
+/// Significant digits of the quantities of a note, enough to keep two different values distinct.
 fn note_digits<'a>(fields: impl Iterator<Item = &'a Value>) -> usize {
     let mut values: Vec<f64> = fields
         .filter_map(|f| f.get("value")?.as_f64())
@@ -282,7 +282,7 @@ fn note_digits<'a>(fields: impl Iterator<Item = &'a Value>) -> usize {
     }
 }
 
-/// Keys and texts of the messages of a Fluent file. A key starts its line.
+/// Keys and texts of the messages of a Fluent file. Keys are at the start of a line.
 fn messages(file: &'static str) -> impl Iterator<Item = (&'static str, &'static str)> {
     let begins = |text: &str| text.starts_with(|c: char| c.is_ascii_lowercase());
     let ends =
@@ -312,7 +312,7 @@ fn after_line(text: &'static str) -> Option<&'static str> {
     memchr::memchr(b'\n', text.as_bytes()).map(|end| &text[end + 1..])
 }
 
-/// Keys to which a message may refer.
+/// Keys that a message may reference.
 fn references(text: &str) -> impl Iterator<Item = &str> {
     text.split('{').skip(1).map(|part| {
         let part = part.trim_start();

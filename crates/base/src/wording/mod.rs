@@ -1,4 +1,4 @@
-//! Sentences from data: code + data + language → sentence.
+//! Messages from data: code + data + language → sentence.
 //!
 //! An error, a note or a reason is an enum variant with fields. Its sentence is in a Fluent file under the key `area-variant`, both in kebab-case, the fields being its arguments; the remedy of a fault is the
 //! attribute `.help` of the same message:
@@ -8,10 +8,9 @@
 //!     .help = lengthen or add segments until they cover the turn
 //! ```
 //!
-//! Arguments: a [`Quantity`](crate::units::Quantity) is shown in the unit that people use with
-//! six significant digits (four in a note), a plain number with six, a list joined by commas; a unit variant (a follower, a limit, a law) by the
-//! message `name-…` of that variant, where there is one, otherwise as it is typed in scenes. `None` is the
-//! word `none`, which selectors can match.
+//! Arguments: a [`Quantity`](crate::units::Quantity) is shown in the customary unit with six significant digits (four in a note), a plain number with
+//! six, a list joined by commas; a unit variant (a follower, a limit, a law) by the message `name-…` of that variant, where there is one, otherwise
+//! as it is typed in scenes. `None` is the word `none`, which selectors can match.
 
 mod catalogue;
 mod language;
@@ -23,7 +22,7 @@ pub use language::{InLanguages, Language};
 pub use messages::{Messages, code};
 pub use number::{DIGITS, degrees, exact, fixed, number, people, quantity, range, rounded};
 
-/// The messages of this crate: names of quantities, faults of quantities.
+/// Messages of this crate: names of quantities, faults of quantities.
 pub const SENTENCES: Sentences = Sentences {
     files: &[
         [include_str!("en/names.ftl"), include_str!("es/names.ftl")],

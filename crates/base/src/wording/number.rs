@@ -1,8 +1,8 @@
-//! Numbers and quantities as text for people.
+//! Numbers and quantities as text for users.
 
 use super::Language;
 
-/// SI unit, the unit shown instead, and the factor between them.
+/// SI unit, the displayed unit, and the factor between them.
 const SHOWN: &[(&str, &str, f64)] = &[
     ("m", "mm", 1e3),
     ("rad", "°", 180.0 / std::f64::consts::PI),
@@ -24,9 +24,9 @@ const SHOWN: &[(&str, &str, f64)] = &[
     ("rad/rad^3", "rad/rad³", 1.0),
 ];
 
-/// Most significant digits of a number that people read.
+/// Maximum number of significant digits for display.
 pub const DIGITS: usize = 4;
-/// Significant digits of a number that people type back: of an error, of a reason, of a suggested change.
+/// Significant digits of a number that users type back, in an error, a reason or a suggested change.
 pub(super) const EXACT: usize = 6;
 
 /// A number for people: at most four significant digits, no trailing zeros; `−0` is 0, Spanish has a decimal comma.
@@ -42,7 +42,7 @@ pub fn number(language: Language, value: f64) -> String {
     rounded(language, value, DIGITS)
 }
 
-/// A number for people as [`number`] has it, with at most so many significant digits.
+/// A number formatted as by [`number`], with a given maximum number of significant digits.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, rounded};
@@ -52,7 +52,7 @@ pub fn rounded(language: Language, value: f64, digits: usize) -> String {
     to_digits(language, value, digits).replace('-', "−")
 }
 
-/// A number that people may type back: six significant digits, the minus sign of the keyboard.
+/// A number that users may type back: six significant digits, with an ASCII minus sign.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, exact};
@@ -62,7 +62,7 @@ pub fn exact(language: Language, value: f64) -> String {
     to_digits(language, value, EXACT)
 }
 
-/// "low … high" for people; an end that is zero but for rounding is 0.
+/// "low … high" for display; an end that is zero up to rounding is 0.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, range};
@@ -85,7 +85,7 @@ pub fn degrees(language: Language, theta: f64) -> String {
     format!("{text}°").replace('-', "−")
 }
 
-/// A number with at most so many significant digits.
+/// A number with a given maximum number of significant digits.
 fn to_digits(language: Language, value: f64, digits: usize) -> String {
     if value.is_nan() {
         return "—".to_string();
@@ -139,7 +139,7 @@ fn short(text: &str) -> &str {
     }
 }
 
-/// The unit shown instead of an SI unit, and the factor to it.
+/// The displayed unit of an SI unit, and the factor to it.
 pub fn people(si: &str) -> (&str, f64) {
     SHOWN
         .iter()
@@ -159,7 +159,7 @@ pub fn quantity(language: Language, value: f64, unit: &str) -> String {
     quantity_to_digits(language, value, unit, DIGITS).replace('-', "−")
 }
 
-/// A quantity as [`quantity`] has it, with another count of significant digits.
+/// A quantity formatted as by [`quantity`], with another number of significant digits.
 pub(super) fn quantity_to_digits(
     language: Language,
     value: f64,

@@ -9,7 +9,7 @@ use super::layout::Layout;
 use super::pen::{Pen, Stroke};
 use crate::words::Labels;
 
-/// Letters of a field's value, of its name and of the title, mm per em.
+/// Letter heights of a field's value, of its name and of the title, mm per em.
 const VALUE: f64 = 2.9;
 const NAME: f64 = 1.9;
 const HEAD: f64 = 4.6;
@@ -17,26 +17,25 @@ const HEAD: f64 = 4.6;
 const FIRST: f64 = 10.0;
 const FIELD: f64 = 8.0;
 
-/// Roughness Ra of a profile where the scene gives none, m: ground.
+/// Default roughness Ra of a profile, m: ground.
 const USUAL_ROUGHNESS: f64 = 0.8e-6;
-/// Profile tolerances to choose from, m, the widest first.
+/// Available profile tolerances, m, the widest first.
 const OFFERED: [f64; 6] = [1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6];
 /// Sampled cams per tolerance, and the seed of their errors.
 const MADE: u64 = 1000;
 const SEED: u64 = 1;
 
-/// A tolerance on the profile and what it does to the force.
+/// A tolerance on the profile and its effect on the force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Scattered {
-    /// Half width, m.
+    /// Half width of the tolerance, m.
     tolerance: f64,
-    /// RMS force error that 95 % of the made cams stay below, percent of the mean force.
+    /// RMS force error that 95 % of the manufactured cams stay below, percent of the mean force.
     error: f64,
 }
 
-/// The tolerance that the scene gives, or the widest one offered with which making adds at most half of the error `allowed` (part of the mean
-/// force) to the design's own, squares added, for 95 % of the cams; the narrowest where none does. `None` where
-/// there is no target force.
+/// The tolerance of the scene, or the widest available one whose manufacturing error is at most half of the error `allowed` (fraction of the mean
+/// force) beyond the design's own, squares added, for 95 % of the cams. If none qualifies, the narrowest. `None` without a target force.
 fn making(design: &Design, allowed: f64) -> Option<Scattered> {
     let scatter = Scatter::new(design).ok()?;
     let of = |tolerance: f64| {
@@ -61,7 +60,7 @@ fn making(design: &Design, allowed: f64) -> Option<Scattered> {
     widest.or_else(|| Some(of(narrowest)))
 }
 
-/// A field: its name and value.
+/// A field of the title block: name and value.
 type Field = (String, String);
 
 /// Draws the title block of one piece; `sheet` counts from 1.
@@ -159,7 +158,7 @@ fn fields(
     ]
 }
 
-/// The tolerance of the profile and the force error that it leaves.
+/// The profile tolerance and its force error.
 fn accuracy(design: &Design, title: &Title, words: &Labels) -> (String, String) {
     let making = making(design, title.accuracy);
     let error = match &making {
@@ -178,7 +177,7 @@ fn accuracy(design: &Design, title: &Title, words: &Labels) -> (String, String) 
     (words.decimal(tolerance), error)
 }
 
-/// A number to a millionth, without zeros at its end.
+/// A number to six decimals, without trailing zeros.
 fn short(x: f64) -> String {
     format!("{}", (1e6 * x).round() / 1e6)
 }

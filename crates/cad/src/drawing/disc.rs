@@ -1,4 +1,4 @@
-//! The sheet of one cam that turns: plan and side view, radii.
+//! The sheet of one rotating cam: plan and side view, radii.
 
 use super::BALL;
 use super::layout::{ABOVE, BELOW, BESIDE, LABELS, Layout};
@@ -9,11 +9,11 @@ use super::table::Table;
 use super::views::Views;
 use crate::words::Labels;
 
-/// Rows of the table: one every 5°.
+/// Number of rows of the table: one every 5°.
 const ROWS: usize = 72;
 
 impl Piece<'_> {
-    /// Its sheet.
+    /// Sheet of the drawing.
     pub fn layout(&self) -> Layout {
         let (radius, width) = (1e3 * self.radius(), 1e3 * self.thickness);
         Layout::fitting(|scale| {

@@ -1,11 +1,11 @@
-//! Helvetica and Symbol, which every PDF reader has: byte and width of each character.
+//! Helvetica and Symbol, which every PDF reader contains: byte and width of each character.
 //!
 //! Widths in thousandths of an em, from the metrics of the standard fonts; Helvetica in Windows' encoding.
 
 /// One of the two fonts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Face {
-    /// Letters and digits.
+    /// Helvetica, for letters and digits.
     Helvetica,
     /// Greek letters and signs.
     Symbol,
@@ -14,11 +14,11 @@ pub enum Face {
 /// A character of one of the fonts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Glyph {
-    /// Its font.
+    /// Font of the glyph.
     pub face: Face,
-    /// Its code there.
+    /// Code of the character in this font.
     pub byte: u8,
-    /// Its width, thousandths of an em.
+    /// Width of the glyph, thousandths of an em.
     width: u16,
 }
 
@@ -51,7 +51,7 @@ const ASCII: [u16; 95] = [
     556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584,
 ];
 
-/// Helvetica from the space that does not break (0xA0) to ÿ.
+/// Helvetica from the non-breaking space (0xA0) to ÿ.
 #[rustfmt::skip]
 const LATIN: [u16; 96] = [
     278, 333, 556, 556, 556, 556, 260, 556, 333, 737, 370, 556, 584, 333, 737, 333,

@@ -23,7 +23,7 @@ impl Area {
 pub const LABELS: f64 = 40.0;
 /// Room above the plan view for the mark of θ = 0, and below for the dimension of the side view, mm.
 pub const ABOVE: f64 = 12.0;
-/// The same below.
+/// Room below the plan view for the dimension of the side view, mm.
 pub const BELOW: f64 = 14.0;
 /// Room right of the side view for the number of a thin plate's thickness, mm.
 pub const BESIDE: f64 = 16.0;
@@ -35,7 +35,7 @@ const BOUND: f64 = 20.0;
 const ENLARGED: [f64; 3] = [5.0, 2.0, 1.0];
 const REDUCED: [f64; 3] = [2.0, 5.0, 10.0];
 
-/// A scale: so many millimetres on the sheet for so many of the cam.
+/// A scale: millimetres on the sheet for millimetres of the cam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
     sheet: f64,
@@ -48,7 +48,7 @@ impl Scale {
         self.sheet / self.cam
     }
 
-    /// As drawings state it: `1 : 2`.
+    /// Text of the scale on drawings: `1 : 2`.
     pub fn text(self) -> String {
         format!("{} : {}", self.sheet, self.cam)
     }
@@ -71,20 +71,20 @@ impl Scale {
     }
 }
 
-/// A sheet laid out.
+/// Layout of a sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {
-    /// Its name: A4, A3.
+    /// Name of the sheet format: A4, A3.
     pub name: &'static str,
     /// Width and height of the paper.
     pub paper: [f64; 2],
-    /// The frame.
+    /// Area of the frame.
     pub frame: Area,
-    /// The views.
+    /// Area of the views.
     pub views: Area,
-    /// The table.
+    /// Area of the table.
     pub table: Area,
-    /// The title block.
+    /// Area of the title block.
     pub title: Area,
     /// Tables side by side over which the rows are distributed; columns of the title block's fields.
     pub blocks: usize,
@@ -100,8 +100,8 @@ const COLUMN: f64 = 112.0;
 const GAP: f64 = 2.0;
 
 impl Layout {
-    /// The sheet for views that take so much room, width and height in mm, at a scale in mm per mm: A4, or A3 where
-    /// A4 would draw them smaller than they are and A3 larger than A4 does.
+    /// The sheet for views of a width and height in mm at a scale in mm per mm: A4, or A3 where A4 would need a reduction and A3 allows a larger
+    /// scale.
     pub fn fitting(room: impl Fn(f64) -> [f64; 2]) -> Layout {
         let [on_a4, on_a3] = [false, true].map(|is_a3| Self::of_paper(is_a3).scaled(&room));
         if on_a4.scale.factor() >= on_a3.scale.factor().min(1.0) {
@@ -120,7 +120,7 @@ impl Layout {
         Layout { scale, ..self }
     }
 
-    /// A4 upright with everything below one another, or A3 with table and title block in a column of their own.
+    /// A4 upright with all areas in one column, or A3 with table and title block in a second column.
     fn of_paper(is_a3: bool) -> Layout {
         let (name, width, blocks) = if is_a3 {
             ("A3", 420.0, 2)
@@ -169,7 +169,7 @@ impl Layout {
     }
 }
 
-/// The smallest scale, for cams that fit at no scale.
+/// The minimum scale, for cams that fit at no standard scale.
 const SMALLEST: Scale = Scale {
     sheet: 1.0,
     cam: 10_000.0,

@@ -11,7 +11,7 @@ use crate::words::Labels;
 const LETTERS: f64 = 3.2;
 /// Distance of the two lines of a label.
 const LINE: f64 = 3.9;
-/// Length of the leader's level end, mm.
+/// Length of the leader's horizontal end, mm.
 const SHELF: f64 = 2.0;
 /// Below this width the arrows of a dimension are outside its extension lines, mm.
 const NARROW: f64 = 14.0;
@@ -38,7 +38,7 @@ impl Pen {
         }
     }
 
-    /// The distance between two upright edges whose lower ends are at `foot`, on a level line at height `y` below them.
+    /// The distance between two vertical edges with lower ends at `foot`, on a horizontal line at height `y` below them.
     pub fn level(&mut self, text: &str, [left, right]: [f64; 2], foot: f64, y: f64) {
         for x in [left, right] {
             self.line(&[[x, foot - ABOVE], [x, y - BEYOND]], Stroke::Thin);
@@ -63,7 +63,7 @@ impl Pen {
         self.text(text, at, LETTERS, Anchor::Middle);
     }
 
-    /// A level and an upright line through a centre.
+    /// A horizontal and a vertical line through a centre.
     pub fn cross(&mut self, [x, y]: [f64; 2], reach: f64, stroke: Stroke) {
         self.line(&[[x - reach, y], [x + reach, y]], stroke);
         self.line(&[[x, y - reach], [x, y + reach]], stroke);

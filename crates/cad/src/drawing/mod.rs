@@ -1,8 +1,6 @@
-//! `drawing.pdf`: the workshop drawing, one sheet for each cam that turns about its shaft.
-//!
-//! Lines and letters only (no pictures), with the fonts every reader has, so that the file stays small and its
-//! numbers can be searched and copied. Lengths on the sheet are millimetres or inches, angles degrees, in the frame of
-//! the cam at θ = 0, the follower's motion upwards.
+//! `drawing.pdf`: the workshop drawing, one sheet for each rotating cam. It contains lines and letters in standard fonts, so that the file stays
+//! small and its numbers can be searched and copied. Lengths on the sheet are millimetres or inches, angles degrees, in the frame of the cam at θ =
+//! 0, the follower's motion upwards.
 
 mod block;
 mod disc;
@@ -25,23 +23,23 @@ use layout::Layout;
 use pen::{HELVETICA, POINT, Pen, SYMBOL, Stroke};
 use piece::Piece;
 
-/// Radius of the probing ball that the table is made for, m.
+/// Radius of the probing ball of the table, m.
 pub const BALL: f64 = 0.001;
 
-/// Entries of the title block that are no part of the design.
+/// Entries of the title block that are not part of the design.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Title {
     /// The revision: it changes whenever the scene does.
     pub revision: Option<u32>,
     /// Date of the scene, where it is a file: days since 1970-01-01.
     pub date: Option<u64>,
-    /// RMS force error allowed, part of the mean force.
+    /// Allowed RMS force error, fraction of the mean force.
     pub accuracy: f64,
     /// Unit of the dimensions.
     pub units: Units,
 }
 
-/// RMS force error allowed where the scene says nothing, part of the mean force.
+/// Default allowed RMS force error, fraction of the mean force.
 const USUAL_ACCURACY: f64 = 0.005;
 
 impl Default for Title {
@@ -60,7 +58,7 @@ pub fn revision(scene: &str) -> u32 {
     crc32fast::hash(scene.as_bytes())
 }
 
-/// The drawing; `None` of a barrel and of a translating cam, which have no sheet.
+/// The drawing; `None` for a barrel cam and a translating cam.
 pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>> {
     if design.cam.follower.is_unrolled() {
         return None;
@@ -111,7 +109,7 @@ pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>
     Some(pdf.finish())
 }
 
-/// One sheet.
+/// Draws one sheet.
 fn drawn(
     (design, piece): (&Design, &Piece),
     title: &Title,

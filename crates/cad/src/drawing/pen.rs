@@ -1,4 +1,4 @@
-//! Lines and letters on a sheet of a PDF: millimetres from the lower left corner, y up.
+//! Lines and letters on a PDF sheet, in millimetres from the lower left corner, y up.
 
 use pdf_writer::{Buf, Content, Name, Str};
 
@@ -8,20 +8,20 @@ use super::helvetica::{Face, Glyph, glyph, width};
 pub const POINT: f64 = 72.0 / 25.4;
 /// Names of the fonts in the sheet's resources.
 pub const HELVETICA: Name<'static> = Name(b"Helvetica");
-/// The same of Symbol.
+/// Name of the font Symbol.
 pub const SYMBOL: Name<'static> = Name(b"Symbol");
 
-/// Length of a control arm that makes a quarter of a circle of radius 1 (to 3e-4 of the radius).
+/// Length of the control arm of a quarter circle of radius 1 (to 3e-4 of the radius).
 const QUARTER: f64 = 0.552_284_749_8;
 
-/// Kinds of lines by ISO 128: their width, mm, and pattern.
+/// Kinds of lines of ISO 128: width, mm, and pattern.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stroke {
-    /// Visible edges.
+    /// Lines of visible edges.
     Outline,
-    /// Dimensions, leaders, tables.
+    /// Lines of dimensions, leaders and tables.
     Thin,
-    /// Hidden edges.
+    /// Lines of hidden edges.
     Hidden,
     /// Axes and reference circles: long dash, dot.
     Centre,
@@ -44,18 +44,18 @@ impl Stroke {
     }
 }
 
-/// Which of its points a text is placed by; always on the baseline.
+/// Reference point of a text, always on the baseline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
-    /// Its start.
+    /// Start of the text.
     Start,
-    /// Its middle.
+    /// Middle of the text.
     Middle,
-    /// Its end.
+    /// End of the text.
     End,
 }
 
-/// What is drawn on one sheet.
+/// Contents of one sheet.
 pub struct Pen {
     content: Content,
 }
@@ -65,14 +65,14 @@ fn pt(mm: f64) -> f32 {
 }
 
 impl Pen {
-    /// An empty sheet.
+    /// Creates an empty sheet.
     pub fn new() -> Self {
         Pen {
             content: Content::new(),
         }
     }
 
-    /// The sheet's content stream.
+    /// Content stream of the sheet.
     pub fn finish(self) -> Buf {
         self.content.finish()
     }
@@ -93,27 +93,27 @@ impl Pen {
         }
     }
 
-    /// A line through points.
+    /// Draws a line through points.
     pub fn line(&mut self, points: &[[f64; 2]], stroke: Stroke) {
         self.take(stroke);
         self.trace(points);
         self.content.stroke();
     }
 
-    /// A closed line.
+    /// Draws a closed line.
     pub fn ring(&mut self, points: &[[f64; 2]], stroke: Stroke) {
         self.take(stroke);
         self.trace(points);
         self.content.close_and_stroke();
     }
 
-    /// A rectangle by two corners.
+    /// Draws a rectangle given by two corners.
     pub fn frame(&mut self, [left, bottom]: [f64; 2], [right, top]: [f64; 2], stroke: Stroke) {
         let corners = [[left, bottom], [right, bottom], [right, top], [left, top]];
         self.ring(&corners, stroke);
     }
 
-    /// A circle.
+    /// Draws a circle.
     pub fn circle(&mut self, [x, y]: [f64; 2], r: f64, stroke: Stroke) {
         self.take(stroke);
         self.content.move_to(pt(x + r), pt(y));
@@ -133,9 +133,9 @@ impl Pen {
         self.content.close_and_stroke();
     }
 
-    /// A filled arrowhead with its tip at `tip`, pointing along the unit vector `along`.
+    /// Draws a filled arrowhead with its tip at `tip`, pointing along the unit vector `along`.
     pub fn arrowhead(&mut self, tip: [f64; 2], along: [f64; 2]) {
-        /// Its length and half width, mm.
+        /// Length and half width of an arrowhead, mm.
         const SIZE: [f64; 2] = [2.5, 0.42];
         let back = |side: f64| {
             [
@@ -147,7 +147,7 @@ impl Pen {
         self.content.close_path().fill_nonzero();
     }
 
-    /// A line of text of `size` mm per em.
+    /// Writes a line of text of `size` mm per em.
     pub fn text(&mut self, text: &str, [x, y]: [f64; 2], size: f64, anchor: Anchor) {
         let long = size * width(text);
         let start = match anchor {
@@ -171,7 +171,7 @@ impl Pen {
         self.content.end_text();
     }
 
-    /// The same, smaller where it would be wider than `room` mm.
+    /// Writes a line of text, reduced to a width of `room` mm.
     pub fn text_within(&mut self, text: &str, at: [f64; 2], size: f64, room: f64) {
         let long = size * width(text);
         let size = if long > room {

@@ -1,4 +1,4 @@
-//! One cam that turns, with its hole.
+//! One rotating cam with its hole.
 
 use std::f64::consts::TAU;
 
@@ -8,11 +8,11 @@ use gaitcam::synth::Design;
 use super::radii::farthest;
 use gaitcam::synth::Edge;
 
-/// One cam to be made.
+/// One cam to be manufactured.
 pub struct Piece<'a> {
     pub cam: &'a Cam,
     pub edge: Edge<'a>,
-    /// Key of its name where there are two.
+    /// Key of its name in a conjugate pair.
     pub name: Option<&'static str>,
     pub bore: Option<Bore>,
     pub thickness: f64,
@@ -20,7 +20,7 @@ pub struct Piece<'a> {
 }
 
 impl<'a> Piece<'a> {
-    /// The cams of a design that turn.
+    /// The rotating cams of a design.
     pub fn all(design: &'a Design) -> Vec<Self> {
         let names = match design.conjugate {
             Some(_) => [Some("drawing-first"), Some("drawing-second")],
@@ -49,7 +49,7 @@ impl<'a> Piece<'a> {
         self.cam.follower.prime_radius()
     }
 
-    /// Radius of the circle about the centre that holds everything drawn, m.
+    /// Radius of the circle about the centre that contains the drawing, m.
     pub fn radius(&self) -> f64 {
         let [x, y] = farthest(&self.edge, 1440).p;
         x.hypot(y).max(self.prime())

@@ -1,14 +1,13 @@
-//! The table of radii: where the profile lies at given polar angles, and where a probing ball that is moved
-//! towards the cam's centre comes to rest.
+//! The table of radii: the profile at given polar angles, and the rest position of a probing ball moved towards the cam's centre.
 
 use gaitcam::synth::{Edge, EdgePoint};
 
-/// Points of the profile between which its crossings with a ray are looked for.
+/// Number of profile points between which crossings with a ray are searched.
 const SAMPLES: usize = 2880;
-/// Halvings that bring a crossing to rounding.
+/// Bisection steps that reach rounding.
 const HALVINGS: usize = 60;
 
-/// One row; lengths in m.
+/// One row of the table; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Radius {
     /// Polar angle from the mark of θ = 0 (+y) clockwise, as the profile runs, rad.
@@ -21,8 +20,7 @@ pub struct Radius {
 
 /// `count` rows at equal steps of the polar angle, for a ball of radius `ball` m.
 ///
-/// Where a ray meets the profile more than once the outermost point counts: it is the one that a probe
-/// meets.
+/// If a ray meets the profile several times, the outermost point counts, as for a probe.
 pub fn radii(edge: &Edge, ball: f64, count: usize) -> Vec<Radius> {
     let [start, .., end] = *edge.breaks() else {
         return Vec::new();
@@ -49,7 +47,7 @@ pub fn radii(edge: &Edge, ball: f64, count: usize) -> Vec<Radius> {
         .collect()
 }
 
-/// The point of the profile that lies farthest from the centre, among `count` of them.
+/// The point of the profile farthest from the centre, among `count` of them.
 pub fn farthest(edge: &Edge, count: usize) -> EdgePoint {
     let distance = |e: &EdgePoint| e.p[0].hypot(e.p[1]);
     edge.points(count)
@@ -58,7 +56,7 @@ pub fn farthest(edge: &Edge, count: usize) -> EdgePoint {
         .unwrap_or_else(|| edge.at(0.0))
 }
 
-/// The place between `low` and `high` at which a condition changes, by bisection.
+/// The value between `low` and `high` at which a condition changes, by bisection.
 fn crossing(condition: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
     let at_low = condition(low);
     for _ in 0..HALVINGS {
@@ -78,8 +76,7 @@ fn moved(point: &EdgePoint, off: f64) -> [f64; 2] {
     [point.p[0] - off * point.t[1], point.p[1] + off * point.t[0]]
 }
 
-/// Farthest crossing of the ray at a polar angle with the parallel of the profile at distance `off`; 0 where
-/// there is none.
+/// Farthest crossing of the ray at a polar angle with the parallel of the profile at distance `off`; 0 without a crossing.
 fn outermost(edge: &Edge, points: &[EdgePoint], angle: f64, off: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let turned = |e: &EdgePoint| {

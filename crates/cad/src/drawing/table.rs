@@ -1,4 +1,4 @@
-//! The table on the sheet.
+//! The table of radii on the sheet.
 
 use super::layout::Layout;
 use super::pen::{Anchor, Pen, Stroke};
@@ -10,15 +10,15 @@ const LINE: f64 = 4.2;
 
 /// A table: rows of as many cells as there are columns.
 pub struct Table {
-    /// What its columns are, one or two lines.
+    /// Headings of the columns, one or two lines.
     pub heading: Vec<String>,
-    /// Their symbols and units.
+    /// Symbols and units of the columns.
     pub columns: Vec<String>,
-    /// Its rows.
+    /// Rows of the table.
     pub rows: Vec<Vec<String>>,
 }
 
-/// Where the columns of a block end, as parts of its width.
+/// Right ends of the columns of a block, as fractions of its width.
 fn stops(columns: usize) -> Vec<f64> {
     let first = if columns > 2 { 0.26 } else { 0.42 };
     let step = (1.0 - first) / (columns - 1) as f64;

@@ -11,7 +11,7 @@ use crate::outline::zero_mark;
 use crate::words::Labels;
 
 const MM: f64 = 1000.0;
-/// Points of the outline.
+/// Number of points of the outline.
 const POINTS: usize = 1440;
 /// Least height of the labels' column above and below the centre, mm.
 const LEAST_HEIGHT: f64 = 20.0;
@@ -38,20 +38,20 @@ const SLOTS: [[f64; 2]; 8] = [
     [-1.0, -0.8],
 ];
 
-/// Height from which on a place lies above the keyway.
+/// Height above which a label is above the keyway.
 const HIGH: f64 = 0.5;
 
-/// One label with what it points at.
+/// One label with the point that it marks.
 struct Label {
     text: [String; 2],
-    /// Circle about the centre that it names, by its radius on the sheet, or a point of the sheet.
+    /// Marked circle about the centre, by its radius on the sheet, or marked point of the sheet.
     of: Target,
 }
 
 enum Target {
     Circle(f64),
     Point([f64; 2]),
-    /// A point that is pointed at from above.
+    /// A point marked from above.
     Below([f64; 2]),
 }
 
@@ -70,7 +70,7 @@ pub struct Views<'a> {
 }
 
 impl<'a> Views<'a> {
-    /// Places both views in the middle of their area.
+    /// Centres both views in their areas.
     pub fn new(piece: &'a Piece<'a>, layout: &Layout, words: &'a Labels) -> Self {
         let scale = MM * layout.scale.factor();
         let around = scale * piece.radius();
@@ -88,7 +88,7 @@ impl<'a> Views<'a> {
         }
     }
 
-    /// Draws them.
+    /// Draws both views.
     pub fn draw(&self, pen: &mut Pen) {
         let points = self.piece.edge.points(POINTS);
         let outline: Vec<[f64; 2]> = points.iter().map(|e| self.place(e.p)).collect();
@@ -141,7 +141,7 @@ impl<'a> Views<'a> {
         }
     }
 
-    /// The free place nearest to a point, among those at least at the height `from`, a part of the column's.
+    /// The free place nearest to a point, at least at the height `from`, a fraction of the column's height.
     fn nearest(&self, free: &[[f64; 2]], p: [f64; 2], from: f64) -> Option<usize> {
         let far = |k: usize| {
             let [x, y] = self.slot(free[k]);
@@ -152,7 +152,7 @@ impl<'a> Views<'a> {
             .min_by(|&a, &b| far(a).total_cmp(&far(b)))
     }
 
-    /// What has a label; the largest radius first, so that it takes the place nearest to it.
+    /// Labelled dimensions; the largest radius is placed first.
     fn labelled(&self) -> Vec<Label> {
         let (words, piece) = (self.words, self.piece);
         let mut out = Vec::new();
@@ -185,7 +185,7 @@ impl<'a> Views<'a> {
         out
     }
 
-    /// Where a label's leader ends.
+    /// End of a label's leader.
     fn slot(&self, [side, part]: [f64; 2]) -> [f64; 2] {
         [
             self.centre[0] + side * (self.around + OFF),
@@ -206,7 +206,7 @@ impl<'a> Views<'a> {
         pen.label(&label.text, from, end, slot[0]);
     }
 
-    /// The cam from the right, with the bore hidden.
+    /// Side view of the cam from the right, with the bore hidden.
     fn side_view(&self, pen: &mut Pen, outline: &[[f64; 2]]) {
         let ends = outline
             .iter()

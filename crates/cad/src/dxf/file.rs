@@ -11,7 +11,7 @@ use crate::Units;
 use crate::spline::Clamped;
 use gaitcam_base::text::append;
 
-/// What is drawn; lengths in mm.
+/// Entities of the drawing; lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
     /// Vertices x, y and the bulge of the edge that follows: tan(¼ of its arc), 0 for a chord.
@@ -19,13 +19,13 @@ pub enum Shape {
         vertices: Vec<[f64; 3]>,
         closed: bool,
     },
-    /// A cubic B-spline.
+    /// Cubic B-spline curve.
     Spline(Clamped),
-    /// About the origin.
+    /// Circle about the origin.
     Circle { radius: f64 },
-    /// From one point to another.
+    /// Line between two points.
     Line { ends: [[f64; 2]; 2] },
-    /// ASCII that starts at a point; `%%d` is the degree sign.
+    /// ASCII text at a start point; `%%d` is the degree sign.
     Text {
         at: [f64; 2],
         height: f64,
@@ -39,7 +39,7 @@ pub struct Drawing {
     pub version: Version,
     /// Unit of the file.
     pub units: Units,
-    /// Names with their colour indices.
+    /// Layer names with their colour indices.
     pub layers: Vec<(&'static str, u8)>,
     pub shapes: Vec<(&'static str, Shape)>,
     /// Left, bottom and right, top, mm.
@@ -47,7 +47,7 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// The file; the same drawing gives the same bytes.
+    /// Bytes of the file; the same drawing gives the same bytes.
     pub fn bytes(&self) -> Vec<u8> {
         let mut body = Groups::new(self.version, self.units);
         let space = self.tables(&mut body);
@@ -184,14 +184,14 @@ fn objects(out: &mut Groups) {
     out.put(281, 1).put(0, "ENDSEC");
 }
 
-/// The text of a file being written.
+/// Text of a file during writing.
 struct Groups {
     text: String,
-    /// R13 and later: handles, owners, subclasses.
+    /// Whether the dialect is R13 or later: handles, owners, subclasses.
     later: bool,
     /// The next free handle.
     handle: u32,
-    /// From millimetres to the unit of the file.
+    /// Factor from millimetres to the unit of the file.
     scale: f64,
 }
 
@@ -234,7 +234,7 @@ impl Groups {
         self.number(code, self.scale * x)
     }
 
-    /// A picometre's thousandth is kept, more would be rounding; reals have a point.
+    /// A real number with a point, to a thousandth of a picometre.
     fn number(&mut self, code: u16, x: f64) -> &mut Self {
         let mut text = String::with_capacity(24);
         append(&mut text, x, 12);
@@ -300,7 +300,7 @@ impl Groups {
         self.put(8, layer).class(class);
     }
 
-    /// A spline, which R12 does not know: bit 8 of its flags says that it is plane.
+    /// A spline, which R12 lacks; bit 8 of its flags marks it as planar.
     fn spline(&mut self, space: u32, layer: &str, Clamped { control, knots }: &Clamped) {
         self.entity("SPLINE", "AcDbSpline", space, layer);
         self.put(210, "0.0").put(220, "0.0").put(230, "1.0");
@@ -320,7 +320,7 @@ impl Groups {
         }
     }
 
-    /// R12 has only the heavy polyline, with a vertex as an entity of its own.
+    /// R12 has only the heavy polyline, in which each vertex is an entity.
     fn polyline(&mut self, space: u32, layer: &str, vertices: &[[f64; 3]], closed: bool) {
         let flag = u8::from(closed);
         if self.later {

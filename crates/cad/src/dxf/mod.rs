@@ -11,7 +11,7 @@ use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
 
-/// Layers with their AutoCAD colour indices; a drawing has those it uses. What is cut lies on `CUT_*`.
+/// Layers with their AutoCAD colour indices; a drawing contains those it uses. Edges to cut are on `CUT_*`.
 const LAYERS: [(&str, u8); 13] = [
     ("CUT_PROFILE", 7),
     ("CUT_UPPER_WALL", 4),
@@ -32,11 +32,11 @@ const ZERO: &str = "REF_THETA_ZERO";
 /// Layer of the arrow that shows how the cam turns.
 const ROTATION: &str = "REF_ROTATION";
 
-/// The oldest program that must read the file.
+/// Oldest program version that must read the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Version {
-    /// Heavy polylines: every program reads it. Its header has no place for units, so millimetres are declared
-    /// in the later dialects' variable, which readers look for in R12 as well.
+    /// Heavy polylines: every program reads it. Its header has no unit, so millimetres are declared in the later dialects' variable, which readers
+    /// look for in R12 as well.
     R12,
     /// Lightweight polylines, millimetres declared in the header; splines.
     R2000,
@@ -45,14 +45,14 @@ pub enum Version {
 /// Which layers a drawing has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Content {
-    /// What is cut on layers `CUT_*`, everything else on layers `REF_*`.
+    /// Edges to cut on layers `CUT_*`, everything else on layers `REF_*`.
     #[default]
     All,
     /// Layers `CUT_*` alone: for machines that cut every line.
     CutOnly,
 }
 
-/// Entities of the edges.
+/// Entities that represent the edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Curves {
     /// Polylines of circular arcs, which every machine reads.
@@ -62,31 +62,29 @@ pub enum Curves {
     Splines,
 }
 
-/// How to draw the cam.
+/// Options of the drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
-    /// Vertices of the polylines.
+    /// Number of vertices of the polylines.
     pub points: usize,
-    /// Dialect.
+    /// Dialect of the file.
     pub version: Version,
-    /// The hole for the shaft; none drawn where absent.
+    /// The hole for the shaft, if any.
     pub bore: Option<Bore>,
-    /// Which layers.
+    /// Layers of the drawing.
     pub content: Content,
-    /// Unit of lengths.
+    /// Unit of lengths in the file.
     pub units: Units,
 }
 
-/// Largest distance of the default drawing from the profile, m: a hundredth of the error of grinding, with fewer
-/// vertices than chords of ten times this error.
+/// Largest distance of the default drawing from the profile, m: a hundredth of the grinding error.
 pub const FAITHFUL: f64 = 1e-7;
 
 /// Largest distance of splines from the edges at the points compared, m: between them at most [`FAITHFUL`].
 const SPLINES: f64 = 5e-8;
 
-/// The drawing that is cut from: the profile in arcs that stay within [`FAITHFUL`] of it (R12) or in splines (R2000),
-/// the bore that the scene gives. A profile that neither follows, and the pitch curve, are polylines of `points`
-/// vertices at equal steps of the cam angle.
+/// The drawing for manufacturing: the profile in arcs within [`FAITHFUL`] (R12) or in splines (R2000), and the bore of the scene. A profile that
+/// neither can follow, and the pitch curve, are polylines of `points` vertices at equal steps of the cam angle.
 pub fn profile(
     synthesis: &Design,
     points: usize,
@@ -135,9 +133,9 @@ fn millimetres(vertices: &[[f64; 3]]) -> Vec<[f64; 3]> {
 /// A profile drawn in arcs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ArcDrawing {
-    /// The file.
+    /// Bytes of the file.
     pub bytes: Vec<u8>,
-    /// Number of arcs.
+    /// Number of arcs in the file.
     pub arcs: usize,
     /// Largest distance between the true edges and the arcs, m.
     pub deviation: f64,
@@ -181,7 +179,7 @@ pub fn splines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
     Some(sheet.drawing.bytes())
 }
 
-/// A drawing being written.
+/// A drawing during writing.
 struct Sheet {
     drawing: Drawing,
     options: Options,
@@ -228,7 +226,7 @@ impl Sheet {
         self.add(layer, Shape::Polyline { vertices, closed }, &reach);
     }
 
-    /// Everything but the edges.
+    /// Draws everything but the edges.
     fn construction(&mut self, synthesis: &Design) {
         let follower = &synthesis.cam.follower;
         let round = !follower.is_unrolled();

@@ -1,4 +1,4 @@
-//! Positions alone: one line per point.
+//! Positions alone, as CSV: one line per point.
 
 use std::fmt::Write;
 

@@ -1,7 +1,6 @@
 //! Numbers in structured text (IEC 61131-3).
 
-/// The shortest literal that reads back as the same number: with a point, as reals need one. Of a single it has the digits of a
-/// single.
+/// The shortest literal that reads back as the same number: with a decimal point, as reals need one. A single has fewer digits.
 pub fn literal(x: f64) -> String {
     let single = x as f32;
     let text = match f64::from(single) == x {
@@ -15,8 +14,7 @@ pub fn literal(x: f64) -> String {
     }
 }
 
-/// The values of `name := value` in the order of the text, one list per name; `None` where their lengths differ or a value is no
-/// number.
+/// The values of `name := value` in the order of the text, one list per name; `None` where their lengths differ or a value is not a number.
 pub fn assigned<const N: usize>(text: &str, names: [&str; N]) -> Option<Vec<[f64; N]>> {
     let mut columns: [Vec<f64>; N] = std::array::from_fn(|_| Vec::new());
     for (column, name) in columns.iter_mut().zip(names) {

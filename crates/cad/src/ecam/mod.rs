@@ -1,9 +1,9 @@
-//! Electronic cams: a law as a program text or table of a motion controller, and what that controller makes of it.
+//! Electronic cams: a law as a program text or table of a motion controller, and the error of that controller.
 //!
-//! Controllers execute polynomials between points. A quintic with lift, velocity and acceleration at both ends carries a law of
-//! degree 5 exactly. A cubic spline through positions alone has the acceleration of the law to the second order of the distance
-//! h of its points, and the rounding of their numbers divided by h²: more points are worse from some number on. Every file is
-//! therefore read back, executed in the number type of its controller and held against the law.
+//! Controllers execute polynomials between points. A quintic with lift, velocity and acceleration at both ends carries a law of degree 5 exactly. A
+//! cubic spline through positions alone has the acceleration of the law to the second order of the distance h of its points, and the rounding of
+//! their numbers divided by h²: beyond some number, more points increase the error. Every file is therefore read back, executed in the number type of
+//! its controller and compared with the law.
 
 mod codesys;
 mod csv;
@@ -47,39 +47,39 @@ pub enum Dialect {
     Csv,
 }
 
-/// What a controller puts between the points.
+/// Interpolation of a controller between the points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interpolation {
-    /// A quintic with lift, velocity and acceleration of both ends.
+    /// A quintic with lift, velocity and acceleration at both ends.
     Quintic,
     /// The cubic spline through the positions.
     CubicSpline,
 }
 
-/// The numbers of a controller.
+/// Number type of a controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Number {
-    /// 32 bits: `REAL`.
+    /// 32-bit floating point: `REAL`.
     Single,
-    /// 64 bits: `LREAL`.
+    /// 64-bit floating point: `LREAL`.
     Double,
 }
 
-/// What a dialect carries.
+/// Capabilities of a dialect.
 #[derive(Debug, Clone, Copy)]
 pub struct Carries {
-    /// Between points.
+    /// Interpolation between points.
     pub interpolation: Interpolation,
-    /// Of points and coefficients.
+    /// Number type of points and coefficients.
     pub number: Number,
-    /// Most points of a cam.
+    /// Maximum number of points of a cam.
     pub most: usize,
     write: fn(&Table) -> String,
     read: fn(&str) -> Option<Curve>,
 }
 
 impl Dialect {
-    /// Every dialect.
+    /// Every supported dialect.
     pub const ALL: [Dialect; 5] = [
         Dialect::Codesys,
         Dialect::Twincat,
@@ -88,7 +88,7 @@ impl Dialect {
         Dialect::Csv,
     ];
 
-    /// Its name on the command line.
+    /// Name of the dialect on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Dialect::Codesys => "codesys",
@@ -99,7 +99,7 @@ impl Dialect {
         }
     }
 
-    /// Name of its file.
+    /// Name of the dialect's file.
     pub const fn file(self) -> &'static str {
         match self {
             Dialect::Codesys => "ecam_codesys.st",
@@ -110,7 +110,7 @@ impl Dialect {
         }
     }
 
-    /// What it carries.
+    /// Capabilities of the dialect.
     pub fn carries(self) -> Carries {
         use Interpolation::{CubicSpline, Quintic};
         use Number::{Double, Single};
@@ -132,29 +132,29 @@ impl Dialect {
     }
 }
 
-/// Most points where the controller states no number.
+/// Default maximum number of points where the controller states none.
 const MOST: usize = 100_000;
-/// Most points that are chosen without being asked for.
+/// Maximum number of automatically chosen points.
 const MOST_CHOSEN: usize = 4096;
-/// Fewest intervals that are asked for.
+/// Minimum number of requested intervals.
 const FEWEST: usize = 4;
-/// Added error, as a share of the mean force, at which no more points are tried.
+/// Added error, as a fraction of the mean force, below which no more points are tried.
 const EXACT: f64 = 1e-4;
-/// Added error that is accepted where the design states none, as a share.
+/// Accepted added error, as a fraction, where the design states none.
 const ACCEPTED: f64 = 0.005;
-/// Nodes of the rule that integrates the square of a difference of quintics.
+/// Nodes of the quadrature for the square of a difference of quintics.
 const GAUSS: usize = 6;
 
-/// A file for a controller, and what the controller makes of it.
+/// A file for a controller, and the error of the controller.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElectronicCam {
-    /// For which.
+    /// Dialect of the file.
     pub dialect: Dialect,
-    /// The file.
+    /// Text of the file.
     pub text: String,
-    /// Intervals between points.
+    /// Number of intervals between points.
     pub intervals: usize,
-    /// What the controller makes of it.
+    /// Error of the controller.
     pub replayed: Replayed,
 }
 
@@ -163,18 +163,17 @@ pub struct ElectronicCam {
 pub struct Replayed {
     /// RMS difference of force between the executed motion and the law, N; `None` without a drive.
     pub added: Option<f64>,
-    /// The same as a share of the mean target (without one: of the largest force; without a drive that of the acceleration, of the
-    /// largest acceleration).
+    /// Force error relative to the mean target. Without a target it is relative to the largest force, without a drive the acceleration error relative
+    /// to the largest acceleration.
     pub share: f64,
     /// RMS force error against the target, N; `None` without one.
     pub error: Option<f64>,
 }
 
-/// The electronic cam of a design, with as many intervals per cycle as asked for, otherwise as few as carry the law.
+/// The electronic cam of a design, with the requested number of intervals per cycle, otherwise the minimum that reproduces the law.
 ///
-/// # Errors
-/// A number of intervals out of range; a motion further from the law than the design's accuracy allows, with a number that would
-/// do; a design for a shaft whose speed is not constant.
+/// # Errors A number of intervals out of range; a motion further from the law than the design's accuracy allows, with a sufficient number; a design
+/// for a shaft whose speed is not constant.
 pub fn make(design: &Design, dialect: Dialect, intervals: Option<usize>) -> Result<ElectronicCam> {
     if design.shaft.is_some() {
         return Err(WriteError::EcamOfMotor.at_key("law.shaft"));
@@ -200,7 +199,7 @@ pub fn make(design: &Design, dialect: Dialect, intervals: Option<usize>) -> Resu
     }
 }
 
-/// The cam with the fewest points that carry the law, otherwise with those that carry it best.
+/// The cam with the fewest points that reproduce the law, otherwise the most accurate one.
 fn fewest(design: &Design, dialect: Dialect) -> ElectronicCam {
     let breaks = design.cam.law.breaks();
     let mut best: Option<ElectronicCam> = None;
@@ -243,7 +242,7 @@ fn executed(design: &Design, dialect: Dialect, angles: &[f64]) -> ElectronicCam 
 }
 
 impl Replayed {
-    /// Of a text that its own interpreter does not read.
+    /// Error of a text that cannot be read back.
     const NOT_READ: Replayed = Replayed {
         added: None,
         share: f64::INFINITY,
@@ -251,7 +250,7 @@ impl Replayed {
     };
 }
 
-/// The executed motion against the law and, where there is one, the target.
+/// The executed motion compared with the law and, if there is one, the target.
 fn held_against(design: &Design, motion: &Law) -> Replayed {
     let law = &design.cam.law;
     let (start, length) = law.extent();
@@ -293,10 +292,10 @@ fn held_against(design: &Design, motion: &Law) -> Replayed {
     }
 }
 
-/// Parts of the cycle between which the target is smooth enough for the rule.
+/// Number of parts of the cycle in which the target is smooth enough for the quadrature.
 const PARTS: f64 = 720.0;
 
-/// The breaks of both, and more where they are further apart than `most`.
+/// The breaks of both, and further ones where they are further apart than `most`.
 fn merged(a: &[f64], b: &[f64], most: f64) -> Vec<f64> {
     let mut all = [a, b].concat();
     all.sort_by(f64::total_cmp);
@@ -311,7 +310,7 @@ fn merged(a: &[f64], b: &[f64], most: f64) -> Vec<f64> {
     out
 }
 
-/// Whether the motion is as near to the law as the design's force is asked to be to its target.
+/// Whether the motion follows the law within the required accuracy of the force.
 fn accepted(design: &Design, made: &ElectronicCam) -> bool {
     made.replayed.share <= accepted_share(design)
 }

@@ -1,4 +1,4 @@
-//! A file executed as its controller does: polynomials between the points, in the controller's numbers.
+//! Execution of a file as by its controller: polynomials between the points, in the controller's number type.
 
 use gaitcam::law::Law;
 use gaitcam::poly::PiecewisePoly;
@@ -6,7 +6,7 @@ use gaitcam::poly::PiecewisePoly;
 use super::Number;
 use super::table::{Node, Table};
 
-/// What a file says of its curve.
+/// Curve data of a file.
 pub enum Curve {
     /// Lift, velocity and acceleration at both ends of every segment.
     Segments(Vec<[Node; 2]>),
@@ -93,7 +93,7 @@ fn chord(p: &[[f64; 2]]) -> f64 {
     (p[1][1] - p[0][1]) / (p[1][0] - p[0][0])
 }
 
-/// Slopes of the cubic spline with these slopes at its ends (de Boor, A Practical Guide to Splines, IV).
+/// Slopes of the cubic spline with given end slopes (de Boor, A Practical Guide to Splines, IV).
 fn clamped(points: &[[f64; 2]], ends: [f64; 2]) -> Vec<f64> {
     let n = points.len();
     let (mut rows, mut right) = (vec![[0.0, 1.0, 0.0]; n], vec![0.0; n]);
@@ -104,8 +104,7 @@ fn clamped(points: &[[f64; 2]], ends: [f64; 2]) -> Vec<f64> {
     tridiagonal(&rows, right)
 }
 
-/// Slopes of the cubic spline that repeats: the first point is the last one of the cycle before. The equations of a cycle are
-/// those of a chain whose ends are joined by a change of rank one (Sherman and Morrison).
+/// Slopes of the periodic cubic spline. The equations of a cycle are those of a chain with a rank-one change (Sherman and Morrison).
 fn periodic(points: &[[f64; 2]]) -> Vec<f64> {
     let n = points.len() - 1;
     let row_of = |i: usize| match i {

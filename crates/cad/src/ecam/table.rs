@@ -9,20 +9,20 @@ use super::Number;
 /// Values below this are rounding: mm or degrees, and their derivatives.
 const ROUNDING: f64 = 1e-15;
 
-/// A point of the cam with the derivatives of the follower's position by that of the cam.
+/// A point of the cam with the derivatives of the follower's position with respect to the cam's position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
     /// Position of the cam (master), degrees or mm.
     pub x: f64,
     /// Position of the follower (slave), mm or degrees.
     pub y: f64,
-    /// dy/dx.
+    /// Derivative dy/dx.
     pub v: f64,
-    /// d²y/dx².
+    /// Derivative d²y/dx².
     pub a: f64,
 }
 
-/// What a file says.
+/// Contents of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     /// Name of the scene.
@@ -40,7 +40,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// Of a design, with points at these angles (a sliding cam: places, m), rounded to the numbers of the controller.
+    /// Table of a design with points at these angles (for a sliding cam: positions, m), rounded to the numbers of the controller.
     pub fn of(design: &Design, angles: &[f64], number: Number) -> Table {
         let measures = design.cam.follower.measures();
         let (x_unit, x) = match measures {
@@ -89,7 +89,7 @@ impl Table {
         self.segments.iter().map(|s| s[0]).chain(last)
     }
 
-    /// What the numbers are, for the head of a file.
+    /// Meaning of the numbers, for the head of a file.
     pub fn head(&self) -> String {
         let (x, y) = (self.x_unit, self.y_unit);
         // No character that ends a comment.
@@ -102,7 +102,7 @@ impl Table {
 }
 
 impl Number {
-    /// The nearest number that the controller has; what is left by rounding is 0.
+    /// The nearest number of the controller; rounding errors become 0.
     pub fn nearest(self, x: f64) -> f64 {
         match self {
             _ if x.abs() < ROUNDING => 0.0,

@@ -1,4 +1,4 @@
-//! The groove of a barrel on a rotary axis: the cutter's axis meets the barrel's as the roller's does.
+//! The groove of a barrel on a rotary axis: the cutter's axis meets the barrel's axis, like the roller's.
 //!
 //! A cutter of the roller's radius on the path of the roller cuts the envelope of the roller: no ridge and no gouge at
 //! any depth. A thinner cutter cannot: where the groove is oblique its circle touches the wall
@@ -15,14 +15,14 @@ use super::{ACCELERATION, DECIMALS, FEED, Milling, code, comment, finished, name
 const MM: f64 = 1000.0;
 /// Largest distance of the lines from the path of the roller, m.
 const LINES: f64 = 2e-7;
-/// Longest line, rad.
+/// Longest line segment, rad.
 const LONGEST: f64 = std::f64::consts::TAU / 72.0;
-/// Halvings after which a line is accepted.
+/// Maximum number of halvings of a line.
 const DEEPEST: usize = 16;
 /// Relative difference below which two radii are equal.
 const ONE: f64 = 1e-6;
 
-/// The program for a cutter; two passes where two rollers are set off from their stud.
+/// The program for a cutter; two passes for two rollers offset from their stud.
 pub fn program(groove: &BarrelGroove, name: &str, cut: &Milling) -> Result<String> {
     let (tool, units) = (cut.tool, cut.units);
     let roller = groove.roller_radius();
@@ -90,14 +90,14 @@ pub fn program(groove: &BarrelGroove, name: &str, cut: &Milling) -> Result<Strin
     Ok(finished(out))
 }
 
-/// Feed on the surface, mm/min: the acceleration across the groove stays within the table's.
+/// Feed on the surface, mm/min; the acceleration across the groove stays within that of the table.
 fn feed(groove: &BarrelGroove, theta: f64) -> f64 {
     let (_, surface) = groove.depth();
     let bend = MM * groove.rho_pitch(theta, surface).abs();
     FEED.min(60.0 * (ACCELERATION * bend).sqrt())
 }
 
-/// Angles between which straight lines follow the law.
+/// Angles between which straight lines approximate the law.
 fn stations(groove: &BarrelGroove) -> Vec<f64> {
     let breaks = groove.law().breaks();
     let mut out = vec![breaks[0]];

@@ -1,5 +1,5 @@
-//! Programs for machines (ISO 6983): a milling cutter around the outside of a cam, a cutter in the groove of a barrel on
-//! a rotary axis, a wire with its way in.
+//! Programs for machines (ISO 6983): a milling cutter around the outside of a cam, a cutter in the groove of a barrel on a rotary axis, a wire with
+//! its entry.
 
 mod groove;
 mod outside;
@@ -18,22 +18,22 @@ const MM: f64 = 1000.0;
 /// Feed of the point of contact along the profile, mm/min: 0.05 mm per tooth, two teeth, 2000 rpm. Operators
 /// adjust it with the override.
 const FEED: f64 = 200.0;
-/// Speed of the spindle that belongs to it, 1/min.
+/// Spindle speed for this feed, 1/min.
 const SPINDLE: f64 = 2000.0;
-/// Feed of the cutter along its axis, part of [`FEED`].
+/// Axial feed of the cutter, fraction of [`FEED`].
 const PLUNGE: f64 = 0.25;
-/// Height above the plate at which the cutter moves fast, m.
+/// Height above the plate for rapid moves, m.
 const CLEAR: f64 = 0.005;
-/// A rest of the plate below this part of a pass is no pass of its own.
+/// A remainder of the plate below this fraction of a pass gets no pass.
 const REST: f64 = 1e-6;
-/// More passes through a plate than this are a mistyped depth.
+/// Maximum number of passes through a plate; more mean a mistyped depth.
 const MOST_PASSES: f64 = 1000.0;
-/// Acceleration that the machine's table keeps to on an arc, mm/s².
+/// Maximum acceleration of the machine table on an arc, mm/s².
 const ACCELERATION: f64 = 500.0;
-/// Relative change from which a feed is written again.
+/// Relative change of the feed that is written.
 const NEW_FEED: f64 = 0.01;
 
-/// How a cam is milled.
+/// Options of the milling program.
 ///
 /// ```
 /// use gaitcam_cad::{Units, gcode::Milling};
@@ -52,7 +52,7 @@ pub struct Milling {
 }
 
 impl Milling {
-    /// With a cutter of a radius, m, in millimetres, depth by the operator.
+    /// Options for a cutter radius, m: millimetres, depth set by the operator.
     pub fn of(tool: f64) -> Milling {
         Milling {
             tool,
@@ -62,7 +62,7 @@ impl Milling {
     }
 }
 
-/// A piece of a path; lengths in m.
+/// A segment of a path; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Move {
     to: [f64; 2],
@@ -106,9 +106,8 @@ struct Path {
 /// The programs for a cutter: the bore and around the outside of each cam, or through the groove of a barrel, whose
 /// cutter has the roller's radius.
 ///
-/// # Errors
-/// A radius that is not positive, a pass below a thousandth of the thickness; a profile that no chain of arcs follows (undercut, jumps of the velocity), a
-/// cutter that does not fit a hollow or is not the groove's.
+/// # Errors A radius that is not positive, a pass below a thousandth of the thickness; a profile that no chain of arcs follows (undercut, jumps of
+/// the velocity), a cutter that does not fit a hollow or differs from the groove's width.
 pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     let tool = cutter::positive(cut.tool)?;
     let least = design.problem.cam.thickness / MOST_PASSES;
@@ -155,7 +154,7 @@ pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     Edge::all(design).iter().map(program).collect()
 }
 
-/// The round part of the bore; a cutter too wide for it leaves it to a drill.
+/// The round part of the bore; it is omitted, for a drill, if the cutter is too wide.
 fn bore(out: &mut Program, design: &Design, cut: &Milling) {
     let Some(bore) = design.problem.cam.hole() else {
         return;
@@ -175,11 +174,10 @@ fn bore(out: &mut Program, design: &Design, cut: &Milling) {
     }
 }
 
-/// The program for a wire that cuts at `radius` m from its centre (half its diameter and the spark gap): hole for the shaft with
-/// its keyway, then the outside. Of a pair the first cam.
+/// The program for a wire that cuts at `radius` m from its centre (half its diameter and the spark gap): hole for the shaft with its keyway, then the
+/// outside. For a pair, the program cuts the first cam.
 ///
-/// # Errors
-/// As [`milling`]; a barrel, and a wire that the keyway has no room for.
+/// # Errors As [`milling`]; a barrel, and a wire too thick for the keyway.
 pub fn wire(design: &Design, radius: f64, units: Units) -> Result<String> {
     let radius = cutter::positive(radius)?;
     if design.groove.is_some() {
@@ -208,7 +206,7 @@ pub fn wire(design: &Design, radius: f64, units: Units) -> Result<String> {
     Ok(out.finished())
 }
 
-/// A program that is being written.
+/// A program during writing.
 struct Program {
     text: String,
     units: Units,
@@ -224,7 +222,7 @@ impl Program {
         }
     }
 
-    /// Lines as they are.
+    /// Writes lines unchanged.
     fn line(&mut self, line: &str) {
         self.text.push_str(line);
         self.text.push('\n');
@@ -250,7 +248,7 @@ impl Program {
         format!("{} {unit}/MIN", written_feed(self.units, feed))
     }
 
-    /// The end of the head, for paths in the plane of the cam.
+    /// The end of the header, for paths in the plane of the cam.
     fn begin_plane(&mut self, design: &Design) {
         self.note(if design.cam.follower.is_unrolled() {
             "ZERO AT THE FOOT BELOW THE START, +Y ALONG THE FOLLOWER"
@@ -261,7 +259,7 @@ impl Program {
         self.line(&format!("G90 {plane} G17 G40 G94"));
     }
 
-    /// A path at every depth of a pass (m), or once with an instruction for the operator.
+    /// A path at every depth of a pass (m), or once with an instruction to the operator.
     fn passes(&mut self, path: &Path, task: &str, pass: Option<f64>) {
         let [x, y] = path.start.map(|v| self.length(v));
         let start = format!("G0 X{x} Y{y}");
@@ -314,7 +312,7 @@ impl Program {
     }
 }
 
-/// Decimals of a millimetre.
+/// Number of decimals of a millimetre.
 const DECIMALS: usize = 4;
 
 /// A length in m with its unit.
@@ -323,7 +321,7 @@ fn named(units: Units, x: f64) -> String {
     format!("{} {unit}", units.number(x, DECIMALS))
 }
 
-/// The code of the unit.
+/// The G-code of the unit.
 fn code(units: Units) -> &'static str {
     match units {
         Units::Millimetres => "G21",
@@ -339,7 +337,7 @@ fn written_feed(units: Units, feed: f64) -> String {
     }
 }
 
-/// Some machines refuse −0.0000.
+/// Formats a number without −0, which some machines reject.
 fn finished(text: String) -> String {
     let lines = text.lines().map(|line| {
         let words = line.split(' ').map(|word| match word.split_once('-') {
@@ -362,7 +360,7 @@ fn rounded(units: Units, x: f64) -> f64 {
     (x * step).round() / step
 }
 
-/// Letters that every control reads within a comment.
+/// Characters that every controller accepts within a comment.
 fn comment(name: &str) -> String {
     let plain = |c: char| match c.to_ascii_uppercase() {
         c @ ('A'..='Z' | '0'..='9' | ' ' | '.' | '-' | '_') => c,

@@ -10,18 +10,18 @@ use gaitcam::synth::Edge;
 
 /// Largest distance of the arcs from the profile, m: with the rounding of the program below one micrometre.
 const ARCS: f64 = 5e-7;
-/// Radius of the arcs that lead to the profile and away, in radii of the cutter; at least so much, m.
+/// Minimum radius of the lead-in and lead-out arcs, in cutter radii and in m.
 const LEAD: f64 = 1.0;
 const LEAST_LEAD: f64 = 0.002;
 /// Length of the line from the start hole of a wire to the profile, m.
 const WAY_IN: f64 = 0.003;
 
-/// How the path is entered and left.
+/// Kind of entry and exit of the path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lead {
     /// Quarter circles, tangential: a milling cutter leaves no mark.
     Arcs,
-    /// Straight along the normal: a wire, which has to come from outside the blank or from its own hole.
+    /// Straight along the normal, for a wire that starts outside the blank or in its own hole.
     Lines,
 }
 
@@ -55,7 +55,7 @@ pub fn path(edge: &Edge, tool: f64, lead: Lead) -> Option<Path> {
     })
 }
 
-/// Quarter circles before and after the path.
+/// Lead-in and lead-out quarter circles of the path.
 fn with_arcs(
     mut moves: Vec<Move>,
     [begin, end]: [[f64; 2]; 2],
@@ -78,7 +78,7 @@ fn with_arcs(
     }
 }
 
-/// Straight ways along the normals, from outside the blank and back.
+/// Straight lead-in and lead-out along the normals, from outside the blank and back.
 fn with_lines(
     mut moves: Vec<Move>,
     [begin, end]: [[f64; 2]; 2],

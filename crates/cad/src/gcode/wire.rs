@@ -4,8 +4,7 @@ use gaitcam::cam::Bore;
 
 use super::{Move, Path};
 
-/// The path along the hole's edge at the distance `radius` m inside it, counter-clockwise from its lowest point; `None` where
-/// it has no room.
+/// The path along the hole's edge at the distance `radius` m inside it, counter-clockwise from its lowest point; `None` if it does not fit.
 pub fn hole(bore: &Bore, radius: f64) -> Option<Path> {
     let round = bore.radius() - radius;
     if round <= 0.0 {

@@ -1,4 +1,4 @@
-//! The cam as a body: a plate with its holes, the walls of a barrel's groove, as STL and 3MF.
+//! The cam as a solid: a plate with its holes, the walls of a barrel's groove, as STL and 3MF.
 
 mod plate;
 mod stl;
@@ -21,12 +21,20 @@ pub struct Mesh {
     pub triangles: Vec<[usize; 3]>,
 }
 
-/// The plate as binary STL, mm. Fails as [`plate`] does.
+/// The plate as binary STL, mm.
+///
+/// # Errors
+///
+/// As [`plate`].
 pub fn stl(design: &Design, form: Plate) -> Result<Vec<u8>> {
     stl::file(&plate(design, form)?)
 }
 
-/// The plate as 3MF, mm. Fails as [`plate`] does.
+/// The plate as 3MF, mm.
+///
+/// # Errors
+///
+/// As [`plate`].
 pub fn threemf(design: &Design, form: Plate) -> Result<Vec<u8>> {
     threemf::package(&plate(design, form)?, &design.problem.name)
 }

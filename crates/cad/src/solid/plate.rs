@@ -9,23 +9,24 @@ use gaitcam::units::Quantity;
 
 const MM: f64 = 1000.0;
 
-/// A plate of one thickness, m.
+/// A plate of constant thickness, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plate {
     /// Thickness; the plate lies on z = 0.
     pub thickness: f64,
-    /// The hole for the shaft; none where absent.
+    /// The hole for the shaft, if any.
     pub bore: Option<Bore>,
-    /// Vertices of the profile.
+    /// Number of vertices of the profile.
     pub points: usize,
 }
 
-/// The plate's surface.
+/// The plate's surface. Every profile vertex gets a bore vertex on its ray from the centre (without a bore: the centre), so that the faces are wedges
+/// that cannot overlap.
 ///
-/// Every profile vertex gets a bore vertex on its own ray from the centre (without a bore: the centre),
-/// so the faces fall into wedges that cannot overlap. That needs a profile which every ray from the
-/// centre meets once; fails otherwise, and on a bore that does not fit, a thickness or number of points
-/// that makes no plate, an undercut profile, an open law.
+/// # Errors
+///
+/// A profile that some ray from the centre meets more than once, a bore that does not fit, an invalid thickness or number of points, an undercut
+/// profile, an open law.
 pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     let cam = &synthesis.cam;
     let thickness = MM * positive(plate.thickness)?;
@@ -114,7 +115,7 @@ fn full(outline: &[[f64; 2]], thickness: f64) -> Mesh {
     }
 }
 
-/// The polygon with a vertex more on each ray from the centre through a corner of the hole.
+/// The polygon with an additional vertex on each ray from the centre through a corner of the hole.
 fn with_corners(outline: Vec<[f64; 2]>, bore: &Bore) -> Vec<[f64; 2]> {
     let corners = bore.corners();
     let n = outline.len();
@@ -133,7 +134,7 @@ fn with_corners(outline: Vec<[f64; 2]>, bore: &Bore) -> Vec<[f64; 2]> {
     out
 }
 
-/// Where the ray in a direction crosses the chord from p to q, as a part of the chord.
+/// Intersection of a ray with the chord from p to q, as a fraction of the chord.
 fn crossing(p: [f64; 2], q: [f64; 2], angle: f64) -> Option<f64> {
     let (sin, cos) = angle.sin_cos();
     let side = |v: [f64; 2]| cos * v[1] - sin * v[0];

@@ -1,4 +1,4 @@
-//! Binary STL.
+//! Meshes as binary STL.
 
 use std::io::Cursor;
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// Fewest spans.
+/// Minimum number of spans.
 pub const FEWEST: usize = 4;
 
 /// The spline space through values at 0, 1, … `spans`, with its equations eliminated once for all right sides.
@@ -12,11 +12,11 @@ pub struct Interpolant {
     rows: Vec<[f64; 7]>,
 }
 
-/// Columns left and right of the diagonal that a row may have.
+/// Maximum number of columns of a row left and right of the diagonal.
 const BAND: usize = 3;
 
 impl Interpolant {
-    /// The space of so many spans, at least [`FEWEST`].
+    /// The space of a number of spans, at least [`FEWEST`].
     pub fn new(spans: usize) -> Self {
         let n = spans + 1;
         let mut rows = vec![[0.0; 2 * BAND + 1]; n];
@@ -71,7 +71,7 @@ impl Interpolant {
         out
     }
 
-    /// The spline of such control points at `x` in 0 … spans.
+    /// The spline of given control points at `x` in 0 … spans.
     pub fn at<const D: usize>(&self, control: &[[f64; D]], x: f64) -> [f64; D] {
         let (first, weights) = basis(self.spans, x);
         let mut out = [0.0; D];
@@ -89,12 +89,12 @@ impl Interpolant {
     }
 }
 
-/// Multiplicities and knots of the space over so many spans: 0, 2, 3 … spans − 2, spans.
+/// Multiplicities and knots of the space of a number of spans: 0, 2, 3 … spans − 2, spans.
 fn knots(spans: usize) -> Vec<(usize, f64)> {
     clamped(2..spans - 1, spans)
 }
 
-/// Multiplicities and knots of a clamped cubic over so many spans, with these of the knots between its ends.
+/// Multiplicities and knots of a clamped cubic, with given multiplicities and knots between its ends.
 pub fn clamped(inner: Range<usize>, spans: usize) -> Vec<(usize, f64)> {
     let mut out = vec![(4, 0.0)];
     out.extend(inner.map(|k| (1, k as f64)));

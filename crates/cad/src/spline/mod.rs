@@ -1,4 +1,4 @@
-//! An edge that is cut as cubic B-splines.
+//! An edge as cubic B-splines.
 
 mod interpolant;
 mod periodic;
@@ -10,7 +10,7 @@ use self::periodic::Spline;
 use gaitcam::synth::{Edge, EdgePoint};
 
 const MM: f64 = 1000.0;
-/// Most spans of a piece of an edge with two ends.
+/// Maximum number of spans of a piece of an open edge.
 const MOST: usize = 16384;
 
 /// A clamped cubic B-spline in the plane.
@@ -22,7 +22,8 @@ pub struct Clamped {
     pub knots: Vec<(usize, f64)>,
 }
 
-/// Splines that follow one another within `tolerance` m of an edge.
+/// Consecutive splines within `tolerance` m of an edge. A closed edge gives one periodic spline, C², in `parts` parts, counter-clockwise; an open
+/// edge gives one spline per piece of the law, in the direction of increasing θ. `None` if the number of spans does not suffice.
 ///
 /// A closed edge is one periodic spline, C², in `parts` parts, counter-clockwise; of an edge with two ends every piece of
 /// the law is one, in the sense of growing θ. `None` where no spline of so many spans follows.
@@ -47,7 +48,7 @@ pub fn along(edge: &Edge, tolerance: f64, parts: usize) -> Option<Vec<Clamped>> 
     Some((0..parts).map(part).collect())
 }
 
-/// The edge between two angles, in either sense.
+/// The edge between two angles, in either direction.
 pub fn piece(edge: &Edge, [from, to]: [f64; 2], tolerance: f64) -> Option<Clamped> {
     let mut spans = FEWEST;
     while spans <= MOST {

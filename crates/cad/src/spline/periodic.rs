@@ -3,7 +3,7 @@
 use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
-/// Spans of the first and of the finest spline that is tried.
+/// Number of spans of the first and of the finest spline tried.
 const SPANS: [usize; 2] = [64, 16384];
 
 /// A closed uniform cubic B-spline, counter-clockwise, mm.
@@ -25,7 +25,7 @@ impl Spline {
         None
     }
 
-    /// Through `n` points at equal steps of the angle; the profile itself runs clockwise.
+    /// The spline through `n` points at equal steps of the angle; the profile itself runs clockwise.
     fn through(edge: &Edge, n: usize) -> Self {
         let points: Vec<[f64; 2]> = (0..n)
             .map(|i| edge.at(angle(edge, n, i as f64)).p.map(|x| MM * x))
@@ -37,7 +37,7 @@ impl Spline {
         }
     }
 
-    /// Control point `i`, counted round.
+    /// Control point `i`, with cyclic index.
     fn at(&self, i: usize) -> [f64; 2] {
         self.control[i % self.control.len()]
     }
@@ -68,7 +68,7 @@ impl Spline {
         worst
     }
 
-    /// Spans `from` … `to` as a clamped B-spline of their own.
+    /// Spans `from` … `to` as a clamped B-spline.
     pub fn part(&self, from: usize, to: usize) -> Vec<[f64; 2]> {
         let n = self.control.len();
         let mix = |all: &[(f64, usize)]| {
@@ -88,14 +88,14 @@ impl Spline {
     }
 }
 
-/// Angle of place `i` of `n` against the profile's own sense.
+/// Angle of point `i` of `n`, against the direction of the profile.
 fn angle(edge: &Edge, n: usize, i: f64) -> f64 {
     let breaks = edge.breaks();
     let (start, end) = (breaks[0], breaks[breaks.len() - 1]);
     end - (end - start) * i / n as f64
 }
 
-/// Solves (c₋ + 4c + c₊)/6 = p round a circle: Thomas' elimination with Sherman and Morrison's correction.
+/// Solves (c₋ + 4c + c₊)/6 = p cyclically: Thomas' elimination with Sherman and Morrison's correction.
 fn cyclic(points: Vec<f64>) -> Vec<f64> {
     let n = points.len();
     // The corners are taken out by adding their share to both end rows.

@@ -7,7 +7,7 @@ use crate::spline::Clamped;
 /// One piece of a closed outline, counter-clockwise, mm.
 #[derive(Debug, Clone)]
 pub enum Piece {
-    /// A B-spline.
+    /// A B-spline piece.
     Spline(Clamped),
     /// A straight piece between two points.
     Line([[f64; 2]; 2]),
@@ -39,16 +39,16 @@ pub fn circle(centre: [f64; 2], radius: f64) -> Vec<Piece> {
     vec![arc(1.0), arc(-1.0)]
 }
 
-/// The instance of an edge of the solid.
+/// Instance number of an edge of the solid.
 type Rim = usize;
 
-/// The edges of a wall at its foot and at its top.
+/// Edges of a wall at its bottom and top.
 pub struct Rims {
     pub low: Vec<Rim>,
     pub high: Vec<Rim>,
 }
 
-/// The instances of a file under way.
+/// Instances of a file during writing.
 #[derive(Default)]
 pub struct File {
     text: String,
@@ -78,7 +78,7 @@ impl File {
         self.add(&format!("VERTEX_POINT('',#{point})"))
     }
 
-    /// Axes at a point: their z along `normal`, their x along `right`.
+    /// Axes at a point, with z along `normal` and x along `right`.
     fn axes(&mut self, at: [f64; 3], normal: [f64; 3], right: [f64; 3]) -> usize {
         let origin = self.point(at);
         let up = self.direction(normal);
@@ -158,7 +158,7 @@ impl File {
         self.add(&format!("EDGE_LOOP('',{})", list(&oriented)))
     }
 
-    /// A loop of edges that follow one another counter-clockwise, or the other way round.
+    /// A loop of consecutive edges, counter-clockwise or clockwise.
     fn round(&mut self, rims: &[Rim], along: bool) -> usize {
         let mut edges: Vec<(Rim, bool)> = rims.iter().map(|r| (*r, along)).collect();
         if !along {
@@ -176,8 +176,7 @@ impl File {
         self.add(&format!("ADVANCED_FACE('',{bounds},#{surface},{sense})"))
     }
 
-    /// The wall above an outline between two heights, its faces added to `faces`; material lies inside of it, or, of a hole,
-    /// outside.
+    /// The wall above an outline between two heights, its faces added to `faces`; the material is inside the outline or, for a hole, outside.
     pub fn wall(
         &mut self,
         pieces: &[Piece],
@@ -223,7 +222,7 @@ impl File {
         rims
     }
 
-    /// A level face within an outline and around holes, looking up or down.
+    /// A horizontal face within an outline and around holes, facing up or down.
     pub fn cap(
         &mut self,
         z: f64,
@@ -239,13 +238,13 @@ impl File {
         faces.push(self.face(plane, outer, &inner, true));
     }
 
-    /// A solid of its faces.
+    /// A solid bounded by faces.
     pub fn solid(&mut self, name: &str, faces: &[usize]) -> usize {
         let shell = self.add(&format!("CLOSED_SHELL('',{})", list(faces)));
         self.add(&format!("MANIFOLD_SOLID_BREP('{name}',#{shell})"))
     }
 
-    /// Product, units, header.
+    /// Writes product, units and header.
     pub fn finish(mut self, solids: &[usize], name: &str) -> Vec<u8> {
         let name = quoted(name);
         let mut items = vec![self.level([0.0; 2], 0.0, 1.0)];
@@ -294,18 +293,18 @@ impl File {
     }
 }
 
-/// References to instances.
+/// A list of instance references.
 pub fn list(instances: &[usize]) -> String {
     let all: Vec<String> = instances.iter().map(|i| format!("#{i}")).collect();
     format!("({})", all.join(","))
 }
 
-/// A logical value.
+/// A logical value in STEP syntax.
 fn truth(value: bool) -> &'static str {
     if value { ".T." } else { ".F." }
 }
 
-/// A real with its point.
+/// A real with its decimal point.
 pub fn real(x: f64) -> String {
     let mut text = String::new();
     gaitcam_base::text::append(&mut text, x, 12);
@@ -315,7 +314,7 @@ pub fn real(x: f64) -> String {
     text
 }
 
-/// A text between apostrophes: printable ASCII, the rest as `?`.
+/// A quoted text: printable ASCII, other characters as `?`.
 fn quoted(text: &str) -> String {
     text.chars()
         .map(|c| match c {

@@ -6,7 +6,7 @@ use super::file::{File, list, real};
 pub type Knots = [(usize, f64)];
 
 impl File {
-    /// A cubic curve.
+    /// Writes a cubic B-spline curve.
     pub fn spline_curve(&mut self, control: &[[f64; 3]], knots: &Knots) -> usize {
         let points = self.points(control);
         let (counts, values) = written(knots);

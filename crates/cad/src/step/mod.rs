@@ -1,9 +1,8 @@
 //! `cam.step`: the cam as an exact solid for CAD (ISO 10303-21, AP214). Lengths in mm.
 //!
-//! A disc's profile is a periodic cubic B-spline through points at equal steps of the cam angle, C², refined until
-//! it stays within [`FAITHFUL`] of the true one; the plate is its extrusion with the hole for the shaft. Of a
-//! conjugate pair both cams are there as they stand on the shaft, one plate's thickness apart. A slide has its foot under
-//! the profile. A barrel has no solid.
+//! A disc's profile is a periodic cubic B-spline through points at equal steps of the cam angle, C², refined until it stays within [`FAITHFUL`] of
+//! the true one; the plate is its extrusion with the hole for the shaft. A conjugate pair gives both cams in their positions on the shaft, one plate
+//! thickness apart. A slide has its foot under the profile. A barrel has no solid.
 
 mod file;
 mod freeform;
@@ -20,12 +19,12 @@ use gaitcam::units::Quantity;
 const MM: f64 = 1000.0;
 /// Largest distance of a spline from the true profile at the points compared, m; less than 0.1 µm between them.
 pub const FAITHFUL: f64 = 5e-8;
-/// Half the room that the mark of θ = 0 needs, mm.
+/// Half the width of the space for the mark of θ = 0, mm.
 const LEAST_ROOM: f64 = 0.25;
-/// Edges into which the profile is divided.
+/// Number of edges of the profile.
 const EDGES: usize = 4;
 
-/// The cam as a solid; of a pair both.
+/// The cam as a solid; both cams of a pair.
 ///
 /// # Errors
 ///
@@ -68,7 +67,7 @@ fn plates(file: &mut File, synthesis: &Design) -> Result<Vec<usize>> {
     Ok(solids)
 }
 
-/// A thickness that makes a plate.
+/// A valid thickness of a plate.
 pub(crate) fn positive(thickness: f64) -> Result<f64> {
     if thickness.is_finite() && thickness > 0.0 {
         return Ok(thickness);
@@ -88,7 +87,7 @@ struct Dot {
 }
 
 impl Dot {
-    /// Halfway between the hole for the shaft and the base circle; `None` where there is no room.
+    /// Radius halfway between the hole for the shaft and the base circle; `None` without room.
     fn of(design: &Design) -> Option<Dot> {
         let base = MM * design.cam.follower.base_radius();
         let reach = design.problem.cam.hole().map_or(0.0, |b| MM * b.reach());
@@ -100,7 +99,7 @@ impl Dot {
         })
     }
 
-    /// Its wall and floor below a face at height z; returns its rims.
+    /// Adds wall and floor of the mark below a face at height z; returns its rims.
     fn add_to(self, file: &mut File, z: f64, faces: &mut Vec<usize>) -> Rims {
         let floor = z - self.depth;
         let outline = circle(self.centre, self.radius);

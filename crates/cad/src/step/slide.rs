@@ -1,4 +1,4 @@
-//! A cam that slides: its profile above its foot, extruded.
+//! A translating cam: its profile above its foot, extruded.
 
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
@@ -10,7 +10,7 @@ use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
 
-/// Adds the slide's solid to a file.
+/// Adds the solid of a translating cam to a file.
 pub fn add(file: &mut File, design: &Design) -> Result<usize> {
     let z = [0.0, MM * positive(design.problem.cam.thickness)?];
     let edge = Edge::of(&design.cam);

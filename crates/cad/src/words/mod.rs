@@ -1,4 +1,4 @@
-//! Labels of drawings and their lengths, by language: one Fluent file each.
+//! Labels and lengths of drawings, by language: one Fluent file each.
 
 use std::ops::Deref;
 
@@ -27,7 +27,7 @@ impl Deref for Labels {
 }
 
 impl Labels {
-    /// In a language and a unit.
+    /// Labels in a language and a unit.
     pub fn new(language: Language, units: Units) -> Self {
         let words = Words::new(WORDS.of(language));
         Labels { words, units }
@@ -38,12 +38,12 @@ impl Labels {
         self.units
     }
 
-    /// A length given in m as its number, with so many decimals of a millimetre.
+    /// A length given in m as a number with a given count of decimals of a millimetre.
     pub fn length(&self, length: f64, decimals: usize) -> String {
         self.decimal(self.units.number(length, decimals))
     }
 
-    /// The head of a column of lengths: "r, mm".
+    /// The heading of a column of lengths: "r, mm".
     pub fn column(&self, symbol: &str) -> String {
         format!("{symbol}, {}", self.units.name())
     }

@@ -1,4 +1,4 @@
-//! Errors of the command itself: files, flags, folders. Their sentences are in `words/`.
+//! Errors of the command itself: files, flags, folders. Their messages are in `words/`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -7,7 +7,7 @@ use crate::console::words;
 use gaitcam::error::Fault;
 use gaitcam::wording::Catalogue;
 
-/// What is wrong. Texts in fields are as the user typed them, or what the system says.
+/// Errors of the command. Text fields quote the user or the system.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -165,7 +165,7 @@ pub enum CliError {
     },
 }
 
-/// Why a scene's name cannot name a folder.
+/// Reasons why a scene's name cannot be a folder name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NameFault {

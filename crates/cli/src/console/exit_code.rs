@@ -7,11 +7,11 @@ use gaitcam::error::Error;
 pub const BUILT: u8 = 0;
 /// Internal error, or an answer that could not be written.
 pub const INTERNAL_ERROR: u8 = 1;
-/// Bad input.
+/// Invalid input.
 pub const BAD_INPUT: u8 = 2;
-/// No such cam: the limits are infeasible, or a check fails.
+/// No feasible cam, or a failed check.
 pub const NO_SUCH_CAM: u8 = 3;
-/// Stopped by Ctrl-C, as shells count it.
+/// Interrupted by Ctrl-C, as in shells.
 pub const INTERRUPTED: u8 = 130;
 
 /// The exit code of an error.

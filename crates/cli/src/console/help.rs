@@ -6,8 +6,7 @@ use gaitcam::wording::{Catalogue, Language, Messages, Sentences};
 
 use crate::Cli;
 
-/// The command line as it reads arguments and explains itself in a language. Of English what a run does not use is
-/// never built.
+/// The command line in a language. For English only the parts that a run needs are built.
 pub fn parser(language: Language) -> Command {
     match language {
         Language::En => Cli::command().arg(lang()),
@@ -15,7 +14,7 @@ pub fn parser(language: Language) -> Command {
     }
 }
 
-/// The whole command line as it explains itself in a language.
+/// The whole command line with its help texts in a language.
 pub fn command(language: Language) -> Command {
     let mut command = Cli::command().arg(lang());
     // Flags and subcommands that clap adds itself are there only once it is built.
@@ -36,7 +35,7 @@ fn lang() -> Arg {
         .help("Language of messages and reports (default: LC_ALL, LANG, else English)")
 }
 
-/// The English texts are those of the arguments themselves.
+/// The English texts are the doc comments of the arguments.
 static HELP: Catalogue = Catalogue::new(&[Sentences {
     files: &[["", include_str!("../../words/es/help.ftl")]],
     ..Sentences::NONE
@@ -46,7 +45,7 @@ fn spanish() -> &'static Messages {
     HELP.of(Language::Es)
 }
 
-/// The message of a key, if there is one.
+/// The message of a key, if it exists.
 fn message(key: &str) -> Option<String> {
     let text = spanish().text(key);
     (text != key).then_some(text)
@@ -56,7 +55,7 @@ fn label(key: &str) -> String {
     spanish().text(key)
 }
 
-/// A verb, or the command itself, whose name is empty, with everything below it.
+/// A verb, or the command itself if the name is empty, with everything below it.
 fn in_spanish(command: Command, verb: &str) -> Command {
     let about = if verb.is_empty() { "gaitcam" } else { verb };
     let usage = command.clone().render_usage().to_string();

@@ -1,4 +1,4 @@
-//! Internal errors: a panic, on whatever thread, becomes one sentence, exit code 1 and a file to report.
+//! Internal errors: a panic on any thread becomes a message, exit code 1 and a file for a bug report.
 
 use std::fs::File;
 use std::io::Write;
@@ -15,16 +15,16 @@ use crate::console::exit_code::INTERNAL_ERROR;
 use crate::console::terminal::{print_json, report};
 use crate::console::words;
 
-/// The latest scene that was read, and what the first panic said with its place in the source.
+/// The last scene read, and the text and source location of the first panic.
 static SCENE: Mutex<Option<Table>> = Mutex::new(None);
 static PANIC: Mutex<Option<String>> = Mutex::new(None);
 
-/// Keeps a scene for the report of an error that it may lead to.
+/// Keeps a scene for a possible error report.
 pub fn keep(scene: &Table) {
     *SCENE.lock().unwrap_or_else(PoisonError::into_inner) = Some(scene.clone());
 }
 
-/// Runs a command; a panic in it is reported. Its trace is not printed: it says nothing to a user.
+/// Runs a command and reports a panic in it. The backtrace is not printed, since it is of no use to a user.
 pub fn caught(
     json: bool,
     work: impl FnOnce() -> Result<u8>,
@@ -44,7 +44,7 @@ pub fn caught(
     })
 }
 
-/// Writes what was run, what happened and the scene, as a scene file with comments.
+/// Writes the command, the error and the scene, as a scene file with comments.
 fn written() -> Option<PathBuf> {
     let panic = PANIC.lock().unwrap_or_else(PoisonError::into_inner).take();
     let scene = SCENE.lock().unwrap_or_else(PoisonError::into_inner).take();

@@ -5,10 +5,10 @@ use std::sync::OnceLock;
 
 use gaitcam::wording::Language;
 
-/// Set once, when the arguments are known.
+/// The language, set once the arguments are known.
 static LANGUAGE: OnceLock<Language> = OnceLock::new();
 
-/// Sets the language for the rest of the run, before the arguments are read: their help and faults are in it.
+/// Sets the language for the rest of the run, before the arguments are parsed, because help and errors use it.
 pub fn set(arguments: &[OsString]) {
     let _ = LANGUAGE.set(of_arguments(arguments).unwrap_or_else(of_environment));
 }
@@ -27,7 +27,7 @@ fn of_arguments(arguments: &[OsString]) -> Option<Language> {
     None
 }
 
-/// The language of everything that is printed.
+/// Language of all output.
 pub fn current() -> Language {
     *LANGUAGE.get_or_init(of_environment)
 }

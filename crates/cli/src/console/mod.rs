@@ -1,4 +1,4 @@
-//! What the user reads: language, help, messages, faults of the command line, exit codes.
+//! Console output: language, help, messages, errors of the command line, exit codes.
 
 pub mod error;
 pub mod exit_code;

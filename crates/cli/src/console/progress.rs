@@ -1,4 +1,4 @@
-//! The line on a terminal that says how far a long computation has come; nothing in a pipe.
+//! The progress line of a long computation on a terminal; nothing in a pipe.
 
 use std::io::{IsTerminal, Write, stderr};
 use std::sync::Arc;
@@ -11,17 +11,17 @@ use serde_json::json;
 
 use crate::console::words;
 
-/// Time after which the line appears, and between two of its states.
+/// Delay before the line appears, and interval between updates.
 const EVERY: Duration = Duration::from_millis(500);
 
-/// A thread beside the work, which ends when this is dropped.
+/// A thread that updates the line until this is dropped.
 pub struct Watch {
     done: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Watch {
-    /// Starts `work`, whose receiver fails once the watch is dropped; nothing where the system admits no thread.
+    /// Starts `work`, whose receiver fails once the watch is dropped; nothing if the system allows no thread.
     pub fn new(work: impl FnOnce(Receiver<()>) + Send + 'static) -> Watch {
         let (done, waits) = channel();
         Watch {
@@ -40,7 +40,7 @@ impl Drop for Watch {
     }
 }
 
-/// Shows what `line` says of the time so far, s, until what is returned is dropped, which takes the line away.
+/// Shows the line made by `line` from the elapsed time, s, until the returned value is dropped.
 pub fn shown(line: impl Fn(f64) -> String + Send + 'static) -> Option<Watch> {
     stderr().is_terminal().then(|| {
         Watch::new(move |waits| {
@@ -57,21 +57,21 @@ pub fn shown(line: impl Fn(f64) -> String + Send + 'static) -> Option<Watch> {
     })
 }
 
-/// A terminal that takes no more ends nothing.
+/// Ignores a terminal that fails.
 fn put(text: &str) {
     let mut terminal = stderr().lock();
     let _ = terminal.write_all(text.as_bytes());
     let _ = terminal.flush();
 }
 
-/// How many of a number of things are done, with rate and time left.
+/// Number of finished items, with rate and remaining time.
 pub struct Progress {
     done: Arc<AtomicU64>,
     _watch: Option<Watch>,
 }
 
 impl Progress {
-    /// `done` of `total` are done before it begins.
+    /// Starts a counter with `done` of `total` items finished.
     pub fn new(what: String, total: u64, done: u64) -> Progress {
         let now = Arc::new(AtomicU64::new(done));
         let counted = now.clone();
@@ -88,23 +88,23 @@ impl Progress {
         }
     }
 
-    /// That many are done.
+    /// Sets the number of finished items.
     pub fn set(&self, done: u64) {
         self.done.store(done, Ordering::Relaxed);
     }
 
-    /// So many more are done.
+    /// Adds to the number of finished items.
     pub fn add(&self, more: u64) {
         self.done.fetch_add(more, Ordering::Relaxed);
     }
 
-    /// How many are done.
+    /// Number of finished items.
     pub fn done(&self) -> u64 {
         self.done.load(Ordering::Relaxed)
     }
 }
 
-/// State after `elapsed` seconds, with the numbers done at the beginning and now.
+/// Progress text after `elapsed` seconds, with the numbers of items finished at the start and now.
 fn line(what: &str, total: u64, [before, done]: [u64; 2], elapsed: f64) -> String {
     let rate = (done - before) as f64 / elapsed;
     let left = match rate > 0.0 {

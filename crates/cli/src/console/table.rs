@@ -1,15 +1,15 @@
 //! Tables of the console: columns as wide as their longest cell.
 
-/// To which side the cells of a column are set.
+/// Alignment of the cells of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
-    /// Names and sentences.
+    /// Left, for names and text.
     Left,
-    /// Numbers.
+    /// Right, for numbers.
     Right,
 }
 
-/// Rows of equally many cells under one another; the last of `sides` holds for all further columns.
+/// Aligned rows of equal length; the last of `sides` holds for all further columns.
 pub fn table(rows: &[Vec<String>], sides: &[Side]) -> String {
     let count = rows.first().map_or(0, Vec::len);
     let long = |text: &String| text.chars().count();

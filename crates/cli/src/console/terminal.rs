@@ -1,4 +1,4 @@
-//! Standard output and standard error: a reader who closes them early is no error, a full disk is.
+//! Standard output and standard error. A reader that closes them early is not an error, a full disk is.
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Result, Write};
@@ -7,10 +7,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::console::exit_code::INTERNAL_ERROR;
 use crate::console::words;
 
-/// Longest message on standard error, bytes.
+/// Maximum length of a message on standard error, bytes.
 const LONGEST_MESSAGE: usize = 2048;
 
-/// Whether an answer could not be written to standard output.
+/// Whether writing to standard output has failed.
 static STDOUT_FAILED: AtomicBool = AtomicBool::new(false);
 
 /// Prints an answer and a newline to standard output.
@@ -31,7 +31,7 @@ pub fn report(message: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "gaitcam: {shown}");
 }
 
-/// The first `most` bytes of a text, cut between characters, with an ellipsis where something is left out.
+/// The first `most` bytes of a text, cut between characters, with an ellipsis if it is shortened.
 fn shortened(text: &str, most: usize) -> String {
     if text.len() <= most {
         return text.to_string();
@@ -54,7 +54,7 @@ pub fn record_write_error(written: Result<()>) {
     }
 }
 
-/// The exit code: `code`, unless the answer could not be written.
+/// The exit code: `code`, or that of a failed write to standard output.
 pub fn final_exit_code(code: u8) -> u8 {
     if STDOUT_FAILED.load(Ordering::Relaxed) {
         INTERNAL_ERROR

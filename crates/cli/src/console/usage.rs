@@ -1,4 +1,4 @@
-//! A command line that cannot be read, as an error like every other.
+//! Errors of the command line.
 
 use std::error::Error as _;
 use std::ffi::{OsStr, OsString};
@@ -24,20 +24,20 @@ pub fn with_negative_values(arguments: impl IntoIterator<Item = OsString>) -> Ve
     out
 }
 
-/// Whether it reads as a number below zero, with a unit or without.
+/// Whether a text is a negative number, with or without a unit.
 fn is_negative(argument: &OsStr) -> bool {
     let text = argument.to_string_lossy();
     let number = text.strip_prefix('-').map(|n| n.trim_start_matches('.'));
     number.is_some_and(|n| n.starts_with(|c: char| c.is_ascii_digit()))
 }
 
-/// Whether it is a flag whose value stands in the next argument.
+/// Whether a text is a flag whose value is the next argument.
 fn is_flag(argument: &OsStr) -> bool {
     let text = argument.to_string_lossy();
     text.len() > 2 && text.starts_with("--") && !text.contains('=')
 }
 
-/// What is wrong with the arguments.
+/// Error of the arguments.
 pub fn fault(error: &clap::Error) -> Error {
     let part = |kind| context(error, kind);
     let flag = part(ContextKind::InvalidArg).unwrap_or_default();
@@ -91,7 +91,7 @@ pub fn fault(error: &clap::Error) -> Error {
 /// Former verbs that are now verbs of `gaitcam-lab`.
 const IN_LAB: [&str; 2] = ["chart", "reproduce"];
 
-/// A value that its flag does not take, and what it would take.
+/// An invalid value of a flag, with the valid ones.
 fn unsuitable(error: &clap::Error, typed: String) -> CliError {
     let source = error.source();
     if source.is_some_and(|s| s.is::<ParseIntError>()) {
@@ -108,7 +108,7 @@ fn unsuitable(error: &clap::Error, typed: String) -> CliError {
     }
 }
 
-/// A part of the error's context as text; lists joined by commas.
+/// An element of the error's context as text; lists are joined by commas.
 fn context(error: &clap::Error, kind: ContextKind) -> Option<String> {
     match error.get(kind)? {
         ContextValue::String(text) => Some(text.clone()),

@@ -1,4 +1,4 @@
-//! The command's own sentences, by language: `words/LANGUAGE/cli.ftl`.
+//! Messages of the command, by language: `words/LANGUAGE/cli.ftl`.
 
 use gaitcam::synth::Figure;
 use gaitcam::wording::{Catalogue, Language, Messages, Sentences};
@@ -11,7 +11,7 @@ pub fn catalogue() -> &'static Messages {
     WORDS.of(language::current())
 }
 
-/// The command's own messages.
+/// Catalogue of the command's messages.
 pub static WORDS: Catalogue = Catalogue::new(&[Sentences {
     files: &[[
         include_str!("../../words/en/cli.ftl"),
@@ -35,7 +35,7 @@ pub fn fill(key: &str, arguments: &Value) -> String {
     catalogue().sentence(area, &serde_json::json!({ variant: arguments }))
 }
 
-/// The name of a follower, law, limit or solver where the language has one, otherwise as it is typed.
+/// The name of a follower, law, limit or solver in the language, otherwise as typed.
 pub fn name(typed: &str) -> String {
     gaitcam::wording::catalogue(language::current()).name(typed)
 }
@@ -57,7 +57,7 @@ pub fn column(name: &str) -> String {
     }
 }
 
-/// A number for people: at most four significant digits.
+/// A number for display: at most four significant digits.
 pub fn number(value: f64) -> String {
     gaitcam::wording::number(language::current(), value)
 }
@@ -75,7 +75,7 @@ pub fn power(value: f64, decimals: usize) -> String {
     decimal(format!("{value:.decimals$e}"))
 }
 
-/// A number that is written already, with the decimal sign of the language.
+/// A formatted number with the decimal sign of the language.
 pub fn decimal(number: String) -> String {
     match language::current() {
         Language::En => number,

@@ -1,4 +1,4 @@
-//! Which of the cams of a cover serves a walker, and how well.
+//! The cam of a cover that serves a walker best, and its error.
 
 use std::path::Path;
 
@@ -21,8 +21,7 @@ use gaitcam_app::read::read_text;
 
 /// The cams of each number in a folder of `gaitcam cover` for each walker: table and data.
 ///
-/// # Errors
-/// A folder that is no cover; a walker whom the machine cannot be set to.
+/// # Errors A folder that is no cover; a walker for whom the machine cannot be adjusted.
 pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     let path = folder.join("cover.csv");
     let covers = read_text(&path)?;
@@ -77,7 +76,7 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     ))
 }
 
-/// The best of the cams of a folder.
+/// The best cam of a folder.
 fn serving(folder: &Path, cams: usize, force: &ForceCurve) -> Result<Vec<Assigned>> {
     let (mut designs, mut scene) = (Vec::new(), None);
     for cam in 0..cams {

@@ -86,8 +86,7 @@ pub struct GaitArgs {
     against: Option<PathBuf>,
 }
 
-/// Describes every recording; the exit code is 2 where one that was named holds no cycle, or where there is none at
-/// all.
+/// Describes every recording; the exit code is 2 if a named recording contains no cycle, or if no recording does.
 pub fn run(args: &GaitArgs) -> Result<u8> {
     let feet: Feet = args.feet.parse().map_err(input::at_flag("--feet"))?;
     let accept = OpenQuestion::list(&args.accept).map_err(input::at_flag("--accept"))?;
@@ -159,7 +158,7 @@ fn one(
     })
 }
 
-/// The cams of a cover for those who have a cycle.
+/// The best cams of a cover for the walkers with a cycle.
 fn held_against(folder: &Path, reads: &[Read]) -> Result<(String, Value)> {
     let walker = |read: &Read| {
         let name = read

@@ -1,4 +1,4 @@
-//! Where mean cycles are written.
+//! Paths of the mean cycles.
 
 use std::path::{Path, PathBuf};
 
@@ -7,15 +7,15 @@ use gaitcam::error::{Placed, Result};
 use gaitcam_app::folder::Folder;
 use gaitcam_app::inputs;
 
-/// Name of the joint mean in a folder of cycles.
+/// File name of the joint mean in a folder of cycles.
 pub const JOINT_MEAN: &str = "joint_mean.csv";
 
 /// Paths of the cycles of one or several recordings. Pictures have the same path with `.svg` and `.png` for `.csv`.
 #[derive(Debug, Default)]
 pub struct Places {
-    /// One for each recording, where they are written.
+    /// Path of the cycle of each recording, if written.
     pub each: Vec<PathBuf>,
-    /// The joint mean of several.
+    /// Path of the joint mean.
     pub joint: Option<PathBuf>,
 }
 
@@ -26,7 +26,7 @@ impl Places {
     ///
     /// # Errors
     ///
-    /// Where a recording would be replaced, or the name is of another kind of file.
+    /// A path that would replace a recording, or a name of another kind of file.
     pub fn of(out: Option<&Path>, recordings: &[Vec<PathBuf>], several: bool) -> Result<Places> {
         let Some(out) = out else {
             return Ok(Places::default());

@@ -1,4 +1,4 @@
-//! Files that hold the plates of one trial.
+//! Files of the force plates of one trial.
 
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use gaitcam::force::{PlateFile, plate_of};
 use gaitcam_app::read::open;
 
-/// Bytes of a file in which its header stands.
+/// Number of bytes that contain the header of a file.
 const HEAD: u64 = 1 << 16;
 
-/// The files by recording, in their order: the plates of one trial together, every other file alone.
+/// Files grouped by recording, in order: the plates of one trial together, other files alone.
 pub fn by_trial(files: Vec<PathBuf>) -> Vec<Vec<PathBuf>> {
     let mut trials: Vec<(Option<Vec<PlateFile>>, Vec<PathBuf>)> = Vec::new();
     let is_alone = files.len() < 2;
@@ -35,7 +35,7 @@ pub fn by_trial(files: Vec<PathBuf>) -> Vec<Vec<PathBuf>> {
     trials.into_iter().map(|(_, paths)| paths).collect()
 }
 
-/// The plate that a file holds; a file that cannot be read says so where it is read whole.
+/// Force plate of a file; a file that cannot be read reports its error later.
 fn plate(file: &Path) -> Option<PlateFile> {
     let mut head = Vec::new();
     let start = open(file).ok()?.take(HEAD).read_to_end(&mut head);

@@ -1,4 +1,4 @@
-//! One recording as `gaitcam gait` reads, describes and writes it.
+//! One recording of `gaitcam gait`: reading, description and writing.
 
 use std::path::{Path, PathBuf};
 
@@ -16,20 +16,20 @@ use gaitcam_app::folder::write_whole;
 use gaitcam_output as output;
 use gaitcam_output::gait as tables;
 
-/// One recording as it was read.
+/// One recording after reading.
 #[derive(Default)]
 pub(super) struct Read {
-    /// Its file, or those of its plates.
+    /// Path of the file, or of the files of its plates.
     pub(super) paths: Vec<PathBuf>,
-    /// Its interpretation; `None` for a file that is one cycle.
+    /// Interpretation of the recording; `None` for a file that is one cycle.
     pub(super) understood: Option<Interpretation>,
-    /// Its mean cycle.
+    /// Mean cycle of the recording.
     pub(super) cycle: Option<Cycle>,
     /// The cycle that the file is.
     pub(super) given: Option<ForceCurve>,
-    /// Why it gives no cycle.
+    /// Reason why it gives no cycle.
     pub(super) fault: Option<Error>,
-    /// Its own table.
+    /// Table of this recording.
     pub(super) text: String,
     pub(super) object: Value,
 }
@@ -94,14 +94,14 @@ pub(super) fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: boo
     })
 }
 
-/// The files of a recording, named one by one.
+/// Names of the files of a recording, one by one.
 pub(super) fn together(paths: &[PathBuf], name: impl Fn(&Path) -> String) -> String {
     let names = paths.iter().map(|path| name(path));
     names.collect::<Vec<_>>().join(BETWEEN_PLATES)
 }
 
 impl Read {
-    /// A recording that could not be read.
+    /// A recording that cannot be read.
     pub(super) fn failed(paths: &[PathBuf], fault: Error) -> Read {
         Read {
             paths: paths.to_vec(),
@@ -111,18 +111,18 @@ impl Read {
         }
     }
 
-    /// Its paths.
+    /// Paths of the files read.
     pub(super) fn shown(&self) -> String {
         together(&self.paths, |path| path.display().to_string())
     }
 
-    /// Its cycle, mean or as given.
+    /// Cycle of the recording, mean or as given.
     pub(super) fn curve(&self) -> Option<&ForceCurve> {
         let mean = self.cycle.as_ref().map(|c| &c.curve);
         mean.or(self.given.as_ref())
     }
 
-    /// Writes the cycle; for a mean cycle, and for a recording that was refused, also a picture of the recording.
+    /// Writes the cycle; a mean cycle and a rejected recording also get a picture.
     pub(super) fn write(&self, place: &Path) -> Result<()> {
         if let Some(curve) = &self.given {
             let from = of_files("gait-cycle-of", &self.shown());

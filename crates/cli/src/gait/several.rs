@@ -14,7 +14,8 @@ use std::path::{Path, PathBuf};
 use gaitcam_app::folder::write_whole;
 use gaitcam_output as output;
 
-/// Prints the table with the joint mean, and writes the cycles that are asked for.
+/// Prints the table with the joint mean, and writes the requested cycles. `is_named`: whether a recording was named by the user; those found in a
+/// folder are skipped if they contain no cycle.
 ///
 /// `is_named`: whether a recording was named and not found in a folder, where what gives no cycle is left out.
 pub fn describe(
@@ -90,14 +91,14 @@ pub fn describe(
     Ok(code)
 }
 
-/// What was read of one recording, with its file.
+/// Result of reading one recording, with its file.
 fn object(read: &Read) -> Value {
     let mut object = read.object.clone();
     object["file"] = json!(read.shown());
     object
 }
 
-/// Paths without the folder that all of them share.
+/// Paths without their common folder.
 fn short_names(reads: &[Read]) -> Vec<String> {
     let paths = reads.iter().flat_map(|read| &read.paths);
     let mut parents = paths.map(|path| path.parent().map(Path::to_path_buf));
@@ -113,13 +114,13 @@ fn short_names(reads: &[Read]) -> Vec<String> {
     names.collect()
 }
 
-/// What is open about a recording and was not accepted.
+/// Open questions about a recording that were not accepted.
 fn open(read: &Read, accept: &[OpenQuestion]) -> Vec<OpenQuestion> {
     let doubts = read.understood.iter().flat_map(|u| u.doubts());
     doubts.filter(|d| !accept.contains(d)).collect()
 }
 
-/// Why each recording takes no part in the joint mean; `None` where it does.
+/// Reason why each recording is excluded from the joint mean; `None` if it is included.
 fn reasons(
     reads: &[Read],
     joint: &Result<JointMean>,

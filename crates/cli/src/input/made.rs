@@ -1,4 +1,4 @@
-//! A cam that is made, and the machine that it runs on.
+//! A manufactured cam and its machine.
 
 use std::path::{Path, PathBuf};
 
@@ -11,29 +11,29 @@ use gaitcam::scene::{Scene, set};
 use gaitcam::synth::Outcome;
 use gaitcam_app::design::{is_of_machine, put_on};
 
-/// A flag that stands for a key of the machine.
+/// A flag that sets a key of the machine.
 pub struct Flag<'a> {
-    /// The flag.
+    /// Name of the flag.
     pub name: &'static str,
-    /// The key.
+    /// Key of the scene.
     pub key: &'static str,
-    /// What is given.
+    /// Value of the flag.
     pub value: &'a str,
 }
 
-/// The scene of a cam, and the scene of the machine around it.
+/// The scene of a cam, and the scene of its machine.
 pub struct Made {
-    /// What the cam was designed from.
+    /// Scene from which the cam was designed.
     pub input: Input,
-    /// The same, with the drive and machine that run it.
+    /// That scene with the drive and machine of the run.
     pub running: Scene,
-    /// Whether that is another machine than the one the cam was designed for.
+    /// Whether the machine differs from the one of the design.
     pub other_machine: bool,
 }
 
 impl Made {
-    /// The cam that the arguments name. The changes of a scene are part of its design; those of a result (its folder or
-    /// summary.json) are changes of the machine, since its cam is cut. `flags` change the machine of either.
+    /// The cam that the arguments name. The changes of a scene are part of its design; those of a result (its folder or summary.json) are changes of
+    /// the machine, since its cam already exists. `flags` change the machine of either.
     ///
     /// # Errors
     /// A change of the cam of a result; otherwise as [`scene`].
@@ -77,13 +77,13 @@ impl Made {
         })
     }
 
-    /// Why a key has no effect in a run, as a sentence.
+    /// Reason why a key has no effect in a run.
     pub fn unused(&self, key: &str) -> Option<String> {
         let note = self.running.no_effect_of(key)?;
         Some(note.sentence(language::current()))
     }
 
-    /// The cam as designed, on the machine that runs it; and why there is no target at the speed of that machine.
+    /// The cam as designed, on the machine of the run, and the reason why there is no target at its speed.
     ///
     /// # Errors
     /// Faults of the scene, its force or the other drive.

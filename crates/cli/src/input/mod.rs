@@ -1,4 +1,4 @@
-//! Scenes as the command line gives them: a file, standard input or the built-in scene, with changes.
+//! Scenes of the command line: a file, standard input or the built-in scene, with changes.
 
 pub mod made;
 pub mod recordings;
@@ -32,7 +32,7 @@ pub struct SceneArgs {
 }
 
 impl SceneArgs {
-    /// A scene as it is.
+    /// Options for a scene without changes.
     pub fn of(path: PathBuf) -> SceneArgs {
         let (scene, set) = (Some(path), Vec::new());
         SceneArgs { scene, set }
@@ -56,7 +56,7 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
     Ok(input)
 }
 
-/// The table of a scene as it is written, the files that it may name, and its own file.
+/// The table of a scene as written, its input files, and its own file.
 pub fn written(args: &SceneArgs) -> Result<(Table, Disk, Option<PathBuf>)> {
     let none = Disk::default;
     Ok(match &args.scene {
@@ -80,7 +80,7 @@ fn is_name(path: &str) -> bool {
     !path.contains(['/', '\\', '.'])
 }
 
-/// Places a fault at a flag, unless it is placed already.
+/// Locates a fault at a flag, unless it has a place.
 pub fn at_flag(flag: &str) -> impl Fn(Error) -> Error {
     move |e| e.at_argument(flag)
 }
@@ -94,13 +94,13 @@ pub fn not_csv(path: &Path) -> impl Fn(csv::Error) -> Error {
     }
 }
 
-/// The value of a flag with a unit, where the flag is given.
+/// Value of a flag with a unit, if given.
 pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
     text.map(|t| parse_quantity(t, dimension).map_err(at_flag(flag)))
         .transpose()
 }
 
-/// The same above zero.
+/// Positive value of a flag with a unit, if given.
 pub fn positive(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
     let value = quantity(flag, text, dimension)?;
     match (value, text) {
@@ -112,12 +112,12 @@ pub fn positive(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<
     }
 }
 
-/// The value of a flag that is a word, where the flag is given.
+/// Value of a flag that is a word, if given.
 pub fn parsed<T: FromStr<Err = Error>>(flag: &str, text: Option<&str>) -> Result<Option<T>> {
     text.map(|t| t.parse().map_err(at_flag(flag))).transpose()
 }
 
-/// Where results of a scene go: `out` as given, else `out/NAME` with `ending` after the scene's name.
+/// Folder of the results of a scene: `out` if given, else `out/NAME` with `ending` after the scene's name.
 pub fn result_folder(input: &Input, out: Option<&Path>, ending: &str) -> Result<PathBuf> {
     if let Some(out) = out {
         return Ok(out.to_path_buf());
@@ -127,7 +127,7 @@ pub fn result_folder(input: &Input, out: Option<&Path>, ending: &str) -> Result<
     Ok(PathBuf::from("out").join(format!("{name}{ending}")))
 }
 
-/// Refuses a scene's name that is no plain file name.
+/// Rejects a scene name that is not a plain file name.
 fn check_file_name(name: &str) -> Result<()> {
     let fault = if name.trim().is_empty() {
         NameFault::Blank
@@ -144,7 +144,7 @@ fn check_file_name(name: &str) -> Result<()> {
     Err(CliError::SceneName { shown, fault }.at_key("name"))
 }
 
-/// Marks that turn the direction of text or take no room (Unicode bidirectional controls and their like).
+/// Characters that change the direction of text or are invisible (Unicode bidirectional controls and similar).
 fn is_invisible(c: char) -> bool {
     matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
 }

@@ -1,4 +1,4 @@
-//! The recordings that a command is given: files, and whatever folders hold.
+//! Recordings given to a command: files and folders.
 
 use std::path::{Path, PathBuf};
 
@@ -10,14 +10,13 @@ use gaitcam_app::recordings::{ENDINGS, inside};
 /// Recordings given by name or inside folders.
 #[derive(Default)]
 pub struct Recordings {
-    /// Their paths.
+    /// Paths of the recordings.
     pub files: Vec<String>,
-    /// Names of the files in the folders that are none.
+    /// Names of the other files in the folders.
     pub skipped: Vec<String>,
 }
 
-/// Every file given, and every recording inside a folder given, in the order of names; hidden files are
-/// left out without a word.
+/// Every file given, and every recording inside a folder given, in the order of names; hidden files are skipped.
 ///
 /// `argument`: where the paths were given, for the fault where there is none.
 pub fn recordings(paths: &[PathBuf], argument: &str) -> Result<Recordings> {
@@ -46,7 +45,7 @@ pub fn recordings(paths: &[PathBuf], argument: &str) -> Result<Recordings> {
     Ok(out)
 }
 
-/// Whether a path that is there leads to a folder.
+/// Whether a path leads to an existing folder.
 fn is_folder(path: &Path) -> Result<bool> {
     let about = std::fs::metadata(path).map_err(|e| cannot_be_read(path, &e))?;
     Ok(about.is_dir())

@@ -1,4 +1,4 @@
-//! A search that may take long: a progress line after half a second, a time limit.
+//! Long searches: a progress line after half a second, a time limit.
 
 use std::sync::mpsc::RecvTimeoutError;
 use std::time::Duration;
@@ -19,12 +19,12 @@ use crate::refused;
 /// Time limit of one design, and of one row of a sweep, s.
 const DESIGN_S: f64 = 60.0;
 const ROW_S: f64 = 5.0;
-/// What holds up the input has this long to say so itself.
+/// Time allowed for another process to explain a blocked input.
 const GRACE: Duration = Duration::from_millis(300);
-/// Time limits above this are treated as this, s.
+/// Time limits above this are reduced to it, s.
 const LONGEST_S: f64 = 1e9;
 
-/// How long searches may take.
+/// Options for the duration of searches.
 #[derive(Args, Debug, Default, Clone, Copy)]
 pub struct TimeLimit {
     /// End the search after this processor time and keep the best result (default 60 s, in sweeps 5 s per design)
@@ -41,12 +41,12 @@ fn seconds(typed: &str) -> std::result::Result<f64, String> {
 }
 
 impl TimeLimit {
-    /// The end of the searches of one design that begins now.
+    /// The time limit of one design that starts now.
     pub fn of_design(self) -> Halt {
         after(self.time_limit.unwrap_or(DESIGN_S))
     }
 
-    /// The same for one row of a sweep, which this thread computes.
+    /// The time limit of one row of a sweep, which this thread computes.
     pub fn of_row(self) -> Halt {
         let limit = duration(self.time_limit.unwrap_or(ROW_S));
         let begun = ThreadTime::now().as_duration();
@@ -58,7 +58,7 @@ impl TimeLimit {
         self.time_limit.map_or(PATIENCE, duration)
     }
 
-    /// Ends the program where what is returned is not dropped within a limit that was given: an input may never end.
+    /// Ends the program unless the returned value is dropped within the time limit, because an input may never end.
     pub fn of_input(self, json: bool) -> Option<Watch> {
         let limit = self.time_limit?;
         Some(Watch::new(move |waits| {
@@ -71,7 +71,7 @@ impl TimeLimit {
         }))
     }
 
-    /// Shows that a design is being searched for, until what is returned is dropped.
+    /// Shows a progress line until the returned value is dropped.
     pub fn shown(self) -> Option<Watch> {
         let limit = self.time_limit.unwrap_or(DESIGN_S);
         let text = words::fill("synth-searching", &json!({"limit": limit}));
@@ -79,17 +79,17 @@ impl TimeLimit {
     }
 }
 
-/// The answer to a scene within the usual time.
+/// The design of a scene within the usual time.
 pub fn answer(input: &Input) -> Result<Outcome> {
     synth::answer(&input.scene, input.target()?.as_ref(), &search())
 }
 
-/// The search for a design on the way to another answer.
+/// The search for an intermediate design.
 pub fn search() -> Search {
     Search::until(after(DESIGN_S))
 }
 
-/// After this processor time of the process: what a design gets does not depend on what else the machine does.
+/// Stops after this processor time of the process, so that the load of the machine has no influence.
 fn after(seconds: f64) -> Halt {
     let (begun, limit) = (ProcessTime::now(), duration(seconds));
     Halt::when(move || begun.elapsed() >= limit)

@@ -104,7 +104,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Where the files go; none where only the summary is printed.
+/// Folder of the files; `None` if only the summary is printed.
 fn folder(args: &InspectArgs, input: &input::Input) -> Result<Option<PathBuf>> {
     match &args.out {
         Some(out) => Ok(Some(out.clone())),

@@ -8,7 +8,7 @@ use crate::input;
 use gaitcam::error::{Placed, Result};
 use gaitcam_app::read::read_bytes;
 
-/// Names of the columns that are understood, with what they are and their factor to SI.
+/// Accepted column names, with their meaning and factor to SI.
 const COLUMNS: [(&str, Kind, f64); 11] = [
     ("x_mm", Kind::X, 1e-3),
     ("y_mm", Kind::Y, 1e-3),
@@ -34,7 +34,7 @@ enum Kind {
 /// A column of the table: its index, and its factor to SI.
 type Column = (usize, f64);
 
-/// Which columns make a point.
+/// Columns that define a point.
 enum Coordinates {
     Cartesian([Column; 2]),
     Polar([Column; 2]),
@@ -42,14 +42,13 @@ enum Coordinates {
 
 /// The points of a file, m, with the line of each.
 pub struct Points {
-    /// x, y.
+    /// Coordinates x, y.
     pub xy: Vec<[f64; 2]>,
     /// Line of the file, counted from 1.
     pub lines: Vec<usize>,
 }
 
-/// Reads `x_mm,y_mm` or `angle_deg,radius_mm` (or m, in, rad) from a table with commas, semicolons or tabs;
-/// other columns are passed over.
+/// Reads `x_mm,y_mm` or `angle_deg,radius_mm` (or m, in, rad) from a table with commas, semicolons or tabs; other columns are ignored.
 pub fn read(path: &Path) -> Result<Points> {
     let bytes = read_bytes(path)?;
     let head = bytes.split(|b| *b == b'\n').next().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! What was found on a made cam, for people and programs.
+//! Findings on a manufactured cam, for users and programs.
 
 use serde_json::{Value, json};
 
@@ -124,7 +124,7 @@ pub(super) fn text(
 /// A row that compares two cams: key, value, unit.
 type Compared<'a> = (&'a str, fn(&Behaviour) -> Option<f64>, &'a str);
 
-/// One line per quantity: as designed, as made.
+/// One line per quantity: as designed, as manufactured.
 fn comparison(design: &Design, made: &MadeCam, measures: Measures) -> Vec<String> {
     let force = measures.force().name;
     let acceleration = measures.by_time(2).name;

@@ -28,7 +28,7 @@ pub struct LawsArgs {
     pub json: bool,
 }
 
-/// What the two ends can join, once where they agree.
+/// Endpoint derivatives that the law can join, once if both ends agree.
 fn joined(ends: &Ends) -> String {
     let joins = |end: &End| end.joins_in(language::current());
     let (start, end) = (joins(&ends.start), joins(&ends.end));
@@ -69,7 +69,7 @@ pub fn run(args: &LawsArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// The law whose name, as scenes write it or as the language calls it, is nearest to a word.
+/// The law with the name nearest to a word, as in scenes or as in the language.
 fn nearest_law<'a>(typed: &str, all: &'a [Rise]) -> Option<&'a str> {
     let called: Vec<String> = all.iter().map(|r| words::name(r.name())).collect();
     let names = all

@@ -1,4 +1,4 @@
-//! What there is: keys, scenes, laws, completions.
+//! Reference output: keys, scenes, laws, completions.
 
 pub mod completions;
 pub mod keys;

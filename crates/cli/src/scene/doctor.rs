@@ -28,7 +28,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam doctor my.toml
   gaitcam doctor walk.c3d";
 
-/// Most faults of one scene that are listed.
+/// Maximum number of listed faults of one scene.
 const MOST: usize = 25;
 
 /// Which file.
@@ -41,7 +41,7 @@ pub struct DoctorArgs {
     time: TimeLimit,
 }
 
-/// Examines the file; the exit code is that of the command that would use it.
+/// Examines the file; the exit code is that of `synth` or `gait`.
 pub fn run(args: &DoctorArgs) -> Result<u8> {
     let ending = args.file.extension().map(|e| e.to_ascii_lowercase());
     let scene = ending.is_none_or(|e| e == "toml" || e == "json");
@@ -68,7 +68,7 @@ fn doubtful(text: &str) {
     print(&format!("? {text}"));
 }
 
-/// A finding of this verb, by its key.
+/// A message of this verb, by its key.
 fn finding(key: &str, data: &serde_json::Value) -> String {
     words::fill(&format!("doctor-{key}"), data)
 }
@@ -108,7 +108,7 @@ fn examine_scene(args: &DoctorArgs) -> Result<u8> {
     examine_design(&input, args.time)
 }
 
-/// How many values a table holds.
+/// Number of values in a table.
 fn leaves(table: &Table) -> usize {
     let count = |value: &toml::Value| match value {
         toml::Value::Table(table) => leaves(table),
@@ -123,7 +123,7 @@ fn leaves(table: &Table) -> usize {
     table.values().map(count).sum()
 }
 
-/// The scene without its faulty keys, and the fault of each.
+/// The scene without its invalid keys, and the fault of each.
 fn read_what_is_right(table: &Table) -> (Option<Scene>, Vec<Error>) {
     let mut left = table.clone();
     let mut faults: Vec<Error> = Vec::new();

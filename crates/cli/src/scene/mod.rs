@@ -1,4 +1,4 @@
-//! Scene files: a commented start, and every fault at once.
+//! Scene files: a commented template, and a list of all faults.
 
 pub mod doctor;
 pub mod init;

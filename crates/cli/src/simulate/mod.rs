@@ -74,7 +74,7 @@ pub struct SimulateArgs {
 }
 
 impl SimulateArgs {
-    /// The flags that stand for keys of the machine, and what they are given.
+    /// Flags that set keys of the machine, with their values.
     fn machine(&self) -> Vec<Flag<'_>> {
         [
             ("--speed", "drive.speed", &self.speed),
@@ -104,8 +104,8 @@ impl SimulateArgs {
     }
 }
 
-/// Designs the scene's cam (of a result folder: its own again), emits its profile and runs that; exit code 3 when there is no cam to run, or one
-/// that is unacceptable, be it for a limit that is broken or contact that is lost in this run.
+/// Designs the scene's cam (for a result folder, again), emits its profile and runs it. Exit code 3 if there is no cam, a limit is violated or
+/// contact is lost.
 pub fn run(args: &SimulateArgs) -> Result<u8> {
     let model = Model::parse(&args.model).ok_or_else(|| {
         let typed = args.model.clone();
@@ -190,7 +190,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     Ok(exit_code::of(design.verdict))
 }
 
-/// Why a run is held against no target.
+/// Reason why a run is compared with no target.
 fn no_target(why: &Error) -> String {
     let why = why.sentence(language::current());
     words::fill("simulate-no-target", &json!({"why": why}))
@@ -208,7 +208,7 @@ fn describe(design: &Design, remarks: impl Iterator<Item = String>, outcome: &Ou
     print(&simulation::table(outcome, measures, language::current()));
 }
 
-/// Where the files go: the result folder that is run unchanged, otherwise a folder of the scene's name.
+/// Folder of the files: the result folder if it is run unchanged, otherwise a folder of the scene's name.
 fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
     match (&args.out, &args.scene.scene) {
         (None, Some(result)) if result.is_dir() && !made.other_machine => Ok(result.clone()),
@@ -219,7 +219,7 @@ fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
     }
 }
 
-/// Which cam was run where that may be mistaken.
+/// Describes the cam of the run where it may be mistaken.
 fn remark(args: &SimulateArgs, made: &Made, design: &Design) -> Option<String> {
     if made.other_machine {
         let rpm = words::number(design.problem.drive.speed * 30.0 / PI);
@@ -230,7 +230,7 @@ fn remark(args: &SimulateArgs, made: &Made, design: &Design) -> Option<String> {
     again.then(|| words::text("simulate-designed-again"))
 }
 
-/// The emitted profile of the design on that machine.
+/// The emitted profile of the design on the machine of the run.
 fn emitted(args: &SimulateArgs, scene: &Scene, design: &Design) -> Result<Run> {
     let run = design.emitted(&scene.machine, design.problem.drive);
     run.map_err(|e| match args.natural_frequency {

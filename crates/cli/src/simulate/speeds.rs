@@ -1,4 +1,4 @@
-//! One cam as it is made at several speeds: `speeds.csv`, its table and its picture.
+//! One manufactured cam at several speeds: `speeds.csv`, its table and its picture.
 
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
@@ -29,12 +29,12 @@ use gaitcam_app::inputs;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_output::plots::{self, AtSpeed};
 
-/// Most speeds of a table.
+/// Maximum number of speeds in a table.
 const MOST: usize = 1000;
 const COLUMNS: &str =
     "speed_rad_per_s,rms_error_n,dlf_1,dlf_2,dlf_3,dlf_4,torque_max_n_m,contact_lost,ripple";
 
-/// A row of the table: the cam at one speed, or why the shaft does not turn there.
+/// A row of the table: the cam at one speed, or the reason why the shaft does not turn.
 struct Row {
     at: AtSpeed,
     stands: Option<String>,
@@ -112,7 +112,7 @@ fn read(text: &str, straight: bool) -> Result<Vec<f64>> {
     Ok((0..count).map(at).collect())
 }
 
-/// The emitted cam at a speed, against the target of that speed where a load model gives one.
+/// The emitted cam at a speed, compared with the target of that speed if a load model gives one.
 fn at(
     made: &Made,
     design: &Design,
@@ -162,7 +162,7 @@ fn at(
     Ok(Row { at, stands: None })
 }
 
-/// Whether a motor does not turn the shaft at the speed asked for.
+/// Whether a motor cannot turn the shaft at the requested speed.
 fn stands(error: &Error) -> bool {
     use DynamicsError::{NoLoadSpeed, Stalls, StallsAnyway};
     let fault = error.fault::<DynamicsError>();
@@ -206,7 +206,7 @@ impl Row {
         })
     }
 
-    /// Its cells in the table, the speed in the unit of people.
+    /// Cells of the row in the table, the speed in its customary unit.
     fn cells(&self, speed: String) -> Vec<String> {
         let at = &self.at;
         if let Some(why) = &self.stands {

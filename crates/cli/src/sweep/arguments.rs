@@ -1,4 +1,4 @@
-//! From arguments to the question of a sweep: scenes, lists and recordings.
+//! Definition of a sweep from arguments: scenes, lists and recordings.
 
 use std::path::{Path, PathBuf};
 
@@ -16,14 +16,14 @@ use gaitcam::sweep::{Axis, Key, NamedScene, Subject, Sweep};
 use gaitcam_app::read::read_bytes;
 use gaitcam_app::{Disk, SweepQuestion, Varied, inputs};
 
-/// More rows than this are asked for twice.
+/// Number of rows above which confirmation is required.
 const MANY: u64 = 100_000_000;
 
-/// The question of a sweep with the files of its scenes.
+/// Definition of a sweep with the files of its scenes.
 pub struct Asked {
-    /// The question.
+    /// Definition of the sweep.
     pub question: SweepQuestion,
-    /// The files of each base scene.
+    /// Files of each base scene.
     pub files: Vec<Disk>,
 }
 
@@ -72,7 +72,7 @@ pub fn question(args: &SweepArgs) -> Result<Asked> {
     Ok(Asked { question, files })
 }
 
-/// The sweep of a question about designs, with the files of its scenes.
+/// The sweep of designs, with the files of its scenes.
 pub fn sweep(args: &SweepArgs) -> Result<(Sweep, Vec<Disk>)> {
     let Asked { question, files } = question(args)?;
     let varies = [&question.vary, &question.list]
@@ -91,7 +91,7 @@ pub fn sweep(args: &SweepArgs) -> Result<(Sweep, Vec<Disk>)> {
     Ok((sweep, files))
 }
 
-/// What a sweep that is resumed must agree with, and where its recordings are.
+/// Data that a resumed sweep must match, and the paths of its recordings.
 pub fn description(sweep: &Sweep, files: &[Disk]) -> Value {
     let mut description = sweep.description();
     for (i, files) in files.iter().enumerate() {
@@ -101,7 +101,7 @@ pub fn description(sweep: &Sweep, files: &[Disk]) -> Value {
     description
 }
 
-/// Refuses more rows than anyone can wait for, and many that are not confirmed.
+/// Rejects an impractical number of rows, and a large one without confirmation.
 fn check_size(args: &SweepArgs, subject: &Subject) -> Result<()> {
     let rows = subject.rows().map_err(input::at_flag("--vary"))?;
     if rows > MANY && !args.yes {
@@ -111,7 +111,7 @@ fn check_size(args: &SweepArgs, subject: &Subject) -> Result<()> {
     Ok(())
 }
 
-/// The flag that a fault of the whole plan belongs to.
+/// The flag responsible for a fault of the whole plan.
 fn flag_of(e: &Error) -> &'static str {
     match e.fault() {
         Some(SweepError::NothingToSample) => "--sample",
@@ -166,7 +166,7 @@ fn list_fault(path: &Path, row: usize, name: &str, fault: &Error) -> Error {
     CliError::ListValue { fault }.at_line(path, row + 2)
 }
 
-/// A fault of the plan, at the line of the list that has it where one has.
+/// A fault of the plan, located at its line of the list if it has one.
 fn in_list(fault: Error, question: &SweepQuestion, path: Option<&Path>) -> Error {
     let place_in_list = || {
         let Place::Key(name) = &fault.place else {

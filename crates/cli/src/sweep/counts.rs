@@ -1,4 +1,4 @@
-//! What the rows of a sweep hold, counted.
+//! Counts of the rows of a sweep.
 
 use std::path::Path;
 
@@ -9,24 +9,24 @@ use gaitcam::sweep::{Outcome, Records};
 /// Numbers of rows of a sweep by their outcome and verdict.
 #[derive(Debug, Clone, Default)]
 pub struct Counts {
-    /// All rows.
+    /// Number of all rows.
     pub rows: u64,
-    /// Cams designed.
+    /// Number of designed cams.
     pub built: u64,
-    /// Those on which every check passes.
+    /// Number of cams that pass every check.
     pub acceptable: u64,
-    /// Those that are not for high speed.
+    /// Number of cams not for high speed.
     pub low_speed: u64,
-    /// Rows whose limits leave no cam.
+    /// Number of rows with infeasible limits.
     pub infeasible: u64,
-    /// Rows whose scene is at fault.
+    /// Number of rows with a faulty scene.
     pub errors: u64,
-    /// The first of them: its row and what is wrong.
+    /// First such row, with its fault.
     pub first_error: Option<(u64, String)>,
 }
 
 impl Counts {
-    /// Counts of computed rows.
+    /// Counts of the computed rows.
     pub fn of(records: &Records) -> Counts {
         let columns = ["outcome", "verdict", "error"].map(|name| records.words(name));
         let first = records.first_row().unwrap_or(0);
@@ -39,7 +39,7 @@ impl Counts {
         out
     }
 
-    /// Counts of the rows of a block; of fewer rows than it should have where it was cut short.
+    /// Counts of the rows of a block; fewer rows than expected if it was cut short.
     pub fn of_block(path: &Path, first: u64) -> Counts {
         let mut out = Counts::default();
         // The rows before the fault are counted; the caller compares their number.
@@ -69,7 +69,7 @@ impl Counts {
         self.rows += 1;
     }
 
-    /// Adds the counts of the rows that follow.
+    /// Adds the counts of following rows.
     pub fn add(&mut self, next: Counts) {
         self.rows += next.rows;
         self.built += next.built;

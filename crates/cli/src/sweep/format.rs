@@ -1,4 +1,4 @@
-//! Formats of tables.
+//! File formats of tables.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write, copy};
@@ -11,7 +11,7 @@ use gaitcam_app::read::cannot_be_read;
 #[cfg(feature = "parquet")]
 use gaitcam_output::parquet;
 
-/// Format of a table.
+/// File format of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// Comma-separated text.
@@ -22,14 +22,14 @@ pub enum Format {
 }
 
 impl Format {
-    /// Of the blocks that many processes share.
+    /// Format of blocks shared by many processes.
     #[cfg(feature = "parquet")]
     pub const SHARED: Format = Format::Parquet;
-    /// Of the blocks that many processes share.
+    /// Format of blocks shared by many processes.
     #[cfg(not(feature = "parquet"))]
     pub const SHARED: Format = Format::Csv;
 
-    /// From the ending of the file's name.
+    /// The format of a file ending.
     pub fn of(path: &Path) -> Result<Format> {
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         match ending.as_deref() {
@@ -54,7 +54,7 @@ impl Format {
         }
     }
 
-    /// Rows as lines of CSV, where the table is of them.
+    /// Rows as lines of CSV, for tables in that format.
     pub fn lines(self, records: &Records) -> String {
         match self {
             Format::Csv => records.csv_rows(),

@@ -35,7 +35,7 @@ const LIMP: f64 = 0.1;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Trial<'a> {
-    /// Its mean cycle of force.
+    /// Mean force cycle of the trial.
     pub cycle: &'a Cycle,
     /// What is open about it.
     pub open: &'a [OpenQuestion],

@@ -59,7 +59,7 @@ pub struct Cycle {
     pub averaged: usize,
     /// How the cycle was computed.
     pub source: CycleSource,
-    /// Its duration and what it was taken from.
+    /// Duration of the cycle, and where it comes from.
     pub period: Period,
     /// Coefficient of repeatability, N: two cycles of this walker differ by less in 95 of 100 cases
     /// (1.96 √2 times the standard deviation, root mean square over the phases). `None` for one cycle.

@@ -50,7 +50,7 @@ pub fn is_table(bytes: &[u8]) -> bool {
 pub struct WalkerRow {
     /// The name in it.
     pub name: String,
-    /// Its line, counted from 1.
+    /// Line of the walker in the file, counted from 1.
     pub line: usize,
     /// Its cycle.
     ///

@@ -28,7 +28,7 @@ pub struct TrialRow<'a> {
     pub name: &'a str,
     /// Its interpretation; `None` if it could not be read or is one cycle as given.
     pub understood: Option<&'a Interpretation>,
-    /// Its mean cycle, if it has one.
+    /// Mean cycle of the trial row, if it has one.
     pub curve: Option<&'a ForceCurve>,
     /// Why it has none.
     pub fault: Option<&'a Error>,

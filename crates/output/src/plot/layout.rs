@@ -76,7 +76,7 @@ pub const FIGURE_WIDTH: u32 = 820;
 /// A picture being drawn.
 #[derive(Clone, Copy)]
 pub struct Figure<'a, 'c> {
-    /// Its sheet.
+    /// Canvas on which the figure is drawn.
     pub canvas: &'c Canvas<'a>,
     /// How it is laid out.
     pub layout: Layout,

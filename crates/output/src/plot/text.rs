@@ -102,7 +102,7 @@ pub struct Line {
 }
 
 impl Line {
-    /// Its letters as polygons of one orientation, points.
+    /// Letters of the text as polygons of one orientation, points.
     pub fn outline(&self) -> Vec<Vec<[f64; 2]>> {
         let shift = if self.bold { EMBOLDENED } else { 0.0 };
         let letters = || self.text.chars().map(letter);

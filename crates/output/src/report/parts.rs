@@ -13,9 +13,9 @@ use gaitcam::wording::Language;
 /// A main figure.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Figure {
-    /// Its name.
+    /// Name of the figure.
     pub name: String,
-    /// Its value with the unit.
+    /// Value of the figure with its unit.
     pub value: String,
     /// The remark below it; may be empty.
     pub more: String,

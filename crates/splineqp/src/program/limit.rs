@@ -9,13 +9,13 @@ use std::ops::Neg;
 pub enum Derivative {
     /// The law itself.
     Value,
-    /// Its first derivative.
+    /// First derivative of the law.
     First,
-    /// Its second derivative.
+    /// Second derivative of the law.
     Second,
-    /// Its third derivative.
+    /// Third derivative of the law.
     Third,
-    /// Its fourth derivative.
+    /// Fourth derivative of the law.
     Fourth,
 }
 

@@ -34,7 +34,7 @@ pub struct Equality<N: Names> {
     pub name: N::Equality,
     /// The row.
     pub entries: Entries,
-    /// Its value.
+    /// Value of the equality.
     pub value: f64,
 }
 
@@ -93,7 +93,7 @@ pub struct Row<N: Names> {
     pub reference: Entries,
     /// Weights of the further variables.
     pub extra: Values,
-    /// Its bound.
+    /// Bound of the row.
     pub bound: f64,
     /// Size of which a part may be kept free; 0 where none can be.
     pub scale: f64,

@@ -101,7 +101,7 @@ impl<N: Names> Cone<N> {
         tail.fold(0.0, libm::hypot)
     }
 
-    /// Its variables, the head first.
+    /// Variables of the cone, the head first.
     pub fn members(&self) -> impl Iterator<Item = Variable> + '_ {
         std::iter::once(self.head).chain(self.tail.iter().copied())
     }

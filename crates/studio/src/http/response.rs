@@ -54,11 +54,11 @@ const REPORT: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 
 /// An answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Response {
-    /// Its status.
+    /// Status of the response.
     pub status: Status,
-    /// Its media type.
+    /// Media type of the response.
     pub kind: &'static str,
-    /// Its body.
+    /// Body of the response.
     pub body: Vec<u8>,
     /// The name under which a browser saves it.
     pub file: Option<String>,

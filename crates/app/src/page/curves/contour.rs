@@ -18,23 +18,23 @@ pub struct Contour {
     centre_x: Vec<Shown>,
     centre_y: Vec<Shown>,
     radius: Vec<Shown>,
-    /// What the colour means, and its values; none where nothing is coloured.
+    /// Meaning of the colour, and its values; empty without colours.
     colour: Colour,
     values: Vec<Shown>,
 }
 
-/// By what the contour is coloured.
+/// Quantity that colours the contour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Colour {
-    /// By nothing.
+    /// No quantity.
     #[default]
     None,
     /// Pressure angle along the contour, °.
     PressureAngle,
     /// Curvature of the contour, 1/m.
     Curvature,
-    /// Curvature as a part of what is allowed, %.
+    /// Curvature as a percentage of the allowed curvature.
     CurvatureUse,
     /// Contact force along the contour, N.
     Force,
@@ -42,22 +42,22 @@ pub enum Colour {
     Hertz,
 }
 
-/// A place on the contour where a limit acts.
+/// A point of the contour where a limit is active.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Place {
     /// Name of the limit in data.
     pub limit: String,
-    /// Where, in the unit of the angle.
+    /// Position in the unit of the angle.
     pub theta: f64,
-    /// Where on the contour, mm.
+    /// Position on the contour, mm.
     pub x: f64,
-    /// Where on the contour, mm.
+    /// Position on the contour, mm.
     pub y: f64,
     /// Whether the limit is broken there.
     pub broken: bool,
 }
 
-/// The contour of a design at the angles of samples.
+/// The contour of a design at the sampled angles.
 pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Contour {
     let cam = &design.cam;
     let all = |value: &dyn Fn(&Sample) -> f64| -> Vec<Shown> {
@@ -94,7 +94,7 @@ pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Co
     }
 }
 
-/// The smallest radius allowed where the contour is convex, and where it is concave, m; NaN where any is.
+/// Minimum radius allowed where the contour is convex, and where it is concave, m; NaN without a limit.
 fn smallest_radii(design: &Design) -> [f64; 2] {
     [Criterion::from(LimitKind::Curvature), Criterion::Concave].map(|name| {
         let limits = |c: &&Check| c.name == name && c.limit > 0.0;
@@ -106,7 +106,7 @@ fn smallest_radii(design: &Design) -> [f64; 2] {
     })
 }
 
-/// Direction of the contact's normal in the cam's frame, rad.
+/// Direction of the contact normal in the cam frame, rad.
 fn normal(cam: &Cam, s: &Sample) -> f64 {
     let [x, y] = cam.motion(s.theta);
     let unrolled = cam.follower.is_unrolled();
@@ -114,7 +114,7 @@ fn normal(cam: &Cam, s: &Sample) -> f64 {
     y.atan2(x) + s.point.pressure_angle - turned
 }
 
-/// Hertz pressure of steel on steel, MPa; none where nothing presses.
+/// Hertz pressure of steel on steel, MPa; `None` without contact.
 fn hertz(design: &Design, s: &Sample) -> f64 {
     let follower = &design.cam.follower;
     let sharp = !follower.is_flat() && follower.roller_radius() == 0.0;
@@ -137,7 +137,7 @@ fn hertz(design: &Design, s: &Sample) -> f64 {
     .pressure
 }
 
-/// Where limits act or are broken, each once.
+/// Points where limits are active or violated, each once.
 pub(super) fn places(design: &Design) -> Vec<Place> {
     let cam = &design.cam;
     let factor = cam.follower.measures().angle().factor;

@@ -1,4 +1,4 @@
-//! Curves of a design over the cam's angle, in the units people use: what the diagrams show.
+//! Curves of a design over the cam angle, in customary units, for the diagrams.
 
 mod contour;
 mod walkers;
@@ -16,18 +16,18 @@ pub use contour::Colour;
 use contour::{Contour, Place, contour, places};
 
 const MM: f64 = 1e3;
-/// How lengths are shown.
+/// Unit of lengths on the page.
 const LENGTH: Unit = Unit {
     factor: MM,
     name: "mm",
 };
-/// Radii beyond this many prime radii are straight to the eye.
+/// Radii above this many prime radii are drawn as straight.
 const STRAIGHT: f64 = 3.0;
 
-/// Values below this part of a curve's largest are rounding.
+/// Values below this fraction of a curve's maximum are rounding errors.
 const ROUNDING: f64 = 1e-9;
 
-/// A number of the page: six digits are enough for a screen, what does not exist is null.
+/// A number for the page with six digits; a value that does not exist is null.
 type Shown = Option<f64>;
 
 fn short(x: f64) -> Shown {
@@ -42,59 +42,59 @@ fn short(x: f64) -> Shown {
 /// All curves of a design at the same angles.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Curves {
-    /// The angles (or travel), both sides of every break.
+    /// The angles (or travel); breaks appear twice, once per side.
     pub theta: Vec<Shown>,
     /// First angle, one turn, unit.
     pub start: f64,
     /// One turn, or the travel.
     pub length: f64,
-    /// Its unit.
+    /// Unit of the curve.
     pub unit: &'static str,
     /// The diagrams, force first.
     pub panels: Vec<Panel>,
-    /// The contour of the cam with what colours it.
+    /// The contour of the cam with its colours.
     pub contour: Contour,
-    /// Where a limit acts or is broken.
+    /// Points where a limit is active or violated.
     pub places: Vec<Place>,
 }
 
-/// One diagram.
+/// One diagram of the page.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Panel {
-    /// What it shows: `force`, `s`, `v` …
+    /// Name of the quantity: `force`, `s`, `v` …
     pub id: &'static str,
-    /// Its unit.
+    /// Unit of the panel.
     pub unit: &'static str,
-    /// Its curves by their part: `main`, `target`, `low`, `high`, `worst`.
+    /// Curves of the panel by their role: `main`, `target`, `low`, `high`, `worst`.
     pub lines: Vec<Line>,
-    /// Lines of its limits.
+    /// Lines of the limits in the panel.
     pub levels: Vec<Level>,
 }
 
-/// The line of a limit in a diagram.
+/// A line that shows a limit in a diagram.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Level {
-    /// Height of the line.
+    /// Value at which the line is drawn.
     pub y: Shown,
-    /// Key of the scene that sets the limit; empty where none does.
+    /// Key of the scene that sets the limit; empty if no key does.
     pub key: &'static str,
-    /// Height from which the limit is measured up or down; null where the line's height is the limit.
+    /// Value from which the limit is measured; null where the line itself is the limit.
     pub from: Shown,
 }
 
-/// A curve.
+/// A curve of a diagram.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Line {
-    /// `main`, `target`, an edge of a band: `low`, `high`, or the walker who is served `worst`.
+    /// `main`, `target`, `low` and `high` for the edges of a band, or `worst` for the walker with the largest error.
     pub role: &'static str,
     /// Values at the angles.
     pub y: Vec<Shown>,
 }
 
-/// One of lift, velocity, acceleration and jerk.
+/// Lift, velocity, acceleration or jerk.
 type Pick = fn(&Svaj) -> f64;
 
-/// What is known at one angle.
+/// Quantities at one angle.
 struct Sample {
     theta: f64,
     at: Svaj,
@@ -301,7 +301,7 @@ fn levels(design: &Design, diagram: Diagram, factor: f64, lowest: f64) -> Vec<Le
     out
 }
 
-/// Key that sets a limit: of one side of the pressure angle that of both sides, unless the scene limits that side alone.
+/// Key that sets a limit. Both sides of the pressure angle share one key unless the scene limits one side alone.
 fn key(design: &Design, kind: LimitKind) -> &'static str {
     let both = LimitKind::PressureAngle;
     let alone = design.problem.value(kind.into()).is_some();

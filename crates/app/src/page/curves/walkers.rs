@@ -1,12 +1,12 @@
-//! The walkers of a population in the diagram of the force.
+//! The walkers of a population in the force diagram.
 
 use gaitcam::synth::Design;
 use gaitcam_output::curve;
 
 use super::{Line, Sample, line_of};
 
-/// What the force would be if the cam served each walker without an error: the edges over all, and that of the worst. The force of
-/// every walker's machine is linear in the one shown.
+/// Forces that the cam would need to serve each walker without error: the envelope over all walkers, and the worst. Each walker's force is linear in
+/// the displayed one.
 pub fn lines(design: &Design, samples: &[Sample]) -> Vec<Line> {
     let Some((all, report)) = design
         .problem

@@ -1,4 +1,4 @@
-//! What the program brings along: words, keys, built-in scenes, laws.
+//! Contents of the program: texts, keys, built-in scenes, laws.
 
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -15,10 +15,10 @@ use gaitcam::wording::{Language, people, scene_doc};
 use gaitcam_output::report::parts;
 use gaitcam_output::{laws_report, palette};
 
-/// Points of a law's small curve.
+/// Number of points of a law's thumbnail curve.
 const POINTS: usize = 60;
 
-/// Everything that the page needs once.
+/// Data that the page needs once.
 pub fn start(start: &Start) -> Value {
     let scenes = SCENES.iter().map(|s| {
         json!({
@@ -40,18 +40,17 @@ pub fn start(start: &Start) -> Value {
     })
 }
 
-/// Which built-in scene is meant.
+/// Name of a built-in scene.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Picture {
-    /// Its name.
+    /// Name of the picture.
     pub name: String,
 }
 
 /// The picture of a built-in scene's cam.
 ///
-/// # Errors
-/// Names of no scene.
+/// # Errors Unknown names of scenes.
 pub fn picture(files: &Files, asked: &Picture) -> Result<Value> {
     let mut table = table(built_in(&asked.name)?.toml)?;
     if scene::read(&table).is_err() {
@@ -65,7 +64,7 @@ pub fn picture(files: &Files, asked: &Picture) -> Result<Value> {
     Ok(json!({"svg": at_rest(&design)}))
 }
 
-/// The drawing of the animation as a picture of its own: every part in its place at the start, in plain colours.
+/// A still picture of the animation: every part at its start position, in plain colours.
 fn at_rest(design: &Design) -> String {
     let motion = serde_json::to_value(parts::motion(design)).unwrap_or_default();
     let first = |list: &str| motion[list][0].as_f64().unwrap_or(0.0);

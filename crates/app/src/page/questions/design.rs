@@ -1,4 +1,4 @@
-//! A design for one state of the scene: everything that the page shows of it.
+//! A design of one state of the scene, with all data that the page shows.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -29,26 +29,25 @@ use gaitcam_output::report::parts::{self, Figure, Motion, Tables};
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Ask {
-    /// The scene file.
+    /// TOML text of the scene.
     pub scene: String,
-    /// What is to be changed in it.
+    /// Changes of the scene.
     #[serde(default)]
     pub changes: Vec<Edit>,
-    /// By what the contour is coloured.
+    /// Quantity that colours the contour.
     #[serde(default)]
     pub colour: Colour,
-    /// Prime radius and offset (m) of the last design, while a value is moved: a law that keeps the limits, of about that size where
-    /// the size is what is sought, is an answer soon enough.
+    /// Prime radius and offset (m) of the last design, while a value is dragged. A feasible law of about that size is then a sufficient answer.
     #[serde(default)]
     pub quick: Option<[f64; 2]>,
 }
 
-/// Sizes tried for a quick answer, as multiples of the last smallest one: at that one itself few laws are left to be found.
+/// Sizes tried for a quick answer, as multiples of the last minimum; at the minimum itself few laws are feasible.
 const NEAR: [f64; 2] = [1.08, 1.3];
-/// Looks at the halt of a search for a quick answer: most laws that keep the limits are found within 400.
+/// Polls of the halt flag in a quick search: most feasible laws are found within 400.
 const LOOKS: usize = 500;
 
-/// Everything that the page shows of a design.
+/// Data that the page shows of a design.
 #[derive(Serialize)]
 pub struct Answer {
     /// Hash of the scene and its files, and of the force alone.
@@ -69,19 +68,19 @@ pub struct Answer {
     tables: Tables,
     numbers: Value,
     continuity: Continuity,
-    /// The class that CAM-DAS gives the law.
+    /// Class of the law after CAM-DAS.
     cam_das: &'static str,
     drawing: String,
     motion: Motion,
-    /// Names of the files that it has, by group.
+    /// Names of the design's files, by group.
     exports: Vec<(&'static str, Vec<&'static str>)>,
-    /// Radius of the cutter that its path is made for at first.
+    /// Default radius of the cutter for the path.
     cutter: String,
     curves: Curves,
     names: BTreeMap<String, String>,
     idle: bool,
     needs_relaxing: bool,
-    /// The size was held: the design of the scene is still to come.
+    /// The size was held; the design of the whole scene follows.
     quick: bool,
     server_ms: f64,
 }
@@ -91,13 +90,13 @@ pub struct Answer {
 struct Remedy {
     key: &'static str,
     from: String,
-    /// As shown; none where no value of this key alone helps.
+    /// Value for display; null if no value of this key alone helps.
     to: Option<String>,
-    /// As a scene file takes it.
+    /// Value as written in a scene file.
     value: Option<String>,
 }
 
-/// What one per cent more of an active limit would buy.
+/// Gain from relaxing an active limit by one per cent.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Eased {
     name: String,
@@ -106,7 +105,7 @@ struct Eased {
     objective: String,
     before: String,
     after: String,
-    /// Gain as a share of the objective.
+    /// Gain as a fraction of the objective.
     gain: f64,
 }
 
@@ -155,7 +154,7 @@ pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
     }))
 }
 
-/// The design of a table: the one that is kept, if all that it depends on is the same.
+/// The design of a table, from the cache if its inputs are the same.
 ///
 /// # Errors
 /// Faults of the scene and of its force.
@@ -193,8 +192,8 @@ pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
     Ok(made)
 }
 
-/// A design that follows a hand: one that keeps the limits, not the best, or the law without limits where none is found soon;
-/// `None` where neither is, and the whole design says why.
+/// A quick design while a value is dragged: a feasible law, not the optimum, or the law without limits if none is found soon. `None` if neither
+/// exists; the full design then gives the reason.
 fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     let start = files.host.seconds();
     let (scene, whole) = files.scene(table)?;
@@ -306,7 +305,7 @@ fn exports(design: &Design) -> Vec<(&'static str, Vec<&'static str>)> {
         .collect()
 }
 
-/// The figures of a design by their columns; null where it has none.
+/// The figures of a design by column; null for missing ones.
 fn numbers(kept: &Made) -> Value {
     let row = gaitcam::sweep::Row::of(&kept.design);
     let pairs = FIGURES.iter().zip(row.numbers);
@@ -338,7 +337,7 @@ fn easing(design: &Design, language: Language) -> Vec<Eased> {
     .collect()
 }
 
-/// What the conflict alone says, before the whole design is tried with each value.
+/// Suggestions from the conflict alone, before each value is tried on the full design.
 fn first_remedies(design: &Design, scene: &Scene) -> Vec<Remedy> {
     let own = match &design.infeasible {
         Some(infeasible) if design.relaxations.is_empty() => &infeasible.relaxations,
@@ -360,18 +359,18 @@ fn remedies(design: &Design, scene: &Scene, list: &[Relaxation]) -> Vec<Remedy> 
         .collect()
 }
 
-/// A number as a scene file takes it under a key.
+/// A number as written in a scene file under a key.
 fn value(key: &str, scene: &Scene, x: f64) -> Option<String> {
     let row = keys::find(key)?;
     let written = keys::Value::Number(x).to_toml(row.dimension(scene));
     Some(written.as_str().map_or(written.to_string(), str::to_string))
 }
 
-/// Which design is meant.
+/// The design that is meant.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Which {
-    /// Its scene.
+    /// Scene of the design.
     pub scene: String,
 }
 

@@ -1,4 +1,4 @@
-//! Files of a design, each made when it is asked for: those that `synth` writes, and those for the workshop.
+//! Files of a design, made on request: those of `synth`, and those for the workshop.
 
 use serde::Deserialize;
 
@@ -19,7 +19,7 @@ use gaitcam::units::{Dimension, parse};
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Export {
-    /// The scene.
+    /// TOML text of the scene.
     pub scene: String,
     /// Name of the file.
     pub name: String,
@@ -28,7 +28,7 @@ pub struct Export {
     pub tool: Option<String>,
 }
 
-/// The file, or why there is none.
+/// The file, or the reason why it cannot be made.
 pub fn file(files: &Files, asked: &Export) -> Answer {
     let made = table(&asked.scene).and_then(|table| made(files, table));
     let tool = asked.tool.as_deref();
@@ -45,7 +45,7 @@ pub fn file(files: &Files, asked: &Export) -> Answer {
     }
 }
 
-/// Media type by the ending.
+/// Media type of a file ending.
 fn kind(name: &str) -> &'static str {
     match name.rsplit('.').next() {
         Some("csv") => "text/csv; charset=utf-8",
@@ -88,7 +88,7 @@ fn bytes(kept: &Made, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
     bytes.ok_or_else(|| fault.unwrap_or_else(none))
 }
 
-/// What the page asks of files for the workshop.
+/// Options of the files for the workshop.
 #[cfg(feature = "cad")]
 fn workshop(kept: &Made, tool: Option<&str>) -> Result<Workshop> {
     Ok(Workshop {
@@ -98,7 +98,7 @@ fn workshop(kept: &Made, tool: Option<&str>) -> Result<Workshop> {
     })
 }
 
-/// The module without makers makes none.
+/// The module without CAD makes no files.
 #[cfg(not(feature = "cad"))]
 fn workshop(_: &Made, tool: Option<&str>) -> Result<Workshop> {
     tool.map(radius).transpose()?;

@@ -1,4 +1,4 @@
-//! Questions, one file per kind.
+//! Questions of the page, one file per kind.
 
 pub mod catalogue;
 pub mod design;

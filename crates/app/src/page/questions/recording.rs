@@ -1,4 +1,4 @@
-//! Recordings dropped on the page: what they hold, which contacts count, and forces drawn by hand.
+//! Recordings dropped on the page: contents, choice of contacts, and hand-drawn forces.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -16,23 +16,24 @@ use gaitcam::scene;
 use gaitcam_output::gait as tables;
 use gaitcam_output::recording;
 
-/// A recording that is kept.
+/// A kept recording.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Dropped {
-    /// Its name.
+    /// Name of the dropped file.
     pub file: String,
     /// Hash of its bytes.
     pub hash: Hash,
-    /// How it is read: keys of `gait` with their values.
+    /// Reading options: keys of `gait` with their values.
     #[serde(default)]
     pub options: BTreeMap<String, String>,
 }
 
-/// What a recording holds.
+/// Contents of a recording.
 ///
 /// # Errors
-/// Files that are no recording.
+///
+/// Files that are not recordings.
 pub fn dropped(files: &Files, asked: &Dropped) -> Result<Value> {
     let contacts = Contacts {
         file: plain(&asked.file),
@@ -44,7 +45,7 @@ pub fn dropped(files: &Files, asked: &Dropped) -> Result<Value> {
     self::contacts(files, &contacts)
 }
 
-/// The last part of a path, without what no file name has.
+/// Last component of a path, without characters that file names cannot contain.
 fn plain(given: &str) -> String {
     let last = given.rsplit(['/', '\\']).next().unwrap_or("");
     let name: String = last
@@ -57,7 +58,7 @@ fn plain(given: &str) -> String {
     }
 }
 
-/// Which contacts of a recording are left out.
+/// Excluded contacts of a recording.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Contacts {
@@ -65,13 +66,13 @@ pub struct Contacts {
     pub file: String,
     /// Hash of its bytes.
     pub hash: Hash,
-    /// Numbers of the stances that do not count, from 0 on.
+    /// Numbers of the excluded stances, from 0 on.
     #[serde(default)]
     pub without: Vec<usize>,
-    /// Whose feet count.
+    /// Feet whose stances count.
     #[serde(default)]
     pub feet: String,
-    /// How it is read: keys of `gait` with their values.
+    /// Reading options: keys of `gait` with their values.
     #[serde(default)]
     pub options: BTreeMap<String, String>,
 }
@@ -79,8 +80,7 @@ pub struct Contacts {
 /// The recording with some contacts left out: its mean cycle becomes a file of its own, which the scene may
 /// name.
 ///
-/// # Errors
-/// Recordings that are not there; nothing left to average.
+/// # Errors Missing recordings; nothing left to average.
 pub fn contacts(files: &Files, asked: &Contacts) -> Result<Value> {
     let bytes = files.engine.kept(&asked.hash).unwrap_or_default();
     let mut found = described(&bytes, asked)?;
@@ -101,7 +101,7 @@ pub fn contacts(files: &Files, asked: &Contacts) -> Result<Value> {
     Ok(found)
 }
 
-/// How a recording is read: as `gait` of a scene that names it.
+/// Reading options of a recording, as `gait` of a scene.
 fn options(asked: &Contacts) -> Result<(ReadOptions, Feet)> {
     let mut table = toml::Table::new();
     scene::set(
@@ -117,7 +117,7 @@ fn options(asked: &Contacts) -> Result<(ReadOptions, Feet)> {
     Ok((gait.read_options(None)?, feet))
 }
 
-/// What a recording holds, with its picture and the csv of its mean cycle.
+/// Contents of a recording, with its picture and the csv of its mean cycle.
 fn described(bytes: &[u8], asked: &Contacts) -> Result<Value> {
     let (name, without) = (asked.file.as_str(), &asked.without);
     let (path, language) = (Path::new(name), words::current());
@@ -166,9 +166,9 @@ fn described(bytes: &[u8], asked: &Contacts) -> Result<Value> {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Points {
-    /// Name of the file that the scene names.
+    /// Name of the force file in the scene.
     pub file: String,
-    /// Time of one cycle, s.
+    /// Duration of one cycle, s.
     pub period_s: f64,
     /// Time (s) and force (N) of each point.
     pub points: Vec<[f64; 2]>,
@@ -176,8 +176,7 @@ pub struct Points {
 
 /// Keeps points as a file of one cycle; the curve goes through them, level at every peak and valley.
 ///
-/// # Errors
-/// Too few points, or times that do not grow.
+/// # Errors Too few points, or times that do not increase.
 pub fn points(files: &Files, drawn: &Points) -> Result<Value> {
     let name = plain(&drawn.file);
     let mut points = drawn.points.clone();

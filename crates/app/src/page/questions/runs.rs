@@ -1,4 +1,4 @@
-//! The finished cam in motion, what a log of it shows, and a grid of designs.
+//! Simulation of the finished cam, identification from its log, and a grid of designs.
 
 use std::path::Path;
 use std::thread::available_parallelism;
@@ -22,11 +22,10 @@ use gaitcam::synth::Search;
 use gaitcam::wording::number;
 use gaitcam_output::{identification, identified, plots, simulation};
 
-/// Most designs of a sweep.
+/// Maximum number of designs in a sweep.
 const MOST: u64 = 900;
 
-/// Runs the emitted cam of a scene: the numbers of `gaitcam simulate --json`, its table and its picture; `why` alone
-/// where there is no cam.
+/// Runs the emitted cam of a scene: the numbers of `gaitcam simulate --json`, its table and its picture; only `why` if there is no cam.
 ///
 /// # Errors
 /// Faults of the scene and of its machine.
@@ -50,7 +49,7 @@ pub fn simulate(files: &Files, which: &Which) -> Result<Value> {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Logged {
-    /// The scene of its cam.
+    /// The scene of the logged cam.
     pub scene: String,
     /// Name of the log.
     pub log: String,
@@ -58,8 +57,7 @@ pub struct Logged {
     pub hash: Hash,
 }
 
-/// What a log shows of the machine, in words and as a picture, and the scene of the next cam; `why` alone where there is no
-/// cam.
+/// The machine identified from a log, in words and as a picture, and the scene of the next cam; only `why` if there is no cam.
 ///
 /// # Errors
 /// Faults of the scene and of the log.
@@ -103,15 +101,15 @@ fn next(files: &Files, made: &Made, log: &Log) -> Result<Value> {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Grid {
-    /// The scene file.
+    /// TOML text of the scene.
     pub scene: String,
     /// Keys with their values, as `gaitcam sweep --vary` takes them: `limits.stroke=50 mm:70 mm:9`.
     pub vary: Vec<String>,
-    /// Column of the figure that is asked for.
+    /// Column of the requested figure.
     pub column: String,
 }
 
-/// Verdict and one figure of each design of a grid, row by row, the last key fastest; none where time ran out.
+/// Verdict and one figure of each design of a grid, row by row, the last key fastest; null where the time limit ended it.
 ///
 /// # Errors
 /// Keys or values that cannot be varied, more than 900 designs, recordings that are not there.

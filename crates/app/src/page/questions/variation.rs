@@ -1,4 +1,4 @@
-//! How a design answers to its numbers: sensitivity and the trade-off front.
+//! Sensitivity of a design to its numbers, and the trade-off front.
 
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -14,33 +14,33 @@ use gaitcam::scene::keys::{KEYS, Key};
 use gaitcam::synth::{Design, Figure, Figures, Search, synthesise, trade, traded};
 use gaitcam::wording::people;
 
-/// Whether a front gives scenes: a point of it is a value of a limit.
+/// Whether each point of a front gives a scene: a value of a limit.
 pub fn is_traded(figure: &&Figure) -> bool {
     figure.trade.is_some() && figure.limit.is_some()
 }
 
-/// Points of a front.
+/// Number of points of a front.
 const POINTS: usize = 16;
-/// Most bars.
+/// Maximum number of bars.
 const BARS: usize = 12;
 
-/// Which quantity is watched while every number is varied.
+/// Quantity that is observed while every number is varied.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Vary {
-    /// The scene file.
+    /// TOML text of the scene.
     pub scene: String,
-    /// The quantity: the column of its figure.
+    /// Column of the observed figure.
     pub quantity: String,
-    /// By which share each number is varied.
+    /// Relative variation of each number.
     pub share: f64,
 }
 
-/// One bar for every number of the scene: the quantity with the number reduced and raised by a share, the longest bar
-/// first.
+/// One bar for every number of the scene: the quantity with the number reduced and raised by a fraction, the longest bar first.
 ///
 /// # Errors
-/// Faults of the scene as it stands.
+///
+/// Faults of the unchanged scene.
 pub fn sensitivity(files: &Files, vary: &Vary) -> Result<Value> {
     let table = table(&vary.scene)?;
     let (scene, _) = files.scene(&table)?;
@@ -98,7 +98,7 @@ pub fn sensitivity(files: &Files, vary: &Vary) -> Result<Value> {
     }))
 }
 
-/// The design of a varied scene; a load model is read again where its own numbers change.
+/// The design of a varied scene; a load model is evaluated again where its parameters change.
 fn varied(files: &Files, scene: &Scene, target: Option<&ForceCurve>, key: &Key) -> Option<Design> {
     let own = match key.section() {
         "gait" => files.target(scene).ok()?.map(|t| t.0),
@@ -119,18 +119,17 @@ fn value(design: &Design, figure: &Figure) -> Option<f64> {
     (design.infeasible.is_none() && value.is_finite()).then_some(value)
 }
 
-/// What the force error is traded against.
+/// Quantity that is traded against the force error.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Trade {
-    /// The scene file.
+    /// TOML text of the scene.
     pub scene: String,
-    /// The other quantity: the column of its figure.
+    /// Column of the second objective.
     pub against: String,
 }
 
-/// The front: the least force error at each value of the other quantity, each point with the change that makes
-/// its scene.
+/// The front: the minimum force error at each value of the other quantity, each point with the change that makes its scene.
 ///
 /// # Errors
 /// Scenes without a force; quantities that cannot be traded.

@@ -1,4 +1,4 @@
-//! Words of the page, by language: one Fluent file each.
+//! Texts of the page, by language: one Fluent file each.
 
 use std::cell::Cell;
 
@@ -8,7 +8,7 @@ use gaitcam::synth::{FIGURES, Figure};
 use gaitcam::wording::{Catalogue, Language, Sentences, limit_label};
 use serde_json::{Map, Value};
 
-/// The studio's own messages.
+/// Catalogue of the studio's messages.
 pub static WORDS: Catalogue = Catalogue::new(&[Sentences {
     files: &[[include_str!("en.ftl"), include_str!("es.ftl")]],
     as_typed: &["fault", "file", "folder", "list", "name"],
@@ -19,12 +19,12 @@ thread_local! {
     static LANGUAGE: Cell<Language> = const { Cell::new(Language::En) };
 }
 
-/// Settles the language of the messages of the request that this thread answers.
+/// Sets the language of the messages of this thread's request.
 pub fn settle(language: Language) {
     LANGUAGE.set(language);
 }
 
-/// The language of the request that this thread answers.
+/// Language of this thread's request.
 pub fn current() -> Language {
     LANGUAGE.get()
 }

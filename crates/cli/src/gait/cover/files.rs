@@ -1,4 +1,4 @@
-//! Files of a cover: the scene of each cam, the errors, the cam of each walker, and how well other walkers are served.
+//! Files of a cover: the scene of each cam, the errors, the assignment of walkers, and the errors of other walkers.
 
 use super::{CYCLES, PARTS};
 use gaitcam::cover::{Assigned, Cover, Fold};
@@ -9,7 +9,7 @@ use gaitcam::sweep::{Field, Records};
 use gaitcam_app::design::scene_of_cover;
 use gaitcam_app::{Input, ResultFolder};
 
-/// The scene of each cam: the walkers whom it does not serve are left out.
+/// The scene of each cam, without the walkers assigned to other cams.
 pub(super) fn write_scenes(
     folder: &ResultFolder,
     input: &mut Input,
@@ -57,7 +57,7 @@ pub(super) fn write_scenes(
     Ok(())
 }
 
-/// A column of errors, named with their unit.
+/// A column of errors, with the unit in its name.
 fn column(name: &str, error: ErrorMeasure, values: impl Iterator<Item = f64>) -> Field {
     Field::numbers(&format!("{name}_{}", error.suffix()), values.collect())
 }

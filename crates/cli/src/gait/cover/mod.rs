@@ -63,7 +63,7 @@ pub struct CoverArgs {
     pub json: bool,
 }
 
-/// Seeks the cams and writes them; exit code 3 where a cam cannot keep its limits.
+/// Searches for the cams and writes them; exit code 3 where a cam violates its limits.
 pub fn run(args: &CoverArgs) -> Result<u8> {
     let numbers = numbers(&args.cams)?;
     let mut input = scene(args)?;
@@ -126,10 +126,8 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
     })
 }
 
-/// The smallest and the largest number of cams to design, from `--cams`: `1:6`, or `3` for both.
-///
-/// # Errors
-/// No whole numbers in rising order from 1 to [`MOST`].
+/// The smallest and the largest number of cams to design, from `--cams`: `1:6`, or `3` for both. # Errors No whole numbers in rising order from 1 to
+/// [`MOST`].
 fn numbers(typed: &str) -> Result<(usize, usize)> {
     let (first, last) = typed.split_once(':').unwrap_or((typed, typed));
     let number = |text: &str| text.trim().parse::<usize>().ok();
@@ -159,7 +157,7 @@ fn scene(args: &CoverArgs) -> Result<Input> {
     Input::new(table, folder, file)
 }
 
-/// Refuses a folder for results among the recordings, where the next run would read them.
+/// Rejects a results folder among the recordings, where the next run would read it.
 fn refuse_inside(out: &Path, walkers: &Path) -> Result<()> {
     // The folder for results need not be there yet.
     let whole = |path: &Path| {

@@ -1,4 +1,4 @@
-//! What a cover is for people and programs: table, picture and JSON.
+//! Output of a cover: table, picture and JSON.
 
 use serde_json::{Value, json};
 
@@ -37,7 +37,7 @@ pub(super) fn fold_object(fold: &Fold, error: ErrorMeasure) -> Value {
     in_unit(out, &values, error)
 }
 
-/// An object with errors under names that end with their unit.
+/// An object of errors whose names end in their unit.
 fn in_unit(mut object: Value, values: &[(&str, Option<f64>)], error: ErrorMeasure) -> Value {
     for (name, value) in values {
         object[format!("{name}_{}", error.suffix())] = json!(value);
@@ -45,14 +45,14 @@ fn in_unit(mut object: Value, values: &[(&str, Option<f64>)], error: ErrorMeasur
     object
 }
 
-/// The largest part of an error, in words.
+/// The largest component of an error, in words.
 pub fn reason(of: &Assigned) -> String {
     let largest =
         (0..PARTS.len()).max_by(|i, j| of.parts_percent[*i].total_cmp(&of.parts_percent[*j]));
     words::text(&format!("cover-{}", PARTS[largest.unwrap_or_default()]))
 }
 
-/// Error against number of cams, with whom they serve worst and how they serve others.
+/// Error against number of cams, with the worst walker and the errors of others.
 pub(super) fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
     let mut rows = vec![
         [
@@ -103,7 +103,7 @@ pub(super) fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
     format!("{head}\n{}\n{}", table(&rows, &sides), words::text(of))
 }
 
-/// The message of a measure of errors.
+/// The message of an error measure.
 pub fn of_unit(message: &str, error: ErrorMeasure) -> String {
     match error {
         ErrorMeasure::Relative => message.to_string(),
@@ -111,7 +111,7 @@ pub fn of_unit(message: &str, error: ErrorMeasure) -> String {
     }
 }
 
-/// Error against the number of cams, of the walkers of the cams and of others.
+/// Error against the number of cams, for the walkers of the cams and for others.
 pub(super) fn picture(input: &Input, covers: &[Cover], folds: &[Fold]) -> Picture {
     let of = |value: fn(&Cover) -> Option<f64>| -> Vec<(f64, f64)> {
         let point = |c: &Cover| Some((c.cams.len() as f64, value(c)?));

@@ -129,7 +129,7 @@ fn forces(designs: &[Design], names: &[String]) -> (Strip, Vec<String>) {
     (strip, names)
 }
 
-/// Lift to jerk; arms in degrees in the same strips.
+/// Diagrams of lift to jerk; arms in degrees in the same diagrams.
 fn laws(designs: &[Design]) -> Vec<Strip> {
     let mixed = if designs.iter().any(Design::swings) {
         "mm (°)"

@@ -10,17 +10,17 @@ use gaitcam::error::{Placed, Result};
 use gaitcam_app::result_folder;
 use gaitcam_app::scene::not_json;
 
-/// One result.
+/// One result of `synth`.
 pub struct Design {
-    /// Its name, or its folder where names repeat.
+    /// Name of the design, or its folder where names repeat.
     pub name: String,
-    /// Where it was read.
+    /// Folder of the result.
     pub folder: PathBuf,
-    /// summary.json.
+    /// Contents of summary.json.
     pub summary: Value,
-    /// law.csv.
+    /// Columns of law.csv.
     pub law: Columns,
-    /// profile.csv.
+    /// Columns of profile.csv.
     pub profile: Columns,
 }
 
@@ -44,17 +44,17 @@ impl Design {
         })
     }
 
-    /// Whether the cam slides, so that its θ is metres of travel.
+    /// Whether the cam translates, so that θ is metres of travel.
     pub fn slides(&self) -> bool {
         self.summary["cam"]["follower"] == "translating-cam"
     }
 
-    /// Whether the follower swings, so that its lift is an angle.
+    /// Whether the follower oscillates, so that its lift is an angle.
     pub fn swings(&self) -> bool {
         self.law.names.iter().any(|n| n == "s_rad")
     }
 
-    /// How follower and cam move.
+    /// Motion of follower and cam.
     pub fn measures(&self) -> Measures {
         match (self.slides(), self.swings()) {
             (true, _) => Measures::Straight,
@@ -63,14 +63,14 @@ impl Design {
         }
     }
 
-    /// Whether a force was to be met.
+    /// Whether the design has a target force.
     pub fn has_target(&self) -> bool {
         self.summary["force"]["target_mean_n"]
             .as_f64()
             .is_some_and(|mean| mean != 0.0)
     }
 
-    /// From θ to what is drawn to the right: degrees, or mm.
+    /// Factor from θ to the abscissa: degrees, or mm.
     pub fn across(&self) -> f64 {
         if self.slides() {
             1e3
@@ -85,7 +85,7 @@ impl Design {
 pub struct Columns {
     /// Names of the columns.
     pub names: Vec<String>,
-    /// Rows of numbers.
+    /// Rows of the table.
     pub rows: Vec<Vec<f64>>,
 }
 

@@ -7,13 +7,13 @@ use crate::console::table::{Side, table};
 use crate::console::{language, words};
 use gaitcam::synth::{FIGURES, Figure};
 
-/// Cell of a result that has no such number.
+/// Cell of a missing number.
 const NONE: &str = "—";
 
 /// Text of one cell.
 type Cell = fn(&Design) -> String;
 
-/// Rows that are no figures.
+/// Keys of rows that are not figures.
 const WORDS: [(&str, Cell); 4] = [
     ("compare-verdict", |d| word(&d.summary["verdict"])),
     ("compare-outcome", |d| outcome(&d.summary["outcome"])),
@@ -21,7 +21,7 @@ const WORDS: [(&str, Cell); 4] = [
     ("compare-follower", |d| word(&d.summary["cam"]["follower"])),
 ];
 
-/// Figures that summary.json has as two extremes by the cam's motion: column, table, keys, order of the derivative.
+/// Figures with two extremes in summary.json by the cam's motion: column, table, keys, order of the derivative.
 const EXTREMES: [(&str, &str, [&str; 2], i32); 4] = [
     (
         "velocity_max_m_per_s",
@@ -66,7 +66,7 @@ pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
     words.chain(figures).collect()
 }
 
-/// A figure as summary.json has it; that of a force only where one was to be met.
+/// A figure of summary.json; that of a force only with a target force.
 fn value(figure: &Figure, d: &Design) -> Option<f64> {
     if let Some((_, section, keys, order)) = EXTREMES.iter().find(|row| row.0 == figure.column) {
         let ends = keys
@@ -104,7 +104,7 @@ fn number(value: &Value) -> Option<f64> {
     }
 }
 
-/// As Markdown, for compare.md.
+/// The table as Markdown, for compare.md.
 pub fn markdown(designs: &[Design]) -> String {
     let names: Vec<&str> = designs.iter().map(|d| d.name.as_str()).collect();
     let mut out = format!("| | {} |\n", names.join(" | "));
@@ -115,7 +115,7 @@ pub fn markdown(designs: &[Design]) -> String {
     out
 }
 
-/// In columns, for the console.
+/// The table in columns, for the console.
 pub fn text(designs: &[Design]) -> String {
     let names = designs.iter().map(|d| d.name.clone());
     let mut lines = vec![std::iter::once(String::new()).chain(names).collect()];

@@ -17,7 +17,7 @@ use gaitcam_app::blocks::PLAN;
 use gaitcam_app::folder::Folder;
 use gaitcam_app::{read::read_bytes, scene::not_json};
 
-/// Rebuilds the scene of a row from the sweep's description and the row's own cells, and designs it.
+/// Rebuilds the scene of a row from the description of the sweep and the cells of the row, and designs it.
 pub(super) fn open_best(
     args: &FrontArgs,
     folder: &Folder,

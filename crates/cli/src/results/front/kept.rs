@@ -1,17 +1,17 @@
-//! Rows of a table that are kept for its pictures.
+//! Rows of a table kept for its pictures.
 
 use super::read::{Columns, Row};
 use crate::console::words;
 use gaitcam::sweep::{Key, Objective};
 use gaitcam_output::sweep_plots::Quantity;
 
-/// Rows kept for pictures, at most.
+/// Maximum number of rows kept for pictures.
 const KEPT_ROWS: usize = 60_000;
 
 /// Values of one varied key in the rows kept.
 #[derive(Debug, Clone, Default)]
 pub struct Input {
-    /// Its column.
+    /// Column of the input table.
     pub column: usize,
     name: String,
     values: Vec<f64>,
@@ -20,7 +20,7 @@ pub struct Input {
 }
 
 impl Input {
-    /// Whether it takes more than one value.
+    /// Whether it has more than one value.
     pub fn varies(&self) -> bool {
         self.values.windows(2).any(|w| w[0] != w[1])
     }
@@ -63,12 +63,12 @@ impl Input {
     }
 }
 
-/// Every k-th candidate, k growing with the table.
+/// Every k-th candidate; k increases with the table.
 #[derive(Debug, Clone, Default)]
 pub struct Kept {
     /// Rows of the table.
     pub seen: u64,
-    /// Rows among them whose design may stand on the front, kept or not.
+    /// Number of rows whose design may be on the front, kept or not.
     pub candidates: u64,
     /// Numbers of the rows kept.
     pub rows: Vec<u64>,
@@ -80,7 +80,7 @@ pub struct Kept {
 }
 
 impl Kept {
-    /// Looks at a row.
+    /// Examines a row.
     pub fn take(&mut self, columns: &Columns, objectives: &[Objective], row: &Row, good: bool) {
         if self.seen == 0 {
             self.stride = 1;
@@ -114,7 +114,7 @@ impl Kept {
         }
     }
 
-    /// Leaves out every second row.
+    /// Drops every second row.
     fn thin_out(&mut self) {
         self.stride *= 2;
         let mut i = 0;

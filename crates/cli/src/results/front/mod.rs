@@ -62,24 +62,24 @@ pub struct FrontArgs {
     pub json: bool,
 }
 
-/// Rows of the front that are printed and shown on the page.
+/// Maximum number of rows of the front in the output and on the page.
 const SHOWN: usize = 40;
-/// Ranges of missing rows that are named.
+/// Maximum number of ranges of missing rows that are listed.
 const SHOWN_GAPS: usize = 6;
 
-/// The designs of a table, judged by the objectives.
+/// The designs of a table, compared by the objectives.
 struct Evaluation {
     columns: Columns,
     objectives: Vec<Objective>,
     kept: Kept,
-    /// Designs that are built, not for high speed, and left out for it.
+    /// Number of designs left out because they are not for high speed.
     left_out: u64,
-    /// Rows that the folder of blocks lacks.
+    /// Missing rows of the folder of blocks.
     missing: Vec<Range<u64>>,
     front: Front,
 }
 
-/// Finds the front and writes its files; exit code 3 when no design of the table will do.
+/// Finds the front and writes its files; exit code 3 if no design of the table qualifies.
 pub fn run(args: &FrontArgs) -> Result<u8> {
     let evaluated = gather(args)?;
     report_missing(&evaluated.missing);
@@ -118,7 +118,7 @@ pub fn run(args: &FrontArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Says which rows of a folder of blocks are not there.
+/// Reports the missing rows of a folder of blocks.
 fn report_missing(missing: &[Range<u64>]) {
     if missing.is_empty() {
         return;
@@ -140,7 +140,7 @@ fn report_missing(missing: &[Range<u64>]) {
     ));
 }
 
-/// Says how many designs do not count because they are not for high speed.
+/// Reports the number of designs left out because they are not for high speed.
 fn report_left_out(evaluated: &Evaluation) {
     if evaluated.left_out > 0 {
         let count = json!({"count": evaluated.left_out});

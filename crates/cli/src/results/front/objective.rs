@@ -1,4 +1,4 @@
-//! What is minimised or maximised, as flags name it and as people read it.
+//! Objectives: names in flags and for display.
 
 use crate::console::words;
 use crate::input::at_flag;
@@ -6,7 +6,7 @@ use gaitcam::error::Result;
 use gaitcam::sweep::Objective;
 use gaitcam_output::sweep_plots::unit_for_people;
 
-/// Those that both flags name; the usual ones where neither is given.
+/// Objectives of both flags; the default ones without flags.
 pub fn of_flags(
     minimise: Option<&str>,
     maximise: Option<&str>,
@@ -29,12 +29,12 @@ pub fn of_flags(
     Ok(out)
 }
 
-/// Its name with the unit in which people read it.
+/// Name of the objective with its customary unit.
 pub fn label(objective: &Objective) -> String {
     unit_for_people(&words::column(&objective.name)).0
 }
 
-/// A cost as people read it.
+/// A cost in its customary unit.
 pub fn shown(objective: &Objective, cost: f64) -> String {
     let unit = unit_for_people(&words::column(&objective.name)).1;
     words::number(unit * objective.value(cost))

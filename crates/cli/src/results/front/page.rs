@@ -1,4 +1,4 @@
-//! Pictures of the front and the page that shows them.
+//! Pictures of the front and their page.
 
 use std::path::Path;
 
@@ -15,10 +15,10 @@ use gaitcam_output::Picture;
 use gaitcam_output::sweep_plots::{self, Quantity, unit_for_people};
 use gaitcam_output::sweep_report;
 
-/// Lines and dots that a picture can show apart.
+/// Maximum number of distinguishable lines and dots in a picture.
 const DRAWN: usize = 3000;
 
-/// A picture with its file's name and its heading.
+/// A picture with its file name and heading.
 type Drawn = (&'static str, String, Picture);
 
 /// Writes the pictures and report.html.
@@ -41,7 +41,7 @@ pub fn write(
     folder.write("report.html", html.as_bytes())
 }
 
-/// Every k-th value, so that a picture stays light.
+/// Every k-th value, to limit the size of a picture.
 fn fewer(mut q: Quantity) -> Quantity {
     let step = q.values.len().div_ceil(DRAWN).max(1);
     q.values = q.values.into_iter().step_by(step).collect();
@@ -199,7 +199,7 @@ fn page<'a>(
     }
 }
 
-/// A cell of the table as people read it.
+/// A cell of the table in customary units.
 fn read(cell: &str) -> String {
     let number = |x| gaitcam::wording::exact(language::current(), x);
     cell.parse().map_or_else(|_| cell.to_string(), number)

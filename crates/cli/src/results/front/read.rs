@@ -1,4 +1,4 @@
-//! A sweep's table, row by row, and the part of it that pictures need.
+//! Reading the table of a sweep row by row.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -12,16 +12,16 @@ use gaitcam::sweep::table::cell_text;
 use gaitcam_app::blocks;
 use gaitcam_app::read::open;
 
-/// Where the columns of a table are.
+/// Column indices of a table.
 #[derive(Debug, Clone, Default)]
 pub struct Columns {
-    /// All names.
+    /// Names of all columns.
     pub names: Vec<String>,
-    /// Columns of varied keys.
+    /// Columns of the varied keys.
     pub inputs: Vec<usize>,
-    /// `outcome`.
+    /// Column `outcome`.
     pub outcome: usize,
-    /// `verdict`.
+    /// Column `verdict`.
     pub verdict: usize,
 }
 
@@ -46,15 +46,15 @@ impl Columns {
 
 /// A row of either kind of table.
 pub enum Row<'a> {
-    /// Of a CSV file.
+    /// Row of a CSV file.
     Csv(&'a csv::StringRecord),
-    /// Of a Parquet file.
+    /// Row of a Parquet file.
     #[cfg(feature = "parquet")]
     Parquet(&'a gaitcam_output::parquet::RecordBatch, usize),
 }
 
 impl Row<'_> {
-    /// A number; NaN where there is none.
+    /// A number of the row; NaN if missing.
     pub fn number(&self, column: usize) -> f64 {
         match self {
             Row::Csv(record) => record
@@ -68,7 +68,7 @@ impl Row<'_> {
         }
     }
 
-    /// The cell as text.
+    /// A cell as text.
     pub fn word(&self, column: usize) -> String {
         self.text(column).into_owned()
     }
@@ -91,7 +91,7 @@ impl Row<'_> {
     }
 }
 
-/// Reads the table once, whatever its size; of a folder every block of rows in it.
+/// Reads the table once, whatever its size; for a folder, all blocks of rows.
 pub fn each_row(path: &Path, mut each: impl FnMut(&Columns, Row) -> Result<()>) -> Result<Columns> {
     if path.is_dir() {
         let mut columns = None;

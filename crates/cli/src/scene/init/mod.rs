@@ -1,7 +1,6 @@
 //! `gaitcam init MACHINE`: a scene to begin with, in which a comment explains each key.
 //!
-//! One TOML file per machine; `#- key = value` is a key that the scene offers and leaves out. The comments are those of
-//! the key table, so that a scene never says something else than `gaitcam keys`.
+//! One TOML file per machine; `#- key = value` is an optional key in a comment. The comments come from the key table, as in `gaitcam keys`.
 
 use std::path::{Path, PathBuf};
 
@@ -23,7 +22,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam init shaker
   gaitcam init walk --out my_walk.toml";
 
-/// Longest line of a comment.
+/// Maximum length of a comment line.
 const WIDTH: usize = 100;
 /// Prefix of an optional key that the scene leaves out.
 const OFFERED: &str = "#- ";
@@ -39,7 +38,7 @@ pub struct InitArgs {
     out: Option<PathBuf>,
 }
 
-/// Machines with a scene to begin with.
+/// Machines with a template scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Machine {
     Shaker,
@@ -65,13 +64,13 @@ impl Machine {
         }
     }
 
-    /// What it is, in one sentence.
+    /// Description of the machine in one sentence.
     fn doc(self) -> String {
         words::text(&format!("init-{}", self.name()))
     }
 }
 
-/// Writes the scene, never over a file that is there.
+/// Writes the scene; never replaces an existing file.
 pub fn run(args: &InitArgs) -> Result<u8> {
     let Some(machine) = args.machine else {
         for machine in Machine::value_variants() {
@@ -132,7 +131,7 @@ fn scene(heading: &str, template: &str, file: &Path, language: Language) -> Stri
     out
 }
 
-/// The row of the key table that a line of a template gives a value for.
+/// The row of the key table for the key in a line of a template.
 fn row_of(section: &str, line: &str) -> Option<&'static Key> {
     let (key, _) = line.trim_start_matches(OFFERED).split_once(" = ")?;
     let path = if section.is_empty() {
@@ -144,7 +143,7 @@ fn row_of(section: &str, line: &str) -> Option<&'static Key> {
     KEYS.iter().find(|k| k.path == path || k.path == numbered)
 }
 
-/// A text in lines of comment.
+/// A text as comment lines.
 fn wrapped(text: &str, before: &str) -> String {
     let mut out = String::new();
     let mut line = before.to_string();

@@ -31,7 +31,7 @@ const LARGEST_PART: f64 = 1.5;
 /// A text with many cycles, and how its columns tell them apart.
 pub(in crate::read) struct LongTable<'a> {
     file: TextFile<'a>,
-    /// Its header, and the place of its first row.
+    /// Header of the table, and position of its first row.
     table: Table,
     /// Columns that tell the cycles apart.
     identifiers: Vec<usize>,
@@ -94,7 +94,7 @@ impl<'a> LongTable<'a> {
         })
     }
 
-    /// Its header with the place of the first row.
+    /// Header of the table, with the position of its first row.
     pub fn table(&self) -> &Table {
         &self.table
     }

@@ -40,7 +40,7 @@ pub struct NumberTable<'a> {
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
 pub struct Cell {
-    /// Its finite number; `None` for anything else.
+    /// Finite number in the cell; `None` for anything else.
     pub number: Option<f64>,
     /// The field as it is written.
     pub text: String,

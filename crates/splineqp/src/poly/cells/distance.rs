@@ -135,7 +135,7 @@ impl<'a> Difference<'a> {
         }
     }
 
-    /// Its coefficients on a part.
+    /// Coefficients of the difference on part of a span.
     fn on(&mut self, part: &Part) -> &mut [f64] {
         let (own, scale) = (self.own, self.cells.per_length());
         let ends = &own.breaks()[part.piece..part.piece + 2];
