@@ -1,4 +1,4 @@
-//! How a recording was interpreted: what was recognised, guessed, left out, and what is open.
+//! Interpretation of a recording: recognised, guessed and excluded parts, and open questions.
 
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -9,7 +9,7 @@ use crate::recording::{
 };
 use crate::stance::{Point, RejectReason};
 
-/// How a recording was interpreted.
+/// Interpretation of a recording.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, Kind, ReadOptions, force_curve};
@@ -26,17 +26,17 @@ use crate::stance::{Point, RejectReason};
 pub struct Interpretation {
     /// Name of the file.
     pub file: String,
-    /// Kind of file that was read.
+    /// Kind of the file.
     pub format: Format,
-    /// What was recorded; `None` where nothing shows it.
+    /// Recorded movement; `None` if unknown.
     pub kind: Option<Kind>,
-    /// Whether the user said so.
+    /// Whether the user stated the movement.
     pub kind_given: bool,
-    /// Rate, span and source of the time of a sample.
+    /// Time base: rate, span and source.
     pub clock: Clock,
     /// Unit of the force columns.
     pub unit: ForceUnit,
-    /// Where it is from.
+    /// Source of the unit.
     pub unit_from: UnitSource,
     /// Columns (plates, insoles, belts) of vertical force.
     pub columns: Vec<Column>,
@@ -44,19 +44,19 @@ pub struct Interpretation {
     pub feet: Feet,
     /// Every contact, used or rejected, in order of time.
     pub contacts: Vec<Contact>,
-    /// Duration of a cycle, what it was taken from and how far single strides differ.
+    /// Duration of a cycle, its source and its variation.
     pub period: Option<Period>,
-    /// Mass, kg, and where it is from.
+    /// Mass, kg, and its source.
     pub mass: Option<(f64, MassSource)>,
-    /// How the cycle was computed.
+    /// Method of the cycle.
     pub cycle: Option<CycleSource>,
-    /// What was guessed, left out or does not look right.
+    /// Notes on guesses, exclusions and doubts.
     pub warnings: Vec<Note>,
-    /// The stances over each other with the mean of each foot.
+    /// The overlaid stances with the mean of each foot.
     pub overlay: Option<Overlay>,
 }
 
-/// The time of a sample.
+/// The time base of the samples.
 ///
 /// ```
 /// use gaitcam_gait::{ClockSource, Feet, ReadOptions, force_curve};
@@ -77,7 +77,7 @@ pub struct Clock {
     pub start_s: f64,
     /// Time from the first sample to the last, s.
     pub duration_s: f64,
-    /// What it was taken from.
+    /// Source of the time base.
     pub from: ClockSource,
 }
 
@@ -95,7 +95,7 @@ pub struct Clock {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
-    /// Name in the file.
+    /// Name of the column in the file.
     pub name: String,
     /// The foot, if the file names it.
     pub foot: Option<Foot>,
@@ -103,13 +103,13 @@ pub struct Column {
     pub baseline_n: f64,
     /// Standard deviation of the unloaded reading, N.
     pub noise_n: f64,
-    /// Why it takes no part, if so.
+    /// Reason for its exclusion, if any.
     pub idle: Option<Idle>,
     /// Lowest and highest force in pieces of equal duration over the whole recording, N; for a picture.
     pub envelope_n: Vec<[f64; 2]>,
 }
 
-/// One contact.
+/// One contact of a foot.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, RejectReason, force_curve};
@@ -123,19 +123,19 @@ pub struct Column {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
-    /// Place of its column in `columns`.
+    /// Index of its column in `columns`.
     pub column: usize,
-    /// The foot, where it is known.
+    /// The foot, if known.
     pub foot: Option<Foot>,
     /// Start on the file's own clock, s.
     pub from_s: f64,
     /// End on the same clock, s.
     pub to_s: f64,
-    /// Why it is not used; `None` where it is.
+    /// Reason for its rejection; `None` if it is used.
     pub rejected: Option<RejectReason>,
 }
 
-/// A stride of the walk that the recording holds.
+/// A stride of the recorded walk.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, force_curve};
@@ -152,9 +152,9 @@ pub struct Contact {
 pub struct Period {
     /// Duration of one cycle, s.
     pub seconds: f64,
-    /// What it was taken from.
+    /// Source of the duration.
     pub from: PeriodSource,
-    /// Standard deviation of the single strides, s, where there are several.
+    /// Standard deviation of the single strides, s, for several strides.
     pub spread_s: Option<f64>,
 }
 
@@ -175,11 +175,11 @@ pub struct Period {
 pub struct Overlay {
     /// Foot and force, N, of the stances shown.
     pub stances: Vec<(Option<Foot>, Vec<f64>)>,
-    /// The mean of each foot, left first; one mean where the feet have no names.
+    /// The mean of each foot, left first; one mean for unnamed feet.
     pub means: Vec<MeanStanceCurve>,
 }
 
-/// The mean stance of one foot.
+/// Mean stance of one foot.
 ///
 /// ```
 /// use gaitcam_gait::{Foot, ReadOptions, overlay, read, stances};
@@ -193,15 +193,15 @@ pub struct Overlay {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeanStanceCurve {
-    /// The foot, where it is known.
+    /// The foot, if known.
     pub foot: Option<Foot>,
-    /// Stances in the mean.
+    /// Number of stances in the mean.
     pub count: usize,
     /// Mean duration of the stances, s.
     pub duration_s: f64,
     /// Mean force at equal steps of the stance, N.
     pub mean_n: Vec<f64>,
-    /// Standard deviation from stance to stance, N, where there are two or more.
+    /// Standard deviation from stance to stance, N, for two or more.
     pub spread_n: Option<Vec<f64>>,
     /// Loading peak, valley and push-off peak: the means over the stances that have them.
     pub landmarks: [Option<Point>; 3],
@@ -216,7 +216,7 @@ impl Interpretation {
         all
     }
 
-    /// The warnings that open a question.
+    /// The warnings that raise a question.
     pub fn opened_by(&self, question: OpenQuestion) -> Vec<Note> {
         let opens = |n: &&Note| n.doubt() == Some(question);
         self.warnings.iter().filter(opens).cloned().collect()
@@ -233,7 +233,7 @@ impl Interpretation {
         all
     }
 
-    /// Used contacts, and rejected ones.
+    /// Numbers of used and rejected contacts.
     pub fn counts(&self) -> (usize, usize) {
         let used = self.contacts.iter().filter(|c| c.rejected.is_none());
         let used = used.count();
@@ -270,7 +270,7 @@ impl Interpretation {
     }
 }
 
-/// An enum as its code and its data.
+/// An enum as its code with its data.
 pub fn coded(value: &impl Serialize) -> Value {
     match serde_json::to_value(value) {
         Ok(Value::Object(map)) if map.len() == 1 => map

@@ -21,12 +21,12 @@ pub(super) fn kilograms(value: f64) -> Quantity {
     Quantity::new(rounded(value), Dimension::Mass)
 }
 
-/// A share, printed as a percentage of two digits.
+/// A fraction, printed as a percentage of two digits.
 pub(super) fn share(value: f64) -> Quantity {
     Quantity::share(digits(value, 2))
 }
 
-/// A ratio of three digits: no calibration is better.
+/// A ratio with three digits, because no calibration is better.
 pub(super) fn short(value: f64) -> f64 {
     digits(value, 3)
 }

@@ -13,12 +13,8 @@ use crate::stance::stances;
 
 /// Reads one cycle of force from any file that [`read`](crate::read()) takes.
 ///
-/// A text with the comment `# cycle` or `# critical points` is one cycle as given, whatever `feet` is; in every other
-/// file stances are detected and averaged into a stride.
-///
-/// # Errors
-///
-/// With the file, where it cannot be read, or holds no movement that gives a cycle.
+/// A text with the comment `# cycle` or `# critical points` is one cycle as given, regardless of `feet`; in other files stances are detected and
+/// averaged into a stride. # Errors A file that cannot be read, or that contains no suitable movement.
 pub fn force_curve(
     path: &Path,
     bytes: &[u8],

@@ -1,8 +1,8 @@
-//! Mean, median, standard deviation and ends.
+//! Mean, median, standard deviation and extremes.
 
 use std::array::from_fn;
 
-/// Arithmetic mean; not a number without values.
+/// Arithmetic mean; NaN without values.
 pub(super) fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
@@ -28,12 +28,12 @@ pub(super) fn median(mut values: Vec<f64>) -> Option<f64> {
     Some(0.5 * (values[a] + values[b]))
 }
 
-/// The value that would stand at `rank` if the values were sorted; `None` where there are fewer.
+/// The value at `rank` of the sorted values; `None` if there are fewer.
 pub(super) fn ranked(mut values: Vec<f64>, rank: usize) -> Option<f64> {
     (rank < values.len()).then(|| *values.select_nth_unstable_by(rank, f64::total_cmp).1)
 }
 
-/// At most about `most` finite values at equal distances.
+/// At most about `most` finite values, evenly thinned.
 pub(super) fn sample(values: &[f64], most: usize) -> Vec<f64> {
     let step = values.len() / most + 1;
     let thin = values.iter().step_by(step).copied();

@@ -1,4 +1,4 @@
-//! The facts of a design, each with its name and its value as people read it: the same on console, report and page.
+//! The facts of a design for console, report and page, each with its name and formatted value.
 
 use crate::words::{self, Words};
 use gaitcam::cam::{Measures, Unit};
@@ -6,14 +6,14 @@ use gaitcam::drive::DriveKind;
 use gaitcam::synth::{Design, Figure, Figures};
 use gaitcam::wording::{Language, rounded};
 
-/// Where a fact is given beside the report.
+/// Place of a fact besides the report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Brief {
-    /// Nowhere.
+    /// Not on the console.
     Not,
-    /// In a line of the console.
+    /// In a line of the console, with its name.
     Whole,
-    /// There without its name.
+    /// In a line of the console, without its name.
     Value,
 }
 
@@ -24,26 +24,26 @@ pub struct Fact {
     pub name: String,
     /// Value of the fact with its unit.
     pub value: String,
-    /// Column of its figure, or key of its name.
+    /// Column of the figure, or key of the name.
     pub(crate) key: &'static str,
     brief: Brief,
 }
 
-/// What a group of facts is about.
+/// Subject of a group of facts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
-    /// Law of motion.
+    /// The law of motion.
     Law,
-    /// Machine that moves.
+    /// The moving machine.
     Drive,
-    /// Cam and follower.
+    /// The cam and follower.
     Cam,
     /// Torque, power, lift-off and pressure.
     Machine,
 }
 
 impl Group {
-    /// In the order of the console.
+    /// All groups, in the order of the console.
     pub const ALL: [Group; 4] = [Group::Law, Group::Drive, Group::Cam, Group::Machine];
 
     /// Name of the group in data.
@@ -57,7 +57,7 @@ impl Group {
     }
 }
 
-/// The facts of a group; none where the design has none.
+/// The facts of a group; empty if the design has none.
 ///
 /// ```
 /// use gaitcam_output::facts::{Group, facts};
@@ -85,7 +85,7 @@ pub fn facts(design: &Design, group: Group, language: Language) -> Vec<Fact> {
     list.facts
 }
 
-/// The main facts of a group in one line; `None` where there is none.
+/// The main facts of a group in one line; `None` without facts.
 pub fn line(design: &Design, group: Group, language: Language) -> Option<String> {
     let facts = facts(design, group, language);
     let part = |fact: &Fact| match fact.brief {
@@ -97,13 +97,13 @@ pub fn line(design: &Design, group: Group, language: Language) -> Option<String>
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 
-/// A figure's name on the follower of a design.
+/// Name of a figure for the follower of a design.
 pub(crate) fn label(design: &Design, column: &str, words: &Words) -> String {
     let label = |f: &Figure| f.label_on(&design.cam.follower, words.language());
     Figure::of_column(column).map_or(String::new(), label)
 }
 
-/// A force of a design, or a moment on its arm, with the digits of a figure.
+/// A force of a design, or a moment on its arm, formatted as a figure.
 pub fn force(design: &Design, column: &str, value: f64, language: Language) -> String {
     let unit = design.cam.follower.measures().force();
     let digits = |f: &Figure| f.digits;
@@ -111,7 +111,7 @@ pub fn force(design: &Design, column: &str, value: f64, language: Language) -> S
     unit.after(&rounded(language, unit.factor * value, digits))
 }
 
-/// The force error as a part of the mean, percent.
+/// The force error as a percentage of the mean.
 pub fn error_percent(design: &Design, language: Language) -> String {
     let figure = Figure::of_column("force_rms_error_percent");
     let digits = figure.map_or(gaitcam::wording::DIGITS, |f| f.digits);
@@ -136,13 +136,13 @@ impl List<'_> {
         });
     }
 
-    /// A quantity that is not a figure.
+    /// A fact that is not a figure.
     fn quantity(&mut self, key: &'static str, unit: Unit, value: f64) {
         let value = unit.shown(value, self.words.language());
         self.put(key, value, Brief::Not);
     }
 
-    /// A figure, where the design has one.
+    /// A figure as a fact, if the design has it.
     fn figure(&mut self, column: &'static str, brief: Brief) {
         let Some(figure) = Figure::of_column(column) else {
             return;
@@ -278,7 +278,7 @@ impl List<'_> {
         }
     }
 
-    /// Torque, power, lift-off and pressure, where they are defined.
+    /// Torque, power, lift-off and pressure, if defined.
     fn machine(&mut self) {
         self.figure("torque_max_n_m", Brief::Whole);
         self.figure("torque_rms_n_m", Brief::Whole);

@@ -1,4 +1,4 @@
-//! `gaitcam sweep`: thousands of designs into one table, none lost.
+//! `gaitcam sweep`: computes thousands of designs and stores them in one table.
 
 mod arguments;
 mod counts;
@@ -103,8 +103,7 @@ impl SweepArgs {
     }
 }
 
-/// Runs the sweep; exit code 0 when the table is complete and holds a cam that is not
-/// unacceptable, 3 when it holds none.
+/// Runs the sweep; exit code 0 if the table is complete and contains an acceptable cam, 3 if it contains none.
 pub fn run(args: &SweepArgs) -> Result<u8> {
     if !args.tolerance.is_empty() {
         return tolerance::run(args);
@@ -149,7 +148,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     Ok(if some { BUILT } else { NO_SUCH_CAM })
 }
 
-/// The table's name, as the argument of a sentence.
+/// Name of the table in messages.
 fn file(args: &SweepArgs) -> serde_json::Value {
     json!({"file": args.out.display().to_string()})
 }

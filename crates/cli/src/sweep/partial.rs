@@ -1,7 +1,7 @@
 //! The table while it is being written: blocks of rows in the folder `FILE.partial`.
 //!
-//! Each block is on the disk before the next is computed, and is a table of its own. The complete table is put together
-//! from them, and `FILE.sweep.json` says which sweep it holds. A process locks the folder while it works on it.
+//! Each block is written before the next is computed, and is a complete table. The final table is assembled from them, and `FILE.sweep.json`
+//! describes its sweep. A process locks the folder while it works on it.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -18,26 +18,26 @@ use gaitcam_app::folder::write_whole;
 use gaitcam_app::{Lock, inputs};
 use serde_json::{Value, json};
 
-/// The file whose lock a process holds while it works on the folder.
+/// Lock file of the folder.
 const LOCK: &str = ".lock";
 
 /// An unfinished table, locked by this process.
 pub struct PartialTable {
     blocks: Blocks,
     folder: PathBuf,
-    /// The place of the finished table.
+    /// Path of the finished table.
     table: PathBuf,
     format: Format,
     counts: Counts,
-    /// A block that was not whole.
+    /// An incomplete block.
     damaged: Option<String>,
     _lock: Lock,
 }
 
-/// Key of a finished sweep's description under which the checksum of its table stands.
+/// Key of the table's checksum in the description of a finished sweep.
 const CHECKSUM: &str = "table_crc32";
 
-/// The path with an ending added: FILE.csv.partial and FILE.csv.sweep.json lie in the folder of FILE.csv.
+/// The path with an ending added: FILE.csv.partial and FILE.csv.sweep.json are in the folder of FILE.csv.
 pub fn with_ending(table: &Path, ending: &str) -> PathBuf {
     let mut name = table.as_os_str().to_owned();
     name.push(ending);
@@ -45,10 +45,8 @@ pub fn with_ending(table: &Path, ending: &str) -> PathBuf {
 }
 
 impl PartialTable {
-    /// The unfinished table of a sweep, new or (with `resume`) as it was left; `None` where the table is complete.
-    ///
-    /// Refuses when another process works on it, when it holds another sweep, and when it holds rows and `resume` is
-    /// not set; then it is left as it is.
+    /// The unfinished table of a sweep, new or (with `resume`) continued; `None` if the table is complete. # Errors Another process works on it, it
+    /// holds another sweep, or it holds rows and `resume` is not set; the table then stays unchanged.
     pub fn open(
         table: &Path,
         format: Format,
@@ -98,7 +96,7 @@ impl PartialTable {
         Ok(Some(partial))
     }
 
-    /// Counts the rows of the blocks; removes those from the first on that is not whole.
+    /// Counts the rows of the blocks; removes all blocks from the first incomplete one on.
     fn count_blocks(&mut self) -> Result<()> {
         for (rows, path) in blocks::files(&self.folder)? {
             if rows.start == self.counts.rows && blocks::is_whole(&path) {
@@ -119,17 +117,17 @@ impl PartialTable {
         Ok(())
     }
 
-    /// What its rows hold.
+    /// Counts of its rows.
     pub fn counts(&self) -> &Counts {
         &self.counts
     }
 
-    /// The message about a block that was not whole.
+    /// The message about an incomplete block.
     pub fn damaged(&self) -> Option<&str> {
         self.damaged.as_deref()
     }
 
-    /// Adds the rows that come next and puts the bytes of their block on the disk.
+    /// Adds the next rows and writes the bytes of their block to the disk.
     pub fn append(&mut self, records: &Records, bytes: &[u8]) -> Result<()> {
         let start = self.counts.rows;
         let rows = start..start + records.len() as u64;
@@ -186,7 +184,7 @@ impl PartialTable {
     }
 }
 
-/// The lock of the folder, which is created where needed.
+/// Locks the folder, which is created if needed.
 fn locked(folder: &Path) -> Result<Lock> {
     fs::create_dir_all(folder).map_err(|e| {
         let fault = e.to_string();
@@ -195,7 +193,7 @@ fn locked(folder: &Path) -> Result<Lock> {
     Lock::wait(folder, LOCK, Duration::ZERO)
 }
 
-/// A description of a sweep, where one lies.
+/// The description of a sweep, if the file exists.
 fn described(path: &Path) -> Option<Value> {
     serde_json::from_slice(&fs::read(path).ok()?).ok()
 }

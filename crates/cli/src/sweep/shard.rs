@@ -14,13 +14,13 @@ use gaitcam_app::blocks::{BLOCK_ROWS, SharedBlocks};
 /// A share of equal shares. They may be counted from 0 or from 1: share 0 of N is share N.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
-    /// Which.
+    /// Number of the share.
     pub part: u64,
-    /// Of how many.
+    /// Number of all shares.
     pub parts: u64,
 }
 
-/// Reads `3/16`.
+/// Parses a share such as `3/16`.
 pub fn shard(typed: &str) -> Result<Shard, String> {
     let ends = typed.split_once('/');
     let number = |text: &str| text.trim().parse::<u64>().ok();
@@ -30,7 +30,7 @@ pub fn shard(typed: &str) -> Result<Shard, String> {
         .ok_or_else(|| crate::console::words::text("sweep-shard"))
 }
 
-/// Computes the blocks of the share that the folder lacks: Parquet where this build writes it, else CSV.
+/// Computes the missing blocks of the share: Parquet if this build supports it, else CSV.
 ///
 /// # Errors
 /// As a sweep into one table; a folder that holds another sweep.

@@ -14,14 +14,13 @@ use gaitcam::error::Result;
 use gaitcam::sweep::{Records, Runner};
 use gaitcam_app::blocks::BLOCK_ROWS;
 
-/// A block takes this time, or this share of the time so far where that is longer: no more is lost in a crash, and a
-/// long sweep has a bounded number of blocks.
+/// Duration of a block, or this fraction of the time so far if longer; this bounds the loss in a crash and the number of blocks.
 const BLOCK_S: f64 = 0.25;
 const BLOCK_SHARE: f64 = 0.01;
-/// Rows of the first block.
+/// Number of rows of the first block.
 const FIRST_BLOCK: u64 = 8;
 
-/// A flag that Ctrl-C sets; the second Ctrl-C ends at once, which loses nothing either.
+/// A flag that Ctrl-C sets; a second Ctrl-C ends the program at once, without loss of blocks.
 pub fn stop_on_ctrl_c() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let flag = stop.clone();
@@ -34,7 +33,7 @@ pub fn stop_on_ctrl_c() -> Arc<AtomicBool> {
     stop
 }
 
-/// Number of threads: as given, else one per core.
+/// Number of threads: the given one, else one per core.
 pub fn jobs(given: Option<u16>) -> usize {
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     given.map_or_else(cores, usize::from)
@@ -42,15 +41,15 @@ pub fn jobs(given: Option<u16>) -> usize {
 
 /// Computes blocks of rows.
 pub struct Work<'a> {
-    /// What computes the rows.
+    /// Source of the rows.
     pub runner: Runner<'a>,
     /// Format of the blocks.
     pub format: Format,
-    /// What a block says about its sweep.
+    /// Description of the sweep in a block.
     pub metadata: Vec<(String, String)>,
-    /// Number of threads.
+    /// Number of worker threads.
     pub jobs: usize,
-    /// Set where the user stops the work.
+    /// Set if the user stops the work.
     pub stop: Arc<AtomicBool>,
 }
 
@@ -59,7 +58,7 @@ impl Work<'_> {
         self.stop.load(Ordering::Relaxed)
     }
 
-    /// The first rows of a range, all where the work is not stopped, with the bytes of their block.
+    /// The first rows of a range (all rows unless the work is stopped), with the bytes of their block.
     pub fn block(&self, rows: Range<u64>) -> Result<(Records, Vec<u8>)> {
         // Lines are made by the threads: one thread alone would take as long for them as two for the rows.
         let part = |records: Records| (self.format.lines(&records), records);
@@ -70,7 +69,7 @@ impl Work<'_> {
         Ok((records, bytes))
     }
 
-    /// Computes the rows that a table lacks, until done or stopped.
+    /// Computes the missing rows of a table, until done or stopped.
     pub fn fill(&self, total: u64, partial: &mut PartialTable) -> Result<()> {
         let progress = Progress::new(words::text("sweep-designs"), total, partial.counts().rows);
         let begun = Instant::now();

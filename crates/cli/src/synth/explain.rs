@@ -1,4 +1,4 @@
-//! `gaitcam synth --explain`: the models that were selected, and why others were passed over.
+//! `gaitcam synth --explain`: the selected models, and the reasons against others.
 
 use gaitcam::dynamics::{Machine, Model, Run, simulate};
 use gaitcam::synth::{Design, PassedOver};
@@ -8,9 +8,9 @@ use crate::console::language;
 use crate::console::table::{Side, table};
 use crate::console::words::{self, fill, fixed, name};
 
-/// One model that was selected.
+/// One selected model.
 pub struct Choice {
-    /// What was selected: "family", "solver", "shaft" or "dynamics".
+    /// Kind of the choice: "family", "solver", "shaft" or "dynamics".
     subject: &'static str,
     chosen: String,
     because: String,
@@ -24,7 +24,7 @@ pub fn lines(design: &Design, points: usize) -> Vec<Choice> {
     out
 }
 
-/// The family; a simpler one that was passed over, with what it misses.
+/// The family, and the error of a simpler one that was rejected.
 fn family(design: &Design) -> Choice {
     let values = json!({"family": design.family.name(), "degree": design.degree});
     let passed_over = design.solver.passed_over.as_ref();
@@ -45,7 +45,7 @@ fn solver(design: &Design) -> Choice {
     }
 }
 
-/// The speed that the law is designed for, from the forecast of inertia and energy.
+/// The speed assumed for the law, from the estimate of inertia and energy.
 fn shaft(design: &Design) -> Option<Choice> {
     let on_shaft = design.shaft.as_ref()?;
     let forecast = on_shaft.forecast;
@@ -65,7 +65,7 @@ fn shaft(design: &Design) -> Option<Choice> {
     })
 }
 
-/// The model that a simulation of the profile on a machine without spring or slack selects.
+/// The model that a simulation selects for a machine without spring or backlash.
 fn dynamics(design: &Design, points: usize) -> Option<Choice> {
     let run = Run {
         profile: design.cam.profile(points),
@@ -83,7 +83,7 @@ fn dynamics(design: &Design, points: usize) -> Option<Choice> {
     })
 }
 
-/// For people.
+/// The selection as text.
 pub fn text(name: &str, lines: &[Choice]) -> String {
     let rows = lines.iter().flat_map(|line| {
         let because = fill("explain-because", &json!({"reason": line.because}));
@@ -97,7 +97,7 @@ pub fn text(name: &str, lines: &[Choice]) -> String {
     format!("{title}\n{}", table(&rows, &[Side::Left]))
 }
 
-/// For programs: `explain` of summary.json.
+/// The selection as JSON: `explain` of summary.json.
 pub fn json(lines: &[Choice]) -> Value {
     lines
         .iter()

@@ -1,4 +1,4 @@
-//! `gaitcam synth --front`: what one good costs in another, as a table and a picture.
+//! `gaitcam synth --front`: the trade-off between two objectives, as a table and a picture.
 
 use serde_json::json;
 
@@ -16,7 +16,7 @@ use gaitcam::synth::{FIGURES, Figure, Figures, ForceReport, Search, Trade, trade
 use gaitcam_app::folder::Folder;
 use gaitcam_output::sweep_plots::{self, Quantity};
 
-/// Points of the front when nothing is said.
+/// Default number of points of the front.
 const POINTS: u32 = 20;
 
 /// Computes the front and writes front.csv, front.svg and front.png; exit code 3 when it is empty.

@@ -75,18 +75,18 @@ pub struct SynthArgs {
     pub workshop: WorkshopArgs,
 }
 
-/// Rows of law.csv and profile.csv by default.
+/// Default number of rows of law.csv and profile.csv.
 const ROWS: u32 = 1440;
-/// Fewest rows that show a cam.
+/// Minimum number of rows.
 const FEWEST_ROWS: u32 = 16;
 
-/// Further outputs that the arguments request, checked before the design begins.
+/// Further requested outputs, checked before the design begins.
 struct Request {
     contents: Contents,
     folder: Option<ResultFolder>,
 }
 
-/// A design with the problem that it answers.
+/// A design with its problem.
 struct Answer {
     design: Design,
     solve_s: f64,
@@ -94,7 +94,7 @@ struct Answer {
     more: Option<More>,
 }
 
-/// Designs the cam and writes its files; exit code 3 when there is no such cam.
+/// Designs the cam and writes its files; exit code 3 if there is no feasible cam.
 pub fn run(args: &SynthArgs) -> Result<u8> {
     if let Some(pair) = &args.front {
         return front::run(args, pair);
@@ -112,10 +112,10 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     design_of(args, &input, target, (start, limit), None)
 }
 
-/// More for summary.json and the console: key, value, lines.
+/// Additional data for summary.json and the console: key, value, lines.
 pub type More = (&'static str, Value, Vec<String>);
 
-/// The same for a scene that is read.
+/// Additional data for a scene from a file.
 pub fn designed(args: &SynthArgs, input: &Input, start: Instant, more: Option<More>) -> Result<u8> {
     design_of(args, input, || input.target(), (start, None), more)
 }
@@ -173,7 +173,7 @@ fn rows(args: &SynthArgs) -> Result<usize> {
     Ok(rows as usize)
 }
 
-/// The folder of the result; none where only the summary is printed.
+/// Folder of the result; `None` if only the summary is printed.
 fn folder(args: &SynthArgs, input: &Input) -> Result<Option<ResultFolder>> {
     if args.json && args.out.is_none() {
         return Ok(None);

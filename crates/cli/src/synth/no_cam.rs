@@ -1,4 +1,4 @@
-//! The answer to a scene for which there is no cam to show.
+//! Output for a scene without a cam.
 
 use std::path::Path;
 use std::time::Instant;
@@ -15,7 +15,7 @@ use gaitcam::error::{Error, Result};
 use gaitcam_app::ResultFolder;
 use gaitcam_app::design;
 
-/// Writes and prints why there is no cam to show.
+/// Writes and prints the reason why there is no cam.
 pub fn no_cam(
     as_json: bool,
     input: &Input,
@@ -43,7 +43,7 @@ pub fn no_cam(
     Ok(exit_code::NO_SUCH_CAM)
 }
 
-/// The line that says where the files are, and which to open.
+/// The line with the location of the files and the one to open.
 pub fn files_in(folder: &Path, first: &str) -> String {
     let first = folder.join(first).display().to_string();
     let folder = folder.display().to_string();

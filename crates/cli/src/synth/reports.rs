@@ -1,4 +1,4 @@
-//! Reports beside a design on the console: its shaft, its walkers and the floor.
+//! Console reports about the shaft, the walkers and the floor of a design.
 
 use gaitcam::scene::{ErrorMeasure, Robust};
 use gaitcam::synth::Design;
@@ -9,7 +9,7 @@ use super::summary::{filled, row};
 use crate::console::language;
 use crate::console::words::{self, number};
 
-/// Speed of the shaft under its motor, the force error over time and what another machine makes of it.
+/// Speed of the shaft under its motor, the force error over time, and the effect of another machine.
 pub(super) fn shaft(design: &Design) -> Vec<String> {
     let Some(on_shaft) = &design.shaft else {
         return Vec::new();
@@ -51,7 +51,7 @@ pub(super) fn shaft(design: &Design) -> Vec<String> {
     out
 }
 
-/// Force errors of several walkers.
+/// Force errors of the walkers.
 pub(super) fn population(design: &Design) -> Option<String> {
     let p = design.population.as_ref()?;
     let (id, [mean, worst, cvar]) = match design.problem.law.error {

@@ -6,7 +6,7 @@ use serde_json::json;
 use super::summary::{filled, row};
 use crate::{console::language, console::words};
 
-/// One line per step.
+/// One line per iteration.
 pub fn text(design: &Design) -> String {
     let solver = &design.solver;
     if solver.steps.is_empty() {

@@ -13,7 +13,7 @@ use super::reports::{floor, population, shaft};
 use crate::console::language;
 use crate::console::words::{self, fixed, number, power};
 
-/// Largest number of lines of one kind; the rest is counted here and listed in summary.json.
+/// Maximum number of lines of one kind; further lines are counted here and listed in summary.json.
 const CHECKS: usize = 5;
 const FAILED_CHECKS: usize = 4;
 /// Harmonics whose load factor is printed.
@@ -22,7 +22,7 @@ const ACTIVE_LIMITS: usize = 3;
 const SENSITIVITIES: usize = 2;
 const NOTES: usize = 3;
 
-/// The summary for people.
+/// The summary as text.
 pub fn text(design: &Design, time: Timing) -> String {
     let language = language::current();
     let headline = match design.out_of_time && design.infeasible.is_none() {
@@ -57,7 +57,7 @@ const LABELS: [&str; 16] = [
     "active", "relaxing", "note", "solved", "optimum", "sequence",
 ];
 
-/// A row under its label; a label that is empty continues the row before.
+/// A row under its label; an empty label continues the previous row.
 pub fn row(label: &str, text: &str) -> String {
     let shown = |name: &str| words::text(&format!("label-{name}"));
     let longest = LABELS.iter().map(|l| shown(l).chars().count()).max();
@@ -75,7 +75,7 @@ pub fn filled(label: &str, key: &str, arguments: Value) -> String {
     row(label, &words::fill(key, &arguments))
 }
 
-/// The first `most` lines, and how many more there are.
+/// The first `most` lines, and the number of further ones.
 fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
     if lines.len() > most {
         let left = lines.len() - (most - 1);
@@ -182,7 +182,7 @@ fn sensitivities(design: &Design) -> Vec<String> {
     at_most(SENSITIVITIES, lines.collect(), "more-relaxing")
 }
 
-/// The solver's method, and what the closed form missed.
+/// The solver's method, and the error of the closed form.
 fn status(solver: &SolverReport) -> String {
     let language = language::current();
     let missed = solver.passed_over.iter().map(|p| p.sentence(language));

@@ -1,4 +1,4 @@
-//! Files for CAD and the workshop: what the arguments of `synth` ask for.
+//! Options of `synth` for CAD and the workshop.
 
 use clap::{Args, ValueEnum};
 
@@ -42,7 +42,7 @@ pub struct WorkshopArgs {
     pub units: Lengths,
 }
 
-/// As what profile.dxf has the edges.
+/// Representation of the edges in profile.dxf.
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 pub enum Dxf {
     #[default]
@@ -50,7 +50,7 @@ pub enum Dxf {
     Splines,
 }
 
-/// Units of the files for the workshop.
+/// Units of files for the workshop.
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 pub enum Lengths {
     #[default]
@@ -60,7 +60,7 @@ pub enum Lengths {
 }
 
 impl WorkshopArgs {
-    /// The same as the functions take it that write files; the title comes with the scene.
+    /// The options as the writers take them; the scene supplies the title.
     pub fn asked(&self) -> Result<Workshop> {
         let length = |name, typed: &Option<String>| {
             input::positive(name, typed.as_deref(), Dimension::Length)
@@ -78,7 +78,7 @@ impl WorkshopArgs {
         })
     }
 
-    /// The unit of DXF, drawing and programs.
+    /// Unit of DXF, drawing and programs.
     fn units(&self) -> Units {
         match self.units {
             Lengths::Mm => Units::Millimetres,
@@ -94,7 +94,7 @@ impl WorkshopArgs {
         }
     }
 
-    /// What the DXF drawings show.
+    /// Content of the DXF drawings.
     fn drawn(&self) -> Content {
         if self.cut_only {
             Content::CutOnly
@@ -104,7 +104,7 @@ impl WorkshopArgs {
     }
 }
 
-/// The same with the title block of a scene's drawing.
+/// The options with the title block of a scene's drawing.
 pub fn titled(workshop: Workshop, input: &Input) -> Workshop {
     Workshop {
         title: input.title(),

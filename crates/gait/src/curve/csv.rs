@@ -1,4 +1,4 @@
-//! A cycle as csv.
+//! A cycle as a csv file.
 
 use std::fmt::Write as _;
 

@@ -16,7 +16,7 @@ use crate::quantity::seconds;
 use crate::recording::Note;
 use crate::statistics::ends;
 
-/// Samples of one cycle of a load model and of the mean cycle of a recording.
+/// Number of samples of one cycle of a load model and of a mean cycle.
 pub const SAMPLES: usize = 1024;
 
 /// One cycle of vertical force, sampled at equal steps of phase and continued periodically.
@@ -35,7 +35,7 @@ pub const SAMPLES: usize = 1024;
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ForceCurve {
-    /// What the curve is, for reports: "Young 2001, 1.85 Hz" or "walk1.forces, 3 strides".
+    /// Description of the curve for reports: "Young 2001, 1.85 Hz" or "walk1.forces, 3 strides".
     pub name: String,
     /// Duration of one cycle, s; positive.
     pub period_s: f64,
@@ -43,16 +43,15 @@ pub struct ForceCurve {
     pub force_n: Vec<f64>,
     /// Step-to-step standard deviation at the same phases, N, where several cycles were averaged.
     pub spread_n: Option<Vec<f64>>,
-    /// Mass of the walker, kg, where it is known.
+    /// Mass of the walker, kg, if known.
     pub mass_kg: Option<f64>,
-    /// Duration of the cycle by the clock of its file, s, where the period that was given differs from it by more than
-    /// a sample.
+    /// Duration of the cycle by the clock of the file, s, if it differs from the given period by more than a sample.
     #[serde(skip)]
     pub clock_s: Option<f64>,
-    /// How the recording of which it is the mean was interpreted.
+    /// Interpretation of the averaged recording.
     #[serde(serialize_with = "interpretation")]
     pub recording: Option<Arc<Interpretation>>,
-    /// The walkers of whom it is the mean.
+    /// The averaged walkers.
     #[serde(skip)]
     pub population: Option<Arc<Population>>,
 }
@@ -122,7 +121,7 @@ impl ForceCurve {
         all.filter(move |n| !on_mass(n))
     }
 
-    /// The note that its file has another clock than the period that was given.
+    /// The note that the clock of the file differs from the given period.
     pub fn clock_note(&self) -> Option<Note> {
         let (clock, period) = (seconds(self.clock_s?), seconds(self.period_s));
         Some(Note::ClockDiffers { clock, period })
@@ -147,7 +146,7 @@ impl ForceCurve {
         ((first * v + u * 3.0 * rising) * v + u * u * 3.0 * falling) * v + u * u * u * last
     }
 
-    /// Slopes of the cubics between the samples, N per sample: at every sample and, the same as at the first, at the end.
+    /// Slopes of the cubics at every sample and at the end, N per sample.
     pub fn slopes(&self) -> Vec<f64> {
         slopes(&self.force_n)
     }
@@ -169,7 +168,7 @@ impl ForceCurve {
         }
     }
 
-    /// The same cycle started at another phase, rad: sample 0 of the result is the force at `phase`.
+    /// The cycle started at another phase, rad: sample 0 of the result is the force at `phase`.
     #[must_use]
     pub fn begun_at(&self, phase: f64) -> Self {
         let n = self.force_n.len();
@@ -189,7 +188,7 @@ impl ForceCurve {
         }
     }
 
-    /// The same cycle with other forces, N, one for each sample.
+    /// The cycle with other forces, N, one for each sample.
     #[must_use]
     pub fn with_forces(&self, force_n: Vec<f64>) -> Self {
         ForceCurve {

@@ -1,9 +1,8 @@
 //! Slopes of the interpolation between samples.
 //!
-//! The slope per sample at the middle of five samples is the fourth-order centred difference. Where the samples bend
-//! steadily, as at a smooth crest, it stays: the cubics are of fourth order there. Elsewhere it is limited to three times
-//! the smaller neighbouring step, so that a sharp heel strike is not overshot (Fritsch and Carlson's bound), and at a
-//! local extreme of the samples to half of that, of either sign.
+//! The slope per sample at the middle of five samples is the fourth-order centred difference. It is used unchanged where the samples bend steadily,
+//! as at a smooth crest: the cubics are of fourth order there. Elsewhere it is limited to three times the smaller neighbouring step, so that a sharp
+//! heel strike is not overshot (Fritsch and Carlson's bound), and at a local extreme of the samples to half of that, of either sign.
 
 use crate::statistics::{larger, smaller};
 
@@ -20,7 +19,7 @@ pub fn slopes(f: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The slope at one sample of a period, counted round.
+/// The slope at one sample of a period, with cyclic index.
 pub fn slope_at(f: &[f64], i: usize) -> f64 {
     let n = f.len();
     limited([n - 2, n - 1, 0, 1, 2].map(|k| f[(i + k) % n]))
@@ -30,7 +29,7 @@ pub fn slope_at(f: &[f64], i: usize) -> f64 {
 /// second differences p, q, r the centred difference is the step before plus q/2 + (p − r)/12: between both steps then.
 const STEADY: f64 = 6.0;
 
-/// Selections instead of branches: the compiler computes several slopes at once.
+/// Selections instead of branches, so that the compiler vectorises the slopes.
 fn limited(f: [f64; 5]) -> f64 {
     let centred = 2.0 / 3.0 * (f[3] - f[1]) - 1.0 / 12.0 * (f[4] - f[0]);
     let (before, after) = (f[2] - f[1], f[3] - f[2]);

@@ -1,4 +1,4 @@
-//! Means on phase: of cycles, and of stances on their own phase.
+//! Means on phase: of cycles, and of stances.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -7,15 +7,15 @@ use crate::recording::{Channel, Recording};
 use crate::stance::Stance;
 use crate::statistics::mean;
 
-/// Longest that a foot's force lies below the contact threshold before heel strike and after toe-off, s.
+/// Maximum time for which a foot's force lies below the contact threshold before heel strike and after toe-off, s.
 const TAIL_S: f64 = 0.06;
-/// Part of a stance by which a mean stance reaches past its ends, to hold that force.
+/// Fraction of a stance by which a mean stance extends beyond its ends, to include that force.
 pub(super) const MARGIN: f64 = 0.12;
 
-/// Part of a stride about its ends over which it is blended with its neighbours.
+/// Fraction of a stride about its ends that is blended with its neighbours.
 pub(super) const BLEND: f64 = 0.04;
 
-/// Force at a place between samples, by a straight line.
+/// Force between samples, by linear interpolation.
 pub(super) fn at(force: &[f64], place: f64) -> f64 {
     // Over i64: the processor has no conversion to unsigned numbers.
     let i = (place.max(0.0) as i64 as usize).min(force.len().saturating_sub(2));
@@ -26,7 +26,7 @@ pub(super) fn at(force: &[f64], place: f64) -> f64 {
     a + x * (b - a)
 }
 
-/// Strides that one stance may reach over; in walking it is less than one.
+/// Maximum number of strides that one stance may cover; in walking it is less than one.
 const MOST_TURNS: usize = 5;
 
 /// Running mean and sum of squared deviations per phase (Welford), so that no cycle is kept.
@@ -54,7 +54,7 @@ impl Mean {
         }
     }
 
-    /// Mean and, of two or more, standard deviation.
+    /// Mean and, for two or more cycles, standard deviation.
     pub fn finish(self) -> (Vec<f64>, Option<Vec<f64>>) {
         let degrees = self.count - 1.0;
         let spread =
@@ -65,7 +65,7 @@ impl Mean {
 
 /// Span of a contact with the force below the threshold on both sides, down to the unloaded level, s.
 ///
-/// The threshold tells when a foot stands; the little force beyond it belongs to the walk all the same.
+/// The threshold detects contact; the small force outside it is part of the gait too.
 pub(super) fn whole_span(channel: &Channel, rate_hz: f64, start_s: f64, end_s: f64) -> (f64, f64) {
     let force = &channel.force_n;
     let last = force.len().saturating_sub(1);
@@ -127,19 +127,19 @@ pub(super) struct MeanStance {
     pub count: usize,
     pub duration_s: f64,
     pub impulse_ns: f64,
-    /// Force at equal steps from `margin` stances before heel strike to as much after toe-off.
+    /// Force at equal steps from `margin` stances before heel strike to `margin` stances after toe-off.
     pub force: Vec<f64>,
     pub margin: f64,
     pub spread: Option<Vec<f64>>,
 }
 
-/// Mean mass, kg, of stances that all have one of their own.
+/// Mean mass, kg, of stances with masses of their own.
 pub(super) fn mean_mass(stances: &[&Stance]) -> Option<f64> {
     let masses: Option<Vec<f64>> = stances.iter().map(|s| s.mass_kg).collect();
     masses.map(|m| mean(&m))
 }
 
-/// Averages stances; where each has its own mass, in body weights, then scaled to the mean mass.
+/// Averages stances. If each has its own mass, they are averaged in body weights and scaled to the mean mass.
 pub(super) fn mean_stance(recording: &Recording, stances: &[&Stance], margin: f64) -> MeanStance {
     let usual = mean_mass(stances);
     let mut mean = Mean::new();
@@ -165,7 +165,7 @@ pub(super) fn mean_stance(recording: &Recording, stances: &[&Stance], margin: f6
     }
 }
 
-/// Fills `row` with one stance at equal phases, `margin` stances more at both ends, scaled to the `usual` mass.
+/// Fills `row` with one stance at equal phases, extended by `margin` stances at both ends and scaled to the `usual` mass.
 pub(super) fn stance_row(
     recording: &Recording,
     stance: &Stance,

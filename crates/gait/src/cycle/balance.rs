@@ -1,20 +1,19 @@
-//! Mean total force of a walker while both feet are on record: over a stride it is the weight.
-//!
-//! A record of one stride has it although neither foot's stances may be whole. Otherwise two stances in turn show the total force from the toe-off of the foot before to that of
-//! the first, and from the heel strike of the second to the next one: two half strides. Their mean force hardly depends on
-//! the stride time, which only places their outer ends; the impulse of both stances over the stride time does.
+//! Mean total force of a walker while both feet are on record: over a stride it is the weight. A record of one stride suffices even without a whole
+//! stance. Otherwise two consecutive stances show the total force from the toe-off of the foot before to that of the first, and from the heel strike
+//! of the second to the next one: two half strides. Their mean force hardly depends on the stride time, which only places their outer ends; the
+//! impulse of both stances over the stride time does.
 
 use super::average::whole_span;
 use crate::recording::Recording;
 use crate::stance::{Footfall, Stances, footfalls, same_foot};
 use crate::statistics::mean;
 
-/// Largest part of their sum by which the impulses of two stances may differ.
+/// Maximum difference of the impulses of two stances, as a fraction of their sum.
 const UNEVEN: f64 = 0.05;
 
-/// Lowest total force, as a part of its mean, where both feet are on record.
+/// Minimum total force, as a fraction of its mean, while both feet are on record.
 const LOADED: f64 = 0.3;
-/// A record may lack this part of a stride: the samples at its ends.
+/// Fraction of a stride that a record may lack at its ends.
 const LACKING: f64 = 0.02;
 
 /// Mean force of all plates, N, over whole strides of a record in which it never falls far below its mean; `None` for
@@ -35,8 +34,8 @@ fn mean_of_plates(recording: &Recording, period_s: f64) -> Option<f64> {
     Some(mean(&strides.map(mean).collect::<Vec<f64>>()))
 }
 
-/// Mean total force, N, at a stride time; `None` without two whole stances in turn that carry alike: of a limping walker
-/// two half strides do not make a whole one.
+/// Mean total force, N, at a stride time; `None` without two consecutive whole stances of similar impulse. For a limping walker two half strides do
+/// not make a whole one.
 pub(super) fn mean_total(recording: &Recording, stances: &Stances, period_s: f64) -> Option<f64> {
     if recording.has_rows() || recording.runs() {
         return None;

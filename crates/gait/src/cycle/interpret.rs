@@ -6,13 +6,13 @@ use crate::recording::{Channel, CycleSource, Feet, Recording};
 use crate::stance::{Footfall, RejectReason, Stances, footfalls};
 use crate::statistics::ends;
 
-/// Points of a channel that are kept for its picture: lowest and highest force of so many pieces.
+/// Number of points of a channel in its picture: lowest and highest force of each piece.
 const PIECES: usize = 700;
-/// Single stances that are kept for a picture; the means are of all.
+/// Maximum number of single stances in a picture; the means include all.
 const DRAWN: usize = 60;
 
 impl Interpretation {
-    /// The interpretation of a recording; `cycle` is `None` if it was refused.
+    /// The interpretation of a recording; `cycle` is `None` if it was rejected.
     pub fn of(
         file: &str,
         recording: &Recording,

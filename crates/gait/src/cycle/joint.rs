@@ -14,12 +14,12 @@ use crate::stance::largest_group;
 use crate::statistics::ends;
 use crate::units::Quantity;
 
-/// Masses within this part of each other are of one walker.
+/// Relative difference below which masses belong to one walker.
 const ONE_WALKER: f64 = 0.1;
-/// Part of a cycle by which the second foot of a stride may land off its middle.
+/// Fraction of a cycle by which the second foot of a stride may land away from its middle.
 const LIMP: f64 = 0.1;
 
-/// The mean cycle of one recording on the way into a joint mean.
+/// The mean cycle of one recording, before averaging.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, Trial, cycle, joint_mean, read, stances};
@@ -37,11 +37,11 @@ const LIMP: f64 = 0.1;
 pub struct Trial<'a> {
     /// Mean force cycle of the trial.
     pub cycle: &'a Cycle,
-    /// What is open about it.
+    /// Open questions about the recording.
     pub open: &'a [OpenQuestion],
 }
 
-/// Why a recording takes no part in a joint mean.
+/// Reasons why a recording is excluded from a joint mean.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, LeftOut, OpenQuestion, ReadOptions, Trial, cycle, joint_mean, read, stances};
@@ -61,19 +61,19 @@ pub struct Trial<'a> {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum LeftOut {
-    /// Kind, clock or mass are open.
+    /// Kind, clock or mass are not certain.
     Open {
-        /// Open questions of that trial.
+        /// Open questions of the trial.
         questions: Vec<OpenQuestion>,
     },
-    /// Most recordings are of another movement.
+    /// Most recordings show another movement.
     OtherKind {
-        /// What this one is of.
+        /// Movement of this recording.
         movement: Kind,
-        /// What most are of.
+        /// Movement of most recordings.
         most: Kind,
     },
-    /// Most recordings are of another speed.
+    /// Most recordings have another speed.
     OtherSpeed {
         /// Duration of its stride.
         period: Quantity,
@@ -82,13 +82,13 @@ pub enum LeftOut {
         /// Longest stride of the mean.
         high: Quantity,
     },
-    /// It is already a mean cycle, while others are recordings.
+    /// The recording is already a mean cycle, while others are not.
     MeanAlready,
-    /// It gives no cycle.
+    /// The recording gives no cycle.
     NoCycle,
 }
 
-/// A mean over recordings.
+/// A mean over several recordings.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, Trial, cycle, joint_mean, read, stances};
@@ -104,41 +104,39 @@ pub enum LeftOut {
 pub struct JointMean {
     /// The mean cycle; its spread is the standard deviation of all cycles, within and between recordings.
     pub curve: ForceCurve,
-    /// For each trial, in the order given, why it takes no part; `None` where it does.
+    /// For each trial, in the given order, the reason for its exclusion; `None` if it is included.
     pub left_out: Vec<Option<LeftOut>>,
-    /// The cycle of each trial that takes part, on the phase of the mean and scaled as in it, N.
+    /// The cycle of each included trial, on the phase of the mean and scaled like it, N.
     pub trials_n: Vec<Vec<f64>>,
-    /// Cycles in the mean.
+    /// Number of cycles in the mean.
     pub cycles: usize,
-    /// What it is of.
+    /// Movement of the mean.
     pub kind: Kind,
-    /// Standard deviation of the duration of a cycle, s, where there are several.
+    /// Standard deviation of the duration of a cycle, s, for several cycles.
     pub period_spread_s: Option<f64>,
-    /// Coefficient of repeatability, N, as of [`Cycle`].
+    /// Coefficient of repeatability, N, as in [`Cycle`].
     pub repeatability_n: Option<f64>,
     /// Mass, kg: the mean over the cycles.
     pub mass_kg: f64,
-    /// Where the masses are from; `None` where recordings differ in this.
+    /// Source of the masses; `None` if recordings differ in it.
     pub mass_from: Option<MassSource>,
-    /// What a person should know of it.
+    /// Notes for the user.
     pub notes: Vec<Note>,
 }
 
 impl JointMean {
-    /// Recordings in the mean.
+    /// Number of recordings in the mean.
     pub fn trials(&self) -> usize {
         self.left_out.iter().filter(|l| l.is_none()).count()
     }
 }
 
-/// The mean over the cycles of all trials of the most frequent movement and speed about which nothing is open.
-///
-/// A trial counts as often as it has cycles. Where the masses are of several walkers, forces are averaged in body
-/// weights and scaled to the mean mass.
+/// The mean over the cycles of all trials of the most frequent movement and speed without open questions. The weight of a trial is its number of
+/// cycles. If the masses belong to several walkers, forces are averaged in body weights and scaled to the mean mass.
 ///
 /// # Errors
 ///
-/// Where no trial is left.
+/// If no trial is left.
 pub fn joint_mean(trials: &[Trial]) -> Result<JointMean> {
     let open = |trial: &Trial| {
         let questions = trial.open.to_vec();
@@ -168,7 +166,7 @@ pub fn joint_mean(trials: &[Trial]) -> Result<JointMean> {
     average(&kept(trials, &left_out), most, left_out)
 }
 
-/// The cycles that are not left out.
+/// The included cycles.
 fn kept<'a>(trials: &[Trial<'a>], left_out: &[Option<LeftOut>]) -> Vec<&'a Cycle> {
     let all = trials.iter().zip(left_out);
     all.filter(|(_, out)| out.is_none())
@@ -176,7 +174,7 @@ fn kept<'a>(trials: &[Trial<'a>], left_out: &[Option<LeftOut>]) -> Vec<&'a Cycle
         .collect()
 }
 
-/// Leaves out those of the cycles that are kept for which there is a reason.
+/// Excludes the kept cycles for which there is a reason.
 fn leave_out(
     trials: &[Trial],
     left_out: &mut [Option<LeftOut>],
@@ -242,7 +240,7 @@ fn average(used: &[&Cycle], kind: Kind, left_out: Vec<Option<LeftOut>>) -> Resul
     })
 }
 
-/// Standard deviation of all values of groups whose counts, deviations and means are known; `None` of one value.
+/// Standard deviation of all values of groups with known counts, deviations and means; `None` for one value.
 fn pooled(
     counts: &[f64],
     deviation: &dyn Fn(usize) -> f64,
@@ -257,7 +255,7 @@ fn pooled(
     (degrees > 0.0).then(|| (squares.sum::<f64>() / degrees).sqrt())
 }
 
-/// Cycles that a mean cycle is of: of a stride built from single stances, as many as the foot with fewer has.
+/// Number of cycles in a mean cycle; for a stride built from single stances, that of the foot with fewer.
 fn cycles(cycle: &Cycle) -> usize {
     match cycle.source {
         CycleSource::WholeStrides { strides, .. } | CycleSource::TotalForce { strides } => strides,
@@ -268,7 +266,8 @@ fn cycles(cycle: &Cycle) -> usize {
     .max(1)
 }
 
-/// Forces and deviations (0 where there is none) of the cycles from the same moment of the stride on.
+/// Forces and deviations (0 without any) of the cycles from the same moment of the stride. A cycle that begins with the left heel strike is shifted
+/// to the right one; a total force, which has no heel strike, is shifted to the best agreement with the others.
 ///
 /// A cycle that begins with the left heel strike is shifted to the right one; a total force, which has no heel
 /// strike, to where it is most like the others.
@@ -299,7 +298,7 @@ fn on_one_phase(used: &[&Cycle]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     used.iter().map(|c| shifted(c)).unzip()
 }
 
-/// The foot whose heel strike begins a cycle of both feet.
+/// The foot whose heel strike starts a cycle of both feet.
 fn foot(cycle: &Cycle) -> Option<Foot> {
     match cycle.source {
         CycleSource::WholeStrides { from, .. } => from,
@@ -308,7 +307,7 @@ fn foot(cycle: &Cycle) -> Option<Foot> {
     }
 }
 
-/// The shift, of those given, with which a periodic row is most like another.
+/// The given shift at which a periodic row resembles another most.
 fn most_alike(reference: &[f64], row: &[f64], shifts: std::ops::Range<usize>) -> usize {
     let likeness = |shift: usize| -> f64 {
         let later = row.iter().cycle().skip(shift);

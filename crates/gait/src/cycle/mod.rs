@@ -1,7 +1,7 @@
 //! The mean cycle of a recording, on phase, with its step-to-step spread.
 //!
-//! Where the plates (or insoles) cover whole strides, both feet are summed and the strides averaged.
-//! Elsewhere a stride is built from single stances: the mean left and the mean right one, half a stride apart.
+//! Where the plates (or insoles) cover whole strides, both feet are summed and the strides averaged. Otherwise a stride is built from single stances:
+//! the mean left and the mean right one, half a stride apart.
 
 mod average;
 mod balance;
@@ -53,11 +53,11 @@ pub use plausibility::implausible;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle {
-    /// The mean cycle; its period is a stride, its spread the standard deviation from step to step.
+    /// The mean cycle; its period is a stride, its spread is the standard deviation from step to step.
     pub curve: ForceCurve,
-    /// Cycles that were averaged: whole strides, or stances where the stride was built from them.
+    /// Number of averaged cycles: whole strides, or stances if the stride was built from them.
     pub averaged: usize,
-    /// How the cycle was computed.
+    /// Method of the cycle.
     pub source: CycleSource,
     /// Duration of the cycle, and where it comes from.
     pub period: Period,
@@ -66,16 +66,15 @@ pub struct Cycle {
     pub repeatability_n: Option<f64>,
     /// Mass, kg: given, or the mean force over the stride divided by g.
     pub mass_kg: f64,
-    /// Where the mass is from.
+    /// Source of the mass.
     pub mass_from: MassSource,
-    /// What the cycle is of.
+    /// Movement of the cycle.
     pub kind: Kind,
-    /// Mean force over the cycle as a part of the weight that the feet of the cycle carry: 1 for a walker
-    /// whose mass is right.
+    /// Mean force over the cycle as a fraction of the weight that the feet of the cycle carry; 1 for a correct mass.
     pub mean_of_weight: f64,
-    /// Whether mean force and mass can be of one walker.
+    /// Whether mean force and mass can belong to one walker.
     pub mass_fits: bool,
-    /// What does not look right.
+    /// Implausible values.
     pub notes: Vec<Note>,
 }
 
@@ -86,12 +85,12 @@ struct Average {
     spread_n: Option<Vec<f64>>,
     averaged: usize,
     source: CycleSource,
-    /// What was left out of it.
+    /// Contacts excluded from it.
     note: Option<Note>,
 }
 
 impl Average {
-    /// The mean of whole cycles of some durations, s.
+    /// The mean of whole cycles, with their durations, s.
     fn of_cycles(cycles: Mean, durations: &[f64], from: PeriodSource, source: CycleSource) -> Self {
         let (force_n, spread_n) = cycles.finish();
         Average {
@@ -108,7 +107,7 @@ impl Average {
         }
     }
 
-    /// A stride of mean stances, each from a phase on.
+    /// A stride built from mean stances, each at its start phase.
     fn of_stances(
         period: Period,
         stances: &[(&MeanStance, f64)],
@@ -138,7 +137,7 @@ impl Average {
 ///
 /// # Errors
 ///
-/// If there is no whole stance, or none of the requested side.
+/// No whole stance, or none of the requested side.
 pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cycle> {
     let kind = stances.kind.unwrap_or(Kind::Walking);
     let slow = recording.kind == Some(Kind::Walking);
@@ -167,7 +166,7 @@ pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cyc
     finish(recording, stances, average, feet)
 }
 
-/// The total of both feet in one column, unless what stands there is another movement.
+/// The total of both feet in one column, unless the column shows another movement.
 fn both_in_one(recording: &Recording, stances: &Stances, stated: bool) -> Option<Average> {
     let jumps = stances.recognised == Some(Kind::Jumping) && recording.kind.is_none();
     let runs = stances.recognised == Some(Kind::Running) && !recording.runs();
@@ -177,7 +176,7 @@ fn both_in_one(recording: &Recording, stances: &Stances, stated: bool) -> Option
     total_stride(recording, stances, stated)
 }
 
-/// The sum of all plates, where feet that cross from one to another leave fewer than half of the strides whole.
+/// The sum of all plates, if feet cross between plates and leave less than half of the strides whole.
 fn crossed(recording: &Recording, stances: &Stances, whole: usize) -> Option<Average> {
     let both = |r: &Rejected| {
         matches!(
@@ -194,7 +193,7 @@ fn crossed(recording: &Recording, stances: &Stances, whole: usize) -> Option<Ave
     total_of_plates(recording, stances).filter(|total| total.averaged > 2 * whole)
 }
 
-/// Settles mass and repeatability of a mean cycle and compares its mean force with the weight.
+/// Determines mass and repeatability of a mean cycle and compares its mean force with the weight.
 fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet) -> Result<Cycle> {
     let period = average.period;
     let mut curve = ForceCurve::from_samples("", period.seconds, average.force_n)?;

@@ -6,10 +6,8 @@ use crate::recording::{Foot, Recording};
 use crate::stance::{Point, Stance, Stances};
 use crate::statistics::mean as average;
 
-/// Lays the used stances over each other; `None` without used stances.
-///
-/// At most `most` of them are returned, evenly spread over the recording; the means are of all but those that are
-/// outliers. Where stances have masses of their own, forces are scaled to the mean mass.
+/// Overlays the used stances; `None` without used stances. At most `most` of them are returned, evenly spread over the recording; the means exclude
+/// outliers. If stances have different masses, forces are scaled to the mean mass.
 pub fn overlay(recording: &Recording, stances: &Stances, most: usize) -> Option<Overlay> {
     let all: Vec<&Stance> = stances.used.iter().filter(|s| !s.unlike).collect();
     if all.is_empty() {
@@ -33,7 +31,7 @@ pub fn overlay(recording: &Recording, stances: &Stances, most: usize) -> Option<
     })
 }
 
-/// Samples of a stance that is drawn.
+/// Number of samples of a drawn stance.
 const ROW: usize = 256;
 
 fn mean_of(recording: &Recording, own: &[&Stance]) -> MeanStanceCurve {

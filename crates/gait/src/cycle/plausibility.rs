@@ -7,34 +7,34 @@ use crate::quantity::{kilograms, newtons, seconds, share, short};
 use crate::recording::{Feet, Kind, Note, WeightShare};
 use crate::units::G;
 
-/// Largest relative difference of mean force and weight that calibration explains.
+/// Maximum relative difference of mean force and weight that calibration explains.
 const TOLERANCE: f64 = 0.1;
-/// Masses of people who walk over plates, kg.
+/// Range of masses of people on force plates, kg.
 const MASS_KG: Range<f64> = 10.0..250.0;
-/// Masses that confirm a unit which the file does not give, kg.
+/// Range of masses that confirm a unit missing in the file, kg.
 pub(super) const ADULT_KG: Range<f64> = 30.0..160.0;
-/// Walkers lighter than this are children, kg.
+/// Mass below which a walker counts as a child, kg.
 const CHILD_KG: f64 = 30.0;
-/// A small child's stride is shorter than this, s, and its mass smaller than that, kg.
+/// Stride time, s, and mass, kg, below which a walker counts as a small child.
 const SMALL_CHILD: (f64, f64) = (1.15, 22.0);
 
-/// What a movement allows.
+/// Plausible ranges of a movement.
 pub(super) struct Ranges {
-    /// Durations of a stride, s.
+    /// Range of stride durations, s.
     pub stride_s: Range<f64>,
-    /// Duty factor: share of a stride in which a foot is on the ground.
+    /// Range of the duty factor: fraction of a stride in which a foot is on the ground.
     pub duty: Range<f64>,
-    /// Highest force of a stance, body weights.
+    /// Range of the highest force of a stance, body weights.
     pub peak_bw: Range<f64>,
-    /// Duty factor that is usual for it.
+    /// Typical duty factor.
     pub usual_duty: f64,
-    /// A stride over its stance.
+    /// Typical ratio of stride and stance durations.
     pub stride_of_stance: Range<f64>,
-    /// A step over its stance.
+    /// Typical ratio of step and stance durations.
     pub step_of_stance: Range<f64>,
 }
 
-/// Ranges of walking (wider for children) and of running.
+/// Ranges of walking (wider for children) and of running. `slow`: walking was stated, so longer strides are allowed.
 ///
 /// `slow`: walking was asked for, so strides may be longer than is usual.
 pub(super) fn ranges(kind: Kind, mass_kg: f64, slow: bool) -> Ranges {
@@ -61,14 +61,14 @@ pub(super) fn ranges(kind: Kind, mass_kg: f64, slow: bool) -> Ranges {
     }
 }
 
-/// Mean force of a cycle over the weight that its feet carry: 1 for a walker whose mass is right.
+/// Mean force of a cycle over the weight that its feet carry; 1 for a correct mass, `None` without a mass.
 ///
 /// `None` where no mass is known.
 pub fn mean_of_weight(curve: &ForceCurve, feet: Feet) -> Option<f64> {
     Some(curve.mean_n() / (feet.share() * curve.mass_kg? * G))
 }
 
-/// Why mean force and mass do not fit one walker; `None` if they do.
+/// Reason why mean force and mass do not fit one walker; `None` if they do.
 pub fn implausible(curve: &ForceCurve, feet: Feet) -> Option<Note> {
     let ratio = mean_of_weight(curve, feet)?;
     let mass_kg = curve.mass_kg?;

@@ -1,4 +1,4 @@
-//! Why a recording without a whole stance gives no cycle.
+//! Reasons why a recording without a whole stance gives no cycle.
 
 use super::plausibility::{ADULT_KG, ranges};
 use super::total::total_stride;
@@ -9,10 +9,10 @@ use crate::stance::{RejectReason, Stances};
 use crate::statistics::mean;
 use crate::units::Quantity;
 
-/// Highest readings that are perhaps newtons per kilogram under a header of newtons.
+/// Range of peak readings that suggest newtons per kilogram under a header of newtons.
 const PER_KILOGRAM: std::ops::Range<f64> = 5.0..40.0;
 
-/// The reason, from the contacts that were rejected and from what the header announces.
+/// The reason, from the rejected contacts and the header.
 pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> ForceError {
     let duration = seconds(recording.duration_s);
     let Some(first) = stances.rejected.first() else {
@@ -72,7 +72,7 @@ pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) ->
     }
 }
 
-/// The refusal of a recording of another movement than the one asked for.
+/// The error of a recording of another movement than the requested one.
 fn another_movement(stances: &Stances, duration: Quantity) -> Option<ForceError> {
     let kind = stances.recognised?;
     match kind {
@@ -85,7 +85,7 @@ fn another_movement(stances: &Stances, duration: Quantity) -> Option<ForceError>
     }
 }
 
-/// The reason that rejects most contacts.
+/// The most frequent reason for rejected contacts.
 fn usual_reason(stances: &Stances) -> RejectReason {
     let mut reasons: Vec<RejectReason> = stances.rejected.iter().map(|r| r.reason).collect();
     reasons.sort_unstable();

@@ -39,16 +39,14 @@ pub(super) fn both_feet(recording: &Recording, stances: &Stances, ranges: &Range
     Average::of_stances(period, &[(&first, 0.0), (&second, 0.5)], all.len(), source)
 }
 
-/// The stances that are not outliers; all, if every one is.
+/// The stances without outliers; all, if every one is an outlier.
 fn fellows(stances: Vec<&Stance>) -> Vec<&Stance> {
     let alike: Vec<&Stance> = stances.iter().copied().filter(|s| !s.unlike).collect();
     if alike.is_empty() { stances } else { alike }
 }
 
-/// Stances of the left and of the right foot; where no side is known, of the one and of the other.
-///
-/// Without sides the stances are assigned to alternating feet, as far as they follow each other; the rows of a
-/// table of stances do not.
+/// Stances of the left and of the right foot; of two unnamed feet if no side is known. Without sides, consecutive stances are assigned to alternating
+/// feet; the rows of a table of stances are not consecutive.
 pub(super) fn by_side<'a>(
     stances: &[&'a Stance],
     recording: &Recording,
@@ -81,7 +79,7 @@ pub(super) fn by_side<'a>(
     sides
 }
 
-/// One foot over a stride, zero in swing.
+/// The force of one foot over a stride, zero in swing.
 pub(super) fn one_foot(
     recording: &Recording,
     stances: &Stances,

@@ -13,20 +13,20 @@ pub(super) struct Stride {
     pub start_s: f64,
     pub end_s: f64,
     pub foot: Option<Foot>,
-    /// Time on record before the start, in which every foot that stands is known, s. After the end it is a quarter of a
-    /// stance at least: less of a last contact is a fragment.
+    /// Recorded time before the start in which all standing feet are known, s. After the end at least a quarter of a stance is required; less of a
+    /// last contact is a fragment.
     before_s: f64,
-    /// The contacts that reach into the stride.
+    /// The contacts that overlap the stride.
     contacts: Vec<Footfall>,
 }
 
-/// A stride whose duration is further than this from the middle one is not averaged.
+/// Relative deviation from the median duration above which a stride is not averaged.
 const ODD_STRIDE: f64 = 0.25;
 
 /// Strides in which every footfall is on record.
 ///
-/// Four footfalls in turn, each overlapping the next: the second to the fourth heel strike is a
-/// stride, the first gives its first double support and may be cut before, the fourth begins it anew.
+/// In four consecutive footfalls, each overlapping the next: the second to the fourth heel strike is a stride, the first gives its first double
+/// support and may be cut before, the fourth starts the next stride.
 pub(super) fn whole_strides(recording: &Recording, stances: &Stances) -> Vec<Stride> {
     use RejectReason::{CrossTalk, CutAtEnd, CutAtStart, TooShort};
     let mut falls = footfalls(recording, stances);
@@ -89,7 +89,7 @@ fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
     }
 }
 
-/// Every other stride of each run of strides that overlap.
+/// Every second stride of each run of overlapping strides.
 fn alternate<'a>(strides: &[&'a Stride]) -> Vec<&'a Stride> {
     let mut kept: Vec<&Stride> = Vec::new();
     for s in strides {
@@ -103,7 +103,7 @@ fn alternate<'a>(strides: &[&'a Stride]) -> Vec<&'a Stride> {
     kept
 }
 
-/// Sum of the contacts of a stride at equal phases, closed at its ends.
+/// Sum of the contacts of a stride at equal phases, with matching ends.
 fn sample_stride(recording: &Recording, stride: &Stride, row: &mut [f64]) {
     let rate = recording.rate_hz;
     let spans: Vec<(&[f64], f64, f64)> = stride

@@ -1,4 +1,4 @@
-//! How long a stride lasts, where it was built from single stances.
+//! Duration of a stride that was built from single stances.
 
 use super::average::MeanStance;
 use crate::cycle::plausibility::Ranges;
@@ -8,12 +8,11 @@ use crate::stance::{RejectReason, Stances, footfalls, same_foot};
 use crate::statistics::{mean, median, sample_deviation};
 use crate::units::G;
 
-/// Standard uncertainty of a stride time that is from one stride or one doubled step, as a part of it: root mean square
-/// against all strides of the same walks.
+/// Relative standard uncertainty of a stride time from one stride or one doubled step: root mean square against all strides of the same walks.
 const OF_ONE: f64 = 0.02;
 
 impl Period {
-    /// Standard uncertainty, s, of a duration that is from one stride or one step; `None` of any other.
+    /// Standard uncertainty, s, of a duration from one stride or one step; `None` for others.
     pub fn uncertainty_s(&self) -> Option<f64> {
         use PeriodSource::{DoubledSteps, HeelMarkers, HeelStrikes, MarkedStrikes};
         let measured = matches!(
@@ -40,7 +39,8 @@ impl Period {
     }
 }
 
-/// Duration of a stride and what it was taken from.
+/// Duration of a stride and its source. The sources in order: consecutive heel strikes of one foot, strikes marked in the file, heel markers, doubled
+/// steps, a known mass (impulse of both feet = M g T), a typical duty factor.
 ///
 /// One foot's own consecutive heel strikes give it, else those that the file marks, else the heel markers, else doubled
 /// steps; else a known mass, since both feet together carry it (impulse of both = M g T); else the usual part of a stride that
@@ -127,7 +127,7 @@ fn strikes(
     })
 }
 
-/// Times between the strikes of either foot that the file marks, s.
+/// Times between the strikes of either foot marked in the file, s.
 fn marked_strides(recording: &Recording) -> Vec<f64> {
     let of = |foot: Foot| -> Vec<f64> {
         let own = recording.strikes.iter().filter(|s| s.foot == foot);

@@ -8,24 +8,24 @@ use crate::recording::{CycleSource, Note, PeriodSource, Recording};
 use crate::stance::{RejectReason, Rejected, Stances, footfalls};
 use crate::statistics::{mean, mean_and_deviation, ranked};
 
-/// A total force that varies by less than this part of its mean is standing.
+/// Relative variation of a total force below which the person stands.
 const STEADY: f64 = 0.05;
-/// Steps whose duration is further than this from the middle one are not averaged.
+/// Relative deviation from the median duration above which a step is not averaged.
 const ODD_STEP: f64 = 0.25;
-/// Fewest regular steps that make a walk.
+/// Minimum number of regular steps of a walk.
 const FEWEST_STEPS: usize = 5;
-/// Durations of a step that a walker can keep, s.
+/// Range of step durations of a walker, s.
 const STEP_S: std::ops::Range<f64> = 0.3..1.2;
-/// The same of a runner.
+/// Range of step durations of a runner, s.
 const RUNNING_STEP_S: std::ops::Range<f64> = 0.15..0.55;
-/// A step longer than this, s, moves the total force of a walker by less than that part of its mean.
+/// For steps longer than this, s, the total force of a walker varies by less than this fraction of its mean.
 const SLOW: (f64, f64) = (0.85, 0.25);
 
 /// Averages the strides of a channel that is loaded throughout, or from the moment it is stepped on;
 /// `None` without a periodic total force.
 ///
-/// A step is the time between two rises of the force, smoothed over half a step, through its mean; a stride is two steps, so that
-/// a difference between the feet is kept. Which foot begins is not known.
+/// A step is the time between two rises of the force, smoothed over half a step, through its mean; a stride is two steps, so that a difference
+/// between the feet is kept. The first foot is unknown.
 ///
 /// `stated`: the user states that the column is the total of both feet, so that it may fall to zero.
 pub(super) fn total_stride(
@@ -41,11 +41,11 @@ pub(super) fn total_stride(
     strides_of(force, recording)
 }
 
-/// Part of the mean below which the total of a walker who is on the plates all the time does not fall.
+/// Fraction of the mean below which the total force of a walker on the plates does not fall.
 const ON_THE_PLATES: f64 = 0.3;
 
-/// Averages the strides of the sum of all plates, from the first contact to the last, where they carry the walker all
-/// the time: feet may lie across two of them, as on the belts of a treadmill. `None` where they do not.
+/// Averages the strides of the sum of all plates from the first contact to the last, if they carry the walker all the time: feet may cross two
+/// plates, as on the belts of a treadmill. `None` otherwise.
 pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Option<Average> {
     let (from, to) = first_to_last(recording, stances, |_| true)?;
     let count = recording.live().map(|(_, c)| c.force_n.len()).min()?;
@@ -63,7 +63,7 @@ pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Optio
     strides_of(&sum, recording)
 }
 
-/// From the first to the last contact, s, on the channels that count.
+/// Span from the first to the last contact, s, on the included channels.
 fn first_to_last(
     recording: &Recording,
     stances: &Stances,
@@ -75,7 +75,7 @@ fn first_to_last(
         .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
 }
 
-/// The channel that is the total, from its first contact to its last.
+/// The channel of the total force, from its first contact to its last.
 fn stated_total<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [f64]> {
     let mut live = recording.live();
     let (index, channel) = live.next().filter(|_| live.next().is_none())?;
@@ -84,7 +84,7 @@ fn stated_total<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [
     channel.force_n.get(sample(from)..sample(to))
 }
 
-/// The longest load that is too long for one foot.
+/// The longest load that exceeds one foot's contact.
 fn lasting_load<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [f64]> {
     let long = |r: &&Rejected| {
         let lasting = matches!(
@@ -160,11 +160,10 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
     })
 }
 
-/// Part of the steps of a recording that may be of another speed before that is said.
+/// Fraction of the steps of a recording at another speed above which this is noted.
 const OTHER_SPEED: f64 = 0.15;
 
-/// Whether regular steps fill the whole duration, s, but for one step at either end: those of another speed pass the mean
-/// force unseen or are irregular.
+/// Whether regular steps fill the whole duration, s, except one step at either end; steps of another speed are missed or irregular.
 fn other_speeds(steps: &[f64], usual: f64, duration_s: f64) -> Option<Note> {
     let regular = || steps.iter().filter(|s| (*s / usual - 1.0).abs() < ODD_STEP);
     // Two steps at once are of this speed too: the rise between them was too small.
@@ -180,14 +179,14 @@ fn other_speeds(steps: &[f64], usual: f64, duration_s: f64) -> Option<Note> {
     })
 }
 
-/// Longest part of a total that is looked at for its repetition, s, and the rate at which it is, Hz.
+/// Maximum duration of a total force searched for repetition, s, and sampling rate of the search, Hz.
 const LOOKED_AT: (f64, f64) = (60.0, 100.0);
-/// Least correlation of a total with itself one step later.
+/// Minimum correlation of a total force with itself one step later.
 const REPEATS: f64 = 0.3;
-/// A shorter lag that correlates nearly as well as the best is the step, and the best a multiple of it.
+/// Relative correlation above which a shorter lag is the step, and the best lag a multiple of it.
 const NEARLY: f64 = 0.8;
 
-/// Duration of a step, s: the lag at which the force repeats best; `None` where it does not.
+/// Duration of a step, s: the lag at which the force repeats best; `None` without repetition.
 fn step_by_repetition(
     force: &[f64],
     mean: f64,
@@ -221,8 +220,7 @@ fn step_by_repetition(
     (best > REPEATS).then(|| (first + crest) as f64 / rate)
 }
 
-/// Places, in samples, where the mean over `half` samples on either side rises through a level after having been
-/// `margin` below it.
+/// Positions, in samples, where the mean over `half` samples on either side rises through a level after having been `margin` below it.
 fn rises(force: &[f64], half: usize, level: f64, margin: f64) -> Vec<f64> {
     let width = half.max(2) / 2;
     let count = (2 * width + 1) as f64;

@@ -1,4 +1,4 @@
-//! What a person should know of a mean cycle: what was assumed, what does not fit, what is open.
+//! Warnings about a mean cycle: assumptions, inconsistencies, open questions.
 
 use super::Cycle;
 use super::single::by_side;
@@ -65,7 +65,7 @@ pub(super) fn warnings(
     notes
 }
 
-/// Stances of a steady walk of which those that are alike are fewer than two of three: nothing says that these are whole.
+/// Number of stances of a steady walk of which less than two of three are alike, so that whole stances are not certain.
 fn few_alike(stances: &Stances) -> Option<Note> {
     let unlike = |r: &&Rejected| r.reason == RejectReason::Unlike;
     let used = stances.used.len();
@@ -73,10 +73,10 @@ fn few_alike(stances: &Stances) -> Option<Note> {
     (3 * used < 2 * stances).then_some(Note::FewAlike { used, stances })
 }
 
-/// Coefficient of variation of the strides of one speed; steady walkers have 0.01 to 0.03.
+/// Maximum coefficient of variation of strides at one speed; steady walkers have 0.01 to 0.03.
 const ONE_SPEED: f64 = 0.05;
 
-/// Strides that differ more than those of one speed.
+/// The warning that strides vary more than at one speed.
 fn varies(cycle: &Cycle) -> Option<Note> {
     let (period, spread) = (cycle.period.seconds, cycle.period.spread_s?);
     // Steps of a limping walker differ, strides do not.
@@ -87,7 +87,7 @@ fn varies(cycle: &Cycle) -> Option<Note> {
     })
 }
 
-/// What a mass that follows from the mean force depends on.
+/// The assumption behind a mass from the mean force.
 fn mass_is_guessed(recording: &Recording, cycle: &Cycle) -> Vec<Note> {
     let mut notes = Vec::new();
     let mass = kilograms(cycle.mass_kg);
@@ -104,15 +104,15 @@ fn mass_is_guessed(recording: &Recording, cycle: &Cycle) -> Vec<Note> {
     notes
 }
 
-/// Part of the weight by which stances may differ, and part of the mean impulse by which the feet may.
+/// Relative differences allowed between the weights of stances, and between the mean impulses of the feet.
 const DIFFERENCE: f64 = 0.2;
 
-/// Part by which impulse or peak of one of a few stances may be off the middle ones.
+/// Relative deviation of impulse or peak allowed among a few stances.
 const OFF: f64 = 0.1;
-/// Stances that are few.
+/// Number of stances that counts as few.
 const FEW: usize = 6;
 
-/// How far the impulse or the highest force of a stance is from the middle one, as a part of it.
+/// Relative deviation of the impulse or the highest force of a stance from the median.
 fn off_fellows(used: &[&Stance]) -> f64 {
     let worst = |of: fn(&Stance) -> f64| {
         let all: Vec<f64> = used.iter().map(|s| of(s)).collect();
@@ -124,7 +124,7 @@ fn off_fellows(used: &[&Stance]) -> f64 {
     worst(|s| s.impulse_ns).max(worst(Stance::peak_n))
 }
 
-/// Stances, or the impulses of the two feet, that differ more than those of a walker on whole plates.
+/// Stances, or the impulses of the two feet, that differ more than on whole plates.
 fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note> {
     if recording.has_rows() || recording.insole {
         return None;
@@ -152,11 +152,11 @@ fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note
     })
 }
 
-/// Whether the stride confirms a clock that was guessed.
+/// Whether the stride confirms a guessed clock.
 ///
 /// # Errors
 ///
-/// Where it shows that the guess is wrong.
+/// A stride that contradicts the guess.
 pub(super) fn confirm_clock(recording: &Recording, cycle: &mut Cycle) -> Result<()> {
     let guessed = recording.notes.iter().find_map(|n| match n {
         Note::TimeUnitGuessed { step, .. } => Some(*step),

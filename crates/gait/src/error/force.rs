@@ -7,7 +7,7 @@ use super::Fault;
 use crate::units::Quantity;
 use crate::wording::{Catalogue, WORDS};
 
-/// Why there is no force curve.
+/// Reasons why there is no force curve.
 ///
 /// ```
 /// use gaitcam_gait::ForceCurve;
@@ -24,29 +24,29 @@ use crate::wording::{Catalogue, WORDS};
 pub enum ForceError {
     /// A cycle of fewer than four samples.
     FewSamples { samples: usize },
-    /// Times and forces that do not go together.
+    /// Times and forces that do not match.
     Lengths { times: usize, forces: usize },
     /// A sample is not a finite number.
     SampleNotFinite { sample: usize },
     /// The period is not positive.
     PeriodNotPositive { period: Quantity },
-    /// A word that names no feet.
+    /// An unknown name of feet.
     UnknownFeet { word: String },
-    /// A word that does not name a kind of movement.
+    /// An unknown kind of movement.
     UnknownKind { word: String },
-    /// A word that names no open question.
+    /// An unknown open question.
     UnknownDoubt { word: String },
     /// No recording gives a cycle for a joint mean.
     NoJointMean { trials: usize },
-    /// A word that does not name a unit of force.
+    /// An unknown unit of force.
     UnknownUnit { word: String },
-    /// No load model has this name.
+    /// An unknown load model.
     UnknownModel { name: String, known: String },
-    /// No load model has this name; one is spelt similarly.
+    /// An unknown load model, with a similar name.
     MisspeltModel { name: String, near: String },
     /// The body weight is not positive.
     WeightNotPositive { weight: Quantity },
-    /// The load model is not made for this step frequency.
+    /// The step frequency is outside the range of the load model.
     FrequencyOutOfRange {
         model: String,
         frequency: Quantity,
@@ -55,18 +55,18 @@ pub enum ForceError {
     },
     /// The load model needs a step frequency.
     FrequencyMissing { model: String },
-    /// The load model gives both feet together only.
+    /// The load model describes only both feet together.
     BothFeetOnly { model: String },
     /// The time column was taken as milliseconds, which gives an implausible stride time.
     ClockImplausible { period: Quantity },
-    /// The recording is of running, and running was not asked for.
+    /// The recording shows running, which was not requested.
     Running { duration: Quantity },
-    /// The recording is of another movement than walking or running.
+    /// The recording shows another movement than walking or running.
     NotWalking {
         movement: &'static str,
         duration: Quantity,
     },
-    /// The column is the total of both feet, and one foot was asked for.
+    /// The column is the total of both feet, but one foot was requested.
     TotalOfBothFeet { duration: Quantity },
     /// No contact of the recording is a whole walking stance.
     NoStance {
@@ -76,28 +76,28 @@ pub enum ForceError {
         to: Quantity,
         reason: &'static str,
     },
-    /// The file ends before the rows that its header announces, and holds no whole stance.
+    /// The file ends before the announced number of rows, without a whole stance.
     NoStanceFileCut {
         duration: Quantity,
         announced: usize,
         found: usize,
         reason: &'static str,
     },
-    /// No channel carries a load, but one reads as much as newtons per kilogram do.
+    /// No channel carries a load, but one has readings in the range of newtons per kilogram.
     ForceTooLow { duration: Quantity, peak: Quantity },
     /// Every channel is constant or empty.
     NoLiveChannel { duration: Quantity },
     /// No channel rises above the contact threshold.
     NoContact { duration: Quantity },
-    /// A population without a walker.
+    /// A population without walkers.
     NoWalkers,
-    /// No cam serves a walker whose weight or mean force is not positive.
+    /// A walker's weight or mean force is not positive.
     WalkerImpossible { walker: String },
     /// A table of walkers lacks a column.
     WalkerColumnMissing { column: &'static str },
-    /// A value of a table of walkers is not a number.
+    /// A value of a table of walkers that is not a number.
     WalkerValue { column: String, value: String },
-    /// Every stance is of the other foot.
+    /// Every stance belongs to the other foot.
     NoStanceOfFoot { foot: &'static str },
     /// The file does not name the feet.
     FeetNotNamed { foot: &'static str },

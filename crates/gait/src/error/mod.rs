@@ -1,4 +1,4 @@
-//! What may be wrong with a recording, a force curve or a load model.
+//! Faults of a recording, a force curve or a load model.
 
 mod force;
 mod read;

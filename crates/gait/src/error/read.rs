@@ -1,4 +1,4 @@
-//! What is wrong with a file of force.
+//! Faults of a force file.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -7,7 +7,7 @@ use super::Fault;
 use crate::units::Quantity;
 use crate::wording::{Catalogue, WORDS};
 
-/// Why a file cannot be read.
+/// Reasons why a file cannot be read.
 ///
 /// ```
 /// use gaitcam_gait::error::ReadError;
@@ -24,20 +24,20 @@ use crate::wording::{Catalogue, WORDS};
 pub enum ReadError {
     /// The file is empty.
     Empty,
-    /// The file is of a kind that is not read.
+    /// The kind of file is not supported.
     Foreign { kind: FileKind },
-    /// The sampling rate given is not positive.
+    /// The given sampling rate is not positive.
     RateNotPositive { rate: Quantity },
-    /// The mass given is not positive.
+    /// The given mass is not positive.
     MassNotPositive { mass: Quantity },
 
     /// No table of numbers; `start` is the start of the file.
     NoTable { start: String },
-    /// A header names a column of force, and no row of numbers follows it.
+    /// A force column in the header without rows of numbers.
     HeaderWithoutRows { column: String },
-    /// No column of vertical force.
+    /// A file without a column of vertical force.
     NoForceColumn { columns: Vec<String> },
-    /// More columns of force than a walkway has.
+    /// More force columns than a walkway has plates.
     ManyForces { found: usize },
     /// The columns are readings of single sensors, such as the pressures of an insole.
     SingleSensors { sensors: usize },
@@ -45,51 +45,51 @@ pub enum ReadError {
     LongTable { cycles: usize },
     /// A long table of cycles of several movements.
     LongTasks { tasks: Vec<String> },
-    /// Several vertical forces of a long table, of which one can be read.
+    /// Several vertical forces of a long table, of which only one can be read.
     LongForces { columns: Vec<String> },
-    /// The file names no columns and none resembles a vertical force.
+    /// The file has no column names, and no column resembles a vertical force.
     NamelessColumns,
-    /// No column of this name.
+    /// An unknown column name.
     NoColumn {
         column: String,
         columns: Vec<String>,
     },
-    /// No column of this name; one is spelt similarly.
+    /// An unknown column name, with a similar one.
     MisspeltColumn {
         column: String,
         near: String,
         columns: Vec<String>,
     },
-    /// A nameless column was asked for by something else than its number.
+    /// An unnamed column was requested by something other than its number.
     NoColumnNumber { column: String, count: usize },
-    /// A column of force states a unit that is not a unit of force.
+    /// A force column with a unit that is not a unit of force.
     NoForceUnit { column: String, unit: String },
-    /// The column of force is the one of time.
+    /// One column is both force and time.
     ForceIsTime,
     /// The times of a column decrease from one row to the next.
     TimeBackwards { time: f64, after: f64 },
-    /// Rows are much shorter than the header.
+    /// Rows are much shorter than the header row.
     ShortRows { fields: usize },
-    /// Commas part the fields and the decimals too.
+    /// Commas separate both fields and decimals.
     CommasTwice { columns: usize, fields: usize },
-    /// There are no samples, or only one.
+    /// Fewer than two samples.
     FewSamples { samples: usize },
     /// Time does not increase.
     TimeStandsStill { at: Quantity },
-    /// Most of the time is without samples.
+    /// Most of the time has no samples.
     MostlyGaps { lost: Quantity, whole: Quantity },
-    /// Neither time nor sampling rate.
+    /// Neither a time column nor a sampling rate.
     NoRate,
-    /// Converter counts without calibration, and no mass to scale them by.
+    /// Converter counts without calibration or mass.
     CountsWithoutMass,
-    /// Force in body weights, and no mass.
+    /// Force in body weights without a mass.
     MassMissing { unit: &'static str },
 
-    /// A sample of a stance is not a number.
+    /// A sample of a stance that is not a number.
     StanceSample { sample: usize, text: String },
-    /// A table of stances without a stance.
+    /// A table of stances without stances.
     NoStanceRow,
-    /// Force in body weights, and no mass for this row.
+    /// Force in body weights without a mass for this row.
     RowMassMissing { unit: &'static str, row: usize },
 
     /// The table of a cycle lacks a column.
@@ -97,7 +97,7 @@ pub enum ReadError {
         column: CycleColumn,
         columns: Vec<String>,
     },
-    /// The file is marked as a cycle and contains no table.
+    /// The file is marked as a cycle but contains no table.
     CycleWithoutTable,
     /// A line of a cycle is not a row of time and force.
     CycleRow,
@@ -107,30 +107,30 @@ pub enum ReadError {
     CycleTooLong { span: Quantity, period: Quantity },
     /// Critical points without a period.
     CyclePeriodMissing,
-    /// Critical points that do not follow each other in time.
+    /// Critical points in wrong order of time.
     PointsNotRising,
     /// A critical point beyond the period.
     PointBeyondPeriod { at: Quantity, period: Quantity },
 
-    /// The processor type of a C3D file does not exist.
+    /// Invalid processor type of a C3D file.
     Processor { code: u8 },
     /// A C3D file without analog samples.
     NoAnalog,
-    /// Analog values per frame that do not make whole samples.
+    /// A number of analog values per frame that is not a multiple of the channels.
     OddAnalog { values: usize, samples: usize },
-    /// A C3D file without one whole frame.
+    /// A C3D file without a complete frame.
     NoFrame { bytes: usize },
     /// A C3D file without a frame rate.
     NoFrameRate,
-    /// No analog channel of this name.
+    /// An unknown analog channel.
     NoChannel { channel: String, channels: String },
-    /// Neither a force plate nor an analog channel of force.
+    /// Neither a force plate nor an analog force channel.
     NoPlate { channels: String },
-    /// Files named together that are not the plates of one trial, one file each.
+    /// Files that are not the plates of one trial, one file each.
     NotPlatesOfOneTrial,
-    /// A force plate whose TYPE needs a calibration matrix has none, and its channels are not in a unit of force.
+    /// A force plate that needs a calibration matrix but has none, with channels in other units than force.
     PlateUncalibrated { plate: usize, channels: String },
-    /// The only force plates are of a TYPE that is not read.
+    /// All force plates have an unsupported TYPE.
     PlateTypeUnknown {
         plate: usize,
         kind: i64,
@@ -170,7 +170,7 @@ pub enum FileKind {
     Binary,
 }
 
-/// A column that a cycle must have.
+/// A required column of a cycle.
 ///
 /// ```
 /// use gaitcam_gait::error::{CycleColumn, ReadError};

@@ -1,8 +1,8 @@
-//! The published load models: formula, source, and how sure we are of each.
+//! The published load models: formula, source, and reliability of each.
 
 use strum::IntoStaticStr;
 
-/// How sure we are of a model's coefficients.
+/// Reliability of a model's coefficients.
 ///
 /// ```
 /// use gaitcam_gait::{Status, catalogue};
@@ -14,16 +14,16 @@ use strum::IntoStaticStr;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Status {
-    /// The exact text or source line was seen.
+    /// The original text or source line was read.
     Seen,
-    /// Recalled from the literature; check against the source before quoting.
+    /// Recalled from the literature; verify before quoting.
     Recalled,
-    /// Part seen, part recalled; `ModelInfo::source` says which.
+    /// Partly read, partly recalled; `ModelInfo::source` has the details.
     Mixed,
 }
 
 impl Status {
-    /// One word for tables.
+    /// Name of the reliability in tables.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -44,9 +44,9 @@ pub struct ModelInfo {
     pub name: &'static str,
     /// The formula with its coefficients; f is the step frequency in Hz, G the body weight in N.
     pub formula: &'static str,
-    /// Where it was published.
+    /// Publication of the model.
     pub source: &'static str,
-    /// Whether that text was seen.
+    /// Whether that publication was read.
     pub status: Status,
     /// Smallest and largest step frequency the model is used for here, Hz.
     pub frequency_hz: (f64, f64),
@@ -145,7 +145,7 @@ pub(super) const CATALOGUE: &[ModelInfo] = &[
     },
 ];
 
-/// Every load model, with formula, source and how sure we are of it.
+/// Every load model, with formula, source and reliability.
 pub fn catalogue() -> &'static [ModelInfo] {
     CATALOGUE
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// What the amplitudes and phases of a model are; one entry per harmonic, phases added, radians.
+/// Amplitudes and phases of a model; one entry per harmonic, phases added, radians.
 pub(super) type Harmonics = Vec<(f64, f64)>;
 
 /// Amplitudes and added phases of the continuous models at step frequency `f`, Hz.
@@ -44,8 +44,7 @@ pub(super) fn harmonics(name: &str, f: f64) -> Harmonics {
     }
 }
 
-/// The added phases 0, -pi/2, pi, pi/2 of SCI P354: all four harmonics are cosines of the time since
-/// a quarter step, so they crest together there.
+/// The added phases 0, -pi/2, pi, pi/2 of SCI P354: all four harmonics are cosines of the time since a quarter step, so their maxima coincide there.
 fn cresting_together(amplitudes: [f64; 4]) -> Harmonics {
     let phases = [0.0, -FRAC_PI_2, PI, FRAC_PI_2];
     amplitudes.into_iter().zip(phases).collect()

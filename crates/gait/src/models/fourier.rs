@@ -1,4 +1,4 @@
-//! A force that is a finite Fourier series: known exactly without its samples.
+//! A force given as a finite Fourier series, exact without samples.
 
 use std::f64::consts::TAU;
 
@@ -74,7 +74,7 @@ impl FourierForce {
         self.harmonics.iter().map(wave).collect()
     }
 
-    /// The cycle by its samples.
+    /// The cycle as samples.
     pub fn curve(&self) -> ForceCurve {
         let at = |x: f64| {
             let waves = self.harmonics.iter().zip(1..);

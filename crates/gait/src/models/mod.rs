@@ -24,9 +24,8 @@ pub use fourier::FourierForce;
 
 /// One cycle of a named load model.
 ///
-/// `step_frequency_hz` may be left out only for `iso-22675`; `body_weight_n` is G (for `iso-22675` the
-/// load F1cmax). Continuous models exist for both feet only; of a single-foot model left, right and one
-/// are the same curve.
+/// `step_frequency_hz` may be left out only for `iso-22675`; `body_weight_n` is G (for `iso-22675` the load F1cmax). Continuous models exist for both
+/// feet only; for a single-foot model, left, right and one give the same curve.
 ///
 /// # Errors
 /// An unknown name (with the nearest), a frequency outside the range of the model, a weight that
@@ -48,8 +47,7 @@ pub fn model(
     ForceCurve::from_samples(&title, period(f, feet), force)
 }
 
-/// The Fourier series of a named load model of both feet together; `None` of the models of one foot, which have no finite
-/// series.
+/// The Fourier series of a named load model of both feet together; `None` for models of one foot, which have no finite series.
 ///
 /// # Errors
 /// Those of [`model`].
@@ -73,8 +71,8 @@ pub fn series(
     FourierForce::new(info.name, harmonics, f, body_weight_n, feet).map(Some)
 }
 
-/// One cycle of a force of both feet that is given by its load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), with a pair
-/// (aᵢ, pᵢ) of factor and added phase, rad, for each of the harmonics 1, 2, …
+/// One cycle of a force of both feet given by load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), with a pair (aᵢ, pᵢ) of factor and added phase,
+/// rad, for each of the harmonics 1, 2, …
 ///
 /// # Errors
 /// No step frequency, one foot, and a frequency or a weight that is not positive.
@@ -101,19 +99,19 @@ fn check_weight(body_weight_n: f64) -> Result<()> {
     Err(ForceError::WeightNotPositive { weight }.into())
 }
 
-/// Part by which a frequency that was computed may miss the end of a model's range.
+/// Relative tolerance of a computed frequency at the ends of a model's range.
 const ROUNDING: f64 = 1e-9;
 
-/// Name of a force that is given by its own load factors.
+/// Name of a force given by its own load factors.
 const OWN: &str = "gait.harmonics";
 
-/// Duration of a cycle, s: of one foot it is a stride of two steps.
+/// Duration of a cycle, s: for one foot, a stride of two steps.
 fn period(f: f64, feet: Feet) -> f64 {
     let steps = 1.0 / feet.share();
     steps / f
 }
 
-/// Title of a cycle, with the key instead of a phrase: a title has no language.
+/// Title of a cycle, with the key of the model, independent of the language.
 fn title(name: &str, f: f64, body_weight_n: f64, feet: Feet) -> String {
     let feet = feet.name();
     format!("{name} {f} Hz, {body_weight_n} N, feet = \"{feet}\"")
@@ -157,7 +155,7 @@ fn frequency(info: &ModelInfo, given: Option<f64>) -> Result<f64> {
     }
 }
 
-/// The phases at which a cycle is sampled, as fractions of it.
+/// The phases of the samples of a cycle, as fractions.
 fn phases() -> impl Iterator<Item = f64> {
     (0..SAMPLES).map(|i| i as f64 / SAMPLES as f64)
 }

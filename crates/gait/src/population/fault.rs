@@ -1,4 +1,4 @@
-//! What keeps a cycle out of a population.
+//! Reasons that exclude a cycle from a population.
 
 use std::collections::HashMap;
 
@@ -7,18 +7,18 @@ use serde::Serialize;
 use super::Walker;
 use crate::units::G;
 
-/// Mean force of both feet, parts of the weight, of a walker who can be.
+/// Range of the mean force of both feet, as fractions of the weight.
 const BOTH: std::ops::RangeInclusive<f64> = 0.85..=1.15;
-/// People's weights are nearer to each other than this factor; units of force are farther apart.
+/// Ratio below which two weights are plausible; units of force differ by more.
 const UNIT: f64 = 6.0;
-/// The same of one foot.
+/// Range of the mean force of one foot, as fractions of the weight.
 const ONE: std::ops::RangeInclusive<f64> = 0.4..=0.65;
-/// Part of the mean force below which a foot is lifted.
+/// Fraction of the mean force below which a foot is lifted.
 const LIFTED: f64 = 0.02;
-/// Periods of steps differ by less than this factor from their median; a stride is two steps.
+/// Ratio of step periods to their median below which they are plausible; a stride is two steps.
 const STEPS: f64 = 1.45;
 
-/// Why a cycle cannot be one of a population.
+/// Reasons why a cycle cannot belong to a population.
 ///
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker, WalkerFault, walker_faults};
@@ -35,40 +35,40 @@ const STEPS: f64 = 1.45;
 pub enum WalkerFault {
     /// The mean force is not positive.
     NoMeanForce,
-    /// The mean force is not the weight of the mass.
+    /// The mean force contradicts the weight of the mass.
     MeanNotWeight {
-        /// Percent of the weight.
+        /// Mean force as a percentage of the weight.
         percent: f64,
     },
-    /// A force in another unit than those of the others.
+    /// A force in a unit other than most.
     OtherUnit,
-    /// One foot among both feet, or the other way round.
+    /// One foot among both feet, or the reverse.
     OtherFeet,
-    /// One step among strides, or the other way round.
+    /// One step among strides, or the reverse.
     OtherCycle,
-    /// Another kind of movement than most.
+    /// A movement other than most.
     OtherKind,
 }
 
-/// What is wrong with each walker among all; `None` where nothing is.
+/// The fault of each walker among all; `None` without a fault.
 pub fn faults(all: &[Walker]) -> Vec<Option<WalkerFault>> {
     let crowd = Crowd::of(all);
     all.iter().map(|walker| crowd.fault(walker)).collect()
 }
 
-/// What most walkers have in common.
+/// Properties of most walkers.
 struct Crowd {
     /// Median of the mean forces, N.
     force: f64,
-    /// Median period of the cycles that are like most, s.
+    /// Median period of the cycles of the majority, s.
     period: f64,
-    /// Whether most of those with a mass stand on both feet.
+    /// Whether most walkers with a mass stand on both feet.
     both_feet: bool,
-    /// Whether most are of one foot, by their mean force or, without a mass, by touching zero.
+    /// Whether most cycles show one foot, by their mean force or, without a mass, by touching zero.
     one_foot: bool,
-    /// Whether most cycles are of two halves.
+    /// Whether most cycles consist of two halves.
     halves: bool,
-    /// Number of walkers of each kind of movement, where it is known.
+    /// Number of walkers of each kind of movement, if known.
     kinds: HashMap<&'static str, usize>,
 }
 
@@ -131,12 +131,12 @@ impl Crowd {
     }
 }
 
-/// Whether neither mass nor movement is known: a cycle that was written by hand or by a program.
+/// Whether neither mass nor movement is known, as in a hand-written cycle.
 fn is_written(walker: &Walker) -> bool {
     walker.curve.mass_kg.is_none() && kind(walker).is_none()
 }
 
-/// Whether the force touches zero, as that of one foot does.
+/// Whether the force touches zero, as for one foot.
 fn lifts(walker: &Walker) -> bool {
     let least = walker
         .curve
@@ -153,7 +153,7 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     all.get(all.len() / 2).copied().unwrap_or_default()
 }
 
-/// Whether the halves of a cycle are more alike than opposite, as the two steps of a stride are.
+/// Whether the halves of a cycle are alike rather than opposite, like the two steps of a stride.
 fn is_of_halves(walker: &Walker) -> bool {
     let (force, mean) = (&walker.curve.force_n, walker.curve.mean_n());
     let half = force.len() / 2;
@@ -161,7 +161,7 @@ fn is_of_halves(walker: &Walker) -> bool {
     pairs.map(|(a, b)| (a - mean) * (b - mean)).sum::<f64>() > 0.0
 }
 
-/// Mean force as a part of the weight, where the mass is known.
+/// Mean force as a fraction of the weight, if the mass is known.
 fn share(walker: &Walker) -> Option<f64> {
     Some(walker.curve.mean_n() / (walker.curve.mass_kg? * G))
 }

@@ -1,4 +1,4 @@
-//! Several walkers as one target: their cycles with weights, and the mean that stands for them.
+//! Several walkers as one target: their cycles with weights, and their mean.
 
 mod fault;
 mod table;
@@ -12,7 +12,7 @@ pub use table::{WalkerRow, is_table, read_rows, read_table, write_table};
 use crate::curve::ForceCurve;
 use crate::error::{ForceError, Result};
 
-/// A cycle of a walker.
+/// A cycle of one walker.
 ///
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker};
@@ -23,13 +23,13 @@ use crate::error::{ForceError, Result};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Walker {
-    /// Who it is; cycles of one name are cycles of one walker.
+    /// Name of the walker; cycles with the same name belong to one walker.
     pub name: String,
     /// The walker's mean cycle of force.
     pub curve: ForceCurve,
-    /// What the walker counts in a mean, any unit.
+    /// Weight of the walker in a mean, in any unit.
     pub weight: f64,
-    /// Walking speed, m/s, where it is known.
+    /// Walking speed, m/s, if known.
     pub speed_m_per_s: Option<f64>,
 }
 
@@ -45,7 +45,7 @@ impl Walker {
     }
 }
 
-/// Walkers whom one cam serves.
+/// Walkers that share one cam.
 ///
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker};
@@ -63,7 +63,7 @@ impl Walker {
 pub struct Population {
     /// Every cycle of every walker.
     pub walkers: Vec<Walker>,
-    /// Part of each cycle in a mean; their sum is 1, and the cycles of one walker share the walker's.
+    /// Fraction of each cycle in a mean; the sum is 1, and the cycles of one walker share the walker's weight.
     pub shares: Vec<f64>,
 }
 
@@ -86,15 +86,15 @@ impl Population {
         names.collect::<std::collections::HashSet<_>>().len()
     }
 
-    /// The walkers with their parts.
+    /// The walkers with their fractions.
     pub fn each(&self) -> impl Iterator<Item = (&Walker, f64)> {
         self.walkers.iter().zip(self.shares.iter().copied())
     }
 }
 
 impl ForceCurve {
-    /// The mean cycle of walkers, in parts of the weight, at their mean weight and mean cadence, with the walkers behind it;
-    /// of one walker the cycle itself.
+    /// The mean cycle of walkers, as a fraction of the weight, at their mean weight and mean cadence, with the walkers behind it; for one walker the
+    /// cycle itself.
     ///
     /// # Errors
     /// No walker; a weight that is not positive; a mean force that is not positive.

@@ -12,17 +12,17 @@ use crate::curve::ForceCurve;
 use crate::error::{ForceError, Placed, Result};
 use gaitcam_base::text::{cell_text, text_cell};
 
-/// Fewest steps of a cycle in a table that is written.
+/// Minimum number of steps of a cycle in a written table.
 const STEPS: usize = 100;
 
-/// Places of the columns.
+/// Indices of the columns.
 struct Columns {
     walker: usize,
     period: usize,
     speed: Option<usize>,
     mass: Option<usize>,
     weight: Option<usize>,
-    /// Of the force, in order.
+    /// Indices of the force columns, in order.
     force: Vec<usize>,
     names: Vec<String>,
 }
@@ -48,7 +48,7 @@ pub fn is_table(bytes: &[u8]) -> bool {
 /// ```
 #[derive(Debug, Clone)]
 pub struct WalkerRow {
-    /// The name in it.
+    /// Name of the walker in the table.
     pub name: String,
     /// Line of the walker in the file, counted from 1.
     pub line: usize,

@@ -1,4 +1,4 @@
-//! One cycle of force from arrays of a caller: no file, no guesses.
+//! One cycle of force from arrays of a caller, without guesses.
 
 use super::cycle_file::sampled;
 use crate::curve::ForceCurve;

@@ -1,7 +1,5 @@
-//! What the columns of a table hold, from their names.
-//!
-//! Names are taken apart into words: `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]`,
-//! `left total force[N]` all give force, component and owner in some order.
+//! Meaning of the columns of a table, from their names. Names are split into words: `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]`, `left
+//! total force[N]` all give force, component and owner in some order.
 
 use super::vocabulary::{
     FRAME, LEFT, OTHER, RIGHT, SIDE, STRONG_FORCE, TIME, VERTICAL, VERTICAL_FORCE, WEAK_FORCE,
@@ -9,7 +7,7 @@ use super::vocabulary::{
 };
 use crate::recording::{Axis, Foot};
 
-/// What a column holds.
+/// Meaning of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Role {
     Time,
@@ -54,13 +52,13 @@ pub(super) fn words(name: &str) -> Vec<String> {
     words
 }
 
-/// What stands in the brackets of a name: `N` and `left` of `Fz [N] (left)`.
+/// Text in the brackets of a name: `N` and `left` of `Fz [N] (left)`.
 pub(super) fn bracketed(name: &str) -> impl Iterator<Item = &str> {
     let opened = name.split(['[', '(']).skip(1);
     opened.filter_map(|rest| Some(rest[..rest.find([']', ')'])?].trim()))
 }
 
-/// Reads one column name.
+/// Interprets one column name.
 pub(super) fn role(name: &str) -> Role {
     let words = words(name);
     let has = |list: &str| words.iter().any(|w| is(w, list));
@@ -84,12 +82,12 @@ pub(super) fn role(name: &str) -> Role {
     Role::Other
 }
 
-/// Whether words exclude a vertical force, whatever the others are.
+/// Whether the words exclude a vertical force.
 pub(super) fn is_other(words: &[String]) -> bool {
     words.iter().any(|w| is(w, OTHER))
 }
 
-/// Whether a word says which channel of force a column is: its foot, plate or direction.
+/// Whether a word specifies the foot, plate or direction of a force column.
 pub(super) fn is_of_channel(word: &str) -> bool {
     let lists = [
         LEFT,
@@ -105,14 +103,14 @@ pub(super) fn is_of_channel(word: &str) -> bool {
     number || axis_letter(word).is_some() || lists.iter().any(|list| is(word, list))
 }
 
-/// Whether a name states that the force is vertical, total or normal, not only that it is a force.
+/// Whether a name states that the force is vertical, total or normal.
 pub(super) fn says_vertical(name: &str) -> bool {
     let lists = [VERTICAL, VERTICAL_FORCE, WHOLE];
     let says = |w: &String| lists.iter().any(|list| is(w, list));
     words(name).iter().any(says)
 }
 
-/// The side that a name states.
+/// The side stated by a name.
 pub(super) fn foot(words: &[String]) -> Option<Foot> {
     let has = |list: &str| words.iter().any(|w| is(w, list));
     match (has(LEFT), has(RIGHT)) {
@@ -131,7 +129,7 @@ fn axis_letter(word: &str) -> Option<Axis> {
     }
 }
 
-/// The component, where the words name a force at all.
+/// The component, if the words name a force.
 fn force_axis(words: &[String]) -> Option<Axis> {
     let has = |list: &str| words.iter().any(|w| is(w, list));
     let is_force = |w: &String| is(w, STRONG_FORCE) || is(w, WEAK_FORCE);

@@ -1,10 +1,10 @@
-//! A cycle from its critical points: level at each, without overshoot between them.
+//! A cycle from its critical points: horizontal tangent at each, without overshoot between them.
 
 use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::{ReadError, Result};
 use crate::quantity::seconds;
 
-/// A curve through critical points, level at every peak and valley, monotone between them.
+/// A curve through critical points, with horizontal tangents at peaks and valleys, monotone between them.
 pub(super) fn critical(
     name: &str,
     times: &[f64],

@@ -19,10 +19,10 @@ use crate::error::{CycleColumn, Error, ForceError, Placed, ReadError, Result};
 use crate::quantity::seconds;
 use crate::recording::{ForceUnit, ReadOptions};
 
-/// Lines at the start of a text that may hold the mark.
+/// Number of lines at the start of a text that may hold the mark.
 const HEAD: usize = 40;
 
-/// What a text holds, by its mark.
+/// Content of a text, by its mark.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Cycle,
@@ -99,7 +99,8 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     Ok(Some(curve))
 }
 
-/// The samples of a cycle, in the units of the file, with the seconds per unit of their times.
+/// A cycle's samples in the units of the file, with the seconds per unit of their times. The first column is the force; a second one is its spread.
+/// Every row must be complete.
 ///
 /// The first column is the force; a second one is its spread. Every row must be complete.
 fn samples(file: &TextFile, table: &Table) -> Result<(Samples, Option<f64>)> {
@@ -144,7 +145,7 @@ fn samples(file: &TextFile, table: &Table) -> Result<(Samples, Option<f64>)> {
     Ok((samples, unit))
 }
 
-/// Newtons per unit of the force.
+/// Newtons per unit of the force column.
 fn newtons(file: &TextFile, table: &Table, samples: &Samples, mass_kg: Option<f64>) -> Result<f64> {
     let unit = file.options.unit.or(samples.forces[0].unit);
     let unit = unit.unwrap_or(ForceUnit::Newton);
@@ -173,7 +174,7 @@ fn period(comment: &str) -> Option<f64> {
     keys::number(rest, false).filter(|period| *period > 0.0)
 }
 
-/// A cycle from samples: unchanged if uniform in time, otherwise resampled on equal phases.
+/// A cycle from samples: unchanged if uniform in time, otherwise resampled at equal phases.
 pub(super) fn sampled(
     name: &str,
     times: &[f64],
@@ -215,8 +216,7 @@ pub(super) fn sampled(
     through(name, points, period)
 }
 
-/// Duration by the clock of a file, where the period given (or the part of it that the span covers) differs from it by
-/// more than a sample.
+/// Duration by the clock of a file, if the given period (or the fraction covered by the span) differs from it by more than a sample.
 fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, times) else {
         return None;
@@ -228,8 +228,7 @@ fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     (!fits && length > 0.0).then_some(length)
 }
 
-/// Times of a file that is one cycle whatever its clock says: its rows fill the period, or the part of it that the
-/// span covers.
+/// Times of a file that is one cycle regardless of its clock: its rows fill the period, or the fraction covered by the span.
 fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, &times[..]) else {
         return times;
@@ -247,7 +246,7 @@ fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     times.iter().map(|t| (t - first) * factor).collect()
 }
 
-/// A force over a part of the turn, zero in the rest of it.
+/// A force over a fraction of the turn, zero in the rest.
 fn spanned(
     name: &str,
     times: &[f64],

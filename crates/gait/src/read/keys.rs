@@ -8,13 +8,13 @@ use crate::units::G;
 pub(super) struct Keys {
     pub rate_hz: Option<f64>,
     pub mass_kg: Option<f64>,
-    /// Rows the header announces.
+    /// Number of rows announced in the header.
     pub rows: Option<usize>,
 }
 
-/// Words that announce a sampling rate, lower case.
+/// Words that denote a sampling rate, lower case.
 const RATE: &str = "rate freq abtast hz frecuencia fréquence sampling";
-/// Words that announce a mass or weight.
+/// Words that denote a mass or weight.
 const MASS: &str = "mass gewicht weight masse peso poids masa";
 
 /// Reads the keys of header lines such as `SampleRate=450`, `Gewicht [kg];56,8`, `nRows=1501`.
@@ -57,7 +57,7 @@ fn trimmed(line: &str) -> &str {
     line.trim_matches(|c: char| c.is_whitespace() || ",;\"".contains(c))
 }
 
-/// Key and value of a line: parted by `=`, `:`, a separator, or the last blank.
+/// Key and value of a line, separated by `=`, `:`, a separator, or the last blank.
 fn split(line: &str) -> Option<(&str, &str)> {
     for mark in ["=", ":", "\t", ";", ","] {
         if let Some((key, value)) = line.split_once(mark) {
@@ -67,7 +67,7 @@ fn split(line: &str) -> Option<(&str, &str)> {
     line.rsplit_once(' ').map(|(k, v)| (k.trim(), v.trim()))
 }
 
-/// The number a value starts with; a unit may follow.
+/// The number at the start of a value; a unit may follow.
 pub(super) fn number(typed: &str, comma: bool) -> Option<f64> {
     let first = typed.split(['\t', ';', ' ']).next().unwrap_or("");
     let end = first

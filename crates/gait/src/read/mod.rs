@@ -28,12 +28,8 @@ pub use text::{Cell, NumberTable, PlateFile, joined_plates, metadata_name, plate
 
 /// Reads a recording of vertical force.
 ///
-/// `path` serves messages only.
-///
-/// # Errors
-///
-/// With file and line (or byte), where the file holds no vertical force, time goes backwards, or its numbers
-/// cannot be placed in time.
+/// `path` is used in messages only. # Errors With file and line (or byte): a file without vertical force, decreasing time, or samples without a time
+/// base.
 pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     check(options)?;
     if bytes.is_empty() {
@@ -54,7 +50,7 @@ pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recordin
     }
 }
 
-/// What a file is that is neither text nor C3D.
+/// Kind of a file that is neither text nor C3D.
 fn foreign(bytes: &[u8]) -> Option<FileKind> {
     let known: [(&[u8], FileKind); 12] = [
         (b"PK\x03\x04", FileKind::Zip),
@@ -82,7 +78,7 @@ fn foreign(bytes: &[u8]) -> Option<FileKind> {
     (!wide && 20 * controls > head.len()).then_some(FileKind::Binary)
 }
 
-/// A text marked as one cycle, as [`ForceCurve::to_csv`] writes it; `None` for any other file.
+/// A text marked as one cycle, as written by [`ForceCurve::to_csv`]; `None` for any other file.
 ///
 /// # Errors
 /// A line that is not a number, or too few samples.

@@ -3,23 +3,23 @@
 /// Content of one field of a delimited text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Field {
-    /// A finite number, as it is written.
+    /// A finite number, as written.
     Number(f64),
-    /// Nothing, or a word that means nothing: `NaN`, `-`, `n/a`, `1.#QNAN`.
+    /// Empty, or a word for a missing value: `NaN`, `-`, `n/a`, `1.#QNAN`.
     Missing,
-    /// Anything else, such as a name.
+    /// Any other text, such as a name.
     Text,
 }
 
-/// Longest field that can be a number; longer ones are text.
+/// Maximum length of a numeric field; longer ones are text.
 const LONGEST: usize = 64;
 
-/// Powers of ten for as many decimal places as [`short`] takes.
+/// Powers of ten up to the decimal places that [`short`] accepts.
 const TEN: [f64; DIGITS + 1] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
 ];
 
-/// Most digits of a number whose digits, as a whole number, are exact in f64.
+/// Maximum number of digits that form an exact integer in f64.
 const DIGITS: usize = 15;
 
 /// Reads one field, blanks and quotes around it ignored.
@@ -42,7 +42,8 @@ pub(super) fn field(bytes: &[u8], comma: bool) -> Field {
     }
 }
 
-/// The number of at most 15 digits, without exponent, that some bytes begin with, and its length.
+/// The number of at most 15 digits, without exponent, at the start of some bytes, and its length. It is a quotient of two exact numbers and so
+/// correctly rounded.
 ///
 /// Quotient of two exact numbers and so correctly rounded.
 #[inline]
@@ -78,7 +79,7 @@ pub(super) fn value(bytes: &[u8], comma: bool) -> f64 {
     }
 }
 
-/// Cuts blanks and one pair of quotes from both ends.
+/// Trims blanks and one pair of quotes from both ends.
 pub(super) fn trim(b: &[u8]) -> &[u8] {
     let kept = |c: &u8| !matches!(c, b' ' | b'\t' | b'\r' | b'"' | b'\'' | 0);
     let start = b.iter().position(kept).unwrap_or(b.len());
@@ -86,7 +87,7 @@ pub(super) fn trim(b: &[u8]) -> &[u8] {
     &b[start..end]
 }
 
-/// Numbers with exponents, many digits or grouped thousands, and odd spellings of nothing.
+/// Numbers with exponents, many digits or grouped thousands, and unusual words for missing values.
 fn long(b: &[u8], comma: bool) -> Field {
     if b.len() > LONGEST || !b.is_ascii() {
         return Field::Text;
@@ -110,7 +111,7 @@ fn long(b: &[u8], comma: bool) -> Field {
     }
 }
 
-/// Whether marks of thousands, where there are any, part three digits each and end before the decimal mark.
+/// Whether thousands separators, if any, group three digits each and end before the decimal mark.
 fn is_grouped(b: &[u8], mark: u8) -> bool {
     let mut groups = b.split(|&c| c == mark);
     let _leading = groups.next();

@@ -1,4 +1,4 @@
-//! The time base: rate from a time column, uneven samples put on even ones, gaps named.
+//! The time base: rate from a time column, resampling of uneven samples, gaps.
 
 use crate::error::{ReadError, Result};
 use crate::quantity::seconds;
@@ -11,24 +11,24 @@ pub(super) struct TimeBase {
     pub rate_hz: f64,
     /// Time of the first sample, s.
     pub start_s: f64,
-    /// What it was taken from.
+    /// Source of the time base.
     pub source: ClockSource,
-    /// Times in samples from the first, where they are too uneven to be taken as even.
+    /// Times in samples from the first, if they are too uneven to be treated as even.
     uneven: Option<Vec<f64>>,
     /// Spans without samples, s from the first.
     pub gaps_s: Vec<(f64, f64)>,
-    /// Single samples that are missing between others: how many, and where the first, s from the first.
+    /// Single missing samples: their number, and time of the first, s from the first sample.
     pub missed: Option<(usize, f64)>,
 }
 
-/// A sample may lie this far from its even place, in steps, before samples are moved.
+/// Maximum deviation of a sample from its even position, in steps, without resampling.
 const SLACK: f64 = 0.75;
 
-/// A step this many times the usual one is a gap.
+/// Ratio to the usual step above which a step is a gap.
 const GAP: f64 = 2.5;
 
 impl TimeBase {
-    /// An even base of known rate.
+    /// An even time base of known rate.
     pub fn even(rate_hz: f64, source: ClockSource) -> Self {
         TimeBase {
             rate_hz,
@@ -40,13 +40,13 @@ impl TimeBase {
         }
     }
 
-    /// The same with the first sample at another time of the file's clock, s.
+    /// An even time base with the first sample at another time of the file's clock, s.
     #[must_use]
     pub fn starting_at(self, start_s: f64) -> Self {
         TimeBase { start_s, ..self }
     }
 
-    /// From times in seconds that never fall; the rate is (n − 1)/duration, since single steps are rounded.
+    /// From non-decreasing times in seconds; the rate is (n − 1)/duration, since single steps are rounded.
     ///
     /// With a gap the rate is that of the samples outside gaps.
     ///
@@ -98,12 +98,12 @@ impl TimeBase {
         })
     }
 
-    /// Whether samples have to be moved to even places.
+    /// Whether resampling is necessary.
     pub fn is_uneven(&self) -> bool {
         self.uneven.is_some()
     }
 
-    /// Values at even times, by straight lines between the samples; missing ones stay missing.
+    /// Values at even times, by linear interpolation; missing ones stay missing.
     pub fn resampled(&self, values: Vec<f64>) -> Vec<f64> {
         let Some(at) = &self.uneven else {
             return values;
@@ -115,7 +115,8 @@ impl TimeBase {
     }
 }
 
-/// Values on straight lines between two or more samples, for places that do not fall.
+/// Linear interpolation between two or more samples, at non-decreasing positions. At a sample its own value is returned, since its neighbours may be
+/// missing.
 ///
 /// At a sample its own value, whatever its neighbours are: they may be missing.
 pub(super) fn polyline(at: &[f64], values: &[f64]) -> impl FnMut(f64) -> f64 {
@@ -134,7 +135,7 @@ pub(super) fn polyline(at: &[f64], values: &[f64]) -> impl FnMut(f64) -> f64 {
     }
 }
 
-/// Steps twice as long as all the others; `None` where steps are too unequal to tell.
+/// Steps twice as long as all the others; `None` if the steps are too unequal.
 fn missed(times: &[f64], usual: f64) -> Option<(usize, f64)> {
     let steps = || times.windows(2).map(|w| (w[1] - w[0]) / usual);
     let even = |s: &f64| (0.75..1.25).contains(s);
@@ -149,7 +150,7 @@ fn missed(times: &[f64], usual: f64) -> Option<(usize, f64)> {
     Some((count, 0.5 * (times[first] + times[first + 1]) - times[0]))
 }
 
-/// Median step of a thinned set of neighbours; the mean where times are so rounded that it is zero.
+/// Median step of a thinned set of neighbours; the mean if rounding makes it zero.
 pub(super) fn usual_step(times: &[f64]) -> f64 {
     let thin = times.len() / 4096 + 1;
     let neighbours = times.windows(2).step_by(thin);

@@ -1,4 +1,4 @@
-//! From raw force columns to channels of upward force: which component, which unit, which sign.
+//! Conversion of raw force columns to channels of upward force: component, unit and sign.
 
 use super::baseline;
 use super::columns::says_vertical;
@@ -10,17 +10,16 @@ use crate::recording::{
 };
 use crate::statistics::{ends, sample};
 
-/// Largest force on the ground in walking that is believable, N.
+/// Maximum plausible ground reaction force in walking, N.
 const HARDEST_N: f64 = 8000.0;
-/// Smallest peak of a walking force that is believable, N.
+/// Minimum plausible peak of a walking force, N.
 const SOFTEST_N: f64 = 60.0;
 
-/// Largest difference of a copy from its original, as a part of the readings (root mean squares), and of a column that is
-/// named like its original.
+/// Maximum relative difference of a copy from its original (root mean squares), and of a column with a similar name.
 const COPY: f64 = 0.003;
 const FILTERED: f64 = 0.05;
 
-/// A raw column of force with what its name says.
+/// A raw force column with the meaning of its name.
 #[derive(Debug)]
 pub(super) struct RawForce {
     pub name: String,
@@ -30,7 +29,7 @@ pub(super) struct RawForce {
     pub values: Vec<f64>,
 }
 
-/// Data of a file other than its columns of force.
+/// Data of a file besides its force columns.
 pub(super) struct Facts {
     pub format: Format,
     /// Whether the forces are those of pressure insoles.
@@ -38,12 +37,12 @@ pub(super) struct Facts {
     pub samples: usize,
     /// Mass in the file, kg.
     pub mass_kg: Option<f64>,
-    /// Samples that the file calls unloaded (first, one past the last).
+    /// Samples marked as unloaded in the file (first, one past the last).
     pub zero: Option<(usize, usize)>,
     pub notes: Vec<Note>,
 }
 
-/// Makes the recording of raw columns on their time base.
+/// Converts raw columns on their time base to a recording.
 pub(super) fn recording(
     mut raw: Vec<RawForce>,
     base: TimeBase,
@@ -108,7 +107,7 @@ pub(super) fn recording(
     })
 }
 
-/// Leaves out channels that repeat an earlier one: a copy of it, or the same readings filtered.
+/// Excludes channels that repeat an earlier one: a copy of it, or the same readings filtered.
 fn leave_copies(channels: &mut Vec<Channel>, notes: &mut Vec<Note>) {
     let mut kept: Vec<Channel> = Vec::with_capacity(channels.len());
     for channel in channels.drain(..) {
@@ -146,7 +145,7 @@ fn is_opensim_pair(raw: &[RawForce]) -> bool {
     }
 }
 
-/// Keeps one component: the one the names call vertical, else the one that carries the load.
+/// Keeps one component: the one named vertical, else the one that carries the load.
 fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     // Where plates have named components, a name without one may be that of a muscle (`L GRF`).
     if raw.iter().any(|r| r.axis != Axis::Vertical) {
@@ -172,13 +171,13 @@ fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     raw.retain(|r| r.axis == keep);
 }
 
-/// Sum over the plates of how far a component swings from its median.
+/// Sum over the plates of a component's deviation from its median.
 fn swing_of(raw: &[RawForce], axis: Axis) -> f64 {
     let columns = raw.iter().filter(|r| r.axis == axis);
     columns.map(|r| swing(&r.values)).sum()
 }
 
-/// How far the values reach from their resting level, ignoring single outliers: 98th percentile.
+/// Extent of the values from their resting level, ignoring single outliers: 98th percentile.
 fn swing(values: &[f64]) -> f64 {
     let mut thin = sample(values, 8192);
     let Some((low, high)) = ends(&thin) else {
@@ -193,7 +192,7 @@ fn swing(values: &[f64]) -> f64 {
     reach(0.99).max(reach(0.01))
 }
 
-/// The unit of the columns: the user's word, then a believable label, then what the size suggests.
+/// The unit of the columns: the user's, then a plausible label, then the one suggested by the magnitude.
 fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> (ForceUnit, UnitSource) {
     if let Some(unit) = options.unit {
         return (unit, UnitSource::User);

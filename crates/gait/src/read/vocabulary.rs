@@ -1,34 +1,34 @@
-//! Words of column names, lower case and parted by blanks, in the languages of laboratory software.
+//! Words in column names of laboratory software, lower case and separated by blanks, in several languages.
 
 pub(super) const LEFT: &str = "left l lfx lfy lfz lf lt lgr lgrf links linker linke gauche izquierda izquierdo \
     lhs lfs sinistra sinistro esquerda esquerdo";
 pub(super) const RIGHT: &str = "right r rfx rfy rfz rf rt rgr rgrf rechts rechter rechte droit droite derecha derecho \
     destra destro direita direito rhs rfs";
-/// A side that is a whole name: the column of an insole or a belt.
+/// A side as a complete name: the column of an insole or a belt.
 pub(super) const SIDE: &str = "left l right r";
-/// Words that mean a force whatever the other words of the name are.
+/// Words that mean a force regardless of the other words.
 pub(super) const STRONG_FORCE: &str = "force forces grf vgrf grfs reaction kraft fuerza forza força forca \
     bodenreaktionskraft load lgrf rgrf";
-/// Words that mean a force where the rest of the name is a number or a side.
+/// Words that mean a force if the rest of the name is a number or a side.
 pub(super) const WEAK_FORCE: &str = "for f";
 pub(super) const VERTICAL: &str = "vertical vert vertikal verticale v normal up";
 pub(super) const VERTICAL_FORCE: &str = "vgrf fv grfv fvert vforce";
-/// A force of a whole plate or foot.
+/// Words for the force of a whole plate or foot.
 pub(super) const WHOLE: &str = "total gesamt sum plate";
 /// Pressure insoles and their makes.
 pub(super) const INSOLE: &str = "insole insoles pedar loadsol opengo moticon fscan plantilla plantillas \
     einlegesohle einlegesohlen sohle sohlen semelle semelles soletta palmilha";
 pub(super) const TIME: &str = "time zeit temps tiempo tempo";
-/// Words for time that count at the start of a name only.
+/// Words for time at the start of a name only.
 pub(super) const WEAK_TIME: &str = "t timestamp sec secs seconds";
 pub(super) const FRAME: &str =
     "frame frames sample samples field bild index nr no item row point framenumber";
-/// Words that exclude a force, whatever the other words of the name.
+/// Words that exclude a force regardless of the other words.
 pub(super) const OTHER: &str = "m mx my mz moment moments mom torque torques tx ty tz free cop cofp copx copy copz \
     px py pz ax ay az cx cy cz center centre pressure position pos acceleration acc angular gyro angle velocity emg \
     power temperature cadence trigger sync event coefficient friction rate impulse normalised normalized ml ap";
 
-/// Whether a word stands in a list.
+/// Whether a word is in a list.
 pub(super) fn is(word: &str, list: &str) -> bool {
     list.split(' ').any(|w| w == word)
 }

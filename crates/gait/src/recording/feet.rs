@@ -1,4 +1,4 @@
-//! Whose force a curve is.
+//! The feet of a force curve.
 
 use serde::Serialize;
 use strum::{EnumString, IntoStaticStr};
@@ -39,7 +39,7 @@ impl Foot {
     }
 }
 
-/// Whose force a curve is.
+/// The feet of a force curve.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, model};
@@ -53,10 +53,10 @@ impl Foot {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, EnumString, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case", parse_err_ty = Error, parse_err_fn = unknown_feet)]
 pub enum Feet {
-    /// The sum of both feet, as a floor or footbridge feels it.
+    /// The sum of both feet, as applied to a floor or footbridge.
     #[default]
     Both,
-    /// One foot, whichever the source offers (the mean of both where it offers both).
+    /// One foot, the mean of both if the source has both.
     One,
     /// The left foot alone.
     Left,
@@ -70,7 +70,7 @@ impl Feet {
     /// Every choice, in the order of the help.
     pub const ALL: [Feet; 5] = [Feet::Both, Feet::One, Feet::Left, Feet::Right, Feet::Total];
 
-    /// Part of the weight that the feet carry on the mean over a stride.
+    /// Mean fraction of the weight that the feet carry over a stride.
     pub fn share(self) -> f64 {
         match self {
             Feet::Both | Feet::Total => 1.0,

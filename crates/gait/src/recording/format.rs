@@ -1,4 +1,4 @@
-//! Kinds of file that hold a recording.
+//! File formats of recordings.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use strum::VariantNames;
 
 use crate::wording::{Language, sentence};
 
-/// What kind of file a recording was read from.
+/// Format of the file of a recording.
 ///
 /// ```
 /// use gaitcam_gait::{Format, ReadOptions, SeparatorName, read};
@@ -23,16 +23,16 @@ use crate::wording::{Language, sentence};
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Format {
-    /// C3D, with the processor whose number format it uses.
+    /// C3D, with the number format of its processor.
     C3d {
-        /// Number format of the processor that wrote it.
+        /// Number format of the processor that wrote the file.
         processor: Processor,
-        /// How samples are stored.
+        /// Storage of the samples.
         storage: Storage,
     },
-    /// Text that a program exports.
+    /// Text exported by a program.
     Export {
-        /// Name of the program, with the ending of its files where that tells its exports apart.
+        /// Name of the program, with the file ending if this identifies the kind of export.
         program: &'static str,
     },
     /// One stance per row.
@@ -41,14 +41,14 @@ pub enum Format {
     Text {
         /// Separator between two fields.
         separator: SeparatorName,
-        /// Decimal mark of its numbers.
+        /// Decimal mark of the numbers in the file.
         decimal: DecimalMark,
     },
     /// Delimited text without a header.
     HeaderlessText {
         /// Separator between two fields.
         separator: SeparatorName,
-        /// Decimal mark of its numbers.
+        /// Decimal mark of the numbers in the file.
         decimal: DecimalMark,
     },
 }
@@ -74,7 +74,7 @@ pub enum Processor {
     Sgi,
 }
 
-/// How samples of a C3D file are stored.
+/// Storage of the samples of a C3D file.
 ///
 /// ```
 /// use gaitcam_gait::{Format, Processor, Storage};

@@ -1,13 +1,13 @@
-//! Paths of the two heel markers of a motion-capture recording: which foot stands, and how long a stride lasts.
+//! Paths of the two heel markers of a motion-capture recording, for the side of a stance and the stride time.
 
 use super::Foot;
 use crate::statistics::median;
 
-/// The standing heel is slower than the other by this factor.
+/// Ratio of heel speeds above which the slower heel is the standing one.
 const SLOWER: f64 = 1.2;
-/// Part of a stance about its middle, in which the heel is down and the other foot swings.
+/// Fraction of a stance about its middle, in which the heel is down and the other foot swings.
 const MIDDLE: (f64, f64) = (0.3, 0.6);
-/// A step reaches this part of the usual longest distance between the heels.
+/// Minimum distance between the heels in a step, as a fraction of the typical maximum.
 const REACH: f64 = 0.5;
 
 /// A position in any unit of length.
@@ -26,17 +26,17 @@ type Position = [f64; 3];
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heels {
-    /// Positions per second, the first at the first sample of the force.
+    /// Positions per second, with the first at the first sample of the force.
     pub rate_hz: f64,
-    /// Positions of the left heel in the file's axes and unit of length; NaN where the marker was not seen.
+    /// Positions of the left heel in the file's axes and unit of length; NaN where the marker was not visible.
     pub left: Vec<[f64; 3]>,
     /// Positions of the right heel.
     pub right: Vec<[f64; 3]>,
 }
 
 impl Heels {
-    /// The foot that stands from one time to another, s: the slower one about the middle. `None` where the markers are
-    /// not seen, or both feet stand or both move.
+    /// The standing foot between two times, s: the slower one about the middle. `None` if the markers are not visible, or if both feet stand or both
+    /// move.
     pub fn standing(&self, start_s: f64, end_s: f64) -> Option<Foot> {
         let at = |x: f64| ((start_s + x * (end_s - start_s)) * self.rate_hz) as usize;
         let (from, to) = (at(MIDDLE.0), at(MIDDLE.1) + 1);
@@ -76,7 +76,7 @@ fn dot(a: Position, b: Position) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Mean way of a marker from one position to the next; `None` where it is seen in less than half of them.
+/// Mean displacement of a marker between positions; `None` if it is visible in less than half of them.
 fn step(path: &[Position]) -> Option<f64> {
     let steps = path.windows(2).map(|w| {
         let way = [0, 1, 2].map(|k| w[1][k] - w[0][k]);
@@ -87,8 +87,8 @@ fn step(path: &[Position]) -> Option<f64> {
     enough.then(|| seen.iter().sum::<f64>() / seen.len() as f64)
 }
 
-/// Direction in which vectors are longest on the whole: the first eigenvector of their second moments, by power
-/// iteration. The feet are side by side in every step, so it is that of walking.
+/// Direction in which vectors are longest on the whole: the first eigenvector of their second moments, by power iteration. This is the walking
+/// direction, since the feet are close together sideways.
 fn principal_axis(all: &[Position]) -> Position {
     let seen = || all.iter().filter(|d| dot(**d, **d).is_finite());
     let longest = seen().max_by(|a, b| dot(**a, **a).total_cmp(&dot(**b, **b)));
@@ -109,8 +109,8 @@ fn principal_axis(all: &[Position]) -> Position {
     axis
 }
 
-/// Places and heights of the extremes between changes of sign, each by the parabola through three samples; those at
-/// an end of the record are left out.
+/// Positions and heights of the extremes between changes of sign, each by the parabola through three samples; extremes at an end of the record are
+/// excluded.
 fn lobes(ahead: &[f64]) -> Vec<(f64, f64)> {
     let mut found = Vec::new();
     let mut from = 0;

@@ -5,7 +5,7 @@ use strum::{EnumString, IntoStaticStr, VariantArray, VariantNames};
 
 use crate::error::{Error, ForceError, Result};
 
-/// What was recorded.
+/// Kind of recorded movement.
 ///
 /// ```
 /// use gaitcam_gait::Kind;
@@ -24,13 +24,13 @@ pub enum Kind {
     Walking,
     /// Duty factor below one half, with a flight phase.
     Running,
-    /// The weight rests on the plates and hardly moves.
+    /// The weight rests on the plates almost without variation.
     Standing,
     /// Both feet leave the ground at the same time.
     Jumping,
-    /// The load rises from that of the feet alone to the weight, or falls back.
+    /// The load rises from that of the feet alone to the weight, or the reverse.
     SitToStand,
-    /// Another movement than these.
+    /// Another movement.
     Other,
 }
 
@@ -62,13 +62,13 @@ fn unknown_kind(word: &str) -> Error {
 #[derive(EnumString, IntoStaticStr, VariantNames)]
 #[strum(serialize_all = "kebab-case", parse_err_ty = Error, parse_err_fn = unknown_question)]
 pub enum OpenQuestion {
-    /// Which movement was recorded.
+    /// The kind of movement.
     Kind,
     /// The duration of a stride.
     Clock,
-    /// The mass of the walker, and with it the size of the forces.
+    /// The mass of the walker, which scales the forces.
     Mass,
-    /// Readings that stop below the peaks of the force: no acceptance makes them right.
+    /// Readings that stop below the peaks of the force; they cannot be accepted.
     Clipped,
 }
 

@@ -21,7 +21,7 @@ pub use note::{
 };
 pub use unit::ForceUnit;
 
-/// What the user states about a file; overrides the file.
+/// Options of the user, which override the file.
 ///
 /// ```
 /// use gaitcam_gait::{ForceUnit, ReadOptions, read};
@@ -48,18 +48,18 @@ pub struct ReadOptions {
     pub rate_hz: Option<f64>,
     /// Mass of the walker, kg.
     pub mass_kg: Option<f64>,
-    /// Movement that was recorded.
+    /// The recorded movement.
     pub kind: Option<Kind>,
-    /// The file is exactly one cycle of this duration, s.
+    /// Duration of the cycle, s, if the file is exactly one cycle.
     pub period_s: Option<f64>,
-    /// The file covers this part of a turn, rad; the force is zero in the rest.
+    /// Fraction of a turn covered by the file, rad; the force is zero in the rest.
     pub span_rad: Option<f64>,
     /// The bytes of the table of subjects that belongs to a table of stances
     /// (see [`metadata_name`](super::metadata_name)).
     pub metadata: Option<Vec<u8>>,
 }
 
-/// A foot strike that the file marks.
+/// A foot strike marked in the file.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read};
@@ -74,11 +74,11 @@ pub struct ReadOptions {
 pub struct Strike {
     /// Time from the first sample, s.
     pub at_s: f64,
-    /// Foot that lands.
+    /// Foot of the strike.
     pub foot: Foot,
 }
 
-/// One stance of a table that has a row per stance, as samples of its channel.
+/// One stance of a table with a row per stance, as samples of its channel.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read};
@@ -95,7 +95,7 @@ pub struct Row {
     pub from: usize,
     /// One past the last sample.
     pub to: usize,
-    /// Mass of that subject, kg, where known.
+    /// Mass of that subject, kg, if known.
     pub mass_kg: Option<f64>,
 }
 
@@ -114,9 +114,9 @@ pub struct Row {
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Channel {
-    /// Name in the file.
+    /// Name of the channel in the file.
     pub name: String,
-    /// The foot it belongs to, if the file names it.
+    /// The foot, if named in the file.
     pub foot: Option<Foot>,
     /// Upward force on the body, N, unloaded baseline removed; always finite.
     pub force_n: Vec<f64>,
@@ -124,15 +124,15 @@ pub struct Channel {
     pub baseline_n: f64,
     /// Standard deviation of the unloaded reading, N.
     pub noise_n: f64,
-    /// Samples (first, one past the last) that the file lacks; they were bridged by straight lines.
+    /// Missing samples (first, one past the last), bridged by straight lines.
     pub missing: Vec<(usize, usize)>,
-    /// Why the channel takes no part, if so.
+    /// Reason for exclusion of the channel, if any.
     pub idle: Option<Idle>,
     /// Stances by row; empty for an ordinary recording.
     pub rows: Vec<Row>,
 }
 
-/// Why a channel takes no part.
+/// Reasons for excluding a channel.
 ///
 /// ```
 /// use gaitcam_gait::{Idle, ReadOptions, read};
@@ -148,21 +148,21 @@ pub struct Channel {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Idle {
-    /// It hardly moves about zero.
+    /// The readings are nearly constant about zero.
     NeverLoaded,
-    /// It hardly moves, or most samples have the same large value.
+    /// The readings are nearly constant, or most have the same large value.
     Constant {
-        /// Level of these readings.
+        /// Level of the readings.
         level: Quantity,
     },
-    /// More than half of its samples are missing.
+    /// More than half of the samples are missing.
     MostlyEmpty {
-        /// Samples that are missing.
+        /// Number of missing samples.
         missing: usize,
         /// Number of all samples.
         samples: usize,
     },
-    /// It has no samples.
+    /// The channel has no samples.
     Empty,
 }
 
@@ -180,7 +180,7 @@ pub enum Idle {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
-    /// What kind of file it was.
+    /// Format of the file.
     pub format: Format,
     /// Whether the forces are those of pressure insoles.
     pub insole: bool,
@@ -190,32 +190,32 @@ pub struct Recording {
     pub start_s: f64,
     /// Time from the first sample to the last, s.
     pub duration_s: f64,
-    /// What the time of a sample was taken from.
+    /// Source of the time base.
     pub clock: ClockSource,
     /// Unit of the force columns.
     pub unit: ForceUnit,
-    /// Where that unit is from.
+    /// Source of the unit.
     pub unit_from: UnitSource,
-    /// The movement, if the user states it.
+    /// The movement, if stated by the user.
     pub kind: Option<Kind>,
-    /// Mass of the walker, kg, where the file or the user gives it.
+    /// Mass of the walker, kg, if given by the file or the user.
     pub mass_kg: Option<f64>,
-    /// Where that mass is from.
+    /// Source of the mass.
     pub mass_from: Option<MassSource>,
     /// Channels of vertical force, in the order of the file.
     pub channels: Vec<Channel>,
-    /// Foot strikes the file marks, in order of time.
+    /// Foot strikes marked in the file, in order of time.
     pub strikes: Vec<Strike>,
-    /// Paths of the heel markers, where the file has both.
+    /// Paths of the heel markers, if the file has both.
     pub heels: Option<Heels>,
     /// Spans without samples, s.
     pub gaps_s: Vec<(f64, f64)>,
-    /// What was guessed or left out, and what is doubtful.
+    /// Notes on guesses, exclusions and doubts.
     pub notes: Vec<Note>,
 }
 
 impl Recording {
-    /// Adds the plates of another file of the same trial, read by the same options; the shorter file sets the end.
+    /// Adds the plates of another file of the same trial, read with the same options; the shorter file determines the end.
     pub fn add_plates(&mut self, other: Recording) {
         let low = |n: &Note| matches!(n, Note::LowForce { .. });
         let is_low = |notes: &[Note]| notes.iter().any(low);
@@ -237,7 +237,7 @@ impl Recording {
         self.duration_s = count.saturating_sub(1) as f64 / self.rate_hz;
     }
 
-    /// Whether the user states that it is of running.
+    /// Whether the user states that the recording shows running.
     pub fn runs(&self) -> bool {
         self.kind == Some(Kind::Running)
     }
@@ -248,7 +248,7 @@ impl Recording {
         all.filter(|(_, channel)| channel.idle.is_none())
     }
 
-    /// Whether it is a table of single stances.
+    /// Whether the recording is a table of single stances.
     pub fn has_rows(&self) -> bool {
         self.channels.iter().any(|c| !c.rows.is_empty())
     }

@@ -1,4 +1,4 @@
-//! Notes on a recording: what was guessed or left out, and what is implausible.
+//! Notes on a recording: guesses, exclusions and implausible values.
 
 use std::fmt;
 
@@ -11,7 +11,7 @@ use super::unit::ForceUnit;
 use crate::units::Quantity;
 use crate::wording::{Language, sentence};
 
-/// A component of force in the axes of a file.
+/// A force component in the axes of a file.
 ///
 /// ```
 /// use gaitcam_gait::{Axis, Note};
@@ -32,7 +32,7 @@ pub enum Axis {
     Vertical,
 }
 
-/// A note on how a recording was read or averaged.
+/// A note on the reading or averaging of a recording.
 ///
 /// ```
 /// use gaitcam_gait::{Note, OpenQuestion};
@@ -48,17 +48,17 @@ pub enum Axis {
 #[non_exhaustive]
 #[allow(missing_docs)] // fields are named for what they hold
 pub enum Note {
-    /// The header announces another number of rows than there are.
+    /// The header announces a wrong number of rows.
     RowsDiffer { announced: usize, found: usize },
-    /// The header announces more frames than the file holds.
+    /// The header announces more frames than the file contains.
     FramesMissing { announced: usize, found: usize },
-    /// The period that was given is not the duration of the file by its own clock.
+    /// The given period differs from the duration by the file's clock.
     ClockDiffers { clock: Quantity, period: Quantity },
-    /// Lines that are not rows of numbers were passed over.
+    /// Lines that are not rows of numbers were skipped.
     LinesSkipped { first_line: usize },
-    /// Two nameless columns are sums of sensors and taken for the left and the right insole.
+    /// Two unnamed columns are sums of sensors and were taken for the left and the right insole.
     InsoleColumns { left: usize, right: usize },
-    /// Columns of an insole stand beside those of a plate, which were taken.
+    /// The file has columns of an insole and of a plate; the latter were used.
     InsoleBesidePlate {
         plate: Vec<String>,
         insole: Vec<String>,
@@ -67,37 +67,37 @@ pub enum Note {
     StancePerRow { rows: usize },
     /// The table of subjects gives the mass of some stances only.
     MassesMissing { known: usize, rows: usize },
-    /// The durations of stances are lost, since all have the same number of samples.
+    /// The durations of stances are unknown, since all have the same number of samples.
     DurationsLost { samples: usize, assumed: Quantity },
-    /// A table of stances gives no rate; the one that makes usual stances was taken.
+    /// A table of stances has no rate; one that gives typical stances was assumed.
     RateGuessed { rate: Quantity, stance: Quantity },
-    /// The rate given takes the place of the time column.
+    /// The given rate replaces the time column.
     RateOverridesTimes { rate: Quantity, column: Quantity },
     /// The time column gives no unit; its steps were taken for milliseconds, microseconds or nanoseconds.
     TimeUnitGuessed { step: f64, unit: &'static str },
     /// Single samples are missing.
     SamplesMissing { count: usize, first: Quantity },
-    /// Header and time column give different rates; the times count.
+    /// Header and time column give different rates; the time column is used.
     RatesDiffer { header: Quantity, column: Quantity },
-    /// Samples were put on even steps of time.
+    /// Samples were resampled at even times.
     UnevenSamples,
-    /// The unit of force was guessed from the size of the readings.
+    /// The unit of force was guessed from the magnitude of the readings.
     UnitGuessed { peak: f64, unit: ForceUnit },
-    /// The unit that the file names cannot be right.
+    /// The unit in the file is impossible.
     UnitLabelRejected {
         label: ForceUnit,
         peak: f64,
         unit: ForceUnit,
     },
-    /// No force is large enough to be a step.
+    /// No force is large enough for a step.
     LowForce { peak: Quantity },
     /// The readings of a column stop at a level below the peaks of the force.
     Clipped { column: String, level: Quantity },
-    /// Samples of a column are missing between its contacts; there the plate is unloaded.
+    /// Samples of a column are missing between its contacts; there the plate was taken as unloaded.
     MissingIsUnloaded { column: String },
-    /// A column repeats another and was left out.
+    /// A column repeats another and was excluded.
     ColumnRepeats { column: String, original: String },
-    /// Single samples far from both neighbours were taken out.
+    /// Single samples far from both neighbours were removed.
     SpikesRemoved {
         column: String,
         count: usize,
@@ -109,7 +109,7 @@ pub enum Note {
         count: usize,
         first: Quantity,
     },
-    /// The unloaded reading during the walk is another than at both ends of the recording.
+    /// The unloaded reading during the walk differs from that at both ends of the recording.
     UnloadedDiffers {
         column: String,
         level: Quantity,
@@ -117,7 +117,7 @@ pub enum Note {
     },
     /// The unloaded reading of a column drifts by some newtons per second, which were removed.
     DriftRemoved { column: String, rise: Quantity },
-    /// The strides last differently: more than one speed, or no steady walk.
+    /// Stride durations vary: more than one speed, or no steady walk.
     StrideVaries { period: Quantity, spread: Quantity },
     /// The stride time is from one step or one stride.
     StrideFromOne {
@@ -127,23 +127,23 @@ pub enum Note {
     },
     /// Two components are of similar size; the larger was taken as vertical.
     VerticalGuessed { vertical: Axis, other: Axis },
-    /// `ground_force` was taken for the right foot and `1_ground_force` for the left, as OpenSim's examples have it.
+    /// `ground_force` was taken for the right foot and `1_ground_force` for the left, as in OpenSim's examples.
     FeetGuessed,
     /// The file describes no force plate; channels were chosen by their labels.
     NoPlates,
-    /// A plate was left out: its TYPE is not one of 1 to 7.
+    /// A plate was excluded: its TYPE is not one of 1 to 7.
     PlateTypeUnknown { plate: usize, kind: i64 },
-    /// A plate was left out: one of its channels is not in the file.
+    /// A plate was excluded: one of its channels is missing in the file.
     PlateChannelMissing { plate: usize, channel: usize },
-    /// A plate was left out: its type needs a calibration matrix and the file has none.
+    /// A plate was excluded: its type needs a calibration matrix and the file has none.
     PlateMatrixMissing { plate: usize },
-    /// A plate lies at an angle to the first.
+    /// A plate is tilted against the first.
     PlateTilted { plate: usize },
-    /// The mass is from the mean force of insoles, which are often not calibrated.
+    /// The mass comes from the mean force of insoles, which are often not calibrated.
     InsoleMass { mass: Quantity },
-    /// Stances of one foot were used for both.
+    /// Stances of one foot represent both.
     OneFootForBoth { stances: usize },
-    /// The recording does not give the stride time; a typical duty factor was assumed.
+    /// The recording has no stride time; a typical duty factor was assumed.
     StrideAssumed { period: Quantity, duty: Quantity },
     /// A stride time outside the range of the movement.
     StrideImplausible {
@@ -159,7 +159,7 @@ pub enum Note {
     },
     /// A peak force outside the range of the movement, in body weights.
     PeakImplausible { ratio: f64, low: f64, high: f64 },
-    /// Mean force over the cycle and weight do not fit.
+    /// Mean force over the cycle and weight do not match.
     MeanForceNotWeight {
         ratio: f64,
         mass: Quantity,
@@ -167,33 +167,33 @@ pub enum Note {
     },
     /// A mass outside the range of people.
     MassImplausible { mean: Quantity, mass: Quantity },
-    /// The unit of force was not given, and with the one taken the mass is not that of an adult.
+    /// The unit of force was not given, and the assumed one gives a mass that is not that of an adult.
     UnitUnconfirmed { unit: ForceUnit, mass: Quantity },
-    /// The time column counts in ones and names no unit: milliseconds or samples.
+    /// The time column counts in ones without a unit: milliseconds or samples.
     CountOrMilliseconds { stride: Quantity },
-    /// The contacts are of another kind than the one asked for.
+    /// The contacts do not match the requested movement.
     KindDiffers {
         typed: &'static str,
         movement: &'static str,
     },
-    /// The speed changes; the mean is of the stances whose durations lie in one range.
+    /// The speed changes; the mean includes only stances with durations in one range.
     SpeedChanges {
         used: usize,
         stances: usize,
         low: Quantity,
         high: Quantity,
     },
-    /// Most contacts of a steady walk are partial, or of both feet.
+    /// Most contacts of a steady walk are partial, or include both feet.
     FewAlike { used: usize, stances: usize },
-    /// Stances or feet differ more than those of one walker on whole plates.
+    /// Stances or feet differ more than for one walker on whole plates.
     StancesDiffer { share: Quantity, most: Quantity },
-    /// The mean is of the total of both feet in one column.
+    /// The mean is that of the total of both feet in one column.
     TotalColumn,
-    /// Feet lie across plates, so the forces of all plates are added.
+    /// Feet cross plates, so the forces of all plates are added.
     PlatesSummed { plates: usize },
     /// Readings are converter counts, scaled by the mass.
     CountsScaled { mass: Quantity },
-    /// Recordings of walkers of several masses are averaged in body weights.
+    /// Recordings of walkers with different masses are averaged in body weights.
     SeveralMasses {
         low: Quantity,
         high: Quantity,
@@ -201,7 +201,7 @@ pub enum Note {
     },
 }
 
-/// What part of the weight the feet of a cycle carry over a stride.
+/// Fraction of the weight that the feet of a cycle carry over a stride.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, WeightShare};
@@ -213,13 +213,13 @@ pub enum Note {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum WeightShare {
-    /// Both feet: all of it.
+    /// Both feet carry all of it.
     Whole,
-    /// One foot: half of it.
+    /// One foot carries half of it.
     Half,
 }
 
-/// What the time of a sample was taken from.
+/// Source of the time base.
 ///
 /// ```
 /// use gaitcam_gait::{ClockSource, ReadOptions, read};
@@ -235,19 +235,19 @@ pub enum WeightShare {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum ClockSource {
-    /// The user gave the rate.
+    /// Rate given by the user.
     User,
-    /// A time column whose unit is seconds or named.
+    /// A time column in seconds or with a stated unit.
     Times,
-    /// A time column whose unit was guessed.
+    /// A time column with a guessed unit.
     GuessedTimes,
-    /// The rate that the file names.
+    /// Rate stated in the file.
     Header,
-    /// The rate was guessed.
+    /// Guessed sampling rate.
     GuessedRate,
 }
 
-/// Where a unit of force is from.
+/// Source of a unit of force.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, UnitSource, read};
@@ -260,15 +260,15 @@ pub enum ClockSource {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum UnitSource {
-    /// The user gave it.
+    /// Given by the user.
     User,
-    /// The file names it.
+    /// Stated in the file.
     File,
-    /// It was guessed from the size of the readings.
+    /// Guessed from the magnitude of the readings.
     Guessed,
 }
 
-/// Where a mass is from.
+/// Source of a mass.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, MassSource, ReadOptions, cycle, read, stances};
@@ -285,17 +285,17 @@ pub enum UnitSource {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum MassSource {
-    /// The user gave it.
+    /// Given by the user.
     User,
-    /// The file names it.
+    /// Stated in the file.
     File,
-    /// Mean of the table of subjects.
+    /// Mean over the table of subjects.
     Subjects,
     /// Mean force over the stride, divided by g.
     MeanForce,
 }
 
-/// What the duration of a stride was taken from.
+/// Source of the duration of a stride.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, PeriodSource, ReadOptions, cycle, read, stances};
@@ -314,28 +314,28 @@ pub enum MassSource {
 pub enum PeriodSource {
     /// Consecutive heel strikes of one foot.
     HeelStrikes,
-    /// Consecutive strikes of one foot that the file marks.
+    /// Consecutive strikes of one foot marked in the file.
     MarkedStrikes,
     /// The heel markers of a motion-capture recording.
     HeelMarkers,
-    /// Twice the mean step from one foot to the other.
+    /// Twice the mean step between the feet.
     DoubledSteps,
     /// The impulse that carries the known mass over a stride.
     Impulse,
-    /// A typical duty factor, since the recording does not give the stride time.
+    /// A typical duty factor, if the recording has no stride time.
     UsualDuty,
-    /// Rises of the total force of both feet through its mean.
+    /// Times at which the total force of both feet rises through its mean.
     TotalForce,
 }
 
 impl PeriodSource {
-    /// The code used in JSON.
+    /// Code of the source in JSON.
     pub fn name(self) -> &'static str {
         self.into()
     }
 }
 
-/// How the mean cycle was computed.
+/// Method of the mean cycle.
 ///
 /// ```
 /// use gaitcam_gait::{CycleSource, Feet, ReadOptions, cycle, read, stances};
@@ -353,7 +353,7 @@ impl PeriodSource {
 #[non_exhaustive]
 #[allow(missing_docs)] // counts of strides or stances
 pub enum CycleSource {
-    /// Whole strides of both feet, from heel strike to heel strike of one foot.
+    /// Whole strides of both feet, between heel strikes of one foot.
     WholeStrides { strides: usize, from: Option<Foot> },
     /// Single stances of the right and the left foot, half a stride apart.
     RightAndLeft {
@@ -361,18 +361,18 @@ pub enum CycleSource {
         left: usize,
         period: PeriodSource,
     },
-    /// Single stances of two feet without names, half a stride apart.
+    /// Single stances of two unnamed feet, half a stride apart.
     TwoFeet {
         one: usize,
         other: usize,
         period: PeriodSource,
     },
-    /// Single stances, taken for either foot.
+    /// Single stances, used for either foot.
     AnyFoot {
         stances: usize,
         period: PeriodSource,
     },
-    /// Stances of one foot, zero force in swing.
+    /// Stances of one foot, with zero force in swing.
     OneFoot {
         stances: usize,
         period: PeriodSource,
@@ -382,12 +382,12 @@ pub enum CycleSource {
 }
 
 impl Note {
-    /// The code used in JSON and in tables.
+    /// Code of the method in JSON and in tables.
     pub fn code(&self) -> &'static str {
         self.into()
     }
 
-    /// The question that the note opens; `None` if it only informs.
+    /// The question raised by the note; `None` if it only informs.
     pub fn doubt(&self) -> Option<OpenQuestion> {
         Some(self.question()?.0)
     }

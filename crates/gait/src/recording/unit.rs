@@ -22,7 +22,7 @@ use crate::units::{G, LBF};
 #[serde(into = "&'static str")]
 #[strum(ascii_case_insensitive, parse_err_ty = Error, parse_err_fn = unknown_unit)]
 pub enum ForceUnit {
-    /// Newtons, as force plates give them.
+    /// Newtons, the usual unit of force plates.
     #[strum(to_string = "N", serialize = "newton", serialize = "newtons")]
     Newton,
     /// Kilonewtons: 1000 N each.
@@ -74,7 +74,7 @@ impl ForceUnit {
         self.into()
     }
 
-    /// Newtons per unit; `None` where that needs a body mass and none is known.
+    /// Newtons per unit; `None` if that needs an unknown body mass.
     pub fn newtons(self, mass_kg: Option<f64>) -> Option<f64> {
         match self {
             ForceUnit::Newton => Some(1.0),

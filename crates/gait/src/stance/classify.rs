@@ -1,4 +1,4 @@
-//! Classification of contacts: whole stances, and the reason why another contact is not one.
+//! Classification of contacts: whole stances, and the reasons against the others.
 
 use super::contact::{Contact, SLOW_STEP_S, STANDING_S, TOUCH_S};
 use super::shape::Shape;
@@ -7,33 +7,33 @@ use crate::recording::{Channel, Kind, Recording};
 use crate::statistics::ranked;
 use crate::units::G;
 
-/// Longest contact in running, s.
+/// Maximum duration of a contact in running, s.
 const LONGEST_RUNNING_S: f64 = 0.5;
-/// A contact this many times longer than the typical one holds more than one step.
+/// Ratio to the typical duration above which a contact includes more than one step.
 const LONG: f64 = 1.5;
-/// The same, where its force has more humps than one foot makes.
+/// The same ratio for a contact whose force has more humps than one foot makes.
 const LONG_WITH_HUMPS: f64 = 1.15;
-/// A contact of three humps or more is of both feet from this duration on, s.
+/// Minimum duration of a contact of both feet with three or more humps, s.
 const TWO_STEPS_S: f64 = 0.8;
-/// A cut contact shorter than this part of a whole one is not a stance.
+/// Fraction of a whole contact below which a cut contact is not a stance.
 const FRAGMENT: f64 = 0.25;
-/// Missing samples up to this long are bridged, s.
+/// Maximum duration of bridged missing samples, s.
 const BRIDGED_S: f64 = 0.05;
-/// A contact below this part of the force on another plate is its cross-talk.
+/// Fraction of the force on another plate below which a contact is cross-talk.
 const CROSS_TALK: f64 = 0.3;
-/// Part of the shorter contact for which two plates carry load at once, above which they share a foot: in
-/// walking both feet stand for less than a third of a stance at either end.
+/// Fraction of the shorter contact with load on two plates at once, above which they share a foot: in walking both feet stand for less than a third
+/// of a stance at either end.
 const SHARED: f64 = 0.4;
-/// Two overlapping contacts that together last no longer are one stance, s.
+/// Maximum total duration of two overlapping contacts that are one stance, s.
 const WHOLE_S: f64 = 0.85;
-/// Contacts on either side in time that a contact is compared with.
+/// Number of contacts before and after that a contact is compared with.
 const FELLOWS: usize = 4;
-/// A contact that reaches this part of the highest may be a whole step.
+/// Fraction of the highest force above which a contact may be a whole step.
 const MAIN: f64 = 0.5;
 
 /// Typical values of the whole contacts of the recording.
 pub(super) struct Usual {
-    /// Places (of the list of contacts) and durations, s, of the main contacts in order of time.
+    /// Indices and durations, s, of the main contacts in order of time.
     main: Vec<(usize, f64)>,
     peak_n: Option<f64>,
     weight_n: Option<f64>,
@@ -63,19 +63,19 @@ impl Usual {
         }
     }
 
-    /// Whether two contacts together last no longer than the stances about them do, or one at all.
+    /// Whether two contacts together last no longer than neighbouring stances, or than any stance.
     fn is_one_stance(&self, i: usize, j: usize, together_s: f64) -> bool {
         let others = self.about(i).filter(|(k, _)| *k != i && *k != j);
         let usual = low_median(others.map(|m| m.1).collect());
         together_s < usual.map_or(WHOLE_S, |s| 1.2 * s)
     }
 
-    /// Duration of the contacts about a place of the list, s.
+    /// Typical duration of the contacts near an index, s.
     fn duration_s(&self, place: usize) -> Option<f64> {
         low_median(self.about(place).map(|m| m.1).collect())
     }
 
-    /// The main contacts about a place of the list, in time.
+    /// The main contacts near an index, in order of time.
     fn about(&self, place: usize) -> impl Iterator<Item = &(usize, f64)> {
         let at = self.main.partition_point(|(i, _)| *i < place);
         let from = at.saturating_sub(FELLOWS);
@@ -98,7 +98,7 @@ fn slow_steps(contacts: &[Contact], top: f64) -> bool {
     (STANDING_S..SLOW_STEP_S).contains(&usual) && count >= 3 && 5 * count >= 4 * long.len()
 }
 
-/// The lower of the two middle values, so that one long contact of two does not count as usual.
+/// The lower of the two middle values, so that one long contact of two does not count as typical.
 fn low_median(values: Vec<f64>) -> Option<f64> {
     let rank = values.len().checked_sub(1)? / 2;
     ranked(values, rank)
@@ -112,7 +112,7 @@ pub(super) struct Judged<'a> {
     pub beside: Beside,
 }
 
-/// Why a contact is not a whole stance of walking or, where that is asked for, of running; `None` where it is one.
+/// The reason why a contact is not a whole stance of walking or, if requested, of running; `None` if it is one.
 pub(super) fn rejection(judged: &Judged, usual: &Usual, kind: Kind) -> Option<RejectReason> {
     let (contact, shape) = (judged.contact, judged.shape);
     let duration = contact.duration_s();
@@ -146,7 +146,7 @@ pub(super) fn rejection(judged: &Judged, usual: &Usual, kind: Kind) -> Option<Re
     weak.then_some(RejectReason::PartialContact)
 }
 
-/// Longer than one step.
+/// Whether a contact is longer than one step.
 fn too_long(
     duration: f64,
     shape: &Shape,
@@ -176,20 +176,20 @@ fn too_long(
     (both || shape.humps > 4 && duration > TWO_STEPS_S).then_some(RejectReason::CrossOver)
 }
 
-/// What the other plates carry while a contact lasts.
+/// Load on the other plates during a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Beside {
-    /// Nothing, or the other foot at either end.
+    /// No load, or the other foot at either end.
     Apart,
-    /// A part of the same foot.
+    /// Another part of the same foot.
     Shared,
-    /// The foot whose force disturbs this channel.
+    /// Another foot, whose force disturbs this channel.
     CrossTalk,
 }
 
 /// Contacts at the same time as one on another plate: one foot on two plates, or cross-talk between their amplifiers.
 ///
-/// Insoles cannot share a foot; belts can, whatever their columns are called.
+/// Insoles cannot share a foot; belts can.
 pub(super) fn beside(contacts: &[Contact], shapes: &[Shape], usual: &Usual) -> Vec<Beside> {
     let mut found = vec![Beside::Apart; contacts.len()];
     for (i, a) in contacts.iter().enumerate() {

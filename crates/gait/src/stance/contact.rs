@@ -1,26 +1,26 @@
-//! Contacts: spans of a channel's force above the threshold, before they are judged.
+//! Contacts: spans in which a channel's force exceeds the threshold, before classification.
 
 use super::types::RejectReason;
 use crate::recording::Channel;
 
 /// Force from which a foot is on the plate, N; the README of the recordings counts stances so.
 const CONTACT_N: f64 = 20.0;
-/// Contact is over below this part of the contact threshold, so that noise does not part a stance.
+/// Fraction of the contact threshold below which a contact ends, so that noise does not split a stance.
 const HYSTERESIS: f64 = 0.5;
-/// Noise of the unloaded plate is kept this many standard deviations below the threshold.
+/// Number of standard deviations of the unloaded noise below the threshold.
 const NOISE_MARGIN: f64 = 6.0;
-/// A contact shorter than this is not a step, s.
+/// Minimum duration of a step, s.
 pub(super) const TOUCH_S: f64 = 0.1;
-/// A contact longer than this is standing, s.
+/// Minimum duration of standing, s.
 pub(super) const STANDING_S: f64 = 1.8;
-/// Longest step of very slow walkers, s.
+/// Maximum duration of a step of very slow walkers, s.
 pub(super) const SLOW_STEP_S: f64 = 4.0;
-/// Contacts parted by less than this are one, s.
+/// Maximum gap within one contact, s.
 const DIP_S: f64 = 0.04;
-/// A landing rises at every sample for this long, s.
+/// Minimum duration of the monotone rise of a landing, s.
 const LANDING_S: f64 = 0.02;
 
-/// A span of contact on one channel, before it is judged.
+/// A span of contact on one channel, before classification.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Contact {
     pub channel: usize,
@@ -36,7 +36,7 @@ impl Contact {
     }
 }
 
-/// Spans above the threshold, their ends placed between the samples where the force crosses it.
+/// Spans above the threshold, with ends interpolated between samples.
 pub(super) fn contacts(index: usize, channel: &Channel, rate_hz: f64) -> Vec<Contact> {
     let force = &channel.force_n;
     let on = CONTACT_N.max(NOISE_MARGIN * channel.noise_n);
@@ -96,9 +96,8 @@ pub(super) fn contacts(index: usize, channel: &Channel, rate_hz: f64) -> Vec<Con
     found
 }
 
-/// Whether a recording that begins loaded begins with a landing: hardly above the threshold and rising fast.
-///
-/// Read backwards, whether it ends with a toe-off. Such a stance lacks no more than the threshold cuts off anyway.
+/// Whether a recording begins with a landing: hardly above the threshold and rising fast. Applied backwards, whether it ends with a toe-off. Such a
+/// stance counts as whole.
 fn lands<'a>(force: impl Iterator<Item = &'a f64>, on: f64, rate_hz: f64) -> bool {
     let samples = ((LANDING_S * rate_hz) as usize).max(2);
     let first: Vec<f64> = force.take(samples + 1).copied().collect();

@@ -1,5 +1,4 @@
-//! Stances: when a foot stands on a plate, which of these contacts are whole walking steps, and why the
-//! others are not.
+//! Detection of stances: contacts with a plate, whole walking steps among them, and the reasons against the others.
 
 mod classify;
 mod contact;
@@ -97,7 +96,7 @@ fn judged(contacts: &[Contact], recording: &Recording) -> Stances {
     out
 }
 
-/// Why a whole contact of a movement is not averaged.
+/// The reason why a whole contact of a movement is not averaged.
 fn unasked(kind: Kind, recording: &Recording) -> Option<RejectReason> {
     match kind {
         Kind::Walking => None,
@@ -108,8 +107,7 @@ fn unasked(kind: Kind, recording: &Recording) -> Option<RejectReason> {
     }
 }
 
-/// Names the kind of a recording whose contacts are neither runs nor jumps, and notes a kind asked for that the
-/// contacts do not have.
+/// Classifies a recording whose contacts are neither runs nor jumps, and notes a requested kind that the contacts contradict.
 fn settle_kind(out: &mut Stances, contacts: &[Contact], recording: &Recording) {
     if out.recognised.is_none() {
         let crosses =

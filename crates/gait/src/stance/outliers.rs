@@ -1,32 +1,32 @@
-//! Comparison of whole stances: those of one speed, and outliers.
+//! Comparison of whole stances: stances of one speed, and outliers.
 
 use super::types::{RejectReason, Rejected, Stance, Stances};
 use crate::quantity::seconds;
 use crate::recording::{Note, Recording};
 use crate::statistics::median;
 
-/// Durations within this part of each other are of one speed: three deviations of steady walking.
+/// Relative difference of durations at one speed: three deviations of steady walking.
 const ONE_SPEED: f64 = 0.1;
-/// Share of stances outside that range from which the speed is taken to change.
+/// Fraction of stances outside that range above which the speed changes.
 const OUTSIDE: f64 = 0.15;
-/// Fewest stances that show a change of speed.
+/// Minimum number of stances that show a change of speed.
 const FEWEST: usize = 8;
-/// What outliers are recognised by.
+/// Quantities that identify outliers.
 type Measure = fn(&Stance) -> f64;
-/// A stance that differs in one of these from the median by more than this part is left out of the mean of one foot.
+/// Relative deviation from the median above which a stance is excluded from the mean of one foot.
 const MEASURES: [(Measure, f64); 3] = [
     (Stance::duration_s, 0.1),
     (|s| s.p1.force_n, 0.15),
     (|s| s.impulse_ns, 0.15),
 ];
-/// Fewest stances of a channel that show an outlier: three must agree.
+/// Minimum number of stances of a channel for outliers: three must agree.
 const COMPARABLE: usize = 4;
 
-/// Times from strike to strike whose median is the stride at that place: a foot that crosses plates spoils two of them.
+/// Number of intervals between strikes whose median is the local stride; a foot that crosses plates spoils two of them.
 const IN_A_ROW: usize = 5;
 
-/// Keeps the stances that last as long as most of them, and notes it if the others are of another speed. Where the strides are
-/// of one speed they carry a part of a foot, or both.
+/// Keeps the stances that last as long as most of them, and notes it if the others are of another speed. If all strides have one speed, the others
+/// show part of a foot, or both feet.
 pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     let count = out.used.len();
     if recording.has_rows() || count < FEWEST {
@@ -65,7 +65,7 @@ pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     out.notes.extend((!steady).then(changes));
 }
 
-/// Whether the strides are of one speed throughout, however long the contacts last.
+/// Whether all strides have one speed, regardless of the contact durations.
 fn keeps_rhythm(out: &Stances, channels: usize) -> bool {
     let mut strides: Vec<f64> = (0..channels).flat_map(|k| usual_strides(out, k)).collect();
     strides.sort_by(f64::total_cmp);
@@ -74,7 +74,7 @@ fn keeps_rhythm(out: &Stances, channels: usize) -> bool {
         && (strides.len() - inside) as f64 <= OUTSIDE * strides.len() as f64
 }
 
-/// Medians of the times between the strikes of a channel, of some in a row.
+/// Medians of the times between consecutive strikes of a channel.
 fn usual_strides(out: &Stances, channel: usize) -> Vec<f64> {
     let used = out.used.iter().map(|s| (s.channel, s.start_s));
     let other = out.rejected.iter().map(|r| (r.channel, r.from_s));
@@ -86,7 +86,7 @@ fn usual_strides(out: &Stances, channel: usize) -> Vec<f64> {
     in_a_row.filter_map(|w| median(w.to_vec())).collect()
 }
 
-/// First and last of the sorted values in the fullest window, and how many lie in it.
+/// First and last of the sorted values in the fullest window, and their number.
 pub(crate) fn largest_group(sorted: &[f64]) -> (f64, f64, usize) {
     let mut best = (0.0, 0.0, 0);
     let mut end = 0;
@@ -103,8 +103,7 @@ pub(crate) fn largest_group(sorted: &[f64]) -> (f64, f64, usize) {
     best
 }
 
-/// Marks the outliers in duration, loading peak or impulse of each channel: the other foot touched the plate, or part of
-/// this one missed it.
+/// Marks the outliers in duration, loading peak or impulse of each channel: partial contacts, or contacts with the other foot.
 pub(super) fn mark_unlike(used: &mut [Stance], channels: usize) {
     for channel in 0..channels {
         let own: Vec<usize> = (0..used.len())

@@ -8,48 +8,48 @@ use crate::recording::{Foot, Idle, Kind, Recording};
 use crate::statistics::{mean_and_deviation, median};
 use crate::units::G;
 
-/// Walking has no contact this short, s.
+/// Minimum duration of a contact in walking, s.
 const SHORT_S: f64 = 0.33;
-/// Contacts shorter than this confirm running where there is other evidence of it, s.
+/// Duration below which a contact supports the evidence for running, s.
 const BRISK_S: f64 = 0.42;
 /// Duty factor below which the movement is running.
 const RUNNING_DUTY: f64 = 0.5;
-/// A stride of one foot this short is of running, s.
+/// Maximum stride time that implies running, s.
 const RUNNING_STRIDE_S: f64 = 0.6;
-/// Highest force of a single hump over its mean: a half sine has 1.57, a walker's single hump about 1.25.
+/// Ratio of peak and mean of a single hump: a half sine has 1.57, a walker's single hump about 1.25.
 const PEAKED: f64 = 1.45;
-/// Highest force in body weights that walking does not reach.
+/// Peak force in body weights beyond walking.
 const HARD_BW: f64 = 1.75;
-/// Time in the air between two feet of a runner, s.
+/// Range of the flight time of a runner, s.
 const FLIGHT_S: std::ops::Range<f64> = 0.02..0.3;
-/// Time in the air in a jump, s.
+/// Minimum flight time of a jump, s.
 const AIRBORNE_S: std::ops::Range<f64> = 0.08..1.0;
-/// Standing before a jump lasts at least this, s.
+/// Minimum duration of standing before a jump, s.
 const BEFORE_JUMP_S: f64 = 0.8;
-/// A landing over the level before or after it.
+/// Ratio of the landing peak to the level before or after it.
 const LANDING: f64 = 1.6;
-/// The impact of a landing from a height comes within this, s: before the push-off of the shortest contact of walking
-/// (0.76 of `BRISK_S`, 0.32 s). Made landings have it at 0.06 s; no measured ones were at hand.
+/// Maximum time to the impact of a landing from a height, s: before the push-off of the shortest contact of walking (0.76 of `BRISK_S`, 0.32 s).
+/// Synthetic landings have it at 0.06 s; measured ones were not available.
 const IMPACT_S: f64 = 0.25;
-/// An impact over the mean of its contact: above the fastest walking (1.67 at 1.7 to 2.3 m/s, Pataky et al. 2008) and
-/// below the made landings, which reach 2.6 to 3.6.
+/// Ratio of impact and mean of its contact: above the fastest walking (1.67 at 1.7 to 2.3 m/s, Pataky et al. 2008) and below synthetic landings with
+/// 2.6 to 3.6.
 const DROP: f64 = 1.9;
-/// The first peak of a landing comes before this part of its contact; that of walking between 0.18 and 0.3.
+/// Fraction of a contact before which the first peak of a landing occurs; that of walking is between 0.18 and 0.3.
 const EARLY: f64 = 0.155;
-/// Contacts that are too few to show a rhythm.
+/// Number of contacts that is too small for a rhythm.
 const FEW: usize = 2;
-/// Feet that land and leave within this are a jump, s.
+/// Maximum time between the feet in a jump, s.
 const TOGETHER_S: f64 = 0.08;
-/// A contact that reaches this part of the highest is a step.
+/// Fraction of the highest force above which a contact is a step.
 const MAIN: f64 = 0.4;
-/// Largest coefficient of variation of the total force in quiet standing.
+/// Maximum coefficient of variation of the total force in quiet standing.
 const QUIET: f64 = 0.12;
-/// A seated person's feet carry less than this part of the weight.
+/// Fraction of the weight below which the feet are those of a seated person.
 const SEATED: f64 = 0.6;
-/// Points at which a level is looked at.
+/// Number of points at which a level is sampled.
 const LOOKS: usize = 400;
 
-/// Running or jumping, where the contacts show it; `None` leaves it to the stances.
+/// Running or jumping, if the contacts show it; `None` leaves the decision to the stances.
 pub(super) fn ballistic(
     contacts: &[Contact],
     shapes: &[Shape],
@@ -99,7 +99,7 @@ pub(super) fn ballistic(
     (peaked && main.len() >= 2).then_some(Kind::Jumping)
 }
 
-/// What a recording without a stance holds.
+/// Movement of a recording without a stance.
 pub(super) fn without_stance(contacts: &[Contact], recording: &Recording) -> Option<Kind> {
     let constant = |i: &Idle| matches!(i, Idle::Constant { level } if level.value.abs() > 150.0);
     let stands = (recording.channels.iter()).any(|c| c.idle.as_ref().is_some_and(constant));
@@ -141,7 +141,7 @@ pub(super) fn without_stance(contacts: &[Contact], recording: &Recording) -> Opt
     })
 }
 
-/// Whether a level hardly moves.
+/// Whether a level is nearly constant.
 fn steady(levels: &[f64]) -> bool {
     let (mean, deviation) = mean_and_deviation(levels);
     deviation < QUIET * mean
@@ -171,7 +171,7 @@ fn duty(main: &[(&Contact, &Shape)]) -> Option<(f64, f64)> {
     Some((median(duties)?, median(strides)?))
 }
 
-/// Whether a flight parts most neighbouring contacts of different channels.
+/// Whether a flight separates most neighbouring contacts of different channels.
 fn flies(main: &[(&Contact, &Shape)]) -> bool {
     let pairs: Vec<f64> = main
         .windows(2)
@@ -199,8 +199,7 @@ fn jumps(contacts: &[Contact], recording: &Recording) -> bool {
     })
 }
 
-/// Whether most contacts above `least`, N, are landings from a height: the highest force comes at once, and far above the
-/// mean of a contact that goes on.
+/// Whether most contacts above `least`, N, are landings from a height: the highest force occurs early, and far above the mean of a long contact.
 fn drops(contacts: &[Contact], shapes: &[Shape], least: f64) -> bool {
     let main: Vec<bool> = contacts
         .iter()
@@ -214,7 +213,7 @@ fn drops(contacts: &[Contact], shapes: &[Shape], least: f64) -> bool {
     2 * main.iter().filter(|lands| **lands).count() > main.len()
 }
 
-/// Whether both feet, where the file names them, land and leave at the same time.
+/// Whether both named feet land and leave at the same time.
 fn lands_together(contacts: &[Contact], recording: &Recording) -> bool {
     let of = |foot: Foot| -> Vec<&Contact> {
         let own = |c: &&Contact| recording.channels[c.channel].foot == Some(foot);

@@ -3,7 +3,7 @@
 use super::types::Point;
 use crate::statistics::ends;
 
-/// A valley must be at least this part of the highest force below both peaks to count.
+/// Minimum depth of a valley below both peaks, as a fraction of the highest force.
 const VALLEY: f64 = 0.01;
 
 /// Ratio of the force at mid-stance to that at the quarters, above which two feet are on the plate.
@@ -18,19 +18,19 @@ pub(super) struct Shape {
     pub impulse_ns: f64,
     /// Number of peaks with a prominence of a tenth of the highest.
     pub humps: usize,
-    /// Whether the highest force lies in the middle fifth and stands out from the quarters.
+    /// Whether the highest force is in the middle fifth and clearly above the quarters.
     pub peaks_in_the_middle: bool,
-    /// Share of the contact at which half of the impulse is reached.
+    /// Fraction of the contact at which half of the impulse is reached.
     middle: f64,
 }
 
 impl Shape {
-    /// Most of the impulse comes early: the heel of a foot whose toe is elsewhere.
+    /// Whether most of the impulse comes early: only the heel is on the plate.
     pub fn is_early(&self) -> bool {
         self.middle < 0.46
     }
 
-    /// Most of the impulse comes late.
+    /// Whether most of the impulse comes late.
     pub fn is_late(&self) -> bool {
         self.middle > 0.54
     }
@@ -38,11 +38,10 @@ impl Shape {
 
 /// Describes the force between two times, s from the first sample.
 ///
-/// The valley is the point that lies deepest below the lower of the highest points before and after it,
-/// between 15 % and 85 % of the stance; the peaks are those highest points. A stance whose valley does not
-/// stand out has one peak only.
+/// The valley is the deepest point relative to the lower of the peaks before and after it, between 15 % and 85 % of the stance; the peaks are those
+/// maxima. A stance with an insignificant valley has one peak.
 ///
-/// `noise_n`: deviation of the unloaded reading, N; a peak between samples is put no higher above them.
+/// `noise_n`: deviation of the unloaded reading, N; an interpolated peak exceeds the samples by no more than this.
 pub(super) fn shape(
     force: &[f64],
     rate_hz: f64,
@@ -82,7 +81,7 @@ pub(super) fn shape(
     }
 }
 
-/// Share of the samples at which half of their sum is reached.
+/// Fraction of the samples at which half of their sum is reached.
 fn middle_of_impulse(samples: &[f64], half: f64) -> f64 {
     let mut sum = 0.0;
     let reached = samples.iter().position(|x| {
@@ -92,7 +91,8 @@ fn middle_of_impulse(samples: &[f64], half: f64) -> f64 {
     reached.unwrap_or(0) as f64 / samples.len().max(1) as f64
 }
 
-/// Top of the parabola through a sample and its neighbours: force and shift in samples.
+/// Vertex of the parabola through a sample and its neighbours: force and shift in samples. Without an extremum it is the sample itself. The force
+/// differs from the sample by no more than the noise, because a steep flank would move the vertex far above it.
 ///
 /// Only where the neighbours agree that it is an extremum; otherwise the sample itself. The force leaves the
 /// sample by no more than the noise: a flat top beside a steep flank would throw the parabola far above it.
@@ -110,7 +110,8 @@ fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
     (y + above.clamp(-noise_n, noise_n), shift)
 }
 
-/// The valley between the highest samples before and after it: in the middle part, deepest below the lower of the two.
+/// The valley between the highest samples before and after it, in the middle part. One of the two is the highest sample of all; the other is searched
+/// from the opposite end. `None` if it is not deeper than `least`, N.
 ///
 /// One of the two is the highest sample of all; the other is sought from the end of the stance that lies across. `None`
 /// where it is not deeper than `least`, N.

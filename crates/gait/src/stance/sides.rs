@@ -1,9 +1,9 @@
-//! Which foot a stance is of.
+//! Assignment of stances to feet.
 
 use super::types::{RejectReason, Stance, Stances};
 use crate::recording::{Foot, Recording};
 
-/// Names the feet of plates: by marked strikes, then by the heel markers, then by turns from a stance whose foot is known.
+/// Assigns feet to plates: by marked strikes, then by the heel markers, then alternately from a stance with a known foot.
 pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
     for s in stances.iter_mut().filter(|s| s.foot.is_none()) {
         let near = |at: f64| (at - s.start_s).abs();
@@ -29,7 +29,7 @@ pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
     }
 }
 
-/// A heel strike on record, with the contact that it begins.
+/// A recorded heel strike, with its contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Footfall {
     pub channel: usize,
@@ -37,7 +37,7 @@ pub(crate) struct Footfall {
     pub start_s: f64,
     pub end_s: f64,
     pub rejected: Option<RejectReason>,
-    /// Whether it is used and yet an outlier of its channel.
+    /// Whether the contact is used despite being an outlier of its channel.
     pub unlike: bool,
 }
 
@@ -54,7 +54,7 @@ impl From<&Stance> for Footfall {
     }
 }
 
-/// Every contact in order of its start.
+/// Every contact in order of start time.
 pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfall> {
     let mut falls: Vec<Footfall> = stances.used.iter().map(Footfall::from).collect();
     falls.extend(stances.rejected.iter().map(|r| Footfall {
@@ -69,10 +69,10 @@ pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfal
     falls
 }
 
-/// A pause in one column shorter than this part of a running stance comes before the other foot.
+/// Fraction of a running stance below which a pause in one column precedes the other foot.
 const ALTERNATE: f64 = 0.9;
 
-/// Whether two stances that follow each other are of one foot; `None` if unknown.
+/// Whether two consecutive stances belong to one foot; `None` if unknown.
 ///
 /// In walking the next foot lands before this one has left; the same foot only after its swing. In running (`runs`)
 /// a flight comes before the next foot, and more than twice as long a time before the same one.

@@ -21,13 +21,13 @@ use crate::recording::{Foot, Kind, Note};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// Force there, N.
+    /// Force at the point, N.
     pub force_n: f64,
-    /// Time since heel strike over the duration of the stance, 0 to 1.
+    /// Fraction of the stance since heel strike, 0 to 1.
     pub at: f64,
 }
 
-/// A single peak later than this share of the stance is the push-off.
+/// Fraction of the stance after which a single peak is the push-off.
 const LATE: f64 = 0.6;
 
 /// A whole stance of one foot.
@@ -47,7 +47,7 @@ const LATE: f64 = 0.6;
 pub struct Stance {
     /// Channel of the recording.
     pub channel: usize,
-    /// The foot, if the file names or implies it.
+    /// The foot, if named or implied by the file.
     pub foot: Option<Foot>,
     /// Heel strike, s from the first sample.
     pub start_s: f64,
@@ -61,10 +61,9 @@ pub struct Stance {
     pub p2: Option<Point>,
     /// Integral of the force over the stance, N s.
     pub impulse_ns: f64,
-    /// Mass of the walker, kg, where this stance has its own (tables of stances).
+    /// Mass of the walker, kg, if the stance has its own (tables of stances).
     pub mass_kg: Option<f64>,
-    /// Its duration, loading peak or impulse is an outlier of its channel: it counts in the sum of both feet
-    /// only.
+    /// Whether duration, loading peak or impulse is an outlier of the channel; the stance then counts only in the sum of both feet.
     pub unlike: bool,
 }
 
@@ -74,7 +73,7 @@ impl Stance {
         self.end_s - self.start_s
     }
 
-    /// The loading peak; `None` where the only peak comes later than loading does.
+    /// The loading peak; `None` if the only peak comes later.
     pub fn first_peak(&self) -> Option<Point> {
         (self.valley.is_some() || self.p1.at < LATE).then_some(self.p1)
     }
@@ -92,7 +91,7 @@ impl Stance {
     }
 }
 
-/// Why a contact is not used.
+/// Reasons why a contact is not used.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, RejectReason, read, stances};
@@ -109,29 +108,29 @@ impl Stance {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum RejectReason {
-    /// The recording starts inside it.
+    /// The recording starts during the contact.
     CutAtStart,
-    /// The recording ends inside it.
+    /// The recording ends during the contact.
     CutAtEnd,
-    /// Cut, and too short to be most of a stance.
+    /// The contact is cut and too short.
     EdgeFragment,
     /// The plate was loaded from the first sample to the last.
     NeverUnloaded,
-    /// Samples are missing inside it.
+    /// Samples are missing during the contact.
     MissingSamples,
-    /// It lasts too short for a step.
+    /// Too short for a step.
     TooShort,
     /// A contact of running.
     Running,
     /// A take-off or landing of both feet.
     Jumping,
-    /// The force of a foot on another plate shows in this channel.
+    /// Cross-talk from the force of a foot on another plate.
     CrossTalk,
     /// A whole stance at another speed than most.
     OtherSpeed,
-    /// It lasts too long for a step.
+    /// Too long for a step.
     Standing,
-    /// Longer than the others: the other foot came onto the same plate.
+    /// Longer than the others: the other foot stepped onto the same plate.
     CrossOver,
     /// Duration, loading peak or impulse is an outlier of the same channel.
     Unlike,
@@ -141,7 +140,7 @@ pub enum RejectReason {
     PartialContact,
 }
 
-/// A contact that is not used.
+/// A rejected contact.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read, stances};
@@ -157,11 +156,11 @@ pub enum RejectReason {
 pub struct Rejected {
     /// Channel of the recording.
     pub channel: usize,
-    /// Time of its start, s from the first sample.
+    /// Start of the contact, s from the first sample.
     pub from_s: f64,
-    /// Time of its end, s from the first sample.
+    /// End of the contact, s from the first sample.
     pub to_s: f64,
-    /// Why it is not a whole stance.
+    /// Reason for the rejection.
     pub reason: RejectReason,
 }
 
@@ -183,10 +182,10 @@ pub struct Stances {
     pub used: Vec<Stance>,
     /// Contacts that are not whole stances, with the reason.
     pub rejected: Vec<Rejected>,
-    /// What the contacts are recognised as.
+    /// Movement recognised from the contacts.
     pub recognised: Option<Kind>,
-    /// What they are averaged as: the kind asked for, otherwise the one recognised.
+    /// Movement of the average: the requested one, otherwise the recognised one.
     pub kind: Option<Kind>,
-    /// What was noticed when stances were compared with each other.
+    /// Notes from the comparison of stances.
     pub notes: Vec<Note>,
 }

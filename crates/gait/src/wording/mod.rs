@@ -21,7 +21,7 @@ pub const SENTENCES: Sentences = Sentences {
 /// The messages of this crate and of those below it.
 pub static WORDS: Catalogue = Catalogue::new(&[gaitcam_base::wording::SENTENCES, SENTENCES]);
 
-/// The sentence of a note, of a format or of a rejected contact.
+/// The message of a note, of a format or of a rejected contact.
 pub(crate) fn sentence(language: Language, area: &str, message: &impl Serialize) -> String {
     WORDS.of(language).sentence(area, message)
 }

@@ -17,7 +17,7 @@ const LAW: [&str; 9] = [
     "time_s",
     "speed_rad_per_s",
 ];
-/// Columns that are angles where the follower swings.
+/// Columns that are angles for an oscillating follower.
 const ANGLES: [(&str, &str); 6] = [
     ("s_m", "s_rad"),
     ("v_m_per_rad", "v_rad_per_rad"),
@@ -38,10 +38,10 @@ const PROFILE: [&str; 7] = [
 /// A table of numbers by column.
 pub type Columns = Vec<(&'static str, Vec<f64>)>;
 
-/// Room for one number and its comma.
+/// Length reserved for one number and its comma.
 const WIDTH: usize = 24;
 
-/// `floor.csv`: the motion of the floor over the step frequency, under the wanted force and under that of the cam as made.
+/// `floor.csv`: the motion of the floor over the step frequency, under the required force and under that of the cam as manufactured.
 pub fn floor(design: &Design) -> Option<String> {
     design.floor.as_ref()?;
     let rows = design.resonance().into_iter().map(|p| {
@@ -61,7 +61,7 @@ pub fn floor(design: &Design) -> Option<String> {
     Some([names.to_string()].into_iter().chain(rows).collect())
 }
 
-/// `walkers.csv`: how well the cam serves each cycle of a population.
+/// `walkers.csv`: the force error of each cycle of a population.
 pub fn walkers(design: &Design) -> Option<String> {
     let each = &design.population.as_ref()?.each;
     let rows = each.iter().map(|w| {
@@ -77,14 +77,13 @@ pub fn walkers(design: &Design) -> Option<String> {
 
 /// `law.csv`: lift, its derivatives by the cam angle, force and target at `points` equal steps.
 ///
-/// The force is the one at the output: for a polydyne cam, that of the follower's end.
-/// Numbers are the shortest that read back to the same 64 bits. `target_n` stays empty for a classical
-/// programme, which has no target.
+/// The force is the one at the output: for a polydyne cam, that of the follower's end. Numbers have the fewest digits that read back exactly.
+/// `target_n` stays empty for a classical programme, which has no target.
 pub fn law(synthesis: &Design, points: usize) -> String {
     text(&law_columns(synthesis, points))
 }
 
-/// The columns of `law.csv`, the force of an arm at its lever; NaN where there is no target.
+/// The columns of `law.csv`, with the force of an arm at its lever; NaN without a target.
 pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     let cam = &synthesis.cam;
     let names = named(LAW, cam.follower.is_oscillating());
@@ -103,9 +102,8 @@ pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
 
 /// `profile.csv`: contact point, pitch curve, curvature and pressure angle at `rows` equal steps.
 ///
-/// Row i is the contact at its angle; the curve of a closed law closes on row 0. A flat spot of the
-/// profile has `rho_m` = `inf`. Of a barrel it is the lower wall with the centre of the roller that
-/// touches it, which a stud with two rollers holds below its own height.
+/// Row i is the contact at its angle; the curve of a closed law closes on row 0. A flat spot of the profile has `rho_m` = `inf`. For a barrel the
+/// table gives the lower wall with the centre of its roller; with two rollers this centre is below that of the stud.
 pub fn profile(synthesis: &Design, rows: usize) -> String {
     text(&profile_columns(synthesis, rows))
 }
@@ -123,7 +121,7 @@ pub fn profile_columns(synthesis: &Design, rows: usize) -> Columns {
     points_columns(&all)
 }
 
-/// Any profile in the columns of `profile.csv`, as the second one of a conjugate pair.
+/// Any profile in the columns of `profile.csv`, such as the second one of a conjugate pair.
 pub fn points(rows: &[ProfilePoint]) -> String {
     text(&points_columns(rows))
 }
@@ -143,7 +141,7 @@ fn points_columns(rows: &[ProfilePoint]) -> Columns {
     columns(PROFILE, rows)
 }
 
-/// Names of columns, with those of [angles](ANGLES) where the follower swings.
+/// Names of columns, with those of [angles](ANGLES) for an oscillating follower.
 pub(crate) fn named<const N: usize>(names: [&'static str; N], swings: bool) -> [&'static str; N] {
     names.map(|name| {
         let angle = ANGLES.iter().find(|a| a.0 == name && swings);

@@ -1,4 +1,4 @@
-//! `summary.json`: the design in numbers. A number that does not exist (no curvature, no face) is null.
+//! `summary.json`: the design in numbers. Undefined numbers (no curvature, no face) are null.
 
 use serde_json::{Map, Value, json};
 
@@ -11,8 +11,8 @@ use gaitcam::wording::Language;
 
 /// The summary of a design.
 ///
-/// Extremes are those of the continuous law. An infeasible outcome also says which limits conflict and
-/// what the smallest change of each would be (`to` is null where none helps).
+/// Extremes are those of the continuous law. An infeasible outcome also lists the conflicting limits and the smallest sufficient change of each (`to`
+/// is null if none suffices).
 pub fn summary(design: &Design, time: Timing) -> Value {
     let mut out = Map::new();
     let mut put = |key: &str, value: Value| out.insert(key.to_string(), value);
@@ -80,7 +80,7 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     Value::Object(out)
 }
 
-/// How the law and the speed of the shaft were made to agree, and what a machine that differs makes of it.
+/// Agreement of the law and the speed of the shaft, and the effect of a different machine.
 fn shaft_design(design: &Design, on_shaft: &OnShaft) -> Value {
     json!({
         "rounds": on_shaft.rounds,
@@ -91,7 +91,7 @@ fn shaft_design(design: &Design, on_shaft: &OnShaft) -> Value {
     })
 }
 
-/// The summary of a scene for which there is no cam to show: why, and the key at fault.
+/// The summary of a scene without a cam: the reason, and the key at fault.
 pub fn summary_without_cam(name: &str, error: &Error, total_s: f64) -> Value {
     let place = error.place.to_string();
     let key = place.trim_end_matches(": ");
@@ -131,7 +131,7 @@ fn real(x: f64) -> Value {
     }
 }
 
-/// Null where nothing presses; without a target its values and those of the error are null.
+/// Null without contact; without a target its values and the errors are null.
 fn force(design: &Design) -> Value {
     if design.problem.drive.is_idle() && design.target().is_none() {
         return Value::Null;
@@ -181,9 +181,8 @@ fn law(design: &Design) -> Value {
     out
 }
 
-/// The end of a flexible follower, for which the cam is cut. The force is the end's; stroke, velocity,
-/// acceleration and jerk of the law are the cam's. Misses are deviations in the flexible simulation: of this
-/// cam, and of one cut to the law of the end.
+/// The output end of a flexible follower, for which the cam is designed. The force is that of the end; stroke, velocity, acceleration and jerk of the
+/// law are those of the cam. Misses are deviations in the flexible simulation: of this cam, and of a cam with the law of the end.
 fn polydyne(end: &End, drive: &Drive) -> Value {
     let newtons = |force: f64| drive.newtons(force);
     json!({

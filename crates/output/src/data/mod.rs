@@ -1,4 +1,4 @@
-//! The design in numbers.
+//! The design as numbers: CSV, JSON and workbook.
 
 pub mod csv;
 pub mod json;

@@ -27,8 +27,7 @@ pub fn workbook(synthesis: &Design, time: Timing, language: Language) -> Result<
 
 /// Workbook of one sheet, `name`: the columns of a CSV table with its header.
 ///
-/// # Errors
-/// A workbook that cannot be put together.
+/// # Errors A workbook that cannot be assembled.
 pub fn table(name: &str, columns: &Columns) -> Result<Vec<u8>> {
     let built = || {
         let mut book = book(name)?;
@@ -52,7 +51,7 @@ fn not_built(fault: XlsxError) -> gaitcam::error::Error {
     WriteError::NotPutTogether { fault }.into()
 }
 
-/// An empty workbook; its date is fixed, so that the same results give the same bytes.
+/// An empty workbook; its date is fixed, so that equal results give equal bytes.
 fn book(title: &str) -> std::result::Result<Workbook, XlsxError> {
     // The library assembles each sheet on a thread of its own and panics where the system admits none.
     #[cfg(not(target_family = "wasm"))]
@@ -127,7 +126,7 @@ fn cam_sheet(
     Ok(())
 }
 
-/// What stands above the table: follower, name, verdict, main dimensions and speed.
+/// Lines above the table: follower, name, verdict, main dimensions and speed.
 fn head(
     sheet: &mut Worksheet,
     synthesis: &Design,
@@ -166,11 +165,11 @@ fn head(
 struct Row {
     point: ProfilePoint,
     motion: gaitcam::law::Svaj,
-    /// What lift is shown in, from SI.
+    /// Factor from SI to the displayed unit of lift.
     lift: f64,
 }
 
-/// A column beside the angle: the letter that CAM-DAS gives it, the key of its heading, its value.
+/// A column besides the angle: its letter in CAM-DAS, the key of its heading, its value.
 type Column = (u8, &'static str, fn(&Design, &Row) -> f64);
 
 /// Columns of every cam.
@@ -196,7 +195,7 @@ const EVERY: [Column; 9] = [
     (b'M', "sheet-contour-y", |_, r| MM * r.point.y),
 ];
 
-/// Columns of a flat face that does not swing.
+/// Columns of a translating flat face.
 const FLAT: [Column; 2] = [
     (b'G', "sheet-contact-left", |_, r| {
         (-MM * r.motion.v).max(0.0)
@@ -206,7 +205,7 @@ const FLAT: [Column; 2] = [
     }),
 ];
 
-/// Columns of a roller.
+/// Columns of a roller follower.
 const ROLLER: [Column; 5] = [
     (b'G', "sheet-pressure-angle", |_, r| {
         r.point.pressure_angle.to_degrees()
@@ -231,7 +230,7 @@ fn columns(synthesis: &Design) -> impl Iterator<Item = Column> + Clone {
     EVERY.iter().chain(own).copied()
 }
 
-/// Place of a letter in the sheet.
+/// Column index of a letter.
 fn at(letter: u8) -> u16 {
     u16::from(letter - b'A')
 }

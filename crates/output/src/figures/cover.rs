@@ -11,29 +11,29 @@ use gaitcam::wording::Language;
 /// Radius of a point: half the width of the bound.
 const DOT: f64 = 4.5;
 
-/// Errors by number of cams; a curve may be empty.
+/// A curve of errors by number of cams; it may be empty.
 #[derive(Debug, Clone)]
 pub struct Curve {
-    /// What it shows.
+    /// Name of the curve.
     pub name: String,
-    /// Number of cams and error, percent.
+    /// Points: number of cams and error, percent.
     pub points: Vec<(f64, f64)>,
 }
 
-/// The words of the picture.
+/// Texts of the picture.
 #[derive(Debug, Clone)]
 pub struct CoverWords<'a> {
-    /// Of what.
+    /// Name of the population.
     pub name: &'a str,
-    /// What it shows.
+    /// Title of the picture.
     pub what: &'a str,
-    /// Upwards.
+    /// Name of the vertical axis.
     pub error: &'a str,
-    /// To the right.
+    /// Name of the horizontal axis.
     pub number: &'a str,
 }
 
-/// Bound and what it bounds, errors of walkers left out, and mean and worst error.
+/// Lower bound, error that it bounds, errors of cross-validation, and mean and maximum error.
 pub fn cover(words: &CoverWords, curves: &[Curve; 6], language: Language) -> Picture {
     let layout = Layout {
         size: (1200, 560),
@@ -68,7 +68,7 @@ pub fn cover(words: &CoverWords, curves: &[Curve; 6], language: Language) -> Pic
     })
 }
 
-/// Colour and width of each curve. The bound is broad and light under the errors, which may agree with it.
+/// Colour and width of each curve. The bound is broad and light, since the errors may coincide with it.
 fn styles() -> [(RGBAColor, f64); 6] {
     [
         (GREEN.mix(0.35), 9.0),

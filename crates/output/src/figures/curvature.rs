@@ -16,10 +16,10 @@ use gaitcam::law::Svaj;
 use gaitcam::poly::Extreme;
 use gaitcam::synth::Design;
 
-/// Largest radius of curvature shown, in prime radii: what is beyond is straight to the eye.
+/// Maximum radius of curvature in the picture, in prime radii; larger ones look straight.
 const CAP: f64 = 2.2;
 
-/// Radius of curvature and pressure angle (a flat face: the contact's wandering) over the cam angle.
+/// Radius of curvature and pressure angle (for a flat face: contact position) over the cam angle.
 pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
     layout.picture(words.language(), |f| {
         let measures = synthesis.cam.follower.measures();
@@ -47,7 +47,7 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
     })
 }
 
-/// A quantity of the law's own angles over the cam angle as it is shown.
+/// A quantity at the law's own angles over the displayed cam angle.
 fn over_the_angle(cam: &Cam, value: impl Fn(f64, Svaj) -> f64) -> Vec<(f64, f64)> {
     let across = cam.follower.measures().angle().factor;
     let motion = motion(&cam.law);
@@ -84,7 +84,7 @@ fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) -> Drawn 
     panel.quantity(&words.text("figure-rho"))
 }
 
-/// Where the contact lies on a flat face, mm.
+/// Position of the contact on a flat face, mm.
 fn contact<'a, 'c>(
     f: &Figure<'a, 'c>,
     synthesis: &Design,

@@ -1,4 +1,4 @@
-//! The picture of a floor that moves: its peak acceleration over the step frequency.
+//! The picture of a moving floor: its peak acceleration over the step frequency.
 
 use plotters::style::Color;
 use plotters_backend::text_anchor::VPos;
@@ -18,7 +18,7 @@ pub fn floor(design: &Design, language: Language) -> Picture {
     resonance_in(design, Layout::ALONE, &words::words(language))
 }
 
-/// The resonance curves with the bounds of the comfort classes; nothing but their frame without a floor.
+/// The resonance curves with the limits of the comfort classes; only the frame without a floor.
 fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Picture {
     let points = design.resonance();
     let curve = |of: fn(&AtFrequency) -> FloorMotion| -> Vec<(f64, f64)> {

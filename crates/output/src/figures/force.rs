@@ -17,7 +17,7 @@ use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
-/// Points of the target and of its band.
+/// Number of points of the target and of its band.
 const TARGET_POINTS: usize = 720;
 
 /// Achieved force on the target with the error below; the step-to-step spread as a band.
@@ -126,7 +126,7 @@ impl Achieved {
         }
     }
 
-    /// Axes that hold the force and `others`; a force that never pulls is drawn from zero.
+    /// Axes that contain the force and `others`; a force without negative values is drawn from zero.
     fn panel<'a, 'c>(
         &self,
         f: &Figure<'a, 'c>,
@@ -205,7 +205,7 @@ fn difference(
     panel.across(&words::across(words, measures))
 }
 
-/// What the diagram of forces is about.
+/// Quantities of the force diagram.
 struct Names {
     head: String,
     axis: String,
@@ -255,7 +255,7 @@ fn tolerance_band(synthesis: &Design, desired: &[(f64, f64)]) -> Option<Band> {
     Some((edge(high), edge(low)))
 }
 
-/// A curve less another at the same angles.
+/// Difference of two curves at the same angles.
 fn apart(curve: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let pairs = curve.iter().zip(other);
     pairs.map(|(c, o)| (c.0, c.1 - o.1)).collect()

@@ -1,4 +1,4 @@
-//! The picture of an identified machine: measured and modelled force over the cam angle, and what is left.
+//! The picture of an identified machine: measured and modelled force over the cam angle, and the residual.
 
 use gaitcam::identify::Identified;
 use gaitcam::synth::Design;

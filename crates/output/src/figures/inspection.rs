@@ -9,12 +9,12 @@ use super::overlay::{Strip, diagrams_over, profiles};
 use crate::plot::picture::Picture;
 use crate::words;
 
-/// Points of the curves.
+/// Number of points of the curves.
 const POINTS: usize = 1440;
-/// Largest deviation in the polar picture, as part of the cam's size.
+/// Maximum deviation in the polar picture, as a fraction of the cam's size.
 const SHOWN: f64 = 0.08;
 
-/// Deviations along the normal and, where the cam's law is known, the force as designed and as made.
+/// Deviations along the normal and, if the cam's law is known, the force as designed and as manufactured.
 pub fn diagram(
     design: &Design,
     inspected: &Inspection,
@@ -107,7 +107,7 @@ pub fn polar(design: &Design, inspected: &Inspection, language: Language) -> Pic
     )
 }
 
-/// The largest of 1, 2, 5, 10, 20 … that is not above `x`, at least 1.
+/// The largest of 1, 2, 5, 10, 20 … not above `x`, at least 1.
 fn round_down(x: f64) -> f64 {
     let ten = 10f64.powf(x.max(1.0).log10().floor());
     let part = x.max(1.0) / ten;

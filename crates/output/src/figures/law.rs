@@ -57,8 +57,7 @@ pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Pict
     })
 }
 
-/// Where a derivative is infinite, and whether upwards: where the one below it jumps, and both ways where one
-/// further below does.
+/// Positions where a derivative is infinite, with the sign: a jump of the derivative below gives one sign, a jump further below gives both.
 fn infinities(cam: &Cam, order: usize) -> Vec<(f64, bool)> {
     let mut out = Vec::new();
     for below in 0..order {

@@ -1,4 +1,4 @@
-//! What is drawn: the pictures of a design, a recording, a run, many designs.
+//! Pictures of a design, a recording, a run and a sweep.
 
 pub mod cam;
 pub mod cover;

@@ -26,12 +26,12 @@ const COLOURS: [RGBAColor; 12] = [
     RGBAColor(140, 146, 155, 1.0),
 ];
 
-/// One diagram: what is drawn upwards, and one curve of (degrees, value) per name; empty ones are left out.
+/// One diagram: the quantity, and one curve of (degrees, value) per name; empty ones are omitted.
 #[derive(Debug, Clone)]
 pub struct Strip {
     /// Quantity with its unit.
     pub quantity: String,
-    /// One curve per name.
+    /// One curve for each name.
     pub curves: Vec<Vec<(f64, f64)>>,
 }
 
@@ -41,7 +41,7 @@ pub fn diagrams(head: &str, what: &str, names: &[String], rows: &[Strip]) -> Pic
     diagrams_over(across, head, what, names, rows, Language::En)
 }
 
-/// The same over another quantity.
+/// Diagrams over a quantity other than the angle.
 pub fn diagrams_over(
     across: &str,
     head: &str,
@@ -104,7 +104,7 @@ pub fn diagrams_over(
     })
 }
 
-/// Names below one another, at most three to a line of `room` ems.
+/// Names in rows, at most three to a line of `room` ems.
 fn lines<'a>(
     entries: &'a [(RGBAColor, f64, &'a str)],
     room: f64,
@@ -121,7 +121,7 @@ fn lines<'a>(
     lines
 }
 
-/// Closes a curve whose next step would complete a turn with its first value.
+/// Closes a curve that covers a whole turn.
 fn whole(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut out = curve.to_vec();
     if let ([first, ..], [.., before, last]) = (curve, curve) {

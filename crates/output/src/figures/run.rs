@@ -1,4 +1,4 @@
-//! The picture of a simulation: force, torque and gap over the cam angle; over time where the speed of the shaft varies.
+//! The picture of a simulation: force, torque and gap over the cam angle; over time if the shaft speed varies.
 
 use plotters::style::{Color, RGBAColor};
 
@@ -21,7 +21,7 @@ use gaitcam::wording::Language;
 /// A curve in the key: colour, width, name.
 type Entry = (RGBAColor, f64, String);
 
-/// Quantities of a run over the cam angle or the time as it is shown.
+/// Quantities of a run over the displayed cam angle or time.
 struct Shown<'a> {
     synthesis: &'a Design,
     outcome: &'a Outcome,
@@ -29,7 +29,7 @@ struct Shown<'a> {
 }
 
 impl Shown<'_> {
-    /// Cam angle of a sample.
+    /// Cam angles of the samples.
     fn angle(&self, i: usize) -> f64 {
         let (start, length) = self.synthesis.cam.law.extent();
         let span = length * self.outcome.period_turns as f64;
@@ -41,7 +41,7 @@ impl Shown<'_> {
         TAU / self.synthesis.problem.drive.speed.abs()
     }
 
-    /// Place of a sample on the axis.
+    /// Positions of the samples on the axis.
     fn across(&self, i: usize) -> f64 {
         if self.outcome.shaft.is_none() {
             return self.measures.angle().factor * self.angle(i);
@@ -50,7 +50,7 @@ impl Shown<'_> {
         self.outcome.rows[i % a_turn].time + (i / a_turn) as f64 * self.period()
     }
 
-    /// A quantity of the samples, the first once more at the end.
+    /// A quantity of the samples, with the first repeated at the end.
     fn curve(&self, value: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
         let total = self.outcome.rows.len();
         let point = |i: usize| (self.across(i), value(i % total));
@@ -66,7 +66,7 @@ impl Shown<'_> {
         f.panel(frame, x, columns, y)
     }
 
-    /// The force with target and rigid force behind it; returns their key.
+    /// Draws the force with target and rigid force behind it; returns their key.
     fn force(&self, f: &Figure, frame: Frame, words: &Words) -> Drawn<Vec<Entry>> {
         let law = &self.synthesis.cam.law;
         let (start, length) = law.extent();
@@ -116,7 +116,7 @@ impl Shown<'_> {
     }
 }
 
-/// Force with target and rigid force behind it, torque, and the gap where there is one.
+/// Force with target and rigid force behind it, torque, and the gap if there is one.
 pub fn run(synthesis: &Design, outcome: &Outcome, language: Language) -> Picture {
     run_in(synthesis, outcome, Layout::ALONE, &words::words(language))
 }

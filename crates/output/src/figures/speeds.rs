@@ -31,23 +31,23 @@ type Curve = (Vec<(f64, f64)>, RGBAColor, f64);
 pub struct AtSpeed {
     /// Speed of the cam, rad/s or m/s.
     pub speed: f64,
-    /// RMS distance of the force from the target of this speed, N; `None` without one.
+    /// RMS difference of the force from the target of this speed, N; `None` without one.
     pub rms_error: Option<f64>,
-    /// Amplitudes of harmonics 1 to 4 of the step frequency, parts of the walker's weight.
+    /// Amplitudes of harmonics 1 to 4 of the step frequency, as fractions of the walker's weight.
     pub load_factors: Option<[f64; 4]>,
-    /// Those of the target of this speed.
+    /// Amplitudes of the target of this speed.
     pub target_factors: Option<[f64; 4]>,
-    /// Largest absolute torque of the cam on the shaft, N·m; not finite where the shaft does not turn.
+    /// Largest absolute torque of the cam on the shaft, N·m; not finite if the shaft does not turn.
     pub torque: f64,
-    /// Highest less lowest speed of the shaft, part of the mean.
+    /// Highest less lowest speed of the shaft, as a fraction of the mean.
     pub ripple: f64,
-    /// Whether the follower leaves the cam.
+    /// Whether the follower loses contact.
     pub contact_lost: bool,
 }
 
 const COLOURS: [RGBAColor; 4] = [BLUE, GREEN, PURPLE, RED];
 
-/// What a strip shows.
+/// Quantity of a strip.
 #[derive(Clone, Copy, PartialEq)]
 enum Strip {
     Error,
@@ -168,7 +168,7 @@ impl Shown<'_> {
         Ok(panel)
     }
 
-    /// Ranges of the speed at which contact is lost, to the middle between the speeds that were run.
+    /// Ranges of speed with loss of contact, up to the middle between the speeds of the runs.
     fn lost(&self) -> Vec<[f64; 2]> {
         let at = |i: usize| self.factor * self.rows[i].speed;
         let last = self.rows.len().saturating_sub(1);

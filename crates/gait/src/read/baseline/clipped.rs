@@ -1,27 +1,25 @@
 //! Clipping: the amplifier or converter stops at a level below the peaks of the force.
 //!
-//! Noise, gain, resampling and a removed drift leave this of it: many readings at one level, none above, and few just below,
-//! where the force passes the level steeply.
+//! After noise, gain, resampling and drift removal, clipping shows as many readings at one level, none above, and few just below.
 
 use super::crowd;
 use crate::statistics::median;
 
-/// Readings above this part of the highest are looked at.
+/// Fraction of the highest reading above which readings are examined.
 const UPPER: f64 = 0.6;
-/// Half width of the level: part of the highest reading, and standard deviations of the noise.
+/// Half width of the level: fraction of the highest reading, and standard deviations of the noise.
 const WIDTH: (f64, f64) = (0.004, 2.5);
-/// Most readings above the level, as a part of those at it.
+/// Maximum number of readings above the level, as a fraction of those at it.
 const ABOVE: f64 = 0.03;
-/// Readings at the level over those just below, in an equal width. A parabola has 2.4, and peaks of several contacts differ:
-/// made walkers, runners and jumpers stay below 3.3. Of one or two contacts a flat top has more: 5.3 where it falls with the
-/// fourth power of time.
+/// Ratio of readings at the level to those just below, in an equal width. A parabola has 2.4, and synthetic walkers, runners and jumpers stay below
+/// 3.3. For one or two contacts a flat top has more: 5.3 for a fall with the fourth power of time.
 const CROWDED: (f64, f64) = (3.5, 6.0);
-/// Fewest readings at the level.
+/// Minimum number of readings at the level.
 const FEWEST: usize = 8;
-/// Shortest time at the level in a contact that reaches it, s.
+/// Minimum time at the level in a contact that reaches it, s.
 const HELD_S: f64 = 0.03;
 
-/// The level at which readings without drift stop, N; `None` where they reach their peaks.
+/// The level at which readings without drift stop, N; `None` without clipping. `unloaded_n`: standard deviation of the unloaded reading, N.
 ///
 /// `unloaded_n`: standard deviation of the unloaded reading, N.
 pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f64> {
@@ -35,7 +33,7 @@ pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f6
         .find_map(|half| stops_at(force, rate_hz, top, half))
 }
 
-/// The level, of the given half width, at which readings stop.
+/// The level, with the given half width, at which readings stop.
 fn stops_at(force: &[f64], rate_hz: f64, top: f64, half: f64) -> Option<f64> {
     let (level, at) = crowd(force, UPPER * top, top, 2.0 * half);
     let within = |low: f64, high: f64| force.iter().filter(|x| **x > low && **x <= high).count();
@@ -50,7 +48,7 @@ fn stops_at(force: &[f64], rate_hz: f64, top: f64, half: f64) -> Option<f64> {
     (stops && at >= FEWEST && held_s > HELD_S).then_some(level)
 }
 
-/// Smallest difference of readings above a level that are not equal.
+/// Smallest difference of unequal readings above a level.
 fn resolution(force: &[f64], least: f64) -> f64 {
     let mut upper: Vec<f64> = force.iter().copied().filter(|x| *x > least).collect();
     upper.sort_unstable_by(f64::total_cmp);
@@ -61,8 +59,7 @@ fn resolution(force: &[f64], least: f64) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Standard deviation of white noise, N, in readings above a level: from second differences, of which that of the force is
-/// small.
+/// Standard deviation of white noise, N, in readings above a level, from second differences, in which the force is small.
 fn noise(force: &[f64], least: f64) -> f64 {
     let upper = force.windows(3).filter(|w| w.iter().all(|x| *x > least));
     let bends = upper.map(|w| (w[0] - 2.0 * w[1] + w[2]).abs());

@@ -2,14 +2,14 @@
 
 use crate::statistics::{median, ranked};
 
-/// Duration in which a walker's foot leaves the plate at least once, s; of a shorter record over plates a part will do.
+/// Duration in which a walker's foot leaves the plate at least once, s; a fraction suffices for a shorter record.
 const WINDOW_S: f64 = 2.0;
-/// Fewest windows that show a drift.
+/// Minimum number of windows that show a drift.
 const FEWEST: usize = 4;
-/// Largest deviation of the unloaded level from a straight line, N.
+/// Maximum deviation of the unloaded level from a straight line, N.
 const STRAIGHT_N: f64 = 6.0;
 
-/// A smaller change over the whole recording is left to the baseline, N.
+/// Total change below which the baseline absorbs the drift, N.
 pub(super) const SMALLEST_N: f64 = 15.0;
 
 /// Slope of the unloaded level, N per sample, of readings of either sign; 0 without a steady drift.

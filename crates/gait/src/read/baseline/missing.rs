@@ -3,29 +3,29 @@
 
 use std::ops::Range;
 
-/// Shortest run of missing samples that means an unloaded plate, s: no swing is shorter.
+/// Minimum duration of missing samples that means an unloaded plate, s; no swing is shorter.
 const UNLOADED_S: f64 = 0.1;
-/// Highest reading beside such a run, as a part of the highest of all.
+/// Maximum reading beside such a run, as a fraction of the highest of all.
 const LOW: f64 = 0.3;
-/// Beside such a run a foot lands or leaves: within this time, s, the force changes by more than this, N.
+/// Time, s, beside such a run within which a landing or a lift-off changes the force by more than this, N.
 const EDGE: (f64, f64) = (0.015, 10.0);
 
-/// Lowest rate at which a sample must lie near one of its neighbours, Hz: an impact lasts 10 ms or more.
+/// Minimum rate at which a sample must be near one of its neighbours, Hz: an impact lasts 10 ms or more.
 const DENSE_HZ: f64 = 180.0;
-/// A spike differs from both neighbours by this part of the highest level that two samples in turn reach, N at least.
+/// Minimum difference of a spike from both neighbours, as a fraction of the highest level of two consecutive samples, and in N.
 const SPIKE: (f64, f64) = (0.5, 100.0);
-/// Largest part of the samples that are spikes; more are the noise of something else.
+/// Maximum fraction of spikes among the samples; more are noise.
 const RARE: f64 = 0.005;
 
-/// Longest run of zeros, s, that is no swing where the readings beside it are loaded, and lowest rate, Hz, that shows it.
+/// Maximum duration of zeros, s, between loaded readings that is not a swing, and minimum rate, Hz, that shows it.
 const DROP_OUT: (f64, f64) = (0.08, 90.0);
 
-/// What was filled in.
+/// Samples that were filled in.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Filled {
-    /// Runs that were bridged by straight lines.
+    /// Number of runs bridged by straight lines.
     pub bridged: Vec<(usize, usize)>,
-    /// Whether runs were taken for an unloaded plate.
+    /// Whether runs were interpreted as an unloaded plate.
     pub unloaded: bool,
     /// Number of spikes, and the first of them.
     pub spikes: Option<(usize, usize)>,
@@ -60,7 +60,7 @@ pub(super) fn fill(force: &mut [f64], rate_hz: f64) -> Filled {
     filled
 }
 
-/// Whether a foot leaves before a run and lands after it, as far as the recording shows.
+/// Whether a foot leaves before a run and lands after it, as far as recorded.
 fn is_unloaded(force: &[f64], run: &Range<usize>, reach: f64, rate_hz: f64) -> bool {
     let apart = ((EDGE.0 * rate_hz).round() as usize).max(1);
     let is_edge = |near: usize, far: Option<usize>| {
@@ -88,7 +88,7 @@ fn bridge(force: &mut [f64], run: &Range<usize>) {
     }
 }
 
-/// Makes short runs of zeros between loaded readings missing; how many there are, and where the first begins.
+/// Marks short runs of zeros between loaded readings as missing; returns their number and the start of the first.
 fn remove_drop_outs(force: &mut [f64], loaded: f64, rate_hz: f64) -> Option<(usize, usize)> {
     if rate_hz < DROP_OUT.1 {
         return None;
@@ -112,7 +112,7 @@ fn remove_drop_outs(force: &mut [f64], loaded: f64, rate_hz: f64) -> Option<(usi
     found
 }
 
-/// Makes spikes missing; how many there are, and the first.
+/// Marks spikes as missing; returns their number and the first.
 fn remove_spikes(force: &mut [f64], rate_hz: f64) -> Option<(usize, usize)> {
     if rate_hz < DENSE_HZ {
         return None;

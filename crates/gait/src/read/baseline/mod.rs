@@ -1,4 +1,4 @@
-//! From the raw reading of a plate to upward force: missing samples, sign, unloaded baseline, constant channels.
+//! Conversion of raw plate readings to upward force: missing samples, sign, unloaded baseline, constant channels.
 
 mod clipped;
 mod drift;
@@ -11,32 +11,32 @@ use clipped::clipped;
 use drift::{SMALLEST_N, drift};
 use missing::fill;
 
-/// A channel with a smaller range was never loaded, N.
+/// Range below which a channel was never loaded, N.
 const TOUCHED_N: f64 = 30.0;
 
-/// In a recording shorter than this a constant reading may be a load, s.
+/// Duration below which a constant reading may be a load, s.
 const STEP_S: f64 = 0.4;
 
-/// A level above this part of the highest reading is a load.
+/// Fraction of the highest reading above which a level is a load.
 const LOADED: f64 = 0.15;
 
-/// Readings within twice the width of the unloaded band, over those within it, where they are wider than the band.
+/// Ratio of readings within twice the unloaded band to those within it, above which the band is too narrow.
 const BROAD: f64 = 1.2;
 
-/// Duration of both ends of a recording that show the unloaded level, s, and the least difference that counts, N.
+/// Duration of both ends of a recording that show the unloaded level, s, and the minimum difference, N.
 const ENDS: (f64, f64) = (0.2, 8.0);
 
-/// Values looked at to find baseline and sign; more are thinned evenly.
+/// Number of values examined for baseline and sign; more are thinned evenly.
 const SAMPLE: usize = 1 << 15;
 
-/// Readings that are looked at for clipping, and their rate, Hz.
+/// Number of readings examined for clipping, and their rate, Hz.
 const CLIPPED: (usize, f64) = (1 << 14, 200.0);
 
 /// Makes a channel of raw readings in newtons of either sign (NaN where samples are missing).
 ///
-/// The sign is such that the load is positive; the unloaded baseline is the densest level at the
-/// unloaded end of the readings; where there is none, `zero` may name samples (first, one past the last)
-/// that the file calls unloaded, and they count if they are quiet. A channel that never moves is marked idle and keeps its readings.
+/// The sign is such that the load is positive; the unloaded baseline is the densest level at the unloaded end of the readings; without one, `zero`
+/// may name unloaded samples (first, one past the last) of the file, which count if they are quiet. A constant channel is marked idle and keeps its
+/// readings.
 pub(super) fn channel(
     name: String,
     mut raw: Vec<f64>,
@@ -126,7 +126,7 @@ pub(super) fn channel(
     out
 }
 
-/// Takes a drift, N per sample, from readings.
+/// Subtracts a drift, N per sample, from readings.
 fn without(readings: &mut [f64], slope: f64) {
     if slope != 0.0 {
         for (i, x) in readings.iter_mut().enumerate() {
@@ -135,7 +135,7 @@ fn without(readings: &mut [f64], slope: f64) {
     }
 }
 
-/// Why a channel with these readings takes no part; `None` where it does.
+/// Reason for excluding a channel with these readings; `None` if it is included.
 fn idle(thin: &[f64], duration_s: f64) -> Option<Idle> {
     let Some((low, high)) = ends(thin) else {
         return Some(Idle::Empty);
@@ -155,8 +155,8 @@ fn idle(thin: &[f64], duration_s: f64) -> Option<Idle> {
     Some(Idle::Constant { level })
 }
 
-/// A large value that most samples share exactly and none exceeds: an amplifier at its stop. A person who stands still
-/// to the last digit is exceeded by the landing or the rise before. Majority vote of Boyer and Moore (1991).
+/// A large value that most samples share exactly and none exceeds: a saturated amplifier. Quiet standing is exceeded by the landing or the rise
+/// before. Majority vote of Boyer and Moore (1991).
 fn stuck_level(thin: &[f64]) -> Option<f64> {
     let (most, _) = thin.iter().fold((0.0, 0), |(most, votes), &x| match votes {
         0 => (x, 1),
@@ -168,7 +168,8 @@ fn stuck_level(thin: &[f64]) -> Option<f64> {
     (most.abs() > 10.0 * TOUCHED_N && 2 * same() > thin.len() && !exceeded()).then_some(most)
 }
 
-/// Whether the loaded readings are the negative ones.
+/// Whether the loaded readings are negative. Clear if the readings extend much further to one side of zero; otherwise the unloaded end has the higher
+/// density of readings.
 ///
 /// Clear where the readings reach much further to one side of zero; otherwise the unloaded end is the
 /// one with the higher density of readings.
@@ -204,8 +205,8 @@ fn crowd(thin: &[f64], from: f64, to: f64, band: f64) -> (f64, usize) {
 
 /// Unloaded level and its standard deviation, N, of readings whose load is positive.
 ///
-/// The level must hold 4 % of the samples; far from zero it must also be held for a fifth of a second
-/// on end, which a loaded foot does not do. `None` where the plate was never unloaded.
+/// The level must hold 4 % of the samples; far from zero it must also last a fifth of a second, longer than under a loaded foot. `None` if the plate
+/// was never unloaded.
 fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
     let (low, high) = ends(thin)?;
     let range = high - low;
@@ -238,13 +239,13 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
     Some((level, 1.4826 * ranked(off, middle)?))
 }
 
-/// Level and standard deviation of samples that should be unloaded; `None` where they move.
+/// Level and standard deviation of samples expected to be unloaded; `None` if they vary.
 fn quiet(force: &[f64]) -> Option<(f64, f64)> {
     let (mean, deviation) = mean_and_deviation(force);
     (force.len() >= 2 && deviation < 5.0 && mean.abs() < 100.0).then_some((mean, deviation))
 }
 
-/// Level at which both ends of a recording rest; `None` where they are loaded or differ.
+/// Level of both ends of a recording; `None` if they are loaded or differ.
 fn level_at_ends(force: &[f64], rate_hz: f64) -> Option<f64> {
     let count = (ENDS.0 * rate_hz) as usize;
     let first = quiet(force.get(..count)?)?;

@@ -4,7 +4,7 @@ use super::parameters::Parameters;
 use super::storage::Analog;
 use crate::recording::Foot;
 
-/// What marker sets call the heel, letters and digits only (Davis et al. 1991: HEE; Cappozzo et al. 1995: FCC).
+/// Names of the heel in marker sets, letters and digits only (Davis et al. 1991: HEE; Cappozzo et al. 1995: FCC).
 const HEEL: [&str; 8] = [
     "HEE",
     "HEEL",
@@ -22,7 +22,7 @@ const SIDES: [(&str, Foot); 4] = [
     ("RIGHT", Foot::Right),
 ];
 
-/// Paths of the left and the right heel, NaN where a marker was not seen; `None` where the file has not both.
+/// Paths of the left and the right heel, NaN where a marker was not visible; `None` unless the file has both.
 pub(super) fn heels(analog: &Analog, parameters: &Parameters) -> Option<[Vec<[f64; 3]>; 2]> {
     let mut labels = parameters.all_strings("POINT", "LABELS");
     labels.truncate(analog.points);

@@ -22,7 +22,7 @@ use super::vertical::{self, Facts};
 use crate::error::{Placed, ReadError, Result};
 use crate::recording::{ClockSource, Heels, Processor, ReadOptions, Recording, Strike};
 
-/// Bytes of one block.
+/// Size of one block, bytes.
 const BLOCK: usize = 512;
 
 /// Whether bytes start as a C3D file: block number of the parameters and the key 0x50.
@@ -69,7 +69,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
     Ok(recording)
 }
 
-/// Samples of the frames that FORCE_PLATFORM:ZERO names as unloaded.
+/// Samples of the frames marked as unloaded by FORCE_PLATFORM:ZERO.
 fn zero_range(parameters: &Parameters, analog: &Analog) -> Option<(usize, usize)> {
     let zero = parameters.numbers("FORCE_PLATFORM", "ZERO");
     let [from, to] = zero.get(..2)? else {
@@ -86,7 +86,7 @@ fn zero_range(parameters: &Parameters, analog: &Analog) -> Option<(usize, usize)
     Some((at(from - 1.0), at(*to)))
 }
 
-/// Mass of the walker, kg: a parameter that is called mass or weight, in any group.
+/// Mass of the walker, kg: a parameter named mass or weight, in any group.
 fn mass(parameters: &Parameters) -> Option<f64> {
     let says = |name: &str| {
         let n = name.to_lowercase().replace([' ', '_'], "");

@@ -2,10 +2,10 @@
 
 use crate::recording::Processor;
 
-/// Most values of one parameter that are read; real files hold a few hundred.
+/// Maximum number of values read of one parameter; real files hold a few hundred.
 const MOST_VALUES: usize = 1 << 16;
 
-/// One parameter: its group's number, its name and where its values lie.
+/// One parameter: group number, name and position of its values.
 #[derive(Debug, Clone)]
 struct Parameter<'a> {
     group: i8,
@@ -16,7 +16,7 @@ struct Parameter<'a> {
     data: &'a [u8],
 }
 
-/// All parameters of a file that could be read.
+/// All readable parameters of a file.
 #[derive(Debug)]
 pub(super) struct Parameters<'a> {
     words: Processor,
@@ -39,7 +39,7 @@ impl<'a> Parameters<'a> {
         found
     }
 
-    /// Reads one record; the place of the next one, which lies further on.
+    /// Reads one record; returns the position of the next one, which must be larger.
     fn record(&mut self, bytes: &'a [u8], at: usize) -> Option<usize> {
         // A negative length only locks the name.
         let length = usize::from(bytes.get(at)?.cast_signed().unsigned_abs());
@@ -96,7 +96,7 @@ impl<'a> Parameters<'a> {
         self.all.iter().find(|p| p.group == id && p.name == name)
     }
 
-    /// Numbers of a parameter in the order of the file (first index fastest); empty where there is none.
+    /// Numbers of a parameter in the order of the file (first index fastest); empty if absent.
     pub fn numbers(&self, group: &str, name: &str) -> Vec<f64> {
         self.find(group, name)
             .map_or(Vec::new(), |p| self.values(p))
@@ -107,12 +107,12 @@ impl<'a> Parameters<'a> {
         self.numbers(group, name).first().copied()
     }
 
-    /// Dimensions of a parameter; empty where there is none.
+    /// Dimensions of a parameter; empty if absent.
     pub fn dims(&self, group: &str, name: &str) -> &[usize] {
         self.find(group, name).map_or(&[], |p| &p.dims)
     }
 
-    /// Texts of a parameter, blanks at their ends cut.
+    /// Texts of a parameter, trimmed.
     pub fn strings(&self, group: &str, name: &str) -> Vec<String> {
         let Some(p) = self.find(group, name).filter(|p| p.kind == -1) else {
             return Vec::new();
@@ -125,12 +125,12 @@ impl<'a> Parameters<'a> {
         p.data.chunks(length.max(1)).map(text).collect()
     }
 
-    /// Numbers of a parameter and of those that continue it: it has 255 values at most, `SCALE2` the next ones.
+    /// Numbers of a parameter and its continuations: each has 255 values at most, `SCALE2` the next ones.
     pub fn all_numbers(&self, group: &str, name: &str) -> Vec<f64> {
         Self::continued(name, |name| self.numbers(group, name))
     }
 
-    /// Texts of a parameter and of those that continue it, `LABELS2` and so on.
+    /// Texts of a parameter and its continuations, `LABELS2` and so on.
     pub fn all_strings(&self, group: &str, name: &str) -> Vec<String> {
         Self::continued(name, |name| self.strings(group, name))
     }
@@ -141,7 +141,7 @@ impl<'a> Parameters<'a> {
         read(name).into_iter().chain(more).collect()
     }
 
-    /// Every numeric parameter, in any group, whose name fits.
+    /// Every numeric parameter, in any group, with a matching name.
     pub fn named<'s>(
         &'s self,
         fits: impl Fn(&str) -> bool + 's,

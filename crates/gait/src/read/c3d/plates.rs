@@ -1,4 +1,4 @@
-//! Force plates of a C3D file: which channels make the vertical force of each.
+//! Force plates of a C3D file: the channels of the vertical force of each.
 
 use std::path::Path;
 
@@ -12,10 +12,10 @@ use crate::recording::{Axis, Note, ReadOptions};
 /// Channels of a plate and their weights in its vertical force.
 type Weights = Vec<(usize, f64)>;
 
-/// Most plates that are read; laboratories have up to a dozen.
+/// Maximum number of plates; laboratories have up to a dozen.
 const MOST_PLATES: usize = 64;
 
-/// Raw vertical force of every plate; without plates, of every channel labelled as force.
+/// Raw vertical force of every plate or, without plates, of every channel labelled as force.
 pub(super) fn forces(
     path: &Path,
     analog: &Analog,
@@ -81,7 +81,7 @@ pub(super) fn forces(
     .in_file(path))
 }
 
-/// The analog channels of a file with what is written about them.
+/// The analog channels of a file with their labels, scales and units.
 struct Channels<'a> {
     analog: &'a Analog<'a>,
     labels: Vec<String>,
@@ -97,7 +97,7 @@ impl<'a> Channels<'a> {
         }
     }
 
-    /// The weighted sum of some channels.
+    /// The weighted sum of channels.
     fn column(&self, name: String, axis: Axis, weights: &Weights) -> RawForce {
         let mut values = vec![0.0; self.analog.samples];
         for &(channel, weight) in weights {
@@ -117,7 +117,7 @@ impl<'a> Channels<'a> {
         }
     }
 
-    /// The channel of a label, or of a number from 1.
+    /// The channel with a label, or with a number from 1.
     fn named(&self, path: &Path, name: &str) -> Result<RawForce> {
         let mut labels = self.labels.iter();
         let place = labels
@@ -240,7 +240,7 @@ fn matrix_sums(
     sums.filter(|s| s.iter().any(|w| *w != 0.0))
 }
 
-/// Notes plates whose normal points another way than that of the first, by their corners.
+/// Notes plates whose normal differs in direction from that of the first, by their corners.
 fn tilted(parameters: &Parameters, used: usize, notes: &mut Vec<Note>) {
     let corners = parameters.numbers("FORCE_PLATFORM", "CORNERS");
     let normals: Vec<Option<[f64; 3]>> = corners.chunks_exact(12).take(used).map(normal).collect();
@@ -255,7 +255,7 @@ fn tilted(parameters: &Parameters, used: usize, notes: &mut Vec<Note>) {
     }
 }
 
-/// Unit normal of a plate from its four corners: the product of its diagonals; `None` where they span nothing.
+/// Unit normal of a plate from its four corners: the product of its diagonals; `None` if they are degenerate.
 fn normal(corners: &[f64]) -> Option<[f64; 3]> {
     let diagonal = |a: usize, b: usize| [0, 1, 2].map(|k| corners[3 * a + k] - corners[3 * b + k]);
     let (u, v) = (diagonal(0, 2), diagonal(1, 3));

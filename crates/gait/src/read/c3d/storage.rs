@@ -11,17 +11,17 @@ use crate::recording::{Format, Note, Processor, Storage};
 #[derive(Debug)]
 pub(super) struct Analog<'a> {
     words: Processor,
-    /// Whole frames of the data section.
+    /// Number of complete frames of the data section.
     data: &'a [u8],
     is_float: bool,
     unsigned: bool,
-    /// Markers of a frame, before its analog samples.
+    /// Number of markers of a frame, before its analog samples.
     pub points: usize,
     frame: usize,
     pub channels: usize,
-    /// Samples of one channel in one frame.
+    /// Number of samples of one channel in one frame.
     pub per_frame: usize,
-    /// Samples of one channel in the file.
+    /// Number of samples of one channel in the file.
     pub samples: usize,
     pub first_frame: usize,
     pub frame_hz: f64,
@@ -32,7 +32,7 @@ pub(super) struct Analog<'a> {
 }
 
 impl<'a> Analog<'a> {
-    /// Places the data section; fewer frames than announced are noted.
+    /// Locates the data section; fewer frames than announced are noted.
     pub fn read(
         path: &Path,
         bytes: &'a [u8],
@@ -105,8 +105,7 @@ impl<'a> Analog<'a> {
         }
     }
 
-    /// Position of a marker (from 0) in a frame, in the file's axes; `None` where it was not seen. Integers are not
-    /// scaled.
+    /// Position of a marker (from 0) in a frame, in the file's axes; `None` if it was not visible. Integers are not scaled.
     pub fn point(&self, frame: usize, marker: usize) -> Option<[f64; 3]> {
         let mut four = [0.0; 4];
         for (k, x) in four.iter_mut().enumerate() {
@@ -118,7 +117,7 @@ impl<'a> Analog<'a> {
         (seen && position != [0.0; 3]).then_some(position)
     }
 
-    /// A number of a frame by its place in it.
+    /// A number of a frame by its index.
     fn value(&self, frame: usize, place: usize, unsigned: bool) -> Option<f64> {
         let width = if self.is_float { 4 } else { 2 };
         let at = frame * self.frame + place * width;

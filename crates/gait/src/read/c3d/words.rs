@@ -3,7 +3,7 @@
 use crate::recording::Processor;
 
 impl Processor {
-    /// From the fourth byte of the parameter section.
+    /// The format given by the fourth byte of the parameter section.
     pub(super) fn of(bytes: &[u8], parameters: usize) -> Option<Self> {
         match bytes.get(parameters + 3)? {
             84 => Some(Processor::Intel),

@@ -1,17 +1,17 @@
-//! The columns of a table without names: which is time and which are vertical forces, from the numbers alone.
+//! The columns of a table without names: time and vertical forces, from the numbers alone.
 
 use crate::recording::Foot;
 use crate::statistics::sample;
 
-/// Rows sampled evenly to classify the columns.
+/// Number of rows sampled evenly to classify the columns.
 const SAMPLE: usize = 4096;
 
-/// Values per row beyond which nameless columns are pressure sensors, not plates (twelve plates of six).
+/// Number of values per row above which unnamed columns are pressure sensors, not plates (twelve plates of six).
 const MOST_VALUES: usize = 72;
 
 /// Left and right, if the columns are time, two equal sets of sensors and their two sums, in this order.
 ///
-/// So are the insole recordings of PhysioNet's gait database, left foot first.
+/// PhysioNet's insole recordings have this form, left foot first.
 pub(super) fn insole_sides(
     forces: &[usize],
     width: usize,
@@ -25,7 +25,7 @@ pub(super) fn insole_sides(
     is_layout.then_some([Foot::Left, Foot::Right])
 }
 
-/// The first column, where it falls in hardly any row and grows in one of ten at least.
+/// The first column, if it decreases in almost no row and increases in at least one of ten.
 pub(super) fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
     let several = columns.len() >= 2;
     let t = columns.first().filter(|t| several && t.len() >= 2)?;
@@ -35,7 +35,7 @@ pub(super) fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
     (rises && 10 * count(|w| w[1] > w[0]) >= steps).then_some(0)
 }
 
-/// Whether times rise by one from row to row.
+/// Whether times increase by one from row to row.
 pub(super) fn counts_samples(times: &[f64]) -> bool {
     times.windows(2).all(|w| w[1] - w[0] == 1.0)
 }
@@ -85,7 +85,7 @@ pub(super) fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<us
         .collect()
 }
 
-/// Columns that are the sum of a run of at least three neighbouring columns in nearly every row.
+/// Columns that equal the sum of at least three neighbouring columns in nearly every row.
 fn totals(columns: &[Vec<f64>], data: &[usize]) -> Vec<usize> {
     let samples = columns.first().map_or(0, Vec::len);
     if data.len() < 4 || data.len() > 64 || samples == 0 {

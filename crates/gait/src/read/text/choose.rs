@@ -1,4 +1,4 @@
-//! Which columns of a table are time and vertical force: by the user's word, their names, or their numbers.
+//! Choice of the time and force columns of a table: by the user's word, their names, or their numbers.
 
 use super::by_numbers;
 use super::delimited::TextFile;
@@ -10,31 +10,31 @@ use crate::read::columns::{Role, foot, role, words};
 use crate::read::vocabulary::{INSOLE, is};
 use crate::recording::{Axis, Foot, ForceUnit, Note};
 
-/// Most columns of force: some hundred plates of three components. Each takes a channel of its own.
+/// Maximum number of force columns: some hundred plates of three components. Each becomes one channel.
 const MOST_FORCES: usize = 1000;
 
-/// Fewest rows that are taken for a recording when nothing names the columns.
+/// Minimum number of rows of a recording without column names.
 const FEWEST: usize = 10;
 
-/// Columns beyond which a table without names is not a recording of forces.
+/// Number of columns above which a table without names is not a force recording.
 const WIDEST: usize = 400;
 
-/// The columns of a table that are read, and how.
+/// The chosen columns of a table, and their interpretation.
 #[derive(Default)]
 pub(in crate::read) struct Columns {
     pub time: Option<usize>,
     /// Whether the time column counts samples instead of seconds.
     pub counts: bool,
     pub force: Vec<ForceColumn>,
-    /// Whether the forces are those of pressure insoles, where that is known.
+    /// Whether the forces are those of pressure insoles, if known.
     pub insole: Option<bool>,
-    /// What was guessed in the choice.
+    /// Guesses made in the choice.
     pub notes: Vec<Note>,
-    /// All columns of a table without names, which were read to choose from.
+    /// All columns of a table without names, for the choice.
     pub read: Option<Numbers>,
 }
 
-/// A column of force with what its name says.
+/// A force column with the meaning of its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::read) struct ForceColumn {
     pub place: usize,
@@ -42,7 +42,7 @@ pub(in crate::read) struct ForceColumn {
     pub foot: Option<Foot>,
 }
 
-/// Decides which columns to read; `None` where the table holds no force.
+/// Chooses the columns to read; `None` without a force.
 pub(in crate::read) fn choose(file: &TextFile, table: &Table) -> Result<Option<Columns>> {
     let options = file.options;
     let time = (options.time.as_ref()).map(|name| column(file, table, name));
@@ -95,7 +95,7 @@ pub(in crate::read) fn choose(file: &TextFile, table: &Table) -> Result<Option<C
     Ok(Some(columns))
 }
 
-/// The columns that the user names as force.
+/// The force columns named by the user.
 fn stated(file: &TextFile, table: &Table) -> Result<Vec<ForceColumn>> {
     let places = file.options.force.iter();
     let places = places.map(|name| column(file, table, name));
@@ -118,7 +118,8 @@ fn by_names(table: &Table, stated: Option<usize>) -> Columns {
     }
 }
 
-/// Time and force by the numbers in the columns; no force where the table is too short to be a recording.
+/// Time and force by the numbers in the columns; no force if the table is too short for a recording. `stated` is the index of the time column named
+/// by the user.
 ///
 /// `stated` is the place of the time column that the user names.
 fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Columns> {
@@ -156,7 +157,7 @@ fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Col
     Ok(chosen)
 }
 
-/// The columns that are known to be a force: by their names, else by their units, else by their sides.
+/// The columns known to be a force: by their names, else by their units, else by their sides.
 fn recognised(table: &Table, roles: &[Role]) -> Vec<ForceColumn> {
     let named = roles.iter().enumerate().filter_map(|(place, r)| match *r {
         Role::Force { axis, foot } => Some(ForceColumn { place, axis, foot }),
@@ -178,7 +179,7 @@ fn vertical(table: &Table, place: usize) -> ForceColumn {
     ForceColumn { place, axis, foot }
 }
 
-/// Leaves out the zones of an insole beside their total: `L::heel, L::toes, L`, each perhaps over a row of `Force[N]`.
+/// Excludes the zones of an insole beside their total: `L::heel, L::toes, L`, each perhaps under a header row of `Force[N]`.
 fn leave_zones(table: &Table, force: &mut Vec<ForceColumn>) {
     let name = |f: &ForceColumn| table.names.get(f.place).map_or("", |n| n.trim());
     let (zones, totals): (Vec<ForceColumn>, Vec<ForceColumn>) =
@@ -192,7 +193,7 @@ fn leave_zones(table: &Table, force: &mut Vec<ForceColumn>) {
     }
 }
 
-/// Whether a column is of a pressure insole, by its name or because zones of it are columns too.
+/// Whether a column belongs to a pressure insole, by its name or because its zones are columns too.
 fn is_insole(table: &Table, name: &str) -> bool {
     let is_zone = |zone: &String| {
         let owner = zone.split_once("::").map(|(owner, _)| owner.trim());
@@ -201,7 +202,7 @@ fn is_insole(table: &Table, name: &str) -> bool {
     words(name).iter().any(|w| is(w, INSOLE)) || table.names.iter().any(is_zone)
 }
 
-/// Leaves out columns that state a unit of something else; a fault where no column is left.
+/// Excludes columns with units of another quantity; a fault if no column is left.
 fn leave_foreign_units(file: &TextFile, table: &Table, force: &mut Vec<ForceColumn>) -> Result<()> {
     let first = force[0].place;
     force.retain(|f| table.foreign_unit(f.place).is_none());
@@ -211,7 +212,7 @@ fn leave_foreign_units(file: &TextFile, table: &Table, force: &mut Vec<ForceColu
     Ok(())
 }
 
-/// Columns of unknown name with a unit of force.
+/// Columns with unknown names and a unit of force.
 fn columns_in_newtons(table: &Table, roles: &[Role]) -> Vec<ForceColumn> {
     let unnamed = (0..table.names.len()).filter(|&i| roles[i] == Role::Other);
     let newtons = unnamed.filter(|&i| is_newtons(table, i));
@@ -228,7 +229,7 @@ fn is_newtons(table: &Table, i: usize) -> bool {
     is_force && !words(&table.names[i]).iter().any(is_other)
 }
 
-/// Two columns called left and right and nothing else: the two insoles or belts.
+/// Two columns named only left and right: the two insoles or belts.
 fn named_by_side(table: &Table) -> Vec<ForceColumn> {
     let places = ["left", "right"].map(|side| {
         let place = table.names.iter().position(|n| words(n) == [side]);
@@ -274,7 +275,7 @@ fn no_column(stated: &str, names: &[String]) -> ReadError {
     }
 }
 
-/// The first names of columns, for a message.
+/// First names of the columns, for a message.
 pub(in crate::read) fn listed(names: &[String]) -> Vec<String> {
     names.iter().take(40).cloned().collect()
 }

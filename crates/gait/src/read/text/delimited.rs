@@ -6,10 +6,10 @@ use std::path::Path;
 use crate::read::number::{Field, field, trim};
 use crate::recording::ReadOptions;
 
-/// What stands between two fields.
+/// Separator between two fields.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Separator {
-    /// One of this byte between every two fields.
+    /// One character of this byte value.
     Byte(u8),
     /// Any number of blanks.
     Blanks,
@@ -19,11 +19,11 @@ pub(crate) enum Separator {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Delimiters {
     pub separator: Separator,
-    /// True where the decimal mark is a comma.
+    /// True for a decimal comma.
     pub comma: bool,
 }
 
-/// A place in a text: byte offset from 0 and line number from 1.
+/// A position in a text: byte offset from 0 and line number from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Position {
     pub offset: usize,
@@ -34,7 +34,7 @@ impl Position {
     pub const START: Position = Position { offset: 0, line: 1 };
 }
 
-/// A text file with what the user says about it.
+/// A text file with the user's options.
 pub(crate) struct TextFile<'a> {
     pub path: &'a Path,
     /// Its text without byte order mark, in UTF-8 or a single-byte encoding.
@@ -55,7 +55,7 @@ impl<'a> TextFile<'a> {
     }
 }
 
-/// The lines of a text with their places, without their ends.
+/// The lines of a text with their positions, without line ends.
 #[derive(Clone)]
 pub(crate) struct Lines<'a> {
     bytes: &'a [u8],
@@ -89,7 +89,7 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// Plain bytes with `\n` line ends: byte-order marks cut, UTF-16 and lone carriage returns converted.
+/// Plain bytes with `\n` line ends: byte-order marks removed, UTF-16 and lone carriage returns converted.
 pub(crate) fn plain(bytes: &[u8]) -> Cow<'_, [u8]> {
     if let Some(rest) = bytes.strip_prefix(b"\xEF\xBB\xBF") {
         return Cow::Borrowed(rest);
@@ -113,7 +113,7 @@ pub(crate) fn plain(bytes: &[u8]) -> Cow<'_, [u8]> {
     Cow::Borrowed(bytes)
 }
 
-/// Text of some bytes: UTF-8 where it is that, Latin-1 otherwise.
+/// Text of some bytes: UTF-8 if valid, Latin-1 otherwise.
 pub(crate) fn text(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {
         Ok(s) => s.to_string(),
@@ -121,10 +121,10 @@ pub(crate) fn text(bytes: &[u8]) -> String {
     }
 }
 
-/// Lines looked at to find separator and decimal mark.
+/// Number of lines examined for separator and decimal mark.
 const SAMPLE: usize = 60;
 
-/// Finds separator and decimal mark from lines that look like numbers, a few from each part of the text.
+/// Determines separator and decimal mark from lines of numbers, a few from each part of the text.
 pub(crate) fn detect(bytes: &[u8]) -> Delimiters {
     let mut sample: Vec<&[u8]> = Vec::new();
     for part in 0..4 {
@@ -170,7 +170,7 @@ pub(crate) fn detect(bytes: &[u8]) -> Delimiters {
     }
 }
 
-/// `0,00  12,5  3`: numbers with a decimal comma, at least two of them, parted by blanks.
+/// `0,00 12,5 3`: numbers with a decimal comma, at least two of them, separated by blanks.
 fn blanks_part_decimal_commas(line: &[u8]) -> bool {
     let mut words = 0;
     for word in line
@@ -191,7 +191,7 @@ fn is_decimal_comma(f: &[u8]) -> bool {
     last.contains(&b',') && matches!(field(last, true), Field::Number(_))
 }
 
-/// The fields of one line; a field in double quotes may hold the separator.
+/// The fields of one line; a field in double quotes may contain the separator.
 #[derive(Clone)]
 pub(crate) struct Fields<'a> {
     rest: Option<&'a [u8]>,
@@ -233,7 +233,7 @@ impl<'a> Iterator for Fields<'a> {
     }
 }
 
-/// Where to look for the separator: behind a quoted field, or at once.
+/// Start of the search for the separator: after a quoted field, or at once.
 fn closing_quote(rest: &[u8]) -> usize {
     let inside = rest.strip_prefix(b"\"").unwrap_or(&[]);
     let end = inside.iter().position(|&b| b == b'"');

@@ -3,29 +3,29 @@
 use super::delimited::{Delimiters, Fields, Position, Separator, text};
 use crate::read::number::{Field, field, trim};
 
-/// One table: its place and the words above it.
+/// One table: its position and header texts.
 #[derive(Debug, Clone)]
 pub(crate) struct Table {
     /// First row of numbers.
     pub start: Position,
-    /// Fields in that row, trailing empty ones not counted.
+    /// Number of fields in that row, without trailing empty ones.
     pub width: usize,
-    /// Name of each column, rows of a header of several rows joined by a blank; empty without one.
+    /// Name of each column, rows of a header of several rows joined by a blank; empty without a header.
     pub names: Vec<String>,
-    /// Unit of each column where there is a row of units, else empty.
+    /// Unit of each column if there is a row of units, else empty.
     pub units: Vec<String>,
-    /// Lines above the table that are not its header row, comment marks cut.
+    /// Lines above the table except its header row, without comment marks.
     pub head: Vec<String>,
 }
 
 impl Table {
-    /// The row of units' word for a column, without brackets.
+    /// The entry for a column in the row of units, without brackets.
     pub fn unit(&self, column: usize) -> Option<&str> {
         let unit = self.units.get(column)?;
         Some(unit.trim_matches(['[', ']', '(', ')']).trim()).filter(|u| !u.is_empty())
     }
 
-    /// The line above the first row, where the names stand.
+    /// The line above the first row, which holds the names.
     pub fn header_line(&self) -> usize {
         self.start.line.saturating_sub(1).max(1)
     }
@@ -118,10 +118,10 @@ fn is_wordy(row: &[String], delimiters: Delimiters) -> bool {
             .is_some_and(|c| c.contains('=') || c.eq_ignore_ascii_case("endheader"))
 }
 
-/// Fewest numbers in a row that are names of sensors where they count.
+/// Minimum number of values in a row of sensor numbers.
 const FEWEST_COUNTED: usize = 6;
 
-/// Whether the fields of a row count up by one from 0 or 1, perhaps among words: names of sensors.
+/// Whether the fields of a row count up by one from 0 or 1, perhaps among words, as sensor names do.
 pub(super) fn are_counted<'a>(fields: impl Iterator<Item = &'a [u8]>, comma: bool) -> bool {
     let mut next = None;
     let mut count = 0;
@@ -139,7 +139,7 @@ pub(super) fn are_counted<'a>(fields: impl Iterator<Item = &'a [u8]>, comma: boo
     count >= FEWEST_COUNTED
 }
 
-/// A row that names at least half the columns.
+/// A row with names for at least half of the columns.
 fn is_name_row(row: &[String], width: usize, delimiters: Delimiters) -> bool {
     let named = filled(row);
     let are_names = is_wordy(row, delimiters)
@@ -147,7 +147,7 @@ fn is_name_row(row: &[String], width: usize, delimiters: Delimiters) -> bool {
     named > 0 && 2 * named >= width && row.len() <= 2 * width + 2 && are_names
 }
 
-/// A row above the names that tells apart columns of the same name: plates over their components.
+/// A row above the names that distinguishes columns of the same name: plates over their components.
 fn is_group_row(row: &[String], below: &[String], width: usize, delimiters: Delimiters) -> bool {
     let mut names: Vec<&String> = below.iter().filter(|c| !c.is_empty()).collect();
     let all = names.len();
@@ -169,13 +169,13 @@ pub(super) fn is_unit(word: &str) -> bool {
     !bare.is_empty() && UNITS.contains(&format!(" {bare} "))
 }
 
-/// Whether the cells of a row are nothing but names of units.
+/// Whether all cells of a row are names of units.
 fn is_unit_row(row: &[String]) -> bool {
     let named = filled(row);
     named > 0 && row.iter().filter(|c| is_unit(c)).count() * 4 >= named * 3
 }
 
-/// Whether a row of words that begins with a unit of time stands below names: it holds units, known or not.
+/// Whether a row of words below the names begins with a unit of time, so that it contains units, known or not.
 fn is_below_names(
     row: &[String],
     over: Option<Vec<String>>,

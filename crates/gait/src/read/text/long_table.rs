@@ -1,4 +1,4 @@
-//! Long tables of standardised gait sets: a cycle for every subject, task and step, its rows told apart by their phase.
+//! Long tables of standardised gait data: a cycle for every subject, task and step, with a phase column.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -16,24 +16,24 @@ use crate::read::vertical::RawForce;
 use crate::recording::{Axis, ReadOptions};
 use crate::statistics::mean;
 
-/// Words of columns that tell the cycles of a table apart.
+/// Names of columns that distinguish the cycles of a table.
 const IDENTIFIERS: [&str; 7] = [
     "subject", "task", "step", "session", "trial", "cycle", "stride",
 ];
-/// Words of columns of the phase that are no phase themselves: its rate.
+/// Words in column names of the phase that are not a phase: its rate.
 const RATES: [&str; 3] = ["dot", "rate", "velocity"];
 
-/// Rows of a cycle at least.
+/// Minimum number of rows of a cycle.
 const FEWEST: usize = 4;
-/// A phase above this is in percent of the cycle.
+/// Value above which a phase is in percent of the cycle.
 const LARGEST_PART: f64 = 1.5;
 
-/// A text with many cycles, and how its columns tell them apart.
+/// A text with many cycles, and the columns that distinguish them.
 pub(in crate::read) struct LongTable<'a> {
     file: TextFile<'a>,
     /// Header of the table, and position of its first row.
     table: Table,
-    /// Columns that tell the cycles apart.
+    /// Columns that distinguish the cycles.
     identifiers: Vec<usize>,
 }
 
@@ -45,7 +45,7 @@ struct Cycle {
 }
 
 impl<'a> LongTable<'a> {
-    /// The long table in a text, where it holds one: subject, phase and a force, and no clock.
+    /// The long table in a text, if it has one: subject, phase and a force, without a clock.
     pub fn of(path: &'a Path, bytes: &'a [u8], options: &'a ReadOptions) -> Option<Self> {
         let mut lines = Lines::new(bytes);
         let (_, header) = lines.find(|(_, line)| !line.trim_ascii().is_empty())?;
@@ -99,7 +99,7 @@ impl<'a> LongTable<'a> {
         &self.table
     }
 
-    /// Rows with their fields.
+    /// Rows as their fields.
     fn rows(&self) -> impl Iterator<Item = (Position, Vec<&'a [u8]>)> + '_ {
         let lines = Lines::from(self.file.bytes, self.table.start);
         let rows = lines.filter(|(_, line)| !line.trim_ascii().is_empty());
@@ -109,7 +109,7 @@ impl<'a> LongTable<'a> {
         })
     }
 
-    /// The words that tell the cycle of a row, of the columns that begin with `first` or of all.
+    /// The words that identify the cycle of a row, from columns that begin with `first` or from all.
     fn identity(&self, fields: &[&'a [u8]], first: Option<&str>) -> Vec<&'a [u8]> {
         let is_meant = |place: &&usize| {
             let name = words(&self.table.names[**place]);
@@ -119,14 +119,14 @@ impl<'a> LongTable<'a> {
         chosen.filter_map(|&i| fields.get(i).copied()).collect()
     }
 
-    /// Why it is no recording: it has no clock.
+    /// The error that it is not a recording: it has no clock.
     pub fn refusal(&self) -> Error {
         let cycles = self.rows().map(|(_, fields)| self.identity(&fields, None));
         let cycles = cycles.collect::<BTreeSet<_>>().len();
         ReadError::LongTable { cycles }.at_line(self.file.path, self.table.header_line())
     }
 
-    /// Columns of phase and force: those that the user names, or the first phase and the one vertical force of its side.
+    /// Columns of phase and force: those named by the user, or the first phase and the one vertical force of its side.
     fn columns(&self) -> Result<[usize; 2]> {
         let (names, options) = (&self.table.names, self.file.options);
         let asked = |name: &String| column(&self.file, &self.table, name);
@@ -170,8 +170,7 @@ impl<'a> LongTable<'a> {
     /// Mean force of all cycles at the phases of the first one, in the unit of the column over seconds of the period, and its
     /// standard deviation where there are several; with the number of cycles.
     ///
-    /// # Errors
-    /// Several tasks, forces of several sides, a value that is no number, phases that fall.
+    /// # Errors Several tasks, forces of several sides, a value that is not a number, phases that decrease.
     pub fn mean(&self) -> Result<(Samples, usize)> {
         let path = self.file.path;
         let [phase, force] = self.columns()?;

@@ -1,4 +1,4 @@
-//! Recordings in delimited text: one row per sample, or what their layout has instead.
+//! Recordings in delimited text, usually one row per sample.
 
 mod by_numbers;
 mod choose;
@@ -35,7 +35,7 @@ pub(super) use samples::Samples;
 pub(super) use table::next_table;
 pub(super) use units::check_unit;
 
-/// Reads a delimited text; the first table with a force column counts.
+/// Reads a delimited text; the first table with a force column is used.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     let bytes = &*plain(bytes);
     if let Some(long) = LongTable::of(path, bytes, options) {
@@ -66,7 +66,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
     Err(no_force(file, &seen))
 }
 
-/// Twice as many fields as names, and no decimal point: commas that part the decimals as well as the columns.
+/// Twice as many fields as names, and no decimal point: commas separate both decimals and columns.
 fn commas_twice(file: &TextFile, table: &Table) -> Option<ReadError> {
     let (columns, fields) = (table.names.len(), table.width);
     let (_, row) = Lines::from(file.bytes, table.start).next()?;
@@ -75,7 +75,7 @@ fn commas_twice(file: &TextFile, table: &Table) -> Option<ReadError> {
     twice.then_some(ReadError::CommasTwice { columns, fields })
 }
 
-/// The error for a text without a column of force, of whose tables these names were `seen`.
+/// The error of a text without a force column; `seen` are the column names of its tables.
 fn no_force(file: &TextFile, seen: &[String]) -> Error {
     let (path, bytes) = (file.path, file.bytes);
     // A table whose rows start with words has no numbers to go by; its first line may name its columns.
@@ -100,7 +100,7 @@ fn no_force(file: &TextFile, seen: &[String]) -> Error {
     ReadError::NoForceColumn { columns }.in_file(path)
 }
 
-/// A text without a table of numbers.
+/// The error of a text without a table of numbers.
 fn no_table(bytes: &[u8]) -> ReadError {
     if bytes.trim_ascii().is_empty() {
         return ReadError::Empty;

@@ -1,5 +1,4 @@
-//! Tables of numbers for other readers, strict: every row is kept with its line, nothing is skipped but blank lines and
-//! comments.
+//! Tables of numbers for other readers. Every row is kept with its line; only blank lines and comments are skipped.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -42,15 +41,12 @@ pub struct NumberTable<'a> {
 pub struct Cell {
     /// Finite number in the cell; `None` for anything else.
     pub number: Option<f64>,
-    /// The field as it is written.
+    /// The field as written.
     pub text: String,
 }
 
 impl<'a> NumberTable<'a> {
-    /// The first table of a text; `path` serves messages only.
-    ///
-    /// # Errors
-    /// Files that are not text or hold no table of numbers.
+    /// The first table of a text; `path` is used in messages only. # Errors Files that are not text or contain no table of numbers.
     pub fn find(path: &Path, bytes: &'a [u8]) -> Result<NumberTable<'a>> {
         if let Some(kind) = foreign(bytes) {
             return Err(ReadError::Foreign { kind }.in_file(path));
@@ -70,7 +66,7 @@ impl<'a> NumberTable<'a> {
         &self.table.names
     }
 
-    /// Line of the header, from 1; the first row's where there is none.
+    /// Line of the header, from 1; that of the first row without a header.
     pub fn header_line(&self) -> usize {
         match self.table.names.is_empty() {
             true => self.table.start.line,

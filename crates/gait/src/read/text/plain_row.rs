@@ -1,13 +1,10 @@
-//! Rows of plain numbers, read in one pass over their bytes: most of a long recording.
+//! Fast reader for rows of plain numbers, which are most of a long recording.
 
 use super::delimited::{Delimiters, Separator};
 use crate::read::number::short;
 
-/// Reads the chosen fields (numbers from 0, ascending) of the row that `rest` begins with; the length of the row with
-/// its line end.
-///
-/// `None`, with `row` in any state, for a row that needs more care: one that has anything but a short number in a field
-/// up to the last chosen one, that lacks such a field, or is the last without a line end.
+/// Reads the chosen fields (numbers from 0, ascending) of the row at the start of `rest`; returns the length of the row with its line end. `None`,
+/// with `row` in any state, for rows that the general reader must parse: other fields than short numbers, missing fields, no line end.
 #[inline]
 pub(super) fn plain_row(
     rest: &[u8],

@@ -11,28 +11,27 @@ use crate::read::timebase::{TimeBase, usual_step};
 use crate::read::vertical::{self, Facts, RawForce};
 use crate::recording::{ClockSource, Format, Note, ReadOptions, Recording};
 
-/// Chosen columns as the file has them, before time and unit are decided.
+/// Raw values of the chosen columns, before time and unit are determined.
 pub(in crate::read) struct Samples {
-    /// Times as written, where there is a time column.
+    /// Times as written, if there is a time column.
     pub times: Option<Vec<f64>>,
-    /// Seconds per unit of the times, if the column gives it.
+    /// Seconds per unit of the times, if the column states it.
     pub time_unit: Option<f64>,
     /// Whether times count samples.
     pub counts: bool,
     pub forces: Vec<RawForce>,
-    /// Whether the forces are those of pressure insoles, where that is known.
+    /// Whether the forces are those of pressure insoles, if known.
     pub insole: Option<bool>,
-    /// First lines that hold no row.
+    /// First lines without a row.
     pub skipped: Vec<usize>,
-    /// Notes on what was guessed.
+    /// Notes on guesses.
     pub notes: Vec<Note>,
 }
 
 impl Samples {
     /// Reads the chosen columns.
     ///
-    /// # Errors
-    /// Times that fall, rows that lack most of their fields.
+    /// # Errors Times that decrease, rows that lack most of their fields.
     pub fn read(file: &TextFile, table: &Table, columns: Columns) -> Result<Self> {
         let forces = columns.force.iter().map(|f| f.place);
         let mut places: Vec<usize> = forces.chain(columns.time).collect();
@@ -70,7 +69,7 @@ impl Samples {
         })
     }
 
-    /// Puts the samples on a time base and makes channels of vertical force of them.
+    /// Applies a time base to the samples and converts them to channels of vertical force.
     pub fn recording(
         mut self,
         file: &TextFile,
@@ -158,7 +157,7 @@ impl Samples {
     }
 }
 
-/// The chosen ones of all columns, as they are read alone: rows without a time are left out, times must not fall.
+/// The chosen columns out of all columns. Rows without a time are skipped; times must not decrease.
 fn part(
     file: &TextFile,
     table: &Table,
@@ -189,7 +188,7 @@ fn part(
     Ok(all)
 }
 
-/// The note that the user's rate takes the place of a time column that gives another.
+/// The note that the user's rate replaces a different one of the time column.
 fn overridden(times: &[f64], unit: Option<f64>, rate: f64) -> Option<Note> {
     let seconds: Vec<f64> = times.iter().map(|t| t * unit.unwrap_or(1.0)).collect();
     let own = TimeBase::from_times(&seconds).ok()?.rate_hz;
@@ -199,14 +198,14 @@ fn overridden(times: &[f64], unit: Option<f64>, rate: f64) -> Option<Note> {
     })
 }
 
-/// Steps of a clock that counts small units: their name, seconds per unit, and steps that they may have.
+/// Steps of a clock that counts small units: name, seconds per unit, and possible steps.
 const SMALL_UNITS: [(&str, f64, std::ops::RangeInclusive<f64>); 3] = [
     ("ms", 1e-3, 0.4..=60.0),
     ("us", 1e-6, 200.0..=60e3),
     ("ns", 1e-9, 200e3..=60e6),
 ];
 
-/// Seconds per unit of a time column without a unit, with a note where nothing states it.
+/// Seconds per unit of a time column without a unit, with a note on the guess.
 fn guessed_unit(times: &[f64], key_rate: Option<f64>, note: &mut Option<Note>) -> f64 {
     let step = usual_step(times);
     if let Some(rate) = key_rate {

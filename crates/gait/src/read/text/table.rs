@@ -1,4 +1,4 @@
-//! Tables in a delimited text: where one starts, what its columns are called, its numbers.
+//! Tables in a delimited text: their start, column names and numbers.
 
 use std::collections::VecDeque;
 
@@ -9,7 +9,7 @@ use super::plain_row::plain_row;
 use crate::error::{Placed, ReadError, Result};
 use crate::read::number::{Field, field, trim, value};
 
-/// Lines of a header that are kept; more are skipped in the middle.
+/// Number of header lines kept; further ones in the middle are skipped.
 const HEADER_LINES: usize = 300;
 
 /// Finds the next table at or after a position.
@@ -42,10 +42,10 @@ pub(crate) fn next_table(bytes: &[u8], delimiters: Delimiters, from: Position) -
     None
 }
 
-/// Rows that are searched for one with forces where the first ones hold nothing but a time or a counter.
+/// Number of rows searched for forces if the first ones hold only a time or a counter.
 const EMPTY_ROWS: usize = 20_000;
 
-/// Fields of a table that begins with a row; blanks behind a time or a counter count where forces follow later.
+/// Number of fields of a table from its first row on; blanks after a time or a counter count if forces follow later.
 fn widest(row: &[u8], later: Lines, delimiters: Delimiters) -> usize {
     let width = row_width(row, delimiters).unwrap_or(0);
     let fields = Fields::new(row, delimiters).count();
@@ -59,8 +59,7 @@ fn widest(row: &[u8], later: Lines, delimiters: Delimiters) -> usize {
 
 /// Number of fields of a row of numbers; `None` for any other line.
 ///
-/// Numbers must outweigh words, and the row must start with a number or a clock time, or be long. Names of sensors that
-/// are numbers, 1 2 3 …, are no row.
+/// Numbers must outweigh words, and the row must start with a number or a clock time, or be long. Numbered sensor names, 1 2 3 …, are not a row.
 fn row_width(line: &[u8], delimiters: Delimiters) -> Option<usize> {
     let (mut width, mut numbers, mut words, mut count) = (0, 0, 0, 0);
     let mut starts_well = None;
@@ -90,20 +89,20 @@ fn row_width(line: &[u8], delimiters: Delimiters) -> Option<usize> {
     (is_row && !is_named).then_some(width)
 }
 
-/// Numbers of some columns of a table, NaN where a field holds none.
+/// Numbers of chosen columns of a table; NaN for missing ones.
 #[derive(Debug)]
 pub(crate) struct Numbers {
     /// One vector per chosen column, all of the same length.
     pub columns: Vec<Vec<f64>>,
-    /// Lines that were skipped because they hold no row, up to the first few.
+    /// First lines that were skipped because they are not rows.
     pub skipped: Vec<usize>,
 }
 
 /// Reads the chosen columns (numbers from 0, ascending) of a table.
 ///
-/// `time` is the place in `places` of a time column, which must not fall (equal values are kept because times
-/// are rounded). Room is reserved for no more rows than there are line ends, and a row that lacks most of its
-/// fields ends the reading with an error, so that memory stays within a small multiple of the text.
+/// `time` is the index in `places` of a time column, which must not decrease (equal values are kept because times are rounded). Memory is reserved
+/// for no more rows than there are line ends, and a row that lacks most of its fields ends the reading with an error, so that memory stays within a
+/// small multiple of the text.
 pub(crate) fn numbers(
     file: &TextFile,
     table: &Table,
@@ -163,7 +162,7 @@ pub(crate) fn numbers(
     })
 }
 
-/// Number of line ends, summed in bytes first so that many are counted at once.
+/// Number of line ends, summed in bytes first for speed.
 fn line_ends(bytes: &[u8]) -> usize {
     let of = |block: &[u8]| block.iter().map(|&b| u8::from(b == b'\n')).sum::<u8>();
     bytes.chunks(128).map(|block| usize::from(of(block))).sum()
@@ -177,15 +176,15 @@ fn ragged(table: &Table) -> ReadError {
 /// The rows read so far, column by column.
 struct Rows {
     columns: Vec<Vec<f64>>,
-    /// Rows for which there is room.
+    /// Maximum number of rows in the reserved memory.
     room: usize,
-    /// Place of the time column, and the last time.
+    /// Index of the time column, and the last time.
     time: Option<usize>,
     last: f64,
 }
 
 impl Rows {
-    /// Room for at most `most` rows of a text: a row needs at least one byte for each field that it fills.
+    /// Reserves memory for at most `most` rows of a text: a row needs at least one byte per field.
     fn new(most: usize, bytes: usize, columns: usize, time: Option<usize>) -> Rows {
         let room = most.min(bytes / columns.max(1) + 1);
         Rows {
@@ -204,7 +203,7 @@ impl Rows {
         self.count() < self.room
     }
 
-    /// Adds a row, if its time does not fall.
+    /// Adds a row, if its time does not decrease.
     #[inline]
     fn push(&mut self, row: &[f64], table: &Table) -> std::result::Result<(), ReadError> {
         if !self.has_room() {
@@ -229,7 +228,7 @@ impl Rows {
     }
 }
 
-/// Passes over a table without reading its numbers.
+/// Skips a table without reading its numbers.
 pub(crate) fn skip(file: &TextFile, table: &Table) -> Position {
     let mut lines = Lines::from(file.bytes, table.start);
     let mut end = table.start;
@@ -252,7 +251,7 @@ fn is_comment(line: &[u8]) -> bool {
     matches!(line.trim_ascii(), [b'#' | b'%' | b'!' | b'/', ..])
 }
 
-/// Fills `row` with the chosen fields of a line; returns how many of them the line has.
+/// Fills `row` with the chosen fields of a line; returns their number.
 #[inline]
 fn chosen_fields(
     line: &[u8],

@@ -1,4 +1,4 @@
-//! Units of columns: what the row of units, the brackets of a name or its last word state.
+//! Units of columns, from the row of units, the brackets of a name or its last word.
 
 use super::delimited::TextFile;
 use super::header::{Table, is_unit};
@@ -7,7 +7,7 @@ use crate::read::columns::{bracketed, is_of_channel, words};
 use crate::recording::ForceUnit;
 
 impl Table {
-    /// Unit of force that a column states.
+    /// Unit of force stated by a column.
     pub fn force_unit(&self, i: usize) -> Option<ForceUnit> {
         let name = self.names.get(i)?;
         let label = |word: &str| word.parse().ok();
@@ -22,7 +22,7 @@ impl Table {
         label(last).filter(|_| !last.eq_ignore_ascii_case("kg"))
     }
 
-    /// Seconds per unit of a column of times, where the column states a unit of time.
+    /// Seconds per unit of a time column, if it states a unit.
     pub fn time_unit(&self, i: usize) -> Option<f64> {
         let name = self.names.get(i)?;
         let label = self.unit(i).or_else(|| bracketed(name).last());
@@ -36,7 +36,7 @@ impl Table {
         }
     }
 
-    /// Unit that a column states and that is not a unit of force: `mV`, `kPa`, `%`.
+    /// Unit of a column that is not a unit of force: `mV`, `kPa`, `%`.
     ///
     /// Square brackets hold a unit, unless they name a foot, a plate or a direction; round ones may hold a remark.
     pub fn foreign_unit(&self, i: usize) -> Option<&str> {
@@ -72,7 +72,7 @@ impl Table {
     }
 }
 
-/// Refuses a column of force that states a unit of something else, unless the user gives the unit.
+/// Rejects a force column with a unit of another quantity, unless the user gives the unit.
 pub(in crate::read) fn check_unit(file: &TextFile, table: &Table, i: usize) -> Result<()> {
     match table.foreign_unit(i) {
         Some(unit) if file.options.unit.is_none() => {

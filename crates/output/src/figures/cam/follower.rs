@@ -68,7 +68,7 @@ impl Scene<'_> {
         }
     }
 
-    /// The part of a mushroom's arc that the contact needs, and a little more, with its chord.
+    /// The part of a mushroom's arc that the contact uses, slightly extended, with its chord.
     fn cap(&self, plane: &Plane, centre: [f64; 2], radius: f64) -> Drawn {
         let cam = &self.synthesis.cam;
         let [nx, ny] = cam.motion(self.start);

@@ -22,15 +22,15 @@ use gaitcam::wording::Language;
 use table::values_at;
 
 const MM: f64 = 1000.0;
-/// Vertices of the drawn curves.
+/// Number of vertices of the drawn curves.
 const POINTS: usize = 720;
 /// Dashes and gaps of the construction lines, points.
 const BASE: [f64; 2] = [7.0, 5.0];
 const PRIME: [f64; 2] = [13.0, 4.0];
 const PITCH: [f64; 2] = [4.0, 4.0];
-/// Room for values beside the cam, ems.
+/// Width for values beside the cam, ems.
 const VALUES: f64 = 12.2;
-/// Blank part of the drawing around the cam, as a share of its size.
+/// Blank margin around the cam, as a fraction of its size.
 const MARGIN: f64 = 0.04;
 
 /// The cam at θ = 0 with base and prime circle, pitch curve, follower, and its main dimensions.
@@ -68,17 +68,17 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
     })
 }
 
-/// What is drawn, mm.
+/// Bounds of the drawing, mm.
 struct Scene<'a> {
     synthesis: &'a Design,
     rows: Vec<ProfilePoint>,
-    /// The second edge that is cut: a groove's upper wall, or the second cam of a pair; m.
+    /// The second edge to cut: a groove's upper wall, or the second cam of a pair; m.
     others: Vec<Vec<[f64; 2]>>,
     start: f64,
     pose: Pose,
     base: f64,
     prime: f64,
-    /// Largest reach of the profile from the centre.
+    /// Maximum distance of the profile from the centre.
     reach: f64,
 }
 
@@ -112,7 +112,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// Whether the follower's face is an arc, of which only a part exists.
+    /// Whether the follower's face is an arc of limited length.
     fn is_mushroom(&self) -> bool {
         self.synthesis.cam.follower.kind().is_mushroom()
     }
@@ -124,18 +124,18 @@ impl<'a> Scene<'a> {
         self.prime != self.base || matches!(self.synthesis.cam.follower, Follower::Barrel { .. })
     }
 
-    /// Whether the profile is drawn along a line: a straight cam, or a barrel unrolled.
+    /// Whether the profile is drawn along a line: a translating cam, or an unrolled barrel.
     fn is_straight(&self) -> bool {
         self.synthesis.cam.follower.is_unrolled()
     }
 
-    /// Where the arm is pivoted, mm.
+    /// Position of the arm's pivot, mm.
     fn pivot(&self) -> Option<[f64; 2]> {
         let pivot = self.synthesis.cam.follower.pivot();
         pivot.map(|p| p.map(|x| MM * x))
     }
 
-    /// Everything drawn.
+    /// Bounds of everything drawn.
     fn bounds(&self) -> Bounds {
         let round = if self.is_straight() {
             0.0
@@ -192,14 +192,14 @@ impl<'a> Scene<'a> {
         0.38 * self.reach
     }
 
-    /// Ends of the face along x: where the contact goes, and a little more.
+    /// Ends of the face along x: range of the contact, slightly extended.
     fn face(&self) -> (f64, f64) {
         let (low, high) = face_reach(&self.synthesis.cam).unwrap_or((0.0, 0.0));
         let more = 0.08 * self.reach;
         (MM * low - more, MM * high + more)
     }
 
-    /// Axes of one scale in both directions, centred in the space given, and the points per mm.
+    /// Axes of one scale in both directions, centred in the given area, and the points per mm.
     fn plane<'c>(&self, canvas: &Canvas<'c>, frame: Frame) -> (Plane<'c>, f64) {
         let Bounds { low, high } = self.bounds();
         let [w, h] = [0, 1].map(|k| high[k] - low[k]);
@@ -293,7 +293,7 @@ impl<'a> Scene<'a> {
         Ok(())
     }
 
-    /// Height of a straight cam's foot in its drawing.
+    /// Height of the foot of a translating cam in its drawing.
     fn foot(&self) -> f64 {
         let heights = self.rows.iter().map(|p| MM * p.y);
         let low = heights.fold(f64::INFINITY, f64::min);
@@ -348,7 +348,7 @@ impl<'a> Scene<'a> {
         fill(plane, &arrow, INK)
     }
 
-    /// Direction from the centre to the middle of the profile, rad; `None` where the cam is about round.
+    /// Direction from the centre to the middle of the profile, rad; `None` if the cam is nearly circular.
     fn bulk(&self) -> Option<f64> {
         let n = self.rows.len().max(1) as f64;
         let (x, y) = self
@@ -378,7 +378,7 @@ fn dashed(plane: &Plane, path: Vec<(f64, f64)>, colour: RGBAColor, [on, off]: [f
     ))
 }
 
-/// A part of the follower: opaque, with its edge; `edge` is the width of the line, points.
+/// A part of the follower: an opaque area with its edge; `edge` is the line width, points.
 fn part(plane: &Plane, outline: Vec<(f64, f64)>, edge: f64) -> Drawn {
     fill(plane, &outline, PAPER)?;
     fill(plane, &outline, AXIS.mix(0.35))?;

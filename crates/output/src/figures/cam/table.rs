@@ -10,7 +10,7 @@ use crate::plot::sheet::{Drawn, Lettering, circle, dashed, line, stroke};
 use crate::plot::text::text_width;
 use crate::words::Words;
 
-/// Facts beside the cam; base and prime radius are in the legend.
+/// Keys of the facts beside the cam; base and prime radius are in the legend.
 const KEYS: [&str; 8] = [
     "stroke_m",
     "report-follower",
@@ -23,7 +23,7 @@ const KEYS: [&str; 8] = [
 ];
 
 impl Scene<'_> {
-    /// The lines' names; returns the vertical position below them.
+    /// Draws the names of the lines; returns the vertical position below them.
     pub(super) fn lines(&self, f: &Figure, [x, mut y]: [f64; 2], words: &Words) -> Drawn<f64> {
         let e = f.e;
         let step = 1.75 * e;
@@ -90,7 +90,7 @@ impl Scene<'_> {
     }
 }
 
-/// Where the values start beside their names, ems.
+/// Horizontal start of the values, ems.
 pub(super) fn values_at(facts: &[(String, String)]) -> f64 {
     let ends = facts.iter().map(|f| text_width(&f.0) + 0.9);
     ends.fold(8.8, f64::max)

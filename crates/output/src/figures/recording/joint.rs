@@ -11,7 +11,7 @@ use crate::words;
 use gaitcam::force::JointMean;
 use gaitcam::wording::{Language, catalogue};
 
-/// The cycles of the recordings of a joint mean, thin, with the mean and one standard deviation of all cycles.
+/// Thin lines for the cycles of the recordings of a joint mean, with the mean and one standard deviation of all cycles.
 ///
 /// `files`: names of the recordings in the mean.
 pub fn joint_mean(joint: &JointMean, files: &[&str], language: Language) -> Picture {

@@ -1,4 +1,4 @@
-//! The mean stance of each foot, apart, with its stances, band, landmarks and an axis in body weights.
+//! The mean stance of each foot in its own frame, with its stances, band, landmarks and an axis in body weights.
 
 use plotters::style::Color;
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -13,7 +13,7 @@ use crate::words::Words;
 use gaitcam::force::{Interpretation, MeanStanceCurve, Overlay, Point};
 use gaitcam::units::G;
 
-/// Opacity of one stance; many together still show the mean and its band.
+/// Opacity of one stance, low enough to show the mean among many.
 const THIN: f64 = 0.3;
 /// Opacity of the band of one standard deviation.
 const BAND: f64 = 0.25;

@@ -1,4 +1,4 @@
-//! The picture of a recording: the whole of it with every contact, the mean stance of each foot, the mean cycle.
+//! The picture of a recording: all contacts, the mean stance of each foot, the mean cycle.
 
 mod facts;
 mod joint;
@@ -19,7 +19,7 @@ use gaitcam::force::{Foot, ForceCurve, Interpretation};
 use gaitcam::units::G;
 use gaitcam::wording::Language;
 
-/// A curve as it is drawn.
+/// A curve with its colour and width.
 type Curve = Vec<(f64, f64)>;
 
 /// The layout of a figure of the report; its height depends on the number of lanes of contacts.
@@ -29,8 +29,8 @@ pub(crate) fn figure_layout(understood: &Interpretation, words: &Words) -> Layou
     Layout::figure(700 + lanes as u32)
 }
 
-/// The whole recording with contacts marked used or rejected (and why), the mean stances of the left and the right
-/// foot with loading peak, valley and push-off, and below them the mean cycle, where there is one.
+/// The whole recording with contacts marked used or rejected (and why), the mean stances of the left and the right foot with loading peak, valley and
+/// push-off, and below them the mean cycle, if there is one.
 pub fn recording(
     understood: &Interpretation,
     cycle: Option<&ForceCurve>,
@@ -93,7 +93,7 @@ pub(crate) fn recording_in(
     })
 }
 
-/// A mean cycle with its band, over the single cycles where there are any.
+/// A mean cycle with its band, and the single cycles if there are any.
 fn draw_cycle(
     f: &Figure,
     frame: Frame,
@@ -143,7 +143,7 @@ fn draw_cycle(
     f.key_and_levels(place, f.e, &entries, &levels)
 }
 
-/// A cycle over time; its first sample is drawn again at the end.
+/// A cycle over time; its first sample is repeated at the end.
 fn closed(force: &[f64], period_s: f64) -> Curve {
     let around: Vec<f64> = force.iter().chain(force.first()).copied().collect();
     thinned(&around, |i, n| period_s * i as f64 / (n - 1) as f64)
@@ -173,10 +173,10 @@ fn foot_name(foot: Option<Foot>, words: &Words) -> String {
     })
 }
 
-/// Points drawn of a curve: one for every other pixel of a wide picture.
+/// Number of points drawn of a curve: one per two pixels of a wide picture.
 const POINTS: usize = 512;
 
-/// Every n-th sample and the last, over what `across` makes of their places.
+/// Every n-th sample and the last, with `across` applied to their positions.
 fn thinned(force: &[f64], across: impl Fn(usize, usize) -> f64) -> Curve {
     let n = force.len();
     if n < 2 {

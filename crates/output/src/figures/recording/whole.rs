@@ -15,11 +15,11 @@ use crate::words::Words;
 use gaitcam::force::{Column, Interpretation, RejectReason};
 use gaitcam::wording::sentence;
 
-/// Columns that get a lane; laboratories have up to a dozen plates, of which few are stepped on.
+/// Maximum number of columns with a lane; laboratories have up to a dozen plates, of which few are used.
 const LANES: usize = 8;
 /// Height of a lane, letter sizes.
 const LANE: f64 = 1.35;
-/// Colours of columns whose foot is not known.
+/// Colours of columns with unknown feet.
 const PLATES: [RGBAColor; 4] = [GREEN, PURPLE, QUIET, INK];
 
 /// Height of the lanes and of the key of reasons, points.
@@ -41,7 +41,7 @@ fn loaded(understood: &Interpretation) -> Vec<usize> {
     }
 }
 
-/// Reasons of rejection with their number and how often each occurs.
+/// Reasons of rejection with their number and frequency.
 fn reasons(understood: &Interpretation, words: &Words) -> Vec<(RejectReason, String)> {
     let mut counts: BTreeMap<RejectReason, usize> = BTreeMap::new();
     let rejected = understood.contacts.iter().filter_map(|c| c.rejected);
@@ -88,7 +88,7 @@ fn own_colour(column: &Column, k: usize) -> RGBAColor {
     }
 }
 
-/// The name of a column with its foot, cut where it is long.
+/// The name of a column with its foot, shortened if long.
 fn shortened(column: &Column, words: &Words) -> String {
     let name: String = column.name.chars().take(24).collect();
     match column.foot {
@@ -97,10 +97,10 @@ fn shortened(column: &Column, words: &Words) -> String {
     }
 }
 
-/// Longest name of a lane, letters.
+/// Maximum length of the name of a lane, letters.
 const LANE_NAME: usize = 9;
 
-/// The foot of a column, otherwise as many whole words of its name as have room.
+/// The foot of a column, otherwise as many whole words of its name as fit.
 fn lane_name(column: &Column, words: &Words) -> String {
     if column.foot.is_some() {
         return foot_name(column.foot, words);
@@ -120,7 +120,7 @@ fn lane_name(column: &Column, words: &Words) -> String {
     name
 }
 
-/// Up and down through the lowest and highest force of each piece.
+/// A line through the lowest and highest force of each piece.
 fn trace(column: &Column, x: [f64; 2]) -> Curve {
     let n = column.envelope_n.len().max(1) as f64;
     let mut curve = Curve::with_capacity(2 * column.envelope_n.len());
@@ -134,8 +134,7 @@ fn trace(column: &Column, x: [f64; 2]) -> Curve {
     curve
 }
 
-/// A bar for each contact: full in the colour of its foot where it is used, an outline with the number of its
-/// reason where it is not.
+/// A bar for each contact: filled with the colour of its foot if it is used, otherwise an outline with the number of the reason.
 fn draw_lanes(
     f: &Figure,
     frame: Frame,

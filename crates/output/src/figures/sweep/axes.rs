@@ -8,7 +8,7 @@ use crate::plot::palette::{GRID, INK, QUIET};
 use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, Plane, stroke, trace, write};
 use gaitcam::wording::Language;
 
-/// An axis: its name, its ends, and the places that are marked, with their text.
+/// An axis: name, ends, and positions of the ticks with their text.
 pub(super) struct Axis<'a> {
     pub(super) label: &'a str,
     pub(super) range: [f64; 2],
@@ -70,7 +70,7 @@ pub(super) fn axes<'a>(
     Ok(inner)
 }
 
-/// Where an axis is marked, and with what.
+/// Positions of the ticks, with their text.
 fn marks(q: &Quantity, range: [f64; 2], count: f64, language: Language) -> Vec<(f64, String)> {
     if !q.words.is_empty() {
         let all = q.words.iter().enumerate();

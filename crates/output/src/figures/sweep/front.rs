@@ -1,4 +1,4 @@
-//! Designs none of which is better in everything.
+//! The front of non-dominated designs.
 
 use plotters::prelude::*;
 
@@ -10,7 +10,7 @@ use crate::plot::picture::Picture;
 use crate::plot::sheet::{stroke, trace, units};
 use gaitcam::wording::Language;
 
-/// All designs as dots, the front as a line through its dots, the best ringed.
+/// All designs as dots, the front as a line through its dots, the best marked by a ring.
 pub fn front(
     title: &str,
     x: &Quantity,

@@ -1,4 +1,4 @@
-//! The best of many designs over two parameters, as colour.
+//! The best of many designs over two parameters, as a heat map.
 
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -11,18 +11,18 @@ use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, fill, units, write};
 use gaitcam::wording::{Language, number};
 
-/// Bins across a heat map of scattered points.
+/// Number of bins across a heat map of scattered points.
 const BINS: usize = 40;
 
-/// More distinct values than this on an axis are scattered, not a grid.
+/// Number of distinct values on an axis above which the values are scattered, not a grid.
 const GRID_VALUES: usize = 200;
 
-/// Which of several designs in one cell of a heat map counts.
+/// Choice among several designs in one cell of a heat map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Best {
-    /// The one with the least value.
+    /// The design with the smallest value.
     Least,
-    /// The one with the largest.
+    /// The design with the largest value.
     Largest,
 }
 
@@ -70,7 +70,7 @@ fn cell(edges: &[f64], v: f64) -> usize {
     edges[1..edges.len() - 1].partition_point(|e| *e <= v)
 }
 
-/// The best value of `z` over two parameters, as colour; cells without a design stay blank.
+/// The best value of `z` over two parameters, as colour; cells without a design remain blank.
 pub fn heat_map(title: &str, [x, y, z]: [&Quantity; 3], best: Best, language: Language) -> Picture {
     let ([x, y, z], _) = shown([x, y, z]);
     let (ex, ey) = (edges(&x.values), edges(&y.values));
@@ -107,7 +107,7 @@ pub fn heat_map(title: &str, [x, y, z]: [&Quantity; 3], best: Best, language: La
     })
 }
 
-/// The colour scale right of a picture.
+/// The colour scale to the right of a picture.
 fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str, language: Language) -> Drawn {
     let e = LETTERS;
     let (left, width) = (f.right + 1.2 * e, 1.3 * e);

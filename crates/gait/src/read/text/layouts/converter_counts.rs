@@ -14,12 +14,12 @@ use crate::recording::{Axis, ForceUnit, Note};
 use crate::statistics::{ends, ranked, sample};
 use crate::units::G;
 
-/// Most lines of the header.
+/// Maximum number of lines of the header.
 const HEAD: usize = 40;
-/// Usual highest force of a stance, body weights: it places the contact threshold before the mean is known.
+/// Typical highest force of a stance, body weights, for the contact threshold before the mean is known.
 const USUAL_PEAK: f64 = 1.1;
 
-/// The table of a file of converter counts; `None` where the header lacks the names.
+/// The table of a file of converter counts; `None` without names in the header.
 pub(super) fn table(file: &TextFile) -> Option<Table> {
     let mut head = Vec::new();
     let mut names: Option<Vec<String>> = None;
@@ -52,13 +52,12 @@ pub(super) fn table(file: &TextFile) -> Option<Table> {
     None
 }
 
-/// Keeps the components of numbered plates, unless the user names columns, and brings them to about newtons.
-///
-/// The mass of the walker is the scale; the mean cycle is brought to it exactly.
+/// Keeps the components of numbered plates, unless the user names columns, and scales them to about newtons by the mass of the walker; the mean cycle
+/// is later scaled exactly.
 ///
 /// # Errors
 ///
-/// Where neither mass nor unit is given.
+/// Neither mass nor unit is given.
 pub(super) fn complete(file: &TextFile, _: &[String], samples: &mut Samples) -> Result<()> {
     let forces = &mut samples.forces;
     if file.options.force.is_empty() {
@@ -87,7 +86,7 @@ pub(super) fn complete(file: &TextFile, _: &[String], samples: &mut Samples) -> 
     Ok(())
 }
 
-/// Largest distance of the counts from their median.
+/// Largest deviation of the counts from their median.
 fn reach(force: &RawForce) -> f64 {
     let values = sample(&force.values, usize::MAX);
     let (low, high) = ends(&values).unwrap_or_default();

@@ -1,5 +1,4 @@
-//! The layouts of text recordings, a row for each: how it is recognised, where time and forces stand, how the rest is
-//! read.
+//! Layouts of text recordings. The row of a layout states how it is recognised, where time and forces are, and how it is read.
 
 mod converter_counts;
 mod plates;
@@ -19,15 +18,15 @@ pub use stances::metadata_name;
 
 /// One layout of a text recording.
 pub(super) struct Layout {
-    /// Program that writes it, with the ending of its files where that tells its exports apart.
+    /// Program that writes it, with the file ending if this identifies the kind of export.
     program: Option<&'static str>,
-    /// Whether a text has it.
+    /// Whether a text has this layout.
     is_of: fn(&Seen) -> bool,
-    /// Finds its table, where that is not the first one below a header.
+    /// Finds its table, if that is not the first one below a header.
     table: fn(&TextFile) -> Option<Table>,
-    /// Adds what the layout implies about the samples: which columns count, units, names, feet.
+    /// Adds implied properties of the samples: columns, units, names, feet.
     complete: fn(&TextFile, &[String], &mut Samples) -> Result<()>,
-    /// Reads the whole table, where a row is not a sample.
+    /// Reads the whole table, if a row is not a sample.
     read: Option<ReadTable>,
     /// Whether the forces are those of pressure insoles.
     insole: bool,
@@ -36,7 +35,7 @@ pub(super) struct Layout {
 /// Reads a table with the lines above it.
 type ReadTable = fn(&TextFile, &Table, &[String]) -> Result<Recording>;
 
-/// Any delimited text: the names of its columns state what they hold.
+/// Any delimited text, interpreted by its column names.
 const DELIMITED: Layout = Layout {
     program: None,
     is_of: |_| true,
@@ -46,7 +45,7 @@ const DELIMITED: Layout = Layout {
     insole: false,
 };
 
-/// All layouts; the first that recognises a text counts.
+/// All layouts; the first match is used.
 const LAYOUTS: &[Layout] = &[
     Layout {
         program: Some("Motion Analysis (.anc)"),
@@ -111,12 +110,12 @@ const LAYOUTS: &[Layout] = &[
     DELIMITED,
 ];
 
-/// What a layout is recognised by.
+/// Features by which a layout is recognised.
 struct Seen<'a> {
     file: &'a TextFile<'a>,
     /// Lines above the table, lower case.
     head: Vec<String>,
-    /// Names of its columns.
+    /// Names of the table's columns.
     names: &'a [String],
 }
 
@@ -144,7 +143,7 @@ impl Seen<'_> {
     }
 }
 
-/// The layout of a text by a table in it and the lines above.
+/// The layout of a text, from a table in it and the lines above.
 pub(super) fn layout(file: &TextFile, table: &Table, head: &[String]) -> &'static Layout {
     let seen = Seen {
         file,
@@ -156,12 +155,12 @@ pub(super) fn layout(file: &TextFile, table: &Table, head: &[String]) -> &'stati
 }
 
 impl Layout {
-    /// The table that the layout finds itself, where it does not follow a header.
+    /// The table located by the layout itself, if it does not follow a header.
     pub fn own_table(&self, file: &TextFile) -> Option<Table> {
         (self.table)(file)
     }
 
-    /// Reads a table with the lines above it; `None` where it holds no force.
+    /// Reads a table with the lines above it; `None` without a force.
     ///
     /// # Errors
     /// As [`read`](super::read).

@@ -1,4 +1,4 @@
-//! Texts that hold one plate of a trial: Qualisys writes one for each plate.
+//! Texts with one plate of a trial: Qualisys writes one file per plate.
 
 use crate::error::Result;
 use crate::read::columns::{foot, words};
@@ -6,7 +6,7 @@ use crate::read::text::delimited::{Lines, TextFile, plain, text};
 use crate::read::text::samples::Samples;
 use crate::recording::ForceUnit;
 
-/// One plate of a trial whose plates stand in one file each.
+/// One plate of a trial with one file per plate.
 ///
 /// ```
 /// use gaitcam_gait::plate_of;
@@ -20,31 +20,30 @@ use crate::recording::ForceUnit;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlateFile {
-    /// What the files of one trial have in common: time stamp, first sample, number of samples, rate.
+    /// Common data of the files of one trial: time stamp, first sample, number of samples, rate.
     pub trial: Vec<String>,
     /// Name of the plate.
     pub plate: String,
 }
 
-/// Keys in which the files of one trial agree, the one that tells trials apart first.
+/// Keys with equal values in the files of one trial, the most distinctive first.
 const TRIAL: [&str; 4] = ["TIME_STAMP", "FIRST_SAMPLE", "NO_OF_SAMPLES", "FREQUENCY"];
 const PLATE: &str = "FORCE_PLATE_NAME";
 /// First key of such a header.
 const FIRST: &[u8] = b"NO_OF_SAMPLES";
-/// Lines of such a header, at most.
+/// Maximum number of lines of such a header.
 const HEAD: usize = 60;
-/// Bytes that hold them.
+/// Number of bytes that contain them.
 const HEAD_BYTES: usize = 1 << 14;
 
-/// The plate that a text holds, from its beginning; `None` for a text of another kind.
+/// The plate of a text, from its beginning; `None` for a text of another kind.
 pub fn plate_of(start: &[u8]) -> Option<PlateFile> {
     let bytes = plain(start);
     let lines = Lines::new(&bytes).take(HEAD).map(|(_, line)| text(line));
     of_head(&lines.collect::<Vec<_>>())
 }
 
-/// The files of one trial's plates, one after the other, as [`read`](crate::read()) takes them; `None` where they are not
-/// plates of one trial, or one of them stands twice.
+/// The concatenated files of one trial's plates for [`read`](crate::read()); `None` unless they are distinct plates of one trial.
 pub fn joined_plates(files: &[Vec<u8>]) -> Option<Vec<u8>> {
     let plates: Vec<PlateFile> = files.iter().map(|f| plate_of(f)).collect::<Option<_>>()?;
     let fits = |(i, plate): (usize, &PlateFile)| {
@@ -55,7 +54,7 @@ pub fn joined_plates(files: &[Vec<u8>]) -> Option<Vec<u8>> {
     (is_trial && parts(&joined).len() == files.len()).then_some(joined)
 }
 
-/// The plates of a text that holds several, one after the other; the whole text where it holds one.
+/// The plates in a concatenated text; the whole text if it holds one.
 pub fn parts(bytes: &[u8]) -> Vec<&[u8]> {
     if plate_of(&bytes[..bytes.len().min(HEAD_BYTES)]).is_none() {
         return vec![bytes];
@@ -73,7 +72,7 @@ pub fn parts(bytes: &[u8]) -> Vec<&[u8]> {
         .collect()
 }
 
-/// Adds what a header states of all columns: their plate, its foot, and newtons, which it does not state.
+/// Adds properties that apply to all columns: their plate, its foot, and newtons, which the header omits.
 pub(super) fn complete(_: &TextFile, head: &[String], samples: &mut Samples) -> Result<()> {
     let plate = of_head(head).map(|file| file.plate);
     for force in &mut samples.forces {
@@ -86,7 +85,7 @@ pub(super) fn complete(_: &TextFile, head: &[String], samples: &mut Samples) -> 
     Ok(())
 }
 
-/// The plate that a header names.
+/// The plate named in a header.
 fn of_head(head: &[String]) -> Option<PlateFile> {
     let value = |key: &str| {
         let found = head.iter().find_map(|line| {

@@ -1,4 +1,4 @@
-//! Tables of single sensors, as pedar writes the pressures of its insoles: columns `1 2 3 …` behind a time.
+//! Tables of single sensors, as in pedar files of insole pressures: columns `1 2 3 …` after a time.
 
 use crate::error::{Placed, ReadError, Result};
 use crate::read::columns::{Role, role};
@@ -6,7 +6,7 @@ use crate::read::text::delimited::TextFile;
 use crate::read::text::header::Table;
 use crate::recording::Recording;
 
-/// Fewest numbered columns that are sensors; two or four may be plates.
+/// Minimum number of numbered columns of sensors; two or four may be plates.
 const FEWEST: usize = 6;
 
 /// Whether columns are sensors: numbers as names behind a time or a frame, and no column that names a force.
@@ -28,7 +28,7 @@ fn count(names: &[String]) -> usize {
     names.iter().filter(|n| n.parse::<u32>().is_ok()).count()
 }
 
-/// Refuses the table: without the area of each sensor its readings make no force.
+/// Rejects the table: without the area of each sensor its readings give no force.
 pub(super) fn read(file: &TextFile, table: &Table, _: &[String]) -> Result<Recording> {
     let sensors = count(&table.names);
     Err(ReadError::SingleSensors { sensors }.at_line(file.path, table.header_line()))

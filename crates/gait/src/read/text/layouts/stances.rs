@@ -1,4 +1,4 @@
-//! Tables with one stance per row, as the GaitRec and Gutenberg databases have them.
+//! Tables with one stance per row, as in the GaitRec and Gutenberg databases.
 //!
 //! Identifiers come first, then samples `F_V_RAW_1 … F_V_RAW_n`, rows padded with empty fields. There is
 //! no time; the masses are in a separate table of subjects.
@@ -19,10 +19,10 @@ use crate::recording::{
 use crate::statistics::mean;
 use crate::units::G;
 
-/// Numbered columns from which a table is one of stances.
+/// Minimum number of numbered columns of a table of stances.
 const FEWEST_SAMPLES: usize = 40;
 
-/// Usual sampling rates of force plates, Hz; distinguishable by the number of samples in a stance.
+/// Usual sampling rates of force plates, Hz; distinguished by the number of samples in a stance.
 const RATES: [f64; 6] = [50.0, 100.0, 250.0, 500.0, 1000.0, 2000.0];
 
 /// Usual duration of a stance in level walking, s (README of the recordings: 0.43 to 0.81 s).
@@ -30,8 +30,7 @@ const USUAL_STANCE_S: f64 = 0.65;
 
 /// Whether the column names are numbered samples: the same words with 1, 2, 3 … behind.
 ///
-/// With a column of times the numbers are sensors, and a row is a moment. Other components than the vertical one and
-/// centres of pressure are not read.
+/// With a column of times the numbers are sensors, and a row is a moment. Only the vertical component is read.
 pub(super) fn are_in(names: &[String]) -> bool {
     names.len() > FEWEST_SAMPLES
         && numbered(names).is_some_and(|first| {
@@ -41,7 +40,7 @@ pub(super) fn are_in(names: &[String]) -> bool {
         })
 }
 
-/// First of the columns that are numbered through to the end.
+/// First of the consecutively numbered columns.
 fn numbered(names: &[String]) -> Option<usize> {
     let parts = |n: &str| {
         let digits = n.len() - n.trim_end_matches(|c: char| c.is_ascii_digit()).len();
@@ -57,8 +56,7 @@ fn numbered(names: &[String]) -> Option<usize> {
     runs.then_some(first)
 }
 
-/// Name of the table of subjects that belongs to a table of stances: `GRF_F_V_RAW_left.csv` has
-/// `GRF_metadata.csv`. `None` for files that are not named so.
+/// Name of the table of subjects that belongs to a table of stances: `GRF_F_V_RAW_left.csv` has `GRF_metadata.csv`. `None` for other names.
 pub fn metadata_name(path: &Path) -> Option<std::path::PathBuf> {
     let name = path.file_name()?.to_str()?;
     let cut = name.find("_F_V_").or_else(|| name.find("_f_v_"))?;
@@ -113,7 +111,7 @@ pub(super) fn read(file: &TextFile, table: &Table, head: &[String]) -> Result<Re
     })
 }
 
-/// Mean mass of the subjects, kg; stances whose subject has none are noted.
+/// Mean mass of the subjects, kg; stances without a mass are noted.
 fn mean_mass(rows: &[Row], notes: &mut Vec<Note>) -> Option<f64> {
     let masses: Vec<f64> = rows.iter().filter_map(|r| r.mass_kg).collect();
     if masses.len() < rows.len() {
@@ -125,7 +123,7 @@ fn mean_mass(rows: &[Row], notes: &mut Vec<Note>) -> Option<f64> {
     (!masses.is_empty()).then(|| mean(&masses))
 }
 
-/// Samples of all stances one behind the other, and the place of each.
+/// Samples of all stances in sequence, and the position of each.
 fn stances(file: &TextFile, table: &Table) -> Result<(Vec<f64>, Vec<Row>)> {
     let (delimiters, options) = (file.delimiters, file.options);
     let first = numbered(&table.names).unwrap_or(0);
@@ -160,7 +158,7 @@ fn stances(file: &TextFile, table: &Table) -> Result<(Vec<f64>, Vec<Row>)> {
     Ok((force, rows))
 }
 
-/// Brings samples to newtons and the load to positive.
+/// Converts samples to newtons with positive load.
 fn scale(
     file: &TextFile,
     force: &mut [f64],
@@ -196,7 +194,7 @@ fn scale(
     Ok((unit, from))
 }
 
-/// The rate at which the middle one of the stances lasts a usual time.
+/// The rate at which the median stance has a typical duration.
 fn likely_rate(rows: &[Row], notes: &mut Vec<Note>) -> f64 {
     let mut lengths: Vec<usize> = rows.iter().map(|r| r.to - r.from).collect();
     lengths.sort_unstable();
