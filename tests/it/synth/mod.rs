@@ -2,6 +2,7 @@
 
 mod arm;
 mod cover;
+mod double_harmonic;
 mod families;
 mod guard;
 mod in_run;

@@ -10,10 +10,10 @@ use gaitcam::force::{ForceCurve, Walker};
 use gaitcam::{Scene, scene};
 
 /// A generator of numbers in [0, 1), Marsaglia's xorshift.
-struct Random(u64);
+pub(super) struct Random(pub(super) u64);
 
 impl Random {
-    fn next(&mut self) -> f64 {
+    pub(super) fn next(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
