@@ -43,8 +43,9 @@ macro_rules! scenes {
 }
 
 /// Every built-in scene.
-pub const SCENES: [BuiltIn; 24] = scenes![
+pub const SCENES: [BuiltIn; 25] = scenes![
     "footbridge",
+    "footbridge_double_harmonic",
     "footbridge_thesis_scale",
     "heel_tester",
     "heel_tester_fitted",

@@ -29,7 +29,7 @@ OPEN = {
     "walkers_spring": {"solver.certified", "relaxations"},
 }
 NEEDS_A_FILE = {"measured_walk"}
-SIMULATED = {"footbridge", "footbridge_thesis_scale", "heel_tester", "thesis_iteration_1", "thesis_iteration_4"}
+SIMULATED = {"footbridge", "footbridge_double_harmonic", "footbridge_thesis_scale", "heel_tester", "thesis_iteration_1", "thesis_iteration_4"}
 
 FLOOR = ("machine.floor.mass=20000 kg", "machine.floor.frequency=1.9 Hz", "machine.floor.damping=0.01")
 MODES = ("machine.floor.mass=8000 kg", "machine.floor.frequency=3.6 Hz", "machine.floor.damping=0.02")

@@ -113,6 +113,7 @@ key-machine-walkers-weights = Weight of each walker, the shaker first; only thei
 key-accuracy-rms = Accepted RMS force error as a share of the mean force; auto is 0.5 %, or the step-to-step spread of the recording where that is larger; none: not judged.
 
 built-in-footbridge = Load model of walking on a footbridge, 700 N at 1.85 Hz: the default
+built-in-footbridge_double_harmonic = The footbridge by a double harmonic fitted to the same force
 built-in-footbridge_thesis_scale = The footbridge at the scale of a bench model
 built-in-heel_tester = Heel tester with a hydraulic drive: one polynomial through given forces
 built-in-heel_tester_fitted = The heel tester with a spline fitted to the same forces

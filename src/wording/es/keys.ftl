@@ -113,6 +113,7 @@ key-machine-walkers-weights = Peso de cada peatón, primero el excitador; solo c
 key-accuracy-rms = Error RMS de fuerza admitido como parte de la fuerza media; auto es 0,5 %, o la dispersión entre pasos del registro si es mayor; none: no se juzga.
 
 built-in-footbridge = Modelo de carga de caminar sobre una pasarela, 700 N a 1,85 Hz: la escena por defecto
+built-in-footbridge_double_harmonic = La pasarela con una doble armónica ajustada a la misma fuerza
 built-in-footbridge_thesis_scale = La pasarela a la escala de una maqueta de banco
 built-in-heel_tester = Ensayadora de tacones con accionamiento hidráulico: un polinomio por fuerzas dadas
 built-in-heel_tester_fitted = La ensayadora de tacones con un spline ajustado a las mismas fuerzas
