@@ -40,10 +40,11 @@ impl Problem {
         let segments = self.law.segments.iter().enumerate();
         segments.filter_map(|(i, segment)| {
             let most = segment.motion.factors().ok()?.ca;
-            let share = (segment.motion.rounded_acceleration() / most).min(1.0);
-            (share > OF_ROUNDING).then(|| Note::RoundedTable {
+            let rounded = segment.motion.rounded_acceleration();
+            // A dwell has neither.
+            (rounded > OF_ROUNDING * most).then(|| Note::RoundedTable {
                 segment: i + 1,
-                share: Quantity::share(share),
+                share: Quantity::share((rounded / most).min(1.0)),
             })
         })
     }

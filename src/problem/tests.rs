@@ -165,3 +165,14 @@ fn a_note_says_where_rounded_rows_make_the_acceleration() {
         }
     }
 }
+
+#[test]
+fn programmes_without_a_table_have_no_note_on_rounding() {
+    for name in ["thesis_iteration_4", "camdas_09_eight_motions"] {
+        let scene = crate::scene::built_in(name).unwrap().scene().unwrap();
+        let force = scene.model_force().unwrap();
+        let notes = Problem::resolve(&scene, force.as_ref()).unwrap().notes();
+        let is_of_a_table = |n: &Note| matches!(n, Note::RoundedTable { .. });
+        assert!(!notes.iter().any(is_of_a_table), "{name}: {notes:?}");
+    }
+}
