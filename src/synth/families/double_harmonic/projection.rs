@@ -17,8 +17,14 @@ const ROUNDING: f64 = 1e-9;
 const COARSE: usize = 32;
 /// Steps of a turn of that choice.
 const STEPS: usize = 96;
-/// Sines of smaller angles are the angles.
-const SMALL: f64 = 1e-8;
+/// Sines of smaller angles h are h − h³/6.
+const SMALL: f64 = 1e-4;
+/// Powers of i: turns by 0°, 90°, 180°.
+const QUARTERS: [Complex<f64>; 3] = [
+    Complex::new(1.0, 0.0),
+    Complex::new(0.0, 1.0),
+    Complex::new(-1.0, 0.0),
+];
 
 /// Start of the rise, its angle and that of the fall, rad.
 pub(super) type Angles = [f64; 3];
@@ -248,14 +254,13 @@ struct Motion {
 impl Motion {
     /// Integral of the force with e^{ikθ} over its angle, divided by 2π.
     fn transform(&self, k: f64) -> Complex<f64> {
-        let waves = [0.0, 1.0, 2.0].into_iter().zip(&self.terms);
-        let sum: Complex<f64> = waves
-            .map(|(m, &(cos, sin))| {
-                let half = 0.5 * k * self.angle;
-                let (plus, minus) = (
-                    mean_of_wave(half + m * FRAC_PI_2),
-                    mean_of_wave(half - m * FRAC_PI_2),
-                );
+        let half = 0.5 * k * self.angle;
+        let wave = turned(half);
+        let waves = [0.0, 1.0, 2.0].into_iter().zip(QUARTERS);
+        let sum: Complex<f64> = (waves.zip(&self.terms))
+            .map(|((m, quarter), &(cos, sin))| {
+                let plus = mean_of_wave(half + m * FRAC_PI_2, wave * quarter);
+                let minus = mean_of_wave(half - m * FRAC_PI_2, wave * quarter.conj());
                 let (even, odd) = (0.5 * (plus + minus), 0.5 * (plus - minus));
                 even * cos + odd * Complex::new(0.0, -sin)
             })
@@ -277,11 +282,13 @@ impl Motion {
     }
 }
 
-/// Mean of e^{2ihx} over x from 0 to 1: e^{ih} sin h / h.
-fn mean_of_wave(h: f64) -> Complex<f64> {
-    let (sin, cos) = h.sin_cos();
-    let factor = if h.abs() < SMALL { 1.0 } else { sin / h };
-    Complex::new(cos, sin) * factor
+/// Mean of e^{2ihx} over x from 0 to 1: e^{ih} sin h / h, of e^{ih}.
+fn mean_of_wave(h: f64, wave: Complex<f64>) -> Complex<f64> {
+    wave * if h.abs() < SMALL {
+        1.0 - h * h / 6.0
+    } else {
+        wave.im / h
+    }
 }
 
 fn turned(angle: f64) -> Complex<f64> {
