@@ -12,6 +12,9 @@ use gaitcam::drive::Drive;
 use gaitcam::error::Result;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::law::{Condition, Law, hermite_birkhoff};
+use gaitcam::problem::Problem;
+use gaitcam::scene::built_in;
+use gaitcam::synth::{Search, design};
 
 const ERROR: &str = "RMS force error on 4001 angles, part of the mean force";
 
@@ -48,6 +51,7 @@ pub fn smooth(watch: &Watch) -> Result<Chart> {
             error,
         ));
     }
+    fitted_double_harmonic(watch, &target, drive, &mut rows)?;
     Ok(Chart {
         file: "speed_accuracy_a1".to_string(),
         title: "(a1) Force to law, smooth force".to_string(),
@@ -78,6 +82,7 @@ pub fn heel(watch: &Watch) -> Result<Chart> {
         &[4, 8, 16, 32, 64, 128, 256],
     )?;
     textbook(watch, &target, &mut rows)?;
+    fitted_double_harmonic(watch, &target, drive, &mut rows)?;
     Ok(Chart {
         file: "speed_accuracy_a2".to_string(),
         title: "(a2) Force to law, heel strike and swing".to_string(),
@@ -133,6 +138,23 @@ fn harmonics(
     let size = format!("{}, chosen", law.waves(0).len());
     let row = timing.row("harmonics", size, force_error(&drive, &law, target));
     rows.push(row.by_default());
+    Ok(())
+}
+
+/// One rise, one fall and a rest, whose angles, lift and level are fitted to the force: a whole design with its cam.
+fn fitted_double_harmonic(
+    watch: &Watch,
+    target: &ForceCurve,
+    drive: Drive,
+    rows: &mut Vec<Row>,
+) -> Result<()> {
+    let scene = built_in("footbridge_double_harmonic")?.scene()?;
+    let problem = Problem::resolve(&scene, Some(target))?;
+    let problem = problem.without_limits().with_drive(drive);
+    let (law, timing) =
+        watch.time(|| Result::Ok(with_profile(design(&problem, &Search::default())?.cam.law)));
+    let error = force_error(&drive, &law?.0, target);
+    rows.push(timing.row("double harmonic", "fitted", error));
     Ok(())
 }
 
