@@ -1,4 +1,4 @@
-//! What a caller asks the files of a design to be.
+//! Options of the files of a design.
 
 use gaitcam::error::Placed;
 use gaitcam::units::{Dimension, parse};
@@ -10,31 +10,31 @@ use pyo3::prelude::*;
 
 use crate::error::{Raise, argument};
 
-/// Fewest rows that show a cam.
+/// Minimum number of rows.
 const FEWEST_ROWS: usize = 16;
 
-/// What a caller asks the files of a design to be.
+/// Options of the files of a design.
 pub struct Asked<'a> {
-    /// Rows of the tables.
+    /// Number of rows of the tables.
     pub points: usize,
-    /// Pictures as PNG too.
+    /// Whether to write pictures as PNG too.
     pub png: bool,
-    /// Solids, arcs and a workbook too.
+    /// Whether to write solids, arcs and a workbook too.
     pub solid: bool,
-    /// Radius of a cutter whose path is written, m or text with its unit.
+    /// Radius of the cutter of a path, m or text with its unit.
     pub tool: Option<&'a Bound<'a, PyAny>>,
-    /// Half a wire's diameter and its spark gap, m or text with its unit.
+    /// Half a wire's diameter plus its spark gap, m or text with its unit.
     pub wire: Option<&'a Bound<'a, PyAny>>,
     /// Edges of profile.dxf: `arcs` or `splines`.
     pub dxf: &'a str,
-    /// Only the layers that are cut.
+    /// Whether to write only the layers that are cut.
     pub cut_only: bool,
     /// Language of report and pictures.
     pub lang: &'a str,
 }
 
 impl Asked<'_> {
-    /// The same as the functions take it that write files.
+    /// The options as the writers take them.
     pub fn contents(&self, py: Python<'_>, title: Title) -> PyResult<Contents> {
         Ok(Contents {
             points: rows(py, self.points)?,
@@ -56,7 +56,7 @@ impl Asked<'_> {
     }
 }
 
-/// A number of rows that shows a cam.
+/// A valid number of rows.
 pub fn rows(py: Python<'_>, points: usize) -> PyResult<usize> {
     if points >= FEWEST_ROWS {
         return Ok(points);
@@ -65,7 +65,7 @@ pub fn rows(py: Python<'_>, points: usize) -> PyResult<usize> {
     Err(argument(py, "points", what))
 }
 
-/// The edges of profile.dxf by the word that the command has for them.
+/// The edges of profile.dxf by their word on the command line.
 fn curves(py: Python<'_>, word: &str) -> PyResult<Curves> {
     match word {
         "arcs" => Ok(Curves::Arcs),

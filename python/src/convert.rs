@@ -1,4 +1,4 @@
-//! Python's values as TOML and JSON as Python's values.
+//! Conversion of Python's values to TOML, and of JSON to Python's values.
 
 use gaitcam::error::Error;
 use gaitcam::scene;
@@ -12,10 +12,10 @@ use toml::{Table, Value};
 
 use crate::error::{argument, raised};
 
-/// What `__reduce__` returns: a function, and the arguments with which it restores the object.
+/// Return value of `__reduce__`: a function, and the arguments with which it restores the object.
 pub type Reduced<'py, T> = PyResult<(Bound<'py, PyAny>, T)>;
 
-/// A mapping as the table of a scene; `at` is the key that it stands at.
+/// A mapping as the table of a scene; `at` is its key.
 pub fn table(mapping: &Bound<'_, PyDict>, at: &str) -> PyResult<Table> {
     let mut out = Table::new();
     for (key, value) in mapping {
@@ -58,10 +58,10 @@ pub fn si_key(name: &str) -> Option<Key> {
 
 /// An object of this package as an argument.
 pub trait Argument: PyClass {
-    /// How one is made.
+    /// Description of the expected object.
     const MADE: &'static str;
 
-    /// The argument `name` that has to be one.
+    /// Checks the argument `name`.
     fn given<'a, 'py>(given: &'a Bound<'py, PyAny>, name: &str) -> PyResult<&'a Bound<'py, Self>> {
         given.cast::<Self>().map_err(|_| {
             let (own, made, other) = (Self::NAME, Self::MADE, kind(given));
@@ -121,7 +121,7 @@ pub fn json<'py>(py: Python<'py>, value: &serde_json::Value) -> PyResult<Bound<'
         .call_method1("loads", (value.to_string(),))
 }
 
-/// A whole number from 0; one that is negative or too large is a fault of what is given.
+/// A whole number from 0; a negative or too large one is an error.
 pub fn whole<'py, T>(given: &Bound<'py, PyAny>) -> PyResult<T>
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
@@ -145,7 +145,7 @@ pub fn keys(columns: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
     keys.try_iter()?.map(|key| key?.extract()).collect()
 }
 
-/// Whatever is given as an array.
+/// An array from any array-like object.
 pub fn array<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyAny>> {
     let py = given.py();
     let array = py.import("numpy")?.call_method1("asarray", (given,));

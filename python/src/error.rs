@@ -1,4 +1,4 @@
-//! Faults as Python exceptions: what is wrong, at which key, what would be right.
+//! Faults as Python exceptions: message, key and remedy.
 
 use gaitcam::error::{Error, Place, Placed};
 use gaitcam::wording::Language;
@@ -84,7 +84,7 @@ impl<T> Raise<T> for gaitcam::error::Result<T> {
     }
 }
 
-/// A fault of an argument that only Python can have.
+/// A fault of an argument in Python.
 pub fn argument(py: Python<'_>, name: &str, what: String) -> PyErr {
     let fault = Error::own("python-argument", what).at_key(name);
     raised(py, fault)

@@ -35,24 +35,24 @@ use crate::error::Raise;
 #[pyclass(frozen, module = "gaitcam")]
 #[derive(Clone)]
 pub struct Force {
-    /// The cycle.
+    /// The force cycle.
     pub curve: ForceCurve,
-    /// Where it is from.
+    /// Source of the force.
     pub origin: Origin,
 }
 
-/// Where a force is from.
+/// Source of a force.
 #[derive(Clone)]
 pub enum Origin {
-    /// From arrays.
+    /// A force from arrays.
     Arrays,
-    /// From a recording: the `[gait]` section that names and reads it, and its content.
+    /// A force from a recording: its `[gait]` section and its content.
     Recording {
-        /// Keys of `[gait]`.
+        /// Keys of the `[gait]` section.
         gait: Table,
-        /// The file.
+        /// Content of the file.
         bytes: Arc<Vec<u8>>,
-        /// The table of subjects in its folder.
+        /// Content of the table of subjects in the folder of the file.
         metadata: Option<Vec<u8>>,
     },
 }
@@ -82,7 +82,7 @@ impl Files for Origin {
     }
 }
 
-/// Keys of `[gait]` that name and read a force.
+/// Keys of `[gait]` that specify a force.
 const OF_SOURCE: [&str; 12] = [
     "file",
     "model",
@@ -98,10 +98,10 @@ const OF_SOURCE: [&str; 12] = [
     "span",
 ];
 
-/// Name of a force to which none is given.
+/// Default name of a force.
 const UNNAMED: &str = "force";
 
-/// The file of a force from arrays, in the folder of the result.
+/// File name of a force from arrays, in the folder of the result.
 pub use gaitcam_app::design::FORCE as FILE;
 
 impl Argument for Force {
@@ -109,7 +109,7 @@ impl Argument for Force {
 }
 
 impl Force {
-    /// The argument `force`, where it is given.
+    /// The argument `force`, if given.
     pub fn of_argument(force: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Force>> {
         let force = force.map(|f| Force::given(f, "force")).transpose()?;
         Ok(force.map(|f| f.get().clone()))
@@ -163,10 +163,11 @@ impl Force {
         }
     }
 
-    /// A scene with this force in its `[gait]`, which keeps what is said of scale, band, phase and weights.
+    /// A scene with this force in its `[gait]`, with unchanged scale, band, phase and weights.
     ///
     /// # Errors
-    /// A scene that is wrong with this force.
+    ///
+    /// A scene that is invalid with this force.
     pub fn named_in(&self, input: &Input) -> gaitcam::error::Result<Input> {
         let mut table = input.whole.clone();
         let own = table.get("gait").and_then(Value::as_table).cloned();

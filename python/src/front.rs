@@ -9,7 +9,7 @@ use crate::convert::{self, Reduced};
 use crate::error::Raise;
 use crate::html;
 
-/// The designs of a table that no other design beats in every objective.
+/// The non-dominated designs of a table.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Front {
     names: Vec<String>,

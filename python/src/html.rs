@@ -1,16 +1,16 @@
-//! What notebooks show.
+//! HTML output for notebooks.
 
 use gaitcam_base::text::escaped;
 
-/// Rows of a table that are shown at most: as many from its end as from its beginning.
+/// Maximum number of displayed rows of a table, half from each end.
 const SHOWN: usize = 10;
 
-/// A name, and what is said of it.
+/// A name with its description.
 pub fn head(name: &str, said: &str) -> String {
     format!("<p><b>{}</b>: {}</p>", escaped(name), escaped(said))
 }
 
-/// Text whose lines and columns stay as they are.
+/// Preformatted text.
 pub fn fixed(text: &str) -> String {
     format!("<pre>{}</pre>", escaped(text))
 }

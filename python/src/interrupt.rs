@@ -1,4 +1,4 @@
-//! Long work without the interpreter's lock, ended by Ctrl-C.
+//! Long computations without the interpreter's lock, interruptible by Ctrl-C.
 
 use std::sync::{Arc, Mutex};
 use std::thread::{ThreadId, current};
@@ -7,15 +7,15 @@ use std::time::{Duration, Instant};
 use gaitcam::halt::Halt;
 use pyo3::prelude::*;
 
-/// Time between two looks at Python's signals.
+/// Time between two checks of Python's signals.
 const LOOK: Duration = Duration::from_millis(50);
-/// A limit beyond this is none, s.
+/// Limits above this are ignored, s.
 const LONGEST_S: f64 = 1e9;
 
-/// What is called beside the look at Python's signals.
+/// Callback of the checks of Python's signals.
 type Watch = Box<dyn Fn(Python<'_>) -> PyResult<()> + Send + Sync>;
 
-/// The end of a search: a time limit, or an exception of a signal handler or of what watches.
+/// The end of a search: a time limit, or an exception of a signal handler or callback.
 pub struct Interrupt {
     begun: Instant,
     limit: Duration,
@@ -30,12 +30,12 @@ struct State {
 }
 
 impl Interrupt {
-    /// Begins now; `limit_s` in seconds.
+    /// Starts now; `limit_s` in seconds.
     pub fn after(limit_s: f64) -> Arc<Interrupt> {
         Interrupt::watched(limit_s, None)
     }
 
-    /// The same; `watch` is called whenever Python's signals are looked at.
+    /// Starts now; `watch` is called at every check of Python's signals.
     pub fn watched(limit_s: f64, watch: Option<Watch>) -> Arc<Interrupt> {
         let begun = Instant::now();
         Arc::new(Interrupt {
@@ -50,13 +50,13 @@ impl Interrupt {
         })
     }
 
-    /// What searches ask between their steps.
+    /// The halt flag that searches poll.
     pub fn halt(self: &Arc<Self>) -> Halt {
         let own = Arc::clone(self);
         Halt::when(move || own.begun.elapsed() >= own.limit || own.is_raised())
     }
 
-    /// Whether a signal handler has raised; looked for at most every 50 ms, from the calling thread only.
+    /// Whether a signal handler has raised an exception; checked at most every 50 ms, from the calling thread only.
     pub fn is_raised(&self) -> bool {
         let Ok(mut state) = self.state.lock() else {
             return true;
@@ -94,7 +94,7 @@ impl Interrupt {
     }
 }
 
-/// A time limit as users give it, s.
+/// A time limit given by the user, s.
 pub fn limit(py: Python<'_>, seconds: f64) -> PyResult<f64> {
     if seconds > 0.0 {
         return Ok(seconds);

@@ -21,7 +21,7 @@ pub struct Law {
     origin: Origin,
 }
 
-/// What a law follows from: that is what travels where it is pickled.
+/// Source of a law, which is pickled instead of the law.
 enum Origin {
     /// Name of the law in the catalogue.
     Catalogue,
@@ -31,7 +31,7 @@ enum Origin {
 }
 
 impl Law {
-    /// The law of a design, which is what travels.
+    /// The pickled law of a design.
     pub fn of_design(name: &str, law: law::Law, design: Py<PyAny>) -> Law {
         Law {
             name: name.to_string(),
@@ -51,7 +51,7 @@ impl Law {
     }
 }
 
-/// Values of a function of angles, each array of the shape of what is given.
+/// Values of a function of angles, each array of the shape of the argument.
 pub fn shaped<'py, const N: usize>(
     theta: &Bound<'py, PyAny>,
     mut of: impl FnMut(f64) -> [f64; N],

@@ -49,7 +49,7 @@ mod _native {
 
     use pyo3::prelude::*;
 
-    /// Panics on a thread of its own, so that tests see what becomes of an internal error.
+    /// Panics on a separate thread, to test the handling of internal errors.
     #[pyfunction]
     fn _panic(py: Python<'_>) {
         py.detach(|| {

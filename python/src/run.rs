@@ -77,7 +77,7 @@ pub fn simulate(
     })
 }
 
-/// The machine of a design's scene with changes, settled against its force.
+/// The machine of a design's scene with changes, checked against its force.
 fn machine_of(
     py: Python<'_>,
     design: &Design,

@@ -22,7 +22,7 @@ use crate::error::{Raise, raised};
 pub struct Scene {
     /// The scene with its table and folder.
     pub input: Input,
-    /// What is wrong with it unless a force is given: it leaves the force open.
+    /// Fault of the scene if no force is given.
     lacks_force: Option<Error>,
 }
 
@@ -34,7 +34,7 @@ impl PartialEq for Scene {
 }
 
 impl Scene {
-    /// The scene of a table; it may leave the force open, for `synth` or a sweep to give.
+    /// The scene of a table; the force may be given later, by `synth` or a sweep.
     pub fn of_table(
         py: Python<'_>,
         table: toml::Table,
@@ -68,7 +68,7 @@ impl Scene {
         })
     }
 
-    /// A scene that is whole.
+    /// A complete scene.
     pub fn of_input(input: Input) -> Scene {
         Scene {
             input,
@@ -76,9 +76,10 @@ impl Scene {
         }
     }
 
-    /// The scene, which has to name its force or ask for a programme.
+    /// The scene, which must specify its force or a programme.
     ///
     /// # Errors
+    ///
     /// It leaves the force open.
     pub fn whole(&self, py: Python<'_>) -> PyResult<&Input> {
         match &self.lacks_force {
@@ -87,7 +88,7 @@ impl Scene {
         }
     }
 
-    /// The built-in footbridge, where no scene is given.
+    /// The built-in footbridge, the default scene.
     pub fn or_default(py: Python<'_>, scene: Option<&Scene>) -> PyResult<Scene> {
         match scene {
             Some(scene) => Ok(scene.clone()),

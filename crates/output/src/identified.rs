@@ -1,4 +1,4 @@
-//! What a log shows of a machine, in words.
+//! The machine parameters identified from a log, in words.
 
 use gaitcam::identify::{Change, Identified, Parameter};
 use gaitcam::scene::{Scene, keys};
@@ -20,12 +20,12 @@ fn shown(scene: &Scene, parameter: &Parameter, value: f64, language: Language) -
     quantity(language, value, unit).trim_end().to_string()
 }
 
-/// That the log has no angle, where it has none.
+/// The note that the log has no angle, if so.
 pub fn no_angle(found: &Identified, language: Language) -> Option<String> {
     (!found.has_angle).then(|| words::words(language).text("identify-no-angle"))
 }
 
-/// Noise and residual, each parameter with its interval, what this log cannot identify and the run that would.
+/// Noise and residual, each parameter with its interval, parameters that this log cannot identify, and a run that would identify them.
 pub fn lines(scene: &Scene, found: &Identified, language: Language) -> Vec<String> {
     let words = words::words(language);
     let number = |x: f64| number(language, x);

@@ -1,8 +1,7 @@
 //! Output formats of a design: tables, pictures, report; drawings and solids are made by `gaitcam_cad`.
 //!
-//! Every emitter is pure: it takes a finished [`Design`](gaitcam::synth::Design) and returns text or
-//! bytes; writing files is the command's business. Drawings are at true scale in millimetres, tables in
-//! SI units with the unit in the column's name, pictures in millimetres and degrees.
+//! Every emitter is pure: it takes a finished [`Design`](gaitcam::synth::Design) and returns text or bytes; the command writes the files. Drawings
+//! are at true scale in millimetres, tables in SI units with the unit in the column's name, pictures in millimetres and degrees.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
@@ -32,12 +31,12 @@ pub use report::ActiveLimit;
 pub use report::laws as laws_report;
 pub use report::sweep as sweep_report;
 
-/// Samples of a motion and its target, for drawings of another make.
+/// Samples of a motion and its target, for other drawings.
 pub mod curve {
     pub use super::pose::{largest_radius, motion, target_at};
 }
 
-/// The pictures of a design.
+/// All pictures of a design.
 pub mod plots {
     pub use super::Picture;
     pub use super::figures::cam::cam;
@@ -49,11 +48,11 @@ pub mod plots {
     pub use super::figures::walkers::walkers;
 }
 
-/// How long the work took, s; measured by the caller, since emitters read no clock.
+/// Computing times, s; measured by the caller, since emitters read no clock.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Timing {
-    /// The synthesis alone.
+    /// Time of the synthesis alone.
     pub solve_s: f64,
-    /// Everything up to now.
+    /// Total time so far.
     pub total_s: f64,
 }

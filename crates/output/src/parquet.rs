@@ -22,7 +22,7 @@ use gaitcam::sweep::{self, FieldValues, NUMBERS, Records, TIME, Words};
 
 pub use arrow_array::RecordBatch;
 
-/// Rows of a row group.
+/// Number of rows of a row group.
 pub const GROUP_ROWS: usize = 131_072;
 
 fn field(column: &sweep::Field) -> Field {
@@ -95,7 +95,7 @@ pub fn file(records: &Records, metadata: &[(String, String)]) -> Result<Vec<u8>>
     writer.close()
 }
 
-/// Writes rows as they come; holds one row group at a time.
+/// Writes rows incrementally; holds one row group in memory.
 pub struct Writer<W: Write + Send> {
     inner: ArrowWriter<W>,
 }
@@ -103,8 +103,7 @@ pub struct Writer<W: Write + Send> {
 impl<W: Write + Send> Writer<W> {
     /// Begins a file for the columns of `schema`.
     ///
-    /// # Errors
-    /// The sink refuses the header.
+    /// # Errors The sink cannot write the header.
     pub fn new(sink: W, schema: &SchemaRef) -> Result<Self> {
         let mut properties = WriterProperties::builder()
             .set_compression(Compression::SNAPPY)
@@ -122,15 +121,17 @@ impl<W: Write + Send> Writer<W> {
     /// Adds rows.
     ///
     /// # Errors
-    /// The sink refuses the rows.
+    ///
+    /// The sink cannot write the rows.
     pub fn write(&mut self, batch: &RecordBatch) -> Result<()> {
         self.inner.write(batch).map_err(parquet_fault)
     }
 
-    /// Ends the file and gives the sink back.
+    /// Finishes the file and returns the sink.
     ///
     /// # Errors
-    /// The sink refuses the footer.
+    ///
+    /// The sink cannot write the footer.
     pub fn close(self) -> Result<W> {
         self.inner.into_inner().map_err(parquet_fault)
     }
@@ -138,8 +139,7 @@ impl<W: Write + Send> Writer<W> {
 
 /// Writes the rows of several files of equal columns as one file.
 ///
-/// # Errors
-/// A file that cannot be read, and a sink that refuses the rows.
+/// # Errors A file that cannot be read, and a sink that cannot write the rows.
 pub fn join<W: Write + Send>(files: &[PathBuf], sink: W) -> Result<W> {
     let mut sink = Some(sink);
     let mut writer = None;
@@ -159,11 +159,8 @@ pub fn join<W: Write + Send>(files: &[PathBuf], sink: W) -> Result<W> {
     writer.ok_or_else(empty)?.close()
 }
 
-/// Reads a table's columns by their names, batch by batch, everything as text or numbers: `each` gets the
-/// columns in the order asked. A column that is missing is an error.
-///
-/// # Errors
-/// A file that is no Parquet file, or lacks a column.
+/// Reads a table's columns by their names, batch by batch, everything as text or numbers: `each` receives the columns in the requested order. #
+/// Errors A file that is not a Parquet file, or lacks a column.
 pub fn read<R: ChunkReader + 'static>(
     file: R,
     mut each: impl FnMut(&RecordBatch) -> Result<()>,
@@ -177,7 +174,7 @@ pub fn read<R: ChunkReader + 'static>(
     Ok(())
 }
 
-/// A number of a record batch; NaN where there is none.
+/// A number of a record batch; NaN if missing.
 pub fn number_at(column: &ArrayRef, row: usize) -> f64 {
     if column.is_null(row) {
         return f64::NAN;
@@ -190,7 +187,7 @@ pub fn number_at(column: &ArrayRef, row: usize) -> f64 {
         .map_or(f64::NAN, |x| x.value(row) as f64)
 }
 
-/// A word of a record batch; empty where there is none.
+/// A word of a record batch; empty if missing.
 pub fn word_at(column: &ArrayRef, row: usize) -> &str {
     if let Some(words) = column.as_dictionary_opt::<Int32Type>() {
         return words.key(row).map_or("", |k| word_at(words.values(), k));

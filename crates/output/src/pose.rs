@@ -1,10 +1,10 @@
-//! What every drawing of a cam needs besides its profile: directions, poses, samples of the motion.
+//! Common parts of all drawings of a cam: directions, poses, samples of the motion.
 
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::force::ForceCurve;
 use gaitcam::law::{Law, Svaj};
 
-/// Points per turn of a drawn curve: one per two pixels of a wide picture.
+/// Number of points per turn of a drawn curve: one per two pixels of a wide picture.
 const PER_LAW: f64 = 540.0;
 
 /// Turns `p` by `theta` rad, counter-clockwise: from the cam's frame into the fixed one.
@@ -30,7 +30,7 @@ pub fn target_at(target: &ForceCurve, law: &Law, theta: f64) -> f64 {
     target.at(std::f64::consts::TAU * ((theta - start) / length))
 }
 
-/// What a drawing must hold: lower left and upper right corner.
+/// Bounds of a drawing: lower left and upper right corner.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Bounds {
     pub low: [f64; 2],
@@ -38,7 +38,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Extends it to a point with so much room around it.
+    /// Extends the bounds to a point with a margin around it.
     pub fn hold(&mut self, point: [f64; 2], margin: f64) {
         for (k, x) in point.into_iter().enumerate() {
             self.low[k] = self.low[k].min(x - margin);
@@ -68,7 +68,7 @@ pub enum Pose {
 
 /// Pose of the follower at cam angle `theta`.
 ///
-/// A swinging face runs from the foot of its pivot along the arm; its reach counts from there.
+/// The face of an oscillating follower starts at the foot of its pivot along the arm.
 pub fn pose(cam: &Cam, theta: f64) -> Pose {
     let point = cam.point(theta);
     let [nx, ny] = cam.motion(theta);
@@ -97,8 +97,8 @@ pub fn pose(cam: &Cam, theta: f64) -> Pose {
     }
 }
 
-/// The face a flat follower needs: how far the contact wanders, m, to −x and to +x of the cam's centre, or
-/// along the arm from the foot of the pivot; `None` for others.
+/// The required face of a flat follower: range of the contact, m, to −x and to +x of the cam's centre, or along the arm from the foot of the pivot;
+/// `None` for others.
 pub fn face_reach(cam: &Cam) -> Option<(f64, f64)> {
     if !cam.follower.is_flat() {
         return None;
@@ -122,8 +122,7 @@ pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
     out
 }
 
-/// Largest radius of curvature drawn: `size` of a disc's own, beside which everything larger is straight; what is
-/// unrolled has no such size, and shows three quarters of its `radii`.
+/// Maximum radius of curvature drawn: `size` of a disc, beyond which curves look straight; for an unrolled cam, three quarters of its `radii`.
 pub fn largest_radius(cam: &Cam, size: f64, radii: impl Iterator<Item = f64>) -> f64 {
     let size = size * cam.follower.prime_radius().max(cam.law.stroke());
     if !cam.follower.is_unrolled() {

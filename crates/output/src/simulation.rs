@@ -86,7 +86,7 @@ pub fn columns(outcome: &Outcome) -> Columns {
     csv::columns(csv::named(COLUMNS, outcome.swings), rows)
 }
 
-/// The results for people, in the units of the follower that ran.
+/// The results as text, in the units of the simulated follower.
 pub fn table(outcome: &Outcome, measures: Measures, language: Language) -> String {
     let words = &words::words(language);
     let mut lines = vec![
@@ -142,7 +142,7 @@ pub fn floor(floor: &FloorMotion, language: Language) -> String {
     words.fill("simulation-floor-values", &values)
 }
 
-/// Speed, motor, start and least inertia of the shaft.
+/// Speed, motor, start and minimum inertia of the shaft.
 pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)> {
     let speed = [
         ("least", &*words.number(shaft.min)),
@@ -183,7 +183,7 @@ pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)>
     ]
 }
 
-/// Force, its error, what the bearings carry, torque and pressure.
+/// Force, force error, bearing loads, torque and pressure.
 fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
     let force = measures.force().name;
     let [low, high] = [outcome.force.min, outcome.force.max].map(|f| words.number(f));
@@ -269,7 +269,7 @@ fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static
     lines
 }
 
-/// Changes of a force, N, or of the lost part below this are rounding.
+/// Changes of a force, N, or of the contact loss below this are rounding errors.
 const LEAST_CHANGE: f64 = 5e-5;
 
 fn impact_json(hit: &Impact) -> Value {
@@ -305,7 +305,7 @@ fn difference_json(next: &Difference, lever: f64) -> Value {
     })
 }
 
-/// What the next finer model would change.
+/// Changes from the next finer model. Forces in N: those of an arm at its lever, m.
 ///
 /// Forces in N: those of an arm at its lever, m.
 pub(crate) fn change(next: &Difference, lever: f64, words: &Words) -> String {

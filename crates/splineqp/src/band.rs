@@ -1,11 +1,11 @@
 //! Cholesky factors of symmetric matrices that are banded except for a border of a few last rows.
 //!
-//! The Gram matrix of periodic B-splines is banded with two corner blocks. With the last unknowns as a border, what remains
-//! is a band and a small dense block; cost is linear in the number of spans.
+//! The Gram matrix of periodic B-splines is banded with two corner blocks. With the last unknowns as a border, the rest is a band and a small dense
+//! block; the cost is linear in the number of spans.
 
 use super::frame::dot;
 
-/// Entries of a column in the band of quintics, the default degree: loops of constant length cost half.
+/// Entries of a column in the band of quintics, the default degree, as a constant for faster loops.
 const QUINTIC: usize = 6;
 
 /// Symmetric positive definite matrix: half-bandwidth `band` on the first `n − border` unknowns, full
@@ -21,7 +21,7 @@ pub struct ArrowMatrix {
     rows: Vec<f64>,
 }
 
-/// Factor L of an [`ArrowMatrix`] in the same layout, with its diagonal inverted: substitution multiplies instead of dividing.
+/// Factor L of an [`ArrowMatrix`] in the same layout, with its diagonal inverted, so that substitution multiplies instead of dividing.
 #[derive(Debug, Clone)]
 pub struct ArrowFactor(ArrowMatrix);
 
@@ -110,13 +110,13 @@ impl ArrowMatrix {
         }
     }
 
-    /// Multiplies every entry.
+    /// Multiplies every entry by a factor.
     pub fn scale(&mut self, factor: f64) {
         let all = self.core.iter_mut().chain(&mut self.rows);
         all.for_each(|a| *a *= factor);
     }
 
-    /// Entry (i, j).
+    /// Entry (i, j) of the matrix.
     pub fn get(&self, i: usize, j: usize) -> f64 {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };
         let m = self.n - self.border;
@@ -136,7 +136,7 @@ impl ArrowMatrix {
         2.0 * lower - diagonal
     }
 
-    /// Every stored entry of the lower triangle as (row, column, value).
+    /// Stored entries of the lower triangle as (row, column, value).
     pub fn lower_entries(&self) -> Vec<(usize, usize, f64)> {
         let m = self.n - self.border;
         let mut out = Vec::new();
@@ -188,7 +188,7 @@ impl ArrowMatrix {
         (0..self.n).fold(0.0, |m, i| self.get(i, i).max(m))
     }
 
-    /// Cholesky factor, or `None` when a pivot is not positive.
+    /// Cholesky factor, or `None` if a pivot is not positive.
     pub fn factor(mut self) -> Option<ArrowFactor> {
         let (n, w) = (self.n, self.band + 1);
         let m = n - self.border;
@@ -211,7 +211,7 @@ impl ArrowMatrix {
     }
 }
 
-/// Square root of a pivot; `None` where it is not positive.
+/// Square root of a pivot; `None` if it is not positive.
 fn positive_root(pivot: f64) -> Option<f64> {
     (pivot > 0.0 && pivot.is_finite()).then(|| pivot.sqrt())
 }
@@ -266,7 +266,7 @@ fn backward_of_width(core: &[f64], w: usize, x: &mut [f64]) {
     }
 }
 
-/// Inner product up to the shorter length, for few terms.
+/// Inner product up to the shorter length, for short vectors.
 #[inline(always)]
 fn plain_dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |sum, (&a, &b)| sum + a * b)
@@ -296,7 +296,7 @@ impl ArrowFactor {
         entries.map(|(i, j, l)| (i, j, if i == j { 1.0 / l } else { l }))
     }
 
-    /// Solves in place.
+    /// Solves the linear system in place.
     pub fn solve(&self, x: &mut [f64]) {
         self.forward(x);
         self.backward(x);

@@ -1,9 +1,9 @@
-//! The functions a law is built from, and rows on their coefficients.
+//! Basis functions of a law, and rows on their coefficients.
 
 use crate::poly::{PiecewisePoly, SplineSpace, Wave, add_taylor, subdivide};
 use std::f64::consts::TAU;
 
-/// Most Bernstein coefficients of a piece that are kept on the stack; wider pieces are allocated.
+/// Maximum number of Bernstein coefficients of a piece kept on the stack; wider pieces are allocated.
 pub const WIDEST: usize = 12;
 
 /// One linear functional of the law: Σ value·coefficient.
@@ -21,14 +21,14 @@ pub fn only(order: usize, weight: f64) -> [f64; 5] {
 pub enum Basis {
     /// B-splines, closed over one turn or open.
     Spline {
-        /// The space.
+        /// The spline space.
         space: SplineSpace,
-        /// Whether the law repeats.
+        /// Whether the law is periodic.
         closed: bool,
     },
     /// Mean, then cosine and sine of 1 … count over one turn.
     Harmonic {
-        /// Number of harmonics.
+        /// Number of harmonics in the sum.
         count: usize,
     },
 }
@@ -58,8 +58,7 @@ impl Basis {
         }
     }
 
-    /// Σ wₖ s⁽ᵏ⁾ as a piecewise polynomial. Sinusoids enter by Taylor polynomials with remainders below rounding; of them
-    /// weights up to w₃ are taken.
+    /// Σ wₖ s⁽ᵏ⁾ as a piecewise polynomial. Sinusoids enter by Taylor polynomials with remainders below rounding, with weights up to w₃.
     pub fn combination(&self, x: &[f64], weights: &[f64; 5]) -> PiecewisePoly {
         match self {
             Basis::Spline { space, .. } => {
@@ -94,7 +93,7 @@ impl Basis {
         self.combination(x, &only(order, 1.0)).extremes().0.value
     }
 
-    /// Breaks of the pieces the basis is smooth on, rad.
+    /// Breaks of the pieces on which the basis is smooth, rad.
     pub fn breaks(&self) -> Vec<f64> {
         match self {
             Basis::Spline { space, .. } => {
@@ -149,7 +148,7 @@ impl Basis {
         }
     }
 
-    /// The same at an angle; at a break the piece to the right answers.
+    /// The row at an angle; at a break it belongs to the piece to the right.
     pub fn row(&self, theta: f64, weights: &[f64]) -> Entries {
         match self {
             Basis::Spline { space, closed } => {
@@ -241,8 +240,8 @@ fn row_on_span(
     on_unknowns(space, span, sums)
 }
 
-/// Differences of neighbouring rows, the first `left` of them: the derivative's Bernstein coefficients of all B-splines
-/// on a span. They cancel, so they are taken before anything is multiplied.
+/// Differences of neighbouring rows, the first `left` of them: the derivative's Bernstein coefficients of all B-splines on a span. They are taken
+/// before multiplication because of cancellation.
 #[inline(always)]
 fn differentiate(rows: &mut [f64], n: usize, left: usize) {
     for k in 0..left {
@@ -253,8 +252,8 @@ fn differentiate(rows: &mut [f64], n: usize, left: usize) {
     }
 }
 
-/// Weights dᵢ of coefficients cᵢ, which sum to 0, as those of the steps cᵢ₊₁ − cᵢ: Σ dᵢ cᵢ = −Σ (d₀ + … + dᵢ)(cᵢ₊₁ − cᵢ). Of a
-/// jerk that is small beside the stroke the rounding of the cᵢ's own weights would leave few digits.
+/// Weights dᵢ of coefficients cᵢ, which sum to 0, as those of the steps cᵢ₊₁ − cᵢ: Σ dᵢ cᵢ = −Σ (d₀ + … + dᵢ)(cᵢ₊₁ − cᵢ). For a jerk that is small
+/// relative to the stroke, the weights of the cᵢ would lose digits.
 #[inline(always)]
 pub fn by_steps(weights: &mut [f64]) {
     let mut sum = 0.0;
@@ -305,7 +304,7 @@ pub fn add(to: &mut Entries, (index, value): (usize, f64)) {
     }
 }
 
-/// A row with all its entries, `n` of them.
+/// A row with its entries, `n` of them.
 pub fn dense(entries: &Entries, n: usize) -> Vec<f64> {
     let mut out = vec![0.0; n];
     for &(i, a) in entries {
@@ -320,7 +319,7 @@ pub fn apply(entries: &Entries, x: &[f64]) -> f64 {
     entries.iter().map(|&(i, v)| v * x[i]).sum()
 }
 
-/// Size of a row's terms for coefficients of typical size; the length itself for a row over further variables alone.
+/// Magnitude of a row for coefficients of typical size; the length itself for a row over further variables alone.
 pub fn row_unit(entries: &Entries, length: f64) -> f64 {
     let unit = entries
         .iter()

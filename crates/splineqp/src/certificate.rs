@@ -1,4 +1,4 @@
-//! The proof that comes with a law: how far from the optimum it can be, and what each limit costs.
+//! Certificate of a law: a bound on its distance from the optimum, and the cost of each limit.
 //!
 //! With multipliers λ ≥ 0 on the active rows, Lagrange's dual of the program is a lower bound on its
 //! objective. At a law x with residual r = Hx + g + Eᵀν + Aᵀλ the two differ by
@@ -7,10 +7,9 @@
 //! gap = Σ λᵢ (bᵢ − aᵢᵀx) − νᵀ(Ex − d) + xᵀr (+ z·y for the cone's own multiplier z)
 //! ```
 //!
-//! (Boyd and Vandenberghe, Convex Optimization, §5.5). Where H has a factor the Lagrangian, which is quadratic, falls from
-//! x by no more than ½ rᵀH⁻¹r: that stands for xᵀr where xᵀr is not small, because it counts the rounding of r times a whole
-//! lift. The rows are limits at exact places of the law, so the bound holds for the whole
-//! turn and not for samples of it.
+//! (Boyd and Vandenberghe, Convex Optimization, §5.5). If H has a Cholesky factor, the quadratic Lagrangian decreases from x by at most ½ rᵀH⁻¹r.
+//! This replaces an xᵀr that is not small, because xᵀr multiplies the rounding of r by the whole lift. The rows are limits at exact angles, so the
+//! bound holds for the whole turn.
 
 use super::basis::{Basis, apply, dense};
 use super::equality;
@@ -20,7 +19,7 @@ use super::settings::TOLERANCE;
 use crate::Names;
 use serde::Serialize;
 
-/// How near to the optimum a law is proved to be.
+/// Proved distance of a law from the optimum.
 ///
 /// ```
 /// use splineqp::{Basis, Derivative, Limit, Program, Quadratic, certificate};
@@ -44,23 +43,22 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Certificate {
-    /// Objective less the lower bound that the multipliers prove, in units of the objective (N² for a
-    /// force error's half mean square).
+    /// Objective less the lower bound from the multipliers, in units of the objective (N² for a force error's half mean square).
     pub duality_gap: f64,
-    /// The same as a part of the objective's size.
+    /// The absolute gap relative to the size of the objective.
     pub relative_gap: f64,
-    /// Objective less a lower bound of all laws, as a part of the objective's size: larger than the relative gap where a
-    /// sequence of convex programs proves a local optimum only; `None` where no such bound is known.
+    /// Objective less a lower bound over all laws, relative to the size of the objective. It exceeds the relative gap if a sequence of convex
+    /// programs proves only a local optimum; `None` without such a bound.
     pub global_gap: Option<f64>,
-    /// Size of the objective: its value, or a millionth of the terms that it is the sum of, which rounding leaves.
+    /// Size of the objective: its value, or a millionth of the sum of its terms, which is the rounding error.
     pub size: f64,
-    /// Largest entry of the Lagrangian's gradient, as a part of the largest term in it.
+    /// Largest entry of the Lagrangian's gradient, relative to its largest term.
     pub stationarity: f64,
-    /// Largest violation of any limit on the continuum, as a part of its scale.
+    /// Largest violation of any limit on the continuum, relative to its scale.
     pub violation: f64,
 }
 
-/// Largest relative gap, and largest part of the gradient left over, of an optimum that counts as proved.
+/// Maximum relative gap, and maximum relative gradient, of an optimum that counts as proved.
 pub const PROVED: f64 = 1e-6;
 
 impl Certificate {
@@ -74,20 +72,20 @@ impl Certificate {
         self.relative_gap <= PROVED && self.stationarity <= PROVED
     }
 
-    /// The same where only a larger gap is proved.
+    /// Whether a larger gap than [`PROVED`] is proved.
     pub fn widen(&mut self, gap: f64) {
         self.duality_gap = self.duality_gap.max(gap);
         self.relative_gap = self.duality_gap / self.size;
         self.global_gap = Some(self.relative_gap);
     }
 
-    /// A local optimum with this distance to a lower bound of all, where one is known.
+    /// The certificate of a local optimum with its distance to a lower bound over all laws, if known.
     pub fn bounded_by(&mut self, gap: Option<f64>) {
         self.global_gap = gap.map(|gap| self.relative_gap.max(gap / self.size));
     }
 }
 
-/// The evidence for a solution of a program. A peak counts as the law itself has it, whatever the solution states.
+/// The certificate of a solution. A peak is taken from the law itself, whatever the solution states.
 pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Certificate {
     let x = &solution.x[..program.basis.columns()];
     let mut extra = solution.extra;
@@ -122,19 +120,19 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
     }
 }
 
-/// The Lagrangian's gradient under the multipliers of the active rows, those of the equalities left out.
+/// The Lagrangian's gradient for the multipliers of the active rows, without those of the equalities.
 struct Lagrangian {
-    /// By the coefficients.
+    /// Gradient with respect to the coefficients.
     residual: Vec<f64>,
-    /// Largest term in that.
+    /// Largest term of that gradient.
     largest_term: f64,
-    /// Along the constant function. Where the level is open H has no part in it but rounding, and no factor shows it.
+    /// Component along the constant function. For an open level, H contributes only rounding to it, which no factor shows.
     level: f64,
-    /// By the further variables.
+    /// Gradient with respect to the further variables.
     of_extra: Values,
-    /// Sums of the terms' sizes in that.
+    /// Sums of the magnitudes of the terms of that gradient.
     terms_of_extra: Values,
-    /// Σ λᵢ (bᵢ − aᵢᵀx).
+    /// Complementarity sum Σ λᵢ (bᵢ − aᵢᵀx).
     slack: f64,
 }
 
@@ -178,7 +176,8 @@ impl Lagrangian {
     }
 }
 
-/// Duality gap and stationarity with the part of the further variables.
+/// Duality gap and stationarity with the part of the further variables. A component of the gradient is small relative to its largest term, or if
+/// changing the variable by its own size leaves the objective unchanged.
 ///
 /// A component of the gradient by one of them is small relative to its largest term, or when a change of the variable by its
 /// own size does not change the objective.
@@ -225,7 +224,7 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m, v| m.max(v.abs()))
 }
 
-/// Size of the objective: its value, or what counts as none of the terms that it is the sum of.
+/// Size of the objective: its value, or the rounding error of its terms.
 fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &Values) -> f64 {
     let linear: f64 = program
         .gradient
@@ -249,7 +248,7 @@ fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &Values) -> 
     if value > 0.0 { value } else { 1.0 }
 }
 
-/// Projects a residual onto the orthogonal complement of the equalities' rows; |νᵀ(Ex − d)| of what that takes off, −Eᵀν.
+/// Projects a residual onto the orthogonal complement of the equalities' rows; returns |νᵀ(Ex − d)| of the removed part −Eᵀν.
 fn project_off_equalities<N: Names>(
     program: &Program<N>,
     residual: &mut Vec<f64>,

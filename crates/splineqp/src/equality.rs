@@ -5,28 +5,25 @@ use super::basis::{Basis, apply, dense};
 use super::program::{Equality, Failure, Program, Stop};
 use crate::Names;
 
-/// The optimum under the equalities alone, and the factorisation that it was computed with.
+/// The optimum under the equalities alone, and its factorisation.
 pub struct Unlimited {
-    /// H, made positive definite by multiples of the equalities' outer products.
+    /// H, regularised to positive definite by multiples of the equalities' outer products.
     pub hessian: ArrowMatrix,
     /// Cholesky factor of the Hessian.
     pub factor: ArrowFactor,
-    /// −g of the objective with that H.
+    /// The vector −g of the objective with that H.
     pub pull: Vec<f64>,
     /// The optimum under the equalities alone.
     pub x: Vec<f64>,
-    /// Where neither objective nor equalities fix the level: the coefficient with a quadratic term of its own, and its weight.
+    /// For a level fixed by neither objective nor equalities: the coefficient with an added quadratic term, and its weight.
     pub pin: Option<(usize, f64)>,
 }
 
 /// Minimises ½xᵀHx + gᵀx subject to the equalities.
 ///
-/// H may be singular on directions that the equalities fix: multiples of their outer products make it positive definite and
-/// leave the constrained optimum where it is. A constant that nothing fixes (a moving axis does not depend on the absolute
-/// lift) gets a quadratic term on one coefficient, with a small weight where limits determine the level.
-///
-/// # Errors
-/// Equalities that contradict each other, an objective without a factor.
+/// H may be singular on directions that the equalities fix: multiples of their outer products make it positive definite without changing the
+/// constrained optimum. An undetermined constant (a moving axis does not depend on the absolute lift) gets a quadratic term on one coefficient, with
+/// a small weight if limits determine the level. # Errors Contradictory equalities, an objective that cannot be factorised.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Unlimited, Failure<N>> {
     let (hessian, pin) = regular(program);
     let factor = hessian.clone().factor().ok_or(Stop::SingularObjective)?;
@@ -51,8 +48,7 @@ fn penalty<N: Names>(program: &Program<N>) -> f64 {
     if h > 0.0 { h } else { 1.0 }
 }
 
-/// Equalities at one angle, whose outer products fit into the band. One on an integral over the law does not, and is treated
-/// by the dense system alone.
+/// Equalities at one angle, whose outer products fit into the band. Equalities on an integral over the law are treated by the dense system alone.
 fn local<N: Names>(program: &Program<N>) -> impl Iterator<Item = &Equality<N>> {
     let widest = match &program.basis {
         Basis::Spline { space, .. } => space.degree() + 1,
@@ -118,8 +114,7 @@ fn augmented_gradient<N: Names>(program: &Program<N>) -> Vec<f64> {
     g
 }
 
-/// Projects `x` onto the equalities along H⁻¹Eᵀ. Those that depend on others are left out, in the order of their pivots, and
-/// must hold at the result.
+/// Projects `x` onto the equalities along H⁻¹Eᵀ. Dependent equalities are omitted, in the order of their pivots, and must hold at the result.
 fn correct<N: Names>(
     program: &Program<N>,
     factor: &ArrowFactor,
@@ -206,7 +201,7 @@ fn by_pivots(mut s: Vec<Vec<f64>>, dependent: f64) -> (Vec<usize>, Vec<usize>) {
 }
 
 impl<N: Names> Equality<N> {
-    /// What coefficients of typical size `length` miss of the demand, as a part of its own size.
+    /// Residual of the equality for coefficients of typical size `length`, relative to its own size.
     pub(crate) fn missed(&self, x: &[f64], length: f64) -> f64 {
         let size = self.entries.iter().fold(0.0_f64, |m, e| m.max(e.1.abs())) * length;
         (apply(&self.entries, x) - self.value).abs() / size.max(self.value.abs())

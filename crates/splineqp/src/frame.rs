@@ -1,7 +1,7 @@
 //! Normals of active planes as an orthonormal basis Q and a triangle R, Z = QR; one is added or removed in O(n·planes)
 //! operations.
 
-/// The planes of an active set, by their normals.
+/// The planes of an active set, represented by their normals.
 #[derive(Default)]
 pub struct Frame {
     /// Vectors of the basis, one after the other.
@@ -10,18 +10,18 @@ pub struct Frame {
     r: Vec<Vec<f64>>,
 }
 
-/// A normal split into its part in the span of Q and the rest.
+/// A normal split into its part in the span of Q and the orthogonal part.
 pub struct Apart {
-    /// Coordinates in Q.
+    /// Coordinates of the part in the span of Q.
     pub along: Vec<f64>,
-    /// What is outside its span.
+    /// Part outside the span of Q.
     pub rest: Vec<f64>,
-    /// Square length of the rest.
+    /// Squared length of that part.
     pub left: f64,
 }
 
 impl Frame {
-    /// Splits a normal.
+    /// Splits a normal into both parts.
     pub fn split(&self, z: &[f64]) -> Apart {
         let mut rest = z.to_vec();
         let mut along = Vec::with_capacity(self.r.len() + 1);
@@ -45,7 +45,7 @@ impl Frame {
         Apart { along, rest, left }
     }
 
-    /// Adds a plane.
+    /// Adds a plane by its split normal.
     pub fn push(&mut self, apart: Apart) {
         let Apart {
             mut along,
@@ -59,13 +59,13 @@ impl Frame {
         self.r.push(along);
     }
 
-    /// Takes plane `j` out of Q and R.
+    /// Removes plane `j` from Q and R.
     pub fn remove(&mut self, j: usize) {
         self.rotate_out(j, &mut []);
         self.forget_last();
     }
 
-    /// The same, and moves a normal's part along the direction that leaves the span to its rest: no second split.
+    /// Removes plane `j`, and moves a normal's component along the removed direction to its orthogonal part, which saves a second split.
     pub fn remove_beside(&mut self, j: usize, apart: &mut Apart) {
         self.rotate_out(j, &mut apart.along);
         let n = apart.rest.len();
@@ -84,7 +84,7 @@ impl Frame {
         self.q.truncate(self.q.len() / (planes + 1) * planes);
     }
 
-    /// Takes column `j` out of R and rotates Q until its last vector is the direction that leaves, coordinates in Q with it.
+    /// Removes column `j` from R and rotates Q until its last vector is the removed direction, together with the coordinates in Q.
     fn rotate_out(&mut self, j: usize, along: &mut [f64]) {
         let n = self.q.len() / self.r.len();
         self.r.remove(j);
@@ -111,7 +111,7 @@ impl Frame {
         }
     }
 
-    /// R⁻¹d.
+    /// Solves R⁻¹d by back substitution.
     pub fn back_substituted(&self, d: &[f64]) -> Vec<f64> {
         let mut out = d.to_vec();
         for i in (0..out.len()).rev() {
@@ -124,7 +124,7 @@ impl Frame {
         out
     }
 
-    /// The point nearest to `free` on all planes, and the displacement in coordinates of Q; R⁻¹ times it are the multipliers.
+    /// The point nearest to `free` on all planes, and the displacement in coordinates of Q; R⁻¹ times the displacement gives the multipliers.
     pub fn nearest(&self, free: &[f64], bounds: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = free.len();
         let mut away: Vec<f64> = self.q.chunks_exact(n).map(|q| dot(q, free)).collect();
@@ -146,7 +146,7 @@ impl Frame {
     }
 }
 
-/// Inner product in four independent sums, which a processor adds in parallel.
+/// Inner product in four independent sums, for vectorisation.
 #[inline]
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     let n = a.len().min(b.len());
@@ -162,7 +162,7 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     sums[0] + sums[1] + (sums[2] + sums[3]) + tail
 }
 
-/// Square length.
+/// Squared length of a vector.
 pub fn square(a: &[f64]) -> f64 {
     dot(a, a)
 }

@@ -8,12 +8,11 @@
 //!            √(2 q(x)) ≤ most                        for each limit on a root mean square
 //! ```
 //!
-//! s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics; y are a few variables beside it that the caller
-//! declares by name (a peak that is minimised, sizes that cones tie together, ends of ranges). A limit is infinitely many rows: the exact worst points of s come
-//! from the roots of its derivatives in Bernstein form and enter as rows until no limit is exceeded between them. The
-//! multipliers of the active rows prove a lower bound of the objective ([`certificate`]).
+//! s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics; y are a few further variables with names (a minimised peak, sizes in a cone, ends of ranges).
+//! A limit is infinitely many rows: the exact worst points of s come from the roots of its derivatives in Bernstein form and enter as rows until no
+//! limit is exceeded between them. The multipliers of the active rows prove a lower bound of the objective ([`certificate`]).
 //!
-//! Limits and equalities carry names of the caller's own types ([`Names`]); `()` names them by text.
+//! Limits and equalities have names of the caller's types ([`Names`]); `()` names them by text.
 //!
 //! | file | |
 //! |---|---|
@@ -68,7 +67,7 @@ pub use settings::{Settings, TOLERANCE};
 pub use solve::exchange::solve as solve_by_interior_point;
 pub use squares::{LeastWorst, Square, least_worst};
 
-/// The types by which a caller names limits and equalities.
+/// Types of the caller's names of limits and equalities.
 ///
 /// ```
 /// use splineqp::Names;
@@ -88,7 +87,7 @@ pub trait Names: std::fmt::Debug + Copy + PartialEq {
     type Limit: std::fmt::Debug + Copy + PartialEq;
     /// Name of an equality.
     type Equality: std::fmt::Debug + Copy + PartialEq;
-    /// What a bound means to the caller, such as the number of which it is a function.
+    /// Meaning of a bound to the caller, such as the number of which it is a function.
     type Meaning: std::fmt::Debug + Copy + PartialEq + Default;
 }
 

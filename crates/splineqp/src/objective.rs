@@ -1,23 +1,23 @@
-//! Quadratic objectives: distance of the force to the target, and energies of derivatives.
+//! Quadratic objectives: squared distance of the force from the target, and energies of derivatives.
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries, apply, only};
 use super::frame::dot;
 use crate::poly::{SplineSpace, gauss_legendre};
 
-/// ½xᵀHx + gᵀx + constant.
+/// The quadratic ½xᵀHx + gᵀx + constant.
 #[derive(Debug, Clone)]
 pub struct Quadratic {
-    /// H.
+    /// The matrix H.
     pub hessian: ArrowMatrix,
-    /// g.
+    /// The vector g.
     pub gradient: Vec<f64>,
-    /// The constant, so that the value means something.
+    /// The constant term, so that the value is meaningful.
     pub constant: f64,
 }
 
 impl Quadratic {
-    /// Nothing yet.
+    /// The zero quadratic over a basis.
     pub fn zero(basis: &Basis) -> Self {
         let (band, border) = basis.pattern();
         let n = basis.columns();
@@ -146,7 +146,7 @@ impl Quadratic {
         self.constant += factor * other.constant;
     }
 
-    /// The same objective, `factor` times.
+    /// The objective multiplied by `factor`.
     #[must_use]
     pub fn times(&self, factor: f64) -> Self {
         let mut out = self.clone();
@@ -156,31 +156,31 @@ impl Quadratic {
         out
     }
 
-    /// The value at `x`.
+    /// Value of the quadratic at `x`.
     pub fn value(&self, x: &[f64]) -> f64 {
         quadratic(&self.hessian, &self.gradient, x) + self.constant
     }
 
-    /// The root of twice the value at `x`: the RMS of what half a mean square is the value of.
+    /// The root of twice the value at `x`: the RMS, if the value is half a mean square.
     pub fn root(&self, x: &[f64]) -> f64 {
         (2.0 * self.value(x)).max(0.0).sqrt()
     }
 }
 
-/// Half a mean square, ½ Σ factor (row·x − value)² + rest. As a sum of squares it keeps the digits that ½xᵀHx + gᵀx + c
-/// loses on many spans, where these terms are 10¹⁰ times what they leave.
+/// Half a mean square, ½ Σ factor (row·x − value)² + rest. A sum of squares keeps the digits that ½xᵀHx + gᵀx + c loses on many spans, where the
+/// terms are 10¹⁰ times their sum.
 #[derive(Debug, Clone)]
 pub struct MeanSquare {
-    /// The same as one quadratic.
+    /// The expanded quadratic.
     pub whole: Quadratic,
-    /// Rows at the nodes of a quadrature, with factor and value.
+    /// Rows at the quadrature nodes, with factor and value.
     nodes: Vec<(Entries, f64, f64)>,
-    /// What no law takes away.
+    /// Constant part that no law can remove.
     rest: f64,
 }
 
 impl MeanSquare {
-    /// ½·mean over the law of (w·svaj − target(θ))², as [`Quadratic::add_distance`] has it.
+    /// ½·mean over the law of (w·svaj − target(θ))², as in [`Quadratic::add_distance`].
     pub fn distance(
         basis: &Basis,
         weights: &[f64],
@@ -211,7 +211,7 @@ impl MeanSquare {
         }
     }
 
-    /// The same for a target of this mean square, of which the values at the nodes are the nearest polynomials.
+    /// The distance for a target with this mean square; the values at the nodes are those of the nearest polynomials.
     #[must_use]
     pub fn with_mean_square(mut self, square: f64) -> Self {
         self.rest = 0.5 * square - self.whole.constant;
@@ -219,7 +219,7 @@ impl MeanSquare {
         self
     }
 
-    /// The value at `x`.
+    /// Half the mean square at `x`.
     pub fn value(&self, x: &[f64]) -> f64 {
         let square = |(row, factor, value): &(Entries, f64, f64)| {
             0.5 * factor * (apply(row, x) - value).powi(2)
@@ -242,7 +242,7 @@ impl MeanSquare {
         out
     }
 
-    /// First and second derivative at `x` along `way`.
+    /// First and second derivative at `x` along the direction `way`.
     pub(crate) fn along(&self, x: &[f64], way: &[f64]) -> (f64, f64) {
         let terms = self.nodes.iter().map(|(row, factor, value)| {
             let moved = apply(row, way);
@@ -255,14 +255,14 @@ impl MeanSquare {
     }
 }
 
-/// ½xᵀHx + gᵀx.
+/// Evaluates ½xᵀHx + gᵀx.
 pub fn quadratic(hessian: &ArrowMatrix, gradient: &[f64], x: &[f64]) -> f64 {
     let hx = hessian.times(x);
     hx.iter().zip(x).map(|(h, x)| 0.5 * h * x).sum::<f64>()
         + gradient.iter().zip(x).map(|(g, x)| g * x).sum::<f64>()
 }
 
-/// The filling-in of values by a function of θ, as [`Quadratic::add_distance`] takes it.
+/// Converts a function of θ to the form required by [`Quadratic::add_distance`].
 pub fn pointwise(f: impl Fn(f64) -> f64) -> impl Fn(f64, f64, &[(f64, f64)], &mut [f64]) {
     move |start, width, rule, out| {
         for (value, (u, _)) in out.iter_mut().zip(rule) {
@@ -271,25 +271,25 @@ pub fn pointwise(f: impl Fn(f64) -> f64) -> impl Fn(f64, f64, &[(f64, f64)], &mu
     }
 }
 
-/// The local functions of one span at the quadrature nodes; spans that look alike share them.
+/// The local functions of one span at the quadrature nodes; equal spans share them.
 #[derive(Default)]
 struct Table {
     matrix: Option<usize>,
     width: f64,
     /// Each function's values at all nodes, one function after the other.
     values: Vec<f64>,
-    /// The same times the nodes' weights.
+    /// Values of the functions times the nodes' weights.
     weighed: Vec<f64>,
-    /// The nodes' weights.
+    /// Quadrature weights of the nodes.
     factors: Vec<f64>,
-    /// Products of the functions k and l ≤ k at l·n + k − l, as [`ArrowMatrix::add_block`] takes them.
+    /// Products of the functions k and l ≤ k at l·n + k − l, in the layout of [`ArrowMatrix::add_block`].
     gram: Vec<f64>,
-    /// Products of the functions with the target, negative: their part of g.
+    /// Negative products of the functions with the target: their part of g.
     pull: Vec<f64>,
 }
 
 impl Table {
-    /// Goes to a span; false when it looks other than the one before.
+    /// Moves to a span; false if it differs from the one before.
     fn fit(
         &mut self,
         space: &SplineSpace,
@@ -314,7 +314,7 @@ impl Table {
         false
     }
 
-    /// Weighs the nodes with their rule times `factor`(u).
+    /// Multiplies the weights of the nodes by `factor`(u).
     fn weigh(&mut self, rule: &[(f64, f64)], factor: impl Fn(f64) -> f64) {
         let (n, nodes) = (self.pull.len(), rule.len());
         self.factors.clear();
@@ -334,7 +334,7 @@ impl Table {
         }
     }
 
-    /// Products with the target at the nodes; returns half its weighted square.
+    /// Sets the products with the target at the nodes; returns half its weighted square.
     fn pull(&mut self, target: &[f64]) -> f64 {
         // Loops of known length cost half; quintics with a node for each function are the rule.
         match target.len() {

@@ -1,9 +1,9 @@
-//! Every tuning constant of the solvers, with its reason. None of them is a setting of a scene.
+//! Tuning constants of the solvers, with reasons. None of them is a key of a scene.
 
-/// Tolerance of a finished law: a stroke, whose top and bottom each take it, still keeps 1e-9 of its value.
+/// Tolerance of a finished law: a stroke, whose top and bottom may each use it, keeps 1e-9 of its value.
 pub const TOLERANCE: f64 = 4e-10;
 
-/// Groups of settings, each with its value: a line for a setting.
+/// Groups of settings with default values, one line per setting.
 macro_rules! settings {
     ($($(#[$about:meta])* $group:ident { $($(#[$doc:meta])* $name:ident: $kind:ty = $value:expr,)* })*) => {
         $(
@@ -25,205 +25,204 @@ macro_rules! settings {
 settings! {
     /// Settings of a program's solution.
     Settings {
-        /// A limit counts as kept when it is exceeded by no more than this part of its scale.
+        /// Relative excess below which a limit counts as satisfied.
         tolerance: f64 = TOLERANCE,
-        /// Least squares under equalities.
+        /// Settings of least squares under equalities.
         equality: EqualitySettings = EqualitySettings::default(),
-        /// Dual active-set method.
+        /// Settings of the dual active-set method.
         active_set: ActiveSetSettings = ActiveSetSettings::default(),
-        /// Proximal steps towards a least peak.
+        /// Settings of the proximal steps for minimax objectives.
         proximal: ProximalSettings = ProximalSettings::default(),
-        /// Rounds of separation and interior-point solution.
+        /// Settings of separation and interior-point iterations.
         exchange: ExchangeSettings = ExchangeSettings::default(),
-        /// Weight of a limit on a root mean square.
+        /// Settings of a limit on a root mean square.
         rms: RmsSettings = RmsSettings::default(),
-        /// Newton's method on the contacts.
+        /// Settings of Newton's method on the contacts.
         refinement: RefinementSettings = RefinementSettings::default(),
-        /// Duality gap.
+        /// Settings of the duality gap.
         certificate: CertificateSettings = CertificateSettings::default(),
     }
 
     /// Settings of the least squares under equalities.
     EqualitySettings {
-        /// Equalities whose pivot falls below this part of the first follow from the others, or contradict them.
+        /// Relative pivot below which equalities depend on the others, or contradict them.
         dependent: f64 = 1e-11,
-        /// A dependent equality may miss its value by this part of its own scale before it is a contradiction.
+        /// Relative residual of a dependent equality above which it is a contradiction.
         consistent: f64 = 1e-8,
-        /// Weight, in units of H, that holds a level which limits may move.
+        /// Weight, relative to H, that fixes a level which limits may move.
         light_pin: f64 = 1e-6,
-        /// An objective whose curvature along the constant function is below this part of the largest leaves the level open …
+        /// Curvature along the constant function, relative to the maximum, below which the level is open …
         level_is_free: f64 = 1e-10,
-        /// … unless the entries of an equality sum to more than this part of their size.
+        /// … unless the entries of an equality sum to more than this fraction of their magnitude.
         fixes_level: f64 = 1e-6,
     }
 
     /// Settings of the dual active-set method.
     ActiveSetSettings {
-        /// Rounds of separation before the interior-point method takes over.
+        /// Maximum number of separation iterations before the interior-point method is used.
         rounds: usize = 60,
-        /// Steps over all rounds, per unknown, before it takes over.
+        /// Maximum number of steps over all iterations, per unknown.
         steps_per_unknown: usize = 60,
-        /// More rows than this at the start are cheaper without a dense basis.
+        /// Number of initial rows above which a dense basis is avoided.
         rows: usize = 1000,
-        /// More active rows than this are left to the interior-point method.
+        /// Maximum number of active rows; more are left to the interior-point method.
         active: usize = 400,
-        /// A row counts as violated beyond this part of its limit's size; far below the rounds' own tolerance.
+        /// Excess relative to the limit's scale above which a row is violated; far below the tolerance of the iterations.
         resolved: f64 = 1e-12,
-        /// When progress ends, a law that violates limits by less than this is accepted: the rest is rounding.
+        /// Violation below which a law without further progress is accepted as exact to rounding.
         resolved_at_last: f64 = 1e-7,
-        /// A round that leaves more than this part of the least violation makes no progress …
+        /// Fraction of the smallest violation above which an iteration made no progress …
         progress: f64 = 0.9,
-        /// … and after so many of them progress has ended.
+        /// … and number of such iterations that end the method.
         patience: usize = 4,
-        /// A row whose part outside the span of the active ones is below this share of its square length
-        /// depends on them.
+        /// Fraction of its squared length outside the span of the active rows below which a row is dependent.
         dependent: f64 = 1e-13,
-        /// A new row this near (in units of its piece) to an old one of the same limit replaces it.
+        /// Distance (in units of its piece) from an old row of the same limit below which a new row replaces it.
         coincident: f64 = 1e-5,
-        /// Rounds in which contacts are refined, at most.
+        /// Maximum number of iterations that refine contacts.
         refinements: usize = 8,
-        /// The pin of an open level is moved at most this often …
+        /// Maximum number of moves of the pin of an open level …
         pin_moves: usize = 12,
-        /// … until the level moves by no more than this part of the typical lift.
+        /// … until the level moves by at most this fraction of the typical lift.
         pin_settled: f64 = 1e-9,
     }
 
-    /// Settings of the proximal steps towards a least peak.
+    /// Settings of the proximal steps for minimax objectives.
     ProximalSettings {
-        /// ε: weight of a change of the law by its own size, in units of the peak, at first …
+        /// ε: initial weight of a change of the law by its own size, in units of the peak …
         nearness: f64 = 1e-2,
-        /// … at last …
+        /// … final weight …
         least_nearness: f64 = 1e-9,
-        /// … and from one centre to the next …
+        /// … factor from one centre to the next …
         fall: f64 = 0.2,
-        /// … and times as much where rounding ends a step.
+        /// … and factor after a step that ends in rounding errors.
         heavier: f64 = 100.0,
-        /// A law becomes the centre when its own peak falls by this part of what the rows promise.
+        /// Decrease of the peak, as a fraction of the predicted one, above which a law becomes the centre.
         kept: f64 = 0.3,
-        /// Part of the gap that a step may leave where its rows are those of its law.
+        /// Fraction of the gap that a step may leave if its rows are those of its law.
         proved: f64 = 0.3,
-        /// Laws that exceed other limits by less than this part of them are compared by their peaks.
+        /// Relative excess over other limits below which laws are compared by their peaks.
         compared: f64 = 1e-4,
-        /// Rounds of rows and centres; 20 are usual.
+        /// Maximum number of iterations of rows and centres; 20 are usual.
         rounds: usize = 150,
-        /// Stop within this factor of the refinement threshold.
+        /// Factor of the refinement threshold within which the search stops.
         accepted: f64 = 1e3,
-        /// Rounds without a better certificate that end the search.
+        /// Number of iterations without a better certificate that end the search.
         patience: usize = 25,
     }
 
-    /// Settings of the search for the weight of a limit on a root mean square.
+    /// Settings of the search for the weight of a root-mean-square limit.
     RmsSettings {
-        /// Tolerance of the limits in the program with a cone, where the search begins.
+        /// Tolerance of the limits in the initial program with a cone.
         rough: f64 = 1e-6,
-        /// First step of ln p, twice as long each time.
+        /// First step of ln p, doubled each time.
         peak_step: f64 = 0.2,
-        /// First step of ln μ, in parts of the logarithm by which the limit is missed …
+        /// First step of ln μ, relative to the logarithm of the excess …
         step: f64 = 4.0,
-        /// … no shorter than this, and four times as long each time …
+        /// … at least this, quadrupled each time …
         least_step: f64 = 1e-6,
-        /// … so many times; of a peak too.
+        /// … for this number of steps; also for a peak.
         steps: usize = 24,
-        /// The least peak that is tried is larger than the least one there is by this part.
+        /// Relative distance of the smallest trial peak from the minimum.
         pinch: f64 = 2e-7,
-        /// Weights tried between two.
+        /// Number of trial weights between two others.
         weights: usize = 40,
-        /// Weights whose logarithms are nearer than this are one.
+        /// Difference of logarithms below which weights are equal.
         same_weight: f64 = 1e-11,
-        /// Gap of the law between two optima, as a part of the objective.
+        /// Relative gap of the law between two optima.
         gap: f64 = 1e-10,
     }
 
     /// Settings of Newton's method on the contacts.
     RefinementSettings {
-        /// Relative gap that needs no refinement …
+        /// Relative gap below which no refinement is needed …
         gap: f64 = 1e-7,
-        /// … and stationarity, which often ends at 1e-7 where the gap is closed. A law is certified with both below 1e-6.
+        /// … and stationarity, which often ends at 1e-7 with a closed gap. A law is certified with both below 1e-6.
         stationarity: f64 = 3e-7,
-        /// Programs of a coarser tolerance are steps of a sequence and are not refined.
+        /// Tolerance above which a program is a step of a sequence and is not refined.
         finest_tolerance: f64 = TOLERANCE,
-        /// Steps on the banded factor; three are usual.
+        /// Maximum number of steps on the banded factor; three are usual.
         band_steps: usize = 5,
-        /// Dense steps; a handful is usual.
+        /// Maximum number of dense steps; a handful is usual.
         steps: usize = 12,
-        /// Dense systems solved in all: rows leave one by one.
+        /// Maximum number of dense systems in all, since rows leave one by one.
         solves: usize = 40,
-        /// Steps without a better certificate that end the search.
+        /// Number of steps without a better certificate that end the search.
         patience: usize = 4,
-        /// Gap and stationarity that end the search …
+        /// Gap and stationarity at which the search ends …
         clean: f64 = 1e-8,
-        /// … and those accepted where rounding permits no better.
+        /// … and those accepted if rounding prevents better ones.
         proved: f64 = 1e-6,
-        /// Contacts are refined together once limits are violated by less than this part of their scale.
+        /// Relative violation below which contacts are refined together.
         from: f64 = 1e-3,
-        /// Steps to violations this many times those at the start have lost their contacts.
+        /// Ratio to the initial violation above which a step has lost its contacts.
         divergence: f64 = 30.0,
-        /// Peaks as far below the bound as this part of the limit's scale are candidates.
+        /// Relative distance from the bound within which maxima are candidates.
         below: f64 = 0.05,
-        /// A limit that falls by less than this part of its scale over a piece's width has no contact point.
+        /// Relative decrease over the width of a piece below which a limit has no contact point.
         flat: f64 = 1e-6,
-        /// Contacts nearer than this part of a piece are one.
+        /// Distance, as a fraction of a piece, below which contacts coincide.
         same: f64 = 1e-7,
-        /// Rows whose multiplier is below this part of the largest are no contacts.
+        /// Multiplier relative to the largest below which a row is not a contact.
         weakest: f64 = 1e-6,
-        /// A multiplier below zero by this part of the largest means that the row is not active.
+        /// Negative multiplier relative to the largest below which a row is not active.
         negative_multiplier: f64 = 1e-9,
-        /// More rows than this per unknown do not determine a vertex.
+        /// Maximum number of rows per unknown that determine a vertex.
         rows_per_unknown: usize = 24,
-        /// Rounds in which places that a step violates join it …
+        /// Maximum number of iterations in which violated points join a step …
         joins: usize = 8,
-        /// … by more than this part of the limit's size …
+        /// … with at least this relative violation …
         resolved: f64 = 1e-10,
-        /// … where no row of the limit is nearer than this part of a piece.
+        /// … and no row of the limit nearer than this fraction of a piece.
         apart: f64 = 0.25,
-        /// Larger dense systems are not solved.
+        /// Maximum size of a dense system.
         largest: usize = 500,
-        /// Proximal weight of the step, in the solver's units …
+        /// Proximal weight of the step, in units of the solver …
         held: f64 = 1e-9,
-        /// … raised by this factor …
+        /// … multiplied by this factor …
         raised: f64 = 100.0,
-        /// … at most so often while the matrix has no factor.
+        /// … at most this number of times while the matrix cannot be factorised.
         raises: i32 = 4,
         /// Proximal weight of the multipliers, for rows that depend on each other.
         light: f64 = 1e-13,
-        /// Steps of the quadratic program, per unknown; two are usual.
+        /// Maximum number of steps of the quadratic program, per unknown; two are usual.
         steps_per_unknown: usize = 10,
-        /// Excess at which a plane of it is satisfied.
+        /// Excess at which one of its planes is satisfied.
         step_resolved: f64 = 1e-14,
         /// As `ActiveSetSettings::dependent`, for its planes.
         dependent: f64 = 1e-25,
-        /// A plane that depends on the active ones and is violated by less than this is left to rounding.
+        /// Violation of a dependent plane below which it is attributed to rounding.
         rounding: f64 = 1e-9,
     }
 
     /// Settings of the rounds of separation and interior-point solution.
     ExchangeSettings {
-        /// Rounds before giving up; a handful is usual.
+        /// Maximum number of iterations; a handful is usual.
         rounds: usize = 60,
-        /// Rounds in which contacts are refined, at most: a dense step costs as much as a round.
+        /// Maximum number of iterations that refine contacts, since a dense step costs as much as one.
         refinements: usize = 3,
-        /// A round that leaves more than this part of the least violation has stalled.
+        /// Fraction of the smallest violation above which an iteration has stalled.
         stalled: f64 = 0.5,
-        /// Then room is kept inside every limit: this many times the violation, and the room of the round before …
+        /// After a stall, margin of every limit as a multiple of the violation, added to the previous margin …
         margin_growth: f64 = 2.0,
-        /// … but never more than this part of its scale.
+        /// … limited to this fraction of the scale.
         largest_margin: f64 = 1e-6,
-        /// What the solver leaves unresolved of a second-order cone, which is not refined.
+        /// Residual of the solver for a second-order cone, which is not refined.
         cone_margin: f64 = 1e-7,
-        /// A new row this near (in units of its piece) to an old one of the same limit replaces it.
+        /// Distance (in units of its piece) from an old row of the same limit below which a new row replaces it.
         coincident: f64 = 1e-4,
         /// Gap and feasibility tolerance of the interior-point method: tighter ones end in "insufficient progress" on some
         /// fits, and refinement restores the digits.
         solver_tolerance: f64 = 1e-9,
-        /// Iterations of the interior-point method; 20 are usual.
+        /// Maximum number of iterations of the interior-point method; 20 are usual.
         solver_iterations: u32 = 200,
     }
 
     /// Settings of the certificate.
     CertificateSettings {
-        /// An objective below this part of its terms is rounding: a force error of a thousandth of the force.
+        /// Objective relative to its terms below which it is a rounding error: a force error of a thousandth of the force.
         least_objective: f64 = 1e-6,
-        /// Part of the objective below which xᵀr is small.
+        /// Fraction of the objective below which xᵀr is small.
         small: f64 = 1e-9,
         /// As `ActiveSetSettings::dependent`, for equalities.
         dependent: f64 = 1e-20,

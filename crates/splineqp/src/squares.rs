@@ -26,11 +26,11 @@ use crate::solve::exchange::clarabel::{prepared, run};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Square {
-    /// γ.
+    /// Factor γ.
     pub scale: f64,
-    /// b.
+    /// Vector b.
     pub towards: Vec<f64>,
-    /// c.
+    /// Constant c.
     pub constant: f64,
 }
 
@@ -43,28 +43,28 @@ impl Square {
     }
 }
 
-/// Rows of one program that enter at once, and at first.
+/// Number of rows added at once, and initially.
 const ENTERING: usize = 24;
-/// Part of the largest square by which one that has no row may exceed it.
+/// Relative excess over the largest square allowed for a square without a row.
 const EXCEEDS: f64 = 1e-10;
-/// Singular values below this are none.
+/// Singular values below this count as zero.
 const DEPENDENT: f64 = 1e-9;
-/// Programs at most.
+/// Maximum number of programs.
 const ROUNDS: usize = 40;
 
-/// The point of a hull at which squares are least, with its proof.
+/// The optimal point of a hull, with its proof.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeastWorst {
-    /// Weights of the squares: their weighed sum is least at this point of the hull. Their sum is 1, each is at most its cap.
+    /// Weights of the squares: this point of the hull minimises their weighted sum. Their sum is 1, each is at most its cap.
     pub weights: Vec<f64>,
-    /// Parts of the points, sum 1.
+    /// Weights of the points, sum 1.
     pub parts: Vec<f64>,
     at: Vec<f64>,
     level: f64,
 }
 
-/// The point of a hull at which the largest square, or without the largest the capped sum of squares, is least. The squares are
-/// to be of the size of 1. `None` where the solver fails.
+/// The point of a hull that minimises the largest square or, without the largest, the capped sum of squares. The squares should be of order 1. `None`
+/// if the solver fails.
 ///
 /// ```
 /// use splineqp::{Square, least_worst};
@@ -104,8 +104,8 @@ fn worst_first(squares: &[Square], at: &[f64], of: &mut [usize], most: usize) ->
     of.iter().copied().take(most).collect()
 }
 
-/// The weights nearest to those given under which the point is stationary on its face of the hull: an interior point has its
-/// point to ten digits, and weights of a cone to half as many.
+/// The weights nearest to the given ones for which the point is stationary on its face of the hull: an interior-point method gives the point to ten
+/// digits, but the weights to half as many.
 fn refine(weights: &mut [f64], free: &[usize], squares: &[Square], bearing: &[&[f64]], at: &[f64]) {
     if free.is_empty() {
         return;
@@ -143,7 +143,7 @@ fn refine(weights: &mut [f64], free: &[usize], squares: &[Square], bearing: &[&[
     }
 }
 
-/// The least with the rows of some squares; the level is that of the largest of them (with caps infinite).
+/// The minimum with the rows of some squares; the level is that of the largest of them (with infinite caps).
 fn solve(
     points: &[Vec<f64>],
     squares: &[Square],

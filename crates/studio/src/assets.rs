@@ -1,4 +1,4 @@
-//! The page's files, held in the binary.
+//! The page's files, stored in the binary.
 
 use crate::http::Response;
 use gaitcam::wording::Language;
@@ -11,10 +11,10 @@ const STYLE: &str = "text/css; charset=utf-8";
 
 /// Name, media type and contents, listed by the build script.
 const FILES: &[(&str, &str, &str)] = include!(concat!(env!("OUT_DIR"), "/page.rs"));
-/// The one that the report has too.
+/// The file that the report also contains.
 const MOTION: &str = "core/motion.js";
 
-/// The page itself: its other files lie under `base`.
+/// The page itself; its other files are below `base`.
 pub fn page(base: &str, language: Language) -> Response {
     let page = fresh("index.html").unwrap_or_else(|| PAGE.to_string());
     let page = page
@@ -24,7 +24,7 @@ pub fn page(base: &str, language: Language) -> Response {
     Response::new(HTML, page)
 }
 
-/// One of its files.
+/// One of the page's files.
 pub fn file(name: &str) -> Option<Response> {
     if name == MOTION {
         return Some(Response::new(SCRIPT, MOTION_SCRIPT));
@@ -34,7 +34,7 @@ pub fn file(name: &str) -> Option<Response> {
     Some(Response::new(found.1, text))
 }
 
-/// The file in the source tree: development builds show a changed page on reload.
+/// The file in the source tree, so that development builds show changes on reload.
 fn fresh(name: &str) -> Option<String> {
     if !cfg!(debug_assertions) {
         return None;

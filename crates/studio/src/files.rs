@@ -1,4 +1,4 @@
-//! Scenes of the opened folder: opened as they are, saved under a name that is free.
+//! Scenes of the opened folder: opened, and saved under an unused name.
 
 use std::path::Path;
 
@@ -12,8 +12,7 @@ use gaitcam_app::page::{Named, table};
 
 /// The text of a scene of the folder.
 ///
-/// # Errors
-/// Files outside the folder; text that is no TOML.
+/// # Errors Files outside the folder; text that is not TOML.
 pub fn open(studio: &Studio, path: &str) -> Result<Value> {
     let path = Path::new(path);
     let text = String::from_utf8_lossy(&studio.folder.read(path)?).into_owned();
@@ -21,26 +20,25 @@ pub fn open(studio: &Studio, path: &str) -> Result<Value> {
     Ok(json!({"scene": text, "file": path.display().to_string()}))
 }
 
-/// A scene to be saved, with the dropped recording that it names.
+/// A scene to save, with the dropped recording that it names.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Save {
-    /// The scene file.
+    /// TOML text of the scene.
     pub scene: String,
     /// Name of the saved file.
     pub name: String,
-    /// The kept files that it names.
+    /// Kept files that the scene names.
     #[serde(default)]
     pub files: Vec<Named>,
-    /// Language of the faults.
+    /// Language of the error messages.
     #[serde(default)]
     pub language: String,
 }
 
 /// Saves a scene, and next to it the dropped file that it names. No file is ever replaced.
 ///
-/// # Errors
-/// Names that are no plain file names; folders that take no files.
+/// # Errors Invalid file names; folders that cannot be written.
 pub fn save(studio: &Studio, save: &Save) -> Result<Value> {
     let mut table = table(&save.scene)?;
     let file = table

@@ -1,4 +1,4 @@
-//! The opened folder: what lies in it may be read, new files may be written, nothing outside is touched.
+//! The opened folder: its files may be read, new files may be written, nothing outside is accessed.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -17,19 +17,19 @@ use gaitcam_app::read::read_at_most;
 /// The bytes of a file with their hash.
 type Content = (Hash, Arc<Vec<u8>>);
 
-/// Largest file that is read, bytes.
+/// Maximum size of a file that is read, bytes.
 const LARGEST: u64 = 256 << 20;
-/// Files listed at most, and folders looked into below the opened one.
+/// Maximum number of listed files, and of subfolders searched.
 const LISTED: usize = 500;
 const DEPTH: usize = 3;
 
-/// Files that need not be read again while they do not change.
+/// Cache of files, valid until they change.
 const READ: usize = 8;
 
-/// A file as it was: path, size, time of its last change.
+/// State of a file: path, size, time of its last change.
 type Stamp = (PathBuf, u64, Option<SystemTime>);
 
-/// The opened folder.
+/// The folder opened in the studio.
 pub struct Folder {
     root: PathBuf,
     read: Mutex<Recent<Stamp, Content>>,
@@ -48,7 +48,8 @@ impl Folder {
     /// Opens a folder.
     ///
     /// # Errors
-    /// Where it is not there.
+    ///
+    /// A missing folder.
     pub fn open(path: &Path) -> Result<Folder> {
         let root = fs::canonicalize(path).map_err(|e| unread(path, &e))?;
         let read = Mutex::new(Recent::new(READ));
@@ -62,8 +63,7 @@ impl Folder {
 
     /// The true path of a file in the folder.
     ///
-    /// # Errors
-    /// Paths that lead out of the folder, by `..`, from the root or through a link; files that are not there.
+    /// # Errors Paths that lead out of the folder, by `..`, from the root or through a link; missing files.
     pub fn find(&self, path: &Path) -> Result<PathBuf> {
         let outside = || StudioError::Outside.in_file(path);
         let upwards = path.components().any(|c| c == Component::ParentDir);
@@ -81,13 +81,14 @@ impl Folder {
     /// A file of the folder.
     ///
     /// # Errors
-    /// As [`Folder::find`]; what is no plain file, or too large.
+    ///
+    /// As [`Folder::find`]; not a plain file, or too large.
     pub fn read(&self, path: &Path) -> Result<Vec<u8>> {
         let found = self.find(path)?;
         read_at_most(&found, LARGEST).map_err(|e| e.placed(Place::File(path.to_path_buf())))
     }
 
-    /// The same with its hash, for files that are asked for again and again.
+    /// The file with its hash, for files that are requested repeatedly.
     ///
     /// # Errors
     /// As [`Folder::read`].
@@ -105,11 +106,12 @@ impl Folder {
         Ok(read)
     }
 
-    /// Writes a new file under a plain name and returns the name: that of the first free number where it is
-    /// taken (`walk.toml`, `walk-2.toml`). Nothing is ever replaced.
+    /// Writes a new file under a plain name and returns the name, with the first free number if it exists (`walk.toml`, `walk-2.toml`). Never
+    /// replaces a file.
     ///
     /// # Errors
-    /// Names that are no plain file names; folders that take no files.
+    ///
+    /// Invalid file names; folders that cannot be written.
     pub fn write_new(&self, name: &str, bytes: &[u8]) -> Result<String> {
         let plain = !name.is_empty()
             && !name.starts_with('.')
@@ -187,7 +189,7 @@ impl Folder {
     }
 }
 
-/// Whether a TOML file has one of a scene's tables.
+/// Whether a TOML file has one of the tables of a scene.
 fn is_scene(path: &Path) -> bool {
     let small = fs::metadata(path).is_ok_and(|m| m.len() < 1 << 20);
     let text = if small {

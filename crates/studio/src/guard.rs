@@ -1,4 +1,4 @@
-//! Access control: only pages of this server that have its token.
+//! Access control: only pages of this server with its token are admitted.
 
 use std::fs;
 use std::io::{self, Write};
@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use crate::http::{Head, Response, Status};
 
-/// Bytes of the token.
+/// Number of bytes of the token.
 const LENGTH: usize = 16;
 
-/// What tokens are made from.
+/// Input from which tokens are computed.
 type Secret = [u8; 32];
 
 /// Token and port of a running server.
@@ -18,21 +18,21 @@ pub struct Guard {
     port: u16,
 }
 
-/// Token and preferred port of a folder: the same at every start, so that a page finds its studio again. Both are
-/// made from the folder's path and a secret of the user, so that neither another user nor a page of another origin can
-/// guess them.
+/// Token and preferred port of a folder: the same at every start, so that a page finds its studio again. Both are computed from the folder's path and
+/// a secret of the user, so that others cannot guess them.
 pub struct Place {
-    /// The token.
+    /// The access token.
     pub token: String,
-    /// A port of the range that no service has of its own.
+    /// A port in the range for private use.
     pub port: u16,
 }
 
 impl Place {
-    /// Of a folder.
+    /// Creates the guard of a folder.
     ///
     /// # Errors
-    /// Where the system has no random numbers.
+    ///
+    /// The system has no random numbers.
     pub fn of(folder: &Path) -> io::Result<Place> {
         let secret = match secret_file() {
             Some(file) => kept_secret(&file).or_else(|_| fresh())?,
@@ -45,7 +45,7 @@ impl Place {
     }
 }
 
-/// The user's secret, in the folder that the system has for what programs keep; none where there is no such folder.
+/// The user's secret, in the system's folder for application data; `None` without such a folder.
 fn secret_file() -> Option<PathBuf> {
     let folder = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty());
     let below = |name: &str, more: &str| folder(name).map(|home| PathBuf::from(home).join(more));
@@ -59,7 +59,7 @@ fn secret_file() -> Option<PathBuf> {
     Some(state?.join("gaitcam").join("studio.key"))
 }
 
-/// The secret of the file, which is written with the first one and can be read by its user alone.
+/// The secret in the file, created at first use and readable only by its user.
 fn kept_secret(file: &Path) -> io::Result<Secret> {
     if let Ok(bytes) = fs::read(file)
         && let Ok(secret) = bytes.try_into()
@@ -98,8 +98,7 @@ impl Guard {
         format!("/{}/", self.token)
     }
 
-    /// Whether a request may go on: this host, no other origin, the token in its query or as the first part of its
-    /// path, and no way upwards.
+    /// Whether a request is admitted: this host, no other origin, the token in its query or as the first part of its path, and no parent folders.
     pub fn admit(&self, head: &Head) -> Result<(), Response> {
         let own = [
             format!("127.0.0.1:{}", self.port),

@@ -33,7 +33,7 @@ use gaitcam_app::page::{Engine, Start, set_language, table};
 use guard::{Guard, Place};
 use http::Server;
 
-/// What is opened, and where.
+/// Options of the studio.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
     /// A scene file, a folder, or the name of a built-in scene; the working directory with the default scene
@@ -45,7 +45,7 @@ pub struct Options {
     pub language: Language,
 }
 
-/// A running studio.
+/// A running studio server.
 struct Studio {
     guard: Guard,
     folder: Folder,
@@ -68,7 +68,7 @@ impl Ready {
         self.studio.guard.url()
     }
 
-    /// Answers for ever.
+    /// Serves requests forever.
     pub fn serve(self) -> ! {
         self.server.serve(self.studio)
     }
@@ -76,8 +76,7 @@ impl Ready {
 
 /// Opens the folder and starts listening on the loopback address.
 ///
-/// # Errors
-/// Folders and scenes that are not there, a port that is taken.
+/// # Errors Missing folders and scenes, a port in use.
 pub fn open(options: &Options) -> Result<Ready> {
     set_language(options.language);
     let (folder, start) = opened(options.open.as_deref())?;
@@ -134,7 +133,7 @@ fn opened(path: Option<&Path>) -> Result<(Folder, Start)> {
     Ok((folder, start))
 }
 
-/// Locks; a thread that panicked has left nothing half done here.
+/// Locks the mutex; a panic of another thread leaves no inconsistent state.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,4 +1,4 @@
-//! What a user asks of a sweep, as it is given and as it travels.
+//! Definition of a sweep, as given and as pickled.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ use crate::error::{Raise, argument};
 use crate::force::Force;
 use crate::scene::Scene;
 
-/// The whole question.
+/// Definition of a sweep.
 pub struct Question {
     scenes: Vec<Scene>,
     /// The force of all scenes, until its content is among the files of the sweep.
@@ -25,7 +25,7 @@ pub struct Question {
     asked: SweepQuestion,
 }
 
-/// The files of a base scene: those of the force that is given, then those on the disk.
+/// Files of a base scene: those of the given force, then those on the disk.
 struct Given {
     force: Option<Force>,
     disk: Disk,
@@ -75,7 +75,7 @@ pub fn scenes(list: &Bound<'_, PyAny>) -> PyResult<Vec<Scene>> {
     Ok(out)
 }
 
-/// The axis of a key: a range, a list, or what the command line takes.
+/// The axis of a key: a range, a list, or the syntax of the command line.
 fn of_axis(key: String, values: &Bound<'_, PyAny>, sampled: bool) -> PyResult<Varied> {
     if let Ok(text) = values.cast::<PyString>() {
         return Ok(Varied::Text(format!("{key}={text}")));
@@ -129,7 +129,7 @@ fn starts_number(value: &Bound<'_, PyAny>) -> bool {
         .starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
 }
 
-/// A value as a scene file has it.
+/// A value as written in a scene file.
 fn written(value: &Bound<'_, PyAny>, key: &str) -> PyResult<String> {
     if value.is_instance_of::<PyString>() || value.hasattr("__fspath__")? {
         return Ok(value.str()?.to_string());
@@ -148,7 +148,7 @@ fn written(value: &Bound<'_, PyAny>, key: &str) -> PyResult<String> {
 }
 
 impl Question {
-    /// A question about scenes without axes yet.
+    /// A definition with scenes but without axes.
     pub fn new(
         py: Python<'_>,
         scenes: Vec<Scene>,
@@ -174,7 +174,7 @@ impl Question {
         })
     }
 
-    /// Gives all scenes a force in place of the one that they name.
+    /// Sets one force for all scenes, instead of the one that they name.
     pub fn force(&mut self, py: Python<'_>, force: Option<Force>) -> PyResult<()> {
         for (scene, force) in self.scenes.iter_mut().zip(force.iter().cycle()) {
             *scene = Scene::of_input(force.named_in(&scene.input).raise(py)?);
@@ -184,7 +184,7 @@ impl Question {
         Ok(())
     }
 
-    /// Adds axes.
+    /// Adds axes of the sweep.
     pub fn vary(&mut self, axes: Option<&Bound<'_, PyDict>>, sampled: bool) -> PyResult<()> {
         for (key, values) in axes.into_iter().flatten() {
             let axis = of_axis(key.extract()?, &values, sampled)?;
@@ -203,7 +203,7 @@ impl Question {
         Ok(())
     }
 
-    /// Adds the axis of recordings, before all others; without one refuses scenes that leave the force open.
+    /// Adds the axis of recordings, before all others; without it rejects scenes that leave the force open.
     pub fn recordings(&mut self, py: Python<'_>, paths: Option<Vec<PathBuf>>) -> PyResult<()> {
         let Some(paths) = paths else {
             return self.scenes.iter().try_for_each(|s| s.whole(py).map(|_| ()));
@@ -217,7 +217,7 @@ impl Question {
         Ok(())
     }
 
-    /// Adds tolerances.
+    /// Adds manufacturing tolerances.
     pub fn tolerances(&mut self, parts: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
         for (part, width) in parts.into_iter().flatten() {
             let part: String = part.extract()?;
@@ -229,8 +229,7 @@ impl Question {
 
     /// The sweep; without `files` recordings are read from the disk.
     ///
-    /// # Errors
-    /// Axes, rows, tolerances and recordings that are wrong.
+    /// # Errors Invalid axes, rows, tolerances and recordings.
     pub fn sweep(&self, files: Option<Files>) -> Result<gaitcam::sweep::Sweep> {
         if let Some(files) = files {
             return gaitcam::sweep::Sweep::with_files(self.asked.subject()?, files);
@@ -243,7 +242,7 @@ impl Question {
         self.asked.sweep(|index| &files[index])
     }
 
-    /// What travels: scenes as text, the rest as it was given, and the content of every file once.
+    /// Pickled state: scenes as text, the rest as given, and the content of every file once.
     pub fn state<'py>(&self, py: Python<'py>, files: &Files) -> PyResult<Bound<'py, PyAny>> {
         // The same object twice is pickled once.
         let mut contents: HashMap<*const Vec<u8>, Bound<'py, PyBytes>> = HashMap::new();
@@ -259,7 +258,7 @@ impl Question {
         Ok(state.into_pyobject(py)?.into_any())
     }
 
-    /// The question and the files that [`Question::state`] gave.
+    /// The definition and files restored from [`Question::state`].
     pub fn restore(state: &Bound<'_, PyAny>) -> PyResult<(Question, Files)> {
         let item = |i: usize| state.get_item(i);
         let mut files = Files::new();
@@ -293,7 +292,7 @@ fn method_of(name: &str) -> Option<Method> {
         .find(|m| m.name() == name)
 }
 
-/// A base scene as rows name it.
+/// A base scene with its name in the rows.
 fn named(scene: &Scene) -> NamedScene {
     NamedScene {
         name: scene.input.scene.name.clone(),

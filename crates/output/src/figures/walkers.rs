@@ -1,4 +1,4 @@
-//! The picture of a population: the band of all wanted forces, and the walker whom the cam serves worst.
+//! The picture of a population: the band of all required forces, and the walker with the largest error.
 
 use std::f64::consts::TAU;
 
@@ -14,10 +14,10 @@ use gaitcam::scene::ErrorMeasure;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
-/// Steps of a turn.
+/// Number of steps of a turn.
 const STEPS: usize = 360;
 
-/// Wanted forces of all walkers as a band, in parts of each mean force, with the force of the cam at the worst of them.
+/// Required forces of all walkers as a band, relative to each mean force, with the cam's force for the worst walker.
 pub fn walkers(design: &Design, language: Language) -> Picture {
     walkers_in(design, Layout::ALONE, &words::words(language))
 }

@@ -1,4 +1,4 @@
-//! Means of each foot over its stances, and what the feet give together.
+//! Means of each foot over its stances, and quantities of both feet.
 
 use gaitcam::force::{Cycle, Foot, Kind, Point, Stance, Stances};
 use gaitcam::units::G;

@@ -65,7 +65,7 @@ fn stance(s: &Stance, r: &Recording) -> Value {
     })
 }
 
-/// A file that is one cycle, with the keys of [`json()`].
+/// A file that is one cycle as JSON, with the keys of [`json()`].
 pub fn cycle_json(curve: &ForceCurve) -> Value {
     let notes: Vec<String> = curve.clock_note().iter().map(Note::to_string).collect();
     json!({

@@ -1,4 +1,4 @@
-//! Results of reading recordings: tables for people, JSON for programs.
+//! Results of reading recordings: tables as text, JSON for programs.
 
 mod feet;
 mod json;
@@ -11,7 +11,7 @@ pub use json::{cycle_json, json};
 pub use table::{cycle_table, table};
 pub use trials::{TrialRow, trials_json, trials_table};
 
-/// Labels of the tables.
+/// Catalogue of the table labels.
 const LABELS: Sentences = Sentences {
     files: &[[include_str!("en.ftl"), include_str!("es.ftl")]],
     as_typed: &["list"],

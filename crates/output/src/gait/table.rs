@@ -12,8 +12,8 @@ use gaitcam::force::{
 use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
 
-/// Table of a recording. `cycle` is the text of an error, or nothing, if there is no mean cycle. Stances and rejected contacts are
-/// listed one by one if `all` is set, and where the feet have no means.
+/// Table of a recording. Without a mean cycle, `cycle` is the text of an error or empty. Stances and rejected contacts are listed one by one if `all`
+/// is set, or if the feet have no means.
 pub fn table(
     understood: &Interpretation,
     recording: &Recording,
@@ -65,7 +65,7 @@ pub fn cycle_table(curve: &ForceCurve, language: Language) -> String {
     out.text
 }
 
-/// A table under way, line by line.
+/// A table being written, line by line.
 pub(super) struct Lines {
     pub text: String,
     pub words: &'static Messages,
@@ -79,13 +79,13 @@ impl Lines {
         }
     }
 
-    /// A line without a label.
+    /// Writes a line without a label.
     pub fn line(&mut self, text: impl Display) {
         // Writing to a String cannot fail.
         let _ = writeln!(self.text, "{text}");
     }
 
-    /// A line under its label, padded to the width of all labels.
+    /// Writes a line under its label, padded to the width of all labels.
     pub fn row(&mut self, key: &str, text: impl Display) {
         let label = self.words.text(key);
         self.line(format_args!("{label:<9} {text}"));
@@ -171,7 +171,7 @@ impl Lines {
         }
     }
 
-    /// How many contacts are rejected for each reason.
+    /// Number of rejected contacts for each reason.
     fn reasons(&mut self, understood: &Interpretation) {
         let mut counts: Vec<(String, usize)> = Vec::new();
         for (_, reason) in self.rejections(understood) {
@@ -223,8 +223,7 @@ impl Lines {
         self.spread(&c.curve, c.repeatability_n, c.mass_kg);
     }
 
-    /// Open questions: what cannot be accepted, and the keys that answer the others. They stay where a recording can be
-    /// used in part.
+    /// Open questions: those that cannot be accepted, and the keys that answer the others.
     fn open_questions(&mut self, understood: &Interpretation) {
         let questions = understood.doubts();
         let (others, refused): (Vec<_>, Vec<_>) =
@@ -289,8 +288,7 @@ impl Lines {
     }
 }
 
-/// Columns that can be named alone to leave the clipped ones out. None in a C3D file: a plate there may be the sum of
-/// several channels, which cannot be named as one.
+/// Columns that can be named alone to exclude the clipped ones. None in a C3D file, where a plate may be the sum of several channels.
 fn unclipped(understood: &Interpretation) -> usize {
     if matches!(understood.format, Format::C3d { .. }) {
         return 0;

@@ -7,7 +7,7 @@ use gaitcam::error::Error;
 use gaitcam::force::{ForceCurve, Interpretation, JointMean, LeftOut, coded};
 use gaitcam::wording::{Language, Messages};
 
-/// Widest name of a file in the table.
+/// Maximum width of a file name in the table.
 const NAME: usize = 40;
 
 /// One of several recordings.
@@ -26,11 +26,11 @@ const NAME: usize = 40;
 pub struct TrialRow<'a> {
     /// Path of its file, as given.
     pub name: &'a str,
-    /// Its interpretation; `None` if it could not be read or is one cycle as given.
+    /// Interpretation of the recording; `None` if it could not be read or is one cycle as given.
     pub understood: Option<&'a Interpretation>,
     /// Mean cycle of the trial row, if it has one.
     pub curve: Option<&'a ForceCurve>,
-    /// Why it has none.
+    /// Reason why it has no cycle.
     pub fault: Option<&'a Error>,
     /// Why it is excluded from the joint mean; `None` if it is included.
     pub left_out: Option<&'a LeftOut>,
@@ -66,7 +66,7 @@ fn write_rows(out: &mut Lines, rows: &[TrialRow]) {
     }
 }
 
-/// File, kind, contacts used and rejected, stride, mass, mean force, number of notes, part in the joint mean.
+/// File, kind, contacts used and rejected, stride, mass, mean force, number of notes, inclusion in the joint mean.
 fn cells(words: &Messages, row: &TrialRow) -> Vec<String> {
     let kind = row.understood.and_then(|u| u.kind);
     let kind = match (kind, row.curve, row.understood) {
@@ -110,7 +110,7 @@ fn numbers(words: &Messages, row: &TrialRow) -> [String; 6] {
     ]
 }
 
-/// Whether a recording is part of the joint mean, otherwise why not.
+/// Whether a recording is part of the joint mean, otherwise the reason.
 fn part(words: &Messages, row: &TrialRow) -> String {
     let reason = match (row.fault, row.left_out) {
         (Some(fault), _) => fault.what(words.language()),

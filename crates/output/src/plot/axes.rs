@@ -17,12 +17,12 @@ pub struct Panel<'a, 'c> {
     plane: Plane<'a>,
     frame: Frame,
     x: [f64; 2],
-    /// Places of the vertical grid lines.
+    /// Positions of the vertical grid lines.
     columns: Vec<f64>,
     y: [f64; 2],
     /// Size of the lettering, points.
     size: f64,
-    /// The ticks upwards show the quantity divided by this power of ten.
+    /// Power of ten by which the vertical ticks are divided.
     power: i32,
     language: Language,
 }
@@ -56,7 +56,7 @@ fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
     (first..=last).map(|k| k as f64 * step).collect()
 }
 
-/// Eighths of a turn, or coarser where the cam turns further.
+/// Eighths of a turn, or coarser for several turns.
 pub fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
     let length = x[1] - x[0];
     let step = [5.0, 15.0, 30.0, 45.0, 90.0, 180.0, 360.0]
@@ -77,7 +77,7 @@ pub fn tick_text(value: f64, step: f64, language: Language) -> String {
     fixed(language, value, decimals).replace('-', "−")
 }
 
-/// The power of ten, a multiple of 3, that makes ticks too wide for their place short; 0 for most.
+/// The power of ten, a multiple of 3, that shortens ticks too wide for their space; 0 for most.
 fn power(values: &[f64], step: f64) -> i32 {
     let widest = values
         .iter()
@@ -117,13 +117,13 @@ pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
     [low - share * span, high + share * span]
 }
 
-/// The dashed line of a level between two places on the sheet.
+/// The dashed line of a level between two positions on the sheet.
 pub(crate) fn dashes(canvas: &Canvas, ends: [[f64; 2]; 2], colour: RGBAColor) -> Drawn {
     dashed(canvas, ends, [7.0, 5.0], stroke(colour, 1.4))
 }
 
 impl<'a, 'c> Panel<'a, 'c> {
-    /// Frame, grid upright at `columns`, ticks of the quantity upwards.
+    /// Draws frame, vertical grid lines at `columns`, and horizontal ticks of the quantity.
     pub fn new(
         canvas: &'c Canvas<'a>,
         frame: Frame,
@@ -168,7 +168,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         Ok(panel)
     }
 
-    /// Writes the quantity ("force, N") upwards, left of the ticks.
+    /// Writes the quantity ("force, N") vertically, left of the ticks.
     pub fn quantity(&self, text: &str) -> Drawn {
         let power = raised(self.power);
         let text = &match text.split_once(", ") {
@@ -184,7 +184,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, text, at, lettering)
     }
 
-    /// Writes the grid's values below the frame and, under them, what they are.
+    /// Writes the grid's values below the frame and their quantity below them.
     pub fn across(&self, quantity: &str) -> Drawn {
         let small = Lettering::new(self.size, palette::QUIET).anchored(HPos::Center, VPos::Top);
         let step = match self.columns[..] {
@@ -204,7 +204,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, quantity, at, name)
     }
 
-    /// A curve, cut where it leaves the frame.
+    /// Draws a curve, clipped to the frame.
     pub fn curve(&self, points: &[(f64, f64)], colour: RGBAColor, width: f64) -> Drawn {
         // Points slightly outside by rounding or interpolation still belong to the curve.
         let slack = 0.01 * (self.y[1] - self.y[0]);
@@ -233,19 +233,19 @@ impl<'a, 'c> Panel<'a, 'c> {
         Ok(())
     }
 
-    /// A dot at each point.
+    /// Draws a dot at each point.
     pub fn dots(&self, points: &[(f64, f64)], colour: RGBAColor, radius: f64) -> Drawn {
         let mut each = points.iter().map(|p| self.place(p.0, p.1));
         each.try_for_each(|at| circle(self.canvas, at, radius, colour.filled()))
     }
 
-    /// The area between two curves given at the same angles.
+    /// Fills the area between two curves given at the same angles.
     pub fn band(&self, upper: &[(f64, f64)], lower: &[(f64, f64)], colour: RGBAColor) -> Drawn {
         let around: Vec<(f64, f64)> = upper.iter().chain(lower.iter().rev()).copied().collect();
         fill(&self.plane, &around, colour)
     }
 
-    /// A dashed level, with its name, if any, on the side given at the end that `curve` leaves free.
+    /// Draws a dashed level, with its name, if any, at the given end, on the side without `curve`.
     pub fn level(
         &self,
         value: f64,
@@ -286,7 +286,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, name, [x, right[1] + shift], lettering)
     }
 
-    /// An arrow to the edge of the frame, labelled ∞ or −∞: the quantity is infinite at this angle.
+    /// Draws an arrow to the edge of the frame, labelled ∞ or −∞, where the quantity is infinite.
     pub fn infinity(&self, degrees: f64, up: bool, colour: RGBAColor) -> Drawn {
         let level = 0.0_f64.clamp(self.y[0], self.y[1]);
         let [x, from] = self.place(degrees, level);
@@ -314,7 +314,8 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, text, at, letters)
     }
 
-    /// A dot with its value above (a maximum) or below (a minimum), kept inside the frame.
+    /// Draws a dot with its value above (a maximum) or below (a minimum), kept inside the frame. `ground` places the value on a light rectangle, for
+    /// diagrams with dashed levels across the number.
     ///
     /// `ground`: draws the value on a light rectangle, for diagrams whose dashed levels would cross the number.
     pub fn mark(
@@ -354,7 +355,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, &text, [x, y + shift], lettering)
     }
 
-    /// A value's place on the sheet, points.
+    /// Position of a value on the sheet, points.
     fn place(&self, x: f64, value: f64) -> [f64; 2] {
         self.frame.place(self.x, self.y, (x, value))
     }

@@ -1,4 +1,4 @@
-//! How a picture is laid out: alone or as a figure of the report; title, strips, key of the curves.
+//! Layout of a picture, alone or as a figure of the report: title, strips, key of the curves.
 
 use plotters::prelude::*;
 
@@ -13,22 +13,22 @@ use gaitcam::wording::{Language, number};
 
 /// Size of the pictures that are files, pixels.
 pub const SIZE: (u32, u32) = (1200, 800);
-/// Size of their lettering.
+/// Size of the lettering in these pictures.
 pub const LETTERS: f64 = 17.0;
 
-/// How a picture is laid out: alone, or as a figure of the report under a caption.
+/// Layout of a picture: alone, or as a figure of the report under a caption.
 #[derive(Debug, Clone, Copy)]
 pub struct Layout {
     /// Width and height, points.
     pub size: (u32, u32),
-    /// Lettering, points.
+    /// Size of the lettering, points.
     pub letters: f64,
     /// Whether the picture carries its own title.
     pub title: bool,
 }
 
 impl Layout {
-    /// A file of its own.
+    /// Layout of a separate file.
     pub const ALONE: Layout = Layout {
         size: SIZE,
         letters: LETTERS,
@@ -44,7 +44,7 @@ impl Layout {
         }
     }
 
-    /// A picture of this layout, with numbers of a language.
+    /// A picture of this layout, with numbers in a language.
     pub fn picture(self, language: Language, draw: impl FnOnce(Figure) -> Drawn) -> Picture {
         let (layout, e) = (self, self.letters);
         let (width, height) = self.size;
@@ -73,16 +73,16 @@ impl Layout {
 /// Width of the report's figures, points.
 pub const FIGURE_WIDTH: u32 = 820;
 
-/// A picture being drawn.
+/// A picture during drawing.
 #[derive(Clone, Copy)]
 pub struct Figure<'a, 'c> {
     /// Canvas on which the figure is drawn.
     pub canvas: &'c Canvas<'a>,
-    /// How it is laid out.
+    /// Layout of the picture.
     pub layout: Layout,
-    /// Lettering, points.
+    /// Size of the lettering, points.
     pub e: f64,
-    /// Of its numbers.
+    /// Language of the numbers.
     pub language: Language,
 }
 
@@ -100,7 +100,7 @@ pub fn ends_of(synthesis: &Design) -> [f64; 2] {
     [start, start + length]
 }
 
-/// Splits a frame into strips of given shares, one above the other.
+/// Splits a frame into strips of given fractions, one above the other.
 pub fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
     let total: f64 = shares.iter().sum();
     let free = frame.bottom - frame.top - gap * (shares.len() as f64 - 1.0);
@@ -152,12 +152,12 @@ impl<'a, 'c> Figure<'a, 'c> {
         self.panel(frame, x, columns(x, measures != Measures::Straight), y)
     }
 
-    /// Writes at a point of the sheet.
+    /// Writes text at a point of the sheet.
     pub fn write(&self, text: &str, at: [f64; 2], lettering: Lettering) -> Drawn {
         write(self.canvas, text, at, lettering)
     }
 
-    /// The design's name and what is shown.
+    /// Writes the design's name and the title.
     pub fn title(&self, name: &str, what: &str) -> Drawn {
         if !self.layout.title {
             return Ok(());
@@ -171,12 +171,12 @@ impl<'a, 'c> Figure<'a, 'c> {
         self.write(what, [after, y], plain)
     }
 
-    /// Swatches of curves with their names, from the left.
+    /// Draws swatches of curves with their names, from the left.
     pub fn key(&self, place: [f64; 2], size: f64, entries: &[(RGBAColor, f64, &str)]) -> Drawn {
         self.key_and_levels(place, size, entries, &[])
     }
 
-    /// The same with dashed levels ([`Panel::level`]) after them.
+    /// Draws swatches followed by those of dashed levels ([`Panel::level`]).
     pub fn key_and_levels(
         &self,
         [mut x, y]: [f64; 2],
@@ -200,7 +200,7 @@ impl<'a, 'c> Figure<'a, 'c> {
         Ok(())
     }
 
-    /// A bar of a round length in mm, at most `room` points long, that shows the scale of a drawing.
+    /// Draws a scale bar of a round length in mm, at most `room` points long.
     pub fn scale_bar(&self, [x, y]: [f64; 2], per_mm: f64, room: f64) -> Drawn {
         let most = room / per_mm;
         let power = 10f64.powf(most.log10().floor());

@@ -1,4 +1,4 @@
-//! Drawing: shapes on a sheet, axes, how they become SVG and PNG.
+//! Drawing: shapes on a sheet, axes, conversion to SVG and PNG.
 
 pub mod axes;
 pub mod layout;

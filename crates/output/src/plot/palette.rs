@@ -19,7 +19,7 @@ pub const GREEN: RGBAColor = opaque(0, 158, 115);
 pub const PURPLE: RGBAColor = opaque(190, 95, 155);
 pub const RED: RGBAColor = opaque(213, 94, 0);
 
-/// Names of the colours in the page's style sheet, which replaces them in dark mode.
+/// Names of the colours in the page's style sheet, which redefines them in dark mode.
 pub const NAMES: [(RGBAColor, &str); 10] = [
     (PAPER, "paper"),
     (INK, "ink"),

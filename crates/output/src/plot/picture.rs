@@ -1,4 +1,4 @@
-//! Pictures as lists of shapes, and how they become SVG and PNG.
+//! Pictures as lists of shapes, and their conversion to SVG and PNG.
 
 use std::fmt::Write;
 
@@ -39,7 +39,7 @@ impl Picture {
         }
     }
 
-    /// A file of its own: fixed colours on white.
+    /// SVG of a separate file: fixed colours on white.
     pub fn svg(&self) -> String {
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" \
@@ -52,7 +52,8 @@ impl Picture {
         out
     }
 
-    /// Part of a page: colours are the page's variables (`--ink`, `--blue` …), no ground.
+    /// SVG of a part of a page: colours are the page's variables (`--ink`, `--blue` …), without background. `attributes` are added to the element
+    /// unchanged.
     ///
     /// `attributes` are added to the element as they are.
     pub(crate) fn svg_for_page(&self, id: &str, title: &str, attributes: &str) -> String {
@@ -138,7 +139,7 @@ fn write_shape(out: &mut String, shape: &Shape, variables: bool) -> std::fmt::Re
     }
 }
 
-/// Path data relative to the last point, which is the shortest.
+/// Path data, relative to the last point for brevity.
 fn path(points: &[[f64; 2]]) -> String {
     let mut d = String::with_capacity(8 * points.len());
     let mut last = [0i64; 2];
@@ -153,7 +154,7 @@ fn path(points: &[[f64; 2]]) -> String {
     d
 }
 
-/// At most two decimals, no trailing zeros.
+/// A number with at most two decimals, without trailing zeros.
 fn short(x: f64) -> String {
     let mut out = String::new();
     append(&mut out, x, 2);

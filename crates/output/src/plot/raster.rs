@@ -1,4 +1,4 @@
-//! Shapes to pixels.
+//! Conversion of shapes to pixels.
 
 use crate::raster::{Page, disc, outline, straightened};
 

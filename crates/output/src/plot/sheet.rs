@@ -1,7 +1,7 @@
 //! The sheet that pictures are drawn on: a plotters backend that keeps shapes instead of pixels.
 //!
-//! One drawing then serves the SVG and the PNG alike. Plotters counts in whole units, so a sheet has
-//! [`UNITS`] of them per picture point: curves stay smooth and text is placed to a sixteenth of a point.
+//! One drawing then serves the SVG and the PNG alike. Plotters uses integer units, so a sheet has [`UNITS`] of them per picture point for smooth
+//! curves.
 
 use std::convert::Infallible;
 
@@ -17,9 +17,9 @@ use plotters_backend::{
 use super::palette;
 use super::text::Line;
 
-/// Sheet units per point.
+/// Number of sheet units per point.
 pub const UNITS: f64 = 16.0;
-/// The typeface, by the name the SVG asks for.
+/// Name of the typeface in the SVG.
 pub const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 /// Height of the capitals in ems: text is centred on them.
 const CAPITAL: f64 = 0.729;
@@ -27,13 +27,13 @@ const CAPITAL: f64 = 0.729;
 /// An opaque or translucent colour.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ink {
-    /// Red, green, blue.
+    /// Red, green and blue components.
     pub rgb: [u8; 3],
     /// Opacity, 0 … 1.
     pub alpha: f64,
 }
 
-/// One thing on the sheet; lengths in points, y down.
+/// One shape on the sheet; lengths in points, y down.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(missing_docs)] // the names are the documentation
 pub enum Shape {
@@ -58,7 +58,7 @@ pub enum Shape {
 
 /// Collects shapes from plotters.
 pub struct Recorder<'a> {
-    /// What was drawn so far, in order.
+    /// Shapes drawn so far, in order.
     pub shapes: &'a mut Vec<Shape>,
     /// Width and height of the sheet, points.
     pub size: (u32, u32),
@@ -68,7 +68,7 @@ pub struct Recorder<'a> {
 pub type Canvas<'a> = DrawingArea<Recorder<'a>, Shift>;
 /// A part of the sheet with axes.
 pub type Plane<'a> = DrawingArea<Recorder<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
-/// Drawing succeeds unless plotters itself fails.
+/// Result of drawing; only plotters itself can fail.
 pub type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<Infallible>>;
 
 type Recorded = Result<(), DrawingErrorKind<Infallible>>;
@@ -206,7 +206,7 @@ impl DrawingBackend for Recorder<'_> {
     }
 }
 
-/// Points to sheet units.
+/// Converts points to sheet units.
 pub fn units(length: f64) -> i32 {
     (length * UNITS).round() as i32
 }
@@ -216,16 +216,16 @@ pub fn stroke(colour: RGBAColor, width: f64) -> ShapeStyle {
     Color::stroke_width(&colour, units(width).max(1) as u32)
 }
 
-/// How a piece of text looks and which of its points is placed.
+/// Style of a piece of text, and its anchor.
 #[derive(Clone, Copy)]
 pub struct Lettering {
     /// Size of an em, points.
     pub size: f64,
-    /// Colour.
+    /// Colour of the text.
     pub colour: RGBAColor,
-    /// Weight.
+    /// Whether the text is bold.
     pub bold: bool,
-    /// Horizontal anchor.
+    /// Horizontal anchor of the text.
     pub h: HPos,
     /// Vertical anchor: top of the capitals, their middle, or the baseline.
     pub v: VPos,
@@ -246,19 +246,19 @@ impl Lettering {
         }
     }
 
-    /// The same, written upwards.
+    /// Regular text, written upwards.
     pub fn upwards(mut self) -> Self {
         self.upwards = true;
         self
     }
 
-    /// The same, bold.
+    /// The text in bold.
     pub fn bold(mut self) -> Self {
         self.bold = true;
         self
     }
 
-    /// The same, anchored elsewhere.
+    /// The text with another anchor.
     pub fn anchored(mut self, h: HPos, v: VPos) -> Self {
         (self.h, self.v) = (h, v);
         self
@@ -332,13 +332,13 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Draws its edges.
+    /// Draws the edges of the part.
     pub fn border(&self, canvas: &Canvas) -> Drawn {
         let corners = [[self.left, self.top], [self.right, self.bottom]];
         rectangle(canvas, corners, stroke(palette::AXIS, 1.0))
     }
 
-    /// Axes over it: `x` and `y` are the values at left and right, at bottom and top.
+    /// Axes over the part: `x` and `y` are the values at left and right, at bottom and top.
     pub fn plane<'a>(&self, canvas: &Canvas<'a>, x: [f64; 2], y: [f64; 2]) -> Plane<'a> {
         let across = units(self.left)..units(self.right);
         let up = units(self.bottom)..units(self.top);
@@ -346,7 +346,7 @@ impl Frame {
         canvas.apply_coord_spec(axes)
     }
 
-    /// The place of a value on those axes.
+    /// Position of a value on those axes.
     pub fn place(&self, x: [f64; 2], y: [f64; 2], (u, v): (f64, f64)) -> [f64; 2] {
         let share = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
         [

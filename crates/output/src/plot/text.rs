@@ -2,14 +2,14 @@
 
 use std::ops::Range;
 
-/// The typeface as the build script leaves it: table of letters, then their outlines.
+/// Output of the build script: table of letters, then their outlines.
 static LETTERS: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/letters.bin"));
 /// Bytes of the head of the table, of one of its rows, and of a corner.
 const HEAD: usize = 4;
 const ROW: usize = 8;
 const CORNER: usize = 5;
 
-/// Ems by which a bold letter is drawn again to the right: a second face would be another table of this size.
+/// Ems by which a bold letter is drawn again to the right, instead of a second typeface.
 const EMBOLDENED: f64 = 0.06;
 /// Largest distance of a curve from its chords, pixels.
 const UNSEEN: f64 = 0.1;
@@ -45,7 +45,7 @@ fn row(c: char) -> Option<usize> {
     None
 }
 
-/// The letter, or what stands for a missing one.
+/// The letter, or a replacement for a missing one.
 fn letter(c: char) -> Letter {
     let count = usize::from(word(0));
     let row = row(c).unwrap_or(0);
@@ -71,7 +71,7 @@ pub fn text_width(text: &str) -> f64 {
     text.chars().map(|c| letter(c).advance).sum()
 }
 
-/// Lines of at most `width` ems of words that stay whole; a longer word has its own line.
+/// Lines of at most `width` ems, broken between words; a longer word has its own line.
 pub fn wrapped<'a>(words: impl Iterator<Item = &'a str>, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in words {
@@ -91,7 +91,7 @@ pub fn wrapped<'a>(words: impl Iterator<Item = &'a str>, width: f64) -> Vec<Stri
 #[allow(missing_docs)] // the names are the documentation
 pub struct Line {
     pub text: String,
-    /// Where the baseline starts, is centred or ends, points.
+    /// Position at which the baseline starts, is centred or ends, points.
     pub at: [f64; 2],
     /// Height of an em, points.
     pub size: f64,
@@ -128,7 +128,7 @@ impl Line {
     }
 }
 
-/// Adds the contours of a letter as polygons; `on_page` places a point that is given in ems.
+/// Adds the contours of a letter as polygons; `on_page` maps a point in ems to the page.
 fn contours(
     mut bytes: &[u8],
     on_page: impl Fn([f64; 2]) -> [f64; 2],

@@ -1,24 +1,24 @@
-//! How much of each pixel a shape covers: signed areas summed along the rows, kept where edges pass.
+//! Pixel coverage of a shape: signed areas summed along the rows, stored at the edges.
 //!
 //! Source: R. Levien, font-rs (2015): each edge adds, per row, what it covers to its right; the running sum along the row is
 //! the coverage.
 
 use std::ops::Range;
 
-/// Coverage below this is rounding.
+/// Coverage below this is a rounding error.
 const NOTHING: f32 = 1e-3;
 
 /// The edges of a shape on a page.
 pub struct Coverage {
     width: usize,
-    /// Per row, columns with what edges add from there on.
+    /// Per row, columns with the increments of coverage from the edges.
     rows: Vec<Vec<(usize, f32)>>,
-    /// The rows that have edges.
+    /// Range of rows with edges.
     touched: Range<usize>,
 }
 
 impl Coverage {
-    /// Without edges.
+    /// Creates an accumulator without edges.
     pub fn new(width: usize, height: usize) -> Self {
         Coverage {
             width,
@@ -76,8 +76,7 @@ impl Coverage {
         }
     }
 
-    /// Gives the parts of rows that are covered evenly, row by row and from the left: row, columns, part 0 … 1. Removes the
-    /// edges.
+    /// Passes on the evenly covered parts of rows, row by row and from the left: row, columns, coverage 0 … 1. Removes the edges.
     pub fn take(&mut self, mut give: impl FnMut(usize, Range<usize>, f32)) {
         let touched = std::mem::replace(&mut self.touched, self.rows.len()..0);
         for row in touched {

@@ -1,4 +1,4 @@
-//! Polygons to pixels: exact area coverage on a white page, which becomes a PNG.
+//! Conversion of polygons to pixels: exact area coverage on a white page, which becomes a PNG.
 
 mod coverage;
 mod outline;
@@ -7,19 +7,19 @@ mod png;
 pub use coverage::Coverage;
 pub use outline::{disc, outline, straightened};
 
-/// From this opacity on the mixed colour rounds to the colour itself.
+/// Opacity above which the mixed colour rounds to the colour itself.
 const OPAQUE: f32 = 1.0 - 1.0 / 1024.0;
 
-/// A page of pixels, white at first; x to the right, y down, one unit a pixel.
+/// A page of pixels, initially white; x to the right, y down, one unit per pixel.
 pub struct Page {
     width: usize,
-    /// Rows from the top.
+    /// Rows of pixels from the top.
     pixels: Vec<[u8; 3]>,
     coverage: Coverage,
 }
 
 impl Page {
-    /// A white page.
+    /// Creates a white page.
     #[must_use]
     pub fn new(width: usize, height: usize) -> Page {
         Page {
@@ -29,8 +29,7 @@ impl Page {
         }
     }
 
-    /// Fills the union of polygons of one orientation with a colour of opacity `alpha`, 0 … 1. Nothing is filled where a
-    /// coordinate is not finite.
+    /// Fills the union of polygons of one orientation with a colour of opacity `alpha`, 0 … 1. A polygon with a non-finite coordinate is not filled.
     pub fn fill(&mut self, polygons: &[Vec<[f64; 2]>], rgb: [u8; 3], alpha: f64) {
         if !polygons.iter().flatten().flatten().all(|x| x.is_finite()) {
             return;

@@ -1,10 +1,10 @@
 //! Lines and circles as polygons.
 
-/// Corners of a round dot or line end.
+/// Number of corners of a round dot or line end.
 const CORNERS: usize = 24;
 /// Largest distance of a removed point from the line, pixels: coordinates are multiples of a sixteenth.
 const UNSEEN: f64 = 0.06;
-/// Sine of the turn from which two segments get a round joint between them.
+/// Sine of the turn angle above which two segments get a round joint.
 const SHARP: f64 = 0.1;
 
 /// A filled circle, without the first corner repeated.
@@ -21,8 +21,7 @@ pub fn disc([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The line without points that are collinear with their neighbours up to 0.06 of a pixel: curves have more points than the
-/// page has pixels.
+/// The line without points that are collinear with their neighbours up to 0.06 of a pixel.
 pub fn straightened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut out: Vec<[f64; 2]> = Vec::with_capacity(points.len());
     let Some((&first, rest)) = points.split_first() else {

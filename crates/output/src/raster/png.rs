@@ -1,4 +1,4 @@
-//! Pixels to PNG (ISO/IEC 15948), 8-bit RGB.
+//! Conversion of pixels to PNG (ISO/IEC 15948), 8-bit RGB.
 
 use std::io;
 

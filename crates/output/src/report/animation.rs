@@ -1,4 +1,4 @@
-//! The cam in motion: a drawing whose parts the page's script turns and lifts.
+//! The cam in motion: a drawing with parts that the page's script moves.
 
 use std::fmt::Write;
 
@@ -12,10 +12,10 @@ use gaitcam_base::text::append;
 use gaitcam_base::text::escaped;
 
 const MM: f64 = 1000.0;
-/// Vertices of the outline.
+/// Number of vertices of the outline.
 const POINTS: usize = 720;
 
-/// Styles of the parts.
+/// CSS styles of the parts.
 const BODY: &str =
     "style=\"fill:var(--blue);stroke:var(--blue)\" fill-opacity=\".16\" stroke-width=\"2.2\"";
 const SECOND: &str =
@@ -29,7 +29,7 @@ fn shape(out: &mut String, d: &str, style: &str) {
     let _ = write!(out, "<path d=\"{d}\" {style}/>");
 }
 
-/// The drawing, its controls and the live values; of a run where there is one.
+/// The drawing, its controls and the live values, for a run if there is one.
 pub fn stage(out: &mut String, synthesis: &Design, running: Option<&Running>, words: &Words) {
     out.push_str("<div class=\"stage\">\n");
     drawing(out, synthesis, running, words);
@@ -88,7 +88,7 @@ pub fn drawing(out: &mut String, synthesis: &Design, running: Option<&Running>, 
     );
 }
 
-/// What the parts reach in the whole turn, mm.
+/// Bounds of the parts over the whole turn, mm.
 fn room(synthesis: &Design, running: Option<&Running>, reach: f64, stem: f64) -> Bounds {
     let mut room = Bounds::default();
     let cam = &synthesis.cam;
@@ -128,7 +128,7 @@ fn room(synthesis: &Design, running: Option<&Running>, reach: f64, stem: f64) ->
     room
 }
 
-/// One follower on the drawing; the second of a pair is seen turned by half a turn.
+/// One follower on the drawing; the second of a pair is rotated by half a turn.
 struct Drawn<'a> {
     cam: &'a Cam,
     sign: f64,
@@ -151,7 +151,7 @@ fn followers(synthesis: &Design) -> Vec<Drawn<'_>> {
     all
 }
 
-/// How far the body of the cam reaches, mm: from its centre, or up where it slides.
+/// Extent of the cam's body, mm: from its centre, or upwards for a translating cam.
 fn reach(cam: &Cam, rows: &[ProfilePoint]) -> f64 {
     let up = |p: &ProfilePoint| {
         if slide(cam) > 0.0 {
@@ -199,8 +199,7 @@ fn turning_body(
     }
 }
 
-/// A slide down to its foot, or the unrolled groove of a barrel with both walls; a closed law is shown
-/// once more on either side.
+/// A translating cam with its foot, or the unrolled groove of a barrel with both walls; a closed law is repeated on either side.
 fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
     let travel = slide(cam) * cam.law.extent().1 / MM;
     let rounds: &[f64] = if cam.law.is_closed() {
@@ -232,8 +231,7 @@ fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
     shape(out, &path(pitch.into_iter(), false), PITCH);
 }
 
-/// The follower about its own origin: the foot of the stem, or the roller's centre. An arm lies along
-/// its own +x towards the pivot.
+/// The follower about its own origin: the foot of the stem, or the roller's centre. An arm points along +x towards the pivot.
 fn draw_follower(out: &mut String, drawn: &Drawn, reach: f64, stem: f64) {
     let (cam, id) = (drawn.cam, drawn.id);
     let half = 0.04 * reach;
@@ -358,7 +356,7 @@ fn controls(out: &mut String, synthesis: &Design, running: Option<&Running>, wor
     out.push_str("</div>\n");
 }
 
-/// The values that follow the motion: ids of their cells, keys of their names.
+/// The live values: ids of their cells, keys of their names.
 fn live_values(
     cam: &Cam,
     running: Option<&Running>,

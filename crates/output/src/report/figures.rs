@@ -1,4 +1,4 @@
-//! The diagrams on the page, with what they show in words for those who do not see them.
+//! The diagrams on the page, with descriptions for readers who cannot see them.
 
 use std::fmt::Write;
 
@@ -18,7 +18,7 @@ use gaitcam::synth::Design;
 use gaitcam::wording::{Language, fixed};
 use gaitcam_base::text::escaped;
 
-/// The diagrams.
+/// Writes the section of the diagrams.
 pub fn section(out: &mut String, synthesis: &Design, words: &Words) {
     force(out, synthesis, words);
     recording(out, synthesis, words);
@@ -46,7 +46,7 @@ pub fn section(out: &mut String, synthesis: &Design, words: &Words) {
     figure(out, "geometry", Some(low.frame()), &alt, &picture, words);
 }
 
-/// A picture that scrolls sideways where the page is narrow; `frame` lets the script draw the present angle.
+/// A picture that scrolls sideways on a narrow page; `frame` lets the script draw the present angle.
 pub fn figure(
     out: &mut String,
     id: &str,
@@ -64,7 +64,7 @@ pub fn figure(
     framed(out, &picture.svg_for_page(id, alt, &data), words);
 }
 
-/// The same for a drawing that is already part of a page.
+/// A scrolling picture for a drawing that is already part of a page.
 pub fn framed(out: &mut String, drawing: &str, words: &Words) {
     let _ = writeln!(
         out,
@@ -90,7 +90,7 @@ fn force(out: &mut String, synthesis: &Design, words: &Words) {
     figure(out, "force", Some(force_frame(tall)), &alt, &picture, words);
 }
 
-/// The recording that the target was made from, with every contact.
+/// The recording of the target, with every contact.
 fn recording(out: &mut String, synthesis: &Design, words: &Words) {
     let target = synthesis.target();
     let Some(understood) = target.and_then(|t| t.recording.as_ref()) else {
@@ -178,7 +178,7 @@ fn comparison(out: &mut String, synthesis: &Design, words: &Words) {
     paragraph(out, &text);
 }
 
-/// The name of a force with the numbers in it as a language writes them: that of a load model has its values.
+/// The name of a force with localised numbers; that of a load model contains its values.
 fn name_in(name: &str, language: Language) -> String {
     let in_language = |word: &str| {
         let plain = word.trim_end_matches(',');

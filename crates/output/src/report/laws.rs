@@ -1,10 +1,10 @@
-//! When to choose each law of the catalogue of rises.
+//! Advice on each law of the catalogue of rises.
 
 use crate::words;
 use gaitcam::law::Rise;
 use gaitcam::wording::Language;
 
-/// When to choose a law of the catalogue, in the words of a language.
+/// Advice on a law of the catalogue, in a language.
 pub fn advice(rise: &Rise, language: Language) -> String {
     words::words(language).text(&format!("laws-use-{}", rise.name()))
 }

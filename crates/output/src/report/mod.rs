@@ -1,4 +1,4 @@
-//! `report.html`: the design on one page that opens without a network, and prints on A4.
+//! `report.html`: the design on one page that works offline, and prints on A4.
 
 mod animation;
 mod figures;
@@ -25,19 +25,17 @@ use gaitcam::wording::Language;
 use gaitcam_base::text::escaped;
 
 const STYLE: &str = include_str!("page.css");
-/// Where the parts of the drawing stand after some turns, as a module: of the report and of the studio.
+/// Script module for the positions of the moving parts, shared by the report and the studio.
 pub const MOTION_SCRIPT: &str = include_str!("motion.js");
 const SCRIPT: &str = include_str!("page.js");
 
-/// The report of a design: verdict, force, law, cam in motion, checks, numbers, how it was solved.
-///
-/// An infeasible answer gets the conflict and the changes that would resolve it, and no pictures of a cam
-/// that does not do what was asked.
+/// The report of a design: verdict, force, law, cam in motion, checks, numbers, solution. An infeasible answer gets the conflict and the changes that
+/// would resolve it, without pictures.
 pub fn html(synthesis: &Design, time: Timing, language: Language) -> String {
     page(synthesis, time, None, language)
 }
 
-/// What is shown of a run.
+/// Data of a run in the report.
 #[derive(Debug, Clone, Copy)]
 pub struct Running<'a> {
     /// Results of the run.
@@ -46,7 +44,7 @@ pub struct Running<'a> {
     pub second_cam: Option<f64>,
 }
 
-/// The report of a design that was run: the cam moves as it did in the run.
+/// The report of a simulated design: the cam moves as in the run.
 pub fn html_of_run(
     synthesis: &Design,
     time: Timing,
@@ -142,7 +140,7 @@ fn headline(out: &mut String, synthesis: &Design, words: &Words) {
     );
 }
 
-/// The limits that cannot hold together and what would resolve it.
+/// The conflicting limits and the changes that would resolve the conflict.
 fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
     let Some(answer) = &synthesis.infeasible else {
         return;
@@ -188,10 +186,10 @@ fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
     out.push_str("</ul>\n</div>\n");
 }
 
-/// A main figure: its name, its value, a remark below it.
+/// A main figure: name, value, remark.
 pub type Card = (String, String, String);
 
-/// A text that begins with a capital.
+/// A text with a capital first letter.
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);

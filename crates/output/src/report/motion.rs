@@ -10,29 +10,29 @@ use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
-/// Steps of one turn; the script goes straight from one to the next.
+/// Number of steps of one turn; the script interpolates linearly.
 pub const STEPS: usize = 480;
-/// Turns of a repetition that are shown; a longer one is cut.
+/// Maximum number of turns of a repetition.
 const MOST_TURNS: usize = 4;
 
-/// What the script reads; lists hold the last step's value again at the end.
+/// Data for the script; lists repeat the last step's value at the end.
 #[derive(Default, Serialize)]
 pub struct Motion {
-    /// First angle of the cam in the unit shown.
+    /// First angle of the cam in the displayed unit.
     start: f64,
-    /// One turn (or travel) in the unit shown.
+    /// One turn (or travel) in the displayed unit.
     length: f64,
     turns: usize,
     /// Time of one turn, s.
     period: f64,
-    /// Travel of a sliding cam, mm per unit of its angle; 0 for a rotating cam.
+    /// Travel of a translating cam, mm per unit of its angle; 0 for a rotating cam.
     slide: f64,
-    /// The machine goes towards smaller angles.
+    /// Whether the machine moves towards smaller angles.
     back: bool,
     angle_unit: &'static str,
     unit: &'static str,
     force_unit: &'static str,
-    /// Decimals of force and torque.
+    /// Number of decimals of force and torque.
     digits: [usize; 2],
     s: Vec<Option<f64>>,
     f: Vec<Option<f64>>,
@@ -50,7 +50,7 @@ pub struct Motion {
     qa: Vec<Option<f64>>,
 }
 
-/// Values shown next to the picture that move nothing in it.
+/// Values shown next to the picture that do not move its parts.
 #[derive(Default, Serialize)]
 struct Readings {
     torque: Vec<Option<f64>>,
@@ -59,7 +59,7 @@ struct Readings {
     phi: Vec<Option<f64>>,
 }
 
-/// The unit of θ on the page, as (factor from SI, its name): travel for a cam that slides.
+/// The unit of θ on the page, as (factor from SI, its name): travel for a translating cam.
 pub fn angle_unit(cam: &Cam) -> (f64, &'static str) {
     match cam.follower {
         Follower::TranslatingCam { .. } => (MM, " mm"),
@@ -67,7 +67,7 @@ pub fn angle_unit(cam: &Cam) -> (f64, &'static str) {
     }
 }
 
-/// Travel of a sliding cam, mm per rad (or m) of θ; 0 for a rotating cam.
+/// Travel of a translating cam, mm per rad (or m) of θ; 0 for a rotating cam.
 pub fn slide(cam: &Cam) -> f64 {
     match cam.follower {
         Follower::TranslatingCam { .. } => MM,
@@ -76,7 +76,7 @@ pub fn slide(cam: &Cam) -> f64 {
     }
 }
 
-/// Decimals with which values up to `most` show four digits.
+/// Number of decimals that shows four digits of values up to `most`.
 fn decimals(most: f64) -> usize {
     if most > 0.0 && most.is_finite() {
         (3 - most.log10().floor() as i32).clamp(0, 6) as usize
@@ -85,17 +85,17 @@ fn decimals(most: f64) -> usize {
     }
 }
 
-/// Four decimals are a tenth of a micrometre; what is not finite becomes null.
+/// A number with four decimals, a tenth of a micrometre; non-finite numbers become null.
 fn rounded(x: f64) -> Option<f64> {
     to(x, 1e4)
 }
 
-/// Forces and torques of small machines keep seven.
+/// A force or torque with seven decimals, for small machines.
 fn to(x: f64, places: f64) -> Option<f64> {
     x.is_finite().then(|| (x * places).round() / places)
 }
 
-/// A run's row between two rows, straight; the force of a landing is not smeared over the flight.
+/// A row of a run between two rows, by linear interpolation; the force of a landing is not spread over the flight.
 fn row_at(rows: &[Row], theta: f64, step: f64) -> Row {
     let n = rows.len();
     let x = (theta - rows[0].theta) / step;
@@ -133,7 +133,7 @@ pub fn placed(cam: &Cam, theta: f64) -> ([f64; 2], f64) {
     }
 }
 
-/// The motion of a design (its law and rigid force) or, where it was run, of the run.
+/// The motion of a design (its law and rigid force) or, after a simulation, of the run.
 pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     let cam = &synthesis.cam;
     let (start, length) = cam.law.extent();
@@ -205,7 +205,7 @@ fn still(synthesis: &Design, theta: f64, at: Svaj) -> Row {
 }
 
 impl Motion {
-    /// The same for a picture without values next to it.
+    /// The motion for a picture without values next to it.
     pub fn without_readings(mut self) -> Motion {
         self.readings = None;
         self

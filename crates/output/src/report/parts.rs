@@ -1,4 +1,4 @@
-//! Parts of the report for pages of another make: figures, tables, the cam in motion.
+//! Parts of the report for other pages: figures, tables, the cam in motion.
 
 use serde::Serialize;
 
@@ -10,14 +10,14 @@ use gaitcam::criterion::Criterion;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
-/// A main figure.
+/// A main figure of the report.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Figure {
     /// Name of the figure.
     pub name: String,
     /// Value of the figure with its unit.
     pub value: String,
-    /// The remark below it; may be empty.
+    /// Remark below the value; may be empty.
     pub more: String,
 }
 
@@ -33,11 +33,11 @@ pub fn figures(design: &Design, language: Language) -> Vec<Figure> {
 pub struct Tables {
     /// Every check with its margin.
     pub checks: String,
-    /// Active limits and what easing them would buy.
+    /// Active limits and the gain from relaxing them.
     pub active: String,
     /// Drive, law, cam and loads in numbers.
     pub data: String,
-    /// How it was solved.
+    /// Solution method and certificate.
     pub solution: String,
 }
 
@@ -70,7 +70,7 @@ pub fn motion(design: &Design) -> Motion {
     motion::motion(design, None).without_readings()
 }
 
-/// A value of a limit in the unit people use.
+/// A value of a limit in its customary unit.
 pub fn shown(design: &Design, limit: Criterion, value: f64, language: Language) -> String {
     let measures = design.cam.follower.measures();
     tables::shown(measures, limit, value, &words::words(language))

@@ -13,7 +13,7 @@ use gaitcam::dynamics::Outcome;
 use gaitcam::synth::Design;
 use gaitcam_base::text::escaped;
 
-/// Impacts listed; a bounce that dies out has dozens.
+/// Maximum number of listed impacts; a decaying bounce has dozens.
 const LISTED: usize = 12;
 
 /// The section of a run.

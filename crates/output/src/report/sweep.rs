@@ -1,4 +1,4 @@
-//! `report.html` of a sweep: what was tried, what is best, pictures; one page that opens offline.
+//! `report.html` of a sweep: parameters, best designs, pictures; one page that works offline.
 
 use std::fmt::Write;
 
@@ -17,12 +17,12 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
 }
 
-/// What the page shows.
+/// Contents of the page.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Page<'a> {
-    /// Headline.
+    /// Headline of the page.
     pub title: String,
-    /// What was done, in one or two sentences.
+    /// Description of the sweep, in one or two sentences.
     pub words: String,
     /// Main figures: name, value, remark.
     pub cards: Vec<Card>,
@@ -32,7 +32,7 @@ pub struct Page<'a> {
     pub tables: Vec<(String, Table)>,
 }
 
-/// The page.
+/// The HTML of the page.
 pub fn html(page: &Page, language: Language) -> String {
     let words = words::words(language);
     let mut out = String::with_capacity(1 << 16);

@@ -1,4 +1,4 @@
-//! The report's section for those who make the cam: hollows and walls.
+//! The report's section for the manufacturer: concave regions and walls.
 
 use gaitcam::cam::Bore;
 use gaitcam::synth::Design;
@@ -7,10 +7,10 @@ use super::heading;
 use super::tables::{Rows, table};
 use crate::words::Words;
 
-/// Wall between the bore and the profile below which the report warns, m.
+/// Wall thickness between the bore and the profile below which the report warns, m.
 const LEAST_WALL: f64 = 0.003;
 
-/// The section; nothing for a cam that does not turn.
+/// The section; empty for a cam that does not rotate.
 pub fn section(out: &mut String, design: &Design, words: &Words) {
     if design.cam.follower.is_unrolled() {
         return;

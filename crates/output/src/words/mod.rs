@@ -10,12 +10,12 @@ static WORDS: Catalogue = Catalogue::new(&[Sentences {
     ..Sentences::NONE
 }]);
 
-/// The words of a language.
+/// The texts of a language.
 pub fn words(language: Language) -> Words {
     Words::new(WORDS.of(language))
 }
 
-/// What diagrams of a design lie over.
+/// Abscissa of the diagrams of a design.
 pub fn across(words: &Words, measures: Measures) -> String {
     words.text(match measures {
         Measures::Straight => "figure-travel",

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// An extreme value and where it is taken.
+/// An extreme value and its abscissa.
 ///
 /// ```
 /// use splineqp::poly::PiecewisePoly;
@@ -15,12 +15,12 @@ use serde::Serialize;
 pub struct Extreme {
     /// The abscissa, in the units of the breaks.
     pub at: f64,
-    /// The value there.
+    /// Value of the extreme.
     pub value: f64,
 }
 
 impl Extreme {
-    /// Another value at the same place.
+    /// Another value at the same abscissa.
     pub fn map(self, f: impl FnOnce(f64) -> f64) -> Extreme {
         Extreme {
             at: self.at,

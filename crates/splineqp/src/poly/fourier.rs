@@ -7,7 +7,7 @@ use realfft::num_complex::Complex64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 thread_local! {
-    /// Planning a transform costs more than one transform of usual length: each length is planned once.
+    /// Planner of transforms, kept because planning costs more than one transform of usual length.
     static PLANNER: RefCell<RealFftPlanner<f64>> = RefCell::new(RealFftPlanner::new());
 }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
-/// Most nodes of one rule; for more, rules are repeated on equal parts.
+/// Maximum number of nodes of one rule; for more, rules are repeated on equal parts.
 const LARGEST: usize = 16;
 
 /// At least `n` nodes in (0, 1) with their weights (sum 1): one Gauss–Legendre rule, or several side by
@@ -21,7 +21,7 @@ pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The rule of m ≤ 16 nodes, computed once each: all fits use the same few.
+/// The rule of m ≤ 16 nodes, computed once each.
 fn cached_rule(m: usize) -> &'static [(f64, f64)] {
     static RULES: [OnceLock<Vec<(f64, f64)>>; LARGEST + 1] =
         [const { OnceLock::new() }; LARGEST + 1];
@@ -50,7 +50,7 @@ fn single_rule(m: usize) -> Vec<(f64, f64)> {
     out
 }
 
-/// Pₘ(x) and its derivative.
+/// Legendre polynomial Pₘ(x) and its derivative.
 fn legendre(m: usize, x: f64) -> (f64, f64) {
     let (mut before, mut p) = (1.0, x);
     for k in 2..=m {

@@ -26,7 +26,7 @@ pub struct PiecewisePoly {
     coef: Vec<f64>,
 }
 
-/// Relative difference up to which two values are equal except for rounding.
+/// Relative difference below which two values are equal except for rounding.
 const SAME: f64 = 1e-12;
 
 /// Smallest and largest of the values seen so far.
@@ -36,7 +36,7 @@ struct Range {
 }
 
 impl Range {
-    /// Of two places with equal values except for rounding, the first counts.
+    /// Updates the extremes; of two equal values up to rounding, the first is kept.
     fn take(&mut self, at: f64, value: f64) {
         let tie = SAME * value.abs();
         if value < self.low.value {
@@ -52,7 +52,7 @@ impl Range {
     }
 }
 
-/// A local maximum, with the piece it belongs to: at a break this tells the side.
+/// A local maximum, with the piece it belongs to, which identifies the side of a break.
 ///
 /// ```
 /// use splineqp::poly::PiecewisePoly;
@@ -68,14 +68,14 @@ pub struct Peak {
     pub piece: usize,
     /// Position within the piece, 0 … 1.
     pub u: f64,
-    /// The abscissa.
+    /// Abscissa of the maximum.
     pub at: f64,
-    /// The value there.
+    /// Value of the maximum.
     pub value: f64,
 }
 
 impl Peak {
-    /// A place without a value.
+    /// The position without its value.
     pub fn place(piece: usize, u: f64, at: f64) -> Peak {
         let value = 0.0;
         Peak {
@@ -90,8 +90,7 @@ impl Peak {
 impl PiecewisePoly {
     /// From increasing breaks (n + 1 of them) and n·(degree + 1) Bernstein coefficients, piece by piece.
     ///
-    /// # Panics
-    /// When the lengths do not fit or the breaks do not increase: an error of the caller, not of input.
+    /// # Panics If the lengths do not match or the breaks do not increase: an error of the caller.
     pub fn new(breaks: Vec<f64>, degree: usize, coef: Vec<f64>) -> Self {
         assert!(breaks.len() >= 2 && coef.len() == (breaks.len() - 1) * (degree + 1));
         assert!(
@@ -120,7 +119,7 @@ impl PiecewisePoly {
         &self.breaks
     }
 
-    /// Degree in which every piece is written.
+    /// Degree of all pieces.
     #[inline]
     pub fn degree(&self) -> usize {
         self.degree
@@ -144,7 +143,7 @@ impl PiecewisePoly {
         &self.coef
     }
 
-    /// Index of the piece that holds `x` (the first or last one outside) and u ∈ [0, 1] within it.
+    /// Index of the piece that contains `x` (the first or last one outside) and u ∈ [0, 1] within it.
     #[inline]
     pub fn locate(&self, x: f64) -> (usize, f64) {
         let i = self.breaks[1..self.breaks.len() - 1].partition_point(|&b| b <= x);
@@ -313,7 +312,7 @@ impl PiecewisePoly {
         out
     }
 
-    /// The same function with its pieces cut at further breaks inside the range.
+    /// The function with its pieces divided at further breaks inside the range.
     #[must_use]
     pub fn cut_at(&self, further: &[f64]) -> Self {
         if further == self.breaks {

@@ -6,12 +6,12 @@ use super::{PiecewisePoly, bernstein};
 
 /// Degree of the interpolant on each part; a part is halved until this degree is sufficient.
 const DEGREE: usize = 12;
-/// Most halvings of a part: refinement at a cusp or jump inside a piece ends there.
+/// Maximum number of halvings of a part, reached at a cusp or jump inside a piece.
 const MAX_HALVINGS: u32 = 30;
-/// Most parts of one piece: a cusp needs one for each halving, noise would need any number.
+/// Maximum number of parts of one piece: a cusp needs one per halving, noise would need any number.
 const MOST_PARTS: usize = 512;
-/// Last coefficients below this share of the scale that halving does not reduce are rounding noise of the function itself:
-/// further halving would not reduce them anywhere.
+/// Last coefficients below this fraction of the scale that halving does not reduce are rounding noise of the function, which further halving cannot
+/// reduce.
 const NOISE: f64 = 1e-9;
 
 /// Piecewise polynomial that agrees with `f` to about `tolerance` times its scale on every interval of
@@ -22,7 +22,7 @@ pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -
     stand_in_for_difference(breaks, tolerance, 0.0, f)
 }
 
-/// The same for an `f` that is a difference of terms of this size: their rounding limits the accuracy.
+/// The proxy of an `f` that is a difference of large terms, whose rounding limits the accuracy.
 pub fn stand_in_for_difference(
     breaks: &[f64],
     tolerance: f64,
@@ -55,7 +55,7 @@ pub fn stand_in_for_difference(
 
 struct Transform {
     nodes: [f64; DEGREE + 1],
-    /// T_k at the nodes.
+    /// Values of T_k at the nodes.
     waves: [[f64; DEGREE + 1]; DEGREE + 1],
     /// Bernstein coefficients of T_k(2u − 1).
     chebyshev: Vec<Vec<f64>>,
@@ -89,7 +89,7 @@ impl Transform {
         }
     }
 
-    /// Chebyshev coefficients of the polynomial with these values at the nodes.
+    /// Chebyshev coefficients of the interpolant of these values at the nodes.
     fn of(&self, values: &[f64; DEGREE + 1]) -> [f64; DEGREE + 1] {
         std::array::from_fn(|k| {
             let terms = values.iter().zip(&self.waves[k]);
@@ -114,7 +114,7 @@ impl Transform {
 struct Part {
     ends: [f64; 2],
     chebyshev: [f64; DEGREE + 1],
-    /// Largest of the last coefficients, here and before the last halving.
+    /// Largest of the last coefficients, for this part and before the last halving.
     tail: f64,
     parent_tail: f64,
     halvings: u32,
@@ -155,7 +155,7 @@ impl Part {
     }
 }
 
-/// A piece in parts, from left to right: the roughest is halved until none is, or there are too many.
+/// A piece divided into parts, from left to right: the roughest is halved until all are smooth, or there are too many.
 fn parts(
     transform: &Transform,
     f: &impl Fn(f64) -> f64,

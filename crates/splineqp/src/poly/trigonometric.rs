@@ -4,16 +4,16 @@ use std::f64::consts::TAU;
 
 use super::{Extreme, fourier};
 
-/// Grid points per period of the fastest harmonic, at least.
+/// Minimum number of grid points per period of the fastest harmonic.
 const POINTS_PER_WAVE: usize = 16;
-/// Fewest grid points.
+/// Minimum number of grid points.
 const FEWEST_POINTS: usize = 64;
-/// Steps within a cell: Newton's method needs three or four, halving all of them.
+/// Maximum number of steps within a cell: Newton's method needs three or four, halving all of them.
 const STEPS: usize = 40;
 /// Newton step, rad, below which a parabola gives the value of the maximum to rounding.
 const FLAT: f64 = 1e-5;
 
-/// Values and two derivatives at `x` of sums of equally many terms.
+/// Values and two derivatives at `x` of sums with equally many terms.
 pub fn harmonic_sums<const K: usize>(sums: [&[(f64, f64)]; K], x: f64) -> [[f64; 3]; K] {
     let (sin, cos) = x.sin_cos();
     let (mut c, mut s) = (1.0, 0.0);
@@ -32,20 +32,19 @@ pub fn harmonic_sums<const K: usize>(sums: [&[(f64, f64)]; K], x: f64) -> [[f64;
     out
 }
 
-/// Values at even steps over the turn: a power of two of them, at least 16 for the fastest wave.
+/// Values at even steps over the turn; their number is a power of two, at least 16 per period of the fastest harmonic.
 pub fn harmonic_values(terms: &[(f64, f64)]) -> Vec<f64> {
     fourier::samples(terms, 0, grid_for(terms.len()))
 }
 
-/// Number of grid points for so many harmonics.
+/// Number of grid points for a number of harmonics.
 fn grid_for(harmonics: usize) -> usize {
     let least = POINTS_PER_WAVE * harmonics;
     least.max(FEWEST_POINTS).next_power_of_two()
 }
 
-/// Smallest and largest value, to rounding: every grid cell that could hold them is searched by Newton's
-/// method. Between grid points the sum exceeds the higher end of its cell by at most h²/8·max|f″|, and
-/// max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
+/// Smallest and largest value, to rounding: every candidate cell of the grid is searched by Newton's method. Between grid points the sum exceeds the
+/// higher end of its cell by at most h²/8·max|f″|, and max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
 pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
     let waves = (1..).zip(terms);
     let bend: f64 = waves
@@ -93,18 +92,18 @@ const NOTHING: Extreme = Extreme {
 /// The search for the largest value of sign·f among the cells of a grid over the turn.
 struct Search<'a> {
     terms: &'a [(f64, f64)],
-    /// f′ at the points of the grid.
+    /// Values of f′ at the points of the grid.
     slopes: &'a [f64],
     step: f64,
     sign: f64,
     best: f64,
     at: f64,
-    /// The last cell that was searched, by the point at its end.
+    /// The last searched cell, by the point at its end.
     searched: Option<usize>,
 }
 
 impl Search<'_> {
-    /// Considers a point of the grid with its value, and the cells on both sides.
+    /// Examines a point of the grid with its value, and the cells on both sides.
     fn around(&mut self, i: usize, value: f64) {
         self.take(self.sign * value, i as f64 * self.step);
         for end in [i, i + 1] {
@@ -128,8 +127,8 @@ impl Search<'_> {
         }
     }
 
-    /// The crest in the cell before point `i`, if sign·f rises at its start and falls at its end: Newton's method on f′ from
-    /// where a straight line would be zero, halving the cell where that leaves it.
+    /// The maximum in the cell before point `i`, if sign·f rises at its start and falls at its end: Newton's method on f′ from a linear estimate,
+    /// with bisection as a safeguard.
     fn crest(&mut self, i: usize) {
         let points = self.slopes.len();
         let ends = [i + points - 1, i].map(|i| self.sign * self.slopes[i % points]);

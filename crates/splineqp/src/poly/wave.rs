@@ -106,7 +106,7 @@ pub fn subdivide(poly: &PiecewisePoly, waves: &[Vec<Wave>]) -> (PiecewisePoly, V
     (PiecewisePoly::new(breaks, poly.degree(), coef), shifted)
 }
 
-/// A wave on a part of its piece; the part begins at x = `start` of the piece.
+/// A wave on a part of its piece that starts at x = `start`.
 pub struct Shifted {
     wave: Wave,
     start: f64,

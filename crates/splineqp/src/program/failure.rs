@@ -1,26 +1,26 @@
-//! Why a program has no solution.
+//! Reasons why a program has no solution.
 
 use crate::Names;
 use serde::Serialize;
 
-/// Why there is no solution. Only the first two are proofs that there is none.
+/// Reasons for a missing solution. Only the first two prove infeasibility.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Failure<N: Names> {
     /// The equalities contradict each other.
     Inconsistent {
-        /// Names of those that do not follow from the others.
+        /// Names of the independent equalities among them.
         equalities: Vec<N::Equality>,
     },
-    /// The limits leave nothing.
+    /// The limits are infeasible.
     Infeasible,
     /// The solver stopped without an answer.
     Numerical {
-        /// How it stopped.
+        /// Reason why the solver stopped.
         stop: Stop,
     },
 }
 
-/// How a solver stopped without an answer; says nothing about whether there is one.
+/// Reasons why a solver stopped without an answer, which prove nothing.
 ///
 /// ```
 /// use splineqp::{Failure, Stop};
@@ -31,21 +31,21 @@ pub enum Failure<N: Names> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stop {
-    /// The objective's matrix has no factor.
+    /// The objective's matrix cannot be factorised.
     SingularObjective,
-    /// The equalities' matrix has no factor.
+    /// The equalities' matrix cannot be factorised.
     SingularEqualities,
-    /// The caller ended it.
+    /// The caller stopped the search.
     OutOfTime,
-    /// As many iterations as are allowed were taken.
+    /// The maximum number of iterations was reached.
     IterationLimit,
-    /// Rounds of exchange no longer came nearer.
+    /// The exchange iterations made no progress.
     NoProgress,
     /// The objective has no lower bound.
     Unbounded,
-    /// Rounding spoilt the iteration or its result.
+    /// Rounding errors spoiled the iteration or its result.
     NumericalError,
-    /// The interior-point method refused its settings or data.
+    /// The interior-point method rejected its settings or data.
     Refused,
 }
 

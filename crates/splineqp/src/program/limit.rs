@@ -4,10 +4,10 @@ use super::variable::{PEAK, Values, Variable};
 use crate::Names;
 use std::ops::Neg;
 
-/// A derivative of the law.
+/// A derivative of the law of motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Derivative {
-    /// The law itself.
+    /// Zeroth derivative: the law itself.
     Value,
     /// First derivative of the law.
     First,
@@ -79,7 +79,7 @@ impl Neg for LeftSide {
 /// A linear limit on the law, everywhere or over a range of angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit<N: Names> {
-    /// Name as users know it; both signs of a two-sided limit share it.
+    /// Name for users; both signs of a two-sided limit share it.
     pub name: N::Limit,
     /// Weights of the law and its derivatives, by their order.
     pub weights: [f64; 5],
@@ -87,23 +87,23 @@ pub struct Limit<N: Names> {
     pub bound: f64,
     /// Weights of the further variables.
     pub extra: Values,
-    /// Index into the program's shapes of the part of the bound that varies with θ.
+    /// Index into the program's shapes, for the part of the bound that varies with θ.
     pub shape: Option<usize>,
-    /// The law counts from its value at the program's reference angle.
+    /// Whether the law counts from its value at the program's reference angle.
     pub from_reference: bool,
-    /// First and last angle at which it holds, rad.
+    /// First and last angle of the domain, rad.
     pub domain: (f64, f64),
-    /// Size against which a violation counts: |bound| unless that is 0.
+    /// Scale of a violation: |bound| unless that is 0.
     pub scale: f64,
-    /// Whether a solver may keep room free inside it: not where a law may have to lie on its bound over a whole range.
+    /// Whether a solver may tighten it by a margin, which is wrong if a law may have to lie on its bound over a whole range.
     pub has_room: bool,
-    /// Whether it is one end of a range of values whose place is free.
+    /// Whether it is one end of a range of values with free position.
     pub is_window: bool,
-    /// What a change of the bound means to the caller.
+    /// Meaning of a change of the bound to the caller.
     pub meaning: N::Meaning,
 }
 
-/// A left side that waits for its bound.
+/// The left side of a limit, without its bound.
 #[derive(Debug, Clone, Copy)]
 pub struct Limited<N: Names> {
     name: N::Limit,
@@ -111,7 +111,7 @@ pub struct Limited<N: Names> {
 }
 
 impl<N: Names> Limited<N> {
-    /// At most this bound everywhere. A violation counts as a part of the bound, or of 1 where that is 0.
+    /// Limits the left side to at most this bound everywhere. A violation is relative to the bound, or to 1 if the bound is 0.
     pub fn at_most(self, bound: f64) -> Limit<N> {
         Limit {
             name: self.name,
@@ -128,13 +128,13 @@ impl<N: Names> Limited<N> {
         }
     }
 
-    /// At least this bound everywhere.
+    /// Limits the left side to at least this bound everywhere.
     pub fn at_least(self, bound: f64) -> Limit<N> {
         let side = -self.side;
         Limited { side, ..self }.at_most(-bound)
     }
 
-    /// Within a range of the given width, which begins at the value of a variable.
+    /// Limits the left side to a range of the given width, which begins at the value of a variable.
     pub fn within(self, width: f64, from: Variable) -> [Limit<N>; 2] {
         let (mut top, mut bottom) = (self.at_most(width), self.at_least(0.0).scaled(width));
         (top.extra[from], bottom.extra[from]) = (-1.0, 1.0);
@@ -144,7 +144,7 @@ impl<N: Names> Limited<N> {
 }
 
 impl<N: Names> Limit<N> {
-    /// A limit on a derivative or on a combination of derivatives, which waits for its bound.
+    /// The left side of a limit on a derivative or on a combination of derivatives.
     ///
     /// ```
     /// use splineqp::{Derivative, Limit};
@@ -161,21 +161,21 @@ impl<N: Names> Limit<N> {
         }
     }
 
-    /// The same limit with a size against which a violation counts.
+    /// The limit with another scale of violations.
     #[must_use]
     pub fn scaled(mut self, scale: f64) -> Self {
         self.scale = scale;
         self
     }
 
-    /// The same limit without room inside it.
+    /// The limit without a margin.
     #[must_use]
     pub fn exact(mut self) -> Self {
         self.has_room = false;
         self
     }
 
-    /// The same limit with its bound (beyond the shape) replaced by the peak variable.
+    /// The limit with its bound (beyond the shape) replaced by the peak variable.
     #[must_use]
     pub fn minimised(mut self) -> Self {
         self.bound = 0.0;
@@ -183,7 +183,7 @@ impl<N: Names> Limit<N> {
         self
     }
 
-    /// Size against which an excess over the given room counts. A range of values is no longer for starting far from 0.
+    /// Scale of an excess over the given margin. For a range of values it is the width, not the distance from 0.
     pub fn size(&self, room: f64) -> f64 {
         if self.is_window {
             self.scale
@@ -192,17 +192,17 @@ impl<N: Names> Limit<N> {
         }
     }
 
-    /// Highest derivative in its left side.
+    /// Highest derivative in the left side.
     pub fn highest_order(&self) -> usize {
         self.weights.iter().rposition(|w| *w != 0.0).unwrap_or(0)
     }
 
-    /// Whether it holds at an angle, rad.
+    /// Whether it applies at an angle, rad.
     pub(crate) fn covers(&self, at: f64) -> bool {
         at >= self.domain.0 && at <= self.domain.1
     }
 
-    /// The same limit with an empty domain.
+    /// The limit with an empty domain.
     pub(crate) fn idle(mut self) -> Self {
         self.extra = Values::NONE;
         self.is_window = false;
@@ -210,7 +210,7 @@ impl<N: Names> Limit<N> {
         self
     }
 
-    /// Whether it limits nothing.
+    /// Whether its domain is empty.
     pub(crate) fn is_idle(&self) -> bool {
         self.domain.0 == f64::INFINITY
     }
@@ -220,7 +220,7 @@ impl<N: Names> Limit<N> {
         self.weights == [0.0; 5] && !self.extra.is_none()
     }
 
-    /// Whether its bound is minimised.
+    /// Whether its bound is the minimised peak.
     pub fn is_peak(&self) -> bool {
         self.extra[PEAK] != 0.0
     }

@@ -27,52 +27,52 @@ use crate::poly::{Peak, PiecewisePoly};
 use gaitcam_base::halt::Halt;
 use variable::Declared;
 
-/// An exact demand on the law: Σ entries·x = value.
+/// An equality constraint on the law: Σ entries·x = value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equality<N: Names> {
-    /// What it demands.
+    /// Name of the equality.
     pub name: N::Equality,
-    /// The row.
+    /// Coefficients of the row.
     pub entries: Entries,
     /// Value of the equality.
     pub value: f64,
 }
 
-/// The whole program.
+/// A complete convex program.
 #[derive(Debug, Clone)]
 pub struct Program<N: Names> {
-    /// The functions.
+    /// Basis functions of the law.
     pub basis: Basis,
     /// H of the quadratic objective (may be singular or zero).
     pub hessian: ArrowMatrix,
     /// g of the quadratic objective.
     pub gradient: Vec<f64>,
-    /// What the quadratic leaves out of the whole objective.
+    /// Part of the objective outside the quadratic.
     pub constant: f64,
-    /// Exact demands.
+    /// Equality constraints on the law.
     pub equalities: Vec<Equality<N>>,
-    /// Limits over ranges.
+    /// Limits over ranges of angles.
     pub limits: Vec<Limit<N>>,
     /// Limits on root mean squares of the law.
     pub rms: Vec<RmsLimit<N>>,
     /// Parts of bounds that vary with θ.
     pub shapes: Vec<PiecewisePoly>,
-    /// The law's value at the angle from which limits may count it; `None` where they count from zero.
+    /// The law's value at the reference angle from which limits may count it; `None` if they count from zero.
     pub reference: Option<Entries>,
-    /// Rows of no limit (linearised curvature), kept in every round.
+    /// Rows that belong to no limit (linearised curvature), kept in every iteration.
     pub fixed: Vec<Row<N>>,
-    /// Rows to begin the exchange with: the contacts of a neighbouring program.
+    /// Initial rows of the exchange: the contacts of a neighbouring program.
     pub seeds: Vec<Row<N>>,
     /// Cost of each further variable.
     pub cost: Values,
     /// Second-order cones of the further variables.
     pub cones: Vec<Cone<N>>,
     variables: Vec<Declared>,
-    /// Typical size of the coefficients, m: the unit in which the solver works.
+    /// Typical size of the coefficients, m, used as unit of the solver.
     pub length: f64,
-    /// Settings of its solution.
+    /// Settings of the solution.
     pub settings: Settings,
-    /// When its solution is to end.
+    /// Condition that stops the solution.
     pub halt: Halt,
 }
 
@@ -81,28 +81,28 @@ pub struct Program<N: Names> {
 pub struct Row<N: Names> {
     /// Index of the limit; `None` for a fixed row.
     pub limit: Option<usize>,
-    /// Name of the limit as users know it.
+    /// Name of the limit for users.
     pub name: N::Limit,
-    /// Where on the law.
+    /// Position on the law.
     pub peak: Peak,
-    /// Weights of s, v, a, j and the fourth derivative there.
+    /// Weights of s, v, a, j and the fourth derivative at that position.
     pub weights: [f64; 5],
-    /// The row.
+    /// Coefficients of the row.
     pub entries: Entries,
-    /// The part of it at the reference angle.
+    /// Coefficients of the reference value.
     pub reference: Entries,
     /// Weights of the further variables.
     pub extra: Values,
     /// Bound of the row.
     pub bound: f64,
-    /// Size of which a part may be kept free; 0 where none can be.
+    /// Scale of the margin; 0 if none is allowed.
     pub scale: f64,
-    /// Multiplier of the last solve, in units of the objective per unit of the bound.
+    /// Multiplier of the last solution, in units of the objective per unit of the bound.
     pub multiplier: f64,
 }
 
 impl<N: Names> Row<N> {
-    /// A row of no limit: Σ entries·x ≤ bound. An excess counts where the row is given a scale.
+    /// A row that belongs to no limit: Σ entries·x ≤ bound. An excess counts if the row has a scale.
     pub fn of_no_limit(name: N::Limit, peak: Peak, entries: Entries, bound: f64) -> Self {
         Row {
             limit: None,
@@ -123,7 +123,7 @@ impl<N: Names> Row<N> {
         self.bound - self.extra.dot(extra) - apply(&self.entries, x)
     }
 
-    /// Whether a row of the same limit lies within this part of the piece.
+    /// Whether a row of the same limit is nearer than this fraction of the piece.
     pub(crate) fn coincides(&self, other: &Row<N>, part: f64) -> bool {
         self.limit == other.limit
             && self.peak.piece == other.peak.piece
@@ -131,27 +131,27 @@ impl<N: Names> Row<N> {
     }
 }
 
-/// A solution with its evidence.
+/// A solution with its certificate data.
 #[derive(Debug, Clone)]
 pub struct Solution<N: Names> {
-    /// Coefficients.
+    /// Coefficients of the law.
     pub x: Vec<f64>,
     /// Values of the further variables.
     pub extra: Values,
     /// Active rows with their multipliers.
     pub active: Vec<Row<N>>,
-    /// Whether inequalities had to be brought in at all.
+    /// Whether any inequality was needed.
     pub used_rows: bool,
-    /// Interior-point iterations over all rounds.
+    /// Total number of interior-point iterations.
     pub iterations: usize,
-    /// Rounds of exchange.
+    /// Number of exchange iterations.
     pub rounds: usize,
     /// Largest violation of any limit on the continuum, relative to its scale.
     pub violation: f64,
 }
 
 impl<N: Names> Program<N> {
-    /// A program without limits.
+    /// Creates a program without limits.
     pub fn new(
         basis: Basis,
         objective: Quadratic,
@@ -179,8 +179,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Bound of a limit's left side on a law: the bound less the terms of the further variables,
-    /// and what a lift counted from the touching angle gains.
+    /// Bound of a limit's left side on a law: the bound less the terms of the further variables, and for a lift counted from the touching angle its
+    /// increase.
     pub fn room(&self, limit: &Limit<N>, x: &[f64], extra: &Values) -> f64 {
         let lowest = self.reference_of(limit).map_or(0.0, |at| apply(at, x));
         limit.room(extra) + limit.weights[0] * lowest
@@ -191,18 +191,17 @@ impl<N: Names> Program<N> {
         self.basis.combination(&solution.x, &side.into().weights())
     }
 
-    /// Has limits count the law from its value at an angle, rad.
+    /// Makes limits count the law from its value at an angle, rad.
     pub fn count_from(&mut self, angle: f64) {
         self.reference = Some(self.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]));
     }
 
-    /// The value from which a limit counts the law, where that is not zero.
+    /// The value from which a limit counts the law, if it is not zero.
     pub fn reference_of(&self, limit: &Limit<N>) -> Option<&Entries> {
         self.reference.as_ref().filter(|_| limit.from_reference)
     }
 
-    /// The same program with every range of free place left open; `None` without such limits, and next to a program in
-    /// which one of them was active.
+    /// The program without the ranges of free position; `None` without such limits, and next to a program in which one of them was active.
     pub fn without_windows(&self) -> Option<Program<N>> {
         let mut windows = self.limits.iter().filter(|l| l.is_window).peekable();
         if windows.peek().is_none() || windows.any(Limit::is_peak) {
@@ -220,7 +219,7 @@ impl<N: Names> Program<N> {
         Some(free)
     }
 
-    /// Where the ranges of free place begin on a law.
+    /// Lower ends of the ranges of free position for a law.
     pub fn windows(&self, x: &[f64]) -> Values {
         let mut extra = Values::NONE;
         if self.limits.iter().any(|l| l.is_window) {
@@ -231,7 +230,7 @@ impl<N: Names> Program<N> {
         extra
     }
 
-    /// Whether H does not see the constant function: the moving axis knows no absolute lift.
+    /// Whether H is zero on the constant function: a moving axis does not depend on the absolute lift.
     pub fn constant_is_free(&self) -> bool {
         let energy = match self.basis {
             Basis::Spline { .. } => self.hessian.sum(),
@@ -241,7 +240,7 @@ impl<N: Names> Program<N> {
         energy <= free * self.hessian.largest_diagonal()
     }
 
-    /// Whether neither the objective nor a demand fixes the level of the law.
+    /// Whether neither the objective nor an equality fixes the level of the law.
     pub fn level_is_open(&self) -> bool {
         let fixes_level = |e: &Equality<N>| {
             let (sum, size) = e
@@ -253,7 +252,7 @@ impl<N: Names> Program<N> {
         !self.equalities.iter().any(fixes_level) && self.constant_is_free()
     }
 
-    /// Where nothing fixes the level, the law raised until its lowest point is at zero.
+    /// The law, raised until its minimum is zero if nothing fixes its level.
     pub(crate) fn with_least_at_zero(&self, x: Vec<f64>) -> Vec<f64> {
         if !self.level_is_open() {
             return x;
@@ -273,7 +272,7 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Size by which solvers divide the objective: its value for coefficients of typical size.
+    /// Scale by which solvers divide the objective: its value for coefficients of typical size.
     pub fn objective_unit(&self) -> f64 {
         let h = self.hessian.largest_diagonal() * self.length * self.length;
         let g = self.gradient.iter().fold(0.0_f64, |m, g| m.max(g.abs())) * self.length;
@@ -283,7 +282,7 @@ impl<N: Names> Program<N> {
         if unit > 0.0 { unit } else { 1.0 }
     }
 
-    /// Unit of the solver's multipliers: that of the objective, or of a peak that stands alone in it.
+    /// Unit of the solver's multipliers: that of the objective, or of a peak alone.
     pub fn multiplier_unit(&self, peak: f64) -> f64 {
         if self.cost[PEAK] == 0.0 {
             return self.objective_unit();
@@ -291,7 +290,7 @@ impl<N: Names> Program<N> {
         self.cost[PEAK].abs() * peak.abs().max(f64::MIN_POSITIVE)
     }
 
-    /// The whole objective of a solution.
+    /// Total objective of a solution.
     pub fn merit(&self, solution: &Solution<N>) -> f64 {
         self.objective(&solution.x) + self.constant + self.cost.dot(&solution.extra)
     }

@@ -1,4 +1,4 @@
-//! The law's derivatives in Bernstein form on all spans at once, and the maxima of what limits ask of them.
+//! Derivatives of the law in Bernstein form on all spans at once, and the maxima of the limits' left sides.
 
 use super::Limit;
 use crate::Names;
@@ -11,11 +11,11 @@ use crate::poly::{Peak, Span, SplineSpace, bernstein};
 pub struct Pieces {
     spans: usize,
     degree: usize,
-    /// Rows of s, then of v and so on, one row less each time.
+    /// Rows of s, then of v and so on, one row fewer each time.
     rows: Vec<f64>,
 }
 
-/// Bernstein coefficients of one function on every span, and the largest on each.
+/// Bernstein coefficients of one function on every span, and their maxima.
 #[derive(Default)]
 pub struct Curve {
     spans: usize,
@@ -199,7 +199,7 @@ impl Curve {
     }
 }
 
-/// Coefficients that go on around the turn: a span's own stand side by side.
+/// Coefficients in cyclic order, so that those of a span are contiguous.
 fn around(space: &SplineSpace, x: &[f64]) -> Vec<f64> {
     let mut around = Vec::with_capacity(space.dimension() + space.degree());
     around.extend_from_slice(&x[..space.dimension()]);
@@ -207,7 +207,7 @@ fn around(space: &SplineSpace, x: &[f64]) -> Vec<f64> {
     around
 }
 
-/// Bernstein coefficients of the velocity on a span by the steps from one spline coefficient to the next.
+/// Bernstein coefficients of the velocity on a span from the differences of the spline coefficients.
 fn of_steps(space: &SplineSpace, span: usize) -> Vec<f64> {
     let n = space.degree() + 1;
     let factor = space.degree() as f64 / space.spans()[span].width;
@@ -259,7 +259,7 @@ fn fill(
     }
 }
 
-/// Inner products of the weights with the coefficients from every place on.
+/// Inner products of the weights with the coefficients at every offset.
 #[inline(always)]
 fn products(out: &mut [f64], coefficients: &[f64], weights: &[f64]) {
     for (out, own) in out.iter_mut().zip(coefficients.windows(weights.len())) {
@@ -267,12 +267,12 @@ fn products(out: &mut [f64], coefficients: &[f64], weights: &[f64]) {
     }
 }
 
-/// Whether two values on both sides of a break are one to rounding.
+/// Whether the values on both sides of a break agree to rounding.
 fn joins(left: f64, right: f64, level: f64) -> bool {
     (left - right).abs() <= 1e-12 * left.abs().max(level.abs())
 }
 
-/// Writes rows of Bernstein coefficients one degree higher.
+/// Raises the degree of rows of Bernstein coefficients by one.
 fn elevate(rows: &mut Vec<f64>, spans: usize) {
     let m = rows.len() / spans;
     rows.extend_from_within((m - 1) * spans..);

@@ -6,42 +6,42 @@ use crate::band::ArrowFactor;
 use crate::objective::{MeanSquare, Quadratic};
 use crate::poly::Peak;
 
-/// Rounding of a difference of q's terms, as a part of its constant.
+/// Rounding of a difference of q's terms, relative to its constant.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// What H gains on its diagonal, as a part of that, to have a factor where it does not see a constant.
+/// Relative increase of the diagonal of H, so that it can be factorised if it is zero on a constant.
 const RIDGE: f64 = 1e-13;
 
 /// A limit on a root mean square as a cone: ‖Lᵀx + h‖ ≤ radius.
 pub struct Ball {
-    /// L, the factor of q's H.
+    /// The Cholesky factor L of q's H.
     pub factor: ArrowFactor,
-    /// h.
+    /// The shift h.
     pub shift: Vec<f64>,
-    /// √(most² − 2 min q).
+    /// The radius √(most² − 2 min q).
     pub radius: f64,
 }
 
-/// √(2 q(x)) ≤ most, with a convex quadratic q: half the mean square of what is limited.
+/// The limit √(2 q(x)) ≤ most, with a convex quadratic q: half a mean square.
 #[derive(Debug, Clone)]
 pub struct RmsLimit<N: Names> {
-    /// Name as users know it.
+    /// Name of the limit for users.
     pub name: N::Limit,
-    /// q.
+    /// The quadratic q.
     pub half: MeanSquare,
-    /// The largest root mean square allowed; above 0.
+    /// Maximum root mean square; above 0.
     pub most: f64,
-    /// What `most` means to the caller.
+    /// Meaning of `most` to the caller.
     pub meaning: N::Meaning,
 }
 
 impl<N: Names> RmsLimit<N> {
-    /// Excess over the limit as a part of it, beyond what rounding of q's terms leaves; negative where the limit holds.
+    /// Relative excess over the limit, beyond the rounding of q's terms; negative if the limit holds.
     pub fn excess(&self, x: &[f64]) -> f64 {
         let square = 2.0 * self.half.value(x) - ROUNDING * self.half.whole.constant.abs();
         square.max(0.0).sqrt() / self.most - 1.0
     }
 
-    /// The limit as a cone; `None` where no law has so small a mean square.
+    /// The limit as a cone; `None` if no law has such a small mean square.
     pub(crate) fn ball(&self) -> Option<Ball> {
         let whole = &self.half.whole;
         let mut hessian = whole.hessian.clone();
@@ -65,8 +65,7 @@ impl<N: Names> RmsLimit<N> {
         row.limit.is_none() && row.name == self.name
     }
 
-    /// The tangent at x, which every law z within the limit keeps because q is convex: ∇q(x)·(z − x) ≤ ½ most² − q(x),
-    /// divided by `most`.
+    /// The tangent at x. Since q is convex, every law z within the limit satisfies it: ∇q(x)·(z − x) ≤ ½ most² − q(x), divided by `most`.
     pub(crate) fn tangent(&self, x: &[f64], multiplier: f64) -> Row<N> {
         let mut gradient = self.half.gradient(x);
         gradient.iter_mut().for_each(|g| *g /= self.most);
@@ -81,8 +80,8 @@ impl<N: Names> RmsLimit<N> {
 }
 
 impl<N: Names> Program<N> {
-    /// The active rows with which a neighbouring program ended as rows of this one, to begin with: contacts of limits, whose bounds
-    /// and sizes may differ there, and the tangents of those on root mean squares.
+    /// The final active rows of a neighbouring program as initial rows of this one: contacts of limits, whose bounds and sizes may differ, and the
+    /// tangents of root-mean-square limits.
     pub fn seeds_of(&self, active: &[Row<N>]) -> Vec<Row<N>> {
         let is_limited = |i: usize| self.limits.get(i).is_some_and(|l| !l.is_idle());
         let own = |row: &Row<N>| match row.limit {
@@ -95,7 +94,7 @@ impl<N: Names> Program<N> {
         active.iter().filter_map(own).collect()
     }
 
-    /// The same program with `weight` times q in its objective instead of the limit on √(2 q).
+    /// The program with `weight` times q in its objective instead of the limit on √(2 q).
     pub(crate) fn weighing(&self, limit: &RmsLimit<N>, weight: f64) -> Program<N> {
         let mut out = self.clone();
         out.rms.retain(|l| l.name != limit.name);
@@ -108,7 +107,7 @@ impl<N: Names> Program<N> {
         out
     }
 
-    /// The program that minimises the root mean square of this name under the other limits; `None` where it is not limited.
+    /// The program that minimises the root mean square of this name under the other limits; `None` if it is not limited.
     pub fn of_least_rms(&self, name: N::Limit) -> Option<Program<N>> {
         let mut out = self.clone();
         let limit = out.rms.iter().position(|l| l.name == name)?;
@@ -116,8 +115,7 @@ impl<N: Names> Program<N> {
         Some(out.minimising(limit.half.whole))
     }
 
-    /// The same program with another objective, over the coefficients alone. Its limits keep their places, so that rows of one
-    /// are rows of the other.
+    /// The program with another objective, over the coefficients alone. Its limits keep their indices, so that rows can be shared.
     #[must_use]
     pub fn minimising(mut self, objective: Quadratic) -> Program<N> {
         (self.hessian, self.gradient) = (objective.hessian, objective.gradient);
@@ -127,7 +125,7 @@ impl<N: Names> Program<N> {
         self
     }
 
-    /// Leaves out limits that a variable without a cost takes away: a peak or a size that nothing keeps from growing.
+    /// Removes limits that a variable without a cost makes void: an unbounded peak or size.
     fn without_idle_limits(&mut self) {
         let kept = |k: Variable| {
             self.is_in_cone(k)

@@ -1,4 +1,4 @@
-//! Where a law breaks its limits: exact worst points, from the roots of the limits' own derivatives.
+//! Violations of limits by a law: exact worst points, from the roots of the limits' own derivatives.
 
 use super::pieces::{Curve, Pieces};
 use super::{Limit, PEAK, Program, Row, Values};
@@ -7,19 +7,19 @@ use crate::basis::{Basis, Entries, WIDEST, add};
 use crate::poly::{Peak, PiecewisePoly, SplineSpace, bernstein};
 
 impl<N: Names> Program<N> {
-    /// Exact worst points at which a limit is exceeded by more than the tolerance.
+    /// Exact worst points with an excess above the tolerance.
     pub fn broken(&self, x: &[f64], extra: &Values) -> Vec<(usize, Peak)> {
         self.peaks_near(x, extra, -self.settings.tolerance)
     }
 
-    /// Largest excess over any limit, relative to its scale; 0 when all hold.
+    /// Largest excess over any limit, relative to its scale; 0 if all hold.
     pub fn violation(&self, x: &[f64], extra: &Values) -> f64 {
         let of_means = self.rms.iter().map(|limit| limit.excess(x));
         let of_limits = self.worst(&self.peaks_near(x, extra, 0.0), x, extra);
         of_means.fold(of_limits.max(0.0), f64::max)
     }
 
-    /// Local maxima of the limits' left sides that come as near to their bound as this part of its size.
+    /// Local maxima of the limits' left sides within this fraction of the scale from the bound.
     pub fn peaks_near(&self, x: &[f64], extra: &Values, near: f64) -> Vec<(usize, Peak)> {
         let mut out = Vec::new();
         let level = |limit: &Limit<N>| {
@@ -30,7 +30,7 @@ impl<N: Names> Program<N> {
         out
     }
 
-    /// Those of these maxima that exceed their limit by more than the tolerance.
+    /// The local maxima that exceed their limit by more than the tolerance.
     pub fn broken_among(
         &self,
         peaks: &[(usize, Peak)],
@@ -45,7 +45,7 @@ impl<N: Names> Program<N> {
         broken.copied().collect()
     }
 
-    /// Largest excess of these maxima over their limits and of the rows that are always kept, relative to the limits' scale.
+    /// Largest excess of these maxima and of the permanent rows, relative to the limits' scale.
     pub fn worst(&self, peaks: &[(usize, Peak)], x: &[f64], extra: &Values) -> f64 {
         let excess = peaks.iter().map(|(index, peak)| {
             let limit = &self.limits[*index];
@@ -55,15 +55,15 @@ impl<N: Names> Program<N> {
         excess.fold(self.excess_of_rows(x, extra), f64::max)
     }
 
-    /// Largest excess of the rows of no limit that have a scale, as a part of it.
+    /// Largest relative excess of the rows that have a scale but no limit.
     pub fn excess_of_rows(&self, x: &[f64], extra: &Values) -> f64 {
         let rows = self.fixed.iter().filter(|row| row.scale > 0.0);
         rows.map(|row| -row.slack(x, extra) / row.scale)
             .fold(0.0, f64::max)
     }
 
-    /// The minimised peak, raised to what the law itself attains: its excess over the variable then counts in the objective,
-    /// and so in the duality gap, and not as a violation relative to the limit's scale.
+    /// The minimised peak, raised to the value of the law itself, so that its excess counts in the objective and the duality gap and not as a
+    /// violation.
     pub fn own_peak(&self, x: &[f64], extra: &Values) -> f64 {
         let mut raised = 0.0_f64;
         if self.limits.iter().any(Limit::is_peak) {
@@ -107,7 +107,7 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// The space whose pieces are a limit's left side to the last coefficient.
+    /// The spline space of a limit's left side.
     fn spline_of(&self, limit: &Limit<N>) -> Option<&SplineSpace> {
         match &self.basis {
             Basis::Spline { space, .. } => {
@@ -123,7 +123,7 @@ impl<N: Names> Program<N> {
         Pieces::new(space, x, highest)
     }
 
-    /// The row of a limit at a place.
+    /// The row of a limit at a point.
     pub fn row(&self, index: usize, peak: Peak) -> Row<N> {
         let limit = &self.limits[index];
         let by_piece = matches!(self.basis, Basis::Spline { .. });
@@ -154,7 +154,7 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Rows at both ends and the middle of every piece, for limits whose bound is itself a variable.
+    /// Rows at both ends and the middle of every piece, for limits with a variable bound.
     pub fn seed_rows(&self, rows: &mut Vec<Row<N>>) {
         let variable = |l: &Limit<N>| !l.extra.is_none();
         let breaks = self.basis.breaks();
@@ -170,8 +170,7 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Ends and middles of pieces where the law without limits breaks one: many of them touch in the end,
-    /// and rows are cheaper than rounds.
+    /// Ends and middles of pieces where the unlimited law violates a limit: many of them become contacts, and rows cost less than iterations.
     pub fn add_neighbours(&self, rows: &mut Vec<Row<N>>, x: &[f64]) {
         let (mut pieces, mut curve) = (None, Curve::default());
         for (index, limit) in self.limits.iter().enumerate() {

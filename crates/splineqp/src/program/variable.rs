@@ -1,27 +1,27 @@
-//! Variables of a program beside the coefficients of its spline, and the cones that tie them together.
+//! Further variables of a program besides the spline coefficients, and their cones.
 
 use super::Program;
 use crate::Names;
 use std::ops::{Index, IndexMut};
 
-/// Most variables beside the coefficients, the peak included. The few have their place in every row.
+/// Maximum number of further variables, including the peak.
 const MOST: usize = 8;
 
-/// The peak: a bound that is itself minimised. Every program has it; it takes part where a limit or a cost names it.
+/// The peak: a minimised bound. Every program has it; it takes part if a limit or a cost refers to it.
 pub const PEAK: Variable = Variable(0);
 
-/// A variable beside the coefficients, by its place in the program that declares it.
+/// A further variable, by its index in its program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Variable(usize);
 
 impl Variable {
-    /// The variable that is declared as the `n`th, from 1 on; 0 is [`PEAK`].
+    /// The `n`th declared variable, from 1 on; 0 is [`PEAK`].
     pub const fn nth(n: usize) -> Self {
         assert!(n < MOST, "a program has few variables beside its spline");
         Variable(n)
     }
 
-    /// All places of variables.
+    /// Indices of all variables.
     pub fn all() -> impl Iterator<Item = Variable> {
         (0..MOST).map(Variable)
     }
@@ -65,28 +65,28 @@ impl Values {
         *self == Values::NONE
     }
 
-    /// Sum of products.
+    /// Sum of the products.
     #[inline]
     pub fn dot(&self, other: &Values) -> f64 {
         self.0.iter().zip(&other.0).map(|(a, b)| a * b).sum()
     }
 }
 
-/// What is declared of a variable.
+/// Declaration of a variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Declared {
-    /// Name as the caller knows it.
+    /// Name used by the caller.
     pub name: &'static str,
-    /// Typical value: the unit in which solvers work.
+    /// Typical value, used as unit of the solver.
     pub typical: f64,
-    /// Of which derivative of the law it is the least value; `None` for a variable of its own.
+    /// Derivative of the law whose minimum it is; `None` for an independent variable.
     pub least_of: Option<usize>,
 }
 
 /// A second-order cone: the head is at least the Euclidean norm of the tail.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cone<N: Names> {
-    /// Name as users know it.
+    /// Name of the cone for users.
     pub name: N::Limit,
     /// The variable that is at least the norm.
     pub head: Variable,
@@ -108,9 +108,10 @@ impl<N: Names> Cone<N> {
 }
 
 impl<N: Names> Program<N> {
-    /// Declares a variable by its name, its typical value (the unit in which solvers work) and its cost in the objective.
+    /// Declares a variable by its name, its typical value (the unit of the solver) and its cost in the objective.
     ///
     /// # Panics
+    ///
     /// With more than seven variables.
     pub fn variable(&mut self, name: &'static str, typical: f64, cost: f64) -> Variable {
         let variable = Variable::nth(self.variables.len() + 1);
@@ -123,9 +124,10 @@ impl<N: Names> Program<N> {
         variable
     }
 
-    /// Declares the least value of a derivative of the law, where a range of values begins whose place is free.
+    /// Declares the minimum of a derivative of the law, the lower end of a range of values with free position.
     ///
     /// # Panics
+    ///
     /// With more than seven variables.
     pub fn least_value(&mut self, name: &'static str, order: usize, typical: f64) -> Variable {
         let variable = self.variable(name, typical, 0.0);
@@ -135,7 +137,7 @@ impl<N: Names> Program<N> {
         variable
     }
 
-    /// Ties variables together: `head` is at least the norm of `tail`. A variable may be in one cone.
+    /// Adds a cone: `head` is at least the norm of `tail`. A variable may be in one cone.
     pub fn cone(&mut self, name: impl Into<N::Limit>, head: Variable, tail: &[Variable]) {
         self.cones.push(Cone {
             name: name.into(),
@@ -149,7 +151,7 @@ impl<N: Names> Program<N> {
         self.declared(variable).map_or("peak", |d| d.name)
     }
 
-    /// Typical value of a variable; of the peak that of the coefficients.
+    /// Typical value of a variable; for the peak that of the coefficients.
     pub(crate) fn typical(&self, variable: Variable) -> f64 {
         self.declared(variable).map_or(self.length, |d| d.typical)
     }
@@ -158,7 +160,7 @@ impl<N: Names> Program<N> {
         self.variables.get(variable.0.checked_sub(1)?)
     }
 
-    /// Which variables take part.
+    /// Whether each variable takes part.
     pub fn present(&self) -> ByVariable<bool> {
         let mut out = ByVariable([false; MOST]);
         for k in Variable::all() {
@@ -183,13 +185,13 @@ impl<N: Names> Program<N> {
             .any(|c| c.members().any(|k| k == variable))
     }
 
-    /// The variables that are least values of the law, with the order of their derivative.
+    /// The variables that are minima of the law, with the order of their derivative.
     pub(crate) fn least_values(&self) -> impl Iterator<Item = (Variable, usize)> + '_ {
         let declared = Variable::all().skip(1).zip(&self.variables);
         declared.filter_map(|(k, d)| Some((k, d.least_of?)))
     }
 
-    /// The same program with these variables as constants, their costs left out.
+    /// The program with these variables as constants, without their costs.
     #[must_use]
     pub fn with_constant(mut self, variables: &[Variable], values: &Values) -> Program<N> {
         for limit in &mut self.limits {
@@ -205,7 +207,7 @@ impl<N: Names> Program<N> {
     }
 }
 
-/// Takes the terms of these variables to the bound.
+/// Moves the terms of these variables to the bound.
 pub(crate) fn make_constant(
     bound: &mut f64,
     extra: &mut Values,

@@ -1,4 +1,4 @@
-//! Which method solves a program.
+//! Choice of the method for a program.
 //!
 //! | method | used for | file |
 //! |---|---|---|
@@ -9,7 +9,7 @@
 //! | search for the weight of the mean square in the objective | a limit on a root mean square; beside a peak and sizes: `exchange` | `rms` |
 //! | Newton's method on the contacts | every solution whose certificate is open | `refine` |
 //!
-//! Between two separations `active_set` and `exchange` solve under finitely many rows, by the trait in `row_solver`.
+//! Between separations `active_set` and `exchange` solve with finitely many rows, by the trait in `row_solver`.
 
 mod active_set;
 pub mod exchange;
@@ -29,7 +29,8 @@ impl<N: Names> Program<N> {
     /// The optimum under all limits, on the continuum.
     ///
     /// # Errors
-    /// Equalities that contradict each other, limits that leave nothing, a solver that stops without an answer.
+    ///
+    /// Contradictory equalities, infeasible limits, a solver that stops without an answer.
     pub fn solve(&self) -> Result<Solution<N>, Failure<N>> {
         let mut solution = match self.rms.first() {
             Some(_) if self.settings.tolerance > TOLERANCE => exchange::solve(self)?,
@@ -47,7 +48,7 @@ impl<N: Names> Program<N> {
         Ok(solution)
     }
 
-    /// The solution by one cone program, for a root mean square beside a peak and sizes; `None` where it exceeds a limit.
+    /// The solution by one cone program, for a root mean square beside a peak and sizes; `None` if it exceeds a limit.
     fn with_its_cone(&self) -> Option<Solution<N>> {
         let present = self.present();
         let is_least = |k: Variable| self.least_values().any(|least| least.0 == k);
@@ -80,7 +81,7 @@ impl<N: Names> Program<N> {
         Ok(refine::refined(self, self.by_the_first_method()?))
     }
 
-    /// The solution of the first method that has one.
+    /// The solution of the first applicable method.
     fn by_the_first_method(&self) -> Result<Solution<N>, Failure<N>> {
         if proximal::suits(self) && self.hessian.largest_diagonal() == 0.0 {
             match proximal::solve(self)? {
@@ -106,8 +107,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// The active set's solution, refined where it exceeds its limits. Where that fails, the exchange's solution replaces it if it
-    /// keeps the limits or is closer to a proof.
+    /// The active set's solution, refined if it exceeds its limits. If that fails, the exchange's solution replaces it if it satisfies the limits or
+    /// has a smaller gap.
     fn or_by_exchange(&self, solution: Solution<N>) -> Solution<N> {
         if refine::keeps_limits(self, &solution) {
             return solution;
@@ -128,8 +129,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Solves again with limits tightened by twice the rounding violation of a solution. The gap includes the cost. `None` where the
-    /// solution keeps its limits, or the tightened one does not.
+    /// Solves again with limits tightened by twice the rounding violation of a solution. The gap includes the cost. `None` if the solution already
+    /// satisfies its limits, or if the tightened one violates them.
     fn inside(&self, unlimited: &Unlimited, solution: &Solution<N>) -> Option<Solution<N>> {
         if solution.violation <= self.settings.tolerance || !refine::keeps_limits(self, solution) {
             return None;
@@ -149,7 +150,7 @@ impl<N: Names> Program<N> {
         (inside.violation <= self.settings.tolerance).then_some(inside)
     }
 
-    /// The optimum without limits as the solution, where it satisfies them all.
+    /// The unlimited optimum as the solution, if it satisfies all limits.
     pub(crate) fn without_rows(&self, x: &[f64]) -> Option<Solution<N>> {
         let extra = Values::NONE;
         let violation = self.violation(x, &extra);

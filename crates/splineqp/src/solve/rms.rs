@@ -28,21 +28,21 @@ use crate::program::{
 };
 use crate::solve::exchange;
 
-/// Relative root mean square treated as zero.
+/// Relative root mean square that counts as zero.
 const SMALL: f64 = 1e-2;
 
 /// One iterate of the search: the optimum at a weight or at a peak.
 struct Tried<N: Names> {
-    /// ln of the weight or of the peak.
+    /// Logarithm of the weight or of the peak.
     number: f64,
-    /// μ; 0 where no limit of the peak is active.
+    /// The weight μ; 0 if no limit of the peak is active.
     weight: f64,
-    /// ln of the root mean square over what is allowed.
+    /// Logarithm of the root mean square over the allowed one.
     excess: f64,
     solution: Solution<N>,
 }
 
-/// The quantity that the search varies.
+/// The quantity varied by the search.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
     Weight,
@@ -55,7 +55,7 @@ struct Search<'a, N: Names> {
     way: Way,
     /// Active rows of the last optimum.
     seeds: Vec<Row<N>>,
-    /// The law of the least peak under the other limits, where that exceeds the limit.
+    /// The law with the minimum peak under the other limits, if that exceeds the limit.
     least: Option<Solution<N>>,
 }
 
@@ -111,7 +111,7 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// The number that the limit as a cone gives; `None` where that has no answer, or the limit no multiplier.
+    /// The weight from the limit as a cone; `None` if the cone program fails, or the limit has no multiplier.
     fn begin(&mut self) -> Option<f64> {
         let mut rough = self.program.clone();
         rough.settings.tolerance = self.program.settings.rms.rough;
@@ -123,12 +123,12 @@ impl<'a, N: Names> Search<'a, N> {
         Some(libm::log(weight))
     }
 
-    /// Whether a law keeps the limit.
+    /// Whether a law satisfies the limit.
     fn keeps(&self, law: &Solution<N>) -> bool {
         self.limit.excess(&law.x) <= self.program.settings.tolerance
     }
 
-    /// The law of the least root mean square.
+    /// The law with the minimum root mean square.
     fn nearest(&self) -> Result<Solution<N>, Failure<N>> {
         let near = self
             .program
@@ -141,7 +141,7 @@ impl<'a, N: Names> Search<'a, N> {
         Ok(near)
     }
 
-    /// That law with its peak, or the optimum where the objective weighs as much as the root mean square.
+    /// That law with its peak, or the optimum with equal weights of objective and root mean square.
     fn of_the_nearest(&mut self) -> Result<Tried<N>, Failure<N>> {
         let mut near = self.nearest()?;
         let program = self.program;
@@ -166,8 +166,8 @@ impl<'a, N: Names> Search<'a, N> {
         plain.solve()
     }
 
-    /// The optimum without the limit where that keeps it, or the law of the least peak that the other limits leave, with its proof;
-    /// where the search found neither, the law of the least root mean square.
+    /// The unlimited optimum if it satisfies the limit, or the law of the minimum peak under the other limits, with its proof. If the search finds
+    /// neither, the law of the minimum root mean square.
     fn held_up(&mut self, least: Solution<N>) -> Result<Solution<N>, Failure<N>> {
         if self.keeps(&least) {
             return Ok(least);
@@ -192,7 +192,7 @@ impl<'a, N: Names> Search<'a, N> {
         })
     }
 
-    /// ln of the least peak that is tried: a little above the least that the other limits leave.
+    /// Logarithm of the smallest trial peak, slightly above the minimum under the other limits.
     fn lowest(&self, least: &Solution<N>) -> f64 {
         libm::log(least.extra[PEAK].max(f64::MIN_POSITIVE)) + self.program.settings.rms.pinch
     }
@@ -237,7 +237,7 @@ impl<'a, N: Names> Search<'a, N> {
         Ok(tried)
     }
 
-    /// The law of the least q under a peak as one of the program itself, and μ.
+    /// The law with minimum q under a peak as an objective of its own, and μ.
     fn of_peak(&self, mut solution: Solution<N>, peak: f64) -> (Solution<N>, f64) {
         let of_peak = |row: &Row<N>| {
             row.limit
@@ -268,7 +268,7 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// Two optima that enclose the limit: one within it, one beyond it; `None` where the search finds only one kind.
+    /// Two optima that bracket the limit; `None` if the search finds only one side.
     fn bracket(&mut self, mut here: Tried<N>) -> Result<Option<[Tried<N>; 2]>, Failure<N>> {
         let settings = self.program.settings.rms;
         let holds = here.excess <= 0.0;
@@ -352,7 +352,7 @@ impl<'a, N: Names> Search<'a, N> {
             && weights * squares <= settings.rms.gap.max(0.01 * settings.tolerance) * size
     }
 
-    /// Interpolates between two optima to where the limit holds with equality; takes the rows of both and the limit's tangent.
+    /// Interpolates between two optima so that the limit holds with equality; merges both sets of rows and adds the limit's tangent.
     fn met(&self, inside: Tried<N>, outside: &Tried<N>) -> Solution<N> {
         let (limit, other) = (self.limit, &outside.solution);
         let mut out = inside.solution;

@@ -1,27 +1,25 @@
-//! Solvers of programs whose limits are finitely many rows: what the rounds of exchange ask between two separations.
+//! Solvers of programs with finitely many rows, used between two separations.
 
 use crate::Names;
 use crate::program::{Failure, Program, Row, Values};
 
 /// The optimum under rows, in the program's own units.
 pub struct Point<N: Names> {
-    /// Coefficients.
+    /// Coefficients of the law.
     pub x: Vec<f64>,
-    /// Further variables.
+    /// Values of the further variables.
     pub extra: Values,
     /// Tangents of the limits on root mean squares, with their multipliers.
     pub tangents: Vec<Row<N>>,
-    /// Iterations so far.
+    /// Total iterations so far.
     pub iterations: usize,
 }
 
-/// A solver of quadratic programs under rows. Another one costs its file, its constants in the settings and the line in
-/// [`super`] that chooses it.
+/// A solver of quadratic programs under rows. A new solver needs a file, constants in the settings and a line in [`super`].
 pub trait RowSolver<N: Names> {
     /// The optimum under the rows, with `margin` of each row's scale kept free. Multipliers are written into the rows.
     ///
-    /// # Errors
-    /// Rows that leave nothing, a solver that stops without an answer.
+    /// # Errors Infeasible rows, a solver that stops without an answer.
     fn solve(
         &mut self,
         program: &Program<N>,
@@ -29,6 +27,6 @@ pub trait RowSolver<N: Names> {
         margin: f64,
     ) -> Result<Point<N>, Failure<N>>;
 
-    /// Tells that another row has taken the place of this one since the last solution.
+    /// Notifies the solver that another row replaced this one since the last solution.
     fn replaced(&mut self, _row: usize) {}
 }

@@ -1,4 +1,4 @@
-//! One connection: requests one after another, each within its limits.
+//! One connection: consecutive requests, each within its limits.
 
 use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpStream};
@@ -10,18 +10,18 @@ use super::places::Places;
 use super::{Gone, Head, Method, Request, Response, Service, Status};
 use crate::lock;
 
-/// Largest head, bytes.
+/// Maximum size of a head, bytes.
 const HEAD: usize = 16 << 10;
-/// An idle connection has this long to ask again, and an admitted request to arrive.
+/// Time allowed to an idle connection for the next request, and to an admitted request to arrive.
 const PATIENCE: Duration = Duration::from_secs(20);
-/// A head has this long from its first byte on.
+/// Time allowed to a head from its first byte.
 const OF_HEAD: Duration = Duration::from_secs(5);
-/// Time between two looks whether the side that asked is still there.
+/// Time between two checks whether the client is still connected.
 const LOOK: Duration = Duration::from_millis(20);
-/// What is still being sent after a refusal is read away this long, so that the refusal arrives.
+/// Time for which remaining data are read after a rejection, so that the rejection arrives.
 const FAREWELL: Duration = Duration::from_secs(5);
 
-/// A connection with the bytes that have arrived and are not used yet.
+/// A connection with its unprocessed bytes.
 struct Connection {
     stream: Arc<TcpStream>,
     buffer: Vec<u8>,
@@ -37,7 +37,7 @@ pub fn serve(stream: TcpStream, service: &impl Service, places: &Places) {
 }
 
 impl Connection {
-    /// One request and its answer; whether the connection goes on.
+    /// Serves one request; whether the connection continues.
     fn one(&mut self, service: &impl Service, places: &Places) -> io::Result<bool> {
         let waiting = places.wait(&self.stream);
         let head = match self.head()? {
@@ -68,7 +68,7 @@ impl Connection {
         Ok(!head.closes)
     }
 
-    /// The next head; `None` where the other side has ended.
+    /// The next head; `None` if the client has closed the connection.
     fn head(&mut self) -> io::Result<Option<Result<Head, Response>>> {
         if self.buffer.is_empty() && self.more(Instant::now() + PATIENCE)? == 0 {
             return Ok(None);
@@ -92,7 +92,7 @@ impl Connection {
         }
     }
 
-    /// The body of a request; `None` where the other side has ended before.
+    /// The body of a request; `None` if the client has closed the connection.
     fn body(&mut self, head: &Head) -> io::Result<Option<Vec<u8>>> {
         let deadline = Instant::now() + PATIENCE;
         if head.expects {
@@ -107,7 +107,7 @@ impl Connection {
         Ok(Some(std::mem::replace(&mut self.buffer, rest)))
     }
 
-    /// Reads what has arrived; 0 at the end.
+    /// Reads the available bytes; 0 at the end.
     fn more(&mut self, deadline: Instant) -> io::Result<usize> {
         let left = deadline.saturating_duration_since(Instant::now());
         if left.is_zero() {
@@ -120,7 +120,7 @@ impl Connection {
         Ok(read)
     }
 
-    /// Says no and ends the connection.
+    /// Sends a rejection and closes the connection.
     fn refuse(&mut self, refusal: &Response) -> io::Result<bool> {
         refusal.write(&mut &*self.stream, true, true)?;
         self.stream.shutdown(Shutdown::Write)?;
@@ -133,8 +133,7 @@ impl Connection {
     }
 }
 
-/// Whether the other side of a connection has left; it is looked at only now and then, since that is a call of the
-/// system.
+/// Whether the client has disconnected; checked only occasionally, since it is a system call.
 fn left(stream: Arc<TcpStream>) -> Gone {
     let last = Mutex::new((Instant::now(), false));
     Arc::new(move || {

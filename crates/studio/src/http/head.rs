@@ -1,29 +1,29 @@
-//! The head of a request: method, address, the headers that matter here.
+//! The head of a request: method, address and relevant headers.
 
 use super::{Response, Status};
 
-/// Most headers of a request.
+/// Maximum number of headers of a request.
 const HEADERS: usize = 64;
 
-/// What a request wants to do.
+/// Method of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// Read.
+    /// GET: read a resource.
     Get,
-    /// Read without the body.
+    /// HEAD: read without the body.
     Head,
-    /// Send and read.
+    /// POST: send data and read the answer.
     Post,
 }
 
 /// The head of a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Head {
-    /// What it wants.
+    /// Method of the request.
     pub method: Method,
-    /// The path, percent signs decoded.
+    /// The path, percent-decoded.
     pub path: String,
-    /// The query as pairs, decoded.
+    /// The query as decoded pairs.
     pub query: Vec<(String, String)>,
     /// The `Host` headers, all of them.
     pub hosts: Vec<String>,
@@ -31,9 +31,9 @@ pub struct Head {
     pub origin: Option<String>,
     /// Length of the body.
     pub length: usize,
-    /// The client waits for leave to send its body.
+    /// Whether the client waits for permission to send its body.
     pub expects: bool,
-    /// The connection ends after the answer.
+    /// Whether the connection closes after the answer.
     pub closes: bool,
 }
 
@@ -46,8 +46,7 @@ impl Head {
 
     /// Reads a head with its length in bytes; `None` while it is incomplete.
     ///
-    /// # Errors
-    /// The refusal of bytes that are not a head, or of a request that this server does not support.
+    /// # Errors Bytes that are not a head, or a request that this server does not support.
     pub fn read(bytes: &[u8]) -> Result<Option<(Head, usize)>, Response> {
         let mut headers = [httparse::EMPTY_HEADER; HEADERS];
         let mut parsed = httparse::Request::new(&mut headers);
@@ -113,7 +112,7 @@ fn pairs(query: &str) -> Option<Vec<(String, String)>> {
         .collect()
 }
 
-/// A text with its percent signs decoded; `None` where they encode no text.
+/// A percent-decoded text; `None` if the bytes are not text.
 fn decoded(text: &str) -> Option<String> {
     let mut out = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();

@@ -1,7 +1,5 @@
-//! HTTP/1.1 for one person on one machine: `httparse` reads the heads, one thread serves a connection.
-//!
-//! A server of its own because limits and time-outs must hold before a body is read: the ready-made small servers have
-//! neither. No chunked bodies, no compression, no ranges.
+//! HTTP/1.1 for one user on one machine: `httparse` parses the heads, one thread serves each connection. The server is our own because limits and
+//! time-outs must apply before a body is read. It has no chunked bodies, compression or ranges.
 
 mod connection;
 mod head;
@@ -18,22 +16,22 @@ pub use server::Server;
 /// A request with its body.
 #[derive(Debug)]
 pub struct Request {
-    /// Method, address and headers.
+    /// Head of the request: method, address and headers.
     pub head: Head,
-    /// The body, as long as its head said.
+    /// Body of the request, of the announced length.
     pub body: Vec<u8>,
 }
 
-/// Whether the side that asked has left.
+/// Whether the client has disconnected.
 pub type Gone = Arc<dyn Fn() -> bool + Send + Sync>;
 
-/// What a server asks: first about the head alone, then with the body.
+/// Handler of a server: called first with the head alone, then with the body.
 pub trait Service: Send + Sync + 'static {
-    /// Whether the request may go on; otherwise the refusal.
+    /// Admits the request or returns a rejection.
     fn admit(&self, head: &Head) -> Result<(), Response>;
-    /// The largest body for this address, bytes.
+    /// The maximum size of a body for this address, bytes.
     fn most(&self, head: &Head) -> usize;
-    /// The answer.
+    /// The answer. `gone` says whether the client has disconnected meanwhile, so that the answer is not needed.
     ///
     /// `gone` says whether the other side has left meanwhile: the answer is of no use then.
     fn answer(&self, request: &Request, gone: Gone) -> Response;

@@ -1,4 +1,4 @@
-//! Bounds on connections: those that wait for a request make room for newer ones, those being answered do not.
+//! Limits on connections: waiting ones make room for newer ones, active ones do not.
 
 use std::collections::VecDeque;
 use std::net::{Shutdown, TcpStream};
@@ -7,13 +7,12 @@ use std::sync::{Arc, Mutex};
 
 use crate::lock;
 
-/// Connections without a request, or with one that is not complete or not admitted, at most; one more ends the one
-/// that has waited longest.
+/// Maximum number of connections without a complete and admitted request; one more closes the oldest.
 const WAITING: usize = 64;
-/// Requests that are answered at a time at most: a few pages of six connections each.
+/// Maximum number of requests processed at a time: a few pages of six connections each.
 const ANSWERED: usize = 96;
 
-/// The open connections.
+/// Registry of the open connections.
 #[derive(Default)]
 pub struct Places {
     waiting: Mutex<VecDeque<Arc<TcpStream>>>,
@@ -21,7 +20,7 @@ pub struct Places {
 }
 
 impl Places {
-    /// Enters a connection among those that wait, until what is returned is dropped.
+    /// Registers a waiting connection until the returned value is dropped.
     pub fn wait(&self, stream: &Arc<TcpStream>) -> Waiting<'_> {
         let mut waiting = lock(&self.waiting);
         waiting.push_back(Arc::clone(stream));
@@ -35,7 +34,7 @@ impl Places {
         Waiting { places, stream }
     }
 
-    /// A place among the requests that are answered, until it is dropped; `None` where all are taken.
+    /// Registers a request in progress until the returned value is dropped; `None` if the limit is reached.
     pub fn answer(&self) -> Option<Answering<'_>> {
         let place = Answering(&self.answered);
         (self.answered.fetch_add(1, Ordering::SeqCst) < ANSWERED).then_some(place)
@@ -54,7 +53,7 @@ impl Drop for Waiting<'_> {
     }
 }
 
-/// A request that is answered.
+/// A request in progress.
 pub struct Answering<'p>(&'p AtomicUsize);
 
 impl Drop for Answering<'_> {

@@ -1,29 +1,29 @@
-//! Answers, with the headers that keep a page to itself.
+//! Responses, with the headers that isolate a page.
 
 use std::io::{self, Write};
 
-/// Status codes that this server answers with.
+/// Status codes of this server.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// 200.
+    /// Status 200, success.
     Ok,
-    /// 400.
+    /// Status 400, bad request.
     BadRequest,
-    /// 403.
+    /// Status 403, forbidden.
     Forbidden,
-    /// 404.
+    /// Status 404, not found.
     NotFound,
-    /// 405.
+    /// Status 405, method not allowed.
     MethodNotAllowed,
-    /// 411.
+    /// Status 411, length required.
     LengthRequired,
-    /// 413.
+    /// Status 413, body too large.
     TooLarge,
-    /// 431.
+    /// Status 431, head too large.
     HeadTooLarge,
-    /// 500.
+    /// Status 500, internal error.
     Internal,
-    /// 503.
+    /// Status 503, server busy.
     Busy,
 }
 
@@ -44,14 +44,13 @@ impl Status {
     }
 }
 
-/// Scripts and connections come from this server alone; styles may stand in drawings. The page evaluates nothing, but
-/// programs that drive a browser do.
+/// Scripts and connections come from this server alone; drawings may contain styles. `unsafe-eval` is for programs that control a browser.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'unsafe-eval'; connect-src 'self'; img-src 'self' data: blob:; \
     style-src 'self' 'unsafe-inline'; font-src 'self'; base-uri 'self'; form-action 'none'; frame-ancestors 'none'";
-/// A report has its own script and reaches nothing.
+/// A report has its own script and no network access.
 const REPORT: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; sandbox allow-scripts";
 
-/// An answer.
+/// A response to a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Response {
     /// Status of the response.
@@ -60,12 +59,12 @@ pub struct Response {
     pub kind: &'static str,
     /// Body of the response.
     pub body: Vec<u8>,
-    /// The name under which a browser saves it.
+    /// File name under which a browser saves the response.
     pub file: Option<String>,
 }
 
 impl Response {
-    /// Contents of a media type.
+    /// A response with a body of a media type.
     pub fn new(kind: &'static str, body: impl Into<Vec<u8>>) -> Response {
         Response {
             status: Status::Ok,
@@ -75,7 +74,7 @@ impl Response {
         }
     }
 
-    /// A refusal with nothing but its status.
+    /// A rejection with only its status.
     pub fn refusal(status: Status) -> Response {
         Response {
             status,
@@ -85,20 +84,20 @@ impl Response {
         }
     }
 
-    /// Data.
+    /// A response with JSON data.
     pub fn json(value: &impl serde::Serialize) -> Response {
         // Structs with string keys: this cannot fail.
         let body = serde_json::to_vec(value).unwrap_or_default();
         Response::new("application/json", body)
     }
 
-    /// The same to be saved under a name.
+    /// A response to be saved under a name.
     pub fn saved_as(mut self, name: &str) -> Response {
         self.file = Some(name.to_string());
         self
     }
 
-    /// Writes it; the body is left out where only the head was asked for.
+    /// Writes the response; without the body for a HEAD request.
     pub fn write(&self, out: &mut impl Write, closes: bool, with_body: bool) -> io::Result<()> {
         let policy = if self.file.is_some() { REPORT } else { POLICY };
         let mut head = format!(

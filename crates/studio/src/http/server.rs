@@ -1,4 +1,4 @@
-//! Listening on the loopback address.
+//! Server on the loopback address.
 
 use std::io;
 use std::net::{Ipv4Addr, TcpListener};
@@ -18,20 +18,19 @@ pub struct Server {
 impl Server {
     /// Listens on a port; 0 takes a free one.
     ///
-    /// # Errors
-    /// Where the port is taken.
+    /// # Errors The port is in use.
     pub fn listen(port: u16) -> io::Result<Server> {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))?;
         let port = listener.local_addr()?.port();
         Ok(Server { listener, port })
     }
 
-    /// The port it listens on.
+    /// Port of the listener.
     pub fn port(&self) -> u16 {
         self.port
     }
 
-    /// Serves for ever, each connection on a thread of its own.
+    /// Serves connections forever, each on its own thread.
     pub fn serve(self, service: impl Service) -> ! {
         let shared = Arc::new((service, Places::default()));
         loop {

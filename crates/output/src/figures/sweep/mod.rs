@@ -1,4 +1,4 @@
-//! Pictures of many designs: heat map, parallel coordinates, fronts, histograms. Plain numbers in.
+//! Pictures of many designs: heat map, parallel coordinates, fronts, histograms. The input is plain numbers.
 
 mod axes;
 mod front;
@@ -15,21 +15,21 @@ use crate::plot::sheet::Frame;
 
 /// Size of the pictures, points.
 const SIZE: (u32, u32) = (1100, 720);
-/// Lettering, points.
+/// Size of the lettering, points.
 const LETTERS: f64 = 16.0;
 
-/// A column with its name and unit for people.
+/// A column with its displayed name and unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
-    /// `limits.stroke, m`.
+    /// Label of the column, such as `limits.stroke, m`.
     pub label: String,
-    /// One value per design; those that are not finite are left out of the picture.
+    /// One value per design; non-finite values are not drawn.
     pub values: Vec<f64>,
-    /// Names of the values 0, 1, 2 … where they are words.
+    /// Names of the values 0, 1, 2 … if they are words.
     pub words: Vec<String>,
 }
 
-/// SI units of labels with the ones that people use and the factor between them.
+/// SI units of labels with the customary ones and the factor between them.
 const SHOWN: [(&str, &str, f64); 6] = [
     ("m", "mm", 1e3),
     ("m/rad", "mm/rad", 1e3),
@@ -39,7 +39,7 @@ const SHOWN: [(&str, &str, f64); 6] = [
     ("Pa", "MPa", 1e-6),
 ];
 
-/// A label in the unit that people use, and SI's factor to it: `stroke, m` is read as `stroke, mm`.
+/// A label with the customary unit, and the factor from SI: `stroke, m` becomes `stroke, mm`.
 pub fn unit_for_people(label: &str) -> (String, f64) {
     let known = label.rsplit_once(", ").and_then(|(name, unit)| {
         let row = SHOWN.iter().find(|row| row.0 == unit)?;
@@ -52,7 +52,7 @@ pub fn unit_for_people(label: &str) -> (String, f64) {
 }
 
 impl Quantity {
-    /// The same in the unit that people use, and the factor to it.
+    /// The column in its customary unit, and the factor to it.
     fn shown(&self) -> (Quantity, f64) {
         let (label, factor) = unit_for_people(&self.label);
         let shown = Quantity {
@@ -73,7 +73,7 @@ fn frame(right_room: f64) -> Frame {
     }
 }
 
-/// Several quantities in the units that people use, with the factors to them.
+/// Several columns in customary units, with the factors to them.
 fn shown<const N: usize>(all: [&Quantity; N]) -> ([Quantity; N], [f64; N]) {
     let both = all.map(Quantity::shown);
     let factors = both.each_ref().map(|b| b.1);

@@ -33,10 +33,10 @@ fn heading_of(group: Group) -> &'static str {
     }
 }
 
-/// A factor that prints as zero has no phase.
+/// Amplitude below which a factor prints as zero and has no phase.
 const LEAST_FACTOR: f64 = 5e-5;
 
-/// Harmonics of target and achieved force as parts of the weight, as codes for footbridges quote them.
+/// Harmonics of target and achieved force as fractions of the weight, as in codes for footbridges.
 fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
     let all = synthesis.load_factors();
     if all.is_empty() {

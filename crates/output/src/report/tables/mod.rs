@@ -1,4 +1,4 @@
-//! The report's tables: checks, active limits, the design's data, how it was solved.
+//! The report's tables: checks, active limits, the design's data, its solution.
 
 mod design;
 mod solution;
@@ -15,10 +15,10 @@ use gaitcam::criterion::Criterion;
 use gaitcam::synth::{Design, unit};
 use gaitcam_base::text::escaped;
 
-/// Share of a limit that counts as standing on it.
+/// Relative distance below which a limit counts as active.
 const ON_THE_LIMIT: f64 = 0.005;
 
-/// A value of a limit in the unit people use; SI without a unit where the limit is not known here.
+/// A value of a limit in its customary unit; SI without a unit for an unknown limit.
 pub fn shown(measures: Measures, limit: Criterion, value: f64, words: &Words) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;
@@ -27,7 +27,7 @@ pub fn shown(measures: Measures, limit: Criterion, value: f64, words: &Words) ->
     unit.after(&words.number(value))
 }
 
-/// How far the worst value stays from its limit, as a share of the limit; negative when violated.
+/// Distance of the worst value from its limit, as a fraction of the limit; negative when violated.
 fn margin(check: &Check) -> f64 {
     let gap = (check.worst - check.limit).abs();
     let share = if check.limit == 0.0 {
@@ -38,7 +38,7 @@ fn margin(check: &Check) -> f64 {
     if check.pass { share } else { -share }
 }
 
-/// Opens a table; columns from `numbers` on are set flush right.
+/// Opens a table; columns from `numbers` on are aligned right.
 pub fn open(out: &mut String, columns: &[String], numbers: usize) {
     out.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>");
     for (i, name) in columns.iter().enumerate() {
@@ -57,7 +57,7 @@ fn row(out: &mut String, name: &str) {
     let _ = write!(out, "<tr><th scope=\"row\">{}</th>", escaped(name));
 }
 
-/// Numbers of a row, which they end.
+/// Writes the numbers of a row and closes it.
 pub fn cells(out: &mut String, values: &[impl AsRef<str>]) {
     for value in values {
         let _ = write!(out, "<td class=\"n\">{}</td>", escaped(value.as_ref()));
@@ -65,7 +65,7 @@ pub fn cells(out: &mut String, values: &[impl AsRef<str>]) {
     out.push_str("</tr>\n");
 }
 
-/// Every check with its light.
+/// Every check with its traffic light.
 pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
     if synthesis.checks.is_empty() {
         return;
@@ -119,7 +119,7 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
     close(out);
 }
 
-/// An active limit: its name, its largest multiplier and where that is, how many points it holds at.
+/// An active limit: name, largest multiplier with its position, number of points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(missing_docs)] // the names are the documentation
 pub struct ActiveLimit {
@@ -152,7 +152,7 @@ impl ActiveLimit {
     }
 }
 
-/// The limits that shape the law.
+/// The limits that determine the law.
 pub fn active(out: &mut String, synthesis: &Design, words: &Words) {
     heading(out, &words.text("report-active-limits"));
     if synthesis.binding.is_empty() {
@@ -181,7 +181,7 @@ fn note(out: &mut String, text: &str) {
     let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(text));
 }
 
-/// What one per cent more of each active limit would buy.
+/// Gain from relaxing each active limit by one per cent.
 fn easing(out: &mut String, synthesis: &Design, words: &Words) {
     if synthesis.easing.is_empty() {
         return;
@@ -209,7 +209,7 @@ fn easing(out: &mut String, synthesis: &Design, words: &Words) {
     close(out);
 }
 
-/// Names and values.
+/// Rows of names and values.
 pub(super) type Rows = Vec<(String, String)>;
 
 /// A table of two columns under its name.

@@ -1,4 +1,4 @@
-//! How a design was computed: solver, certificate, remarks.
+//! Solution of a design: solver, certificate, remarks.
 
 use std::fmt::Write;
 

@@ -7,7 +7,7 @@ mod roots;
 
 pub use roots::{add_critical, add_roots, peaks_above, roots, rounding};
 
-/// Most coefficients of a polynomial that is kept on the stack.
+/// Maximum number of coefficients of a polynomial kept on the stack.
 const SHORT: usize = 16;
 
 /// Binomial coefficients of the degrees below [`SHORT`].
@@ -76,7 +76,7 @@ pub fn antiderivative(b: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The same polynomial written at degree `to` (at least its own). A constant stays one, to the last bit.
+/// The same polynomial written at degree `to` (at least its own). A constant stays exactly constant.
 pub fn elevate(b: &[f64], to: usize) -> Vec<f64> {
     let mut out = Vec::with_capacity(to.max(b.len()) + 1);
     out.extend_from_slice(b);
@@ -152,7 +152,7 @@ pub fn from_power(p: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Monomial coefficients pₖ of Σ pₖ uᵏ: for output only, because they are ill conditioned.
+/// Monomial coefficients pₖ of Σ pₖ uᵏ: for output only, because this form is ill-conditioned.
 pub fn to_power(b: &[f64]) -> Vec<f64> {
     let n = b.len() - 1;
     let mut differences = b.to_vec();

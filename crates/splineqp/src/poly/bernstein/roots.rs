@@ -3,7 +3,7 @@
 
 use super::{SHORT, derivative, eval, split};
 
-/// Depth at which halving an interval of 1 no longer changes its ends.
+/// Depth at which halving an interval of length 1 no longer changes its ends.
 const MAX_DEPTH: u32 = 54;
 
 /// Every u in the open interval (0, 1) at which the polynomial changes sign, in increasing order, plus
@@ -31,7 +31,7 @@ pub fn add_roots(b: &[f64], out: &mut Vec<f64>) {
     }
 }
 
-/// Calls `then` with the coefficients of d/du.
+/// Calls `then` with the coefficients of the derivative.
 fn with_derivative<T>(b: &[f64], then: impl FnOnce(&[f64]) -> T) -> T {
     let n = b.len() - 1;
     if n == 0 || n > SHORT {
@@ -49,7 +49,7 @@ pub fn add_critical(b: &[f64], out: &mut Vec<f64>) {
     with_derivative(b, |slope| add_roots(slope, out));
 }
 
-/// The one root in (0, 1) of p(1−u)² + 2qu(1−u) + ru² whose ends differ in sign.
+/// The one root in (0, 1) of p(1−u)² + 2qu(1−u) + ru² with ends of different sign.
 fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
     // In t = u/(1−u): r t² + 2q t + p = 0, whose roots differ in sign; both forms avoid cancellation.
     let root = (q * q - p * r).sqrt();
@@ -59,7 +59,7 @@ fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
     t / (1.0 + t)
 }
 
-/// Difference of neighbouring coefficients that may be rounding.
+/// Difference of neighbouring coefficients below which it may be rounding.
 pub fn rounding(b: &[f64]) -> f64 {
     64.0 * f64::EPSILON * b.iter().fold(0.0_f64, |m, x| m.max(x.abs()))
 }
@@ -136,7 +136,7 @@ fn isolate(b: &[f64], lo: f64, hi: f64, zero: f64, depth: u32, out: &mut Vec<f64
     }
 }
 
-/// Splits in the middle.
+/// Splits the interval in the middle.
 fn halve(b: &[f64], left: &mut [f64], right: &mut [f64]) {
     right.copy_from_slice(b);
     for (k, left) in left.iter_mut().enumerate() {
@@ -162,7 +162,7 @@ fn sign_changes(b: &[f64], zero: f64) -> usize {
     changes
 }
 
-/// The one root in (0, 1) of a polynomial whose end values differ in sign: Newton, kept in the bracket.
+/// The one root in (0, 1) of a polynomial with end values of different sign: safeguarded Newton's method.
 fn bracketed_root(b: &[f64]) -> f64 {
     with_derivative(b, |slope| root_by_newton(b, slope))
 }

@@ -10,8 +10,7 @@ impl SplineSpace {
     /// period later; `multiplicity[i]` (1 … degree + 1) is that of break i, 0 ≤ i < n. A break of
     /// multiplicity m joins with degree − m continuous derivatives.
     ///
-    /// # Panics
-    /// When breaks do not increase or lengths do not fit: an error of the caller.
+    /// # Panics If breaks do not increase or lengths do not match: an error of the caller.
     pub fn periodic(degree: usize, breaks: &[f64], multiplicity: &[usize]) -> Self {
         let n = breaks.len() - 1;
         assert!(n >= 1 && multiplicity.len() == n);
@@ -52,7 +51,7 @@ impl SplineSpace {
         space
     }
 
-    /// Periodic splines on `n` equal spans of [0, period], as smooth as the degree allows.
+    /// Periodic splines on `n` equal spans of [0, period], with the maximum smoothness of the degree.
     pub fn periodic_uniform(degree: usize, n: usize, period: f64) -> Self {
         let mut space = SplineSpace::in_whole_numbers(degree, n);
         space.stretch(period);
@@ -79,7 +78,7 @@ impl SplineSpace {
         }
     }
 
-    /// Gives a uniform space in whole numbers its length.
+    /// Scales a uniform space in whole numbers to its length.
     pub(super) fn stretch(&mut self, length: f64) {
         let n = self.dimension as f64;
         for span in &mut self.spans {
@@ -94,8 +93,7 @@ impl SplineSpace {
 
     /// Splines on an open interval: full freedom at both ends, `multiplicity[i]` at inner break i + 1.
     ///
-    /// # Panics
-    /// When breaks do not increase or lengths do not fit: an error of the caller.
+    /// # Panics If breaks do not increase or lengths do not match: an error of the caller.
     pub fn clamped(degree: usize, breaks: &[f64], multiplicity: &[usize]) -> Self {
         let n = breaks.len() - 1;
         assert!(n >= 1 && multiplicity.len() == n - 1);
@@ -150,7 +148,7 @@ impl SplineSpace {
     }
 }
 
-/// Extraction matrix of equal spans; those of usual degrees are computed once.
+/// Extraction matrix of equal spans; those of common degrees are computed once.
 fn uniform(degree: usize) -> Cow<'static, [f64]> {
     static USUAL: [OnceLock<Vec<f64>>; 10] = [const { OnceLock::new() }; 10];
     let own = || {

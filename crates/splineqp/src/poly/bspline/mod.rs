@@ -1,8 +1,7 @@
 //! B-splines on arbitrary knots, periodic or clamped, in Bernstein form on every span.
 //!
-//! On one span degree + 1 basis functions are not zero; the *extraction matrix* of the span contains their Bernstein
-//! coefficients. Every linear functional of a spline at one place (value, derivative, limit) is then a row with entries for
-//! these few neighbouring coefficients.
+//! On one span degree + 1 basis functions are not zero; the *extraction matrix* of the span contains their Bernstein coefficients. Every linear
+//! functional of a spline at one point (value, derivative, limit) is then a row with entries for these neighbouring coefficients.
 
 mod knots;
 
@@ -18,13 +17,13 @@ use super::PiecewisePoly;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Span {
-    /// Left end.
+    /// Left end of the span.
     pub start: f64,
-    /// Length, positive.
+    /// Length of the span, positive.
     pub width: f64,
     /// Index of the first of the degree + 1 basis functions on the span (before wrapping).
     pub first: usize,
-    /// Which extraction matrix the span uses.
+    /// Index of the extraction matrix of the span.
     matrix: usize,
 }
 
@@ -62,10 +61,8 @@ pub struct SplineSpace {
 }
 
 impl SplineSpace {
-    /// The space of the derivatives of a periodic space, on the same knots, with the factors f of
-    /// c′ᵢ = fᵢ (cᵢ − cᵢ₋₁), indices counted round.
-    ///
-    /// `None` for a clamped space, for degree 0 and where a break of full multiplicity lets splines jump.
+    /// The space of the derivatives of a periodic space, on the same knots, with the factors f of c′ᵢ = fᵢ (cᵢ − cᵢ₋₁), with cyclic indices. `None`
+    /// for a clamped space, for degree 0 and if splines may jump at a break of full multiplicity.
     pub fn derivative(&self) -> Option<(SplineSpace, Vec<f64>)> {
         let (n, q) = (self.dimension, self.degree);
         if self.turn.is_empty() || q == 0 {
@@ -99,7 +96,7 @@ impl SplineSpace {
         self.dimension
     }
 
-    /// Knots of one turn of a periodic space, a multiple one as often as it counts; empty for a clamped space.
+    /// Knots of one turn of a periodic space, multiple ones repeated; empty for a clamped space.
     pub fn knots(&self) -> Vec<f64> {
         self.turn.iter().map(|knot| knot * self.unit).collect()
     }
@@ -110,7 +107,7 @@ impl SplineSpace {
         &self.spans
     }
 
-    /// Index of the span that holds `x` and u ∈ [0, 1] within it.
+    /// Index of the span that contains `x`, and u ∈ [0, 1] within it.
     #[inline]
     pub fn locate(&self, x: f64) -> (usize, f64) {
         let i = self.spans[1..].partition_point(|s| s.start <= x);
@@ -139,7 +136,7 @@ impl SplineSpace {
         self.dimension == self.spans.len() && self.spans.iter().all(alike)
     }
 
-    /// Turns weights on a span's Bernstein coefficients into weights on its local basis functions.
+    /// Converts weights on a span's Bernstein coefficients to weights on its local basis functions.
     pub fn pull_back(&self, span: usize, bernstein_weights: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         let rows = self.extraction(span).chunks_exact(self.degree + 1);
@@ -157,8 +154,7 @@ impl SplineSpace {
         out
     }
 
-    /// The same at many `places`: each local function's values there, one function after the other, into
-    /// `out`.
+    /// The weights at many `places`: each local function's values there, one function after the other, into `out`.
     pub fn values(&self, span: usize, places: &[f64], weights: &[f64], out: &mut [f64]) {
         let (n, count) = (self.degree + 1, places.len());
         let width = self.spans[span].width;

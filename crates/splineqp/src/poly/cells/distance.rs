@@ -1,12 +1,11 @@
-//! Distance between a piecewise polynomial and cells, without building their difference.
+//! Distance between a piecewise polynomial and cubic cells, without constructing their difference.
 
 use super::{Cells, restricted};
 use crate::poly::{PiecewisePoly, bernstein};
 
-/// A break nearer to the end of a cell than this, in cells, counts as that end.
+/// Distance in cells below which a break counts as the end of a cell.
 const SAME: f64 = 1e-9;
-/// A difference of polynomials exceeds the larger of its values at the ends of a range by less than this part of its second
-/// derivative by that range.
+/// Maximum excess of a difference of polynomials over its end values on a range, as a fraction of its second derivative on that range.
 const BEYOND_ENDS: f64 = 1.0 / 8.0;
 
 /// Distance of two functions over their common range, exact up to rounding.
@@ -28,7 +27,7 @@ pub struct Distance {
     pub largest: f64,
 }
 
-/// A range on one cell and one piece, its ends in cells.
+/// A range within one cell and one piece, its ends in cells.
 struct Part {
     piece: usize,
     from: f64,
@@ -55,8 +54,8 @@ impl Cells {
         self.parts(own).map(square).sum()
     }
 
-    /// Largest absolute difference. Few cells can hold it: between the ends of a cell it exceeds those there by a part of
-    /// its second derivative at most.
+    /// Largest absolute difference. Only a few cells are candidates, because the second derivative bounds the excess over the values at the ends of a
+    /// cell.
     pub fn largest_distance(&self, own: &PiecewisePoly) -> f64 {
         let scale = self.per_length();
         let mut level = 0.0_f64;
@@ -94,7 +93,7 @@ impl Cells {
         pieces.flat_map(move |(piece, ends)| parts_of(piece, (ends[0] * scale, ends[1] * scale)))
     }
 
-    /// Largest absolute second derivative on a cell, by cells.
+    /// Largest absolute second derivative on a cell, in units of cells.
     fn bend(&self, cell: usize) -> f64 {
         let [f0, s0, f1, s1] = self.ends(cell);
         let rise = 3.0 * (f1 - f0);
@@ -104,7 +103,7 @@ impl Cells {
     }
 }
 
-/// The parts of one piece between the ends of cells; its ends in cells.
+/// The parts of one piece between the ends of cells, with ends in cells.
 fn parts_of(piece: usize, (start, end): (f64, f64)) -> impl Iterator<Item = Part> {
     let mut from = start;
     std::iter::from_fn(move || {
@@ -116,7 +115,7 @@ fn parts_of(piece: usize, (start, end): (f64, f64)) -> impl Iterator<Item = Part
     })
 }
 
-/// A polynomial less cells, in Bernstein form.
+/// The difference of a polynomial and cells, in Bernstein form.
 struct Difference<'a> {
     cells: &'a Cells,
     own: &'a PiecewisePoly,
@@ -153,14 +152,14 @@ impl<'a> Difference<'a> {
     }
 }
 
-/// Largest absolute second derivative that the coefficients of a polynomial on [0, 1] allow.
+/// Bound of the absolute second derivative from the Bernstein coefficients on [0, 1].
 fn second_derivative(b: &[f64]) -> f64 {
     let n = (b.len() - 1) as f64;
     let bends = b.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs());
     n * (n - 1.0) * bends.fold(0.0, f64::max)
 }
 
-/// The largest absolute value on [0, 1], if above `level`, else that.
+/// The largest absolute value on [0, 1], if above `level`, else `level`.
 fn largest(b: &mut [f64], mut level: f64) -> f64 {
     for _ in 0..2 {
         if b.iter().any(|b| *b > level) {

@@ -3,7 +3,7 @@
 use super::{Cells, Ends, restricted};
 use crate::poly::{bernstein, gauss_legendre};
 
-/// A break nearer to the end of a cell than this, in cells, counts as that end.
+/// Distance in cells below which a break counts as the end of a cell.
 const SAME: f64 = 1e-11;
 
 impl Cells {
@@ -39,18 +39,18 @@ impl Cells {
 /// ∫ f xʲ = Σₖ C(j, k) Xʲ⁻ᵏ wᵏ⁺¹ (aₖ f + bₖ s),   aₖ = ∫₀¹ (1 − 3t² + 2t³) tᵏ,   bₖ = ∫₀¹ (t − 2t² + t³) tᵏ
 /// ```
 ///
-/// and on its left (−1)ᵏ (aₖ f − bₖ s). So the sums Σ Xᵃ f and Σ Xᵃ s over the ends are all that is to be done
-/// for each cell; the first and the last end have one side only.
+/// and on its left (−1)ᵏ (aₖ f − bₖ s). Each cell therefore only enters the sums Σ Xᵃ f and Σ Xᵃ s over the ends; the first and the last end have one
+/// side only.
 struct Nearest<'a, const N: usize> {
     cells: &'a Cells,
     breaks: &'a [f64],
-    /// C(j, k) times what belongs to each of the [`Sums`], of j and k.
+    /// C(j, k) times the factor of each of the [`Sums`], by j and k.
     shares: [[[f64; 4]; N]; N],
-    /// Values at the places by each moment.
+    /// Values at the nodes per unit of each moment.
     values: [[f64; N]; N],
 }
 
-/// Of Xᵃ f: both sides of the ends together, and the first end less the last; of Xᵃ s the same.
+/// Sums of Xᵃ f: both sides of the ends together, and the first end less the last; likewise of Xᵃ s.
 type Sums<const N: usize> = [[f64; 4]; N];
 
 impl<'a, const N: usize> Nearest<'a, N> {
@@ -86,7 +86,7 @@ impl<'a, const N: usize> Nearest<'a, N> {
         }
     }
 
-    /// The values of all ranges.
+    /// Values of all ranges.
     fn values(self) -> Vec<f64> {
         let scale = self.cells.per_length();
         let mut out = Vec::with_capacity(N * (self.breaks.len() - 1));
@@ -103,7 +103,7 @@ impl<'a, const N: usize> Nearest<'a, N> {
         out
     }
 
-    /// Adds the part of cells whose sums are given, of the width `width` on the range; moments by sum.
+    /// Adds the contribution of cells with given sums, of the width `width` on the range; moments by sum.
     #[inline(always)]
     fn add(&self, sums: &Sums<N>, width: f64, moments: &mut [[f64; 4]; N]) {
         let mut power = width;
@@ -117,7 +117,7 @@ impl<'a, const N: usize> Nearest<'a, N> {
         }
     }
 
-    /// A range's moments; its ends in cells.
+    /// Moments of a range, with ends in cells.
     #[inline(always)]
     fn moments(&self, (first, last): (f64, f64)) -> [f64; N] {
         let (middle, by) = (0.5 * (first + last), 2.0 / (last - first));
@@ -160,7 +160,7 @@ fn places(degree: usize) -> Vec<f64> {
     rule.into_iter().map(|(u, _)| 2.0 * u - 1.0).collect()
 }
 
-/// A cubic's ends on a part of its cell, the slopes by that part.
+/// The ends of a cubic on a part of its cell, with slopes scaled to that part.
 #[inline(always)]
 fn part_of(b: &[f64; 4], range: (f64, f64)) -> Ends {
     let mut c = [0.0; 4];
@@ -189,7 +189,7 @@ fn sums<const N: usize>(values: &[f64], slopes: &[f64], first: f64, step: f64) -
     out
 }
 
-/// Σ xᵃ y for each power a, with x from `first` on by `step`.
+/// Σ xᵃ y for each power a, with x = `first`, `first` + `step`, …
 fn powers<const N: usize>(y: &[f64], first: f64, step: f64) -> [f64; N] {
     let mut sums = [0.0; N];
     for (i, y) in y.iter().enumerate() {

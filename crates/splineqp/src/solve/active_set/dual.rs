@@ -8,7 +8,7 @@ use crate::basis::{Entries, apply, dense};
 use crate::frame::{Apart, Frame, square};
 use gaitcam_base::halt::Halt;
 
-/// A plane that is active.
+/// An active plane.
 struct Member {
     /// Index of the inequality; `None` for an equality, which never leaves.
     row: Option<usize>,
@@ -19,16 +19,16 @@ struct Member {
 /// The active planes and the optimum on them.
 pub struct Dual<'a> {
     factor: &'a ArrowFactor,
-    /// L⁻¹p.
+    /// Unconstrained optimum L⁻¹p.
     free: Vec<f64>,
     /// The optimum on the active planes.
     pub x: Vec<f64>,
     members: Vec<Member>,
     frame: Frame,
-    /// Steps taken, and the most that are allowed.
+    /// Steps taken, and their maximum.
     pub steps: usize,
     most_steps: usize,
-    /// A plane whose part outside the span of the active ones is below this share of its square length depends on them.
+    /// Fraction of its squared length outside the span of the active planes below which a plane is dependent.
     dependent: f64,
 }
 
@@ -36,18 +36,18 @@ pub struct Dual<'a> {
 pub struct Plane<'p> {
     pub entries: &'p Entries,
     pub bound: f64,
-    /// Size of which an excess is a part.
+    /// Scale of an excess.
     pub unit: f64,
 }
 
-/// The method ended before a plane was satisfied.
+/// Reason why the method ended before a plane was satisfied.
 pub struct Stuck {
-    /// Excess of a plane that depends on the active ones; infinite when the steps are used up.
+    /// Excess of a dependent plane; infinite if the steps are used up.
     pub excess: f64,
 }
 
 impl<'a> Dual<'a> {
-    /// Without planes, at the optimum `x` of that.
+    /// Without planes, starting at the unconstrained optimum `x`.
     pub fn new(
         factor: &'a ArrowFactor,
         mut pull: Vec<f64>,
@@ -68,7 +68,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// Adds to p.
+    /// Adds a vector to p.
     pub fn add_pull(&mut self, mut change: Vec<f64>) {
         self.factor.forward(&mut change);
         for (f, c) in self.free.iter_mut().zip(change) {
@@ -81,7 +81,7 @@ impl<'a> Dual<'a> {
         self.members.len()
     }
 
-    /// Which of so many inequalities are active.
+    /// Whether each of a number of inequalities is active.
     pub fn held(&self, planes: usize) -> Vec<bool> {
         let mut held = vec![false; planes];
         let rows = self.members.iter().filter_map(|m| m.row);
@@ -89,7 +89,7 @@ impl<'a> Dual<'a> {
         held
     }
 
-    /// Adds a plane as active; false when it depends on those that are.
+    /// Adds an active plane; false if it depends on the active ones.
     pub fn hold(
         &mut self,
         row: Option<usize>,
@@ -118,7 +118,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// The same after inequalities of negative multiplier have left, the most negative first.
+    /// Optimum and multipliers after removal of inequalities with negative multiplier, the most negative first.
     pub fn retreat(&mut self) {
         loop {
             self.refresh();
@@ -135,7 +135,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// Removes an inequality that is about to change.
+    /// Removes an inequality before it changes.
     pub fn forget(&mut self, row: usize) {
         if let Some(j) = self.members.iter().position(|m| m.row == Some(row)) {
             self.remove(j);
@@ -143,7 +143,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// Until no plane is violated by more than the part `resolved` of its unit, the most violated first.
+    /// Iterates until no plane is violated by more than `resolved` times its unit, the most violated first.
     pub fn settle(
         &mut self,
         planes: &[Plane],
@@ -169,8 +169,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// The most violated plane that is not active. All planes count at every step: a choice among those that were violated
-    /// before leaves least peaks of 25 spans without a proof.
+    /// The most violated inactive plane. All planes count at every step: partial pricing left minimax problems of 25 spans without a proof.
     fn most_violated(&self, planes: &[Plane], resolved: f64) -> Option<usize> {
         let mut worst = (0.0, None);
         for (i, plane) in planes.iter().enumerate() {
@@ -190,7 +189,7 @@ impl<'a> Dual<'a> {
         self.members.iter().any(|m| m.row == Some(row))
     }
 
-    /// Makes a violated inequality hold; those whose multiplier falls to zero on the way leave.
+    /// Satisfies a violated inequality; inequalities whose multiplier falls to zero become inactive.
     pub fn bring_in(&mut self, row: usize, entries: &Entries, bound: f64) -> Result<(), Stuck> {
         let z = self.whitened(entries);
         let length = square(&z);

@@ -1,8 +1,7 @@
 //! The law nearest to the unlimited one: the dual active-set method on rows at the exact worst points of the law.
 //!
-//! Each round starts from the solution of the last. Between rounds the worst points of the law are added as rows; the
-//! objective only grows, so no active set returns. Once all contacts are nearly right, Newton's method moves them together
-//! (`refine`).
+//! Each iteration starts from the last solution, and adds the worst points of the law as rows. The objective only increases, so no active set
+//! repeats. Once all contacts are nearly exact, Newton's method moves them together (`refine`).
 
 pub mod dual;
 pub mod proximal;
@@ -19,8 +18,7 @@ use dual::{Dual, Plane, Stuck};
 
 /// Solves a program over the coefficients alone, starting from its optimum without limits.
 ///
-/// Returns the rows gathered so far when no step is left or progress ends: the interior-point method then decides whether
-/// there is a solution.
+/// If the steps are used up or progress ends, it returns the rows so far, and the interior-point method decides about feasibility.
 pub fn solve<N: Names>(
     program: &Program<N>,
     unlimited: &Unlimited,
@@ -108,7 +106,7 @@ fn add_rows<N: Names>(
     }
 }
 
-/// The active set of a program, its open level pinned.
+/// The active set of a program, with its open level fixed.
 pub struct ActiveSet<'a> {
     settings: ActiveSetSettings,
     pub dual: Dual<'a>,
@@ -117,7 +115,7 @@ pub struct ActiveSet<'a> {
 }
 
 impl<'a> ActiveSet<'a> {
-    /// With the equalities alone, on a factor of H, an open level pinned at `level`.
+    /// Starts with the equalities alone, on a factor of H, an open level fixed at `level`.
     pub fn new<N: Names>(
         program: &Program<N>,
         unlimited: &Unlimited,
@@ -140,7 +138,7 @@ impl<'a> ActiveSet<'a> {
         set
     }
 
-    /// Until no row is violated and an open level is constant.
+    /// Iterates until no row is violated and an open level is constant.
     fn settle<N: Names>(
         &mut self,
         program: &Program<N>,
@@ -186,7 +184,7 @@ impl<'a> ActiveSet<'a> {
         }
     }
 
-    /// Rows of positive multiplier.
+    /// Rows with positive multiplier.
     pub fn active<N: Names>(&self, rows: &[Row<N>]) -> Vec<Row<N>> {
         let positive = self.dual.multipliers().filter(|m| m.1 > 0.0);
         let rows = positive.map(|(i, multiplier)| Row {
@@ -198,7 +196,7 @@ impl<'a> ActiveSet<'a> {
 }
 
 impl<N: Names> RowSolver<N> for ActiveSet<'_> {
-    /// Begins at the active rows of the last solution, and leaves its working set as it is where it fails.
+    /// Starts with the active rows of the last solution, and leaves its working set unchanged if it fails.
     fn solve(
         &mut self,
         program: &Program<N>,

@@ -1,4 +1,4 @@
-//! Programs that minimise a peak: proximal steps, each of them a strictly convex program for the dual active set.
+//! Minimax objectives: proximal steps, each of them a strictly convex program for the dual active set.
 //!
 //! The peak t is linear in the objective and the law is free where it stays below t, so H is zero. About a centre (s̄, t̄)
 //!
@@ -20,36 +20,41 @@ use crate::objective::Quadratic;
 use crate::poly::Peak;
 use crate::program::{Failure, Limit, PEAK, Program, Row, Solution, Values, Variable};
 
-/// The law of the least peak; `None` where the steps end before it.
+/// The minimax law; `None` if the steps end before the optimum.
 ///
 /// # Errors
-/// The other limits leave no law.
+///
+/// The other limits are infeasible.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Option<Solution<N>>, Failure<N>> {
     let start = start(program)?;
     Ok(start.and_then(|start| Search::new(program, start).run()))
 }
 
-/// Whether it serves a program.
+/// Whether the method applies to a program.
 pub fn suits<N: Names>(program: &Program<N>) -> bool {
     let splines = matches!(program.basis, Basis::Spline { .. });
     splines && program.cones.is_empty() && program.cost[PEAK] > 0.0
 }
 
-/// Where the search begins, and its metric.
+/// Start of the search, and its metric.
 struct Start<N: Names> {
     centre: Vec<f64>,
-    /// Contacts there.
+    /// Contacts of the centre.
     contacts: Vec<Row<N>>,
-    /// mean (w·s)², regular where the demands settle what it leaves open: along what keeps them it is no other.
+    /// The matrix of mean (w·s)², regularised by the equalities in directions that they fix.
     square: ArrowMatrix,
     /// Columns of the further variables.
     free: Vec<Variable>,
-    /// T.
+    /// The peak T.
     peak: f64,
 }
 
-/// Start: least squares of the quantity whose peak is minimised. If that is constant, the start is the least-squares solution under
-/// the other limits; an error where these leave none.
+/// Start: least squares of the quantity whose peak is minimised. For a constant quantity, the start is the least-squares solution under the other
+/// limits.
+///
+/// # Errors
+///
+/// The other limits are infeasible.
 fn start<N: Names>(program: &Program<N>) -> Result<Option<Start<N>>, Failure<N>> {
     let Some(limit) = program.limits.iter().find(|l| l.is_peak()) else {
         return Ok(None);
@@ -111,9 +116,9 @@ struct Search<'a, N: Names> {
     program: &'a Program<N>,
     start: Start<N>,
     rows: Vec<Row<N>>,
-    /// The rows over coefficients and further variables.
+    /// Rows over coefficients and further variables.
     entries: Vec<Entries>,
-    /// Rows that are active, with their multipliers.
+    /// Active rows with their multipliers.
     active: Vec<(usize, f64)>,
     nearness: f64,
     steps: usize,
@@ -139,7 +144,7 @@ impl<'a, N: Names> Search<'a, N> {
         search
     }
 
-    /// The matrix of a step.
+    /// The system matrix of a step.
     fn factor(&self) -> Option<ArrowFactor> {
         let Start {
             square, free, peak, ..
@@ -238,7 +243,7 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// The solution about the centre; `None` where rows exclude each other, or steps or time end.
+    /// The solution about the centre; `None` if rows contradict each other, or if steps or time run out.
     fn step(&mut self) -> Option<Vec<f64>> {
         let factor = self.factor()?;
         let (program, centre) = (self.program, &self.start.centre);
@@ -273,7 +278,7 @@ impl<'a, N: Names> Search<'a, N> {
         Some(centre.iter().zip(dual.x).map(|(c, d)| c + d).collect())
     }
 
-    /// Of what an excess of a limit is a part: of a peak the peak itself.
+    /// Scale of an excess of a limit: for a peak, the peak itself.
     fn size(&self, limit: &Limit<N>) -> f64 {
         if limit.is_peak() {
             return self.start.peak;
@@ -281,7 +286,7 @@ impl<'a, N: Names> Search<'a, N> {
         limit.scale
     }
 
-    /// A law with its own peak, the peak of its rows, and where it breaks them.
+    /// A law with its own peak, the peak of its rows, and its violations.
     fn solution(&self, at: &[f64], round: usize) -> (Solution<N>, f64, Vec<(usize, Peak)>) {
         let program = self.program;
         let x = at[..program.basis.columns()].to_vec();

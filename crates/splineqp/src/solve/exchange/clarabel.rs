@@ -1,4 +1,4 @@
-//! Interface to Clarabel.
+//! Interface to the Clarabel solver.
 
 use crate::Names;
 use clarabel::algebra::CscMatrix;
@@ -11,7 +11,11 @@ use crate::basis::{Entries, row_unit};
 use crate::program::{Ball, Failure, PEAK, Program, RmsLimit, Row, Stop, Values, Variable};
 use crate::solve::row_solver::{Point, RowSolver};
 
-/// Minimise ½xᵀPx + qᵀx with b − Ax in the cones, in the solver's hands; an error where sizes do not agree.
+/// Passes the problem to the solver: minimise ½xᵀPx + qᵀx with b − Ax in the cones.
+///
+/// # Errors
+///
+/// Sizes that do not match.
 pub fn prepared(
     p: &CscMatrix<f64>,
     q: &[f64],
@@ -23,12 +27,12 @@ pub fn prepared(
     DefaultSolver::new(p, q, a, b, cones, settings)
 }
 
-/// Solves what is prepared; the answer is the solver's `solution`.
+/// Solves the prepared problem; the result is the solver's `solution`.
 pub fn run(solver: &mut DefaultSolver<f64>) {
     solver.solve();
 }
 
-/// The interior-point method, which begins anew with every set of rows. It alone takes cones and limits on root mean squares.
+/// The interior-point method, which restarts with every set of rows. Only it supports cones and limits on root mean squares.
 #[derive(Default)]
 pub struct InteriorPoint {
     iterations: usize,
@@ -105,15 +109,15 @@ fn solved<N: Names>(
     })
 }
 
-/// Units in which the solver's numbers are near one.
+/// Units that scale the solver's numbers to about one.
 struct Scaling {
     /// The further variables that take part; their columns follow those of the coefficients.
     free: Vec<Variable>,
-    /// Of the peak.
+    /// Unit of the peak.
     peak: f64,
-    /// Of the objective.
+    /// Unit of the objective.
     objective: f64,
-    /// Of each row.
+    /// Unit of each row.
     rows: Vec<f64>,
 }
 
@@ -131,7 +135,7 @@ impl Scaling {
         }
     }
 
-    /// Of a further variable.
+    /// Unit of a further variable.
     fn variable<N: Names>(&self, program: &Program<N>, k: Variable) -> f64 {
         if k == PEAK {
             self.peak
@@ -141,7 +145,7 @@ impl Scaling {
     }
 }
 
-/// P and q.
+/// The objective's P and q.
 fn objective<N: Names>(program: &Program<N>, scaling: &Scaling) -> (CscMatrix<f64>, Vec<f64>) {
     let (length, weight) = (program.length, scaling.objective);
     let total = program.basis.columns() + scaling.free.len();

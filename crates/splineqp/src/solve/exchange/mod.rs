@@ -1,5 +1,4 @@
-//! Exchange of rows: solve with the rows at hand, add rows at the exact worst points of the law, solve again, until no limit
-//! is exceeded on the continuum.
+//! Exchange of rows: solve with finitely many rows and add rows at the exact worst points of the law, until no limit is exceeded on the continuum.
 
 pub mod clarabel;
 
@@ -12,11 +11,12 @@ use crate::solve::refine;
 use crate::solve::row_solver::{Point, RowSolver};
 use clarabel::InteriorPoint;
 
-/// The optimum by the interior-point method on exchanged rows, which begin with the program's seeds. Seeds of a law that differs
-/// by rounding may be so alike that the method does not end: then as without seeds.
+/// The optimum by the interior-point method on exchanged rows, which begin with the program's seeds. Nearly equal seeds may prevent convergence; the
+/// method then starts without seeds.
 ///
 /// # Errors
-/// Limits that leave nothing, a solver that stops without an answer.
+///
+/// Infeasible limits, a solver that stops without an answer.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
     if program.seeds.is_empty() {
         return without_seeds(program);
@@ -33,7 +33,7 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> 
     }
 }
 
-/// From rows of the program's own, or from the worst points of its optimum without limits.
+/// Starts from the program's rows, or from the worst points of its unlimited optimum.
 fn without_seeds<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
     let rows = if program.free_variables().is_empty() {
         let x = program.with_least_at_zero(equality::solve(program)?.x);
@@ -49,7 +49,7 @@ fn without_seeds<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<
     from_rows(program, rows, &mut InteriorPoint::default())
 }
 
-/// Fixed rows, and rows at and beside the worst points of the optimum without limits.
+/// Fixed rows, and rows at and near the worst points of the unlimited optimum.
 pub fn first_rows<N: Names>(program: &Program<N>, x: &[f64]) -> Vec<Row<N>> {
     let mut rows = program.fixed.clone();
     add_rows(program, &mut rows, program.broken(x, &Values::NONE));
@@ -57,7 +57,7 @@ pub fn first_rows<N: Names>(program: &Program<N>, x: &[f64]) -> Vec<Row<N>> {
     rows
 }
 
-/// From these rows, by a solver.
+/// Iterates from these rows with a solver.
 pub fn from_rows<N: Names>(
     program: &Program<N>,
     mut rows: Vec<Row<N>>,
@@ -139,8 +139,8 @@ pub fn from_rows<N: Names>(
     best.ok_or(Stop::NoProgress.into())
 }
 
-/// Adds rows at the broken points. Earlier rows stay (two on either side of a contact close in on it like a secant); only one
-/// that coincides is replaced.
+/// Adds rows at the violated points. Earlier rows stay (two on either side of a contact converge to it like a secant); only a coinciding one is
+/// replaced.
 fn add_rows<N: Names>(program: &Program<N>, rows: &mut Vec<Row<N>>, broken: Vec<(usize, Peak)>) {
     let coincident = program.settings.exchange.coincident;
     for (limit, peak) in broken {
@@ -150,7 +150,7 @@ fn add_rows<N: Names>(program: &Program<N>, rows: &mut Vec<Row<N>>, broken: Vec<
     }
 }
 
-/// Whether the multiplier of a row outweighs its slack, both in the solver's scaled units.
+/// Whether the multiplier of a row exceeds its slack, both in the solver's scaled units.
 fn is_active<N: Names>(program: &Program<N>, row: &Row<N>, x: &[f64], extra: &Values) -> bool {
     let unit = row_unit(&row.entries, program.length);
     let multiplier = row.multiplier * unit / program.multiplier_unit(extra[PEAK]);

@@ -1,4 +1,4 @@
-//! Refinement of a program whose variables are tied by second-order cones, by tangents of these.
+//! Refinement of a program with second-order cones, by their tangents.
 
 use super::on_contacts;
 use crate::Names;
@@ -6,8 +6,8 @@ use crate::basis::Entries;
 use crate::poly::Peak;
 use crate::program::{Cone, Program, Row, Solution};
 
-/// The optimum of a program with cones near a solution, by tangents head ≥ tail·tail₀/‖tail₀‖, which all points of a cone keep:
-/// each is taken at the last optimum, and the head is at last what the cone asks for. `None` at a tip.
+/// The optimum of a program with cones near a solution, by tangents head ≥ tail·tail₀/‖tail₀‖, which are valid for all points of a cone. Each is
+/// taken at the last optimum; in the end the head equals the norm. `None` at a tip.
 pub fn on_cones<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
     let settings = &program.settings.refinement;
     let mut flat = program.clone();

@@ -38,22 +38,21 @@ struct Contacts<'a, N: Names> {
     program: &'a Program<N>,
     /// Second derivatives of the bounds' shapes.
     bends: Vec<PiecewisePoly>,
-    /// Which of the further variables take part.
+    /// Whether each further variable takes part.
     free: Vec<Variable>,
     degree: usize,
 }
 
-/// How a step finds the rows that it holds.
+/// Choice of the rows of a step.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
-    /// All contacts as equalities; those of negative multiplier leave.
+    /// All contacts as equalities; those with negative multiplier are removed.
     Equalities,
-    /// A program of its own over all places near their bound.
+    /// A quadratic program over all points near their bound.
     Program,
 }
 
-/// The solution with its last digits, where its certificate is open and that closes it. Intermediate programs of a sequence,
-/// which ask for a coarser tolerance, stay as they are.
+/// The refined solution, if its certificate is open and refinement closes it. Programs of a sequence with a coarser tolerance remain unchanged.
 pub fn refined<N: Names>(program: &Program<N>, solution: Solution<N>) -> Solution<N> {
     let settings = &program.settings;
     if !solution.used_rows || settings.tolerance > settings.refinement.finest_tolerance {
@@ -74,13 +73,13 @@ pub fn refined<N: Names>(program: &Program<N>, solution: Solution<N>) -> Solutio
     }
 }
 
-/// Whether a solution satisfies its limits as well as the program asks, or as its rows' rounding permits.
+/// Whether a solution satisfies its limits to the program's tolerance, or to the rounding of its rows.
 pub fn keeps_limits<N: Names>(program: &Program<N>, solution: &Solution<N>) -> bool {
     let tolerance = program.settings.tolerance;
     solution.violation <= tolerance || solution.violation <= rounding(program, solution)
 }
 
-/// Gap, stationarity and violation of a solution relative to what needs no refinement; at most 1 where none is needed.
+/// Gap, stationarity and violation of a solution relative to the refinement thresholds; at most 1 if no refinement is needed.
 pub fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let settings = &program.settings.refinement;
     let proof = certificate(program, solution);
@@ -89,7 +88,7 @@ pub fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
         .max(proof.violation / program.settings.tolerance.max(rounding(program, solution)))
 }
 
-/// Rounding of the active rows' values, as a part of their limits' size: no step brings a violation below it.
+/// Rounding of the active rows' values relative to the limits' scale, a lower bound of violations.
 fn rounding<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let of_row = |row: &Row<N>| {
         let of_limit = |i: usize| {
@@ -102,7 +101,7 @@ fn rounding<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     (solution.active.iter().filter_map(of_row)).fold(0.0, f64::max)
 }
 
-/// The optimum near a solution that nearly satisfies its limits, with a closed certificate; `None` where no search reaches it.
+/// The optimum near a nearly feasible solution, with a closed certificate; `None` if no search finds it.
 pub fn on_contacts<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
     let contacts = Contacts::small(program)?;
     [Way::Equalities, Way::Program]
@@ -111,7 +110,7 @@ pub fn on_contacts<N: Names>(program: &Program<N>, start: &Solution<N>) -> Optio
 }
 
 impl<'a, N: Names> Contacts<'a, N> {
-    /// `None` where the program is too large for a dense step, or has a cone.
+    /// `None` if the program is too large for a dense step, or has a cone.
     fn small(program: &'a Program<N>) -> Option<Self> {
         let unknowns = program.basis.columns() + program.equalities.len();
         let too_large = 2 * unknowns > program.settings.refinement.largest;
@@ -197,13 +196,13 @@ impl<'a, N: Names> Contacts<'a, N> {
         best.filter(|b| b.0 <= settings.proved).map(|b| b.1)
     }
 
-    /// Whether a limit is constant on every piece: it touches along pieces, not at places.
+    /// Whether a limit is constant on every piece, so that it is active on whole pieces.
     fn is_flat(&self, limit: &Limit<N>) -> bool {
         let order = limit.weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
         order >= self.degree && limit.shape.is_none()
     }
 
-    /// Active rows moved to the nearest local maxima; rows that share one are one contact.
+    /// Active rows moved to the nearest local maxima; rows with the same maximum become one contact.
     fn gathered(&self, solution: &Solution<N>, peaks: &[(usize, Peak)]) -> Vec<Row<N>> {
         let program = self.program;
         let mut out: Vec<Row<N>> = Vec::new();
@@ -240,7 +239,7 @@ impl<'a, N: Names> Contacts<'a, N> {
             || a.peak.piece == b.peak.piece && self.is_flat(&self.program.limits[limit])
     }
 
-    /// −c″ at a contact inside its piece.
+    /// Negative second derivative −c″ at a contact inside its piece.
     fn sharpness(&self, x: &[f64], row: &Row<N>) -> Option<f64> {
         let limit = row.limit.map(|i| &self.program.limits[i])?;
         let w = limit.weights;
@@ -261,7 +260,7 @@ impl<'a, N: Names> Contacts<'a, N> {
             .filter(|falls| falls * width * width > flat)
     }
 
-    /// H + Σ λ/(−c″) a′a′ᵀ over the active rows.
+    /// The Hessian H + Σ λ/(−c″) a′a′ᵀ over the active rows.
     fn with_curvature(&self, mut hessian: ArrowMatrix, at: &Solution<N>) -> ArrowMatrix {
         for row in at.active.iter().filter(|r| r.multiplier > 0.0) {
             let Some(falls) = self.sharpness(&at.x, row) else {
@@ -280,7 +279,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         hessian
     }
 
-    /// Size against which a distance to a bound counts; that of a peak which is minimised is the peak.
+    /// Scale of a distance to a bound; for a minimised peak it is the peak.
     fn size(&self, limit: &Limit<N>, at: &Solution<N>) -> f64 {
         let room = limit.room(&at.extra);
         if limit.is_peak() && at.extra[PEAK] != 0.0 {
@@ -290,8 +289,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         }
     }
 
-    /// Largest excess of all limits, those included that no place of the law calls in: rows that are always held, and
-    /// limits on variables alone.
+    /// Largest excess of all limits, including permanent rows and limits on variables alone.
     fn violation(&self, at: &Solution<N>) -> f64 {
         let program = self.program;
         let over =
@@ -306,13 +304,13 @@ impl<'a, N: Names> Contacts<'a, N> {
         of_rows.chain(of_sizes).fold(known, f64::max)
     }
 
-    /// Local maxima that come near their bound.
+    /// Local maxima near their bound.
     fn peaks_near(&self, at: &Solution<N>) -> Vec<(usize, Peak)> {
         let below = self.program.settings.refinement.below;
         self.peaks_above(at, |size| -below * size)
     }
 
-    /// Local maxima whose excess of their bound is above what is given for its size.
+    /// Local maxima whose excess is above the tolerance for their scale.
     fn peaks_above(&self, at: &Solution<N>, excess: impl Fn(f64) -> f64) -> Vec<(usize, Peak)> {
         let mut peaks = Vec::new();
         let level =
@@ -322,7 +320,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         peaks
     }
 
-    /// Rows of a step: the contacts, and what else is near its bound.
+    /// Rows of a step: the contacts, and other points near their bound.
     fn candidates(&self, from: &Solution<N>) -> Vec<Row<N>> {
         let program = self.program;
         let mut rows = from.active.clone();
@@ -350,7 +348,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         rows
     }
 
-    /// Places that a step broke.
+    /// Points violated by a step.
     fn add_broken(&self, solution: &mut Solution<N>) {
         for (limit, peak) in self.program.broken(&solution.x, &solution.extra) {
             let row = self.program.row(limit, peak);
@@ -360,7 +358,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         }
     }
 
-    /// A step on the contacts; rows whose multiplier turns negative leave, the most negative first.
+    /// A step on the contacts; rows with negative multiplier are removed, the most negative first.
     fn held_step(&self, from: &Solution<N>, solves: &mut usize) -> Option<Solution<N>> {
         // No vertex has more contacts than unknowns; far more are an interior point's, or those of a step gone astray.
         let unknowns = self.program.basis.columns() + self.program.equalities.len();
@@ -388,7 +386,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         }
     }
 
-    /// The program about a solution, its limits as rows at the contacts; places that the step breaks join.
+    /// The program about a solution, with rows at the contacts; points violated by the step are added.
     fn program_step(&self, from: &Solution<N>) -> Option<Solution<N>> {
         let program = self.program;
         let local = Local::new(self, from);

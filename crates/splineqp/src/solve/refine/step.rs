@@ -1,4 +1,4 @@
-//! A step of Newton's method on the contacts: the program about a solution, in the solver's units.
+//! A Newton step on the contacts: the program about a solution, in the solver's units.
 //!
 //! ```text
 //! (H + Σ λ/(−c″) a′a′ᵀ + ε) d + Eᵀν + Aᵀλ = −(Hx + g)      E d = e − E x      A d − δ (λ − λ₀) = b − A x
@@ -12,7 +12,7 @@ use crate::program::{PEAK, Row, Solution, Values, Variable};
 use crate::solve::active_set::dual::Dual;
 use nalgebra::{DMatrix, DVector};
 
-/// A plane aᵀd ≤ bound, or aᵀd = bound, of entries near 1.
+/// A plane aᵀd ≤ bound, or aᵀd = bound, with entries near 1.
 struct Plane {
     entries: Entries,
     bound: f64,
@@ -29,11 +29,11 @@ struct Step {
 pub struct Local<'a, N: Names> {
     contacts: &'a Contacts<'a, N>,
     from: &'a Solution<N>,
-    /// Units of the unknowns: coefficients first.
+    /// Units of the unknowns, coefficients first.
     units: Vec<f64>,
     objective: f64,
     matrix: DMatrix<f64>,
-    /// What holds a step where nothing else does.
+    /// Regularisation of a step.
     held: f64,
     gradient: DVector<f64>,
 }
@@ -75,7 +75,7 @@ impl<'a, N: Names> Local<'a, N> {
         }
     }
 
-    /// A row as a plane of the step, and the unit that it is divided by.
+    /// A row as a plane of the step, with its unit.
     fn plane(
         &self,
         (entries, extra, bound): (&Entries, &Values, f64),
@@ -97,7 +97,7 @@ impl<'a, N: Names> Local<'a, N> {
         (plane, scale)
     }
 
-    /// The step under these rows; its active ones with their multipliers.
+    /// The step under these rows, and its active rows with their multipliers.
     pub fn solved(&self, rows: &[Row<N>]) -> Option<Solution<N>> {
         let program = self.contacts.program;
         let demands = program.equalities.len();
@@ -133,7 +133,7 @@ impl<'a, N: Names> Local<'a, N> {
         matrix.factor()
     }
 
-    /// The quadratic program over the planes; `None` where they leave nothing.
+    /// The quadratic program over the planes; `None` if they are infeasible.
     fn quadratic_step(&self, factor: &ArrowFactor, planes: &[Plane]) -> Option<Step> {
         let settings = &self.contacts.program.settings.refinement;
         let n = self.units.len();
@@ -171,7 +171,7 @@ impl<'a, N: Names> Local<'a, N> {
         })
     }
 
-    /// The step with all rows as equalities, whatever their multipliers' signs.
+    /// The step with all rows as equalities, whatever the signs of their multipliers.
     pub fn held(&self, rows: &[Row<N>]) -> Option<Solution<N>> {
         let (planes, scales) = self.planes(rows);
         let demands = self.contacts.program.equalities.len();
@@ -181,7 +181,7 @@ impl<'a, N: Names> Local<'a, N> {
         Some(self.moved(rows, &scales, &all, step))
     }
 
-    /// Demands and rows as planes, and their units.
+    /// Equalities and rows as planes, with their units.
     fn planes(&self, rows: &[Row<N>]) -> (Vec<Plane>, Vec<f64>) {
         let none = Values::NONE;
         (self.contacts.program.equalities.iter())
@@ -190,7 +190,7 @@ impl<'a, N: Names> Local<'a, N> {
             .unzip()
     }
 
-    /// The solution after a step, with the rows that it holds.
+    /// The solution after a step, with its rows.
     fn moved(&self, rows: &[Row<N>], scales: &[f64], active: &[usize], step: Step) -> Solution<N> {
         let program = self.contacts.program;
         let demands = program.equalities.len();
@@ -210,7 +210,7 @@ impl<'a, N: Names> Local<'a, N> {
         next
     }
 
-    /// The same with the active planes as equalities.
+    /// The step with the active planes as equalities.
     fn with_last_digits(
         &self,
         planes: &[Plane],
