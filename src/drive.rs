@@ -1,4 +1,4 @@
-//! How lift becomes force: F(θ) = F₀ + k·s + c·ω·v + m·ω²·a (theory §1), ω constant.
+//! Relation of lift and force: F(θ) = F₀ + k·s + c·ω·v + m·ω²·a (theory §1), ω constant.
 
 mod motor;
 
@@ -8,7 +8,7 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use serde::Serialize;
 
-/// A gain below this part of the largest term that makes it up is a resonance: no finite lift gives the force there.
+/// Gain relative to its largest term below which a frequency is a resonance: no finite lift gives the force there.
 pub(crate) const RESONANCE: f64 = 1e-9;
 
 /// The machine between cam and force.
@@ -27,7 +27,7 @@ pub(crate) const RESONANCE: f64 = 1e-9;
 #[derive(strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum DriveKind {
-    /// The shaft block rides on the cam, the cam rolls on a plate: F = M(g + ω²a) (Campillo de Blas 2017, eq. 22).
+    /// Moving axis: the shaft block follows the cam, which rolls on a plate: F = M(g + ω²a) (Campillo de Blas 2017, eq. 22).
     MovingAxis,
     /// The cam turns in a fixed bearing and lifts the follower: spring, preload, damping and mass.
     FixedAxis,
@@ -36,7 +36,7 @@ pub enum DriveKind {
 }
 
 impl DriveKind {
-    /// Every kind.
+    /// Every kind of drive.
     pub const ALL: &'static [DriveKind] = <DriveKind as strum::VariantArray>::VARIANTS;
 
     /// The name in a scene file.
@@ -45,7 +45,7 @@ impl DriveKind {
     }
 }
 
-/// The one linear relation between the law and the force, with the cam's speed.
+/// The linear relation between law and force, with the cam's speed.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -62,7 +62,7 @@ impl DriveKind {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Drive {
-    /// The machine.
+    /// Kind of the machine.
     pub kind: DriveKind,
     /// Force at rest on the base circle, N: M·g for the moving axis, the preload otherwise.
     pub rest_force: f64,
@@ -111,8 +111,7 @@ impl Drive {
         }
     }
 
-    /// The same on an arm, with forces at `lever` (m) from the pivot: the spring acts there, the mass is a moment of
-    /// inertia.
+    /// The drive on an arm, with forces at `lever` (m) from the pivot: the spring acts there, the mass is a moment of inertia.
     ///
     /// ```
     /// use gaitcam::drive::Drive;
@@ -135,12 +134,12 @@ impl Drive {
         }
     }
 
-    /// A force of the drive in N: of an arm, its moment divided by the lever.
+    /// A force of the drive in N: for an arm, its moment divided by the lever.
     pub fn newtons(&self, force: f64) -> f64 {
         force / self.lever
     }
 
-    /// Whether there is no force: no mass, spring, damping or preload.
+    /// Whether there is no force: neither mass, spring, damping nor preload.
     pub fn is_idle(&self) -> bool {
         [self.mass, self.spring_rate, self.damping, self.rest_force] == [0.0; 4]
     }
@@ -180,7 +179,7 @@ impl Drive {
         (self.spring_rate - self.mass * nw * nw, self.damping * nw)
     }
 
-    /// The harmonic n of lift, m, under one of force, N, both as (cosine, sine); `None` in resonance.
+    /// Harmonic n of the lift, m, for one of the force, N, both as (cosine, sine); `None` at resonance.
     pub(crate) fn lift_of(&self, harmonic: usize, (a, b): (f64, f64)) -> Option<(f64, f64)> {
         let (re, im) = self.gain(harmonic);
         let square = re * re + im * im;

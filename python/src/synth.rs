@@ -61,7 +61,7 @@ pub fn synth(
     answer(py, scene, force, time_limit)
 }
 
-/// The design of a scene, with a force in place of its own.
+/// The design of a scene, with a given force instead of its own.
 pub(crate) fn answer(
     py: Python<'_>,
     asked: Scene,

@@ -11,10 +11,10 @@ use pyo3::types::{IntoPyDict, PyDict, PyList, PyString};
 use crate::convert::{self, Reduced};
 use crate::html;
 
-/// Keys and values.
+/// Pairs of keys and values.
 type Pairs = Vec<(String, String)>;
 
-/// Places of the words of a column in their list.
+/// Indices of the words of a column in their list.
 type Coded<'py> = (Bound<'py, PyAny>, Bound<'py, PyList>);
 
 /// A table of named columns of equal length.

@@ -29,7 +29,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rollers {
-    /// One roller: it touches one wall at a time and changes its sense of rotation with it.
+    /// One roller: it touches one wall at a time, and its sense of rotation changes with the wall.
     One {
         /// Radius of the roller, m.
         radius: f64,
@@ -115,8 +115,7 @@ impl BarrelGroove {
     /// A groove between the radii `inner` (its floor) and `outer` (the cylinder's surface), m; the law
     /// may run over several turns.
     ///
-    /// # Errors
-    /// Rollers that do not fit the groove, or a law that the barrel cannot have.
+    /// # Errors Rollers that do not fit the groove, or a law that a barrel does not allow.
     pub fn new(law: Law, inner: f64, outer: f64, rollers: Rollers) -> Result<BarrelGroove> {
         if !(inner > 0.0 && outer > inner && outer.is_finite()) {
             return Err(CamError::GrooveDepth {
@@ -223,7 +222,7 @@ impl BarrelGroove {
         ]
     }
 
-    /// Curvature of the unrolled middle line, positive where it bends towards −z.
+    /// Curvature of the unrolled middle line, positive if it bends towards −z.
     fn pitch_curvature(&self, at: Svaj, radius: f64) -> f64 {
         let roller_radius = self.roller_radius();
         let unrolled = Follower::Barrel {
@@ -233,7 +232,7 @@ impl BarrelGroove {
         Geometry::new(&unrolled).pitch_curvature(at)
     }
 
-    /// From the roller's axis to the contact: along the groove (growing θ) and along z.
+    /// Vector from the roller's axis to the contact: along the groove (increasing θ) and along z.
     fn wall_offset(&self, at: Svaj, radius: f64, wall: Wall) -> [f64; 2] {
         let slope = at.v / radius;
         let unit = wall.sign() * self.roller_radius() / (1.0 + slope * slope).sqrt();

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::Criterion;
 use crate::poly::Extreme;
 
-/// Where the finished profile is sharpest.
+/// Sharpest points of the finished profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -23,7 +23,7 @@ pub struct Curvature {
     /// Smallest radius of the convex side, m, signed: negative means undercut. Infinite when no part is
     /// convex.
     pub convex: Extreme,
-    /// Tightest concave radius, m (negative), where a flank is concave.
+    /// Tightest concave radius, m (negative), if a flank is concave.
     pub concave: Option<Extreme>,
     /// Whether the cam is undercut.
     pub undercut: bool,
@@ -42,11 +42,11 @@ pub struct Curvature {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Check {
-    /// The checked quantity.
+    /// Criterion of the check.
     pub name: Criterion,
     /// Worst value anywhere on the continuous law, SI.
     pub worst: f64,
-    /// Limit, SI.
+    /// Bound of the limit, SI.
     pub limit: f64,
     /// Cam angle of the worst value, rad.
     pub at: f64,
@@ -55,7 +55,7 @@ pub struct Check {
 }
 
 impl Check {
-    /// A value that must keep its limit to `slack` of it, on the side that its criterion allows.
+    /// A value with its limit and a relative tolerance `slack`.
     pub fn of(name: impl Into<Criterion>, worst: Extreme, limit: f64, slack: f64) -> Self {
         let name = name.into();
         let direction = name.direction();
@@ -69,7 +69,7 @@ impl Check {
         }
     }
 
-    /// Distance of the value beyond its limit; negative where it keeps the limit.
+    /// Distance of the value beyond its limit; negative if it satisfies the limit.
     pub fn excess(&self) -> f64 {
         self.name.direction().excess(self.worst, self.limit)
     }
@@ -96,7 +96,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// The word of `summary.json`.
+    /// Name of the verdict in `summary.json`.
     pub fn name(self) -> &'static str {
         self.into()
     }

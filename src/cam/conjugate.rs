@@ -1,8 +1,7 @@
 //! Conjugate cams: two cams on one shaft that hold a double follower from both sides.
 //!
-//! The second cam does in its own frame what the first one does, with the lift s₂ = s_max − s; its
-//! follower points the other way, so on the shaft it stands turned by half a turn. An offset changes its
-//! side, and so does a pivot (its sign).
+//! In its own frame the second cam is like the first, with the lift s₂ = s_max − s. Its follower points the other way, so on the shaft it is rotated
+//! by half a turn. Offset and pivot change sign.
 
 use super::{Cam, Follower, ProfilePoint, SizeLimits, smallest_for};
 use serde_json::json;
@@ -11,7 +10,7 @@ use crate::error::{CamError, CamInputError, Result};
 use crate::units::Quantity;
 use serde::Serialize;
 
-/// What closes the pair.
+/// Dimension that closes the pair.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Closure, Conjugate, Follower};
@@ -52,22 +51,21 @@ pub enum Closure {
 pub struct Conjugate {
     /// The cam that drives the rise.
     pub first: Cam,
-    /// The cam that drives the fall, in its own frame: on the shaft it stands turned by half a turn.
+    /// The cam that drives the fall, in its own frame: on the shaft it is rotated by half a turn.
     pub second: Cam,
-    /// What both followers keep constant: distance, m, or angle between the arms, rad.
+    /// Constant dimension of both followers: distance, m, or angle between the arms, rad.
     pub total: f64,
 }
 
 impl Conjugate {
     /// The conjugate of `first`; its roller may differ (`None`: equal).
     ///
-    /// # Errors
-    /// When no such cam exists; the error says from where on one does.
+    /// # Errors No such cam exists; the error contains the minimum dimension for one.
     pub fn new(first: &Cam, closure: Closure, second_roller: Option<f64>) -> Result<Conjugate> {
         Conjugate::closed(first, closure, second_roller, Cam::check)
     }
 
-    /// The same with arms in other planes than the cams, so that their pivots may lie within the profiles.
+    /// The pair with arms in other planes than the cams, so that their pivots may lie within the profiles.
     ///
     /// # Errors
     /// As [`Conjugate::new`].
@@ -152,7 +150,7 @@ fn half_turned(p: ProfilePoint) -> ProfilePoint {
     }
 }
 
-/// The second member's follower before its size is known: other side, other roller.
+/// The second follower before its size is known: other side, other roller.
 fn opposite(first: &Follower, radius: f64) -> Result<Follower> {
     let mut second = *first;
     match &mut second {

@@ -1,4 +1,4 @@
-//! Which derivatives of a law are continuous, and the class that CAM-DAS gives a cam for it.
+//! Continuity of the derivatives of a law, and the class of its cam in CAM-DAS.
 
 use serde::Serialize;
 
@@ -6,18 +6,18 @@ use super::{Cam, Verdict};
 use crate::law::Joint;
 use crate::poly::Extreme;
 
-/// Jumps below this part of the peak-to-peak value of the same derivative are rounding.
+/// Jumps below this fraction of the peak-to-peak value of the same derivative are rounding errors.
 const JUMP: f64 = 1e-7;
-/// A derivative that varies by less, m/radᵏ, is that of a law at rest.
+/// Variation of a derivative, m/radᵏ, below which the law is at rest.
 const STILL: f64 = 1e-9;
-/// Jumps below this, m/radᵏ, are rounding on a cam of any size.
+/// Jumps below this, m/radᵏ, are rounding errors on a cam of any size.
 const ROUNDING: f64 = 1e-13;
-/// … or by less than this part of the cam's size.
+/// … or below this fraction of the cam's size.
 const HARDLY_MOVES: f64 = 1e-6;
-/// Lifts half a turn apart add to the same within this part of the stroke where the breadth is constant.
+/// Variation of the breadth, relative to the stroke, below which it is constant.
 const BREADTH: f64 = 1e-9;
 
-/// Which of lift, velocity, acceleration and jerk are continuous.
+/// Continuity of lift, velocity, acceleration and jerk.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Continuity, Follower, Verdict};
@@ -33,18 +33,18 @@ const BREADTH: f64 = 1e-9;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Continuity {
-    /// Lift.
+    /// Continuity of the lift.
     pub s: bool,
-    /// Velocity.
+    /// Continuity of the velocity.
     pub v: bool,
-    /// Acceleration.
+    /// Continuity of the acceleration.
     pub a: bool,
-    /// Jerk.
+    /// Continuity of the jerk.
     pub j: bool,
 }
 
 impl Continuity {
-    /// Of the law of a cam.
+    /// Continuity of the law of a cam.
     pub fn of(cam: &Cam) -> Self {
         let [s, v, a, j] = [0, 1, 2, 3].map(|order| cam.first_jump(order).is_none());
         Continuity { s, v, a, j }
@@ -52,13 +52,13 @@ impl Continuity {
 }
 
 impl Cam {
-    /// Where the derivative of the given order (0 = lift … 3 = jerk) first jumps by more than rounding.
+    /// Angle at which the derivative of the given order (0 = lift … 3 = jerk) first jumps by more than rounding.
     pub fn first_jump(&self, order: usize) -> Option<f64> {
         self.jumps(order).first().map(|jump| jump.at)
     }
 
-    /// Smallest and largest value of a derivative of the lift by the cam's angle. Where the derivative below it
-    /// jumps, it is infinite; where one further below does, both ways.
+    /// Smallest and largest value of a derivative of the lift with respect to the cam angle. A jump of the derivative below it makes it infinite with
+    /// one sign, a jump further below with both.
     pub fn derivative_extremes(&self, order: usize) -> (Extreme, Extreme) {
         let (mut low, mut high) = self.law.extremes(order);
         let joints = self.law.joints();
@@ -76,7 +76,7 @@ impl Cam {
         (low, high)
     }
 
-    /// The jumps of a derivative by more than rounding: where, and by how much.
+    /// Jumps of a derivative above rounding: position and size.
     pub fn jumps(&self, order: usize) -> Vec<Extreme> {
         self.jumps_at(&self.law.joints(), order)
     }
@@ -97,9 +97,8 @@ impl Cam {
         jumps
     }
 
-    /// The class that CAM-DAS gives a law (Serrano Muñoz 2010, §7.3.5), stricter by one derivative than ours: a
-    /// jump of jerk makes a cam not fit for high speed, a jump of acceleration unacceptable but for constant
-    /// breadth.
+    /// The CAM-DAS class of a law (Serrano Muñoz 2010, §7.3.5), stricter by one derivative than ours: a jump of jerk excludes high speed, a jump of
+    /// acceleration is unacceptable except for constant breadth.
     pub fn cam_das_class(&self) -> Verdict {
         let Continuity { s, v, a, j } = Continuity::of(self);
         if !(s && v && (a || self.has_constant_breadth())) {
@@ -111,7 +110,7 @@ impl Cam {
         }
     }
 
-    /// Whether s(θ) + s(θ + π) is the same everywhere.
+    /// Whether s(θ) + s(θ + π) is constant.
     fn has_constant_breadth(&self) -> bool {
         let (start, length) = self.law.extent();
         let half = 0.5 * length;

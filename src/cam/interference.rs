@@ -1,7 +1,5 @@
-//! Interference: roller, face or arm against another part of the cam than the one it touches.
-//!
-//! Undercut is local; this looks at the whole profile, which CAM-DAS leaves to visual inspection. It samples: the
-//! profile is taken at n points, so depths below its sagitta (about step²/8ρ) are not seen.
+//! Interference of roller, face or arm with a part of the cam away from the contact. Undercut is local; this check covers the whole profile, which
+//! CAM-DAS leaves to visual inspection. The profile is sampled at n points, so depths below its sagitta (about step²/8ρ) are not detected.
 
 use super::{Cam, Follower, Geometry, ProfilePoint};
 
@@ -22,7 +20,7 @@ use super::{Cam, Follower, Geometry, ProfilePoint};
 pub enum Body {
     /// The roller or the mushroom's arc.
     Roller,
-    /// The flat face.
+    /// The flat face of the follower.
     Face,
     /// The arm from pivot to roller centre, or the stem above a translating roller.
     Arm,
@@ -42,20 +40,19 @@ pub enum Body {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interference {
-    /// The interfering body.
+    /// Part of the follower that interferes.
     pub body: Body,
     /// Cam angle at which it is worst, rad.
     pub at: f64,
-    /// Cam angle whose profile point is in the way, rad.
+    /// Cam angle of the interfering profile point, rad.
     pub point: f64,
-    /// How deep that point lies inside the body, m.
+    /// Depth of that point inside the body, m.
     pub depth: f64,
 }
 
 impl Cam {
-    /// The worst interference of every body, for a cam sampled at `n` points (720 is plenty); the arm or
-    /// stem is a bar of the given width, m, in the plane of the cam (0: it runs in another plane and
-    /// is not checked). Depths below `tolerance`, m, are not reported. Empty: none found.
+    /// The worst interference of every body, for a cam sampled at `n` points (720 is plenty); the arm or stem is a bar of the given width, m, in the
+    /// plane of the cam (0: it runs in another plane and is not checked). Depths below `tolerance`, m, are not reported. Empty without interference.
     ///
     /// An arm that rests on a small roller must be narrower than the roller, or it is reported.
     pub fn interference(&self, n: usize, arm_width: f64, tolerance: f64) -> Vec<Interference> {

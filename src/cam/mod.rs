@@ -53,17 +53,16 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cam {
-    /// The law of motion; its lift is measured from the base (prime) circle.
+    /// The law of motion; the lift counts from the base (prime) circle.
     pub law: Law,
-    /// The follower.
+    /// Follower of the cam.
     pub follower: Follower,
 }
 
 impl Cam {
     /// A cam whose follower fits its law; the pivot of an arm lies outside the profile.
     ///
-    /// # Errors
-    /// Where [`Cam::check`] fails.
+    /// # Errors [`Cam::check`] fails.
     pub fn new(law: Law, follower: Follower) -> Result<Cam> {
         let cam = Cam { law, follower };
         cam.check()?;
@@ -72,8 +71,7 @@ impl Cam {
 
     /// A cam whose arm runs in another plane, so that its pivot may lie within the profile.
     ///
-    /// # Errors
-    /// Where [`Cam::check_beside`] fails.
+    /// # Errors [`Cam::check_beside`] fails.
     pub fn beside(law: Law, follower: Follower) -> Result<Cam> {
         let cam = Cam { law, follower };
         cam.check_beside()?;

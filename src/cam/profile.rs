@@ -1,15 +1,15 @@
-//! The profile: where cam and follower touch, seen in the cam's frame.
+//! The profile: contact points in the cam's frame.
 
 use super::Cam;
 use super::geometry::Geometry;
 use crate::law::Joint;
 
-/// Jumps below this part of the largest value of their derivative are rounding.
+/// Jumps below this fraction of the maximum of their derivative are rounding errors.
 const NO_JUMP: f64 = 1e-9;
 
 /// One row of the profile; lengths in m, angles in rad.
 ///
-/// A translating cam and an unrolled barrel have their profile over the travel: x along it, y up.
+/// For a translating cam and an unrolled barrel, x is the travel and y points up.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -38,7 +38,7 @@ pub struct ProfilePoint {
     pub pitch_y: f64,
     /// Signed radius of curvature of the finished cam: positive convex, negative concave.
     pub rho: f64,
-    /// Signed pressure angle.
+    /// Signed pressure angle, rad.
     pub pressure_angle: f64,
 }
 
@@ -49,9 +49,8 @@ impl Cam {
         geometry.profile_point(theta, self.law.svaj(theta))
     }
 
-    /// The profile points on both sides of every angle at which a derivative of the law up to `order`
-    /// (2: acceleration, 3: jerk) jumps, in order of their angles. An emitted profile carries them: it is
-    /// smooth between them.
+    /// The profile points on both sides of every angle at which a derivative of the law up to `order` (2: acceleration, 3: jerk) jumps, in order of
+    /// their angles. An emitted profile contains them and is smooth between them.
     pub fn breakpoints(&self, order: usize) -> Vec<[ProfilePoint; 2]> {
         let none = [0, 1, 2, 3].map(|k| NO_JUMP * self.law.bound(k));
         let jumps = |joint: &Joint| {

@@ -20,12 +20,11 @@ use crate::law::Law;
 pub struct PrimeCircle {
     /// Radius Rp = √(D² + e²).
     pub radius: f64,
-    /// Offset e.
+    /// Offset e of the line of motion.
     pub offset: f64,
 }
 
-/// Smallest base radius of a flat-faced cam whose radius of curvature is nowhere below `rho_min`, m:
-/// Rb = ρ_min − min(s + a), not below zero.
+/// Minimum base radius of a flat-faced cam whose radius of curvature is at least `rho_min`, m: Rb = ρ_min − min(s + a), not below zero.
 pub fn smallest_base_radius(law: &Law, rho_min: f64) -> f64 {
     let (low, _) = law.extremes_of([1.0, 0.0, 1.0, 0.0], 0.0);
     (rho_min - low.value).max(0.0)
@@ -34,10 +33,9 @@ pub fn smallest_base_radius(law: &Law, rho_min: f64) -> f64 {
 /// Smallest prime circle on which the |pressure angle| is at most `rise` where the follower rises and at most `fall`
 /// where it falls, rad, both in (0, π/2).
 ///
-/// With tan φ = (v − e)/(s + D) the limits are v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D), and where the
-/// follower turns, |e| ≤ tan φ·(s + D) with the smaller of both. Between turns these imply the other two. All are half planes
-/// of (D, e); the answer is their point nearest to the origin: a foot of a perpendicular or a corner. With a given
-/// `offset` only D is free.
+/// With tan φ = (v − e)/(s + D) the limits are v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D), and where the follower turns, |e| ≤ tan φ·(s +
+/// D) with the smaller of both. All are half planes of (D, e); the result is their point nearest to the origin: a foot of a perpendicular or a
+/// corner. With a given `offset` only D is free.
 pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64>) -> PrimeCircle {
     let (t1, t2) = (libm::tan(rise), libm::tan(fall));
     let p1 = law.extremes_of([-t1, 1.0, 0.0, 0.0], 0.0).1.value;
@@ -97,13 +95,13 @@ pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SizeLimits {
-    /// Least convex radius of the finished cam, m; 0 stops at the cusp.
+    /// Minimum convex radius of the finished cam, m; 0 is the cusp.
     pub rho_min: f64,
     /// Largest |pressure angle| where the follower rises, rad; π/2 for any.
     pub pressure_rise: f64,
     /// Largest |pressure angle| where the follower falls, rad; π/2 for any.
     pub pressure_fall: f64,
-    /// The arm runs in another plane: its pivot may lie within the profile.
+    /// Whether the arm runs in another plane, so that its pivot may lie within the profile.
     pub pivot_beside: bool,
 }
 
@@ -136,13 +134,12 @@ impl SizeLimits {
     }
 }
 
-/// Steps by which a cam grows until it holds the limits, and how often.
+/// Growth factor of the search for a feasible cam, and maximum number of steps.
 const GROWTH: f64 = 1.25;
 const GROWTHS: i32 = 90;
 
-/// Smallest base radius (m; for a barrel: radius of the cylinder) on which `cam`, all else kept, fits its
-/// law and holds the limits, to 1e-10 relative; 0 when every size does. The cam's own base radius does not
-/// matter.
+/// Smallest base radius (m; for a barrel: radius of the cylinder) for which `cam`, with its other dimensions, fits its law and satisfies the limits,
+/// to 1e-10 relative; 0 if every size does. The cam's own base radius is ignored.
 ///
 /// Closed form for a flat translating face; otherwise the first feasible size when the cam grows in
 /// steps of a quarter, refined by bisection.
@@ -183,7 +180,7 @@ pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
     Ok(least_between(bad, good, 1e-10, holds))
 }
 
-/// Smallest size that holds a limit, between one that does not and one that does, by bisection to a relative accuracy.
+/// Minimum size that satisfies a limit, by bisection to a relative accuracy between an infeasible and a feasible size.
 pub(crate) fn least_between(
     mut bad: f64,
     mut good: f64,

@@ -1,4 +1,4 @@
-//! Cams and walkers in turn.
+//! Alternation between the design of cams and the assignment of walkers.
 
 use std::collections::HashMap;
 
@@ -8,30 +8,30 @@ use crate::error::Result;
 use crate::scene::Robust;
 use crate::synth::population::errors::{in_tail, measure};
 
-/// Turns of cams and walkers at most.
+/// Maximum number of alternations.
 const TURNS: usize = 30;
-/// Turns at most that bring nothing while the parts of the worst still move.
+/// Maximum number of alternations without improvement while the worst shares still change.
 const IDLE: usize = 4;
-/// A smaller change of the part of a cam's walkers who are among the worst counts as no change.
+/// Change of the share of a cam's worst walkers that counts as none.
 const SETTLED: f64 = 1e-4;
-/// Starts from walkers who are far from each other, beside that from the cams one fewer.
+/// Number of starts from distant walkers, besides the start from the cams one fewer.
 const STARTS: usize = 3;
 
-/// Cams with their walkers on the way.
+/// Cams with their walkers during the search.
 pub struct Trial {
-    /// Cam of each walker.
+    /// Index of the cam of each walker.
     pub owner: Vec<usize>,
-    /// What the design of each cam minimises.
+    /// Objective of the design of each cam.
     pub objectives: Vec<Robust>,
-    /// Mean square error of each cycle under its cam.
+    /// Mean square error of each cycle under the assigned cam.
     pub squares: Vec<f64>,
-    /// Cams without a law under their limits, and the objective.
+    /// Number of cams without a law under their limits, and the objective.
     pub value: (usize, f64),
 }
 
-/// The errors of all cycles under a cam; whether it keeps its limits.
+/// The errors of all cycles under a cam, and whether it satisfies its limits.
 pub type Column = (bool, Vec<f64>);
-/// Columns by the walkers of their cam and what its design minimises.
+/// Error columns by the walkers of their cam and its objective.
 pub type Columns = HashMap<(Vec<usize>, String), Column>;
 
 impl People<'_> {
@@ -64,7 +64,7 @@ impl People<'_> {
         Ok(best)
     }
 
-    /// Every walker with the nearest of walkers who are far from each other.
+    /// Assigns every walker to the nearest of several distant walkers.
     fn far_apart(&self, first: usize, count: usize) -> Vec<usize> {
         let own = |w: usize| &self.points[self.cycles[w][0]];
         let distance = |a: usize, b: usize| {
@@ -91,7 +91,7 @@ impl People<'_> {
         filled(owner, count, &|_, _| 0.0)
     }
 
-    /// Cams and walkers in turn.
+    /// Alternates between design and assignment.
     pub fn alternated(
         &self,
         mut owner: Vec<usize>,
@@ -145,8 +145,8 @@ impl People<'_> {
         best.ok_or_else(one_walker)
     }
 
-    /// What each cam is to minimise after these errors: where the worst part of all counts, half way to what of the worst are
-    /// its own walkers.
+    /// The objective of each cam after these errors. If the worst part of all counts, the share moves half way to the share of the cam's walkers
+    /// among the worst.
     fn objectives(&self, owner: &[usize], now: &[Robust], squares: &[f64]) -> Vec<Robust> {
         let Robust::Tail(part) = self.scene.law.robust else {
             return now.to_vec();
@@ -193,7 +193,7 @@ impl People<'_> {
     }
 }
 
-/// The same where every cam serves somebody: one that would serve nobody takes the walker who is served worst by a cam of several.
+/// The best cam of each walker, with every cam used: an unused cam gets the worst walker of a shared cam.
 fn filled(mut owner: Vec<usize>, count: usize, error: &dyn Fn(usize, usize) -> f64) -> Vec<usize> {
     let size = |owner: &[usize], cam: usize| owner.iter().filter(|o| **o == cam).count();
     for cam in 0..count {

@@ -1,9 +1,7 @@
-//! What no choice of a number of cams beats.
-//!
-//! A cam that serves walker w errs by at least e² ≥ o² + γ² ‖ψ − p‖², with p the force of the cam that he would have alone, o
-//! its error, and ψ that of the cam: p is the nearest point of a convex set that holds ψ. So walkers are points, and cams
-//! centres. Of k + 1 walkers two share a cam, which bounds the worst error; a mean square is bounded by the spread of the
-//! points less the k − 1 largest eigenvalues of their scatter (Ding and He, 2004; theory §8).
+//! Lower bounds for k cams. The error of a cam for walker w is at least e² ≥ o² + γ² ‖ψ − p‖². Here p is the force of the walker's own cam, o its
+//! error, and ψ the force of the shared cam; p is the nearest point of a convex set that contains ψ. So walkers are points, and cams centres. Of k +
+//! 1 walkers two share a cam, which bounds the worst error; a mean square is bounded by the spread of the points less the k − 1 largest eigenvalues
+//! of their scatter (Ding and He, 2004; theory §8).
 
 use nalgebra::DMatrix;
 
@@ -11,11 +9,11 @@ use crate::synth::population::alone::Point;
 use crate::synth::population::errors::{dot, in_tail, norm};
 use crate::synth::population::weights::{axes, less};
 
-/// Walkers from whom sets of the farthest begin.
+/// Number of walkers from whom farthest-point sets start.
 const BEGINNINGS: usize = 32;
-/// Steps of a bisection.
+/// Number of steps of a bisection.
 const STEPS: usize = 60;
-/// Steps of the weights of a worst part.
+/// Number of steps for the weights of a worst part.
 const STEPS_OF_WEIGHTS: usize = 200;
 
 impl Point {
@@ -24,7 +22,7 @@ impl Point {
         (off.sum::<f64>().sqrt() - self.slack - other.slack).max(0.0)
     }
 
-    /// Mean square error of the worse of two walkers with one cam.
+    /// Mean square error of the worse of two walkers with one shared cam.
     fn shared(&self, other: &Point) -> f64 {
         let distance = self.distance(other);
         let error = |p: &Point, x: f64| p.least + (p.scale * x).powi(2);
@@ -42,7 +40,7 @@ impl Point {
     }
 }
 
-/// Least worst mean square error of so many cams.
+/// Lower bound of the worst mean square error of k cams.
 pub fn worst(points: &[Point], cams: usize) -> f64 {
     let alone = points.iter().fold(0.0_f64, |m, p| m.max(p.least));
     if cams >= points.len() {
@@ -70,7 +68,7 @@ pub fn worst(points: &[Point], cams: usize) -> f64 {
         .fold(alone, f64::max)
 }
 
-/// The points in coordinates of the space that they span: laws of one basis have as many as that has functions.
+/// The points in coordinates of the space that they span; laws of one basis have as many coordinates as the basis has functions.
 pub fn compressed(points: Vec<Point>) -> Vec<Point> {
     let Some(first) = points.first().map(|p| p.at.clone()) else {
         return points;
@@ -89,14 +87,13 @@ pub fn compressed(points: Vec<Point>) -> Vec<Point> {
     each.collect()
 }
 
-/// Least mean square error of so many cams over walkers with these shares.
+/// Lower bound of the mean square error of k cams over walkers with these shares.
 pub fn mean(points: &[Point], shares: &[f64], cams: usize) -> f64 {
     spread(points, shares, cams).0
 }
 
-/// Least mean square error of the worst part of walkers with these shares. The bound of each weights that the part allows is one,
-/// and it is concave in them: a least over planes through the cams. Frank and Wolfe's steps (1956) go towards those of the part
-/// that has the largest errors about the best plane.
+/// Lower bound of the mean square error of the worst part of walkers with these shares. Every admissible weighting gives a bound, which is concave in
+/// the weights. Frank and Wolfe's steps (1956) go towards the weights of the largest errors about the best plane.
 pub fn tail(points: &[Point], part: f64, shares: &[f64], cams: usize, start: &[f64]) -> f64 {
     let mut weights = start.to_vec();
     let mut best = mean(points, shares, cams);
@@ -111,8 +108,7 @@ pub fn tail(points: &[Point], part: f64, shares: &[f64], cams: usize, start: &[f
     best
 }
 
-/// The bound of the mean square for weights, with the square error of each point about the plane of k − 1 dimensions that is
-/// nearest to all.
+/// The bound of the mean square for weights, with the squared distance of each point from the nearest plane of k − 1 dimensions.
 fn spread(points: &[Point], shares: &[f64], cams: usize) -> (f64, Vec<f64>) {
     let weights: Vec<f64> = points
         .iter()

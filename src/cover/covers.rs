@@ -1,4 +1,4 @@
-//! The covers of 1 to so many cams, with what no such cams can beat.
+//! The covers with 1 to k cams, with lower bounds.
 
 use super::alternation::{Columns, Trial};
 use super::bound;
@@ -11,7 +11,7 @@ use crate::synth::population::alone::points;
 use crate::synth::population::errors::{in_tail, tail};
 use crate::synth::{Design, Search};
 
-/// So many cams with the walkers whom they serve.
+/// A number of cams with the walkers assigned to them.
 ///
 /// ```
 /// use gaitcam::synth::Search;
@@ -28,28 +28,28 @@ use crate::synth::{Design, Search};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Cover {
-    /// The scene with the family and size of law that every cam has.
+    /// The scene with the common family and size of law.
     pub scene: Scene,
-    /// The cams; the design of each is for its own walkers.
+    /// The cams, each designed for its own walkers.
     pub cams: Vec<Design>,
-    /// The cam of each cycle.
+    /// Index of the cam of each cycle.
     pub each: Vec<Assigned>,
-    /// Mean of the RMS force errors, by weight: in percent of each walker's mean force, or in newtons, as the scene's `law.error`
-    /// says, like all that follows.
+    /// Mean of the RMS force errors, by weight: in percent of each walker's mean force, or in newtons, according to the scene's `law.error`, like the
+    /// values below.
     pub mean: f64,
-    /// Largest of them.
+    /// Largest RMS force error.
     pub worst: f64,
-    /// What is minimised: the worst error, or the root of the mean square of all or of the worst part.
+    /// Minimised value: the worst error, or the root of the mean square of all or of the worst part.
     pub objective: f64,
-    /// No cams of this number and kind have a smaller objective; `None` where limits are not convex.
+    /// Lower bound of the objective for this number and kind of cams; `None` for limits that are not convex.
     pub bound: Option<f64>,
 }
 
-/// The covers of 1 to so many cams, as many as there are walkers at most. Every cam has the family and size of law that the scene
-/// gives the cam of all.
+/// The covers with 1 to k cams, at most one per walker. Every cam has the same family and size of law as the cam of all.
 ///
 /// # Errors
-/// As of one cam; a force of one walker.
+///
+/// Those of one cam; a force of one walker.
 pub fn covers(
     scene: &Scene,
     force: &ForceCurve,
@@ -117,7 +117,7 @@ impl People<'_> {
         })
     }
 
-    /// The mean square that no such cams beat; the cam of all has a proof of its own.
+    /// Lower bound of the mean square; the cam of all has its own proof.
     fn bound(&self, cams: usize, trial: &Trial) -> Option<f64> {
         if self.points.is_empty() {
             return None;

@@ -1,4 +1,4 @@
-//! How well cams serve walkers whom they were not designed for: cross-validation over walkers, never over cycles of one.
+//! Errors of cams for other walkers: cross-validation over walkers, not over cycles of one walker.
 
 use std::collections::BTreeMap;
 
@@ -9,9 +9,9 @@ use crate::force::{ForceCurve, Population, Walker};
 use crate::scene::Scene;
 use crate::synth::Search;
 
-/// Parts of the walkers that are left out in turn.
+/// Number of folds of the cross-validation.
 const PARTS: usize = 5;
-/// Fewest walkers that a cam is designed for.
+/// Minimum number of walkers for whom a cam is designed.
 const FEWEST: usize = 4;
 
 /// Errors of walkers for whom cams were designed, and of others.
@@ -30,17 +30,17 @@ const FEWEST: usize = 4;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fold {
-    /// Number of cams.
+    /// Number of cams in the cover.
     pub cams: usize,
-    /// Number of walkers for whom they were designed.
+    /// Number of walkers for whom the cams were designed.
     pub walkers: usize,
-    /// Mean RMS force error of these, in percent of each mean force or in newtons, as the scene's `law.error` says.
+    /// Mean RMS force error of these walkers, in percent of each mean force or in newtons, according to the scene's `law.error`.
     pub in_mean: f64,
-    /// Largest error of these.
+    /// Largest error of these walkers.
     pub in_worst: f64,
-    /// Mean error of the others, each under the cam that serves him best.
+    /// Mean error of the other walkers, each under the best cam.
     pub out_mean: f64,
-    /// Largest error of the others.
+    /// Largest error of the other walkers.
     pub out_worst: f64,
 }
 
@@ -64,8 +64,7 @@ impl Errors {
     }
 }
 
-/// Errors in and out of the sample for 1 to so many cams and for growing numbers of walkers, a fifth of all being left out in
-/// turn; none of fewer than ten walkers.
+/// Errors in and out of the sample for 1 to k cams and for growing numbers of walkers, with five folds; empty for fewer than ten walkers.
 ///
 /// # Errors
 /// As of [`covers`](super::covers).
@@ -130,7 +129,7 @@ fn walkers(population: &Population, names: &[&str]) -> Vec<Walker> {
     own.cloned().collect()
 }
 
-/// The names of all walkers in an order that has nothing to do with theirs, the same in every run.
+/// The names of all walkers in a fixed pseudo-random order.
 fn shuffled(population: &Population) -> Vec<&str> {
     let mut names: Vec<&str> = population.walkers.iter().map(|w| w.name.as_str()).collect();
     names.sort_unstable();

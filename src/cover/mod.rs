@@ -1,9 +1,6 @@
-//! Several cams for many walkers: which cams, and which cam each walker gets.
-//!
-//! Cams and walkers are sought in turn from several starts: every cam is the design for its walkers, then every walker goes to
-//! the cam that serves him best, until nobody changes (Lloyd, 1982). Where the worst part of all walkers counts, every cam counts
-//! of its own walkers the part that belongs to it. What is found need not be the best; `bound` says how far it can be
-//! from it.
+//! Several cams for many walkers, and the assignment of walkers. From several starts, every cam is designed for its walkers, then every walker is
+//! assigned to the best cam, until the assignment is stable (Lloyd, 1982). If the worst part of all walkers counts, every cam counts its share of it.
+//! The result need not be optimal; `bound` gives a lower bound.
 
 mod alternation;
 mod bound;

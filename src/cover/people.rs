@@ -1,4 +1,4 @@
-//! The walkers of a cover, what each would have alone, and the cam of any of them.
+//! The walkers of a cover, their individual cams, and the cam of any group.
 
 use std::collections::HashMap;
 
@@ -9,7 +9,7 @@ use crate::scene::{ErrorMeasure, Robust, Scene};
 use crate::synth::population::{alone::Point, hold};
 use crate::synth::{Design, Search, design};
 
-/// Walkers, and what they would have alone.
+/// Walkers, and their individual cams.
 pub struct People<'a> {
     /// The scene with the law's family and size.
     pub scene: Scene,
@@ -19,9 +19,9 @@ pub struct People<'a> {
     /// Cycles of each walker.
     pub cycles: Vec<Vec<usize>>,
     pub shares: Vec<f64>,
-    /// The cam for all.
+    /// The common cam for all.
     pub one: Design,
-    /// The cam of each cycle alone; empty where no bound is sought.
+    /// The individual cam of each cycle; empty if no bound is required.
     pub points: Vec<Point>,
 }
 
@@ -60,7 +60,7 @@ impl<'a> People<'a> {
         ForceCurve::of_walkers(walkers)
     }
 
-    /// The cam of some walkers.
+    /// The cam of a group of walkers.
     pub fn cam(&self, group: &[usize], objective: Robust) -> Result<Design> {
         let mut scene = self.scene.clone();
         scene.law.robust = objective;
@@ -68,7 +68,7 @@ impl<'a> People<'a> {
         design(&problem, self.search)
     }
 
-    /// What the root of a mean square counts as: percent, or newtons.
+    /// The root of a mean square in its unit: percent, or newtons.
     pub fn unit(&self) -> f64 {
         match self.scene.law.error {
             ErrorMeasure::Relative => 100.0,
@@ -77,7 +77,7 @@ impl<'a> People<'a> {
     }
 }
 
-/// The scene whose laws have family and size of a design.
+/// The scene with family and size of law taken from a design.
 fn of_size(scene: &Scene, design: &Design) -> Scene {
     let mut out = scene.clone();
     hold(

@@ -1,4 +1,4 @@
-//! Walkers under cams that need not be designed for them.
+//! Errors of walkers under cams designed for others.
 
 use serde::Serialize;
 
@@ -31,14 +31,13 @@ use crate::synth::{Design, OfPopulation};
 pub struct Assigned {
     /// Number of the cam, from 0 on.
     pub cam: usize,
-    /// How well it serves.
+    /// Errors of the cycle under this cam.
     pub error: WalkerError,
-    /// Parts of the error in percent of the mean force, whose squares add up to its square: the mean force, the size of what
-    /// varies, and its shape.
+    /// Components of the error in percent of the mean force, whose squares add up to its square: mean force, amplitude and shape.
     pub parts_percent: [f64; 3],
 }
 
-/// Which of some cams serves each walker of a force best, cycle by cycle; the machine is set as the scene says.
+/// The best of several cams for each walker of a force, cycle by cycle; the machine is adjusted as in the scene.
 ///
 /// # Errors
 /// As of one cam.
@@ -61,12 +60,12 @@ pub fn served_by(scene: &Scene, cams: &[Design], force: &ForceCurve) -> Result<V
     Ok(best)
 }
 
-/// Cycles under a cam that need not be designed for them.
+/// Cycles under a cam that may be designed for others.
 pub struct Under {
     /// Mean square errors.
     pub squares: Vec<f64>,
     report: OfPopulation,
-    /// What each error consists of, as mean squares.
+    /// Components of each error, as mean squares.
     parts: Vec<[f64; 3]>,
 }
 
@@ -105,7 +104,7 @@ impl Under {
         })
     }
 
-    /// The same cycle by cycle, with the number of the cam.
+    /// The errors cycle by cycle, with the number of the cam.
     pub fn assigned(self, cam: usize) -> Vec<Assigned> {
         let both = self.report.each.into_iter().zip(self.parts);
         let own = both.map(|(error, parts)| {

@@ -1,6 +1,6 @@
-//! What the table of limits says of each limit.
+//! Properties of each limit in the table of limits.
 
-/// Side of its bound on which a value is allowed.
+/// Side of the bound on which a value is allowed.
 ///
 /// ```
 /// use gaitcam::criterion::{Direction, LimitKind};
@@ -26,12 +26,12 @@ impl Direction {
         }
     }
 
-    /// Distance of a value beyond a bound; negative where it keeps the bound.
+    /// Distance of a value beyond a bound; negative if it satisfies the bound.
     pub fn excess(self, value: f64, bound: f64) -> f64 {
         self.sign() * (value - bound)
     }
 
-    /// Whether a value keeps a bound.
+    /// Whether a value satisfies a bound.
     pub fn keeps(self, value: f64, bound: f64) -> bool {
         match self {
             Direction::AtMost => value <= bound,
@@ -40,23 +40,23 @@ impl Direction {
     }
 }
 
-/// What a limited quantity depends on. It decides what a varying speed of the shaft and several walkers do to the limit.
+/// Dependence of a limited quantity on speed and walker, which determines the treatment of a varying shaft speed and of several walkers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DependsOn {
     /// The cam alone: speed and walker do not change it.
     Cam,
-    /// A derivative of the lift by time, of this order: it grows with this power of the speed.
+    /// A time derivative of the lift of this order, proportional to this power of the speed.
     Motion(usize),
-    /// The contact force, which is linear in the force at rest and in the walker's factor.
+    /// The contact force, linear in the force at rest and in the walker's factor.
     Force,
-    /// Force and cam together: no factor carries it from the machine of one walker to that of another.
+    /// Force and cam together; no factor relates the machines of two walkers.
     Load,
     /// Vibration of a compliant follower at constant speed, checked for every walker.
     Vibration,
 }
 
 impl DependsOn {
-    /// Whether a varying speed of the shaft changes it.
+    /// Whether a varying shaft speed changes the quantity.
     pub fn varies_with_speed(self) -> bool {
         match self {
             DependsOn::Motion(_) | DependsOn::Force | DependsOn::Load => true,
@@ -65,7 +65,7 @@ impl DependsOn {
     }
 }
 
-/// Diagram over the cam angle.
+/// Diagrams over the cam angle.
 ///
 /// ```
 /// use gaitcam::criterion::Diagram;
@@ -74,27 +74,27 @@ impl DependsOn {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Diagram {
-    /// Contact force.
+    /// Diagram of the contact force.
     Force,
-    /// Lift.
+    /// Diagram of the lift.
     Lift,
-    /// Velocity by time.
+    /// Diagram of the velocity in time.
     Velocity,
-    /// Acceleration by time.
+    /// Diagram of the acceleration in time.
     Acceleration,
-    /// Jerk by time.
+    /// Diagram of the jerk in time.
     Jerk,
-    /// Radius of curvature.
+    /// Diagram of the radius of curvature.
     Radius,
-    /// Pressure angle.
+    /// Diagram of the pressure angle.
     PressureAngle,
-    /// Place of the contact on a flat face.
+    /// Position of the contact on a flat face.
     Contact,
-    /// Shaft torque.
+    /// Diagram of the shaft torque.
     Torque,
-    /// Shaft power.
+    /// Diagram of the shaft power.
     Power,
-    /// Speed of the shaft.
+    /// Diagram of the shaft speed.
     Speed,
 }
 
@@ -117,16 +117,16 @@ impl Diagram {
     }
 }
 
-/// Lines by which a diagram shows a bound.
+/// Lines of a bound in a diagram.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lines {
-    /// At the bound.
+    /// A line at the bound.
     AtBound,
-    /// At the bound and at its negative.
+    /// Lines at the bound and at its negative.
     BothSides,
-    /// At the negative of the bound.
+    /// A line at the negative of the bound.
     AtNegative,
-    /// That far above the lowest point of the curve.
+    /// A line at this height above the lowest point of the curve.
     AboveLowest,
 }
 
@@ -141,7 +141,7 @@ impl Lines {
         }
     }
 
-    /// Height from which the bound is measured up or down to its line; `None` where the line's height is the bound.
+    /// Height from which the bound is measured up or down to its line; `None` if the line itself is the bound.
     pub fn origin(self, lowest: f64) -> Option<f64> {
         match self {
             Lines::AtBound => None,
@@ -151,12 +151,12 @@ impl Lines {
     }
 }
 
-/// Rank of a failed check among the reasons of a verdict, the gravest first.
+/// Rank of a failed check among the reasons of a verdict, the most serious first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// The profile cannot be made.
+    /// The profile cannot be manufactured.
     Profile,
-    /// The follower touches another part of the cam.
+    /// The follower interferes with another part of the cam.
     Interference,
     /// The follower leaves the cam.
     Contact,
@@ -164,21 +164,21 @@ pub enum Severity {
     PressureAngle,
     /// The force is not the required one.
     ForceError,
-    /// A limit of the scene is broken.
+    /// A limit of the scene is violated.
     Limit,
 }
 
-/// The row of a limit.
+/// Properties of one limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct LimitFacts {
     /// Side of the bound on which the value is allowed.
     pub direction: Direction,
-    /// What the value depends on.
+    /// Dependence of the value on speed and walker.
     pub depends_on: DependsOn,
-    /// Whether another bound on the end of a compliant follower brings the cam nearer to its own bound.
+    /// Whether changing the bound on the end of a compliant follower brings the cam nearer to its own bound.
     pub moves_with_end: bool,
-    /// Diagram that shows the value, and how it shows the bound.
+    /// Diagram that shows the value, and the lines of its bound.
     pub diagram: Option<(Diagram, Lines)>,
     /// Rank of its failed check.
     pub severity: Severity,

@@ -1,10 +1,10 @@
-//! The limits that may be set for a cam: one row per limit, from which everything that differs between limits is read.
+//! The limits of a cam, one row each, with all properties that differ between limits.
 
 use serde::Serialize;
 
 use super::{Criterion, DependsOn, Diagram, Direction, LimitFacts, Lines, Severity};
 
-/// Every limit that a scene may set.
+/// Every limit of a scene.
 ///
 /// ```
 /// use gaitcam::criterion::LimitKind;
@@ -18,49 +18,49 @@ use super::{Criterion, DependsOn, Diagram, Direction, LimitFacts, Lines, Severit
 #[strum(serialize_all = "snake_case")]
 #[non_exhaustive]
 pub enum LimitKind {
-    /// Largest stroke.
+    /// Maximum stroke of the follower.
     Stroke,
-    /// Largest velocity by time.
+    /// Maximum velocity in time.
     Velocity,
-    /// Largest acceleration by time.
+    /// Maximum acceleration in time.
     Acceleration,
-    /// Largest jerk by time.
+    /// Maximum jerk in time.
     Jerk,
-    /// Smallest force.
+    /// Minimum contact force.
     ForceMin,
-    /// Largest force.
+    /// Maximum contact force.
     ForceMax,
-    /// Smallest convex radius of curvature.
+    /// Minimum convex radius of curvature.
     Curvature,
-    /// Largest |pressure angle|, where one value limits rise and fall.
+    /// Maximum |pressure angle|, one value for rise and fall.
     PressureAngle,
-    /// Largest |pressure angle| where the follower rises.
+    /// Maximum |pressure angle| where the follower rises.
     PressureAngleRise,
-    /// Largest |pressure angle| where the follower falls.
+    /// Maximum |pressure angle| where the follower falls.
     PressureAngleFall,
-    /// Largest prime radius.
+    /// Maximum prime radius.
     PrimeRadius,
-    /// Longest flat face.
+    /// Maximum length of a flat face.
     FaceWidth,
-    /// Largest shaft torque.
+    /// Maximum shaft torque.
     Torque,
-    /// Largest shaft power.
+    /// Maximum shaft power.
     Power,
-    /// Largest mean of the shaft power.
+    /// Maximum mean shaft power.
     PowerMean,
-    /// Largest rate of the shaft torque.
+    /// Maximum rate of the shaft torque.
     TorqueRate,
-    /// Largest contact pressure.
+    /// Maximum contact pressure.
     HertzPressure,
-    /// Largest amplitude in a dwell.
+    /// Maximum vibration amplitude in a dwell.
     Residual,
 }
 
 impl LimitKind {
-    /// All of them, in the order of the key table.
+    /// All limits, in the order of the key table.
     pub const ALL: &'static [LimitKind] = <LimitKind as strum::VariantArray>::VARIANTS;
 
-    /// Its name among the checks of a summary: the last word of its key.
+    /// Name among the checks of a summary: the last word of the key.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -70,14 +70,14 @@ impl LimitKind {
         name.parse().ok()
     }
 
-    /// Whether a check of a design measures it. One value for both pressure angles is measured on rise and fall.
+    /// Whether a check of a design measures it. A common value for both pressure angles is measured on rise and fall.
     pub fn is_measured_by(self, check: Criterion) -> bool {
         let side =
             [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall].map(Criterion::Limit);
         check == self || self == LimitKind::PressureAngle && side.contains(&check)
     }
 
-    /// The row of the limit.
+    /// Properties of the limit.
     #[rustfmt::skip]
     pub const fn facts(self) -> LimitFacts {
         use DependsOn::{Cam, Force, Load, Motion, Vibration};

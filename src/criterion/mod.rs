@@ -1,4 +1,4 @@
-//! Criteria of a cam: of its checks, of the active limits of its law, of relaxations.
+//! Criteria of a cam, for checks, active limits and suggested changes.
 
 mod facts;
 mod limit_kind;
@@ -11,7 +11,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-/// Subject of a check, an active limit or a relaxation.
+/// Subject of a check, an active limit or a suggested change.
 ///
 /// ```
 /// use gaitcam::criterion::{Criterion, LimitKind};
@@ -23,29 +23,29 @@ use serde::{Serialize, Serializer};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::EnumCount)]
 #[non_exhaustive]
 pub enum Criterion {
-    /// A limit that a scene may set.
+    /// A limit of the scene.
     Limit(LimitKind),
-    /// The RMS force error.
+    /// RMS force error.
     RmsError,
-    /// The accuracy as a part of the mean force, as a scene has it.
+    /// The accuracy as a fraction of the mean force, as in a scene.
     Accuracy,
-    /// The band that the force stays in.
+    /// Band around the target force.
     Band,
-    /// The law stays on or above its base circle.
+    /// The law is nowhere below its base circle.
     BaseCircle,
     /// The bore fits into the base circle.
     Bore,
     /// The base circle stays outside the bore and its keyway.
     BaseOutsideBore,
-    /// The base radius that a scene gives.
+    /// Base radius given in the scene.
     BaseRadius,
-    /// The prime radius that a scene gives.
+    /// Prime radius given in the scene.
     GivenPrimeRadius,
-    /// The inertia of the shaft that a scene gives.
+    /// Shaft inertia given in the scene.
     Inertia,
     /// The roller fits into the concave profile.
     Concave,
-    /// The follower touches no other part of the cam.
+    /// The follower interferes with no other part of the cam.
     Interference,
     /// The convex radius of the upper wall of a groove.
     UpperWall,
@@ -53,13 +53,13 @@ pub enum Criterion {
     LowerWall,
     /// A flank that rises or falls steadily.
     Monotone,
-    /// The largest value of what is minimised.
+    /// Maximum of the minimised quantity.
     Peak,
-    /// Smallest convex radius of the second cam of a pair.
+    /// Minimum convex radius of the second cam of a pair.
     SecondCurvature,
     /// The roller fits into the second cam.
     SecondConcave,
-    /// The follower touches no other part of the second cam.
+    /// The follower interferes with no other part of the second cam.
     SecondInterference,
     /// Pressure angle of the second cam where its follower rises.
     SecondPressureAngleRise,
@@ -68,7 +68,7 @@ pub enum Criterion {
 }
 
 impl Criterion {
-    /// Its name in `summary.json`; for a given value, the key of the scene.
+    /// Name in `summary.json`; for a given value, the key of the scene.
     pub fn name(self) -> &'static str {
         match self {
             Criterion::Limit(kind) => kind.name(),
@@ -95,7 +95,7 @@ impl Criterion {
         }
     }
 
-    /// The same check on the second cam of a pair; a criterion that does not apply there is returned unchanged.
+    /// The corresponding check on the second cam of a pair; a criterion that does not apply there is returned unchanged.
     #[must_use]
     pub fn of_second_cam(self) -> Criterion {
         match self {
@@ -108,7 +108,7 @@ impl Criterion {
         }
     }
 
-    /// Side of its bound on which its value is allowed.
+    /// Side of the bound on which the value is allowed.
     pub fn direction(self) -> Direction {
         match self {
             Criterion::Limit(kind) => kind.facts().direction,
@@ -162,12 +162,12 @@ impl Criterion {
         }
     }
 
-    /// Whether it is about the pressure angle of either cam.
+    /// Whether it is the pressure angle of either cam.
     pub fn is_pressure_angle(self) -> bool {
         self.severity() == Severity::PressureAngle
     }
 
-    /// The limit of the scene, where it is one.
+    /// The limit of the scene, if it is one.
     pub fn limit(self) -> Option<LimitKind> {
         match self {
             Criterion::Limit(kind) => Some(kind),

@@ -1,6 +1,6 @@
 //! The motor that turns the cam: torque against speed, and the inertia and friction of its shaft.
 
-/// How the torque of a motor falls with the speed of the camshaft; the supply sets the no-load speed.
+/// Torque of a motor as a decreasing function of the camshaft speed; the supply sets the no-load speed.
 ///
 /// ```
 /// use gaitcam::drive::TorqueLine;
@@ -11,16 +11,16 @@
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum TorqueLine {
-    /// Torque lost per speed, N·m·s/rad: T = slope·(ω₀ − ω).
+    /// Decrease of torque with speed, N·m·s/rad: T = slope·(ω₀ − ω).
     Slope(f64),
     /// Torque at standstill, N·m: T = stall·(1 − ω/ω₀).
     Stall(f64),
-    /// Speed, rad/s, and torque, N·m, falling, linear between the rows and beyond them; the supply shifts it along the
-    /// speed until the torque vanishes at ω₀.
+    /// Table of speed, rad/s, and torque, N·m, decreasing and linearly extrapolated; the supply shifts it along the speed until the torque vanishes
+    /// at ω₀.
     Curve(Vec<[f64; 2]>),
 }
 
-/// A motor, its flywheel and its friction, as the camshaft feels them.
+/// A motor, its flywheel and its friction, referred to the camshaft.
 ///
 /// ```
 /// use gaitcam::drive::{Motor, TorqueLine};
@@ -32,22 +32,22 @@ pub enum TorqueLine {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motor {
-    /// Torque against speed at the camshaft, losses of the gear included.
+    /// Torque against speed at the camshaft, including gear losses.
     pub line: TorqueLine,
-    /// Highest no-load speed that its supply gives, rad/s; `None` where the supply is chosen to suit.
+    /// Maximum no-load speed of the supply, rad/s; `None` for an adjustable supply.
     pub nominal: Option<f64>,
-    /// Moment of inertia of all that turns with the shaft, at the camshaft, kg·m².
+    /// Moment of inertia of all rotating parts, referred to the camshaft, kg·m².
     pub inertia: f64,
-    /// Torque of friction in the bearings, N·m.
+    /// Friction torque of the bearings, N·m.
     pub friction: f64,
     /// Turns of the motor per turn of the cam.
     pub gear: f64,
-    /// Part of the motor's torque that its gear passes on, 0 … 1.
+    /// Efficiency of the gear, 0 … 1.
     pub efficiency: f64,
 }
 
 impl TorqueLine {
-    /// Speed at which the torque of a curve vanishes, rad/s; `None` of a line, whose supply is chosen.
+    /// Speed at which the torque of a curve vanishes, rad/s; `None` for a line, which has an adjustable supply.
     pub fn no_load_speed(&self) -> Option<f64> {
         match self {
             TorqueLine::Slope(_) | TorqueLine::Stall(_) => None,
@@ -57,7 +57,7 @@ impl TorqueLine {
 }
 
 impl Motor {
-    /// Whether its numbers are those of a motor.
+    /// Whether the data of the motor are valid.
     pub(crate) fn is_sound(&self) -> bool {
         let numbers = [self.inertia, self.friction, self.gear, self.efficiency];
         let is_positive = self.gear > 0.0 && self.efficiency > 0.0;
@@ -81,7 +81,7 @@ impl Motor {
         }
     }
 
-    /// No-load speed under which the motor gives a mean torque, N·m, at a speed, rad/s.
+    /// No-load speed for which the motor gives a mean torque, N·m, at a speed, rad/s.
     pub fn no_load_for(&self, speed: f64, torque: f64) -> f64 {
         match &self.line {
             TorqueLine::Slope(k) => speed + torque / k,
@@ -97,7 +97,7 @@ impl Motor {
         }
     }
 
-    /// The same motor with its torque multiplied.
+    /// The motor with its torque multiplied by a factor.
     #[must_use]
     pub fn with_torque(&self, part: f64) -> Motor {
         let line = match &self.line {
@@ -119,7 +119,7 @@ impl Motor {
     }
 }
 
-/// Speed at which the torque of a falling curve vanishes, rad/s.
+/// Speed at which the torque of a decreasing curve vanishes, rad/s.
 fn no_load_speed(rows: &[[f64; 2]]) -> f64 {
     let i = rows
         .partition_point(|r| r[1] > 0.0)

@@ -1,43 +1,44 @@
-//! Rounds of designs for a machine that depends on the design: each is made for what the one before makes of the machine.
+//! Fixed-point iteration of design and machine state: each design is made for the state that the last design causes.
 
 use crate::error::Result;
 
-/// Rounds of designs at most.
+/// Maximum number of designs.
 const ROUNDS: usize = 30;
-/// Rounds before the last that the next one is made from.
+/// Number of earlier iterates in the acceleration.
 const MEMORY: usize = 5;
-/// Part of a difference between rounds below which it says nothing new.
+/// Relative difference between iterates below which it carries no information.
 const DEPENDENT: f64 = 1e-6;
 
-/// A design, and the state of the machine that it makes.
+/// A design with the machine state that it causes.
 pub struct Round<D> {
-    /// The design.
+    /// Design of the iterate.
     pub design: D,
-    /// What it makes.
+    /// Machine state caused by the design.
     pub made: Vec<f64>,
-    /// Whether a law keeps its limits.
+    /// Whether the law satisfies its limits.
     pub has_law: bool,
 }
 
-/// The last design.
+/// Result of the iteration.
 pub struct Settled<D> {
-    /// The design.
+    /// Final design.
     pub design: D,
-    /// The state that it makes, where the rounds do not agree.
+    /// State that it causes, if the iteration has not converged.
     pub made: Option<Vec<f64>>,
-    /// Designs made.
+    /// Number of designs computed.
     pub rounds: usize,
-    /// Factor between the last two differences of what was given and what was made.
+    /// Ratio of the last two residuals.
     pub contraction: Option<f64>,
-    /// The last difference.
+    /// Last residual.
     pub difference: f64,
 }
 
-/// Designs until what a design makes differs from what it was made for by no more than `allowed` anywhere; that of the least
-/// difference where a round has no law, or where they do not agree.
+/// Iterates until the state caused by a design differs from the assumed state by at most `allowed`; returns the design with the smallest residual if
+/// an iterate has no law, or without convergence.
 ///
 /// # Errors
-/// Those of a round.
+///
+/// Those of a design.
 pub fn settled<D>(
     mut given: Vec<f64>,
     allowed: f64,
@@ -80,7 +81,7 @@ pub fn settled<D>(
     }
 }
 
-/// The largest difference of two states.
+/// Maximum difference of two states.
 pub fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     let pairs = a.iter().zip(b);
     pairs.fold(0.0, |most, (a, b)| (a - b).abs().max(most))
@@ -98,8 +99,7 @@ fn subtract(from: &mut [f64], part: f64, of: &[f64]) {
     from.iter_mut().zip(of).for_each(|(x, y)| *x -= part * y);
 }
 
-/// What to design for next, from what rounds made and how far that is from what they were designed for: the combination of
-/// the rounds whose distance is least (Anderson's acceleration; Walker and Ni 2011).
+/// Next assumed state: the combination of iterates with the smallest residual (Anderson's acceleration; Walker and Ni 2011).
 fn accelerated(path: &[[Vec<f64>; 2]]) -> Vec<f64> {
     let Some([made, off]) = path.last() else {
         return Vec::new();

@@ -1,8 +1,7 @@
-//! The floor that moves under the feet: modes of a structure in steady vibration under a force that repeats.
+//! The moving floor under the feet: modes of a structure in steady vibration under a periodic force.
 //!
-//! A mode of mass m, frequency ω, damping ratio ζ and ordinate φ at the feet moves by z = φ q, upwards, under the force F
-//! that presses down: m (q″ + 2ζω q′ + ω² q) = −φ F. With F = Re Fₙ e^{inΩt} its acceleration is z″ₙ = Hₙ Fₙ,
-//! Hₙ = Σ φ² (nΩ)² / (m (ω² − (nΩ)² + 2iζω nΩ)) (theory §10).
+//! A mode of mass m, frequency ω, damping ratio ζ and ordinate φ at the feet moves by z = φ q, upwards, under the downward force F: m (q″ + 2ζω q′ +
+//! ω² q) = −φ F. With F = Re Fₙ e^{inΩt} its acceleration is z″ₙ = Hₙ Fₙ, Hₙ = Σ φ² (nΩ)² / (m (ω² − (nΩ)² + 2iζω nΩ)) (theory §10).
 
 use std::f64::consts::TAU;
 
@@ -13,17 +12,17 @@ use crate::error::{DynamicsError, Placed, Result};
 use crate::poly::{amplitudes, samples};
 use crate::units::{Dimension, Quantity};
 
-/// Part of ω² below which the stiffness that is left at a frequency is none.
+/// Fraction of ω² below which the dynamic stiffness at a frequency is zero.
 const RESONANT: f64 = 1e-9;
-/// Part of the largest harmonic below which a harmonic is rounding.
+/// Fraction of the largest harmonic below which a harmonic is a rounding error.
 const ROUNDING: f64 = 1e-9;
 /// Upper bounds of the peak acceleration, m/s², of the comfort classes of SETRA (2006) and HiVoSS (2008).
 const CLASSES: [f64; 3] = [0.5, 1.0, 2.5];
 
-/// Least number of points of a turn among which the peak is looked for.
+/// Minimum number of points of a turn at which the peak is searched.
 const POINTS: usize = 4096;
 
-/// Cosine and sine amplitude of a harmonic.
+/// Cosine and sine amplitude of one harmonic.
 pub type Term = (f64, f64);
 
 /// A mode of the structure.
@@ -38,19 +37,19 @@ pub type Term = (f64, f64);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloorMode {
-    /// Modal mass, kg.
+    /// Modal mass of the mode, kg.
     pub mass: f64,
-    /// Natural frequency, Hz.
+    /// Natural frequency of the mode, Hz.
     pub frequency: f64,
-    /// Damping ratio.
+    /// Damping ratio of the mode.
     pub damping: f64,
     /// Ordinate of the mode at the feet.
     pub ordinate: f64,
-    /// Key of its damping, with `N` for its number.
+    /// Key of the damping, with `N` for the number of the mode.
     pub key: &'static str,
 }
 
-/// A structure and who walks on it.
+/// A structure with its walkers.
 ///
 /// ```
 /// use gaitcam::dynamics::{Floor, FloorMode};
@@ -66,7 +65,7 @@ pub struct FloorMode {
 pub struct Floor {
     /// Modes of the floor.
     pub modes: Vec<FloorMode>,
-    /// Phase, rad, and weight, part of the shaker's, of every walker; the first is the shaker.
+    /// Phase, rad, and weight relative to the shaker, of every walker; the first is the shaker.
     pub walkers: Vec<(f64, f64)>,
 }
 
@@ -79,7 +78,7 @@ pub enum Comfort {
     Mean,
     /// At most 2.5 m/s².
     Minimum,
-    /// More.
+    /// More than 2.5 m/s².
     Unacceptable,
 }
 
@@ -101,7 +100,7 @@ impl Comfort {
         }
     }
 
-    /// Comfort of SETRA.
+    /// Comfort class of SETRA.
     pub fn setra(self) -> &'static str {
         match self {
             Comfort::Maximum => "maximum",
@@ -121,7 +120,7 @@ impl Serialize for Comfort {
     }
 }
 
-/// Steady vibration of the structure where the feet are.
+/// Steady vibration of the structure at the feet.
 ///
 /// ```
 /// use gaitcam::dynamics::FloorMotion;
@@ -132,11 +131,11 @@ impl Serialize for Comfort {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FloorMotion {
-    /// Largest acceleration, m/s².
+    /// Peak acceleration, m/s².
     pub acceleration_peak_m_per_s2: f64,
     /// Root mean square of the acceleration, m/s².
     pub acceleration_rms_m_per_s2: f64,
-    /// Comfort of those who walk on it.
+    /// Comfort class for the walkers.
     #[serde(flatten)]
     pub comfort: Comfort,
 }
@@ -145,7 +144,7 @@ impl FloorMotion {
     /// Upper bounds of the peak acceleration, m/s², of all comfort classes but the last.
     pub const CLASSES: [f64; 3] = CLASSES;
 
-    /// From the harmonics of the acceleration, m/s².
+    /// The motion from the harmonics of the acceleration, m/s².
     pub fn of(terms: &[Term]) -> FloorMotion {
         let square: f64 = terms.iter().map(|(a, b)| a * a + b * b).sum();
         let curve = samples(terms, 0, (8 * (terms.len() + 1)).max(POINTS));
@@ -159,7 +158,7 @@ impl FloorMotion {
     }
 }
 
-/// Harmonics 1 … of samples at equal steps of a turn.
+/// Harmonics from 1 on of samples at equal steps of a turn.
 pub(crate) fn harmonics(samples: &[f64]) -> Vec<Term> {
     let all = amplitudes(samples);
     all[1..all.len() - 1].to_vec()
@@ -204,7 +203,7 @@ impl Floor {
         Ok(sum)
     }
 
-    /// Gain of each harmonic of a force; none where the force has none.
+    /// Gain of each harmonic of a force; zero for harmonics without force.
     fn gains(&self, speed: f64, force: &[Term]) -> Result<Vec<[f64; 2]>> {
         let size = |(a, b): &Term| a.hypot(*b);
         let largest = force.iter().map(size).fold(0.0, f64::max);
@@ -226,7 +225,7 @@ impl Floor {
         Ok(force.iter().zip(gains).map(|(f, h)| times(*f, h)).collect())
     }
 
-    /// The force of all walkers, each of whom presses as `force` at its phase and weight; `from` leaves out the first ones.
+    /// The force of all walkers with `force` at their phases and weights; `from` omits the first ones.
     pub fn of_walkers(&self, from: usize, force: &[Term]) -> Vec<Term> {
         let first = self.walkers.first().map_or(0.0, |w| w.0);
         let sum = |n: usize| {
@@ -239,11 +238,12 @@ impl Floor {
         (1..).zip(force).map(|(n, f)| times(*f, sum(n))).collect()
     }
 
-    /// Harmonics of the force on the moving floor, N, of a shaker of a mass, kg, that presses with `still` on a still one
-    /// while the others press with `others`: Fₙ = (Pₙ + M Hₙ Oₙ)/(1 − M Hₙ).
+    /// Harmonics of the force on the moving floor, N, of a shaker of a mass, kg. It exerts `still` on a rigid floor, and the others exert `others`:
+    /// Fₙ = (Pₙ + M Hₙ Oₙ)/(1 − M Hₙ).
     ///
     /// # Errors
-    /// An undamped mode in resonance.
+    ///
+    /// An undamped mode at resonance.
     pub fn pressed(
         &self,
         mass: f64,

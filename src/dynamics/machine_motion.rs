@@ -1,7 +1,5 @@
-//! The steady motion of a machine under its cam: of the shaft that a motor turns, and of the floor that the force shakes.
-//!
-//! The speed shapes the force over time, which moves the floor; the floor's acceleration is part of the force and so of the
-//! torque on the shaft. Each is found for the other in turns until both agree (theory §10).
+//! The steady motion of a machine under its cam: of the motor-driven shaft and of the floor. The speed affects the force over time, which moves the
+//! floor; the floor's acceleration changes the force and the shaft torque. Both are computed alternately until they agree (theory §10).
 
 use std::f64::consts::TAU;
 
@@ -15,27 +13,27 @@ use crate::error::{DynamicsError, Placed, Result};
 use crate::law::Svaj;
 use crate::poly::samples;
 
-/// Equal parts of the period at which the force on the floor is taken, and those at which the floor's motion is given.
+/// Number of parts of the period for the force on the floor, and for the floor's motion.
 const SAMPLES: usize = 720;
 const FINE: usize = 4 * SAMPLES;
-/// Change of M z″, part of the force at rest, at which shaft and floor agree, and that which is too much.
+/// Change of M z″, relative to the force at rest, at which shaft and floor agree, and that at which the iteration fails.
 const SAME: f64 = 1e-9;
 const UNSETTLED: f64 = 1e-6;
 
-/// What carries a cam: drive, motor and floor.
+/// Machine around a cam: drive, motor and floor.
 #[derive(Clone)]
 pub struct Carrier<'a> {
-    /// The drive.
+    /// Drive of the machine.
     pub drive: Drive,
-    /// The motor; `None`: the shaft turns at constant speed.
+    /// The motor; `None` for constant speed.
     pub motor: Option<&'a Motor>,
-    /// The floor; `None`: a stiff one.
+    /// The floor; `None` for a rigid one.
     pub floor: Option<&'a Floor>,
     /// Harmonics of the force of one of the other walkers over the period, N.
     pub walker: Vec<Term>,
-    /// The follower, and its coefficient of sliding friction.
+    /// The follower, and the coefficient of sliding friction.
     pub follower: Follower,
-    /// The same.
+    /// Coefficient of sliding friction.
     pub friction: f64,
     /// Steps of the shaft's motion between the breaks of the law.
     pub steps: usize,
@@ -44,16 +42,16 @@ pub struct Carrier<'a> {
 /// Steady motion of shaft and floor.
 #[derive(Debug, Clone)]
 pub struct MachineMotion {
-    /// The shaft.
+    /// Motion of the shaft.
     pub shaft: Motion,
-    /// Harmonics of the floor's acceleration over the period, m/s²; none of a stiff one.
+    /// Harmonics of the floor's acceleration over the period, m/s²; empty for a rigid one.
     pub floor: Vec<Term>,
-    /// The same at equal parts of the period.
+    /// Floor acceleration at equal parts of the period.
     at_parts: Vec<f64>,
 }
 
 impl MachineMotion {
-    /// That of a shaft over a floor with these harmonics of its acceleration.
+    /// The motion of a shaft over a floor with these harmonics of acceleration.
     pub fn new(shaft: Motion, floor: Vec<Term>) -> MachineMotion {
         let at_parts = match floor.is_empty() {
             true => Vec::new(),
@@ -80,19 +78,20 @@ impl MachineMotion {
 pub struct Parts<'a> {
     /// Relation of motion and force, and mean speed.
     pub drive: Drive,
-    /// Motor of the shaft; `None` at constant speed.
+    /// Motor of the shaft; `None` for constant speed.
     pub motor: Option<&'a Motor>,
-    /// Floor under the mass; `None` for a stiff one.
+    /// Floor under the mass; `None` for a rigid one.
     pub floor: Option<&'a Floor>,
     /// Coefficient of sliding friction of the follower.
     pub friction: f64,
 }
 
 impl<'a> Carrier<'a> {
-    /// What carries a cam; a floor asks for the `walker`'s force at equal parts of the period, N, empty where there is none.
+    /// The machine around a cam; a floor needs the `walker`'s force at equal parts of the period, N, otherwise empty.
     ///
     /// # Errors
-    /// A motor whose cam has no whole turn, or with numbers that no motor has.
+    ///
+    /// A motor for a cam without a whole turn, or invalid motor data.
     pub fn new(
         cam: &Cam,
         parts: Parts<'a>,
@@ -125,7 +124,7 @@ impl<'a> Carrier<'a> {
 }
 
 impl Carrier<'_> {
-    /// Torque of the shaft per unit of force where the follower is pressed, and where it is pulled, m.
+    /// Torque of the shaft per unit of positive and of negative force, m.
     pub fn arms(&self, at: Svaj) -> [f64; 2] {
         let contact = FollowerContact::of(&self.follower);
         [1.0, -1.0].map(|force| force * contact.torque(self.friction, at, force))
@@ -146,9 +145,10 @@ impl Carrier<'_> {
         })
     }
 
-    /// The steady motion under that of the cam, from one that may be `near`.
+    /// The steady motion under the cam's load, from an initial motion `near`.
     ///
     /// # Errors
+    ///
     /// The shaft stops; an undamped mode in resonance; shaft and floor do not agree.
     pub fn motion(
         &self,
@@ -197,7 +197,7 @@ impl Carrier<'_> {
         Ok(found.design)
     }
 
-    /// Harmonics of the floor's acceleration under a cam `at` every angle on a shaft in motion, m/s².
+    /// Harmonics of the floor's acceleration for a cam `at` every angle and a motion of the shaft, m/s².
     fn on_floor(
         &self,
         floor: &Floor,

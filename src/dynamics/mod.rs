@@ -1,11 +1,10 @@
 //! Simulation of the cam, with the simplest sufficient model.
 //!
-//! [`simulate()`] takes the emitted profile, recovers the smooth lift its points give the follower
-//! (`recover`) and runs it under one of three models:
+//! [`simulate()`] takes the emitted profile, recovers the smooth lift from its points (`recover`) and runs it under one of three models:
 //!
 //! - `rigid`: F = F₀ + k s + c ω v + m ω² a, torque, contact pressure ([`hertz`]);
 //! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::Linear`]);
-//! - `machine_motion`: the rigid follower on a shaft whose speed its motor and its inertia give, on a floor that moves;
+//! - `machine_motion`: the rigid follower on a motor-driven shaft, on a moving floor;
 //! - [`contact`]: lift-off, flight, impact and rest, one event after the other.
 //!
 //! The simplest sufficient model is chosen automatically, with its reason.
@@ -36,7 +35,7 @@ pub use shaft::Shaft;
 pub use simulate::simulate;
 pub use surface::Surface;
 
-/// Cams of a thesis that the tests run; unit tests of this crate compile them with its own types.
+/// Cams of a thesis for tests; unit tests of this crate compile them with its own types.
 #[cfg(test)]
 #[path = "../../crates/test-support/src/thesis.rs"]
 mod thesis;

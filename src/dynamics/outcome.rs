@@ -9,7 +9,7 @@ use super::rigid::hertz::LineContact;
 use super::shaft::{InTime, Shaft};
 use crate::error::Error;
 
-/// Which model ran.
+/// Models of the simulation.
 ///
 /// ```
 /// use gaitcam::dynamics::Model;
@@ -21,7 +21,7 @@ use crate::error::Error;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Model {
-    /// The simplest sufficient model.
+    /// Automatic choice of the simplest sufficient model.
     Auto,
     /// Rigid bodies that stay in contact.
     Rigid,
@@ -32,7 +32,7 @@ pub enum Model {
 }
 
 impl Model {
-    /// The name in commands and files.
+    /// Name of the model in commands and files.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -62,25 +62,25 @@ impl Model {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Row {
-    /// Cam angle, rad; over as many turns as the motion takes to repeat.
+    /// Cam angle, rad; over as many turns as the motion needs to repeat.
     pub theta: f64,
-    /// Time since the first row, s; 0 on a shaft that stands.
+    /// Time since the first row, s; 0 for a shaft at rest.
     pub time: f64,
-    /// Speed of the shaft there, rad/s.
+    /// Speed of the shaft, rad/s.
     pub speed: f64,
     /// Force along the follower's motion, N; 0 in flight.
     pub contact_force: f64,
-    /// Torque of the shaft in the sense of growing θ, N·m.
+    /// Torque of the shaft in the sense of increasing θ, N·m.
     pub torque: f64,
     /// Power of the shaft, W.
     pub power: f64,
-    /// Height of the moved mass over its place on the base circle, m.
+    /// Height of the moved mass above its position on the base circle, m.
     pub lift: f64,
     /// Gap between mass and cam, m.
     pub gap: f64,
-    /// Force normal to the surfaces, N; of a barrel at the floor of its groove, where it is largest.
+    /// Force normal to the surfaces, N; for a barrel at the floor of its groove, where it is largest.
     pub normal_force: f64,
-    /// Speed at which the cam rubs along the follower, m/s.
+    /// Sliding speed of the cam along the follower, m/s.
     pub sliding: f64,
     /// Mean speed of both surfaces relative to the contact, m/s.
     pub entraining: f64,
@@ -104,11 +104,11 @@ pub struct Row {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Force {
-    /// Smallest.
+    /// Minimum force.
     pub min: f64,
-    /// Largest; impacts excluded.
+    /// Maximum force; impacts excluded.
     pub max: f64,
-    /// RMS distance to the target, where there is one.
+    /// RMS difference from the target, if there is one.
     pub rms_error: Option<f64>,
 }
 
@@ -128,9 +128,9 @@ pub struct Force {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Torque {
-    /// Smallest.
+    /// Minimum torque.
     pub min: f64,
-    /// Largest.
+    /// Maximum torque.
     pub max: f64,
     /// Mean over the repetition, impacts included.
     pub mean: f64,
@@ -138,7 +138,7 @@ pub struct Torque {
     pub rms: f64,
 }
 
-/// Differences to the next finer model.
+/// Differences from the next finer model.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -159,7 +159,7 @@ pub struct Torque {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Difference {
-    /// The model that was run for comparison.
+    /// Model of the comparison.
     pub model: Model,
     /// Difference of the smallest forces, N.
     pub force_min: f64,
@@ -169,12 +169,12 @@ pub struct Difference {
     pub rms_error: Option<f64>,
     /// Difference of the fractions of the cycle without contact.
     pub lost_fraction: f64,
-    /// Why it could not be run.
+    /// Reason why it could not be run.
     pub failed: Option<Error>,
 }
 
-/// What the bearings carry at most, impacts excluded: true extremes where the force follows from the angle (rigid or in
-/// contact all the way round, at constant speed), those of the rows otherwise.
+/// Maximum bearing loads, impacts excluded: true extremes if the force depends on the angle alone (rigid or in contact all the way round, at constant
+/// speed), otherwise those of the rows.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -196,7 +196,7 @@ pub struct Loads {
     pub side_thrust: f64,
 }
 
-/// The highest line pressure and where it acts.
+/// The highest line pressure, with its position.
 ///
 /// ```
 /// use gaitcam::dynamics::hertz::STEEL;
@@ -215,9 +215,9 @@ pub struct Loads {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pressure {
-    /// Cam angle, rad.
+    /// Cam angle of the pressure, rad.
     pub theta: f64,
-    /// The contact there.
+    /// Line contact at that angle.
     pub contact: LineContact,
 }
 
@@ -238,47 +238,47 @@ pub struct Pressure {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
-    /// The model that was run; never `Auto`.
+    /// Simulated model; never `Auto`.
     pub model: Model,
-    /// Whether the follower is an arm: lifts and gaps are angles, forces moments about the pivot, N·m.
+    /// Whether the follower oscillates, so that lifts and gaps are angles, and forces are moments about the pivot, N·m.
     pub swings: bool,
     /// Distance from the pivot at which a force makes that moment, m; 1 without an arm.
     pub lever: f64,
     /// Reason for this model.
     pub why: ModelReason,
-    /// Whether the follower leaves the cam.
+    /// Whether the follower loses contact.
     pub contact_lost: bool,
-    /// Part of the motion without contact.
+    /// Fraction of the motion without contact.
     pub lost_fraction: f64,
-    /// Contact force.
+    /// Extremes of the contact force.
     pub force: Force,
-    /// Largest loads of the bearings.
+    /// Maximum loads of the bearings.
     pub loads: Loads,
-    /// Shaft torque.
+    /// Extremes of the shaft torque.
     pub torque: Torque,
-    /// Speed at which contact is first lost, rad/s; `None`: at no speed.
+    /// Speed of first loss of contact, rad/s; `None` if there is none.
     pub liftoff_speed: Option<f64>,
-    /// Turns before the motion repeats; `None`: it does not.
+    /// Number of turns before the motion repeats; `None` if it does not.
     pub settle_cycles: Option<usize>,
-    /// Turns of one repetition.
+    /// Number of turns of one repetition.
     pub period_turns: usize,
-    /// Motion of the shaft under its motor; `None` at constant speed.
+    /// Motion of the shaft under its motor; `None` for constant speed.
     pub shaft: Option<Shaft>,
-    /// Motion of the floor; `None` of a stiff one.
+    /// Motion of the floor; `None` for a rigid one.
     pub floor: Option<FloorMotion>,
-    /// Distance of the force to the target over time, where there is one.
+    /// Distance of the force from the target over time, if there is one.
     pub force_time: Option<InTime>,
-    /// Landings of the whole run, settling included.
+    /// Landings of the whole run, including settling.
     pub impacts: Vec<Impact>,
-    /// Highest line pressure, where the surfaces are known; impacts excluded, between rows as `loads`.
+    /// Highest line pressure, if the surfaces are known; impacts excluded, between rows as `loads`.
     pub hertz: Option<Pressure>,
-    /// Differences to the next finer model, if the model was chosen automatically.
+    /// Differences from the next finer model, if the model was chosen automatically.
     pub next: Option<Difference>,
-    /// Largest distance between emitted points and the curve that was run, m.
+    /// Maximum distance between emitted points and the simulated curve, m.
     pub profile_mismatch: f64,
-    /// Largest difference between the lift of the emitted points and the law's, m.
+    /// Maximum difference between the lift of the emitted points and the law's, m.
     pub law_mismatch: f64,
-    /// Notes.
+    /// Notes on the run.
     pub notes: Vec<RunNote>,
     /// One repetition at equal angles.
     pub rows: Vec<Row>,

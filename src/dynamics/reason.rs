@@ -1,4 +1,4 @@
-//! Why a model was chosen, and notes on a run, as data; their sentences are in `wording/en/dynamics.ftl`.
+//! Reasons for the choice of a model, and notes on a run; their messages are in `wording/en/dynamics.ftl`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -13,33 +13,33 @@ use crate::wording::{self, Language};
 #[non_exhaustive]
 #[allow(missing_docs)] // fields are named as in the sentences
 pub enum ModelReason {
-    /// The caller named the model.
+    /// The user selected the model.
     AskedFor,
-    /// The rigid force comes near zero.
+    /// The rigid force is close to zero.
     LowForce {
         force: Quantity,
         part: Quantity,
         mean: Quantity,
         liftoff: LiftoffMargin,
     },
-    /// The speed comes near lift-off.
+    /// The speed is close to the lift-off speed.
     NearLiftoff { liftoff: LiftoffMargin },
-    /// Only the contact model has the impacts between two cams.
+    /// Only the contact model includes the impacts between two cams.
     TwoCams,
     /// The follower is rigid.
     NothingVibrates { margin: ForceMargin },
-    /// The vibrating follower would leave the cam.
+    /// The vibrating follower would lose contact.
     VibrationLosesContact {
         vibration: Vibration,
         force: Quantity,
     },
-    /// Vibration changes the force by more than is allowed.
+    /// Vibration changes the force by more than the tolerance.
     Vibrates {
         vibration: Vibration,
         allowed: Quantity,
         margin: ForceMargin,
     },
-    /// Vibration changes the force by less than is allowed.
+    /// Vibration changes the force by less than the tolerance.
     HardlyVibrates {
         vibration: Vibration,
         allowed: Quantity,
@@ -48,13 +48,13 @@ pub enum ModelReason {
 }
 
 impl ModelReason {
-    /// The reason as a sentence.
+    /// Message of the reason.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "model", self)
     }
 }
 
-/// How far the speed is from lift-off.
+/// Distance of the speed from the lift-off speed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -66,7 +66,7 @@ pub enum LiftoffMargin {
     LiftoffAt { speed: Quantity, liftoff: Quantity },
 }
 
-/// How far the rigid force is from zero.
+/// Distance of the rigid force from zero.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -74,7 +74,7 @@ pub enum LiftoffMargin {
 pub enum ForceMargin {
     /// The drive has neither mass nor spring nor preload.
     NoForce,
-    /// A pure inertia force has no mean to relate the margin to.
+    /// A pure inertia force, without a mean for a relative margin.
     InertiaOnly {
         low: Quantity,
         high: Quantity,
@@ -129,24 +129,24 @@ pub enum RunNote {
     PairDistance {
         deviation: f64,
     },
-    /// The motor changes the force by less than is allowed: constant speed is enough.
+    /// The motor changes the force by less than the tolerance, so constant speed suffices.
     SteadyShaft {
         ripple: Quantity,
         change: Quantity,
         allowed: Quantity,
     },
-    /// The speed varies.
+    /// The speed of the shaft varies.
     ShaftVaries {
         ripple: Quantity,
         change: Quantity,
         found: Quantity,
     },
-    /// The compliant follower is run at the mean speed.
+    /// The compliant follower is simulated at the mean speed.
     FlexibleAtMeanSpeed,
 }
 
 impl RunNote {
-    /// The note as a sentence.
+    /// Message of the note.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "run", self)
     }

@@ -7,8 +7,7 @@ use super::rigid::hertz::Material;
 use crate::cam::{Cam, ProfilePoint};
 use crate::drive::{Drive, Motor};
 
-/// Machine data beyond the drive; the default is a rigid machine without friction, with plastic impacts and one
-/// cam.
+/// Machine data besides the drive; the default is a rigid machine without friction, with plastic impacts and one cam.
 ///
 /// ```
 /// use gaitcam::dynamics::Machine;
@@ -20,34 +19,32 @@ use crate::drive::{Drive, Motor};
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Machine {
-    /// The elastic train between cam and mass, where it is known.
+    /// The elastic train between cam and mass, if known.
     pub train: Option<Train>,
-    /// Coefficient of sliding friction between cam and follower; a roller rolls.
+    /// Coefficient of sliding friction between cam and follower; rollers roll without sliding.
     pub friction: f64,
     /// Coefficient of restitution of landings, 0 (plastic) … 1 (elastic).
     pub restitution: f64,
-    /// Angle by which a second, equal cam follows the first on the shaft, rad.
+    /// Phase of a second, equal cam on the same shaft, rad.
     pub second_cam: Option<f64>,
-    /// The second cam of a conjugate pair, in its own frame: it takes the force where the first one's
-    /// would be a pull.
+    /// The second cam of a conjugate pair, in its own frame; it carries negative forces.
     pub conjugate: Option<Cam>,
-    /// The contact line, for the contact pressure.
+    /// Line contact, for the contact pressure.
     pub face: Option<Face>,
-    /// Radius of the floor of a barrel's groove, m, where the roller's normal force is largest; `None`: it is
-    /// given for the radius of the follower.
+    /// Radius of the floor of a barrel's groove, m, where the roller's normal force is largest; `None` if the contact is given at the radius of the
+    /// follower.
     pub groove_floor: Option<f64>,
-    /// The motor with its shaft; `None`: the shaft turns at constant speed.
+    /// The motor with its shaft; `None` for constant speed.
     pub motor: Option<Motor>,
-    /// The floor under the mass; `None`: a stiff one.
+    /// The floor under the mass; `None` for a rigid one.
     pub floor: Option<Floor>,
-    /// Force beyond that of the drive at the angles of the profile, N; none where nothing was learned. The rigid model adds it to
-    /// the contact force.
+    /// Force in addition to the drive's at the angles of the profile, N; empty without a correction. The rigid model adds it to the contact force.
     pub learned: Vec<f64>,
-    /// How long a contact run may take to settle.
+    /// Limits of the settling of a contact run.
     pub limits: Limits,
 }
 
-/// Cylindrical surfaces that press on each other along a line.
+/// Cylindrical surfaces in line contact.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -105,16 +102,15 @@ pub struct Face {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// The cam the profile was emitted from. Its follower is used; of its law only the breakpoints, which
-    /// go with the profile, and how far the emitted points are from it.
+    /// The cam the profile was emitted from. Its follower, the breakpoints of its law and the deviation of the emitted points are used.
     pub cam: Cam,
-    /// The machine; a negative speed turns the cam clockwise.
+    /// The drive; a negative speed turns the cam clockwise.
     pub drive: Drive,
     /// The emitted profile: equal steps of θ over the law's cycle, one turn for most.
     pub profile: Vec<ProfilePoint>,
     /// Target force at equal steps of one cycle from θ = 0, N.
     pub target: Option<Vec<f64>>,
-    /// Machine data.
+    /// Machine data besides the drive.
     pub machine: Machine,
 }
 

@@ -1,17 +1,17 @@
-//! One profile of the contact model: its lift, and where the contact force would be negative.
+//! One profile of the contact model: its lift, and the ranges of negative contact force.
 
 use crate::drive::Drive;
 use crate::law::{Law, Svaj};
 use crate::poly::PiecewisePoly;
 use std::f64::consts::TAU;
 
-/// Negative forces below this share of the largest force are rounding.
+/// Negative forces below this fraction of the largest force are rounding errors.
 pub(super) const NO_PULL: f64 = 1e-11;
-/// The same without inertia: the force is the lift's own, and rounded coordinates know a lift of zero to
-/// about a nanometre in a millimetre.
+/// Negative forces below this fraction are rounding errors without inertia, since rounded coordinates give a zero lift only to about a nanometre per
+/// millimetre.
 const NO_PULL_STATIC: f64 = 1e-6;
 
-/// A closed lift with the stretches on which contact cannot be kept.
+/// A closed lift with the ranges where contact cannot be maintained.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -26,12 +26,11 @@ const NO_PULL_STATIC: f64 = 1e-6;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
-    /// The lift over one turn, by the angle in the sense of the cam's turning.
+    /// The lift over one turn, by the angle in the sense of rotation.
     pub law: Law,
-    /// Contact force while touching, N.
+    /// Contact force without loss of contact, N.
     pub force: PiecewisePoly,
-    /// Stretches (from, to) of negative force, increasing, `from` in the first turn; `to` may lie in the
-    /// second.
+    /// Ranges (from, to) of negative force, increasing, `from` in the first turn; `to` may be in the second.
     pub pulls: Vec<(f64, f64)>,
     /// Largest second derivative of the lift, m/rad².
     pub steepest: f64,
@@ -61,12 +60,12 @@ impl Surface {
         }
     }
 
-    /// Lift and derivatives at any angle, turns counted on.
+    /// Lift and derivatives at any angle, over several turns.
     pub fn at(&self, angle: f64) -> Svaj {
         self.law.svaj(angle)
     }
 
-    /// The first stretch of negative force that ends after `angle`, in the turns of `angle`.
+    /// The first range of negative force that ends after `angle`, in the turns of `angle`.
     pub fn next_pull(&self, angle: f64) -> Option<(f64, f64)> {
         let turn = ((angle - self.start) / TAU).floor();
         (-1..=1)
@@ -78,7 +77,7 @@ impl Surface {
     }
 }
 
-/// Stretches on which the force is negative, joined across the end of the turn.
+/// Ranges of negative force, joined across the end of the turn.
 fn pulls(force: &PiecewisePoly, none: f64) -> Vec<(f64, f64)> {
     let (first, last) = (force.breaks()[0], force.breaks()[force.pieces()]);
     let (low, high) = force.extremes();

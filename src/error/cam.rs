@@ -1,4 +1,4 @@
-//! Faults in the lengths of a cam and its follower: no cam has them.
+//! Faults in the dimensions of a cam and its follower.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -6,7 +6,7 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Why no cam has the lengths of a follower, a size, a conjugate pair or a groove.
+/// Reasons why a follower, a size, a conjugate pair or a groove is impossible.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -39,7 +39,7 @@ pub enum CamError {
         least: Quantity,
         most: Quantity,
     },
-    /// The arm swings beyond its dead centres.
+    /// The arm swings beyond its dead-centre positions.
     Swing {
         from: Quantity,
         to: Quantity,
@@ -56,9 +56,9 @@ pub enum CamError {
         reach: Quantity,
         at: Quantity,
     },
-    /// The second cam of a pair does not exist; the reason is a fault of it as it serialises.
+    /// The second cam of a pair does not exist; the reason is its own fault, serialised.
     SecondCam { because: Value },
-    /// No second cam closes the pair at this total.
+    /// No second cam closes the pair at this dimension.
     NoConjugate {
         total: Quantity,
         reach: Quantity,
@@ -69,16 +69,16 @@ pub enum CamError {
     NoSize { follower: &'static str },
     /// The floor of a groove is not below its surface.
     GrooveDepth { floor: Quantity, surface: Quantity },
-    /// Rollers that fit no groove.
+    /// Rollers that do not fit a groove.
     GrooveRollers {
         radius: Quantity,
         eccentricity: Quantity,
     },
-    /// The roller is as large as the floor radius of its groove.
+    /// The roller is larger than the floor radius of its groove allows.
     GrooveFloor { radius: Quantity, floor: Quantity },
 }
 
-/// What is wrong with lengths that are given, or with measured points.
+/// Faults of given lengths, or of measured points.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -96,7 +96,7 @@ pub enum CamError {
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum CamInputError {
-    /// A length has to be more than 0.
+    /// A length is not positive.
     NotPositive { length: CamLength, value: Quantity },
     /// A length is not a finite number.
     NotFinite { length: CamLength },
@@ -106,13 +106,13 @@ pub enum CamInputError {
     SlidesByAngle,
     /// The follower has no conjugate cam.
     NoConjugateOf { follower: &'static str },
-    /// The base height of a translating cam has no smallest value.
+    /// The base height of a translating cam has no minimum.
     TranslatingHeight,
     /// Too few measured points.
     MeasuredFew { points: usize, least: usize },
     /// A measured point is not finite.
     MeasuredNotFinite { row: usize },
-    /// Only cams that turn can be fitted to measured points.
+    /// Only rotating cams can be fitted to measured points.
     MeasuredUnrolled { follower: &'static str },
     /// Points of a circle do not show the zero angle.
     MeasuredCircle,
@@ -121,7 +121,7 @@ pub enum CamInputError {
         distance: Quantity,
         mirrored: Quantity,
     },
-    /// The points are those of another cam.
+    /// The points belong to another cam.
     MeasuredOther {
         distance: Quantity,
         low: Quantity,
@@ -146,7 +146,7 @@ pub enum CamLength {
     FaceOffset,
 }
 
-/// Why an arm does not reach its prime circle.
+/// Reasons why an arm does not reach its prime circle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation

@@ -1,11 +1,11 @@
-//! Faults in what a simulation is given, and what its models cannot answer.
+//! Faults in the input of a simulation, and cases outside its models.
 
 use serde::Serialize;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// What is wrong with a machine, an emitted profile or the model asked for.
+/// Faults of a machine, an emitted profile or the requested model.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -33,13 +33,13 @@ pub enum DynamicsError {
     Target,
     /// An open law cannot run backwards.
     SlideBackwards,
-    /// The follower or its law admits no second cam on the shaft.
+    /// Follower and law do not allow a second cam on the shaft.
     SecondCam,
     /// Invalid coefficient of restitution.
     Restitution { restitution: f64 },
     /// Too few points of a profile.
     FewRows { rows: usize },
-    /// A point of the profile is not at its equal step.
+    /// A point of the profile deviates from its equal step.
     RowAngle {
         row: usize,
         at: Quantity,
@@ -51,7 +51,7 @@ pub enum DynamicsError {
     Concave { at: Quantity, radius: Quantity },
     /// Invalid natural frequency or damping ratio.
     Frequency { frequency: f64, ratio: f64 },
-    /// A natural frequency needs a mass, which a column of fluid has not.
+    /// A natural frequency needs a mass, but a column of fluid has none.
     FrequencyWithoutMass { fluid: bool },
     /// Invalid stiffness or damping.
     Train,
@@ -69,7 +69,7 @@ pub enum DynamicsError {
     NotOneTurn,
     /// Motor data out of range.
     Motor,
-    /// A motor turns one cam whose law is one turn.
+    /// A motor supports only one cam with a law of one turn.
     MotorTurns,
     /// The shaft does not keep turning.
     Stalls { inertia: Quantity, needed: Quantity },
@@ -81,16 +81,16 @@ pub enum DynamicsError {
         needed: Quantity,
         speed: Quantity,
     },
-    /// An undamped mode of the floor at a harmonic of the force.
+    /// An undamped mode of the floor coincides with a harmonic of the force.
     FloorResonance {
         harmonic: usize,
         frequency: Quantity,
     },
-    /// The contact model on a shaft whose speed varies.
+    /// The contact model does not support a varying shaft speed.
     ContactUnderMotor,
-    /// A moving floor under another model than the rigid one.
+    /// Only the rigid model supports a moving floor.
     FloorNotRigid,
-    /// A shaft and a floor that do not agree on a steady motion.
+    /// No steady motion of shaft and floor was found.
     FloorAndShaft,
     /// A polydyne cam needs a closed law.
     OpenPolydyne,

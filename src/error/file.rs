@@ -4,7 +4,7 @@ use gaitcam_base::wording::InLanguages;
 use serde::Serialize;
 use strum::VariantNames;
 
-/// What is wrong with a file or folder. Texts in fields are from the operating system.
+/// Faults of a file or folder. Text fields come from the operating system.
 ///
 /// ```
 /// use gaitcam::error::{FileError, Placed};
@@ -19,35 +19,35 @@ use strum::VariantNames;
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum FileError {
-    /// It cannot be read: `missing`, `denied`, or what the operating system says.
+    /// It cannot be read: `missing`, `denied`, or the text of the operating system.
     CannotRead { fault: String },
-    /// The operating system refuses to move the files into place.
+    /// The operating system cannot move the files into place.
     CannotPlace { fault: String },
-    /// A name that this program does not write stands in its way.
+    /// A foreign file or folder has a required name.
     Foreign,
-    /// Another process holds the folder.
+    /// Another process has locked the folder.
     Held { process: Option<String> },
-    /// A folder in place of a file.
+    /// A folder instead of a file.
     Folder,
-    /// A pipe or device in place of a file.
+    /// A pipe or device instead of a file.
     Device,
-    /// Larger than is read.
+    /// Larger than the maximum size.
     TooLarge { mib: u64 },
-    /// Not UTF-8 text.
+    /// The file is not UTF-8 text.
     NotUtf8,
-    /// Not TOML.
+    /// The file is not TOML.
     NotToml { fault: String },
-    /// Not JSON.
+    /// The file is not JSON.
     NotJson { fault: String },
     /// A summary without a scene.
     NoSceneInSummary,
-    /// A file exists that would be replaced.
+    /// An existing file would be replaced.
     Replaced { file: String },
-    /// The folder holds another sweep.
+    /// The folder contains another sweep.
     AnotherSweep { differences: String },
-    /// The folder holds files that are no block of a sweep.
+    /// The folder contains files that are not blocks of a sweep.
     NotSweepFolder { file: String },
-    /// Cycles that cannot be those of a population, by file or walker.
+    /// Cycles that cannot belong to a population, by file or walker.
     Walkers {
         count: usize,
         unreadable: Option<InLanguages>,
@@ -57,7 +57,7 @@ pub enum FileError {
         kind: Option<String>,
         cycle: Option<String>,
     },
-    /// No table of numbers where the curve of a motor, or the rows of a motion, are to be; `start` is the start of the file.
+    /// No table of numbers for the curve of a motor or the rows of a motion; `start` is the start of the file.
     NoTable { start: String, purpose: String },
     /// The curve of a motor lacks a column.
     MotorColumn { column: String, columns: String },
@@ -67,7 +67,7 @@ pub enum FileError {
         example: String,
         columns: String,
     },
-    /// A column of a motion has no unit, or one of another kind.
+    /// A column of a motion has no unit, or one of another dimension.
     MotionUnit { column: String, example: String },
     /// A cell of a motion is not a number.
     MotionValue { column: String, typed: String },
@@ -75,7 +75,7 @@ pub enum FileError {
     MotionOrder { column: String, x: f64, before: f64 },
     /// A motion has too many rows.
     MotionManyRows { most: usize },
-    /// The segment states another extent or lift than its file.
+    /// Extent or lift of the segment differ from its file.
     MotionDiffers {
         column: String,
         covered: f64,

@@ -1,11 +1,11 @@
-//! Faults in motions, programmes and polynomials of boundary conditions: they give no law.
+//! Faults in motions, programmes and polynomials of boundary conditions.
 
 use serde::Serialize;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// What is wrong with a motion, a programme of segments or a set of conditions.
+/// Faults of a motion, a programme of segments or a set of conditions.
 ///
 /// ```
 /// use gaitcam::error::LawError;
@@ -23,7 +23,7 @@ use crate::units::Quantity;
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum LawError {
-    /// A programme without segments.
+    /// A programme has no segments.
     NoSegment,
     /// The extent of a programme is not positive.
     Extent { length: f64 },
@@ -56,17 +56,17 @@ pub enum LawError {
         first: SegmentName,
         second: SegmentName,
     },
-    /// The half turn of a constant-breadth cam is not half a turn.
+    /// The segments of a constant-breadth cam do not cover half a turn.
     BreadthAngle { covered: Quantity },
     /// A general polynomial in the half turn of a constant-breadth cam.
     BreadthPolynomial { segment: usize },
-    /// The half turn of a constant-breadth cam does not lead from 0 to its largest lift.
+    /// The segments of a constant-breadth cam do not lead from 0 to the maximum lift.
     BreadthLift {
         lift: Quantity,
         low: Quantity,
         high: Quantity,
     },
-    /// A polynomial without conditions.
+    /// A polynomial has no conditions.
     NoCondition,
     /// Invalid interval of a polynomial.
     Interval { start: f64, end: f64 },
@@ -104,23 +104,23 @@ pub enum LawError {
     Parameter { word: String, motion: String },
     /// Wrong number of parameters.
     Parameters { motion: String, given: usize },
-    /// No motion has this name.
+    /// Unknown name of a motion.
     UnknownMotion {
         motion: String,
         nearest: Option<String>,
         catalogue: Vec<String>,
     },
-    /// A table or spline without numbers.
+    /// A table or spline has no numbers.
     MotionNeedsPoints { motion: String },
     /// A motion in a file, which the caller has to read.
     MotionFile { motion: String, file: String },
-    /// A general polynomial of another degree than 5 or 7.
+    /// A general polynomial of a degree other than 5 or 7.
     GeneralDegree { degree: usize },
-    /// The shares of an SCCA law do not add to 1.
+    /// The fractions of an SCCA law do not add to 1.
     SccaShares { b: f64, c: f64, d: f64 },
     /// The eccentric does not enclose its shaft.
     EccentricRatio { ratio: f64 },
-    /// A table with an odd number of numbers.
+    /// A table with an odd number of values.
     TablePairs { numbers: usize },
     /// Too few rows of a table.
     TableRows { table: String, rows: usize },
@@ -139,7 +139,7 @@ pub enum LawError {
     TableSpacing { table: String },
 }
 
-/// Why a programme of segments gives no law that a follower can run.
+/// Reasons why a programme of segments gives no valid law.
 ///
 /// ```
 /// use gaitcam::error::JoinError;
@@ -209,7 +209,7 @@ pub enum JoinError {
 pub enum SegmentName {
     /// Number of the segment, counted from 1, and its motion.
     Segment {
-        /// Counted from 1.
+        /// Number of the segment, counted from 1.
         number: usize,
         /// Name of its motion.
         motion: String,
@@ -248,16 +248,16 @@ impl SegmentName {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum JoinCure {
-    /// Both move in the same direction: another length of one makes the velocities equal.
+    /// Both segments move in the same direction, and another length of one makes the velocities equal.
     LetCover {
         /// The segment to change.
         segment: SegmentName,
         /// New length of the segment.
         length: Quantity,
     },
-    /// One of the two segments moves at the joint: a segment has to be put between them.
+    /// One of the two segments moves at the joint, so that a segment between them is needed.
     PutBetween {
-        /// The moving segment.
+        /// The segment that moves.
         segment: SegmentName,
     },
 }

@@ -1,20 +1,20 @@
-//! Faults of the log of a running machine: what it shows instead of a steady run.
+//! Faults of the log of a running machine.
 
 use serde::Serialize;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// What is wrong with a log.
+/// Faults of a log.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum LogError {
-    /// Neither time nor angle, or no force.
+    /// Neither time nor angle, or no force column.
     NoColumn { columns: String },
-    /// A cell that is no number.
+    /// A cell that is not a number.
     Value { column: String, typed: String },
     /// Time or angle does not increase.
     Order {
@@ -24,47 +24,47 @@ pub enum LogError {
     },
     /// Too few rows for a cycle.
     FewRows { rows: usize, least: usize },
-    /// A force that stands still.
+    /// A constant force signal.
     NoForce { force: f64 },
-    /// A force whose peaks are cut off.
+    /// A force with clipped peaks.
     Clipped { force: f64, percent: f64 },
-    /// Too few cycles.
+    /// Too few whole cycles.
     Short { cycles: f64, least: usize },
     /// Too few samples per cycle.
     Aliased { samples: f64, needed: usize },
     /// A cycle with a gap.
     Gap { cycle: usize, samples: f64 },
-    /// Nothing that repeats near the speed of the scene.
+    /// No repetition near the speed of the scene.
     NoCycle { speed: Quantity },
-    /// A speed that changes.
+    /// The speed changes during the log.
     Drift { first: Quantity, last: Quantity },
-    /// Another mean cycle after some cycle.
+    /// The mean cycle changes during the log.
     Changes { cycle: usize, percent: f64 },
     /// Hardly any alternating force.
     NoAlternating { found: Quantity, expected: Quantity },
-    /// The force is in another unit.
+    /// The force is probably in another unit.
     WrongUnit {
         unit: String,
         found: Quantity,
         expected: Quantity,
     },
-    /// The force is of another size.
+    /// The force has another magnitude.
     OtherSize { found: Quantity, expected: Quantity },
-    /// The force has the other sign.
+    /// The force has the opposite sign.
     WrongSign,
     /// The cam does not turn once per cycle.
     NoTurn,
-    /// Nothing to correct a force to.
+    /// A scene without a target force.
     NoTarget,
 }
 
-/// Why a log gives no new cam.
+/// Reasons why a log gives no new cam.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum NoNewCamError {
-    /// What repeats is no more than noise.
+    /// The repeatable error does not exceed the noise.
     Noise { residual: Quantity, noise: Quantity },
 }

@@ -1,11 +1,11 @@
-//! What may be wrong with a scene.
+//! Faults of a scene.
 
 use serde::Serialize;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// What is wrong with a scene file. Texts in fields are as the user typed them.
+/// Faults of a scene file. Text fields quote the user.
 ///
 /// ```
 /// use gaitcam::error::SceneError;
@@ -23,28 +23,28 @@ use crate::units::Quantity;
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum SceneError {
-    /// The text is no TOML.
+    /// The text is not TOML.
     NotToml { line: usize, fault: String },
-    /// The name cannot be that of an output folder.
+    /// The name is not valid for an output folder.
     OutputName { typed: String },
     /// An unknown key, with the nearest known one.
     NoSuchKey {
         nearest: Option<String>,
         known: String,
     },
-    /// A key that this kind of follower does not have.
+    /// A key that does not apply to this kind of follower.
     NotOfFollower { follower: &'static str },
-    /// A key that this kind of drive does not have.
+    /// A key that does not apply to this kind of drive.
     NotOfDrive { drive: &'static str },
     /// A mass for an arm, which needs a moment of inertia.
     MassOfArm,
     /// A value instead of a table.
     NotTable { typed: String, section: String },
-    /// Text that is no hardness with its scale.
+    /// Text that is not a hardness with its scale.
     NotHardness { typed: String },
-    /// Text that names no measure of the errors of several walkers.
+    /// Text that is not a measure of the errors of several walkers.
     NotRobust { typed: String },
-    /// Text that gives no step frequencies.
+    /// Text that is not a range of step frequencies.
     NotFrequencies { typed: String },
     /// A value instead of a list of tables.
     NotList { typed: String, list: String },
@@ -54,19 +54,19 @@ pub enum SceneError {
     NotTexts { typed: String },
     /// A value that is neither true nor false.
     NotFlag { typed: String },
-    /// A value that is no whole number in the range.
+    /// A value that is not a whole number in the range.
     NotCount {
         typed: String,
         low: usize,
         high: usize,
     },
-    /// No number of spans whose optimum is certified in reasonable time.
+    /// A number of spans that is too large for a certified optimum in reasonable time.
     NotSpans {
         typed: String,
         low: usize,
         high: usize,
     },
-    /// A value that is no number with its unit.
+    /// A value that is not a number with its unit.
     NotQuantity { typed: String, example: String },
     /// An unknown word, with the nearest known one.
     UnknownWord {
@@ -112,11 +112,11 @@ pub enum SceneError {
     ValueNotTable { part: String },
     /// Both a recording and a model.
     FileAndModel,
-    /// A text that is no load factor with its phase.
+    /// A text that is not a load factor with its phase.
     NotHarmonic { typed: String },
-    /// A text of `machine.learned_force` is no force with its phase.
+    /// A text of `machine.learned_force` that is not a force with its phase.
     NotLearnedForce { typed: String },
-    /// More harmonics of it than are read.
+    /// More harmonics of it than are supported.
     LearnedForces { given: usize, most: usize },
     /// Load factors that are all zero, or too many of them.
     Harmonics { given: usize, most: usize },
@@ -134,9 +134,9 @@ pub enum SceneError {
     SizeNotFree,
     /// A spline's degree outside its range.
     SplineDegree { typed: String },
-    /// A derivative is minimised that laws of this degree do not have.
+    /// The minimised derivative does not exist for laws of this degree.
     DegreeBelowObjective { degree: usize, order: usize },
-    /// A demand that only splines take.
+    /// A condition that only splines support.
     OnlySplines { family: &'static str },
     /// A programme without segments.
     ProgramWithoutSegments,
@@ -166,7 +166,7 @@ pub enum SceneError {
     KeywayWithoutBore,
     /// A bore for which the standard has no keyway.
     NoKeywayForBore { bore: String },
-    /// A width that the standard does not have.
+    /// A width that is not in the standard.
     NoKeywayOfWidth { width: String, widths: String },
     /// A keyway as wide as its bore.
     KeywayTooWide { width: String, bore: String },
@@ -204,9 +204,9 @@ pub enum SceneError {
     FloorAlone,
     /// A moving floor without a shaker that follows a force.
     FloorNeedsShaker,
-    /// A limit on vibration of a follower that is not known to vibrate.
+    /// A limit on vibration without data of the follower's vibration.
     ResidualWithoutFrequency,
-    /// A least force that is not below the largest.
+    /// A minimum force that is not below the maximum.
     ForceRange { low: String, high: String },
     /// A polydyne cam of a rigid follower.
     PolydyneWithoutStiffness,
@@ -214,11 +214,11 @@ pub enum SceneError {
     PolydyneFamily { family: &'static str },
     /// A polydyne cam of too low a degree.
     PolydyneDegree,
-    /// A polydyne cam that does not turn.
+    /// A polydyne cam that does not rotate.
     PolydyneOnSlide,
     /// A polydyne cam of constant breadth.
     PolydyneBreadth,
-    /// A key that changes nothing, where only it was to change.
+    /// A change of a key without effect.
     NoEffect {
         key: String,
         why: &'static str,
@@ -226,7 +226,7 @@ pub enum SceneError {
         follower: &'static str,
         drive: &'static str,
     },
-    /// A built-in scene that is not there, and the one that may be meant.
+    /// An unknown built-in scene, with a similar name.
     NoSuchScene {
         typed: String,
         nearest: Option<String>,

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-/// What is wrong with a sweep. Texts in fields are as the user typed them.
+/// Faults of a sweep. Text fields quote the user.
 ///
 /// ```
 /// use gaitcam::error::SweepError;
@@ -18,11 +18,11 @@ use strum::VariantNames;
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum SweepError {
-    /// An axis without `=`.
+    /// An axis has no `=`.
     NoAssignment { typed: String },
-    /// An axis without values.
+    /// An axis has no values.
     NoValues,
-    /// A sampled range with a count.
+    /// A sampled range has a count.
     SampledCount,
     /// A range of a grid without its count.
     NoCount,
@@ -32,9 +32,9 @@ pub enum SweepError {
     DifferentUnits { first: String, last: String },
     /// The end of a range is not a number.
     NotNumber { typed: String },
-    /// A plan without rows.
+    /// A plan has no rows.
     NoRows,
-    /// More rows than row numbers can count.
+    /// More rows than row numbers can represent.
     TooManyRows { rows: String },
     /// Columns of a list differ in length.
     ListLengths {
@@ -42,39 +42,39 @@ pub enum SweepError {
         values: u64,
         first: u64,
     },
-    /// A recording that the sweep does not carry.
+    /// A recording that is missing in the sweep.
     NotCarried,
-    /// Tolerances beside several scenes or values.
+    /// Tolerances together with several scenes or values.
     ScatterAlone,
     /// No cam exists whose errors could be sampled.
     NoDesign,
     /// The time limit ended the search of a row.
     OutOfTime,
-    /// A key that cannot vary.
+    /// A key that cannot be varied.
     Fixed { key: String, known: String },
     /// A key that is given twice.
     KeyTwice { key: String },
-    /// A sample over no key.
+    /// A sample without varied keys.
     NothingToSample,
-    /// More keys than Sobol sequences have axes.
+    /// More keys than the dimensions of Sobol sequences.
     SobolAxes { most: usize },
-    /// A row names a base scene that does not exist.
+    /// A row with the name of an unknown base scene.
     NoScene { scene: usize },
     /// A tolerance without `=`.
     NoToleranceValue { typed: String },
-    /// A part without tolerance.
+    /// A part of the tolerances has no value.
     NoTolerance { typed: String },
-    /// A negative tolerance.
+    /// A tolerance is negative.
     NegativeTolerance { part: String, typed: String },
-    /// A scene without target force has no force error.
+    /// A scene without a target force has no force error.
     NoForceError,
-    /// Tolerances of a cam under an arm.
+    /// Tolerances are not supported for oscillating followers.
     ScatterOfArm,
-    /// A front over lift-off speed needs a moving axis.
+    /// A front over lift-off speed requires a moving axis.
     FrontWithoutMovingAxis,
-    /// A front needs a base or prime radius here.
+    /// A front requires a base or prime radius here.
     FrontWithoutSize,
-    /// No column of numbers has this name.
+    /// No numeric column has this name.
     NoColumn {
         typed: String,
         nearest: Option<String>,

@@ -1,4 +1,4 @@
-//! Faults in what a design is asked for: no cam can be sought.
+//! Faults in the requirements of a design.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -6,7 +6,7 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Why a design cannot be sought.
+/// Reasons why a design cannot start.
 ///
 /// ```
 /// use gaitcam::error::SynthError;
@@ -29,9 +29,9 @@ pub enum SynthError {
     ForceNotRead,
     /// The drive has neither spring, damper nor mass.
     NoLiftChangesForce,
-    /// A value is needed where no force is given.
+    /// A value is required if no force is given.
     ValueMissing,
-    /// No mass rests on a cam under a negative mean force.
+    /// A cam under a negative mean force supports no mass.
     MeanForceNegative { mean: Quantity },
     /// The force cannot be scaled to the weight.
     NotScalable { mean: Quantity, weight: Quantity },
@@ -49,60 +49,60 @@ pub enum SynthError {
     OnlySplines,
     /// The scene fixes the size of the cam.
     SizeFixed,
-    /// The rounds between law and speed of the shaft do not contract.
+    /// The iteration between law and shaft speed does not converge.
     ShaftDiverges {
         inertia: Quantity,
         ripple: Quantity,
         calm: Quantity,
         contraction: f64,
     },
-    /// What is given is to be set anew for each walker.
+    /// A given value would have to be adjusted for each walker.
     AdjustsGiven { key: String },
-    /// The mass of this drive carries no walker's weight.
+    /// The mass of this drive does not carry a walker's weight.
     MassNotAdjustable,
-    /// At another speed the force is no multiple of that at the reference speed.
+    /// At another speed the force is not a multiple of that at the reference speed.
     SpeedNotAdjustable,
-    /// The setting has no form for several walkers.
+    /// The setting is not supported for several walkers.
     NotOfPopulation,
     /// Several cams for one walker.
     OneWalker,
-    /// The solver failed.
+    /// The solver failed with a fault.
     SearchFailed { fault: String },
     /// More harmonics than the samples of the force hold.
     TooManyHarmonics { samples: usize, most: usize },
     /// Spring and inertia cancel at a harmonic of the force.
     Resonance { harmonic: usize },
-    /// The follower needs this key.
+    /// The follower requires this key.
     FollowerNeeds,
     /// A range of angles is not within one turn.
     NoRange { start: Quantity, end: Quantity },
-    /// More conditions than the degree of the polynomial admits.
+    /// More conditions than the degree of the polynomial allows.
     DegreeTooLow {
         conditions: usize,
         fixed: usize,
         degree: usize,
         excess: usize,
     },
-    /// Fewer conditions than the degree of the polynomial needs.
+    /// Fewer conditions than the degree of the polynomial requires.
     DegreeTooHigh {
         conditions: usize,
         fixed: usize,
         degree: usize,
         missing: usize,
     },
-    /// More conditions than are solved.
+    /// More conditions than the maximum.
     ManyDemands { given: usize, most: usize },
     /// The law does not close.
     LawOpen { rise: Quantity },
-    /// The drive does not turn a force into a lift.
+    /// The drive does not relate force and lift.
     ForceGivesNoLift,
-    /// The points give no condition.
+    /// The points contain no condition.
     PointsEmpty,
-    /// The family follows a force.
+    /// The family requires a target force.
     FamilyNeedsForce,
-    /// No double harmonic comes nearer to the force than rest.
+    /// No double harmonic approximates the force better than rest.
     DoubleHarmonicUseless,
-    /// Two dwells overlap.
+    /// Two dwells overlap each other.
     DwellsOverlap,
     /// The dwells fill the whole turn.
     DwellsFillTurn,
@@ -110,16 +110,16 @@ pub enum SynthError {
     PointOutside { at: Quantity },
 }
 
-/// Why no cam does what a scene asks for.
+/// Reasons why no cam satisfies a scene.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum NoDesignError {
-    /// No law exists even without the limits; the reason is a [`Reason`](crate::synth::Reason) as it serialises.
+    /// No law exists even without the limits; the reason is a serialised [`Reason`](crate::synth::Reason).
     NoLaw { reason: Value },
-    /// The law does not keep a breadth.
+    /// The law does not have a constant breadth.
     NoConstantBreadth {
         sum: Quantity,
         miss: Quantity,
@@ -127,7 +127,7 @@ pub enum NoDesignError {
     },
     /// The breadth is smaller than base circle and lift need.
     BreadthTooSmall { breadth: Quantity, lift: Quantity },
-    /// No prime circle is large enough.
+    /// No prime circle suffices.
     NoPrimeCircle,
     /// The search found no double harmonic law.
     NoDoubleHarmonic,

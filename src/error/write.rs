@@ -1,11 +1,11 @@
-//! Faults in handing a design over: files, drawings and solids.
+//! Faults in writing a design: files, drawings and solids.
 
 use serde::Serialize;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Why a file cannot be made or written.
+/// Reasons why a file cannot be made or written.
 ///
 /// ```
 /// use gaitcam::error::{Placed, WriteError};

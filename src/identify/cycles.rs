@@ -1,7 +1,7 @@
 //! The cycles of a log: their phases, and the harmonics of every cycle.
 //!
-//! Each cycle is fitted by itself with a mean and harmonics (least squares at the times of its samples), so that the scatter
-//! of the fits is the noise of the log as it is, correlated within a cycle or not.
+//! Each cycle is fitted separately with a mean and harmonics (least squares at the times of its samples), so that the scatter of the fits measures
+//! the noise, correlated or not.
 
 use std::f64::consts::TAU;
 
@@ -11,26 +11,26 @@ use super::log::Log;
 use super::period::{DRIFT, LEAST_CYCLES, drift, no_cycle, period};
 use crate::error::{LogError, Result};
 
-/// Most harmonics of a cycle.
+/// Maximum number of harmonics of a cycle.
 pub(super) const MOST: usize = 24;
-/// Fewest samples per cycle and harmonic: fewer leave the fit to the noise.
+/// Minimum number of samples per cycle and harmonic; with fewer the fit follows the noise.
 const PER_HARMONIC: f64 = 2.5;
-/// Speed of a log by its angle, as a part of the one that is expected: outside, the unit of a column is another.
+/// Range of the speed from the angle, relative to the expected one, outside which a column has another unit.
 const SPEEDS: [f64; 2] = [1e-3, 1e3];
-/// A change of the mean cycle within the log: this part of its alternating force, and this multiple of the scatter.
+/// Change of the mean cycle within the log that is an error, relative to its alternating force and to the scatter.
 const CHANGE: f64 = 0.05;
 const SURPRISE: f64 = 8.0;
-/// Diagonal of the factor below which a cycle has a gap; 0.7 of equal steps.
+/// Diagonal of the factor below which a cycle has a gap, relative to equal steps: 0.7.
 const UNSEEN: f64 = 0.2;
-/// Rounds in which the phases of the cycles correct the period.
+/// Number of iterations in which the phases of the cycles correct the period.
 const ROUNDS: usize = 4;
 
 /// The harmonics of one quantity in every cycle and their mean: `[a₀, a₁, b₁, a₂, b₂ …]` of a₀ + Σ aₙ cos nφ + bₙ sin nφ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Averaged {
-    /// Of every cycle.
+    /// Coefficients of every cycle.
     pub each: Vec<Vec<f64>>,
-    /// Their mean.
+    /// Mean of the coefficients.
     pub mean: Vec<f64>,
 }
 
@@ -39,15 +39,15 @@ pub struct Averaged {
 pub struct Cycles {
     /// Mean speed of the cam, rad/s.
     pub speed: f64,
-    /// Whether the phase φ is the cam angle; otherwise it is the part of the period since the first sample, times 2π.
+    /// Whether the phase φ is the cam angle; otherwise it is 2π times the fraction of the period since the first sample.
     pub by_angle: bool,
-    /// Force, N.
+    /// Force harmonics, N.
     pub force: Averaged,
     /// Speed of the cam, rad/s.
     pub shaft: Option<Averaged>,
     /// Torque at the camshaft, N·m.
     pub torque: Option<Averaged>,
-    /// Part of the period, times 2π, less the cam angle, rad, by the cam angle.
+    /// 2π times the fraction of the period, less the cam angle, rad, as a function of the cam angle.
     pub lead: Option<Averaged>,
     /// Root mean square of the samples about the mean cycle, N.
     pub noise_rms: f64,
@@ -62,7 +62,7 @@ impl Averaged {
         Averaged { each, mean }
     }
 
-    /// The same with a linear map of every cycle.
+    /// The averages under a linear map of every cycle.
     pub fn map(&self, map: impl Fn(&[f64]) -> Vec<f64>) -> Averaged {
         Averaged::of(self.each.iter().map(|cycle| map(cycle)).collect())
     }
@@ -81,9 +81,7 @@ impl Averaged {
 impl Cycles {
     /// The cycles of a log of a machine whose cam turns at about `speed`, rad/s, with a force of `harmonics` harmonics.
     ///
-    /// # Errors
-    /// What the log shows: too short, sampled too seldom, nothing that repeats, another speed at its end than at its start,
-    /// another cycle.
+    /// # Errors The log is too short, has too few samples, shows no repetition, or its speed or cycle changes.
     pub fn of(log: &Log, speed: f64, harmonics: usize) -> Result<Cycles> {
         let (phases, speed) = phases(log, speed)?;
         let turns = span(&phases);
@@ -118,7 +116,7 @@ impl Cycles {
         Ok(out)
     }
 
-    /// Phase by which every cycle is ahead of the mean, rad.
+    /// Phase lead of every cycle over the mean, rad.
     fn leads(&self) -> Vec<f64> {
         let mean = &self.force.mean;
         let slope = derivative(mean);
@@ -134,14 +132,14 @@ impl Cycles {
         self.force.each.iter().map(lead).collect()
     }
 
-    /// Lead per cycle, turns: what the period is too long.
+    /// Phase lead per cycle, turns, which is the excess of the period.
     fn slope(&self) -> f64 {
         let leads = self.leads();
         let line = polynomial(&leads, 1);
         line[1] / TAU / leads.len() as f64
     }
 
-    /// Refuses a speed that changes over the log.
+    /// Rejects a speed that changes over the log.
     fn check_drift(&self, log: &Log) -> Result<()> {
         let leads = self.leads();
         if leads.len() < 6 {
@@ -155,7 +153,7 @@ impl Cycles {
         }
     }
 
-    /// Refuses a log whose mean cycle is another one after some cycle.
+    /// Rejects a log whose mean cycle changes.
     fn check_change(&self, log: &Log) -> Result<()> {
         let each = &self.force.each;
         let count = each.len();
@@ -181,7 +179,7 @@ impl Cycles {
     }
 }
 
-/// Turns that phases cover.
+/// Number of turns that the phases cover.
 fn span(phases: &[f64]) -> f64 {
     let n = phases.len();
     let step = (phases[n - 1] - phases[0]) / (n - 1) as f64;
@@ -229,7 +227,7 @@ fn polynomial(values: &[f64], degree: usize) -> Vec<f64> {
         .map_or_else(|_| vec![0.0; degree + 1], |x| x.as_slice().to_vec())
 }
 
-/// Derivative by the phase.
+/// Derivative with respect to the phase.
 pub(super) fn derivative(harmonics: &[f64]) -> Vec<f64> {
     let mut out = vec![0.0; harmonics.len()];
     for n in 1..=harmonics.len() / 2 {
@@ -239,7 +237,7 @@ pub(super) fn derivative(harmonics: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The same curve, read at φ + `shift`.
+/// The curve shifted by `shift` in phase.
 pub(super) fn shifted(harmonics: &[f64], shift: f64) -> Vec<f64> {
     let mut out = harmonics.to_vec();
     for n in 1..=harmonics.len() / 2 {
@@ -250,13 +248,13 @@ pub(super) fn shifted(harmonics: &[f64], shift: f64) -> Vec<f64> {
     out
 }
 
-/// Value at a phase.
+/// Value of the curve at a phase.
 pub(super) fn value(harmonics: &[f64], phase: f64) -> f64 {
     let basis = basis(phase, harmonics.len());
     basis.iter().zip(harmonics).map(|(a, b)| a * b).sum()
 }
 
-/// 1, cos φ, sin φ, cos 2φ …
+/// The basis 1, cos φ, sin φ, cos 2φ …
 fn basis(phase: f64, count: usize) -> Vec<f64> {
     let mut out = Vec::with_capacity(count);
     out.push(1.0);
@@ -269,7 +267,7 @@ fn basis(phase: f64, count: usize) -> Vec<f64> {
     out
 }
 
-/// Time, in which a cycle is 2π, less the cam angle, where the log has both.
+/// Time in units of the period (2π), less the cam angle, if the log has both.
 fn lead(log: &Log, phases: &[f64]) -> Option<Vec<f64>> {
     let (time, _) = log.time.as_ref().zip(log.theta.as_ref())?;
     let last = phases.len() - 1;
@@ -278,7 +276,7 @@ fn lead(log: &Log, phases: &[f64]) -> Option<Vec<f64>> {
     Some(time.iter().zip(phases).map(of).collect())
 }
 
-/// Harmonics of force, speed and torque in every cycle, as they are fitted.
+/// Fitted harmonics of force, speed and torque in every cycle.
 struct Fitted {
     by_column: [Vec<Vec<f64>>; 4],
     noise_rms: f64,

@@ -4,42 +4,42 @@ use nalgebra::{DMatrix, DVector};
 
 use super::cycles::{Averaged, derivative, shifted};
 
-/// Singular values below this part of the largest are none: columns are of equal size.
+/// Singular values below this fraction of the largest count as zero; columns are normalised.
 const RANK: f64 = 1e-9;
-/// Shifts that are tried around a turn before the best is refined, and steps of that.
+/// Number of trial shifts around a turn before the best is refined, and number of refinement steps.
 const SHIFTS: usize = 720;
 const STEPS: usize = 20;
-/// Standard deviations by which the residual's energy must exceed what the noise leaves before anything repeats.
+/// Number of standard deviations by which the residual's energy must exceed the noise for a repeatable error.
 pub(super) const EXCESS: f64 = 3.0;
 
-/// A column of the model.
+/// One column of the linear model.
 #[derive(Debug, Clone)]
 pub(super) struct Column {
     pub values: Vec<f64>,
     pub is_positive: bool,
 }
 
-/// A parameter with the ends of its 95 % interval, which are infinite where the columns do not see it.
+/// A parameter with the ends of its 95 % interval, which are infinite if the columns do not determine it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Estimate {
     pub value: f64,
     pub ends: [f64; 2],
 }
 
-/// A fitted model.
+/// Result of the fit.
 pub(super) struct Fit {
-    /// Phase by which the log is late, rad.
+    /// Phase delay of the log, rad.
     pub shift: Estimate,
     pub each: Vec<Estimate>,
-    /// The cycles at the phase of the machine.
+    /// The cycles shifted to the phase of the machine.
     pub measured: Averaged,
-    /// Energy of the mean residual that repeats, per harmonic, from the first.
+    /// Energy of the repeatable mean residual per harmonic, from the first.
     pub repeats: Vec<f64>,
-    /// Variance of a component of the repeatable residual in the harmonics in which it is.
+    /// Variance of a component of the repeatable residual in its effective harmonics.
     pub component: f64,
 }
 
-/// Shifts from the first to the last, rad.
+/// Range of shifts, from the first to the last, rad.
 pub(super) type Shifts = [f64; 2];
 
 /// Fits columns to the mean of cycles at the best shift.
@@ -71,7 +71,7 @@ pub(super) fn fit(columns: &[Column], cycles: &Averaged, shifts: Shifts) -> Fit 
     intervals(&solver, &values, slope, measured, shift)
 }
 
-/// The intervals count all columns, those at their bound too: the force that repeats put them there as likely as the machine.
+/// The intervals include all columns, also those at their bound, which a repeatable force may cause.
 fn intervals(
     solver: &Bounded,
     values: &[f64],
@@ -131,8 +131,8 @@ fn intervals(
     }
 }
 
-/// What repeats of a mean residual whose entries have these variances: its energy per harmonic, the variance of a component
-/// in the effective number of harmonics that it is in (participation ratio), and that number.
+/// Repeatable part of a mean residual whose entries have these variances: energy per harmonic, variance of a component in its effective number of
+/// harmonics (participation ratio), and that number.
 fn repeatable(left: &[f64], variance: &[f64]) -> (Vec<f64>, f64, usize) {
     let pair = |x: &[f64], n: usize| x[2 * n - 1] + x[2 * n];
     let squares: Vec<f64> = left.iter().map(|x| x * x).collect();
@@ -158,7 +158,7 @@ fn best_shift(solver: &Bounded, mean: &[f64], [from, to]: Shifts) -> f64 {
     best.map_or(from, |b| b.0)
 }
 
-/// Least squares whose unknowns, but for some, are not negative (Lawson and Hanson 1974), on columns of size 1.
+/// Least squares with some non-negative unknowns (Lawson and Hanson 1974), on normalised columns.
 struct Bounded {
     columns: DMatrix<f64>,
     is_positive: Vec<bool>,
@@ -197,7 +197,7 @@ impl Bounded {
         sum.as_slice().to_vec()
     }
 
-    /// Change of the shifted cycles per shift that the model calls for.
+    /// Change of the shifted cycles per predicted shift.
     fn direction(&self, values: &[f64]) -> Vec<f64> {
         let minus = |x: f64| -x;
         derivative(&self.model(values))
@@ -206,7 +206,7 @@ impl Bounded {
             .collect()
     }
 
-    /// A column less what the free ones can follow of it.
+    /// A column minus its projection on the free ones.
     fn without_free(&self, column: &[f64], values: &[f64]) -> Vec<f64> {
         let free = (0..values.len()).filter(|i| self.is_free(values, *i));
         let used: Vec<Vec<f64>> = free.map(|i| self.scaled(i)).collect();
@@ -215,7 +215,7 @@ impl Bounded {
         (0..column.len()).map(|j| column[j] - follow(j)).collect()
     }
 
-    /// Unknowns, and the sum of squares that is left.
+    /// Unknowns, and the remaining sum of squares.
     fn solve(&self, y: &[f64]) -> (Vec<f64>, f64) {
         let y = DVector::from_column_slice(y);
         let right = self.q.tr_mul(&y);

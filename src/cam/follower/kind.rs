@@ -1,10 +1,10 @@
-//! The ten kinds of follower that a scene may name.
+//! The ten kinds of follower of a scene.
 
 use serde::{Deserialize, Serialize};
 
 use super::{Follower, Measures};
 
-/// Kind of follower, without its lengths.
+/// Kind of follower, without its dimensions.
 ///
 /// ```
 /// use gaitcam::cam::FollowerKind;
@@ -20,14 +20,14 @@ use super::{Follower, Measures};
 )]
 #[strum(serialize_all = "kebab-case")]
 pub enum FollowerKind {
-    /// A flat face that translates.
+    /// A translating flat face.
     #[default]
     FlatTranslating,
-    /// A roller that translates.
+    /// A translating roller.
     RollerTranslating,
-    /// A knife edge that translates.
+    /// A translating knife edge.
     KnifeTranslating,
-    /// A face rounded to an arc, convex towards the cam, that translates.
+    /// A translating mushroom: a face rounded to an arc, convex towards the cam.
     MushroomTranslating,
     /// A roller on an arm.
     RollerOscillating,
@@ -37,14 +37,14 @@ pub enum FollowerKind {
     MushroomOscillating,
     /// A flat face on an arm.
     FlatOscillating,
-    /// A roller on a cam that translates instead of turning.
+    /// A roller on a translating cam.
     TranslatingCam,
-    /// A roller in the groove of a cylinder.
+    /// A roller in the groove of a cylindrical cam.
     Barrel,
 }
 
 impl FollowerKind {
-    /// Every kind, in the order in which messages list them.
+    /// Every kind, in the order of messages.
     pub const ALL: &'static [FollowerKind] = <FollowerKind as strum::VariantArray>::VARIANTS;
 
     /// The name in a scene file.
@@ -52,12 +52,12 @@ impl FollowerKind {
         self.into()
     }
 
-    /// The kind of this name, if there is one.
+    /// The kind of this name, if it exists.
     pub fn named(name: &str) -> Option<FollowerKind> {
         name.parse().ok()
     }
 
-    /// Whether the follower translates on a cam that turns in its plane: it may have an offset.
+    /// Whether the follower translates on a rotating disc cam, so that it may have an offset.
     pub fn is_translating(self) -> bool {
         matches!(
             self,
@@ -68,7 +68,7 @@ impl FollowerKind {
         )
     }
 
-    /// Whether the follower swings about a pivot, so that its law is in rad.
+    /// Whether the follower oscillates, so that its law is in rad.
     pub fn is_oscillating(self) -> bool {
         matches!(
             self,
@@ -87,7 +87,7 @@ impl FollowerKind {
         )
     }
 
-    /// Whether it touches the cam with a roller.
+    /// Whether it has a roller.
     pub fn has_roller(self) -> bool {
         matches!(
             self,
@@ -98,7 +98,7 @@ impl FollowerKind {
         )
     }
 
-    /// Whether it touches the cam with an arc.
+    /// Whether it has an arc-shaped face.
     pub fn is_mushroom(self) -> bool {
         matches!(
             self,
@@ -106,8 +106,8 @@ impl FollowerKind {
         )
     }
 
-    /// Whether one program determines law and size together. A translating cam has no size; that of a barrel and of a mushroom on
-    /// an arm is determined after the law.
+    /// Whether one program determines law and size together. A translating cam has no size; the size of a barrel and of an oscillating mushroom is
+    /// determined after the law.
     pub fn has_size_beside_law(self) -> bool {
         !matches!(
             self,
@@ -115,7 +115,7 @@ impl FollowerKind {
         )
     }
 
-    /// Units of its law.
+    /// Units of the follower's law.
     pub fn measures(self) -> Measures {
         match self {
             FollowerKind::TranslatingCam => Measures::Straight,
@@ -126,7 +126,7 @@ impl FollowerKind {
 }
 
 impl Follower {
-    /// Its kind; a roller of radius 0 is a knife edge.
+    /// Kind of the follower; a roller of radius 0 is a knife edge.
     pub fn kind(&self) -> FollowerKind {
         let knife = self.roller_radius() == 0.0;
         match self {
@@ -143,7 +143,7 @@ impl Follower {
         }
     }
 
-    /// Units of its law.
+    /// Units of the follower's law.
     pub fn measures(&self) -> Measures {
         self.kind().measures()
     }
@@ -158,7 +158,7 @@ impl Follower {
         self.kind().is_flat()
     }
 
-    /// Whether the follower swings about a pivot, so that its law is in rad.
+    /// Whether the follower oscillates, so that its law is in rad.
     pub fn is_oscillating(&self) -> bool {
         self.kind().is_oscillating()
     }

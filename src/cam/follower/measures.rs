@@ -1,10 +1,10 @@
-//! Units of a design's quantities, for output: lifts are lengths or, of an arm, angles; a cam turns through
-//! angles or slides along a length; forces or moments follow the lift.
+//! Output units of a design's quantities. Lifts are lengths or, for an arm, angles; the cam's position is an angle or a length; the load is a force
+//! or a moment.
 
 use crate::units::Dimension;
 use crate::wording::{Language, degrees, fixed, number, people};
 
-/// A unit for output.
+/// An output unit.
 ///
 /// ```
 /// use gaitcam::cam::Unit;
@@ -16,7 +16,7 @@ use crate::wording::{Language, degrees, fixed, number, people};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
-    /// From SI to this unit.
+    /// Factor from SI to this unit.
     pub factor: f64,
     /// Name of the unit; empty for a plain number.
     pub name: &'static str,
@@ -30,13 +30,13 @@ const MM: Unit = unit(1e3, "mm");
 const DEGREES: Unit = unit(180.0 / std::f64::consts::PI, "°");
 
 impl Unit {
-    /// The unit for output of a dimension.
+    /// The output unit of a dimension.
     pub fn of(dimension: Dimension) -> Unit {
         let (name, factor) = people(dimension.si());
         Unit { factor, name }
     }
 
-    /// A quantity in SI for people, with this unit.
+    /// An SI quantity as text in this unit.
     ///
     /// ```
     /// use gaitcam::cam::Measures;
@@ -49,7 +49,7 @@ impl Unit {
         self.after(&number(language, self.factor * value))
     }
 
-    /// A number written in this unit, with the unit: degrees stand close to their number.
+    /// A number with this unit; no blank before the degree sign.
     pub fn after(self, number: &str) -> String {
         match self.name {
             "" => number.to_string(),
@@ -59,7 +59,7 @@ impl Unit {
     }
 }
 
-/// Kinds of motion of follower and cam, which fix the units.
+/// Kinds of motion of follower and cam, which determine the units.
 ///
 /// ```
 /// use gaitcam::cam::Measures;
@@ -70,11 +70,11 @@ impl Unit {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measures {
-    /// The follower slides on a cam that turns: m over rad.
+    /// A translating follower on a rotating cam: m over rad.
     Translating,
-    /// The follower swings on a cam that turns: rad over rad, moments in place of forces.
+    /// An oscillating follower on a rotating cam: rad over rad, moments instead of forces.
     Oscillating,
-    /// The cam itself slides: m of lift over m of travel.
+    /// A translating cam: m of lift over m of travel.
     Straight,
 }
 
@@ -87,7 +87,7 @@ impl Measures {
         self == Measures::Straight
     }
 
-    /// Lift and its derivatives by the cam's angle (or travel), up to order 4.
+    /// Unit of the lift and its derivatives with respect to the cam angle (or travel), up to order 4.
     pub fn lift(self, order: usize) -> Unit {
         let order = order.min(4);
         match self {
@@ -106,7 +106,7 @@ impl Measures {
         }
     }
 
-    /// Derivatives of the lift by time, order 1 to 3.
+    /// Units of the time derivatives of the lift, order 1 to 3.
     pub fn by_time(self, order: usize) -> Unit {
         let names = if self.swings() {
             ["rad", "rad/s", "rad/s²", "rad/s³"]
@@ -116,12 +116,12 @@ impl Measures {
         unit(1.0, names[order.min(3)])
     }
 
-    /// The cam's angle, or its travel.
+    /// Unit of the cam angle or travel.
     pub fn angle(self) -> Unit {
         if self.is_straight() { MM } else { DEGREES }
     }
 
-    /// The cam's angle in words, as an axis has it.
+    /// Name of the cam angle or travel, for an axis.
     pub fn angle_words(self) -> &'static str {
         if self.is_straight() {
             "travel of the cam x, mm"
@@ -130,7 +130,7 @@ impl Measures {
         }
     }
 
-    /// Where on the cam, to one decimal: "12.3°", "34.2 mm".
+    /// Position on the cam, to one decimal: "12.3°", "34.2 mm".
     pub fn place(self, at: f64, language: Language) -> String {
         match self {
             Measures::Straight => MM.after(&fixed(language, MM.factor * at, 1)),
@@ -138,12 +138,12 @@ impl Measures {
         }
     }
 
-    /// Speed of the cam.
+    /// Unit of the cam speed.
     pub fn speed(self) -> Unit {
         unit(1.0, if self.is_straight() { "m/s" } else { "rad/s" })
     }
 
-    /// The speed of the cam for people: as it is, and in turns per minute where it turns.
+    /// The cam speed as text, also in turns per minute for a rotating cam.
     pub fn speed_words(self, speed: f64, language: Language) -> String {
         let own = self.speed().shown(speed, language);
         if self.is_straight() {
@@ -153,7 +153,7 @@ impl Measures {
         format!("{own} ({rpm} rpm)")
     }
 
-    /// Output of the drive: a force, or the moment on an arm.
+    /// Unit of the drive's output: a force, or the moment on an arm.
     pub fn force(self) -> Unit {
         unit(1.0, if self.swings() { "N·m" } else { "N" })
     }
@@ -163,12 +163,12 @@ impl Measures {
         if self.swings() { "moment" } else { "force" }
     }
 
-    /// Moved mass, or an arm's moment of inertia.
+    /// Unit of the moved mass, or of an arm's moment of inertia.
     pub fn mass(self) -> Unit {
         unit(1.0, if self.swings() { "kg·m²" } else { "kg" })
     }
 
-    /// Force per lift.
+    /// Unit of force per lift.
     pub fn spring_rate(self) -> Unit {
         if self.swings() {
             unit(1.0, "N·m/rad")
@@ -177,7 +177,7 @@ impl Measures {
         }
     }
 
-    /// Force per speed of the lift.
+    /// Unit of force per velocity of the lift.
     pub fn damping(self) -> Unit {
         let name = if self.swings() {
             "N·m·s/rad"

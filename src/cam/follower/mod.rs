@@ -1,4 +1,4 @@
-//! What rides on the cam.
+//! Followers with their dimensions.
 
 mod kind;
 mod measures;
@@ -10,10 +10,8 @@ use crate::law::Law;
 use crate::units::Quantity;
 use serde::Serialize;
 
-/// What rides on the cam, with the lengths that fix it, m.
-///
-/// A knife edge is a roller of radius 0. A mushroom is a face rounded to an arc, convex towards the cam:
-/// it meets the cam as a roller of the arc's radius would, but only with part of the circle.
+/// A follower with its dimensions, m. A knife edge is a roller of radius 0. A mushroom is a face rounded to an arc, convex towards the cam: it
+/// touches the cam like a roller of the arc's radius, but only with part of the circle.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -31,7 +29,7 @@ use serde::Serialize;
 pub enum Follower {
     /// A flat face normal to the follower's motion.
     FlatTranslating {
-        /// Radius of the base circle: the face stands at base_radius + s.
+        /// Radius of the base circle: the face is at base_radius + s.
         base_radius: f64,
     },
     /// A roller on a follower that slides along a line `offset` beside the cam's centre.
@@ -74,7 +72,7 @@ pub enum Follower {
         /// Radius of the arc.
         arc_radius: f64,
     },
-    /// A flat face on an arm: it stands f + c sin ξ from the cam's centre, ξ = ξ₀ + s; the law is in rad.
+    /// A flat face on an arm: its distance from the cam's centre is f + c sin ξ, ξ = ξ₀ + s; the law is in rad.
     FlatOscillating {
         /// Distance c of the pivot, which lies at (c, 0); negative when it lies on −x.
         pivot_distance: f64,
@@ -83,15 +81,15 @@ pub enum Follower {
         /// Radius of the base circle: fixes ξ₀ by f + |c| sin ξ₀ = Rb.
         base_radius: f64,
     },
-    /// A roller on a slide: the cam moves by −x, the roller by +y; the law runs over m of travel.
+    /// A roller on a translating cam: the cam moves by −x, the roller by +y; the law runs over m of travel.
     TranslatingCam {
-        /// Height of the profile over the cam's foot at s = 0.
+        /// Height of the profile over the cam's lower edge at s = 0.
         base_height: f64,
         /// Radius of the roller; 0 for a knife edge.
         roller_radius: f64,
     },
-    /// A roller with a radial axis in the groove of a cylinder; the profile is the lower wall, unrolled
-    /// at `radius`. [`BarrelGroove`](super::BarrelGroove) knows both walls in space.
+    /// A roller with a radial axis in the groove of a cylinder; the profile is the lower wall, unrolled at `radius`.
+    /// [`BarrelGroove`](super::BarrelGroove) describes both walls in space.
     Barrel {
         /// Radius of the cylinder on which the profile is unrolled.
         radius: f64,
@@ -100,7 +98,7 @@ pub enum Follower {
     },
 }
 
-/// The arm of a follower that touches the cam with a circle, m.
+/// The arm of a follower with a circular contact, m.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -164,8 +162,7 @@ impl Follower {
         }
     }
 
-    /// The follower on a base circle of another radius, otherwise unchanged; of a barrel the radius of
-    /// the cylinder.
+    /// The follower on a base circle of another radius, otherwise unchanged; for a barrel the radius of the cylinder.
     #[must_use]
     pub fn with_base_radius(mut self, base: f64) -> Follower {
         let rolling = self.roller_radius();
@@ -199,7 +196,7 @@ impl Follower {
         }
     }
 
-    /// Radius of the roller or of the mushroom's arc, 0 where there is none.
+    /// Radius of the roller or of the mushroom's arc; 0 without one.
     pub fn roller_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { .. } | Follower::FlatOscillating { .. } => 0.0,
@@ -212,8 +209,7 @@ impl Follower {
         }
     }
 
-    /// Whether the profile lies along a line: a cam that slides, a barrel unrolled. Such a profile has ends even
-    /// if the law closes.
+    /// Whether the profile is along a line: a translating cam, an unrolled barrel. Such a profile has ends even if the law closes.
     pub fn is_unrolled(&self) -> bool {
         matches!(
             self,
@@ -221,19 +217,18 @@ impl Follower {
         )
     }
 
-    /// Height D = √(Rp² − e²) of the face, or of the circle's centre, over the cam's centre at s = 0, m, of
-    /// a translating follower.
+    /// Height D = √(Rp² − e²) of the face, or of the circle's centre, above the cam's centre at s = 0, m, for a translating follower.
     pub fn start_height(&self) -> f64 {
         let (rp, e) = (self.prime_radius(), self.offset());
         (rp * rp - e * e).sqrt()
     }
 
-    /// Where the follower stands at s = 0: its height over the cam's centre, m, or the angle of its arm, rad.
+    /// Position of the follower at s = 0: its height above the cam's centre, m, or the angle of its arm, rad.
     pub(super) fn start_place(&self) -> f64 {
         self.start_angle().unwrap_or_else(|| self.start_height())
     }
 
-    /// The follower on the base circle that puts it at `start` when s = 0; `None` when there is none.
+    /// The follower on the base circle for which it is at `start` when s = 0; `None` if there is none.
     pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
         let radius = self.roller_radius();
         let flat_arm = self.pivot().is_some() && self.arm().is_none();
@@ -247,8 +242,8 @@ impl Follower {
         ((start > 0.0 || flat_arm) && base > 0.0).then(|| self.with_base_radius(base))
     }
 
-    /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. NaN if the arm cannot
-    /// reach the prime circle, which [`Cam::check`](super::Cam::check) refuses.
+    /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. NaN if the arm cannot reach the prime circle, which
+    /// [`Cam::check`](super::Cam::check) rejects.
     pub fn start_angle(&self) -> Option<f64> {
         let (c, prime) = (self.pivot()?[0].abs(), self.prime_radius());
         Some(match self.arm() {

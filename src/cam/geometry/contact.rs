@@ -3,7 +3,7 @@
 /// One contact in the fixed frame; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Contact {
-    /// Contact point.
+    /// Contact point of cam and follower.
     pub point: [f64; 2],
     /// Centre of the circle; the contact point itself for a flat face.
     pub pitch: [f64; 2],

@@ -1,4 +1,4 @@
-//! Checks that a follower can execute its law, whatever the profile.
+//! Checks that a follower can execute its law on any profile.
 
 #[cfg(test)]
 mod tests;

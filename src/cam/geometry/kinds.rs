@@ -3,31 +3,31 @@
 use super::contact::Contact;
 use crate::law::Svaj;
 
-/// A kind of follower, by its contact with the cam.
+/// Contact formulas of a kind of follower.
 pub trait Kind {
     /// The contact at lift, velocity and acceleration.
     fn contact(&self, motion: [f64; 3]) -> Contact;
 
-    /// Velocities at a point of the fixed frame: of the follower there per unit of s, of the cam there per unit of θ.
+    /// Velocities at a point of the fixed frame: of the follower per unit of s, and of the cam per unit of θ.
     fn velocities(&self, point: [f64; 2]) -> [[f64; 2]; 2];
 }
 
-/// Velocity of a cam that turns, per rad.
+/// Velocity of a rotating cam, per rad.
 #[inline(always)]
 fn turning([x, y]: [f64; 2]) -> [f64; 2] {
     [-y, x]
 }
 
-/// Velocity of an arm about a pivot on the x axis, per rad.
+/// Velocity of an arm with its pivot on the x axis, per rad.
 #[inline(always)]
 fn swinging([x, y]: [f64; 2], pivot: f64, side: f64) -> [f64; 2] {
     [side * y, -side * (x - side * pivot)]
 }
 
-/// Velocity of a slide, per m.
+/// Velocity of a translating cam, per m.
 const SLIDING: [f64; 2] = [0.0, 1.0];
 
-/// A flat face that translates.
+/// A translating flat face.
 #[derive(Debug, Clone, Copy)]
 pub struct Flat {
     pub base: f64,
@@ -53,12 +53,12 @@ impl Kind for Flat {
     }
 }
 
-/// Circle on a slide: C = (e, D + s), so t = (D + s, v − e) and t′ = (2v − e, a − D − s).
+/// Circle on a translating follower: C = (e, D + s), so t = (D + s, v − e) and t′ = (2v − e, a − D − s).
 #[derive(Debug, Clone, Copy)]
 pub struct Circle {
-    /// D.
+    /// Height D.
     pub rise: f64,
-    /// e.
+    /// Offset e.
     pub offset: f64,
     pub radius: f64,
 }
@@ -130,13 +130,13 @@ impl Unrolled {
 /// Flat face on an arm: n = (σ sin ξ, cos ξ) at ψ = π/2 − σξ − θ, p = f + c sin ξ.
 #[derive(Debug, Clone, Copy)]
 pub struct FlatOnArm {
-    /// c, without its sign.
+    /// Magnitude of c.
     pub pivot: f64,
     /// σ: +1 for a pivot on +x, −1 on −x.
     pub side: f64,
-    /// f.
+    /// Offset f.
     pub offset: f64,
-    /// ξ at s = 0.
+    /// Arm angle ξ at s = 0.
     pub start: f64,
 }
 
@@ -169,7 +169,7 @@ impl Kind for FlatOnArm {
 }
 
 impl FlatOnArm {
-    /// Place of the contact along the face from the foot of the pivot, m.
+    /// Position of the contact along the face from the foot of the pivot, m.
     pub fn travel(&self, at: Svaj) -> f64 {
         self.pivot * (self.start + at.s).cos() / (1.0 + self.side * at.v)
     }
@@ -178,13 +178,13 @@ impl FlatOnArm {
 /// Circle on an arm: C = (σ(c − A cos ξ), A sin ξ).
 #[derive(Debug, Clone, Copy)]
 pub struct CircleOnArm {
-    /// c, without its sign.
+    /// Magnitude of c.
     pub pivot: f64,
     /// σ: +1 for a pivot on +x, −1 on −x.
     pub side: f64,
-    /// A.
+    /// Length A.
     pub arm: f64,
-    /// ξ at s = 0.
+    /// Arm angle ξ at s = 0.
     pub start: f64,
     pub radius: f64,
 }

@@ -1,12 +1,11 @@
-//! Where cam and follower touch, seen in the frame fixed in space.
+//! Contact of cam and follower in the fixed frame.
 //!
-//! Followers with a circle (roller, knife edge, mushroom): with the circle's centre C(θ), the pitch curve
-//! in the cam's frame is R(−θ)·C. Its tangent, still seen in the fixed frame, is t = C′ − J·C and t's
-//! derivative C″ − 2J·C′ − C, J the quarter turn. Traversed clockwise, its curvature is −det(t, t′)/|t|³,
+//! Followers with a circle (roller, knife edge, mushroom): with the circle's centre C(θ), the pitch curve in the cam's frame is R(−θ)·C. Its tangent,
+//! in the fixed frame, is t = C′ − J·C and t's derivative C″ − 2J·C′ − C, J the quarter turn. Traversed clockwise, its curvature is −det(t, t′)/|t|³,
 //! positive where convex; the cam is its inner parallel at the circle's radius.
 //!
-//! Flat faces: the face with outward normal n at angle ψ stands p from the cam's centre; the cam is the
-//! envelope p·n + (dp/dψ)·n⊥ with radius of curvature p + d²p/dψ².
+//! Flat faces: the face with outward normal n at angle ψ has the distance p from the cam's centre; the cam is the envelope p·n + (dp/dψ)·n⊥ with
+//! radius of curvature p + d²p/dψ².
 
 mod contact;
 mod fit;
@@ -22,7 +21,7 @@ use crate::law::Svaj;
 pub(crate) use kinds::Kind;
 use kinds::{Circle, CircleOnArm, Flat, FlatOnArm, Unrolled};
 
-/// A follower with everything that does not change with θ computed once.
+/// A follower with precomputed values that do not depend on θ.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Geometry {
     Flat(Flat),
@@ -87,7 +86,7 @@ impl Geometry {
         }
     }
 
-    /// Signed curvature of the pitch curve, 1/m: finite where its radius is not.
+    /// Signed curvature of the pitch curve, 1/m; finite even if the radius is infinite.
     pub fn pitch_curvature(&self, at: Svaj) -> f64 {
         match self {
             Geometry::Unrolled(unrolled) => unrolled.pitch_curvature(at),
@@ -105,8 +104,8 @@ impl Geometry {
         }
     }
 
-    /// Place of the contact on the follower, m: along a flat face from the foot of the cam's centre
-    /// (translating) or of the pivot (oscillating); along a mushroom's chord from the arc's middle.
+    /// Position of the contact on the follower, m: along a flat face from the foot of the cam's centre (translating) or of the pivot (oscillating);
+    /// along a mushroom's chord from the arc's middle.
     pub fn travel(&self, at: Svaj) -> f64 {
         match self {
             Geometry::Flat(_) => at.v,

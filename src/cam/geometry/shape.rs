@@ -6,9 +6,8 @@ use crate::law::Svaj;
 use crate::poly::Extreme;
 
 impl Cam {
-    /// Smallest and largest pressure angle, rad, signed: positive leans the push counter-clockwise from
-    /// the motion, as a rise does. Zero for a flat face that translates; sin φ = f/L for one on an arm, L
-    /// from pivot to contact.
+    /// Smallest and largest pressure angle, rad, signed: positive if the force is rotated counter-clockwise from the motion, as on a rise. Zero for a
+    /// translating flat face; sin φ = f/L for one on an arm, with L from pivot to contact.
     pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
         if self.follower.is_flat() && self.follower.face_offset() == 0.0 {
             let zero = Extreme {
@@ -29,7 +28,7 @@ impl Cam {
         (angle(low), angle(high))
     }
 
-    /// Largest |pressure angle|, rad, where the follower rises (ds/dθ > 0) and where it falls; 0 where it never does.
+    /// Largest |pressure angle|, rad, where the follower rises (ds/dθ > 0) and where it falls; 0 without such a part.
     pub fn pressure_angles_by_motion(&self) -> [Extreme; 2] {
         let geometry = Geometry::new(&self.follower);
         let on_axis = matches!(geometry, Geometry::Unrolled(_)) || self.follower.offset() == 0.0;
@@ -49,7 +48,7 @@ impl Cam {
         tangents.map(|side| side.map_or(none, |range| Extreme::largest(range).map(f64::atan)))
     }
 
-    /// Curvature of the finished profile: where it is sharpest, on the convex and the concave side.
+    /// Sharpest convex and concave points of the finished profile.
     ///
     /// Flat translating: exact extremes of Rb + s + a. A flat face cannot touch a concave flank, so its
     /// smallest radius is signed and there is no concave side.
@@ -80,9 +79,8 @@ impl Cam {
         }
     }
 
-    /// Where the contact wanders on the follower, m: least and greatest distance along a flat face from
-    /// the foot of the cam's centre (translating) or of the pivot (oscillating, CAM-DAS's measure), along
-    /// a mushroom's chord from the arc's middle. `None` for rollers and knife edges.
+    /// Range of the contact on the follower, m: minimum and maximum distance along a flat face from the foot of the cam's centre (translating) or of
+    /// the pivot (oscillating, as in CAM-DAS), along a mushroom's chord from the arc's middle. `None` for rollers and knife edges.
     pub fn contact_travel(&self) -> Option<(Extreme, Extreme)> {
         match self.follower {
             Follower::FlatTranslating { .. } => Some(self.law.extremes(1)),
@@ -96,14 +94,14 @@ impl Cam {
         }
     }
 
-    /// Where the contact lies on the follower at one instant of the motion, m, measured as
-    /// [`Cam::contact_travel`] is; on a roller along the chord from its middle.
+    /// Position of the contact on the follower at one instant of the motion, m, as in [`Cam::contact_travel`]; on a roller along the chord from its
+    /// middle.
     pub fn contact_along(&self, at: Svaj) -> f64 {
         Geometry::new(&self.follower).travel(at)
     }
 
-    /// Least length of the flat (or mushroom's) face, m: how far the contact wanders on it; max v − min v
-    /// for a flat translating face (Campillo de Blas 2017). `None` for rollers and knife edges.
+    /// Minimum length of the flat (or mushroom's) face, m: the range of the contact on it; max v − min v for a translating flat face (Campillo de
+    /// Blas 2017). `None` for rollers and knife edges.
     pub fn face_width(&self) -> Option<f64> {
         self.contact_travel()
             .map(|(low, high)| high.value - low.value)

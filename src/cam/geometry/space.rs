@@ -1,13 +1,13 @@
-//! From the cam's frame into space and back to directions: what drawings and dynamics ask of a follower.
+//! Transformations between cam frame and fixed frame, for drawings and dynamics.
 
 use super::Geometry;
 use crate::cam::{Cam, Follower, ProfilePoint};
 use crate::law::Svaj;
 
-/// Points of a profile between two that have a sine and a cosine computed: theirs follow by the addition theorems.
+/// Number of profile points between two with a computed sine and cosine; the others follow from the addition theorems.
 const TURNS: usize = 32;
 
-/// The cam's frame at one instant.
+/// Position of the cam's frame at one instant.
 #[derive(Clone, Copy)]
 pub(crate) enum Frame {
     Turned { sin: f64, cos: f64 },
@@ -20,7 +20,7 @@ impl Frame {
         Frame::Turned { sin, cos }
     }
 
-    /// The frame after another turn or another way.
+    /// The frame after a further rotation or translation.
     #[inline(always)]
     pub fn then(self, more: Frame) -> Frame {
         match (self, more) {
@@ -33,7 +33,7 @@ impl Frame {
         }
     }
 
-    /// A point fixed in space as the cam sees it.
+    /// A point of the fixed frame in cam coordinates.
     #[inline(always)]
     pub fn seen(self, p: [f64; 2]) -> [f64; 2] {
         match self {
@@ -42,7 +42,7 @@ impl Frame {
         }
     }
 
-    /// A point of the cam where it stands in space.
+    /// A point of the cam in fixed coordinates.
     pub fn in_space(self, p: [f64; 2]) -> [f64; 2] {
         match self {
             Frame::Turned { sin, cos } => [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]],
@@ -65,7 +65,7 @@ impl Geometry {
         self.seen_from(self.frame(theta), theta, at)
     }
 
-    /// The profile points at angles that are `step` apart.
+    /// The profile points at angles in steps of `step`.
     pub fn profile_points(&self, step: f64, angles: &[f64], motions: &[Svaj]) -> Vec<ProfilePoint> {
         let turns: [Frame; TURNS] = std::array::from_fn(|k| self.frame(step * k as f64));
         let mut out = Vec::with_capacity(angles.len());
@@ -95,13 +95,13 @@ impl Geometry {
 }
 
 impl Cam {
-    /// A point of the cam as it lies in the fixed frame when the cam has turned (or slid) to `theta`.
+    /// A point of the cam in the fixed frame when the cam has turned (or moved) to `theta`.
     pub fn into_space(&self, theta: f64, p: [f64; 2]) -> [f64; 2] {
         Geometry::new(&self.follower).frame(theta).in_space(p)
     }
 
-    /// Unit direction in which the contact side of the follower moves as its lift grows, fixed frame: +y,
-    /// or square to the arm (the outward normal of a flat face on an arm).
+    /// Unit direction in which the contact side of the follower moves with increasing lift, fixed frame: +y, or perpendicular to the arm (the outward
+    /// normal of an oscillating flat face).
     pub fn motion(&self, theta: f64) -> [f64; 2] {
         let Some(start) = self.follower.start_angle() else {
             return [0.0, 1.0];
@@ -111,8 +111,8 @@ impl Cam {
         [side * sin, cos]
     }
 
-    /// Outward unit normal of the cam at one of its profile points, cam frame, exact: that of a flat face, or
-    /// the motion leaned by the pressure angle.
+    /// Outward unit normal of the cam at one of its profile points, cam frame, exact: that of a flat face, or the direction of motion rotated by the
+    /// pressure angle.
     pub fn normal(&self, point: &ProfilePoint) -> [f64; 2] {
         let motion = self.motion(point.theta);
         let fixed = if self.follower.is_flat() {
@@ -128,7 +128,7 @@ impl Cam {
 }
 
 impl Follower {
-    /// Where the arm is pivoted, fixed frame, m; `None` without an arm.
+    /// Position of the arm's pivot, fixed frame, m; `None` without an arm.
     pub fn pivot(&self) -> Option<[f64; 2]> {
         match *self {
             Follower::RollerOscillating { pivot_distance, .. }

@@ -1,13 +1,12 @@
-//! Which part of a profile was measured.
+//! Measured part of a profile.
 
 use std::f64::consts::TAU;
 
-/// A gap between neighbouring points is a part that was not measured where it is longer than this part of the outline
-/// and than this many mean distances.
+/// A gap between neighbouring points counts as unmeasured above this fraction of the outline and this many mean distances.
 const GAP: (f64, f64) = (0.05, 4.0);
 
-/// The longest part of the outline, points at equal cam angles, without points measured at the `angles`, rad in rising
-/// order: cam angles from and to; `None` where the points are all around.
+/// The longest unmeasured part of the outline, as cam angles from and to. The outline has points at equal cam angles, and `angles`, rad in rising
+/// order, are those measured; `None` if the points are all around.
 pub fn unmeasured(outline: &[[f64; 2]], angles: &[f64]) -> Option<[f64; 2]> {
     let n = outline.len();
     let length = |i: usize| {

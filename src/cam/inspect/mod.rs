@@ -1,12 +1,11 @@
 //! Inspection of a manufactured cam: deviations of measured points from the profile.
 //!
-//! The machine knows neither the cam's centre nor its zero angle. The best fit is the rigid motion (a turn and
-//! a shift) with the least sum of squared normal distances to the exact profile, found by Gauss and Newton's
-//! method: the distance of a point changes by n·J(q − b) per turn and by n per shift, n being the normal at its
-//! foot. The sum has other minima, so the search starts from many angles.
+//! The cam's centre and zero angle are unknown in the measuring frame. The best fit is the rigid motion (rotation and shift) with the minimum sum of
+//! squared normal distances to the exact profile, by the Gauss–Newton method: the distance of a point changes by n·J(q − b) per turn and by n per
+//! shift, n being the normal at its foot. The sum has other minima, so the search starts from many angles.
 //!
-//! Points far outside the scatter of the others are outliers: they are listed and left out of the fit. Points of the
-//! mirror image are refused, and a part of the profile without points is reported.
+//! Points far outside the scatter of the others are outliers: they are listed and left out of the fit. Points of the mirror image are rejected, and a
+//! part of the profile without points is reported.
 //!
 //! A rotation or translation of the whole cam is not a deviation: an eccentric bore is detected only if the centre of
 //! the bore is measured as well.
@@ -23,19 +22,19 @@ use fit::{ALIKE, Exact, Fit, Foot, SAME, chosen, is_determined, longest, radii, 
 use outliers::without_outliers;
 use pose::{Pose, middle, wrapped};
 
-/// Fewest points: three unknowns and a shape to tell.
+/// Minimum number of points: three unknowns and a shape.
 pub const FEWEST: usize = 12;
-/// Samples among which the foot of a point is looked for.
+/// Number of samples among which the foot of a point is searched.
 const PROFILE: usize = 2880;
-/// Largest deviation, relative to the difference of radii, of points that belong to this cam.
+/// Maximum deviation, relative to the difference of radii, of points that belong to this cam.
 const OTHER: f64 = 0.1;
-/// Rounds in which outliers are looked for and left out.
+/// Number of iterations that search and exclude outliers.
 const OUTLIER_ROUNDS: usize = 3;
-/// Points that fit the mirror image this many times as well, and not the cam to this part of its largest radius, are
-/// those of the mirror image.
+/// Ratio by which points fit the mirror image better than the cam, and their deviation from the cam relative to its largest radius, above which they
+/// belong to the mirror image.
 const MIRRORED: (f64, f64) = (10.0, 1e-5);
 
-/// One measured point against the profile.
+/// One measured point compared with the profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -53,13 +52,13 @@ const MIRRORED: (f64, f64) = (10.0, 1e-5);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
-    /// Its place in the list of measured points, from 0.
+    /// Index in the list of measured points, from 0.
     pub row: usize,
     /// Cam angle at which its foot on the profile touches the follower, rad.
     pub theta: f64,
-    /// Distance from the profile along the normal, m: positive where there is too much material.
+    /// Distance from the profile along the normal, m: positive for excess material.
     pub normal: f64,
-    /// Far outside the scatter of the other points, and left out of the fit.
+    /// Whether it is far outside the scatter of the other points, and excluded from the fit.
     pub is_outlier: bool,
 }
 
@@ -81,7 +80,7 @@ pub struct Deviation {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inspection {
-    /// Angle by which the cam lies turned counter-clockwise in the measuring frame, rad in (−π, π].
+    /// Rotation of the cam in the measuring frame, counter-clockwise, rad in (−π, π].
     pub turn: f64,
     /// The cam's centre in the measuring frame, m.
     pub centre: [f64; 2],
@@ -89,7 +88,7 @@ pub struct Inspection {
     pub deviations: Vec<Deviation>,
     /// Other rotations with an equally good fit, rad, for cams with rotational symmetry.
     pub alike: Vec<f64>,
-    /// Cam angles, rad, from and to which the profile was not measured; `None` where the points are all around.
+    /// Cam angles, rad, between which the profile was not measured; `None` if the points are all around.
     pub unmeasured: Option<[f64; 2]>,
 }
 
@@ -120,10 +119,8 @@ impl Cam {
     /// Fits measured points (m, any order, any frame) to the profile; with `ball` > 0 they are centres of a
     /// probing ball of that radius, m.
     ///
-    /// # Errors
-    /// On fewer than 12 points, on coordinates that are not finite, on points that fit nowhere (those of
-    /// another cam) or those of the mirror image, on a cam that is a circle within the scatter of the points, whose
-    /// zero angle cannot be found, and on a cam that does not turn.
+    /// # Errors Fewer than 12 points, non-finite coordinates, points of another cam or of the mirror image, a cam that is circular within the
+    /// scatter, and a cam that does not rotate.
     pub fn inspect(&self, points: &[[f64; 2]], ball: f64) -> Result<Inspection> {
         self.refuse_unfit(points)?;
         let samples = self.samples(PROFILE);

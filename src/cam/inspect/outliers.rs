@@ -7,10 +7,10 @@ use super::fit::Foot;
 const OUTLIER: (f64, f64) = (10.0, 1e-6);
 /// Standard deviation of a normal distribution by its median absolute deviation.
 const NORMAL: f64 = 1.4826;
-/// Largest share of outliers; more of them are the shape of the cam.
+/// Maximum fraction of outliers; more of them are the shape of the cam.
 const FEW: f64 = 0.05;
 
-/// Which points are no outliers; `None` where too many are far from the others.
+/// The points that are not outliers; `None` if too many are far from the others.
 pub fn without_outliers(feet: &[Foot], size: f64) -> Option<Vec<bool>> {
     let middle_of = |mut values: Vec<f64>| {
         values.sort_by(f64::total_cmp);

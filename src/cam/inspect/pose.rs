@@ -1,4 +1,4 @@
-//! How a measured cam lies in the frame of the measuring machine.
+//! Pose of a measured cam in the frame of the measuring machine.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -21,7 +21,7 @@ impl Pose {
         ]
     }
 
-    /// Turned about its place and shifted.
+    /// The pose after a rotation about its place and a shift.
     pub fn moved(&self, [turn, x, y]: [f64; 3]) -> Pose {
         Pose {
             angle: self.angle + turn,
@@ -30,7 +30,7 @@ impl Pose {
         }
     }
 
-    /// Where the cam's centre lies in the measuring frame.
+    /// Position of the cam's centre in the measuring frame.
     pub fn centre(&self) -> [f64; 2] {
         let (sin, cos) = self.angle.sin_cos();
         let [x, y] = self.place;
@@ -58,7 +58,7 @@ pub fn middle(points: &[[f64; 2]]) -> [f64; 2] {
     }
 }
 
-/// An angle brought to (−π, π].
+/// An angle reduced to (−π, π].
 pub fn wrapped(angle: f64) -> f64 {
     let turn = std::f64::consts::TAU;
     let inside = angle.rem_euclid(turn);

@@ -1,4 +1,4 @@
-//! The hole for the shaft: a bore with or without a keyway, the wall around it.
+//! The hole for the shaft: a bore with or without a keyway, and the surrounding wall.
 
 use serde::Serialize;
 
@@ -24,9 +24,9 @@ const DIN_6885: [[f64; 3]; 17] = [
 ];
 /// Smallest shaft diameter of the table, m.
 const THINNEST: f64 = 6e-3;
-/// Wall of a hub as a part of its bore: hubs have 1.5 to 2 times the diameter of the shaft.
+/// Wall of a hub as a fraction of its bore: hubs have 1.5 to 2 times the diameter of the shaft.
 const HUB: f64 = 0.25;
-/// Thinnest wall around a bore, and around a keyway, m.
+/// Minimum wall around a bore, and around a keyway, m.
 const WALL: f64 = 1e-3;
 const KEYED_WALL: f64 = 3e-3;
 
@@ -42,7 +42,7 @@ const KEYED_WALL: f64 = 3e-3;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Keyway {
-    /// Width, m.
+    /// Width of the keyway, m.
     pub width: f64,
     /// Depth above the bore's circle at the middle of the keyway, t₂ of the standard, m.
     pub depth: f64,
@@ -62,7 +62,7 @@ impl Keyway {
         (diameter > THINNEST).then_some(Keyway::of(row))
     }
 
-    /// The keyway of DIN 6885-1 of this width, m; `None` where the standard has none.
+    /// The keyway of DIN 6885-1 of this width, m; `None` if the standard has none.
     pub fn of_width(width: f64) -> Option<Keyway> {
         let row = DIN_6885
             .iter()
@@ -95,7 +95,7 @@ impl Keyway {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Bore {
-    /// Diameter, m.
+    /// Diameter of the bore, m.
     pub diameter: f64,
     /// The keyway, if there is one; narrower than the bore.
     pub keyway: Option<Keyway>,
@@ -123,14 +123,13 @@ impl Bore {
         }
     }
 
-    /// Smallest base radius that leaves a wall around the hole, m: 1 mm around a bore; beyond a keyway 3 mm, and at least half
-    /// its depth.
+    /// Minimum base radius that leaves a wall around the hole, m: 1 mm around a bore; beyond a keyway 3 mm, and at least half its depth.
     pub fn least_base_radius(&self) -> f64 {
         let wall = |key: Keyway| KEYED_WALL.max(0.5 * key.depth);
         self.reach() + self.keyway.map_or(WALL, wall)
     }
 
-    /// Smallest base radius that leaves the usual wall of a hub, m: a quarter of the bore, and never less than the least.
+    /// Base radius that leaves the usual wall of a hub, m: a quarter of the bore, and at least the minimum.
     pub fn hub_radius(&self) -> f64 {
         (self.radius() + HUB * self.diameter).max(self.least_base_radius())
     }

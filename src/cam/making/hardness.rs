@@ -19,21 +19,21 @@ const CONVERSION: [[f64; 3]; 12] = [
     [62.0, 746.0, 688.0],
     [64.0, 800.0, 722.0],
 ];
-/// Lower limit of the rule, HB.
+/// Lower limit of validity of the rule, HB.
 const SOFTEST: f64 = 100.0;
 
-/// How a hardness was measured.
+/// Hardness scale.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr, strum::EnumString)]
 #[serde(rename_all = "kebab-case")]
 #[strum(ascii_case_insensitive)]
 pub enum HardnessScale {
-    /// HV.
+    /// Vickers hardness, HV.
     #[strum(serialize = "HV")]
     Vickers,
-    /// HRC.
+    /// Rockwell hardness C, HRC.
     #[strum(serialize = "HRC")]
     RockwellC,
-    /// HB, with a ball of tungsten carbide.
+    /// Brinell hardness, HB, with a ball of tungsten carbide.
     #[strum(serialize = "HB")]
     Brinell,
 }
@@ -66,9 +66,9 @@ impl HardnessScale {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Hardness {
-    /// The number.
+    /// Value on the scale.
     pub value: f64,
-    /// How it was measured.
+    /// Scale of the value.
     pub scale: HardnessScale,
 }
 
@@ -89,7 +89,7 @@ impl Hardness {
         (softest..=hardest).contains(&value).then_some(hardness)
     }
 
-    /// The same on Brinell's scale, HB: between the rows of the table on straight lines, below it in its first ratio.
+    /// The hardness on Brinell's scale, HB: linear between the rows of the table, proportional below the first row.
     pub fn brinell(self) -> f64 {
         let column = self.scale.column();
         let first = CONVERSION[0];

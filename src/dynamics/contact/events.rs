@@ -1,4 +1,4 @@
-//! The engine of the contact run: from one event to the next.
+//! Event loop of the contact simulation.
 
 use super::flight::Flight;
 use super::impact::Pulse;
@@ -7,18 +7,18 @@ use crate::drive::Drive;
 use crate::dynamics::surface::Surface;
 use std::f64::consts::TAU;
 
-/// Rebounds slower than this share of the machine's speeds end in rest.
+/// Fraction of the machine's speeds below which a rebound ends in rest.
 const REST: f64 = 1e-9;
 /// κ beyond which inertia is neglected: the free motion is much faster than the turn.
 const QUASI_STATIC: f64 = 1e10;
-/// Gaps below this part of the lift are rounding.
+/// Gaps below this fraction of the lift are rounding errors.
 const TOUCHING: f64 = 1e-15;
-/// Steps in search of one landing.
+/// Maximum number of steps in the search for one landing.
 const MOST_STEPS: usize = 200_000;
-/// Relative difference of state after a turn that counts as the same.
+/// Relative difference of states after a turn below which the motion repeats.
 const SAME: f64 = 1e-9;
 
-/// State on a turn's first angle.
+/// State at the first angle of a turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Mark {
     On(usize),
@@ -34,7 +34,7 @@ struct Engine<'a> {
     kappa: f64,
     push: f64,
     massless: bool,
-    /// Lift, m, and velocity, m/s, against which rounding is measured.
+    /// Reference lift, m, and velocity, m/s, for rounding errors.
     lift_scale: f64,
     rest_speed: f64,
     run: ContactRun,
@@ -140,7 +140,7 @@ impl Engine<'_> {
         self.run
     }
 
-    /// Lands on a profile: rest, or the flight of the rebound.
+    /// Handles a landing on a profile: rest, or the flight of the rebound.
     fn strike(
         &mut self,
         now: f64,
@@ -180,7 +180,7 @@ impl Engine<'_> {
         }
     }
 
-    /// Angle up to which the gap certainly opens after lift-off: the force stays negative, and no spring has swung back.
+    /// Angle up to which the gap certainly opens after lift-off: the force stays negative, and the spring cannot reverse the motion.
     fn blind(&self, from: f64, to: f64) -> f64 {
         let rate = self.kappa.max(0.25 * self.gamma * self.gamma).sqrt();
         to.min(from + 0.5 / rate.max(1e-3))
@@ -203,7 +203,8 @@ impl Engine<'_> {
         flight.at(at).0 - lifts.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// First angle at which the flight meets a profile, and which one.
+    /// First angle at which the flight meets a profile, and the index of this profile. g″ ≥ −B on the way, so no zero is reached before a zero of g +
+    /// g′d − Bd²/2; each step goes exactly there.
     ///
     /// g″ ≥ −B on the way, so no zero lies before g + g′d − Bd²/2 has one: each step goes exactly there.
     fn landing(&self, flight: &Flight, left: usize, blind: f64, end: f64) -> Option<(f64, usize)> {
@@ -246,7 +247,7 @@ impl Engine<'_> {
         Some((now, left))
     }
 
-    /// Largest gap of a flight that ends at `to`: the bracketed zero of the opening rate.
+    /// Largest gap of a flight that ends at `to`: the bracketed zero of the gap's rate.
     fn height(&self, flight: &Flight, to: f64) -> f64 {
         const PARTS: usize = 16;
         let gap = |t: f64| self.gap(flight, t);
@@ -264,7 +265,7 @@ impl Engine<'_> {
         gap(0.5 * (a + b)).max(0.0)
     }
 
-    /// Until when the mass rides on `surface`, and why it leaves.
+    /// Angle up to which the mass stays on `surface`, and the reason why it leaves.
     fn leave(&self, surface: usize, now: f64, end: f64) -> (f64, Leave) {
         let own = &self.surfaces[surface];
         let (mut until, mut event) = (end, Leave::End);
@@ -282,7 +283,7 @@ impl Engine<'_> {
         (until, event)
     }
 
-    /// Records a stretch and the states at the turns it passes; true when the motion repeats.
+    /// Records a phase and the states at its full turns; true if the motion repeats.
     fn stretch(&mut self, phase: Phase, from: f64, to: f64) -> bool {
         if to > from {
             self.run.stretches.push(Stretch { phase, from, to });
@@ -322,16 +323,16 @@ impl Engine<'_> {
     }
 }
 
-/// Why a mass leaves the profile it rides on.
+/// Reasons why a mass leaves its profile.
 enum Leave {
     End,
-    /// The force would pull, until the angle given.
+    /// The contact force would be negative, until the given angle.
     Pull(f64),
     /// Another profile of the shaft lifts it.
     Handover(usize),
 }
 
-/// First angle in (now, until) at which `other` rises through `own`.
+/// First angle in (now, until) at which `other` exceeds `own`.
 fn overtaken(own: &Surface, other: &Surface, now: f64, until: f64, floor: f64) -> Option<f64> {
     let bound = (other.steepest - own.hollowest).max(f64::MIN_POSITIVE);
     let mut at = now;

@@ -4,25 +4,25 @@
 //! y = y₀ + y₀′(S + γI) + y₀″ I: no difference of large numbers where springs or dampers vanish, and a
 //! parabola when both do.
 
-/// Phase below which S and I come from their series.
+/// Phase below which S and I are computed by series.
 const SERIES_PHASE: f64 = 0.5;
-/// Terms of the series: 0.5²⁴/24! is far below rounding.
+/// Number of terms of the series: 0.5²⁴/24! is far below rounding.
 const SERIES_TERMS: usize = 24;
 
-/// One flight, by the angle since its start.
+/// One free flight, as a function of the angle since its start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flight {
-    /// Angle at which it starts, rad.
+    /// Start angle of the flight, rad.
     pub start: f64,
     /// Height at the start, m.
     pub y: f64,
-    /// dy/dθ at the start, m/rad.
+    /// Slope dy/dθ at the start, m/rad.
     pub rate: f64,
-    /// d²y/dθ² at the start, m/rad².
+    /// Curvature d²y/dθ² at the start, m/rad².
     pub curvature: f64,
-    /// k/(mω²), per rad².
+    /// Stiffness k/(mω²), per rad².
     pub kappa: f64,
-    /// c/(mω), per rad.
+    /// Damping c/(mω), per rad.
     pub gamma: f64,
 }
 
@@ -38,7 +38,7 @@ impl Flight {
         )
     }
 
-    /// The most by which y″ can lie below zero at any later angle, m/rad².
+    /// Bound of −y″ at all later angles, m/rad².
     pub fn steepest_fall(&self) -> f64 {
         if self.kappa == 0.0 {
             // y″ decays from its first value.
@@ -49,7 +49,7 @@ impl Flight {
         self.curvature.hypot(third / self.kappa.sqrt())
     }
 
-    /// S, S′ and ∫S at `t`.
+    /// The functions S, S′ and ∫S at `t`.
     fn fundamental(&self, t: f64) -> (f64, f64, f64) {
         if self.gamma == 0.0 && self.kappa == 0.0 {
             return (t, 1.0, 0.5 * t * t);

@@ -1,13 +1,13 @@
-//! Impacts of a rigid mass: the surfaces part at e times the speed at which they met.
+//! Impacts of a rigid mass: the separation speed is e times the approach speed.
 
 use crate::error::{DynamicsError, Result};
 
 /// Result of one instantaneous impact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Pulse {
-    /// Speed at which the surfaces part, m/s; 0 when they stay together.
+    /// Separation speed, m/s; 0 if the surfaces stay together.
     pub rebound: f64,
-    /// Impulse, N·s.
+    /// Impulse of the impact, N·s.
     pub impulse: f64,
 }
 
@@ -22,7 +22,8 @@ impl Pulse {
 }
 
 /// # Errors
-/// When a coefficient of restitution lies outside [0, 1].
+///
+/// A coefficient of restitution outside [0, 1].
 pub fn check_restitution(e: f64) -> Result<()> {
     if (0.0..=1.0).contains(&e) {
         return Ok(());

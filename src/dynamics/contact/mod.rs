@@ -1,9 +1,8 @@
 //! Contact that can be lost: lift-off, flight, impact, rest, one event after the other.
 //!
-//! While the mass rides on a profile its motion is the profile's lift; it leaves where the force turns
-//! negative, flies in closed form, and meets a profile again at the first zero of the gap, found by steps
-//! that the curvatures of flight and profile prove to be free of contact. Nothing is sampled, so no
-//! grazing touch is missed. Bounces that shrink to nothing end in contact.
+//! In contact the motion of the mass is the profile's lift; contact ends where the force turns negative. The flight has a closed form and ends at the
+//! first zero of the gap, found by steps that curvature bounds prove to be free of contact. Nothing is sampled, so no grazing contact is missed. A
+//! decaying sequence of bounces ends in contact.
 
 mod events;
 pub(crate) mod flight;
@@ -33,21 +32,21 @@ use std::f64::consts::TAU;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Phase {
-    /// Riding on a profile.
+    /// In contact with a profile.
     Contact {
-        /// Which profile of the shaft.
+        /// Index of the profile.
         surface: usize,
     },
-    /// In the air.
+    /// In free flight.
     Flight(Flight),
-    /// A machine without inertia, parted from the profile where the force would pull.
+    /// Without contact in a machine without inertia, where the force would be negative.
     Parted {
-        /// The profile it left.
+        /// Index of the profile that it left.
         surface: usize,
     },
 }
 
-/// A phase with its angles, turns counted on, rad.
+/// A phase with its angles, rad, counted over several turns.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -63,15 +62,15 @@ pub enum Phase {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
-    /// Kind of phase.
+    /// Kind of the phase.
     pub phase: Phase,
-    /// First angle.
+    /// First angle of the phase.
     pub from: f64,
-    /// Last angle.
+    /// Last angle of the phase.
     pub to: f64,
 }
 
-/// One landing.
+/// One landing on a profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -89,21 +88,21 @@ pub struct Stretch {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Impact {
-    /// Angle, turns counted on, rad.
+    /// Angle, rad, counted over several turns.
     pub at: f64,
-    /// Profile that is struck.
+    /// Index of the profile that is hit.
     pub surface: usize,
-    /// Speed at which the surfaces meet, m/s.
+    /// Approach speed of the surfaces, m/s.
     pub speed: f64,
-    /// Angle at which the flight began (its own angle for a handover without flight), rad.
+    /// Angle at which the flight began (equal to the landing for a handover without flight), rad.
     pub since: f64,
     /// Largest gap of that flight, m.
     pub height: f64,
-    /// Rebound and impulse.
+    /// Rebound and impulse of the impact.
     pub pulse: Pulse,
 }
 
-/// A run from rest on the profile.
+/// A simulation that starts at rest on the profile.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -120,19 +119,19 @@ pub struct Impact {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactRun {
-    /// Phases in order.
+    /// Phases in order of time.
     pub stretches: Vec<Stretch>,
-    /// Landings in order.
+    /// Landings in order of time.
     pub impacts: Vec<Impact>,
-    /// First angle, rad.
+    /// First angle of the run, rad.
     pub start: f64,
-    /// Turns before the motion repeats; `None` when it did not within the turns allowed.
+    /// Number of turns before the motion repeats; `None` if it does not within the allowed turns.
     pub settle: Option<usize>,
-    /// Turns of one repetition (the last turn when it does not repeat).
+    /// Number of turns of one repetition (the last turn if it does not repeat).
     pub period: usize,
-    /// Turns that were run.
+    /// Number of simulated turns.
     pub turns: usize,
-    /// The mass never came back to the profile.
+    /// Whether the mass never returned to the profile.
     pub escaped: bool,
 }
 
@@ -148,9 +147,9 @@ pub struct ContactRun {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Turns at most.
+    /// Maximum number of turns.
     pub turns: usize,
-    /// Impacts at most.
+    /// Maximum number of impacts.
     pub impacts: usize,
 }
 
@@ -170,7 +169,7 @@ impl ContactRun {
         (to - TAU * self.period as f64, to)
     }
 
-    /// Part of the repetition without contact.
+    /// Fraction of the repetition without contact.
     pub fn lost_fraction(&self) -> f64 {
         let (from, to) = self.window();
         let lost: f64 = self

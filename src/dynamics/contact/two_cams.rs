@@ -1,10 +1,10 @@
-//! Two cams on one shaft: the lift of whichever stands higher.
+//! Two cams on one shaft: the maximum of both lifts.
 
 use crate::law::Law;
 use crate::poly::{PiecewisePoly, bernstein};
 
-/// The lift of the higher of two polynomial laws at every angle: breaks of both, and new ones where they
-/// cross. Its slope steps up at the crossings, which are impacts.
+/// The lift of the higher of two polynomial laws at every angle: breaks of both, and new ones where they cross. Its slope jumps up at the crossings,
+/// which are impacts.
 pub fn envelope(one: &Law, other: &Law) -> Law {
     let mut breaks: Vec<f64> = one.breaks().iter().chain(other.breaks()).copied().collect();
     breaks.sort_by(f64::total_cmp);
@@ -33,7 +33,7 @@ pub fn envelope(one: &Law, other: &Law) -> Law {
     Law::from_poly(PiecewisePoly::new(finer, degree, coef), one.is_closed())
 }
 
-/// The law on finer breaks, of the degree given.
+/// The law on finer breaks, with the given degree.
 fn cut(p: &PiecewisePoly, breaks: &[f64], degree: usize) -> PiecewisePoly {
     let on = |pair: &[f64]| {
         let (i, _) = p.locate(0.5 * (pair[0] + pair[1]));

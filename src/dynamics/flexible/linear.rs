@@ -1,18 +1,17 @@
 //! Exact response of a small linear system to piecewise polynomial forcing.
 //!
-//! z′ = A z + b f(θ). Over a piece of width w, z(w) = e^{Aw} z(0) + ∫₀ʷ e^{A(w−x)} b f(x) dx; the
-//! integral is a fixed vector per Bernstein coefficient of f, found once per width: Gauss points integrate
-//! polynomial times exponential to rounding on a short part, and doubling takes it to the full width.
-//! Nothing cancels, whatever the frequency; no time is stepped.
+//! z′ = A z + b f(θ). Over a piece of width w, z(w) = e^{Aw} z(0) + ∫₀ʷ e^{A(w−x)} b f(x) dx; the integral is a fixed vector per Bernstein
+//! coefficient of f, computed once per width: Gauss points integrate polynomial times exponential to rounding on a short part, and doubling extends
+//! it to the full width. There is no cancellation at any frequency, and no time stepping.
 
 use crate::poly::{PiecewisePoly, bernstein, gauss_legendre};
 pub use nalgebra::{Matrix2, Vector2};
 
-/// Norm of A times the width that one set of Gauss points covers.
+/// Norm of A times the width up to which one set of Gauss points suffices.
 const REACH: f64 = 1.0;
-/// Terms of the exponential's series at that norm: 1/24! ≈ 2e-24.
+/// Number of terms of the exponential's series at that norm: 1/24! ≈ 2e-24.
 const SERIES: usize = 24;
-/// Largest norm of A times one piece that is still resolved; beyond it the response is quasi-static.
+/// Maximum norm of A times one piece that is resolved; beyond it the response is quasi-static.
 pub const STIFFEST: f64 = 1e9;
 
 /// A linear system of two states under one forcing; an unused state decays and does not couple.
@@ -33,7 +32,7 @@ pub const STIFFEST: f64 = 1e9;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linear {
-    /// Rates, per radian.
+    /// Matrix of rates, per radian.
     pub rates: Matrix2<f64>,
     /// Input vector, per radian.
     pub input: Vector2<f64>,
@@ -59,8 +58,8 @@ impl Linear {
         run(&steps, forcing, start, &kick)
     }
 
-    /// States at the breaks in the periodic steady state; `None` when an undamped natural frequency meets
-    /// a harmonic, so that there is none. `kick(i)` is added at the start of every piece i.
+    /// States at the breaks in the periodic steady state; `None` if an undamped natural frequency equals a harmonic. `kick(i)` is added at the start
+    /// of every piece i.
     pub fn periodic(
         &self,
         forcing: &PiecewisePoly,
@@ -119,8 +118,7 @@ impl Linear {
     }
 }
 
-/// Singular values of (1 − turn) below this part of the largest mean an undamped resonance: a natural
-/// frequency equals a harmonic.
+/// Singular values of (1 − turn) relative to the largest below which there is an undamped resonance.
 const NEAR_RESONANCE: f64 = 1e-11;
 
 fn run(
@@ -164,8 +162,8 @@ fn push_once(
     sum
 }
 
-/// The same for twice the width: the forcing's halves have coefficients that are averages (de Casteljau
-/// at ½), the first half's answer is carried through the second.
+/// The integrals for twice the width: the forcing's halves have averaged coefficients (de Casteljau at ½), and the response to the first half is
+/// propagated through the second.
 fn doubled(carry: &Matrix2<f64>, push: &[Vector2<f64>]) -> Vec<Vector2<f64>> {
     let n = push.len() - 1;
     let mut out = vec![Vector2::zeros(); n + 1];

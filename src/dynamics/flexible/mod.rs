@@ -1,10 +1,8 @@
 //! A compliant follower: the moved mass on the cam through a spring and a damper, or a column of fluid.
 //!
-//! Written relative to the rigid motion: the mass stands at s + x, and x is driven by minus the rigid
-//! force. For a mass m on a train of stiffness k₁ and damping c₁, with the machine's own k and c,
-//! m ẍ + (c + c₁) ẋ + (k + k₁) x = −F(θ), and the cam feels N = −(k₁ x + c₁ ẋ). The forcing is the law's
-//! own piecewise polynomial, so each piece has a closed form ([`Linear`]); steps of velocity or lift in
-//! the law kick the state.
+//! Written relative to the rigid motion: the mass stands at s + x, and x is driven by minus the rigid force. For a mass m on a train of stiffness k₁
+//! and damping c₁, with the machine's own k and c, m ẍ + (c + c₁) ẋ + (k + k₁) x = −F(θ), and the contact force is N = −(k₁ x + c₁ ẋ). The forcing is
+//! the law's own piecewise polynomial, so each piece has a closed form ([`Linear`]); steps of velocity or lift in the law cause steps of the state.
 
 mod linear;
 pub(crate) mod polydyne;
@@ -21,7 +19,7 @@ use crate::law::{Joint, Law};
 use crate::poly::{Extreme, PiecewisePoly};
 pub(crate) use nalgebra::{Matrix2, Vector2};
 
-/// Steady motion of a flexible machine at equal or unequal angles (the breaks of the forcing).
+/// Steady motion of a flexible machine at angles that include the breaks of the forcing.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -46,14 +44,14 @@ pub struct Steady {
     pub contact: Vec<f64>,
     /// Derivative of the force with respect to the angle, N/rad.
     pub contact_rate: Vec<f64>,
-    /// Output force of the machine, N: the contact force, of a hydraulic drive the piston's.
+    /// Output force of the machine, N: the contact force, or the piston force of a hydraulic drive.
     pub output: Vec<f64>,
 }
 
-/// The linear system of a train, its forcing polynomial and the way back to forces.
+/// The linear system of a train, its forcing polynomial and the conversion to forces.
 struct Model {
     linear: Linear,
-    /// The rigid force, N.
+    /// The rigid force polynomial, N.
     force: PiecewisePoly,
     /// Contact force = Σ wᵢ zᵢ; the states are x and x′/scale.
     contact: Vector2<f64>,
@@ -106,11 +104,10 @@ pub fn steady(law: &Law, drive: &Drive, train: &Train) -> Result<Steady> {
     })
 }
 
-/// Breaks nearer to each other than this, rad, are the same.
+/// Distance below which two breaks coincide, rad.
 const SAME: f64 = 1e-9;
 
-/// The model, its forcing cut at further angles, and its periodic states; `None` where only the static part of the
-/// response remains: nothing moves, or the vibration has millions of cycles between two breaks.
+/// The model, with its forcing divided at further angles, and its periodic states; `None` if only the static part of the response remains.
 fn periodic(
     law: &Law,
     drive: &Drive,
@@ -140,7 +137,7 @@ fn periodic(
     Ok(Some((model, states)))
 }
 
-/// Steps of lift or velocity below this part of the lift are rounding.
+/// Steps of lift or velocity below this fraction of the lift are rounding errors.
 const ROUNDING: f64 = 1e-12;
 
 /// Steps of the relative state at the jumps of the law, by the piece of the forcing: the mass does not

@@ -6,11 +6,10 @@
 //! F(y) = F₀ + k y + c ẏ + m ÿ = k₁ (s − y) + c₁ (ṡ − ẏ)
 //! ```
 //!
-//! so the deflection x = s − y follows from the target y by x + τ x′ = F(y)/k₁, τ = c₁ω/k₁. Without damping
-//! that is algebra: s = y + F(y)/k₁, and a sum of sinusoids has 1/(1 + i r τ) at each frequency r. Otherwise x and its
-//! first three derivatives, which obey the same equation under the derivatives of F, are computed at the breaks of
-//! F in the periodic steady state, and joined by polynomials of degree 7. Source: Dudley's polydyne relation, y and s
-//! in the letters of [`super`].
+//! so the deflection x = s − y follows from the target y by x + τ x′ = F(y)/k₁, τ = c₁ω/k₁. Without damping it is algebraic: s = y + F(y)/k₁, and a
+//! sum of sinusoids has 1/(1 + i r τ) at each frequency r. Otherwise x and its first three derivatives, which obey the same equation under the
+//! derivatives of F, are computed at the breaks of F in the periodic steady state, and joined by polynomials of degree 7. Source: Dudley's polydyne
+//! relation, y and s in the letters of [`super`].
 
 use super::Train;
 use super::linear::{Linear, Matrix2, Vector2};
@@ -23,24 +22,23 @@ use crate::units::Quantity;
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// Parts of a piece for its transients, at most; each as long as the damping's lag.
+/// Maximum number of parts of a piece for its transients, each as long as the damping's lag.
 const MOST_PARTS: f64 = 16.0;
-/// Longest part of a piece, rad: a polynomial of degree 7 follows a sinusoid of rate 20 on it to 1e-10.
+/// Maximum length of a part of a piece, rad: a polynomial of degree 7 follows a sinusoid of rate 20 on it to 1e-10.
 const LONGEST_PART: f64 = TAU / 180.0;
-/// A lag below this, rad, is none.
+/// Lag that counts as none, rad.
 const INSTANT: f64 = 1e-8;
-/// A jump below this part of the derivative's size is rounding; high derivatives of a spline carry much.
+/// Jumps below this fraction of the derivative's size are rounding errors.
 const ROUNDING: f64 = 1e-6;
-/// Angles of one cycle at which the run of the finished cam is compared with the target.
+/// Number of angles of one cycle at which the run of the finished cam is compared with the target.
 const COMPARED: usize = 720;
 
 /// Law of the cam under which the output of a compliant follower follows `target` at the drive's speed.
 ///
 /// The constant F₀/k₁, the static deflection under the rest force, is part of the lift.
 ///
-/// # Errors
-/// Invalid stiffness or damping, an open law, a target law with a jump in one of its
-/// first four derivatives (without mass fewer count): the cam's acceleration would jump there.
+/// # Errors Invalid stiffness or damping, an open law, a target law with a jump in one of its first four derivatives (fewer without mass), at which
+/// the cam's acceleration would jump.
 pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     train.check()?;
     let Train { stiffness, damping } = *train;
@@ -81,7 +79,7 @@ pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     Ok(Law::with_waves(sum, waves.collect(), true))
 }
 
-/// The target raised by the deflection of a damped train, of degree 7 between the breaks of the force.
+/// The target plus the deflection of a damped train, of degree 7 between the breaks of the force.
 fn lagging(target: &Law, drive: &Drive, train: &Train, lag: f64) -> Result<Law> {
     let mut cuts = Vec::new();
     for ends in target.breaks().windows(2) {
@@ -137,7 +135,7 @@ fn gain(rate: f64, drive: &Drive, stiffness: f64, damping: f64) -> (f64, f64) {
     )
 }
 
-/// A sinusoid passed through a complex gain.
+/// A sinusoid multiplied by a complex gain.
 fn passed(wave: &Wave, (re, im): (f64, f64)) -> Wave {
     Wave {
         rate: wave.rate,
@@ -146,8 +144,8 @@ fn passed(wave: &Wave, (re, im): (f64, f64)) -> Wave {
     }
 }
 
-/// How many derivatives of a closed law are continuous (0: the lift alone, looked at up to `most`), and
-/// where the next one jumps. A law whose lift jumps counts as if its velocity did.
+/// Number of continuous derivatives of a closed law (0: the lift alone), up to `most`, and the angle at which the next one jumps. A law with a jump
+/// of the lift counts as one with a jump of the velocity.
 fn continuous_derivatives(law: &Law, most: usize) -> (usize, f64) {
     let mut poly = law.poly().clone();
     let breaks = poly.breaks().to_vec();
@@ -193,9 +191,9 @@ fn continuous_derivatives(law: &Law, most: usize) -> (usize, f64) {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Miss {
-    /// Force handed on minus the force of the target law: root mean square, N.
+    /// Transmitted force minus the force of the target law: root mean square, N.
     pub force_rms: f64,
-    /// The same, largest, N.
+    /// Transmitted force minus the force of the target law: maximum, N.
     pub force_max: f64,
     /// Largest deviation of the output from the target without the constant part, m, and its angle.
     pub lift: Extreme,
@@ -203,8 +201,7 @@ pub struct Miss {
 
 /// Compares the exact steady motion under `cam` with the target of the output, at equal steps of the angle.
 ///
-/// # Errors
-/// Fails where the run has no steady state (see [`flexible::steady`]).
+/// # Errors The run has no steady state (see [`flexible::steady`]).
 pub fn end_error(cam: &Law, target: &Law, drive: &Drive, train: &Train) -> Result<Miss> {
     let steady = flexible::steady(&finely(cam), drive, train)?;
     let (start, length) = cam.extent();
@@ -238,15 +235,14 @@ pub fn end_error(cam: &Law, target: &Law, drive: &Drive, train: &Train) -> Resul
     })
 }
 
-/// The same law with the angles that are compared among its breaks.
+/// The law with the compared angles among its breaks.
 fn finely(law: &Law) -> Law {
     let (start, length) = law.extent();
     let compared = (1..COMPARED).map(|i| start + length * i as f64 / COMPARED as f64);
     cut_at(law, &compared.collect::<Vec<_>>())
 }
 
-/// The same law with further breaks, where they are more than a rounding error from its own: a piece as wide as that
-/// has no derivative.
+/// The law with further breaks that differ from its own by more than rounding, because narrower pieces have no accurate derivatives.
 fn cut_at(law: &Law, further: &[f64]) -> Law {
     let (_, length) = law.extent();
     let new = |x: &f64| law.breaks().iter().all(|b| (b - x).abs() > 1e-9 * length);

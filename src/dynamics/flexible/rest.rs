@@ -1,19 +1,19 @@
-//! Residual vibration: what a motion leaves of the follower's vibration in the dwell after it.
+//! Residual vibration of the follower in a dwell.
 //!
-//! In a dwell the rigid force is a constant F and the follower swings about its static deflection −F/K, with K = k + k₁ of
-//! return spring and train. Amplitude is √(2 E/K) with the energy E of that vibration at the dwell's start: the motion is
-//! nowhere in the dwell larger, and without damping that large once in every cycle (theory §10).
+//! In a dwell the rigid force is a constant F and the follower vibrates about its static deflection −F/K, with K = k + k₁ of return spring and train.
+//! Amplitude is √(2 E/K) with the energy E of that vibration at the dwell's start: it bounds the motion in the dwell, and is reached in every cycle
+//! without damping (theory §10).
 
 use super::{SAME, Train, periodic};
 use crate::drive::Drive;
 use crate::error::Result;
 use crate::law::Law;
 
-/// Damping ratio that stands for none where an undamped natural frequency meets a harmonic: a law that excites it swings
-/// without bound, one that does not is at rest in its dwells.
+/// Damping ratio used if an undamped natural frequency equals a harmonic: a law that excites it vibrates without bound, one that does not is at rest
+/// in its dwells.
 const HARDLY_DAMPED: f64 = 1e-6;
 
-/// Amplitude, m, in the periodic steady state at each of these angles, where a dwell begins.
+/// Amplitude, m, in the periodic steady state at each of these angles, the starts of dwells.
 ///
 /// # Errors
 /// Invalid stiffness or damping.

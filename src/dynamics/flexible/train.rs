@@ -27,8 +27,7 @@ impl Train {
     /// A train with the given natural frequency on the cam (Hz, return spring not counted) and damping
     /// ratio, for the drive's mass.
     ///
-    /// # Errors
-    /// When frequency or mass is not positive or the ratio negative.
+    /// # Errors Frequency or mass not positive, or a negative ratio.
     pub fn from_frequency(drive: &Drive, hertz: f64, ratio: f64) -> Result<Self> {
         if !(hertz > 0.0 && hertz.is_finite() && ratio >= 0.0 && ratio.is_finite()) {
             return Err(DynamicsError::Frequency {
@@ -48,13 +47,14 @@ impl Train {
         })
     }
 
-    /// Undamped natural frequency, rad/s, return spring included; none without mass.
+    /// Undamped natural frequency, rad/s, return spring included; `None` without mass.
     pub fn natural_frequency(&self, drive: &Drive) -> Option<f64> {
         (drive.mass > 0.0).then(|| ((self.stiffness + drive.spring_rate) / drive.mass).sqrt())
     }
 
     /// # Errors
-    /// When the stiffness is not positive or the damping negative.
+    ///
+    /// Stiffness not positive, or negative damping.
     pub fn check(&self) -> Result<()> {
         let sound = |x: f64| x.is_finite() && x >= 0.0;
         if sound(self.stiffness) && sound(self.damping) && self.stiffness > 0.0 {

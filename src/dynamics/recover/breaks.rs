@@ -1,16 +1,13 @@
-//! The lift between breakpoints: each stretch has its own spline of slopes, so that nothing oscillates at a
-//! jump of acceleration or jerk.
+//! The lift between breakpoints: each stretch has its own spline of slopes, which avoids oscillations at jumps of acceleration or jerk.
 
 use super::emitted::{Cycle, Emitted, lift_piece};
 use super::slopes::slopes_at;
 use crate::law::Law;
 use crate::poly::PiecewisePoly;
 
-/// Rows nearer to a breakpoint than this part of a step are left to the curve: their distance would divide
-/// the noise of their coordinates.
+/// Fraction of a step from a breakpoint within which rows are ignored, because their distance would divide the noise of their coordinates.
 const TOO_NEAR: f64 = 0.25;
-/// Rows nearer than this part of a step are no breaks of the law either: a polynomial on so short a piece
-/// loses its derivatives to rounding.
+/// Fraction of a step within which rows are not breaks of the law either, because short pieces lose their derivatives to rounding.
 const NO_PIECE: f64 = 0.02;
 
 /// Height and slope of the lift at one angle.
@@ -21,8 +18,8 @@ pub struct Station {
     pub slope: f64,
 }
 
-/// The lift through `rows` (equal steps) with both sides of every breakpoint, in order of their angles.
-/// `known`: the slopes are; otherwise they follow from the heights.
+/// The lift through `rows` (equal steps) with both sides of every breakpoint, in order of their angles. `known` states whether the slopes are known;
+/// otherwise they follow from the heights.
 pub fn between_breaks(
     rows: &[Station],
     breaks: &[[Station; 2]],
@@ -73,8 +70,7 @@ pub fn between_breaks(
     }
 }
 
-/// The stations of every stretch between two breakpoints, both included. Angles of a closed cycle grow
-/// beyond its end.
+/// The stations of every stretch between two breakpoints, both included. Angles of a closed cycle continue beyond its end.
 fn stretches(
     rows: &[Station],
     breaks: &[[Station; 2]],
@@ -116,7 +112,7 @@ fn stretches(
         .collect()
 }
 
-/// Slopes of the splines through the heights; the mean of both sides where two stretches meet.
+/// Slopes of the splines through the heights; the mean of both sides at the ends of stretches.
 fn slopes_from_heights(stretches: &mut [Vec<Station>], cycle: Cycle) {
     for stretch in stretches.iter_mut() {
         let slopes = slopes_of(stretch, |s| s.height);
@@ -155,8 +151,7 @@ fn drift(stretches: &[Vec<Station>], cycle: Cycle) -> f64 {
     sum / cycle.length
 }
 
-/// The same lift from the first row's angle on, with every row among its breaks that does not all but
-/// coincide with one.
+/// The lift from the first row's angle on, with every row among its breaks unless it nearly coincides with one.
 fn with_rows_as_breaks(
     poly: PiecewisePoly,
     rows: &[Station],
@@ -188,7 +183,7 @@ fn with_rows_as_breaks(
     beginning_at(&poly, start, cycle.length, step)
 }
 
-/// A closed lift whose pieces begin at `start`, which is a break of it or a whole cycle before one.
+/// A closed lift that starts at `start`, which is a break of it or a whole cycle before one.
 fn beginning_at(poly: &PiecewisePoly, start: f64, length: f64, step: f64) -> PiecewisePoly {
     let n = poly.pieces();
     let end = start + length;

@@ -1,4 +1,4 @@
-//! The extent of a profile, and the motion that its points give.
+//! The extent of a profile, and the motion given by its points.
 
 use std::f64::consts::TAU;
 
@@ -35,14 +35,14 @@ pub struct Emitted {
 /// Extent of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycle {
-    /// rad (m of travel for a slide).
+    /// Length, rad (m of travel for a translating cam).
     pub length: f64,
-    /// Whether the last point leads back to the first, which is then not repeated.
+    /// Whether the profile is closed; its first point is then not repeated.
     pub closed: bool,
 }
 
 impl Cycle {
-    /// One turn.
+    /// One full turn.
     pub const TURN: Cycle = Cycle {
         length: TAU,
         closed: true,
@@ -56,7 +56,7 @@ impl Cycle {
         }
     }
 
-    /// Distance of two neighbouring points of n.
+    /// Distance of two neighbours among n points.
     pub fn step(&self, n: usize) -> f64 {
         self.length / if self.closed { n } else { n - 1 } as f64
     }

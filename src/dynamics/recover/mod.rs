@@ -1,12 +1,9 @@
-//! The emitted profile as a smooth closed curve: the lift that its points give the follower.
-//!
-//! Row i of a profile is the contact at θᵢ, so its coordinates, turned into the fixed frame, hold two
-//! things: how high the follower stands and, by where it touches, the slope of the lift. For a flat face
-//! these are the support function of the profile and its derivative, (v, Rb + s); for a roller the
-//! contact normal is (centre − contact)/Rf and the slope follows from it. The slopes carry a C² cubic
-//! spline, whose integral is the lift (C³): noise in the points enters the acceleration divided by the
-//! step of the angle once, not twice, and there is no facet anywhere (theory §10). `stance` computes the
-//! position of each follower over a contact point; `breaks` joins stretches at the jumps of acceleration or jerk.
+//! The emitted profile as a smooth closed curve: the lift of the follower from its points. Row i of a profile is the contact at θᵢ, so its
+//! coordinates in the fixed frame give the height of the follower and, by the position of the contact, the slope of the lift. For a flat face these
+//! are the support function of the profile and its derivative, (v, Rb + s); for a roller the contact normal is (centre − contact)/Rf and the slope
+//! follows from it. A C² cubic spline through the slopes is integrated to the lift (C³). Noise in the points is thus divided by the angle step only
+//! once in the acceleration (theory §10). `stance` computes the position of each follower over a contact point; `breaks` joins stretches at the jumps
+//! of acceleration or jerk.
 
 mod breaks;
 mod emitted;
@@ -27,25 +24,23 @@ use emitted::lift_piece;
 use slopes::spline_slopes;
 use stance::{height_and_slope, slopes_known};
 
-/// Angles of a profile may differ from equal steps by this part of a step: rounding in a file.
+/// Deviation of a profile's angles from equal steps, in steps, that rounding in a file explains.
 const STEP_SLACK: f64 = 1e-3;
-/// Fewest rows, on average, of a stretch between two breakpoints.
+/// Minimum mean number of rows of a stretch between two breakpoints.
 const ROWS_BETWEEN_BREAKS: usize = 6;
 
 /// The lift that `points` (equal steps of θ over one turn) give `follower`, smooth all the way round.
 ///
-/// # Errors
-/// On fewer than 8 points, on angles that are not equal steps of the turn, on coordinates that are not
-/// finite or out of the follower's reach, and on a profile with a concave or undercut stretch under a flat
-/// face.
+/// # Errors Fewer than 8 points, angles that are not equal steps of the turn, coordinates that are not finite or out of the follower's reach, and a
+/// profile with a concave or undercut stretch under a flat face.
 pub fn recover(follower: &Follower, points: &[ProfilePoint]) -> Result<Emitted> {
     recover_over(follower, points, &[], Cycle::TURN)
 }
 
 /// The lift of an emitted cam: its points with the breakpoints of its law.
 ///
-/// Breakpoints closer to each other than [`ROWS_BETWEEN_BREAKS`] rows, as the knots of a fine spline are,
-/// are left out: first those where only the jerk jumps, then all.
+/// Breakpoints closer to each other than [`ROWS_BETWEEN_BREAKS`] rows, such as the knots of a fine spline, are omitted: first those where only the
+/// jerk jumps, then all.
 ///
 /// # Errors
 /// As [`recover_over`].
@@ -65,10 +60,8 @@ pub(crate) fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> R
 /// ([`Cam::breakpoints`]); between them the lift is smooth. A spline that ignores a jump of acceleration
 /// overshoots it by 18 % and oscillates over four rows on both sides.
 ///
-/// # Errors
-/// On fewer than 8 points, on angles that are not equal steps of the cycle, on coordinates that are not
-/// finite or out of the follower's reach, and on a profile with a concave or undercut stretch under a flat
-/// face.
+/// # Errors Fewer than 8 points, angles that are not equal steps of the cycle, coordinates that are not finite or out of the follower's reach, and a
+/// profile with a concave or undercut stretch under a flat face.
 fn recover_over(
     follower: &Follower,
     points: &[ProfilePoint],
@@ -157,7 +150,7 @@ fn refuse_concave(emitted: &Emitted, face: &Follower, start: f64, step: f64) -> 
     }
 }
 
-/// The quartic C³ lift through the slopes, raised to the mean of the heights.
+/// The quartic C³ lift through the slopes, shifted to the mean of the heights.
 fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[f64]) -> Emitted {
     let n = heights.len();
     // A closed lift has no mean slope: subtract the mean that noise leaves.

@@ -42,11 +42,11 @@ pub fn periodic_slopes(values: &[f64], step: f64) -> Vec<f64> {
     x.iter().zip(&z).map(|(a, b)| a - factor * b).collect()
 }
 
-/// Values that take part in the slope at an end.
+/// Number of values that determine the slope at an end.
 const END_POINTS: usize = 5;
 
-/// Slopes at increasing `x` of the C² cubic spline through `y`; at both ends those of the polynomials
-/// through the five values next to them. Five values or fewer: of the polynomial through all.
+/// Slopes at increasing `x` of the C² cubic spline through `y`. The end slopes are those of the polynomials through the nearest five values; for five
+/// values or fewer, of the polynomial through all.
 pub fn slopes_at(x: &[f64], y: &[f64]) -> Vec<f64> {
     let n = x.len();
     if n <= END_POINTS {

@@ -2,13 +2,13 @@
 
 use crate::cam::{Arm, Follower, Geometry, ProfilePoint};
 
-/// Whether a contact point determines the slope; that of a knife edge does not.
+/// Whether a contact point determines the slope, which is false for a knife edge.
 pub fn slopes_known(follower: &Follower) -> bool {
     follower.is_flat() || follower.roller_radius() > 0.0
 }
 
-/// Lift over the base (prime) circle, m (rad for an arm), and its slope at the follower's contact with
-/// `point`; `None` where the follower cannot reach it. The slope of a knife edge is undefined.
+/// Lift over the base (prime) circle, m (rad for an arm), and its slope at the follower's contact with `point`; `None` if the follower cannot reach
+/// it. The slope of a knife edge is undefined.
 pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f64, f64)> {
     let frame = Geometry::new(follower).frame(point.theta);
     let p = frame.in_space([point.x, point.y]);
@@ -34,8 +34,7 @@ pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f6
     (height.is_finite() && slope.is_finite()).then_some((height, slope))
 }
 
-/// A circle whose centre stands over `p` on the line x = offset. The pitch curve's tangent is normal to
-/// (side, up): Y·side + (Y′ − e)·up = 0.
+/// A circle whose centre is above `p` on the line x = offset. The pitch curve's tangent is normal to (side, up): Y·side + (Y′ − e)·up = 0.
 fn above(p: [f64; 2], offset: f64, radius: f64, rest: f64) -> (f64, f64) {
     if radius == 0.0 {
         return (p[1] - rest, 0.0);
@@ -46,7 +45,7 @@ fn above(p: [f64; 2], offset: f64, radius: f64, rest: f64) -> (f64, f64) {
     (centre - rest, offset - centre * side / up)
 }
 
-/// A circle over a profile that slides: its contact lies (slope, −1)·Rf/√(1 + slope²) from the centre.
+/// A circle over the profile of a translating cam: its contact is at (slope, −1)·Rf/√(1 + slope²) from the centre.
 fn unrolled(p: [f64; 2], rest: f64, radius: f64, scale: f64) -> (f64, f64) {
     if radius == 0.0 {
         return (p[1] - rest, 0.0);

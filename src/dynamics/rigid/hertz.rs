@@ -1,4 +1,4 @@
-//! Hertz contact of cam and follower: pressure, half-width, and the depth at which fatigue begins.
+//! Hertz contact of cam and follower: pressure, half-width, and the depth of the maximum shear.
 //!
 //! Curvatures are 1/radius, positive for convex bodies; E* = 1/((1 − ν₁²)/E₁ + (1 − ν₂²)/E₂).
 
@@ -6,8 +6,7 @@ use crate::drive::Drive;
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// Depth of the largest shear under a line contact over its half-width, and that shear over the pressure
-/// (Johnson 1985, Contact Mechanics, §4.2).
+/// Depth of the maximum shear under a line contact over its half-width, and that shear over the pressure (Johnson 1985, Contact Mechanics, §4.2).
 const LINE_DEPTH: f64 = 0.786;
 const LINE_SHEAR: f64 = 0.300;
 
@@ -22,9 +21,9 @@ const LINE_SHEAR: f64 = 0.300;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
-    /// Young's modulus, Pa.
+    /// Young's modulus of the body, Pa.
     pub young: f64,
-    /// Poisson's ratio.
+    /// Poisson's ratio of the body.
     pub poisson: f64,
 }
 
@@ -45,17 +44,17 @@ pub const STEEL: Material = Material {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct LineContact {
-    /// Largest pressure p₀, Pa.
+    /// Maximum pressure p₀, Pa.
     pub pressure: f64,
     /// Half-width of the contact, m.
     pub half_width: f64,
-    /// Depth of the largest shear, m: where pitting starts.
+    /// Depth of the maximum shear, m, where pitting starts.
     pub shear_depth: f64,
-    /// That shear, Pa.
+    /// Maximum shear stress, Pa.
     pub shear: f64,
 }
 
-/// E* of two bodies, Pa.
+/// Contact modulus E* of two bodies, Pa.
 pub fn modulus(a: Material, b: Material) -> f64 {
     1.0 / ((1.0 - a.poisson * a.poisson) / a.young + (1.0 - b.poisson * b.poisson) / b.young)
 }
@@ -78,8 +77,8 @@ pub fn line(force: f64, length: f64, curvature: f64, modulus: f64) -> LineContac
     }
 }
 
-/// Line pressure under a flat translating face at most `pressure` Pa, exact and linear in the law:
-/// w·(s, v, a, j) ≤ bound, returned as (w, bound).
+/// Limit of the line pressure under a translating flat face to `pressure` Pa, exact and linear in the law: w·(s, v, a, j) ≤ bound, returned as (w,
+/// bound).
 ///
 /// F ≤ π L p²/E*·(Rb + s + a), because the radius of curvature is itself linear in the law (theory §6).
 pub fn flat_face_limit(

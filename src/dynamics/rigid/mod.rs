@@ -14,12 +14,11 @@ use crate::poly::{Extreme, PiecewisePoly};
 
 /// Largest number of iterations; fewer than ten are needed.
 const ROUNDS: usize = 60;
-/// A pull at rest below this part of the largest force is none: a lift of zero is known from emitted points
-/// to their spline's error only, and a law's dwell to its solver's tolerance.
+/// Force at rest, relative to the largest force, below which a pull counts as none, since the lift of zero has the spline's or the solver's
+/// tolerance.
 const NO_PULL_AT_REST: f64 = 1e-6;
 
-/// Height over the centre at which friction acts when s = 0: the base radius under a flat face; a
-/// roller's friction is in its bearing and is left out.
+/// Height above the centre at which friction acts when s = 0: the base radius under a flat face; bearing friction of a roller is neglected.
 pub(crate) fn reach(follower: &Follower) -> f64 {
     if let Follower::FlatTranslating { base_radius } = follower {
         *base_radius
@@ -28,8 +27,8 @@ pub(crate) fn reach(follower: &Follower) -> f64 {
     }
 }
 
-/// Torque over the whole law, N·m, as a piecewise polynomial; friction included where the force presses
-/// all the way round (with a force that changes sign it is not a polynomial: `None`).
+/// Torque over the whole law, N·m, as a piecewise polynomial; friction included if the force is positive all the way round; `None` if the force
+/// changes sign, since the torque is then not a polynomial.
 pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Option<PiecewisePoly> {
     let force = drive.force_curve(law);
     let rub = friction * drive.speed.signum();
@@ -40,8 +39,8 @@ pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Opti
     Some(force.times(&arm))
 }
 
-/// Lowest speed, rad/s, at which the force first falls to zero: there the contact is lost. 0 when the
-/// force is below zero at rest already, `None` when no speed lifts the follower off.
+/// Minimum speed, rad/s, of loss of contact. 0 if the force is negative at rest, `None` if contact is never lost. The worst angle at one speed gives
+/// a lower speed by its quadratic in ω; this converges from above, and the extremes are exact.
 ///
 /// The worst angle at one speed gives, by its own quadratic in ω, a lower speed; from above, each is
 /// nearer, and the extremes are exact.
@@ -95,7 +94,7 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     Some(speed)
 }
 
-/// The motion at an extreme, from whichever side of a break gives the quantity the extreme's value.
+/// The motion at an extreme, from the side of a break on which the quantity has the extreme's value.
 fn one_sided(law: &Law, extreme: Extreme, quantity: &dyn Fn(Svaj) -> f64) -> Svaj {
     let right = law.svaj(extreme.at);
     let n = law.breaks().len() - 1;
@@ -125,7 +124,7 @@ fn smallest_positive_root(p: f64, q: f64, r: f64) -> Option<f64> {
         .min_by(f64::total_cmp)
 }
 
-/// Preload, N, with which the spring of rate k just keeps `margin` N of contact all the way round.
+/// Preload, N, with which the spring of rate k maintains `margin` N of contact all the way round.
 pub fn least_preload(law: &Law, drive: &Drive, margin: f64) -> f64 {
     let free = Drive {
         rest_force: 0.0,

@@ -1,16 +1,14 @@
 //! Contact forces and sliding for every follower, by virtual work.
 //!
-//! The follower has one freedom s, the cam one, θ. With the contact's unit normal n (towards the
-//! follower) and G = ∂P/∂s, the velocity of the follower's own point there, a force N n and a friction
-//! μ|N| along the rubbing give the force on that freedom Q = N n·G + μ|N| t·G; the shaft gives
-//! T = (N n + μ|N| t)·U, U the velocity of the cam's own point per unit of θ. Without friction that is
-//! T = Q·v. For an arm Q is the moment about its pivot, N·m, and v is in rad/rad; for a slide T is the
-//! push along its travel, N.
+//! The follower has the coordinate s, the cam the coordinate θ. With the contact's unit normal n (towards the follower) and G = ∂P/∂s, the velocity
+//! of the follower's own point there, a force N n and a friction μ|N| along the rubbing give the force on that freedom Q = N n·G + μ|N| t·G; the
+//! shaft gives T = (N n + μ|N| t)·U, U the velocity of the cam's own point per unit of θ. Without friction that is T = Q·v. For an arm Q is the
+//! moment about its pivot, N·m, and v is in rad/rad; for a slide T is the push along its travel, N.
 
 use crate::cam::{Cam, Contact, Follower, Geometry, Kind};
 use crate::law::Svaj;
 
-/// The contact at one cam angle.
+/// The contact forces at one cam angle.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -32,15 +30,15 @@ pub struct Touch {
     pub entraining: f64,
     /// Thrust across the guides, or along an arm towards its pivot, N.
     pub side_thrust: f64,
-    /// Moment that tips a flat face about the guide's line through the cam's centre, N·m.
+    /// Tipping moment of a flat face about the guide's line through the cam's centre, N·m.
     pub tipping: f64,
-    /// Torque of the shaft in the sense of growing θ, N·m (the push on a slide, N).
+    /// Torque of the shaft in the sense of increasing θ, N·m (the push on a translating cam, N).
     pub torque: f64,
-    /// Curvature of cam and follower together, 1/m.
+    /// Sum of the curvatures of cam and follower, 1/m.
     pub curvature: f64,
 }
 
-/// A follower with what does not change along its motion.
+/// A follower with constants of its motion.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -58,12 +56,12 @@ pub struct Touch {
 pub struct FollowerContact {
     geometry: Geometry,
     pivot: Option<[f64; 2]>,
-    /// +1 for a pivot on +x, −1 on −x.
+    /// Side of the pivot: +1 on +x, −1 on −x.
     side: f64,
-    /// Angle of the arm at s = 0.
+    /// Angle of the arm at s = 0, rad.
     start: Option<f64>,
     is_flat: bool,
-    /// Whether the surfaces rub.
+    /// Whether the surfaces slide on each other.
     rubs: bool,
 }
 
@@ -72,18 +70,18 @@ struct Forces {
     normal: f64,
     /// Velocity along the tangent of the cam's point relative to the follower's, per unit of θ.
     rubbing: f64,
-    /// Force on the follower.
+    /// Force on the follower along its motion.
     total: [f64; 2],
     torque: f64,
 }
 
-/// The forces of a kind of follower.
+/// Force formulas of a kind of follower.
 trait Pressed: Kind {
-    /// The contact at one point of the motion and its forces, with friction between the surfaces. Where friction locks
-    /// the follower the normal force is infinite.
+    /// The contact at one point of the motion and its forces, with friction between the surfaces. The normal force is infinite if friction locks the
+    /// follower.
     fn forces(&self, friction: f64, at: Svaj, force: f64) -> (Contact, Forces);
 
-    /// Torques at points of the motion under as many forces. A loop of one kind without branches takes vectors of points.
+    /// Torques at points of the motion with their forces, in a loop that the compiler vectorises.
     fn torques(&self, friction: f64, motion: &[Svaj], forces: &[f64], torques: &mut [f64]);
 }
 
@@ -129,7 +127,7 @@ impl<K: Kind> Pressed for K {
 }
 
 impl FollowerContact {
-    /// The contact of a follower.
+    /// The contact formulas of a follower.
     pub fn of(follower: &Follower) -> FollowerContact {
         let pivot = follower.pivot();
         FollowerContact {
@@ -152,15 +150,15 @@ impl FollowerContact {
         }
     }
 
-    /// Torque of the shaft in the sense of growing θ, N·m, at one point of the motion, under `force` on the follower's
-    /// freedom; friction is negative where the cam turns backwards.
+    /// Torque of the shaft in the sense of increasing θ, N·m, at one point of the motion, under `force` on the follower; friction is negative if the
+    /// cam turns backwards.
     pub fn torque(&self, friction: f64, at: Svaj, force: f64) -> f64 {
         let mut torque = [0.0];
         self.fill(friction, &[at], &[force], &mut torque);
         torque[0]
     }
 
-    /// As [`FollowerContact::torque`], at many points of the motion under as many forces.
+    /// As [`FollowerContact::torque`], at many points of the motion with their forces.
     pub fn torques(&self, friction: f64, motion: &[Svaj], forces: &[f64]) -> Vec<f64> {
         let mut torques = vec![0.0; motion.len().min(forces.len())];
         self.fill(friction, motion, forces, &mut torques);
@@ -176,7 +174,7 @@ impl FollowerContact {
         }
     }
 
-    /// The contact at one point of the motion, the cam turning at `speed` rad/s.
+    /// The contact at one point of the motion, at `speed` rad/s of the cam.
     pub fn at(&self, speed: f64, friction: f64, at: Svaj, force: f64) -> Touch {
         // A roller's own friction is in its bearing and is left out.
         let friction = if self.rubs { friction } else { 0.0 };
@@ -202,7 +200,7 @@ impl FollowerContact {
         }
     }
 
-    /// Length of profile that the contact walks per unit of θ, signed, and the curvature of cam and follower together, 1/m.
+    /// Speed of the contact along the profile per unit of θ, signed, and the sum of the curvatures of cam and follower, 1/m.
     fn walk(&self, contact: &Contact, at: Svaj) -> (f64, f64) {
         if self.is_flat {
             // A face on an arm turns with it against the cam.
@@ -219,9 +217,8 @@ impl FollowerContact {
     }
 }
 
-/// The contact at one point of the motion of `follower`, under `force` on the follower's freedom (N; for
-/// an arm the moment about its pivot, N·m), the cam turning at `speed` rad/s; backwards speed and friction
-/// are negative.
+/// The contact at one point of the motion of `follower`, under `force` on the follower (N; for an arm the moment about its pivot, N·m), at `speed`
+/// rad/s of the cam; speed and friction are negative for backward rotation.
 pub fn touch(follower: &Follower, speed: f64, friction: f64, at: Svaj, force: f64) -> Touch {
     FollowerContact::of(follower).at(speed, friction, at, force)
 }

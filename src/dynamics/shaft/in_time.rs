@@ -1,10 +1,10 @@
-//! A force that is given over the cam angle, held against a target over time.
+//! A force over the cam angle, compared with a target over time.
 
 use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-/// Distance of a force to its target over time, the phase set right and the mean speed given.
+/// Difference of a force from its target over time, with optimal phase and given mean speed.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -24,24 +24,23 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct InTime {
-    /// Root mean square over the period, N.
+    /// Root mean square of the difference over the period, N.
     pub rms_error_n: f64,
-    /// The same as percent of the target's mean over time.
+    /// Root mean square as a percentage of the target's mean over time.
     pub rms_error_percent_of_mean: f64,
 }
 
-/// Rounds of the phase at most, and its change, parts of the period, at which they end: by how much the error still falls with
-/// that change follows from the slope.
+/// Maximum number of iterations of the phase, and its final change, in parts of the period.
 const ROUNDS: usize = 20;
 const SAME: f64 = 1e-4;
-/// Equal phases among which the minima are looked for, and the step of the forces there: a target of a walk has a few harmonics.
+/// Number of equal phases among which the minima are searched, and the step of the forces there.
 const PHASES: usize = 48;
 const STEP: usize = 6;
-/// Part by which the error of another minimum is lower.
+/// Fraction by which the error of another minimum must be lower.
 const LOWER: f64 = 1e-6;
 
-/// The distance of forces at equal angles, with speed, rad/s, and time, s, from a target at equal times of one period
-/// that begins at the same angle: the least over the phase of the target.
+/// Difference of forces at equal angles, with speed, rad/s, and time, s, from a target at equal times of one period that begins at the same angle,
+/// minimised over the phase of the target.
 pub fn error_in_time(
     forces: &[f64],
     speed: &[f64],
@@ -79,7 +78,7 @@ pub fn error_in_time(
     }
 }
 
-/// A force with its time and the time that it lasts, parts of the period.
+/// A force with its time and duration, in parts of the period.
 #[derive(Clone, Copy)]
 struct Weighed {
     force: f64,
@@ -91,7 +90,7 @@ struct Weighed {
 pub struct Cubic<'a>(pub &'a [f64]);
 
 impl Cubic<'_> {
-    /// The least mean square distance near a phase, by Gauss and Newton's steps.
+    /// Minimum mean square difference near a phase, by Gauss–Newton steps.
     fn least_from(&self, phase: f64, rows: &[Weighed]) -> f64 {
         let mut shift = phase;
         let mut least = f64::INFINITY;
@@ -110,7 +109,7 @@ impl Cubic<'_> {
         least
     }
 
-    /// The mean square distance of forces at a phase, with its slope and curvature of Gauss and Newton.
+    /// Mean square difference of the forces at a phase, with its slope and Gauss–Newton curvature.
     fn distance(&self, shift: f64, rows: &[Weighed]) -> [f64; 3] {
         let mut out = [0.0; 3];
         for row in rows {
@@ -123,7 +122,7 @@ impl Cubic<'_> {
         out
     }
 
-    /// Value and slope at a share of the period, by Catmull and Rom's cubics.
+    /// Value and slope at a fraction of the period, by Catmull–Rom cubics.
     pub fn at(&self, part: f64) -> (f64, f64) {
         let n = self.0.len();
         let x = (part - part.floor()) * n as f64;

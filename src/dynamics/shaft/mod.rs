@@ -1,7 +1,7 @@
-//! The shaft as its motor turns it: speed over the turn, the supply that gives the mean speed, and what is left of it.
+//! The motor-driven shaft: speed over the turn, and the supply that gives the mean speed.
 //!
-//! In E = ω²/2 the motion is a first-order equation over the cam angle ([`turn`]); its turn that repeats is found together
-//! with the no-load speed that gives the mean speed ([`steady`], theory §10).
+//! In E = ω²/2 the motion is a first-order equation over the cam angle ([`turn`]); its periodic solution is computed together with the no-load speed
+//! that gives the mean speed ([`steady`], theory §10).
 
 mod in_time;
 mod steady;
@@ -21,7 +21,7 @@ use crate::units::{Dimension, Quantity};
 pub use steady::forecast;
 use steady::{Stall, Steady};
 
-/// A no-load speed or inertia that is proposed has this much more than is needed.
+/// Margin of a suggested no-load speed or inertia above the required one.
 const MARGIN: f64 = 1.02;
 
 /// The steady motion of the shaft.
@@ -45,13 +45,13 @@ pub struct Shaft {
     /// Mean speed over time, rad/s.
     #[serde(rename = "mean_rad_per_s")]
     pub mean: f64,
-    /// Lowest speed, rad/s.
+    /// Minimum speed, rad/s.
     #[serde(rename = "min_rad_per_s")]
     pub min: f64,
-    /// Highest speed, rad/s.
+    /// Maximum speed, rad/s.
     #[serde(rename = "max_rad_per_s")]
     pub max: f64,
-    /// Highest less lowest speed, part of the mean.
+    /// Maximum less minimum speed, relative to the mean.
     pub ripple: f64,
     /// No-load speed of the motor, at the camshaft, that gives the mean speed, rad/s.
     #[serde(rename = "no_load_speed_rad_per_s")]
@@ -63,50 +63,49 @@ pub struct Shaft {
     pub motor_torque_rms_n_m: f64,
     /// Largest absolute value of the shaft, N·m.
     pub motor_torque_max_n_m: f64,
-    /// Mean power that the motor gives, W.
+    /// Mean power of the motor, W.
     pub motor_power_mean_w: f64,
-    /// Angle from the lowest lift at which the shaft stops when it starts there from rest, rad; `None`: it passes.
+    /// Angle from the lowest lift at which the shaft stops when it starts there from rest, rad; `None` if it does not stop.
     pub stops_at_rad: Option<f64>,
-    /// Smallest inertia, kg·m², to 1 %, with which the shaft keeps turning at the mean speed; 0: with any.
+    /// Minimum inertia, kg·m², to 1 %, with which the shaft keeps turning at the mean speed; 0 if any suffices.
     pub least_inertia_kg_m2: f64,
-    /// Work of the motor less friction and load, part of the work that swings in a turn.
+    /// Work of the motor less friction and load, relative to the alternating work of a turn.
     pub energy_balance: f64,
 }
 
 /// The motion of the shaft over the turn.
 #[derive(Debug, Clone)]
 pub struct Motion {
-    /// ω at equal angles, rad/s; empty until [`Motion::at_rows`].
+    /// Speed ω at equal angles, rad/s; empty until [`Motion::at_rows`].
     pub speed: Vec<f64>,
-    /// d(ω²/2)/dθ there, the angular acceleration, rad/s².
+    /// Angular acceleration d(ω²/2)/dθ at these angles, rad/s².
     pub acceleration: Vec<f64>,
-    /// Time there since the first angle, s.
+    /// Time since the first angle, s.
     pub time: Vec<f64>,
     mean: f64,
-    /// What the motor carries, and the turn that it makes; `None` at constant speed.
+    /// Load of the motor, and its periodic solution; `None` for constant speed.
     turn: Option<(Load, Steady)>,
     pieces: Vec<Piece>,
 }
 
-/// The part of the period, rad, over the angles from one since the first, rad, to that of the next piece, as the factors of
-/// their powers.
+/// Fraction of the period, rad, between an angle since the first, rad, and that of the next piece, as polynomial coefficients.
 #[derive(Debug, Clone)]
 struct Piece {
     from: f64,
     factors: [f64; 6],
 }
 
-/// The part of the period, rad, at an angle since the first, rad, with its derivatives by the angle; the second may jump.
+/// Fraction of the period, rad, at an angle since the first, rad, with its derivatives with respect to the angle; the second may jump.
 struct Mark {
     angle: f64,
     phase: f64,
     rate: f64,
-    /// Before and after the angle.
+    /// Second derivative before and after the angle.
     bend: [f64; 2],
 }
 
 impl Piece {
-    /// Hermite's quintic.
+    /// Hermite interpolation by a quintic.
     fn between(from: &Mark, to: &Mark) -> Piece {
         let h = to.angle - from.angle;
         let (square, rise) = (h * h, to.phase - from.phase);
@@ -129,7 +128,7 @@ impl Piece {
 }
 
 impl Motion {
-    /// A constant speed, rad/s.
+    /// A motion with constant speed, rad/s.
     pub fn even(mean: f64) -> Motion {
         let piece = Piece {
             from: 0.0,
@@ -149,7 +148,7 @@ impl Motion {
         }
     }
 
-    /// The same with its values at equal angles.
+    /// The motion with its values at equal angles.
     #[must_use]
     pub fn at_rows(mut self, count: usize) -> Motion {
         for i in 0..count {
@@ -162,12 +161,12 @@ impl Motion {
         self
     }
 
-    /// Angles since the first between which it is smooth, from 0 to a turn.
+    /// Angles since the first between which the motion is smooth, from 0 to a turn.
     pub fn breaks(&self) -> impl Iterator<Item = f64> {
         self.pieces.iter().map(|p| p.from).chain([TAU])
     }
 
-    /// Highest less lowest speed, part of the mean.
+    /// Maximum less minimum speed, relative to the mean.
     pub fn ripple(&self) -> f64 {
         let range = self.turn.as_ref().map(|(_, steady)| steady.range);
         range.map_or(0.0, |[min, max]| {
@@ -175,7 +174,7 @@ impl Motion {
         })
     }
 
-    /// Part of the period, rad, at an angle since the first, rad, with its first three derivatives by the angle.
+    /// Fraction of the period, rad, at an angle since the first, rad, with its first three derivatives.
     pub fn phase(&self, angle: f64) -> [f64; 4] {
         let turns = (angle / TAU).floor();
         let angle = angle - TAU * turns;
@@ -190,7 +189,7 @@ impl Motion {
         ]
     }
 
-    /// The cam angle since the first, rad, at a part of the period, rad.
+    /// The cam angle since the first, rad, at a fraction of the period, rad.
     pub fn angle(&self, phase: f64) -> f64 {
         let (turns, phase) = (phase.div_euclid(TAU), phase.rem_euclid(TAU));
         let i = self.pieces.partition_point(|p| p.factors[0] <= phase);
@@ -209,8 +208,7 @@ impl Motion {
         TAU * turns + angle
     }
 
-    /// Speed, rad/s, its derivative by time, rad/s², and the derivative of that by the angle, rad/s², at an angle since the
-    /// first.
+    /// Speed, rad/s, its time derivative, rad/s², and the derivative of that with respect to the angle, rad/s², at an angle since the first.
     pub fn speed_at(&self, angle: f64) -> [f64; 3] {
         self.speed_of(self.phase(angle))
     }
@@ -227,7 +225,7 @@ impl Motion {
         ]
     }
 
-    /// Refuses a motor whose supply does not reach the no-load speed of this motion.
+    /// Rejects a motor whose supply does not reach the no-load speed of this motion.
     ///
     /// # Errors
     /// The motor's no-load speed is too low for the mean speed.
@@ -259,7 +257,7 @@ impl Motion {
         Err(fault.into())
     }
 
-    /// What is reported of it, nothing at constant speed; `lowest` is the angle of the lowest lift.
+    /// Report of the motion, `None` for constant speed; `lowest` is the angle of the lowest lift.
     pub fn report(&self, motor: &Motor, lowest: f64) -> Option<Shaft> {
         let (load, turn) = self.turn.as_ref()?;
         let [min, max] = turn.range.map(|e| (2.0 * e).sqrt());
@@ -286,15 +284,16 @@ impl Motion {
     }
 }
 
-/// Contact force at a speed, rad/s, and its derivative by time, rad/s².
+/// Contact force at a speed, rad/s, and its time derivative, rad/s².
 pub fn force(drive: &Drive, at: Svaj, speed: f64, acceleration: f64) -> f64 {
     let still = drive.rest_force + drive.spring_rate * at.s + drive.damping * speed * at.v;
     still + drive.mass * (speed * speed * at.a + acceleration * at.v)
 }
 
-/// The periodic motion of a load under a motor at a mean speed, rad/s; `near` is a motion not far from it, where one is known.
+/// The periodic motion of a load under a motor at a mean speed, rad/s; `near` is an approximate motion, if known.
 ///
 /// # Errors
+///
 /// The shaft stops.
 pub fn periodic(load: Load, motor: &Motor, mean: f64, near: Option<&Motion>) -> Result<Motion> {
     let near = near.and_then(|m| m.turn.as_ref());
@@ -328,7 +327,7 @@ pub fn periodic(load: Load, motor: &Motor, mean: f64, near: Option<&Motion>) -> 
     Ok(Motion::new(mean, Some((load, steady)), pieces))
 }
 
-/// The message for a shaft that stops, with an inertia that would do.
+/// The error of a shaft that stops, with a sufficient inertia.
 fn stalls(motor: &Motor, stall: Stall) -> DynamicsError {
     let inertia = |j: f64| Quantity::new(j, Dimension::Inertia);
     match stall {

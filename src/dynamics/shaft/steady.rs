@@ -1,20 +1,19 @@
-//! The turn that repeats, by Newton's method on the whole turn: energies at all stages and the no-load speed together.
-//!
-//! Linear about the last energies, every step's end is α + β E₀ + γ δω₀; two conditions close the turn: it ends as it begins
-//! and takes the time of the mean speed. A sweep costs the loads at the stages once (theory §10).
+//! The periodic turn, by Newton's method on the energies at all stages and the no-load speed. Linearised about the last energies, every step's end is
+//! α + β E₀ + γ δω₀. Two conditions close the turn: periodicity, and the time of the mean speed. An iteration evaluates the loads at the stages once
+//! (theory §10).
 
 use std::f64::consts::TAU;
 
 use super::turn::{INNER, Inverse, Load, PLACES, STAGES, WEIGHTS};
 use crate::drive::Motor;
 
-/// Sweeps at most; five are usual, two from a turn that is near.
+/// Maximum number of iterations; five are usual, two from a nearby turn.
 const SWEEPS: usize = 30;
-/// Relative change of the energies, after which the next one is its square.
+/// Relative change of the energies at which the iteration stops, since convergence is quadratic.
 const SAME: f64 = 1e-6;
-/// An energy falls to no less than this part in a sweep.
+/// Maximum relative decrease of an energy in one iteration.
 const LEAST_PART: f64 = 0.3;
-/// Steps of a turn where only its existence is asked.
+/// Number of steps of a turn if only its existence is required.
 const COARSE: usize = 48;
 /// Inertia is changed by this factor between turns of which one leads to the next, by no less than that, over this range.
 const FACTOR: f64 = 100.0;
@@ -22,44 +21,43 @@ const LEAST_FACTOR: f64 = 1.01;
 const RANGE: f64 = 1e4;
 /// Decay of a disturbance over a step beyond which the step does not resolve it.
 const UNRESOLVED: f64 = 5.0;
-/// Least energy of a turn, part of that at its mean speed: a shaft that slows to a hundredth of it hangs where motor and load
-/// balance, and the least disturbance stops it there.
+/// Minimum energy of a turn relative to that of its mean speed: at a hundredth of this speed the shaft is at an unstable balance of motor and load.
 const LEAST_ENERGY: f64 = 1e-4;
-/// A flywheel is large enough to turn nearly evenly at this ripple.
+/// Ripple at which a flywheel is large enough to turn nearly evenly.
 const EVEN: f64 = 0.1;
 
-/// A turn that repeats.
+/// A periodic turn.
 #[derive(Debug, Clone)]
 pub struct Steady {
-    /// ω²/2 at the stages of the steps, rad²/s².
+    /// Energy ω²/2 at the stages of the steps, rad²/s².
     stages: Vec<[f64; STAGES]>,
-    /// No-load speed, rad/s.
+    /// No-load speed of the motor, rad/s.
     pub no_load: f64,
-    /// ω²/2 at the beginning of every step, and at the end.
+    /// Energy ω²/2 at the beginning of every step, and at the end.
     pub energy: Vec<f64>,
-    /// Time there, s.
+    /// Time at these angles, s.
     pub time: Vec<f64>,
-    /// ∮ of the motor's torque at the camshaft, J.
+    /// Work ∮ of the motor's torque at the camshaft, J.
     pub motor_work: f64,
-    /// ∫ of its square over time, (N·m)²·s.
+    /// Integral of its square over time, (N·m)²·s.
     pub motor_square: f64,
-    /// ∮ of the load's torque, J.
+    /// Work ∮ of the load's torque, J.
     pub load_work: f64,
     /// Smallest and largest energy.
     pub range: [f64; 2],
 }
 
-/// A shaft that does not keep turning.
+/// Reasons why a shaft does not keep turning.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stall {
-    /// With less than this inertia, kg·m².
+    /// The inertia is below this, kg·m².
     Below(f64),
-    /// With any.
+    /// No inertia suffices.
     Anyway,
 }
 
 impl Steady {
-    /// The turn of a load under a motor at a mean speed, rad/s, from one that may be `near`.
+    /// The periodic turn of a load under a motor at a mean speed, rad/s, with an optional initial turn `near`.
     pub fn find(
         load: &Load,
         motor: &Motor,
@@ -92,7 +90,7 @@ impl Steady {
         newton(load, motor, speed, stages, turn.no_load).ok_or(Stall::Below(least * LEAST_FACTOR))
     }
 
-    /// Smallest inertia, kg·m², to 1 %, with which this shaft keeps turning; 0: with any.
+    /// Minimum inertia, kg·m², to 1 %, with which this shaft keeps turning; 0 if any suffices.
     pub fn least_inertia(&self, load: &Load, motor: &Motor, speed: f64) -> f64 {
         let goal = motor.inertia / RANGE;
         let coarse = load.every(COARSE);
@@ -110,8 +108,8 @@ impl Steady {
         if least > goal { least } else { 0.0 }
     }
 
-    /// E′ at the beginning (0) or the end (1) of a step, from inside it. Where the motor settles within a part of the step, the
-    /// energy at its ends oscillates about the slow one by what the equation would magnify: there E′ is that of the stages.
+    /// E′ at the beginning (0) or the end (1) of a step, from inside it. If the motor settles within a fraction of the step, the energy at its ends
+    /// oscillates, and E′ of the stages is used.
     pub fn rate_at_end(&self, load: &Load, motor: &Motor, step: usize, end: usize) -> f64 {
         let (own, energy) = (&load.steps[step], self.energy[step + end]);
         let [rate, by_energy, _] = own.ends[end].rate(motor, self.no_load, energy);
@@ -130,7 +128,7 @@ impl Steady {
         (0..STAGES).map(|k| factor(k) * rates[k]).sum()
     }
 
-    /// Its energies at the stages of a load with other steps.
+    /// Energies at the stages of a load with other steps.
     fn at_stages_of(&self, load: &Load) -> Vec<[f64; STAGES]> {
         let (own, other) = (self.stages.len(), load.steps.len());
         if own == other {
@@ -164,9 +162,8 @@ fn even(load: &Load, motor: &Motor, speed: f64) -> (Vec<[f64; STAGES]>, f64) {
     )
 }
 
-/// Range of the speed, part of its mean, and RMS change of the force over time, part of its mean, by what is linear in the
-/// change of the speed: the first step of Newton's method from a constant speed, rad/s. The force changes at an angle, and the
-/// angle comes at another time; the phase is that of the least change.
+/// Range of the speed relative to its mean, and RMS change of the force over time relative to its mean, linearised in the change of speed: the first
+/// Newton step from a constant speed, rad/s. The phase minimises the change.
 pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
     let (stages, no_load) = even(load, motor, speed);
     let mut lines = vec![[[0.0; STAGES]; 3]; stages.len()];
@@ -225,7 +222,7 @@ fn extremes(start: f64, width: f64, rates: [f64; STAGES]) -> impl Iterator<Item 
     })
 }
 
-/// From a turn with a large inertia to smaller ones, each from the one before: the smallest that is found, down to `goal`.
+/// The turn with the smallest inertia found, down to `goal`, by continuation from a large inertia.
 fn smaller(
     load: &Load,
     motor: &Motor,
@@ -286,8 +283,7 @@ fn newton(
     None
 }
 
-/// One linear problem: the first energy and the change of the no-load speed; `lines` become the energies at the stages as a
-/// constant and the factors of both.
+/// One linear problem: the first energy and the change of the no-load speed; `lines` receive the energies at the stages as affine functions of both.
 fn sweep(
     load: &Load,
     motor: &Motor,
@@ -333,7 +329,7 @@ fn sweep(
     (found.0.is_finite() && found.1.is_finite()).then_some(found)
 }
 
-/// The turn with these energies at its stages.
+/// The turn with the given energies at its stages.
 fn evaluated(
     load: &Load,
     motor: &Motor,

@@ -1,4 +1,4 @@
-//! The load of a shaft whose speed varies, over one turn: what Newton's method ([`super::steady`]) and a start from rest need.
+//! The load over one turn of a shaft with varying speed, for Newton's method ([`super::steady`]) and a start from rest.
 //!
 //! (J + τ m v) E′ = T_motor(ω) − T_friction − τ (F₀ + k s + c ω v + 2 m a E), with ω = √(2E) and τ the torque of the shaft
 //! per unit of contact force (v without friction), by collocation of sixth order in E = ω²/2 over the cam angle (theory §10).
@@ -8,14 +8,14 @@ use std::f64::consts::TAU;
 use crate::drive::{Drive, Motor};
 use crate::law::Svaj;
 
-/// Steps of a start from rest.
+/// Number of steps of a start from rest.
 const SMALL_STEPS: usize = 2048;
-/// Newton iterations of its steps at most, three are usual; and the change, part of the energy, at which they end.
+/// Maximum number of Newton iterations of its steps, three are usual, and the final change relative to the energy.
 const ROUNDS: usize = 60;
 const SAME: f64 = 1e-9;
-/// Part of a step before its end: a law may jump there.
+/// Fraction of a step before its end at which a possible jump is evaluated.
 const INSIDE: f64 = 1e-12;
-/// Stages of a step, their places and weights.
+/// Stages of a step, with their positions and weights.
 pub const STAGES: usize = 3;
 pub const PLACES: [f64; STAGES] = {
     let r = ROOT / 10.0;
@@ -24,10 +24,10 @@ pub const PLACES: [f64; STAGES] = {
 /// Stages and ends of a step.
 const ALL_PLACES: [f64; 5] = [0.0, PLACES[0], PLACES[1], PLACES[2], 1.0];
 pub const WEIGHTS: [f64; STAGES] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
-/// √15
+/// Square root √15.
 const ROOT: f64 = 3.872_983_346_207_417;
 
-/// Weights of the stages in the stages: the integrals of Lagrange's polynomials (Hairer, Nørsett and Wanner 1993, II.7).
+/// Coefficient matrix of the stages: the integrals of Lagrange's polynomials (Hairer, Nørsett and Wanner 1993, II.7).
 pub const INNER: [[f64; STAGES]; STAGES] = {
     let r = ROOT;
     [
@@ -40,15 +40,15 @@ pub const INNER: [[f64; STAGES]; STAGES] = {
 /// The load on the shaft at one angle.
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
-    /// Torque per unit of force where the follower is pressed, and where it is pulled, m.
+    /// Torque per unit of positive and of negative force, m.
     arms: [f64; 2],
-    /// F₀ + k s, N.
+    /// Static force F₀ + k s, N.
     rest: f64,
-    /// c v, N·s/rad.
+    /// Damping c v, N·s/rad.
     damping: f64,
-    /// 2 m a, kg·m/rad².
+    /// Inertia term 2 m a, kg·m/rad².
     bend: f64,
-    /// m v, kg·m/rad.
+    /// Inertia term m v, kg·m/rad.
     pub mass: f64,
 }
 
@@ -81,7 +81,7 @@ impl Node {
         self.arms[usize::from(force < 0.0)] * force
     }
 
-    /// E′, and its derivatives by E and by the no-load speed.
+    /// Rate E′, and its derivatives with respect to E and to the no-load speed.
     pub fn rate(&self, motor: &Motor, no_load: f64, energy: f64) -> [f64; 3] {
         let speed = (2.0 * energy).max(f64::MIN_POSITIVE).sqrt();
         let [torque, by_speed, by_supply] = motor.torque(speed, no_load);
@@ -100,7 +100,7 @@ impl Node {
     }
 }
 
-/// A step of the angle with the loads at its ends, seen from inside, and at its stages.
+/// A step of the angle with the loads at its ends, evaluated from inside, and at its stages.
 #[derive(Debug, Clone)]
 pub struct Step {
     pub from: f64,
@@ -116,7 +116,7 @@ impl Step {
         [self.ends[0], p, q, r, self.ends[1]]
     }
 
-    /// Derivative by the angle, at the stages, of a value of its nodes, by the polynomial through all of them.
+    /// Derivative with respect to the angle, at the stages, of the polynomial through all nodes.
     pub fn slopes(&self, value: impl Fn(&Node) -> f64) -> [f64; STAGES] {
         let values = self.all().map(|node| value(&node));
         std::array::from_fn(|stage| {
@@ -168,8 +168,7 @@ impl Load {
         Load { steps }
     }
 
-    /// Mean over the turn of the torque at a constant speed, N·m, and the integral of the rest of it up to the end of every
-    /// step, J.
+    /// Mean torque over the turn at a constant speed, N·m, and the integral of the deviation from it up to the end of every step, J.
     pub fn at_constant_speed(&self, speed: f64) -> (f64, Vec<f64>) {
         let energy = 0.5 * speed * speed;
         let (mut work, mut angle) = (0.0, 0.0);
@@ -193,7 +192,7 @@ impl Load {
         high - low
     }
 
-    /// The same load with its steps joined to about this many.
+    /// The load with its steps merged to about this number.
     pub fn every(&self, count: usize) -> Load {
         let at_once = (self.steps.len() / count).max(1);
         if at_once == 1 {
@@ -239,7 +238,7 @@ impl Load {
         None
     }
 
-    /// The load at an angle, by the polynomial through those of its step.
+    /// The load at an angle, interpolated by the polynomial of its step.
     fn at(&self, angle: f64) -> Node {
         let first = self.steps[0].from;
         let angle = first + (angle - first).rem_euclid(TAU);
@@ -265,7 +264,7 @@ impl Load {
     }
 }
 
-/// The positive energy E = `base` + `width` E′(E) at a load; nothing where the shaft stops.
+/// The positive energy E = `base` + `width` E′(E) at a load; `None` if the shaft stops.
 fn implicit(node: &Node, motor: &Motor, no_load: f64, base: f64, width: f64) -> Option<f64> {
     let excess = |energy: f64| {
         let [rate, slope, _] = node.rate(motor, no_load, energy);
@@ -300,7 +299,7 @@ fn implicit(node: &Node, motor: &Motor, no_load: f64, base: f64, width: f64) -> 
     Some(energy)
 }
 
-/// (I − h A D)⁻¹, D the derivatives of the rates by the energy.
+/// The matrix (I − h A D)⁻¹, with D the derivatives of the rates with respect to the energy.
 pub struct Inverse([[f64; STAGES]; STAGES]);
 
 impl Inverse {

@@ -12,17 +12,15 @@ use crate::error::Result;
 use crate::poly::amplitudes;
 use crate::units::{Dimension, Quantity};
 
-/// Force margin, as part of the mean, below which the contact model is run.
+/// Force margin, relative to the mean, below which the contact model is run.
 pub const MARGIN: f64 = 0.05;
-/// Part of the lift-off speed from which the contact model is run.
+/// Fraction of the lift-off speed above which the contact model is run.
 pub const NEAR_LIFTOFF: f64 = 0.95;
-/// RMS error of the rigid model, as part of the mean force, that is neglected (theory §10: 0.20 % at
-/// 50 Hz for smooth walking targets).
+/// Negligible RMS error of the rigid model, relative to the mean force (theory §10: 0.20 % at 50 Hz for smooth walking targets).
 pub const RIGID_ENOUGH: f64 = 0.002;
 
-/// Rigid first; flexible when vibration would change the force by more than
-/// [`RIGID_ENOUGH`]; contact when force margin or speed come near lift-off. The next finer model is run once
-/// for comparison.
+/// The default is the rigid model. The flexible model is run if vibration changes the force by more than [`RIGID_ENOUGH`], and the contact model near
+/// lift-off. The next finer model is run once for comparison.
 pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     let rigid = rigid_run(input, p)?;
     let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
@@ -65,7 +63,7 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(compared(input, p, flexible, why, contact))
 }
 
-/// The outcome with its reason, and its differences to the next finer model, which is run for that.
+/// The outcome with its reason, and its differences from the next finer model, which is run for comparison.
 fn compared(
     input: &Run,
     p: &Prepared,
@@ -140,8 +138,8 @@ fn liftoff_margin(p: &Prepared, rigid: &Outcome) -> LiftoffMargin {
     }
 }
 
-/// RMS change of the force by vibration, as part of the mean, from the rigid force's harmonics, with the
-/// reason for messages: each harmonic n is transmitted with (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
+/// RMS change of the force by vibration, relative to the mean, from the rigid force's harmonics, with the reason for messages: each harmonic n is
+/// transmitted with (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
 fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vibration) {
     let Some(natural) = train.natural_frequency(&p.drive) else {
         // Without mass there is no vibration, but the train deflects: always run the flexible model.

@@ -1,4 +1,4 @@
-//! Runs an emitted cam under one model.
+//! Simulation of an emitted cam with one model.
 
 mod choose;
 mod largest;
@@ -29,10 +29,8 @@ use prepared::prepare;
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 ///
-/// # Errors
-/// On profiles that are no curve for their follower (see [`recover`](crate::dynamics::recover())), on machine data out of
-/// range, on an undamped resonance, on `flexible` without a [`Train`](super::Train), and on a moving floor under any other
-/// model than the rigid one.
+/// # Errors Profiles that are not a curve for their follower (see [`recover`](crate::dynamics::recover())), machine data out of range, an undamped
+/// resonance, `flexible` without a [`Train`](super::Train), and a moving floor with another model than the rigid one.
 pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
     refuse_beside_floor(input, model)?;
     let mut prepared = prepare(input)?;
@@ -43,7 +41,7 @@ pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
     }
 }
 
-/// Only the rigid model has a floor.
+/// The error of a floor with another model than the rigid one.
 fn refuse_beside_floor(input: &Run, model: Model) -> Result<()> {
     let machine = &input.machine;
     let is_rigid = matches!(model, Model::Auto | Model::Rigid);

@@ -1,4 +1,4 @@
-//! Input of the models, made from the emitted cam.
+//! Input of the models, prepared from the emitted cam.
 
 use crate::cam::{Cam, Follower, Measures};
 use crate::drive::Drive;
@@ -14,16 +14,16 @@ use crate::dynamics::shaft::{Motion, Shaft};
 use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Svaj};
 
-/// Input of the models: one or two profiles of a cam that turns in the sense of growing angle.
+/// Input of the models: one or two profiles of a cam, in its sense of rotation.
 #[derive(Clone)]
 pub(super) struct Prepared {
     pub drive: Drive,
     pub reversed: bool,
     /// Lift of each cam.
     pub laws: Vec<Law>,
-    /// Lift of the higher one.
+    /// Maximum of both lifts.
     pub lift: Law,
-    /// Where its derivatives may jump.
+    /// Angles at which its derivatives may jump.
     pub breaks: Vec<f64>,
     /// Motion at the angles of the rows.
     pub nodes: Vec<Svaj>,
@@ -32,20 +32,20 @@ pub(super) struct Prepared {
     pub start: f64,
     pub cycle: Cycle,
     pub step: f64,
-    /// The follower at its largest contact pressure: a barrel's at the floor of its groove.
+    /// The follower at its largest contact pressure: for a barrel at the floor of its groove.
     pub bearing: Follower,
-    /// The contact with the follower.
+    /// The contact formulas of the follower.
     pub contact: FollowerContact,
     /// Units of the law, for messages.
     pub measures: Measures,
-    /// Motion of the shaft where its speed varies.
+    /// Motion of the shaft if its speed varies.
     pub shaft: Option<Motion>,
     pub shaft_report: Option<Shaft>,
-    /// The same with the floor's, where that moves.
+    /// Motion of shaft and floor, if the floor moves.
     pub machine: Option<MachineMotion>,
     /// Whether the follower is held from both sides.
     pub held: bool,
-    /// Whether friction makes the torque other than F·v and it is not the flat face's.
+    /// Whether friction changes the torque in another way than under a flat face.
     pub rubs: bool,
     /// Target at the angles of the rows.
     pub target: Option<Vec<f64>>,
@@ -129,7 +129,7 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
     })
 }
 
-/// Whether friction changes the torque in another way than under a flat face that translates.
+/// Whether friction changes the torque in another way than under a translating flat face.
 fn has_own_friction(input: &Run) -> bool {
     let follower = &input.cam.follower;
     let is_flat = matches!(follower, Follower::FlatTranslating { .. });
@@ -143,7 +143,7 @@ fn mismatch(input: &Run, nodes: &[Svaj]) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// The follower at its largest contact pressure: a barrel's at the floor of its groove.
+/// The follower at its largest contact pressure: for a barrel at the floor of its groove.
 fn bearing(input: &Run) -> Follower {
     match (input.cam.follower, input.machine.groove_floor) {
         (barrel @ Follower::Barrel { .. }, Some(floor)) => barrel.with_base_radius(floor),
@@ -151,7 +151,7 @@ fn bearing(input: &Run) -> Follower {
     }
 }
 
-/// The lift of each cam in the sense of turning, and that of the higher one.
+/// The lift of each cam in the sense of rotation, and the maximum of both.
 fn lifts(input: &Run, law: Law, reversed: bool) -> (Vec<Law>, Law) {
     let first = if reversed { law.reversed() } else { law };
     let Some(angle) = input.machine.second_cam else {
@@ -162,7 +162,7 @@ fn lifts(input: &Run, law: Law, reversed: bool) -> (Vec<Law>, Law) {
     (vec![first, second], lift)
 }
 
-/// Refuses invalid machine data.
+/// Rejects invalid machine data.
 fn check_machine(input: &Run) -> Result<()> {
     let drive = &input.drive;
     let numbers = [
@@ -195,7 +195,7 @@ fn check_machine(input: &Run) -> Result<()> {
     check_restitution(input.machine.restitution)
 }
 
-/// Target at shares of its cycle.
+/// Target at fractions of its cycle.
 fn target_at(target: &[f64], parts: impl Iterator<Item = f64>) -> Result<Vec<f64>> {
     if target.is_empty() || target.iter().any(|f| !f.is_finite()) {
         return Err(DynamicsError::Target.into());
@@ -203,7 +203,7 @@ fn target_at(target: &[f64], parts: impl Iterator<Item = f64>) -> Result<Vec<f64
     Ok(parts.map(|part| phase_value(target, part)).collect())
 }
 
-/// Refuses machines that no model covers.
+/// Rejects machines that no model covers.
 fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
     if !cycle.closed && input.drive.speed < 0.0 {
         return Err(DynamicsError::SlideBackwards.into());
@@ -214,8 +214,7 @@ fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
     Ok(())
 }
 
-/// Lift of the second cam, from its own emitted profile, and a note on how well both cams keep their distance at the
-/// rows.
+/// Lift of the second cam, from its own emitted profile, and a note on the constancy of the pair's distance at the rows.
 fn conjugate_lift(
     cam: &Cam,
     reversed: bool,
@@ -240,12 +239,12 @@ fn conjugate_lift(
 }
 
 impl Prepared {
-    /// Contact forces at the rows at constant speed on a stiff floor, N.
+    /// Contact forces at the rows at constant speed on a rigid floor, N.
     pub fn still_forces(&self) -> Vec<f64> {
         self.nodes.iter().map(|at| self.drive.force(*at)).collect()
     }
 
-    /// Torque in the sense of turning for force and motion, N·m.
+    /// Torque in the sense of rotation for force and motion, N·m.
     pub fn torque(&self, input: &Run, force: f64, at: Svaj) -> f64 {
         let sign = if self.reversed { -1.0 } else { 1.0 };
         let (friction, v) = (sign * input.machine.friction, sign * at.v);
@@ -266,8 +265,7 @@ impl Prepared {
         torques
     }
 
-    /// The contact in the sense of turning. A cam that turns backwards touches at the same angles as one that turns forwards:
-    /// only what moves along it changes sign.
+    /// The contact in the sense of rotation. A cam with reversed rotation touches at the same angles; only quantities along the contact change sign.
     pub fn seen(
         &self,
         follower: &Follower,
@@ -294,7 +292,7 @@ impl Prepared {
     }
 }
 
-/// Value at the share `part` of a cycle of samples at its equal steps, linear between.
+/// Value at the fraction `part` of a cycle of equally spaced samples, by linear interpolation.
 fn phase_value(values: &[f64], part: f64) -> f64 {
     let n = values.len();
     let x = part.rem_euclid(1.0) * n as f64;
@@ -306,7 +304,7 @@ fn phase_value(values: &[f64], part: f64) -> f64 {
     row_value(values, x)
 }
 
-/// Value at row `x` of a periodic table, linear between its rows.
+/// Value at row `x` of a periodic table, by linear interpolation.
 pub(super) fn row_value(values: &[f64], x: f64) -> f64 {
     let n = values.len();
     let (i, u) = (x.floor().rem_euclid(n as f64) as usize, x - x.floor());

@@ -1,4 +1,4 @@
-//! What the rows of a run share: forces at equal angles with torque and pressure made of them.
+//! Rows of a run for all models: forces at equal angles with torque and pressure.
 
 use super::prepared::Prepared;
 use crate::cam::Measures;
@@ -21,12 +21,12 @@ impl Prepared {
         Quantity::new(value, dimension)
     }
 
-    /// Speed of the shaft at a row, rad/s, in the sense of turning.
+    /// Speed of the shaft at a row, rad/s, in the sense of rotation.
     pub fn speed(&self, row: usize) -> f64 {
         (self.shaft.as_ref()).map_or(self.drive.speed, |shaft| shaft.speed[row])
     }
 
-    /// Distance of the forces at the rows to the target over time, where the speed varies.
+    /// Difference of the forces at the rows from the target over time, if the speed varies.
     pub fn force_time(&self, forces: &[f64]) -> Option<InTime> {
         let (target, shaft) = (self.target.as_ref()?, self.shaft.as_ref()?);
         let period = self.cycle.length / self.drive.speed;
@@ -93,7 +93,7 @@ impl Prepared {
         rows
     }
 
-    /// Row of a sample in the order of turning.
+    /// Row of a sample in the order of rotation.
     pub fn place(&self, sample: usize, rows: usize) -> usize {
         if self.reversed {
             (rows - sample) % rows
@@ -102,7 +102,7 @@ impl Prepared {
         }
     }
 
-    /// The contact that bears: the second cam's where a conjugate pair's first one would have to pull.
+    /// The loaded contact: that of the second cam if a conjugate pair's first one would have to pull.
     pub fn touch(&self, input: &Run, speed: f64, angle: f64, at: Svaj, force: f64) -> Touch {
         let friction = input.machine.friction;
         match (&input.machine.conjugate, &self.second) {

@@ -1,4 +1,4 @@
-//! Shaft and floor of a run: the shaft under its motor, where that changes the force, and the floor under the force.
+//! Shaft and floor of a run: the shaft under its motor, if that changes the force, and the floor under the force.
 
 use super::choose::RIGID_ENOUGH;
 use super::prepared::Prepared;
@@ -10,13 +10,14 @@ use crate::dynamics::shaft::forecast;
 use crate::error::{DynamicsError, Result};
 use crate::units::Quantity;
 
-/// Steps of the motion between the breaks of the law, and of its forecast.
+/// Number of steps of the motion between the breaks of the law, and of its estimate.
 const STEPS: usize = 160;
 const FEW: usize = 32;
 
-/// What carries the cam of a run.
+/// The machine around the cam of a run.
 ///
 /// # Errors
+///
 /// Those of [`Carrier::new`]; two laws have no steady turn under a motor.
 pub(super) fn carrier<'a>(input: &'a Run, p: &Prepared) -> Result<Carrier<'a>> {
     let machine = &input.machine;
@@ -34,8 +35,8 @@ pub(super) fn carrier<'a>(input: &'a Run, p: &Prepared) -> Result<Carrier<'a>> {
     Carrier::new(&input.cam, parts, walker, STEPS)
 }
 
-/// Gives shaft and floor their motion; the automatic model has the motor only where it changes the force by more than
-/// [`RIGID_ENOUGH`] of its mean.
+/// Computes the motion of shaft and floor; the automatic model includes the motor only if it changes the force by more than [`RIGID_ENOUGH`] of its
+/// mean.
 pub(super) fn turn(input: &Run, p: &mut Prepared, model: Model) -> Result<()> {
     let mut carrier = carrier(input, p)?;
     let lift = p.lift.clone();

@@ -11,8 +11,7 @@ use crate::error::{DynamicsError, Placed, Result};
 use crate::law::Law;
 use std::f64::consts::TAU;
 
-/// A follower held from both sides cannot lift off, a cam with ends has no steady state, and flights at a varying speed are
-/// not known.
+/// Rejects followers held from both sides, cams with ends and a varying speed, for which the contact model does not apply.
 fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
     if p.held {
         let fault = if input.machine.conjugate.is_some() {
@@ -110,7 +109,7 @@ struct Sums {
     error: f64,
 }
 
-/// Two Gauss points per row and stretch: fourth order, the ends of flights resolved.
+/// Integration with two Gauss points per row and phase: fourth order, with the ends of flights resolved.
 fn integrate(run: &ContactRun, surfaces: &[Surface], input: &Run, p: &Prepared) -> Sums {
     const OFFSET: f64 = 0.211_324_865_405_187_1; // (1 − 1/√3)/2
     let (from, to) = run.window();

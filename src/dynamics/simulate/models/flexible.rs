@@ -1,4 +1,4 @@
-//! The flexible model on a prepared cam.
+//! The flexible model for a prepared cam.
 
 use super::note_pull;
 use crate::dynamics::flexible;

@@ -1,4 +1,4 @@
-//! A law over time on a shaft whose speed varies.
+//! A law over time on a shaft with varying speed.
 
 use std::f64::consts::TAU;
 
@@ -6,10 +6,10 @@ use crate::dynamics::shaft::Motion;
 use crate::law::Law;
 use crate::poly::PiecewisePoly;
 
-/// Distance from a break at which the sides of a break are taken, rad.
+/// Distance from a break at which its sides are evaluated, rad.
 const SIDE: f64 = 1e-10;
 
-/// A lift over the part of the period, rad: a quintic between its `breaks` and those of the clock.
+/// A lift over the fraction of the period, rad: a quintic between its `breaks` and those of the motion.
 pub fn in_time(law: &Law, breaks: &[f64], clock: &Motion) -> Law {
     let start = law.extent().0;
     let mut marks: Vec<f64> = clock

@@ -16,7 +16,7 @@ use crate::dynamics::run::Run;
 use crate::error::Result;
 use crate::units::Quantity;
 
-/// A run under one model; under none in particular that is the rigid one.
+/// A simulation with one model; the rigid one by default.
 pub(super) fn under(input: &Run, p: &Prepared, model: Model) -> Result<Outcome> {
     match model {
         Model::Auto | Model::Rigid => rigid_run(input, p),
@@ -25,8 +25,7 @@ pub(super) fn under(input: &Run, p: &Prepared, model: Model) -> Result<Outcome> 
     }
 }
 
-/// The share of the cycle with a negative force: contact is lost, or in a groove or a conjugate pair the other side
-/// carries it.
+/// The fraction of the cycle with a negative force, where contact is lost or, in a groove or a conjugate pair, the other side carries it.
 fn note_pull(out: &mut Outcome, input: &Run, p: &Prepared, pulled: f64) {
     if !p.held {
         out.lost_fraction = pulled;

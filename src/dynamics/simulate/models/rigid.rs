@@ -1,4 +1,4 @@
-//! The rigid model on a prepared cam.
+//! The rigid model for a prepared cam.
 
 use super::in_time::in_time;
 use super::note_pull;
@@ -15,7 +15,7 @@ use crate::dynamics::surface::Surface;
 use crate::error::Result;
 use crate::law::Svaj;
 
-/// A mean torque below this part of the root mean square is rounding.
+/// A mean torque below this fraction of the root mean square is a rounding error.
 const NO_TORQUE: f64 = 1e-9;
 
 pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
@@ -59,14 +59,13 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(out)
 }
 
-/// Part of the cycle in which a surface would have to pull; 0 has no sign.
+/// Fraction of the cycle with a negative surface force; 0 has no sign.
 fn pulled_share(surface: &Surface, p: &Prepared) -> f64 {
     let pulled = surface.pulls.iter().fold(0.0, |sum, (a, b)| sum + b - a);
     pulled / p.cycle.length
 }
 
-/// The rigid follower on a shaft whose speed varies, or on a floor that moves: there smallest and largest force are those of
-/// the rows.
+/// The rigid follower on a shaft with varying speed, or on a moving floor; minimum and maximum force are those of the rows.
 fn over_time(input: &Run, p: &Prepared, machine: &MachineMotion) -> Outcome {
     let nodes = p.nodes.iter().enumerate();
     let motion = |i: usize| match &p.shaft {
