@@ -1,4 +1,4 @@
-//! A log on the machine of a design, fitted; logs of another size, unit or sign are refused.
+//! A log fitted with the machine of a design; logs of another magnitude, unit or sign are rejected.
 
 use std::f64::consts::TAU;
 
@@ -12,15 +12,15 @@ use crate::scene::Scene;
 use crate::synth::Design;
 use crate::units::Quantity;
 
-/// Longest delay of a sensor, s.
+/// Maximum delay of a sensor, s.
 const LONGEST_DELAY: f64 = 0.05;
-/// Part of the alternating force of the model that its harmonics must hold to be sampled.
+/// Fraction of the alternating force of the model that the sampled harmonics must contain.
 const HELD: f64 = 0.999;
-/// Alternating force, and mean, of the log as parts of the model's: outside, another unit or machine.
+/// Ranges of alternating and mean force of the log relative to the model's; outside, unit or machine differ.
 const SIZES: [f64; 2] = [0.4, 2.5];
-/// Alternating force below this part of the model's is none.
+/// Alternating force below this fraction of the model's counts as zero.
 const NO_FORCE: f64 = 0.02;
-/// Newtons of the units that a load cell may have, and part by which a log in such a unit is off.
+/// Newtons per unit of common load cells, and relative tolerance of the comparison.
 const UNITS: [(&str, f64); 5] = [
     ("kN", 1e3),
     ("lbf", 4.448_221_615_260_5),
@@ -30,7 +30,7 @@ const UNITS: [(&str, f64); 5] = [
 ];
 const SAME_UNIT: f64 = 0.25;
 
-/// A log on the machine of a design, fitted.
+/// A log fitted with the machine of a design.
 pub(super) struct Fitted {
     pub(super) cycles: Cycles,
     pub(super) clock: Clock,
@@ -98,7 +98,7 @@ impl Fitted {
 }
 
 impl Clock {
-    /// At the design's own speed.
+    /// The model at the design's own speed.
     fn steady(design: &Design) -> Clock {
         let none = Averaged {
             each: Vec::new(),
@@ -119,7 +119,7 @@ impl Clock {
     }
 }
 
-/// Number of harmonics that hold all but a thousandth of the energy.
+/// Number of harmonics with all but a thousandth of the energy.
 pub(super) fn held(harmonics: &[f64]) -> usize {
     let energy = |n: usize| harmonics[2 * n - 1].powi(2) + harmonics[2 * n].powi(2);
     let count = harmonics.len() / 2;
@@ -132,7 +132,7 @@ pub(super) fn held(harmonics: &[f64]) -> usize {
     enough.unwrap_or(count)
 }
 
-/// Refuses a force that this machine cannot have recorded: no size, another unit, the other sign.
+/// Rejects a force that this machine cannot have produced: magnitude, unit or sign.
 fn check_size(
     log: &Log,
     design: &Design,

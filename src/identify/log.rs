@@ -1,4 +1,4 @@
-//! A log of a running machine: force, and angle, speed and torque where they were recorded.
+//! A log of a running machine: force, and recorded angle, speed and torque.
 
 use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
@@ -14,11 +14,11 @@ const NAMES: [&str; 5] = [
     "speed_rad_per_s",
     "torque_n_m",
 ];
-/// Fewest rows from which a cycle could be seen.
+/// Minimum number of rows of a log.
 const LEAST_ROWS: usize = 32;
-/// Largest size of a number of a log, SI: 30 years, 1 GN. Beyond it there is no machine, and no square of it must be.
+/// Maximum magnitude of a number of a log, SI: 30 years, 1 GN.
 const LARGEST: f64 = 1e9;
-/// Share of the samples at exactly the largest or smallest force from which on the force is clipped.
+/// Fraction of the samples at exactly the largest or smallest force above which the force is clipped.
 const CLIPPED: f64 = 0.02;
 
 /// A log of a running machine.
@@ -36,7 +36,7 @@ const CLIPPED: f64 = 0.02;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Log {
-    /// Time, s; increasing.
+    /// Time of the samples, s; increasing.
     pub time: Option<Vec<f64>>,
     /// Cam angle, rad; not wrapped, not decreasing.
     pub theta: Option<Vec<f64>>,
@@ -50,11 +50,10 @@ pub struct Log {
 }
 
 impl Log {
-    /// Reads a delimited text with the columns `time_s` or `theta_rad` (or both), `force_n`, and where there are such
-    /// `speed_rad_per_s` and `torque_n_m`; others are passed over. `path` serves messages.
+    /// Reads a delimited text with the columns `time_s` or `theta_rad` (or both), `force_n`, and optionally `speed_rad_per_s` and `torque_n_m`;
+    /// others are ignored. `path` is used in messages.
     ///
-    /// # Errors
-    /// A missing column; a cell that is no number; times or angles that do not increase; too few rows; a force that is clipped.
+    /// # Errors A missing column; a cell that is not a number; times or angles that do not increase; too few rows; a force that is clipped.
     pub fn read(path: &Path, bytes: &[u8]) -> Result<Log> {
         let table = NumberTable::find(path, bytes)?;
         let places = NAMES.map(|name| {
@@ -116,12 +115,12 @@ impl Log {
         Ok(log)
     }
 
-    /// A fault of the whole log.
+    /// A fault of the log as a whole.
     pub(super) fn refused(&self, fault: impl Fault) -> Error {
         fault.in_file(&self.path)
     }
 
-    /// Refuses a force that stands still at its largest or smallest value.
+    /// Rejects a force that stays at its largest or smallest value.
     fn check_clipping(&self) -> Result<()> {
         let ends = [f64::INFINITY, f64::NEG_INFINITY];
         let range = (self.force.iter()).fold(ends, |[l, h], f| [l.min(*f), h.max(*f)]);

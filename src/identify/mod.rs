@@ -1,4 +1,4 @@
-//! Identification: from the log of a running machine to its parameters, and from what repeats to the next cam.
+//! Identification of the parameters of a running machine from its log, and design of the next cam.
 //!
 //! The law s(θ) is known, so that of a steady cycle everything but a shift of the phase is linear:
 //!
@@ -6,14 +6,12 @@
 //! y(φ + ψ) = b + F₀ + m (ω² a + α v) + k s + c ω v + f_C sign v + r(φ) + noise
 //! ```
 //!
-//! The mean cycle is fitted in harmonics, with parameters that cannot be negative. An interval has two sources: the noise of
-//! the mean cycle, from the scatter of the same estimate over the cycles, and the force r that repeats and that no parameter
-//! explains. r is taken as random in the few harmonics that it is in; so one that could pass for a delay or a damping makes
-//! their intervals wide. A parameter whose interval holds 0, or is wider than half its value, is not identified
-//! (theory §10).
+//! The mean cycle is fitted in harmonics, with parameters that cannot be negative. An interval has two sources: the noise of the mean cycle, from the
+//! scatter over the cycles, and the repeatable residual r. r is treated as random in its few harmonics, so a residual that resembles a delay or a
+//! damping widens their intervals. A parameter whose interval contains 0, or is wider than half its value, is not identified (theory §10).
 //!
-//! For the next cam it does not matter how a force is named, only that it repeats: [`recut`] adds what the log has beyond the
-//! design, less its noise, to the machine (`machine.learned_force`) and designs again within all limits.
+//! The next cam corrects every repeatable force error, identified or not: [`recut`] adds the repeatable difference from the design to the machine
+//! (`machine.learned_force`) and designs again within all limits.
 
 mod cycles;
 mod fit;
@@ -41,7 +39,7 @@ use fit::Estimate;
 use fitted::Fitted;
 use model::Effect;
 
-/// What a log shows of a machine.
+/// Result of an identification.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -67,33 +65,34 @@ use model::Effect;
 /// ```
 #[derive(Debug, Clone, Serialize)]
 pub struct Identified {
-    /// What was looked for.
+    /// Identified parameters.
     pub parameters: Vec<Parameter>,
     /// Root mean square of the samples about the mean cycle, N.
     pub noise_rms_n: f64,
-    /// Root mean square of the force that repeats and that no parameter explains, N.
+    /// Root mean square of the repeatable residual, N.
     pub repeatable_rms_n: f64,
-    /// Mean speed, rad/s.
+    /// Mean speed of the cam, rad/s.
     pub speed_rad_per_s: f64,
-    /// Whole cycles of the log.
+    /// Number of whole cycles of the log.
     pub cycles: usize,
-    /// Whether the log has the cam angle; otherwise its phase is the one at which it fits best.
+    /// Whether the log has the cam angle; otherwise the phase gives the best fit.
     pub has_angle: bool,
-    /// The run that would tell what this one does not.
+    /// A run that would identify the remaining parameters.
     pub next_run: Option<NextRun>,
     /// Measured mean cycle and model at equal cam angles, N.
     #[serde(skip)]
     pub measured_n: Vec<f64>,
-    /// The same.
+    /// Modelled mean cycle at equal cam angles, N.
     #[serde(skip)]
     pub modelled_n: Vec<f64>,
 }
 
 impl Identified {
-    /// The scene of the machine: identified keys with their values, all others as they were.
+    /// The scene with the identified values, otherwise unchanged.
     ///
     /// # Errors
-    /// A value that the scene refuses.
+    ///
+    /// A value that the scene rejects.
     pub fn scene(&self, scene: &Scene) -> Result<Scene> {
         let mut out = scene.clone();
         for parameter in self.parameters.iter().filter(|p| p.identifiable) {
@@ -109,8 +108,7 @@ impl Identified {
 
 /// The parameters of the machine of a design, `scene` as it is written, from a log.
 ///
-/// # Errors
-/// A log that does not hold a steady run of this machine, with what it shows instead.
+/// # Errors A log without a steady run of this machine, with the reason.
 pub fn identify(design: &Design, scene: &Scene, log: &Log) -> Result<Identified> {
     Ok(identified(design, scene, &Fitted::of(design, scene, log)?))
 }

@@ -1,4 +1,4 @@
-//! What the machine does to the force, by parameters: columns of a linear model over the phase of the log.
+//! Linear model of the force: one column per machine parameter, over the phase of the log.
 
 use std::f64::consts::TAU;
 
@@ -10,27 +10,27 @@ use crate::poly::{amplitudes, samples};
 use crate::scene::Scene;
 use crate::synth::Design;
 
-/// Equal cam angles.
+/// Number of equal cam angles.
 pub(super) const ANGLES: usize = 720;
-/// Part of the largest speed of the follower below which it rests.
+/// Fraction of the maximum speed of the follower below which it is at rest.
 const RESTS: f64 = 1e-6;
 
 /// The motion of the cam at equal angles.
 pub(super) struct Clock {
     /// Phase of the log.
     pub phase: Vec<f64>,
-    /// Part of the cycle of the log that belongs to the angle.
+    /// Phase of the log at each angle, as part of its cycle.
     pub part: Vec<f64>,
-    /// Time since angle 0, in which a cycle is 2π.
+    /// Time since angle 0, scaled so that a cycle is 2π.
     pub time: Vec<f64>,
-    /// Speed, rad/s.
+    /// Speed at the angles, rad/s.
     pub speed: Vec<f64>,
-    /// Angular acceleration, rad/s².
+    /// Angular acceleration at the angles, rad/s².
     pub rate: Vec<f64>,
 }
 
 impl Clock {
-    /// As the log has the speed; without it as the design forecasts it, at the mean speed of the log.
+    /// The motion from the speed of the log; without it from the design's estimate at the mean speed of the log.
     pub fn of(design: &Design, cycles: &Cycles) -> Clock {
         let mean = cycles.speed;
         let angles = (0..ANGLES).map(angle);
@@ -78,7 +78,7 @@ impl Clock {
         }
     }
 
-    /// `[a₀, a₁, b₁ …]` by the phase, of values at equal angles.
+    /// Harmonics `[a₀, a₁, b₁ …]` over the phase, of values at equal angles.
     pub fn harmonics(&self, values: &[f64], count: usize) -> Vec<f64> {
         let mut out = vec![0.0; count];
         for ((phase, part), x) in self.phase.iter().zip(&self.part).zip(values) {
@@ -93,12 +93,12 @@ impl Clock {
         out
     }
 
-    /// Values at equal angles.
+    /// Values of the series at equal angles.
     pub fn at_angles(&self, harmonics: &[f64]) -> Vec<f64> {
         self.phase.iter().map(|p| value(harmonics, *p)).collect()
     }
 
-    /// The same at another speed.
+    /// The motion at another speed.
     pub fn faster(&self, by: f64) -> Clock {
         Clock {
             phase: self.phase.clone(),
@@ -119,34 +119,34 @@ pub(super) fn angle(i: usize) -> f64 {
 pub(super) struct Term {
     /// Key of the parameter in the scene, or its name.
     pub key: &'static str,
-    /// Value in the scene, in the units of its drive.
+    /// Value in the scene, in the drive's units.
     pub nominal: f64,
     /// Whether it cannot be negative.
     pub is_positive: bool,
-    /// What it multiplies.
+    /// Quantity multiplied by the parameter.
     pub effect: Effect,
 }
 
-/// What a parameter multiplies in the force.
+/// Quantity multiplied by a parameter in the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Effect {
-    /// 1.
+    /// The constant 1.
     Constant,
-    /// g + ω²a + αv on a moving axis.
+    /// Mass on a moving axis: g + ω²a + αv.
     Weight,
-    /// ω²a + αv.
+    /// Mass: ω²a + αv.
     Mass,
-    /// s.
+    /// Spring: the lift s.
     Spring,
-    /// ωv.
+    /// Damping: ωv.
     Damping,
-    /// The sign of v.
+    /// Friction: the sign of v.
     Coulomb,
-    /// −(k F + c ω F′ + m ω² F″), F the force of the drive: a train of compliance 1/k₁ gives way by F/k₁.
+    /// Compliance: −(k F + c ω F′ + m ω² F″), with F the force of the drive; a train of compliance 1/k₁ deflects by F/k₁.
     Compliance,
 }
 
-/// The parameters of a machine: what its scene has, the friction of its guide, and the zero of the load cell.
+/// The parameters of a machine: those of the scene, the friction of its guide, and the zero of the load cell.
 pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
     let drive = &design.problem.drive;
     let on_arm = design.cam.follower.is_oscillating();
@@ -203,13 +203,13 @@ pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
         .collect()
 }
 
-/// A machine whose cam has a law, in motion.
+/// A machine with a law, in motion.
 pub(super) struct Machine<'a> {
     pub design: &'a Design,
     pub clock: &'a Clock,
-    /// Spring rate per unit of its parameter: 1, or that of a pressure per volume.
+    /// Spring rate per unit of its parameter: 1, or the factor of a pressure per volume.
     spring_unit: f64,
-    /// Gravity, m/s².
+    /// Gravitational acceleration, m/s².
     gravity: f64,
 }
 
@@ -239,7 +239,7 @@ impl<'a> Machine<'a> {
         })
     }
 
-    /// What a parameter multiplies, at equal angles.
+    /// Column of a parameter at equal angles.
     pub fn effect(&self, effect: Effect) -> Vec<f64> {
         match effect {
             Effect::Compliance => return self.compliance(),
@@ -258,7 +258,7 @@ impl<'a> Machine<'a> {
         self.motion().map(value).collect()
     }
 
-    /// Mean sign of v around every angle, so that a change of sign between two angles keeps its place.
+    /// Mean sign of v around every angle, so that a change of sign between two angles is resolved.
     fn signs(&self) -> Vec<f64> {
         let law = self.design.pressing();
         let half = 0.5 * TAU / ANGLES as f64;
@@ -271,7 +271,7 @@ impl<'a> Machine<'a> {
         (0..ANGLES).map(mean).collect()
     }
 
-    /// Change of the force per compliance of the train: the mass follows s − F/k₁.
+    /// Change of the force per compliance of the train, for a mass that follows s − F/k₁.
     fn compliance(&self) -> Vec<f64> {
         let drive = &self.design.problem.drive;
         let own: Vec<f64> = self
@@ -289,7 +289,7 @@ impl<'a> Machine<'a> {
         (0..ANGLES).map(given).collect()
     }
 
-    /// The force that the design has at this speed, at equal angles: of its drive, and what was learned before.
+    /// The force of the design at this speed, at equal angles: the drive's, and the force learned before.
     pub fn nominal_force(&self) -> Vec<f64> {
         let (drive, problem) = (&self.design.problem.drive, &self.design.problem);
         let learned = (0..ANGLES).map(|i| problem.learned_force(angle(i)));

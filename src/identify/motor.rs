@@ -1,7 +1,7 @@
 //! Motor line and inertia of the shaft, from the energy of the cycle, where the log has the speed.
 //!
-//! T = J α + F v (+ friction): where the torque is in the log, J and the mean friction follow from it; where it is not, the line
-//! T = T₀ − d ω of the scene's motor takes its place, −F v = J α + d (ω − ω̄) − T̄.
+//! T = J α + F v (+ friction): if the torque is in the log, J and the mean friction follow from it; otherwise the line T = T₀ − d ω of the scene's
+//! motor replaces it, −F v = J α + d (ω − ω̄) − T̄.
 
 use super::cycles::derivative;
 use super::fit::{Column, fit};
@@ -10,7 +10,7 @@ use super::model::{ANGLES, angle};
 use super::parameter::Parameter;
 use crate::synth::Design;
 
-/// Inertia, and slope or friction, as far as the log has them.
+/// Inertia, and slope or friction, as far as the log determines them.
 pub(super) fn parameters(design: &Design, fitted: &Fitted) -> Vec<Parameter> {
     let Some(shaft) = fitted
         .cycles

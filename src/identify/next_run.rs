@@ -1,4 +1,4 @@
-//! The run that would identify what a log does not: candidates judged by their Fisher information.
+//! Suggestion of a further run that identifies the remaining parameters, by Fisher information.
 //!
 //! Of two runs with the columns J₁, J₂ and components of variance σ² the covariance of the parameters is
 //! σ² (J₁ᵀJ₁ + J₂ᵀJ₂)⁻¹. The scale of the load cell is one parameter more: its column is the whole force.
@@ -14,11 +14,11 @@ use super::parameter::{Parameter, WIDEST};
 use crate::scene::Scene;
 use crate::synth::Design;
 
-/// Speeds as parts of that of the log, and mass that is added as a part of the moved one.
+/// Candidate speeds relative to that of the log, and added masses relative to the moved one.
 const SPEEDS: [f64; 2] = [0.8, 1.25];
 const MASS: f64 = 0.2;
 
-/// What is to be changed.
+/// Change of the further run.
 ///
 /// ```
 /// use gaitcam::identify::Change;
@@ -28,28 +28,28 @@ const MASS: f64 = 0.2;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Change {
-    /// Another speed, rad/s.
+    /// A run at another speed.
     Speed {
-        /// The speed.
+        /// The other speed, rad/s.
         rad_per_s: f64,
     },
-    /// A mass that was weighed, on the moved one.
+    /// A run with a weighed mass added to the moved one.
     AddedMass {
-        /// The mass, kg.
+        /// The added mass, kg.
         kg: f64,
     },
 }
 
-/// A run of the same cam beside the one of the log.
+/// A further run of the same cam.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct NextRun {
-    /// What differs from the run of the log.
+    /// Difference from the run of the log.
     pub change: Change,
     /// Parameters that both runs together identify.
     pub identifies: Vec<&'static str>,
 }
 
-/// The candidate run that identifies most parameters, `None` where none identifies more than the log.
+/// The candidate run that identifies most parameters, or `None` if none identifies more than the log.
 pub(super) fn next_run(
     design: &Design,
     scene: &Scene,
@@ -122,7 +122,7 @@ fn jacobian(
     DMatrix::from_fn(count, columns.len(), |i, j| columns[j][i])
 }
 
-/// Open parameters whose intervals become narrow.
+/// Open parameters whose intervals become sufficiently narrow.
 fn narrowed(
     fitted: &Fitted,
     information: &DMatrix<f64>,

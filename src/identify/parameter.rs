@@ -4,10 +4,10 @@ use serde::Serialize;
 
 use super::fit::Estimate;
 
-/// Largest part of its value that an interval of an identified parameter has.
+/// Maximum relative width of the interval of an identified parameter.
 pub(super) const WIDEST: f64 = 0.5;
 
-/// A parameter of the machine, as the log shows it.
+/// A parameter of the machine, estimated from the log.
 ///
 /// ```
 /// use gaitcam::identify::Parameter;
@@ -17,16 +17,16 @@ pub(super) const WIDEST: f64 = 0.5;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Parameter {
-    /// Key of the scene, or `log.…` and `guide.…` for what a scene has no key of: `log.bias` (N), `log.delay` (s), `log.scale`,
-    /// `guide.damping` (N·s/m), `guide.friction` (N).
+    /// Key of the scene, or `log.…` and `guide.…` for parameters without a key: `log.bias` (N), `log.delay` (s), `log.scale`, `guide.damping`
+    /// (N·s/m), `guide.friction` (N).
     pub key: &'static str,
     /// Most likely value, SI.
     pub value: f64,
-    /// Ends of the 95 % interval; `None`: unbounded.
+    /// Ends of the 95 % interval; `None` if unbounded.
     pub low: Option<f64>,
-    /// The same.
+    /// Upper end of the 95 % interval; `None` if unbounded.
     pub high: Option<f64>,
-    /// Whether the log holds it.
+    /// Whether the log identifies it.
     pub identifiable: bool,
 }
 
@@ -44,7 +44,7 @@ impl Parameter {
         }
     }
 
-    /// A parameter whose inverse is estimated; one that may be infinite has the smallest that it may be.
+    /// A parameter estimated by its inverse; one that may be infinite gets its smallest possible value.
     pub(super) fn inverse(key: &'static str, found: Estimate) -> Parameter {
         let of = Parameter::of(key, found, true);
         let inverse = |x: f64| (x > 0.0).then(|| 1.0 / x);

@@ -1,4 +1,4 @@
-//! The period of a log without cam angle, by what repeats in its force.
+//! The period of a log without cam angle, from the repetition of its force.
 
 use std::f64::consts::TAU;
 
@@ -6,31 +6,31 @@ use super::log::Log;
 use crate::error::{LogError, Result};
 use crate::units::{Dimension, Quantity};
 
-/// Fewest whole cycles from which noise and what repeats can be told apart.
+/// Minimum number of whole cycles that separate noise and repeatable force.
 pub(super) const LEAST_CYCLES: usize = 3;
 /// Change of the speed over the log, part of the mean, above which it drifts: harmonic 5 then leaves its phase.
 pub(super) const DRIFT: f64 = 0.01;
-/// Cells of a cycle in which the period is looked for, and the range about the period that is expected.
+/// Number of cells of a cycle in the search of the period, and the searched range about the expected period.
 const CELLS: usize = 64;
 const RANGE: [f64; 2] = [0.55, 1.8];
-/// Least autocorrelation of a log that repeats.
+/// Minimum autocorrelation of a repeating log.
 const REPEATS: f64 = 0.5;
-/// A step of time this many times the others is a pause of the recorder.
+/// Ratio to the other time steps above which a step is a pause of the recorder.
 const PAUSE: f64 = 20.0;
 
-/// Nothing repeats near this speed, rad/s.
+/// The error that nothing repeats near this speed, rad/s.
 pub(super) fn no_cycle(speed: f64) -> LogError {
     let speed = Quantity::new(speed, Dimension::AngularSpeed);
     LogError::NoCycle { speed }
 }
 
-/// The speed of the first and last third, as parts of a speed in rad/s.
+/// The speeds of the first and last third relative to a speed in rad/s.
 pub(super) fn drift(speed: f64, parts: [f64; 2]) -> LogError {
     let [first, last] = parts.map(|p| Quantity::new(p * speed, Dimension::AngularSpeed));
     LogError::Drift { first, last }
 }
 
-/// Period of a force, s, near the one that is expected.
+/// Period of a force, s, near the expected one.
 pub(super) fn period(log: &Log, time: &[f64], expected: f64) -> Result<f64> {
     let length = time[time.len() - 1] - time[0];
     if length < LEAST_CYCLES as f64 * RANGE[0] * expected {
@@ -74,7 +74,7 @@ pub(super) fn period(log: &Log, time: &[f64], expected: f64) -> Result<f64> {
     Ok(lag * step)
 }
 
-/// Refuses a log that pauses for longer than a cycle while its samples are much denser.
+/// Rejects a log with a pause longer than a cycle between much denser samples.
 fn check_gaps(log: &Log, time: &[f64], cycle: f64) -> Result<()> {
     let length = time[time.len() - 1] - time[0];
     let steps = time.windows(2).map(|t| t[1] - t[0]);
@@ -110,7 +110,7 @@ fn cells(time: &[f64], force: &[f64], step: f64) -> Vec<f64> {
     sums.into_iter().map(&mut fill).collect()
 }
 
-/// The lag, in cells, at which a force repeats best, and its correlation there; of lags as good, the shortest.
+/// The lag, in cells, with the best correlation of a force, and this correlation; of equally good lags, the shortest.
 fn repeats(cells: &[f64], lags: std::ops::RangeInclusive<usize>) -> Option<(f64, f64)> {
     let mean = cells.iter().sum::<f64>() / cells.len() as f64;
     let correlation = |lag: usize| {

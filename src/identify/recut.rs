@@ -1,4 +1,4 @@
-//! The next cam: what the log has beyond the design, less its noise, is the machine's own and is designed for.
+//! The next cam: the repeatable difference of the log from the design is attributed to the machine and corrected.
 
 use serde::Serialize;
 
@@ -16,17 +16,16 @@ use crate::scene::{Harmonic, Scene};
 use crate::synth::{self, Design, Search};
 use crate::units::Quantity;
 
-/// A harmonic is learned where its amplitude is this multiple of its noise.
+/// Ratio of amplitude and noise above which a harmonic is learned.
 const ABOVE_NOISE: f64 = 2.0;
-/// Harmonics that are learned, as a multiple of those of the target: above, the machine is not the rigid one of the scene, and
-/// its resonances would turn a correction into its contrary.
+/// Number of learned harmonics, as a multiple of those of the target. Above it, the resonances of the real machine could reverse a correction.
 const IN_BAND: usize = 3;
-/// Part by which stiffness and mass of a machine are taken to be off its scene, and damping ratio that its guide may add.
+/// Assumed relative uncertainty of stiffness and mass, and of the added damping ratio of the guide.
 const UNSURE: f64 = 0.05;
-/// Part of a correction that is made where one was made before: Coulomb friction changes its sign with the velocity, and where
-/// the lift hardly changes every whole correction would turn it round.
+/// Fraction of a correction that is applied after an earlier one: Coulomb friction changes its sign with the velocity, so whole corrections could
+/// oscillate.
 const AGAIN: f64 = 0.5;
-/// Rounds in which what the parameters change of the force follows the law.
+/// Number of iterations of the parameters' force changes with the law.
 const ROUNDS: usize = 2;
 
 /// Force error before and after, N.
@@ -39,13 +38,14 @@ const ROUNDS: usize = 2;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Recut {
-    /// RMS of what repeats in the log less the target; on a moving axis without its mean, which is the weight.
+    /// RMS of the repeatable force less the target; on a moving axis without its mean, which is the weight.
     pub before_rms_n: f64,
-    /// The same as it is expected of the new cam: what is left of the noise, what the limits leave, what was not learned.
+    /// Expected RMS for the new cam: remaining noise, effect of the limits, harmonics that were not learned.
     pub predicted_rms_n: f64,
 }
 
-/// The scene of the next cam, with what was learned of the machine as `machine.learned_force`, and the error it will have.
+/// The scene of the next cam, with the learned force as `machine.learned_force`, and the expected error. `force` is the target of the scene. The
+/// scene keeps the nominal machine: the effect of identified parameters is part of the learned force, computed for the new law.
 ///
 /// `force` is the target of the scene. The scene keeps the nominal machine: what an identified parameter changes is part of
 /// the learned force, taken for the new law.
@@ -136,7 +136,7 @@ pub fn recut(
     Ok((next, recut, found))
 }
 
-/// What was learned before and now, as harmonics of the cam angle, N at the lever.
+/// The force learned before and now, as harmonics of the cam angle, N at the lever.
 fn joined(design: &Design, news: &[f64], band: usize, from: usize) -> Vec<Harmonic> {
     let problem = &design.problem;
     let sum: Vec<f64> = (0..ANGLES)
@@ -164,15 +164,15 @@ fn rms(harmonics: &[f64], from: usize) -> f64 {
     (mean + 0.5 * dot(&harmonics[1..], &harmonics[1..])).sqrt()
 }
 
-/// RMS without the noise that is in it.
+/// RMS corrected for the noise.
 fn repeated(harmonics: &[f64], noise: &[f64], from: usize) -> f64 {
     let scatter = 0.5 * noise[1..].iter().sum::<f64>() + if from == 0 { noise[0] } else { 0.0 };
     (rms(harmonics, from).powi(2) - scatter).max(0.0).sqrt()
 }
 
-/// Part of a correction at an angular frequency with which cuts converge. A cut changes the force by the machine's own gain per lift,
-/// k − m ω² + i c ω, which is uncertain by as much as `UNSURE` says; they do while the part times true over nominal gain is below 2,
-/// which is far from sure near the resonance of a spring (Bristow, Tharayil and Alleyne 2006).
+/// Part of a correction at an angular frequency with which cuts converge. A new cam changes the force by the machine's gain per lift, k − m ω² + i c
+/// ω, with the uncertainty `UNSURE`. Iterations converge while the fraction times true over nominal gain is below 2, which is uncertain near the
+/// resonance of a spring (Bristow, Tharayil and Alleyne 2006).
 fn convergent(drive: &Drive, frequency: f64) -> f64 {
     let inertia = drive.mass * frequency * frequency;
     let gain = (drive.spring_rate - inertia).hypot(drive.damping * frequency);
@@ -182,8 +182,8 @@ fn convergent(drive: &Drive, frequency: f64) -> f64 {
     if sum > 0.0 { gain / sum } else { 1.0 }
 }
 
-/// Harmonics above their noise, each less the part of it that noise is likely to be, as far as a correction of each is `made`,
-/// and the RMS of what is left in the others and in the noise; all zero where the whole is noise.
+/// Harmonics above their noise, each reduced by its likely noise and by `made`, and the RMS of the others and of the noise; all zero if there is only
+/// noise.
 fn shrunk(
     news: &[f64],
     noise: &[f64],

@@ -1,12 +1,12 @@
-//! A law at many angles in order: pieces without a search for each, polynomials for several angles together.
+//! Evaluation of a law at many ordered angles: no search of the pieces, polynomials for several angles together.
 
 use super::{Law, Svaj};
 
-/// Angles evaluated together, so that the compiler uses vector registers.
+/// Number of angles evaluated together, for vector registers.
 const TOGETHER: usize = 8;
 
 impl Law {
-    /// [`Law::svaj`] at each of some ascending angles of the law's extent, rad, to the last digit.
+    /// [`Law::svaj`] at each of some ascending angles of the law's extent, rad, with identical digits.
     pub(crate) fn svaj_along(&self, angles: &[f64]) -> Vec<Svaj> {
         let breaks = self.breaks();
         let mut out = Vec::with_capacity(angles.len());
@@ -52,7 +52,7 @@ impl Law {
     }
 }
 
-/// Σ cₖ uᵏ(1−u)ⁿ⁻ᵏ at every u, for polynomials of falling degree with their powers in common.
+/// Σ cₖ uᵏ(1−u)ⁿ⁻ᵏ at every u, for polynomials of decreasing degree with shared powers.
 fn polynomials(coefficients: [&[f64]; 4], u: &[f64; TOGETHER]) -> [[f64; TOGETHER]; 4] {
     let down = u.map(|u| 1.0 - u);
     let mut power = [1.0; TOGETHER];

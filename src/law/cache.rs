@@ -1,11 +1,11 @@
-//! What is computed of a law once: extremes, joints and scaled coefficients.
+//! Cached results of a law: extremes, joints and scaled coefficients.
 
 use std::sync::{Arc, Mutex, OnceLock};
 
 use super::joint::Joint;
 use crate::poly::Extreme;
 
-/// Smallest and largest value.
+/// Pair of smallest and largest value.
 pub type Extremes = (Extreme, Extreme);
 
 /// Cached properties of a law. Clones share them; they do not take part in comparisons.
@@ -14,7 +14,7 @@ pub struct Cache(Arc<Cached>);
 
 #[derive(Debug, Default)]
 struct Cached {
-    /// By the weights of s, v, a, j.
+    /// Extremes by the weights of s, v, a, j.
     extremes: Mutex<Vec<([f64; 4], Extremes)>>,
     joints: OnceLock<Vec<Joint>>,
     /// Bernstein coefficients of s, v, a, j times their binomials.
@@ -28,7 +28,7 @@ impl PartialEq for Cache {
 }
 
 impl Cache {
-    /// For the law raised by a constant: combinations without the lift stay valid.
+    /// The cache for the law raised by a constant: combinations without the lift remain valid.
     pub fn on_any_level(&self) -> Cache {
         let same = |list: &Vec<([f64; 4], Extremes)>| {
             let all = list.iter().filter(|(weights, _)| weights[0] == 0.0);
@@ -57,12 +57,12 @@ impl Cache {
         })
     }
 
-    /// The joints, found on the first request.
+    /// The joints, computed on the first request.
     pub fn joints(&self, find: impl FnOnce() -> Vec<Joint>) -> &[Joint] {
         self.0.joints.get_or_init(find)
     }
 
-    /// The scaled coefficients, found on the first request.
+    /// The scaled coefficients, computed on the first request.
     pub fn scaled(&self, find: impl FnOnce() -> [Vec<f64>; 4]) -> &[Vec<f64>; 4] {
         self.0.scaled.get_or_init(find)
     }

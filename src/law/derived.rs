@@ -1,13 +1,13 @@
-//! The same law run backwards or mounted at another angle.
+//! A law run backwards or mounted at another angle.
 
 use super::{Law, pieces::Pieces};
 use crate::poly::PiecewisePoly;
 
-/// Angles closer to a break than this part of its neighbouring piece are that break.
+/// Fraction of a piece within which an angle counts as its break.
 const AT_BREAK: f64 = 1e-9;
 
 impl Law {
-    /// The sum of laws over the same breaks, each times its part; of polynomials.
+    /// Weighted sum of polynomial laws over the same breaks.
     pub(crate) fn mixed(parts: &[(f64, &Law)]) -> Option<Law> {
         let first = parts.first()?.1;
         let alike =
@@ -32,7 +32,7 @@ impl Law {
         Some(out)
     }
 
-    /// The law run backwards: s(−θ), for a cam that turns clockwise. Its extent is mirrored about zero.
+    /// The law run backwards: s(−θ), for a clockwise cam. Its extent is mirrored about zero.
     #[must_use]
     pub fn reversed(&self) -> Law {
         let poly = self.poly();
@@ -50,8 +50,7 @@ impl Law {
         Law::with_waves(poly, waves, self.is_closed())
     }
 
-    /// The closed law as it looks when the cam is mounted `ahead` rad ahead: s(θ + ahead), on the same
-    /// extent. Open laws come back unchanged.
+    /// The closed law of a cam mounted `ahead` rad ahead: s(θ + ahead), on the same extent. Open laws remain unchanged.
     #[must_use]
     pub fn ahead(&self, ahead: f64) -> Law {
         let (start, length) = self.extent();
@@ -66,7 +65,7 @@ impl Law {
         pieces.finish(true)
     }
 
-    /// The break of a piece that lies within rounding of an angle, otherwise the angle itself.
+    /// The break of a piece that equals an angle to rounding, otherwise the angle itself.
     fn near_break(&self, theta: f64) -> f64 {
         let (i, u) = self.poly().locate(theta);
         match u {

@@ -8,7 +8,7 @@ use super::joint::Joint;
 use super::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly, bernstein, harmonic_extremes, stand_in};
 
-/// Relative accuracy of the stand-ins whose extremes are taken.
+/// Relative accuracy of the approximations whose extremes are computed.
 const STAND_IN: f64 = 1e-12;
 
 /// The extremes after scaling by `factor` and adding a constant.
@@ -22,8 +22,8 @@ fn changed((low, high): Extremes, factor: f64, constant: f64) -> Extremes {
 }
 
 impl Law {
-    /// Smallest and largest value of the derivative of given order (0 = lift … 3 = jerk), true ones of
-    /// the continuous law, one-sided values at breaks included.
+    /// Smallest and largest value of the derivative of given order (0 = lift … 3 = jerk), for the continuous law, including one-sided values at
+    /// breaks.
     pub fn extremes(&self, order: usize) -> (Extreme, Extreme) {
         let mut weights = [0.0; 4];
         weights[order] = 1.0;
@@ -39,14 +39,14 @@ impl Law {
         }
     }
 
-    /// Extremes over the law of a function of the motion, by a polynomial stand-in.
+    /// Extremes over the law of a function of the motion, by a polynomial approximation.
     pub(crate) fn extremes_by(&self, f: impl Fn(Svaj) -> f64) -> Extremes {
         let breaks = self.breaks();
         let inside = |i: usize, x: f64| (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
         stand_in(breaks, STAND_IN, |i, x| f(self.svaj_on(i, inside(i, x)))).extremes()
     }
 
-    /// The same where the lift rises and where it falls, ends of a rise or fall included; `None` where it never does.
+    /// Extremes where the lift rises and where it falls, including ends of a rise or fall; `None` without such a part.
     pub(crate) fn extremes_on_rise_and_fall(
         &self,
         f: impl Fn(Svaj) -> f64,
@@ -94,7 +94,7 @@ impl Law {
         self.cache.extremes(weights, search)
     }
 
-    /// (cosine, sine) of harmonics 1, 2, … where the law is a mean with these.
+    /// (cosine, sine) of harmonics 1, 2, … if the law is a sum of them and a mean.
     pub(crate) fn harmonics(&self) -> Option<Vec<(f64, f64)>> {
         let waves = self.waves(0);
         let is_sum = self.breaks() == [0.0, TAU]
@@ -103,7 +103,7 @@ impl Law {
         is_sum.then(|| waves.iter().map(|w| (w.cos, w.sin)).collect())
     }
 
-    /// Jumps of s, v, a and j at every break, the wrap of a closed law included.
+    /// Jumps of s, v, a and j at every break, including the wrap of a closed law.
     pub fn joints(&self) -> Vec<Joint> {
         self.cache.joints(|| joints(self)).to_vec()
     }
@@ -114,7 +114,7 @@ impl Law {
         self.cache.scaled(|| std::array::from_fn(each))
     }
 
-    /// Stroke: largest lift less smallest.
+    /// Stroke: maximum lift less minimum.
     pub fn stroke(&self) -> f64 {
         let (low, high) = self.extremes(0);
         high.value - low.value

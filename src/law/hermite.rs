@@ -9,7 +9,7 @@ use crate::poly::{PiecewisePoly, bernstein};
 use crate::units::Quantity;
 use nalgebra::{DMatrix, DVector};
 
-/// What a law must do at one angle: its derivative of the given order has the given value there.
+/// A condition on a law at one angle: its derivative of the given order has the given value.
 ///
 /// ```
 /// use gaitcam::law::{Condition, hermite_birkhoff};
@@ -23,22 +23,21 @@ use nalgebra::{DMatrix, DVector};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Condition {
-    /// Angle, rad.
+    /// Angle of the condition, rad.
     pub theta: f64,
-    /// 0 = lift, 1 = velocity, 2 = acceleration, 3 = jerk, …
+    /// Order of the derivative: 0 = lift, 1 = velocity, 2 = acceleration, 3 = jerk, …
     pub order: usize,
-    /// Value, m/radᵒʳᵈᵉʳ.
+    /// Prescribed value, m/radᵒʳᵈᵉʳ.
     pub value: f64,
 }
 
-/// Degrees above this answer with rounding of the data magnified beyond use.
+/// Maximum degree; above it the rounding of the data is magnified beyond use.
 const MAX_DEGREE: usize = 40;
-/// Singular values below this share of the largest count as zero: the conditions do not fix the polynomial.
+/// Ratio to the largest singular value below which one counts as zero: the conditions do not determine the polynomial.
 const RANK: f64 = 1e-14;
 
-/// The one polynomial of degree n − 1 that meets n conditions, on [start, end] rad, as a single piece.
-///
-/// The conditions are met to rounding of the largest of them.
+/// The unique polynomial of degree n − 1 that satisfies n conditions, on [start, end] rad, as a single piece. The conditions hold to rounding of the
+/// largest of them.
 ///
 /// ```
 /// use gaitcam::law::{Condition, hermite_birkhoff};
@@ -51,9 +50,8 @@ const RANK: f64 = 1e-14;
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 ///
-/// # Errors
-/// No conditions, an angle outside the interval, two conditions on the same derivative at the same angle, an
-/// order above the degree, or a set that does not fix a polynomial (possible when orders are skipped).
+/// # Errors No conditions, an angle outside the interval, two conditions on the same derivative at the same angle, an order above the degree, or a
+/// set that does not determine a polynomial (possible if orders are skipped).
 pub fn hermite_birkhoff(conditions: &[Condition], start: f64, end: f64) -> Result<PiecewisePoly> {
     check(conditions, start, end)?;
     let n = conditions.len();

@@ -1,8 +1,8 @@
-//! How the pieces of a law join: the fundamental law of cam design asks for C² everywhere.
+//! Joints between the pieces of a law; the fundamental law of cam design requires C² everywhere.
 
 use super::svaj::Svaj;
 
-/// What jumps at one break: value after less value before.
+/// Jumps at one break: value after less value before.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};
@@ -19,8 +19,8 @@ use super::svaj::Svaj;
 pub struct Joint {
     /// Angle of the break, rad.
     pub at: f64,
-    /// The motion on both sides.
+    /// The motion on both sides of the break.
     pub sides: [Svaj; 2],
-    /// Jumps of s, v, a, j.
+    /// Jumps of s, v, a, j at the break.
     pub jump: Svaj,
 }

@@ -27,9 +27,9 @@ use std::sync::Arc;
 
 /// A law of motion: on each piece a polynomial plus a few sinusoids.
 ///
-/// This form covers all common laws: splines and polynomials have no sinusoids, harmonic laws
-/// one piece, modified sine and trapezoid a line or parabola with one sinusoid per piece. A *closed* law
-/// repeats after its extent (one turn, usually); an open one (translating cam) ends where it ends.
+/// This form includes all common laws: splines and polynomials have no sinusoids, harmonic laws have one piece, and modified sine and trapezoid have
+/// a line or parabola with one sinusoid per piece. A *closed* law repeats after its extent (one turn, usually); an open one (translating cam) ends
+/// where it ends.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};
@@ -46,23 +46,23 @@ use std::sync::Arc;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Law {
     poly: PiecewisePoly,
-    /// Sinusoids of each piece; empty when no piece has any.
+    /// Sinusoids of each piece; empty if there are none.
     waves: Vec<Vec<Wave>>,
     closed: bool,
-    /// v, a and j, if they are more accurate than differences of the lift's coefficients.
+    /// Derivatives v, a and j, if more accurate than differences of the lift's coefficients.
     #[serde(skip)]
     derivatives: Option<Arc<[PiecewisePoly; 3]>>,
     #[serde(skip)]
     cache: Cache,
 }
 
-/// Spans from which on the Bernstein coefficients of a spline's derivatives come from its own derivatives' coefficients, and
-/// these may be the unknowns of a program: differences of the lift's lose (spans/turn)³ of a jerk's digits, and sixty times
-/// that by the piece. With fewer none of some hundred random scenes lacks a proof; of those with 40 to 100 one in forty did.
+/// Number of spans above which the derivatives of a spline have their own coefficients, which may be the unknowns of a program. Differences of the
+/// lift's coefficients lose (spans/turn)³ of a jerk's digits. With fewer spans all of some hundred random scenes are certified; with 40 to 100 spans
+/// one in forty was not.
 pub(crate) const MANY_SPANS: usize = 40;
 
 impl Law {
-    /// The law of a program's solution.
+    /// The law of a program's optimum.
     pub fn of(basis: &Basis, x: &[f64]) -> Self {
         match basis {
             Basis::Spline { space, closed } => Law::spline(space, &x[..space.dimension()], *closed),
@@ -73,7 +73,7 @@ impl Law {
         }
     }
 
-    /// A spline by its coefficients.
+    /// A spline law from its coefficients.
     pub fn spline(space: &SplineSpace, coefficients: &[f64], closed: bool) -> Self {
         let poly = space.spline(coefficients);
         if !closed || space.spans().len() < MANY_SPANS {
@@ -100,7 +100,7 @@ impl Law {
         }
     }
 
-    /// The lift's polynomials (order 0) or those of a derivative, waves left out.
+    /// The polynomials of the lift (order 0) or of a derivative, without waves.
     fn of_order(&self, order: usize) -> PiecewisePoly {
         let given = self.derivatives.as_ref().map_or(&[][..], |d| &d[..]);
         match order.checked_sub(1).and_then(|k| given.get(k)) {
@@ -151,7 +151,7 @@ impl Law {
         self.poly.breaks()
     }
 
-    /// The polynomial part.
+    /// The polynomial part of the law.
     pub fn poly(&self) -> &PiecewisePoly {
         &self.poly
     }
@@ -172,7 +172,7 @@ impl Law {
         (b[0], b[b.len() - 1] - b[0])
     }
 
-    /// Brings an angle into the law's extent (closed laws only; open ones keep it).
+    /// Reduces an angle to the law's extent (closed laws only; open ones keep it).
     pub fn wrap(&self, theta: f64) -> f64 {
         let (start, length) = self.extent();
         if !self.closed || (theta >= start && theta < start + length) {
@@ -183,14 +183,14 @@ impl Law {
         if t < length { start + t } else { start }
     }
 
-    /// Exact lift and derivatives at `theta`, rad. At a break the piece to the right answers.
+    /// Exact lift and derivatives at `theta`, rad. At a break the piece to the right applies.
     pub fn svaj(&self, theta: f64) -> Svaj {
         let (i, u) = self.place(self.wrap(theta));
         self.svaj_on(i, u)
     }
 
-    /// The piece that holds an angle, and where on it: at a break, and by rounding before it, the piece that
-    /// begins there, so that every row of every table stands on one side of a jump.
+    /// The piece that contains an angle, and the position on it. At a break, and up to rounding before it, the next piece applies, so that all rows
+    /// of all tables are on the same side of a jump.
     fn place(&self, theta: f64) -> (usize, f64) {
         let (i, u) = self.poly.locate(theta);
         let breaks = self.poly.breaks();
@@ -250,7 +250,7 @@ impl Law {
         add_taylor(sum, &waves, weights)
     }
 
-    /// The same without waves: only the derivatives that take part, in the degree that they need.
+    /// The polynomial without waves: only the derivatives involved, in the required degree.
     fn polynomial_combination(&self, weights: [f64; 4], constant: f64) -> PiecewisePoly {
         let last = weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
         let mut orders: Vec<PiecewisePoly> = Vec::with_capacity(last + 1);
@@ -268,8 +268,8 @@ impl Law {
         PiecewisePoly::combine(&terms, constant)
     }
 
-    /// An upper bound of |lift| (order 0) … |jerk| (order 3), from coefficients and amplitudes: no search.
-    /// It exceeds the true maximum by a small factor at most, so it serves as a scale.
+    /// An upper bound of |lift| (order 0) … |jerk| (order 3), from coefficients and amplitudes. It exceeds the true maximum by a small factor at
+    /// most, so it can be used as a scale.
     pub(crate) fn bound(&self, order: usize) -> f64 {
         let poly = self.of_order(order);
         let amplitude = |w: &Wave| w.rate.powi(order as i32).abs() * w.cos.hypot(w.sin);

@@ -19,7 +19,7 @@ impl Pieces {
         }
     }
 
-    /// Angle reached so far.
+    /// Angle up to which pieces exist.
     pub fn reached(&self) -> f64 {
         self.breaks[self.breaks.len() - 1]
     }
@@ -76,7 +76,7 @@ impl Pieces {
         }
     }
 
-    /// Adds what `law` does from `from` to `to`, both within one extent of it.
+    /// Adds the part of `law` between `from` and `to`, both within one extent of it.
     pub fn push_part(&mut self, law: &Law, from: f64, to: f64) {
         let start = self.reached();
         for i in 0..law.poly().pieces() {
@@ -104,7 +104,7 @@ impl Pieces {
         }
     }
 
-    /// The law of the pieces, of which there is at least one.
+    /// The law of the pieces; at least one is required.
     pub fn finish(self, closed: bool) -> Law {
         let degree = self.coef.iter().map(|c| c.len() - 1).max().unwrap_or(0);
         let elevated = self.coef.iter().flat_map(|c| bernstein::elevate(c, degree));

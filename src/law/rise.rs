@@ -25,61 +25,60 @@ use std::mem::discriminant;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Rise {
-    /// No motion.
+    /// A dwell: no motion.
     #[default]
     Dwell,
-    /// A straight line.
+    /// A straight line (constant velocity).
     ConstantVelocity,
     /// Constant acceleration, then constant deceleration.
     Parabolic,
-    /// 3x² − 2x³.
+    /// The cubic 3x² − 2x³.
     Cubic,
-    /// ½(1 − cos πx).
+    /// Simple harmonic: ½(1 − cos πx).
     SimpleHarmonic,
-    /// ½[(1 − cos πx) − ¼(1 − cos 2πx)]: rests at its low end only; a fall is the mirror image.
+    /// ½[(1 − cos πx) − ¼(1 − cos 2πx)]: at rest only at its low end; a fall is the mirror image.
     DoubleHarmonic,
-    /// x − sin(2πx)/2π.
+    /// Cycloidal: x − sin(2πx)/2π.
     Cycloidal,
-    /// Quarter-period start of a harmonic: rests at x = 0 and leaves with v = π/2.
+    /// Quarter-period start of a harmonic: at rest at x = 0, v = π/2 at x = 1.
     SemiharmonicStart,
-    /// Quarter-period end of a harmonic: arrives with v = π/2 and stops at x = 1.
+    /// Quarter-period end of a harmonic: v = π/2 at x = 0, at rest at x = 1.
     SemiharmonicEnd,
-    /// Half a cycloid: rests at x = 0 and leaves with v = 2 (CAM-DAS prints π/2, which is the
-    /// semiharmonic's; theory §5).
+    /// Half a cycloid: at rest at x = 0, v = 2 at x = 1 (CAM-DAS prints π/2, which is the semiharmonic's; theory §5).
     SemicycloidalStart,
-    /// Half a cycloid: arrives with v = 2 and stops at x = 1.
+    /// Half a cycloid: v = 2 at x = 0, at rest at x = 1.
     SemicycloidalEnd,
     /// Trapezoid of acceleration with corners rounded by sines.
     ModifiedTrapezoid,
     /// Two sines of different period.
     ModifiedSine,
-    /// Sine, constant, cosine acceleration with free shares, b + c + d = 1.
+    /// Sine, constant, cosine acceleration with free fractions, b + c + d = 1.
     Scca {
-        /// Share of the sines at both ends together.
+        /// Fraction b of the sines at both ends together.
         b: f64,
-        /// Share of the constant accelerations together.
+        /// Fraction c of the constant accelerations together.
         c: f64,
-        /// Share of the cosine in the middle.
+        /// Fraction d of the cosine in the middle.
         d: f64,
     },
-    /// 10x³ − 15x⁴ + 6x⁵.
+    /// Polynomial 3-4-5: 10x³ − 15x⁴ + 6x⁵.
     Poly345,
-    /// 35x⁴ − 84x⁵ + 70x⁶ − 20x⁷.
+    /// Polynomial 4-5-6-7: 35x⁴ − 84x⁵ + 70x⁶ − 20x⁷.
     Poly4567,
-    /// 126x⁵ − 420x⁶ + 540x⁷ − 315x⁸ + 70x⁹.
+    /// Polynomial 5-6-7-8-9: 126x⁵ − 420x⁶ + 540x⁷ − 315x⁸ + 70x⁹.
     Poly56789,
     /// A polynomial of degree 5 (or 7) that takes s, v, a (and j) from its neighbours; between dwells it
     /// is 3-4-5 (4-5-6-7).
     Polynomial {
-        /// 5 or 7.
+        /// Degree 5 or 7.
         degree: usize,
     },
     /// 12.1x³ − 25.5x⁴ + 24.9x⁵ − 14.7x⁶ + 4.2x⁷ (Bautista Morelos 2018).
     BerzakD,
     /// x − (15/32π) sin 2πx − (1/96π) sin 6πx.
     Gutman13,
-    /// x − (27/56π)(sin 2πx + sin(6πx)/54), as commonly printed: it has v = −1/56 at both ends, so it
-    /// meets no dwell. [`Rise::Freudenstein13AtRest`] corrects it.
+    /// x − (27/56π)(sin 2πx + sin(6πx)/54), as commonly printed: it has v = −1/56 at both ends, so it cannot join a dwell.
+    /// [`Rise::Freudenstein13AtRest`] corrects it.
     Freudenstein13,
     /// x − (27/56π)(sin 2πx + sin(6πx)/81): at rest at both ends.
     Freudenstein13AtRest,
@@ -94,18 +93,18 @@ pub enum Rise {
     User {
         /// Name of the table in messages.
         name: String,
-        /// What a scene says of it, as [`Rise::from_name`] reads it.
+        /// Text of the motion in a scene, as read by [`Rise::from_name`].
         written: String,
         /// The law on [0, 1], leading from 0 to 1.
         law: Box<Law>,
         /// Rows of the table, both columns from 0 to 1.
         rows: Vec<(f64, f64)>,
-        /// Half a unit of the last decimal of the rows, at most a thousandth, as a share of the lift.
+        /// Half a unit of the last decimal of the rows, at most a thousandth, relative to the lift.
         rounding: f64,
     },
 }
 
-/// Every motion without data of the user, by its name in a scene file; SCCA with equal ends b = c = ¼.
+/// Every motion without user data, by its name in a scene file; SCCA with equal ends b = c = ¼.
 #[rustfmt::skip]
 static CATALOGUE: [(&str, Rise); 24] = [
     ("constant-velocity",        Rise::ConstantVelocity),
@@ -135,7 +134,7 @@ static CATALOGUE: [(&str, Rise); 24] = [
 ];
 
 impl Rise {
-    /// Every motion without data of the user, SCCA with equal ends b = c = ¼.
+    /// Every motion without user data, SCCA with equal ends b = c = ¼.
     pub fn catalogue() -> Vec<Rise> {
         CATALOGUE.iter().map(|row| row.1.clone()).collect()
     }
@@ -152,7 +151,7 @@ impl Rise {
         }
     }
 
-    /// The name with its parameters, as [`Rise::from_name`] reads it.
+    /// The name with its parameters, as read by [`Rise::from_name`].
     pub fn written(&self) -> String {
         match self {
             Rise::Scca { b, c, d } => format!("scca {b} {c} {d}"),
@@ -166,9 +165,8 @@ impl Rise {
     /// `scca 0.25 0.25 0.5` (b, c, d), `eccentric 4` (ratio), `table 0 0 0.5 0.3 1 1` (pairs of x and s, at rest at
     /// both ends).
     ///
-    /// # Errors
-    /// An unknown name, with the nearest known one; parameters that are not numbers, too many or out of range; a file
-    /// in place of numbers, which [`scene::with_motions`](crate::scene::with_motions) reads.
+    /// # Errors An unknown name, with the nearest known one; parameters that are not numbers, too many or out of range; a file instead of numbers,
+    /// which [`scene::with_motions`](crate::scene::with_motions) reads.
     pub fn from_name(text: &str) -> Result<Rise> {
         if let Some(file) = Rise::named_file(text) {
             let (motion, file) = ("table".to_string(), file.to_string());
@@ -268,12 +266,12 @@ impl Rise {
         })
     }
 
-    /// Whether a fall is the rise seen backwards in x.
+    /// Whether a fall is the rise reversed in x.
     pub(super) fn mirrors(&self) -> bool {
         matches!(self, Rise::DoubleHarmonic | Rise::Eccentric { .. })
     }
 
-    /// Degree of a general polynomial, which takes its shape from its neighbours.
+    /// Degree of a general polynomial, whose shape depends on its neighbours.
     pub(super) fn general_degree(&self) -> Option<usize> {
         match self {
             Rise::Polynomial { degree } => Some(*degree),
@@ -302,7 +300,7 @@ fn unknown(word: &str) -> LawError {
     }
 }
 
-/// The polynomial over [0, width] that meets s, v, a (degree 7: and j) at both ends.
+/// The polynomial over [0, width] with given s, v, a (degree 7: and j) at both ends.
 pub(super) fn joining(
     degree: usize,
     before: Svaj,

@@ -1,7 +1,6 @@
 //! Lift with its derivatives at one angle.
 
-/// Lift and its first three derivatives by the cam angle: m, m/rad, m/rad², m/rad³ (an oscillating
-/// follower: rad in place of m).
+/// Lift and its first three derivatives with respect to the cam angle: m, m/rad, m/rad², m/rad³ (oscillating follower: rad instead of m).
 ///
 /// ```
 /// use gaitcam::law::Law;
@@ -12,12 +11,12 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Svaj {
-    /// Lift.
+    /// Lift s, m.
     pub s: f64,
-    /// Velocity ds/dθ.
+    /// Velocity ds/dθ, m/rad.
     pub v: f64,
-    /// Acceleration d²s/dθ².
+    /// Acceleration d²s/dθ², m/rad².
     pub a: f64,
-    /// Jerk d³s/dθ³.
+    /// Jerk d³s/dθ³, m/rad³.
     pub j: f64,
 }

@@ -1,4 +1,4 @@
-//! Accuracy of the force: what is required, and the weight of each part of the cycle.
+//! Accuracy of the force: required value, and weights of the parts of the cycle.
 
 use std::f64::consts::TAU;
 
@@ -8,35 +8,31 @@ use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
 use crate::scene::Minimise;
 
-/// RMS force error, part of the mean force, that is small enough where the scene asks for none.
+/// Default RMS force error, relative to the mean force, that is small enough.
 const USUAL_ACCURACY: f64 = 0.005;
-/// A mean force that differs from the weight by a smaller part is the same: masses are written with four
-/// digits.
+/// Relative difference of mean force and weight that counts as none, since masses have four digits.
 const SAME_MEAN: f64 = 1e-3;
 
 impl Problem {
-    /// Force error, N RMS, at which an automatic size of the law is large enough; 0 where no force is
-    /// wanted.
+    /// Force error, N RMS, at which an automatic size of the law is large enough; 0 without a target force.
     pub fn wanted_error(&self) -> f64 {
         self.error_at_noise().unwrap_or(self.asked_error())
     }
 
-    /// The same, whatever the recording's spread.
+    /// The sufficient force error without regard to the recording's spread.
     pub fn asked_error(&self) -> f64 {
         self.accuracy.unwrap_or(USUAL_ACCURACY) * self.target_mean()
     }
 
-    /// Force error, N RMS, above which a design misses its force: the accuracy asked for, otherwise 0.5 % of
-    /// the mean or the step-to-step spread of the recording, whichever is larger; `None` where no force is
-    /// wanted or the scene has it not judged.
+    /// Force error, N RMS, above which a design fails: the required accuracy, otherwise 0.5 % of the mean or the step-to-step spread of the
+    /// recording, whichever is larger. `None` without a target force, or if the scene does not judge it.
     pub fn largest_error(&self) -> Option<f64> {
         let force = self.force.filter(|_| !self.limits.unjudged.accuracy)?;
         let asked = self.asked_error();
         Some(self.accuracy.map_or(asked.max(force.spread_n), |_| asked))
     }
 
-    /// Smallest contact force that is judged where the scene gives none, N: 0 where only force closes the
-    /// contact, on a moving axis or by whatever presses on a fixed one.
+    /// Default minimum contact force that is judged, N: 0 if only force closes the contact, as on a moving axis.
     pub fn usual_force_min(&self) -> Option<f64> {
         let form_closed = self.cam.conjugate.is_some()
             || self.cam.breadth.is_some()
@@ -49,57 +45,55 @@ impl Problem {
         (pressed && !self.limits.unjudged.contact_force).then_some(0.0)
     }
 
-    /// Where the spread of the recording, not an accuracy, decides the size of the law: that error, N.
+    /// The error, N, if the spread of the recording determines the size of the law, not an accuracy.
     pub fn error_at_noise(&self) -> Option<f64> {
         let noise = self.noise();
         (self.accuracy.is_none() && noise > self.asked_error()).then_some(noise)
     }
 
-    /// |mean| of the target force, N; 0 without one.
+    /// Absolute mean of the target force, N; 0 without one.
     pub fn target_mean(&self) -> f64 {
         self.force.map_or(0.0, |force| force.mean_n.abs())
     }
 
-    /// Error below which a fit would follow the noise: a fifth of the step-to-step spread, N.
+    /// Error below which a fit would follow the noise: a fifth of the step-to-step spread, N. It adds 2 % to the walker's own variation.
     ///
     /// Such an error adds 2 % to the walker's own variation (1 + 0.2² under the root).
     fn noise(&self) -> f64 {
         0.2 * self.force.map_or(0.0, |force| force.spread_n)
     }
 
-    /// [`Problem::largest_error`], unless a band stands for the accuracy.
+    /// [`Problem::largest_error`], unless a band replaces the accuracy.
     pub fn allowed_error(&self) -> Option<f64> {
         self.largest_error().filter(|_| self.band.is_none())
     }
 
-    /// The same where it limits the law: something else than the force error over the turn is minimised, and a cam may
-    /// reach it.
+    /// The largest error if it limits the law: the objective is not the force error over the turn, and a cam may reach it.
     pub fn limited_error(&self) -> Option<f64> {
         let is_minimised = self.objective() == Minimise::ForceError && !self.is_weighed();
         let asked = self.allowed_error().filter(|most| *most > 0.0)?;
         (!is_minimised && self.mean_force_gap().is_none()).then_some(asked)
     }
 
-    /// Whether one cam serves several walkers, or one in several cycles.
+    /// Whether one cam serves several walkers or cycles.
     pub fn serves_several(&self) -> bool {
         self.walkers.as_ref().is_some_and(|w| w.each.len() > 1)
     }
 
-    /// The force error above which the design of one force misses it: of several walkers not the error of their mean is judged
-    /// but theirs.
+    /// The largest force error of a single force; for several walkers their errors are judged, not that of their mean.
     pub fn judged_error(&self) -> Option<f64> {
         self.allowed_error().filter(|_| !self.serves_several())
     }
 
-    /// Mean target force less the weight that a moving axis carries, N: no cam changes the mean over a turn
-    /// (theory §1). `None` within the rounding of a mass.
+    /// Mean target force less the weight that a moving axis carries, N: a cam cannot change the mean over a turn (theory §1). `None` within the
+    /// rounding of a mass.
     pub fn mean_force_gap(&self) -> Option<f64> {
         let gap = self.target_mean() - self.drive.rest_force;
         let judged = self.drive.kind == DriveKind::MovingAxis && self.judged_error().is_some();
         (judged && gap.abs() > SAME_MEAN * self.target_mean()).then_some(gap)
     }
 
-    /// Whether parts of the cycle count more or less than once.
+    /// Whether parts of the cycle have different weights.
     pub fn is_weighed(&self) -> bool {
         !self.weights.is_empty()
     }
@@ -118,7 +112,7 @@ impl Problem {
         edges
     }
 
-    /// The lowest weight of any part of the cycle.
+    /// The minimum weight of any part of the cycle.
     pub fn least_weight(&self) -> f64 {
         (self.weights.iter()).fold(1.0, |least, w| least.min(w.weight))
     }

@@ -1,4 +1,4 @@
-//! Variants of a problem: each constructor returns a new one that differs in what its name says.
+//! Variants of a problem: each constructor returns a copy with the change in its name.
 
 use super::Problem;
 use crate::cam::{Criterion, LimitKind};
@@ -6,7 +6,7 @@ use crate::drive::Drive;
 use crate::scene::{CamSpec, LawSpec, Limits, Minimise};
 
 impl Problem {
-    /// The value of a limit, of the accuracy or of a given size; `None` where the problem leaves it open.
+    /// The value of a limit, of the accuracy or of a given size; `None` if the problem leaves it open.
     pub fn value(&self, criterion: Criterion) -> Option<f64> {
         let [rise, fall] = self.limits.pressure_angles();
         match criterion {
@@ -24,7 +24,7 @@ impl Problem {
         }
     }
 
-    /// The same problem with another value of what [`Problem::value`] returns.
+    /// The problem with another value of what [`Problem::value`] returns.
     #[must_use]
     pub fn with(&self, criterion: Criterion, value: f64) -> Problem {
         let mut out = self.clone();
@@ -41,7 +41,7 @@ impl Problem {
         out
     }
 
-    /// The same problem under other limits.
+    /// The problem under other limits.
     #[must_use]
     pub fn with_limits(&self, limits: Limits) -> Problem {
         let mut out = self.clone();
@@ -49,7 +49,7 @@ impl Problem {
         out
     }
 
-    /// The same problem for a law of another family, size or objective.
+    /// The problem for a law of another family, size or objective.
     #[must_use]
     pub fn with_law(&self, law: LawSpec) -> Problem {
         let mut out = self.clone();
@@ -58,7 +58,7 @@ impl Problem {
         out
     }
 
-    /// The same problem for a cam of other lengths.
+    /// The problem for a cam of other dimensions.
     #[must_use]
     pub fn with_cam(&self, cam: CamSpec) -> Problem {
         let mut out = self.clone();
@@ -66,7 +66,7 @@ impl Problem {
         out
     }
 
-    /// The same problem with the follower's line at an offset, m.
+    /// The problem with another offset of the follower's line, m.
     #[must_use]
     pub fn at_offset(&self, offset: f64) -> Problem {
         self.with_cam(CamSpec {
@@ -75,7 +75,7 @@ impl Problem {
         })
     }
 
-    /// The same for the mean of its walkers as for one force; of several walkers its error is not judged.
+    /// The problem for the mean of its walkers as a single force, whose error is not judged for several walkers.
     #[must_use]
     pub fn of_mean(&self) -> Problem {
         let mut out = self.clone();
@@ -84,7 +84,7 @@ impl Problem {
         out
     }
 
-    /// The same whose force error is not judged.
+    /// The problem without a check of the force error.
     #[must_use]
     pub fn without_accuracy(&self) -> Problem {
         let mut out = self.clone();
@@ -92,7 +92,7 @@ impl Problem {
         out
     }
 
-    /// The same with another objective.
+    /// The problem with another objective.
     #[must_use]
     pub fn minimising(&self, objective: Minimise) -> Problem {
         let mut out = self.clone();
@@ -100,7 +100,7 @@ impl Problem {
         out
     }
 
-    /// The same with its force and demands, but without a limit, an accuracy and a band.
+    /// The problem with its force and conditions, but without a limit, an accuracy and a band.
     #[must_use]
     pub fn without_limits(&self) -> Problem {
         let mut out = self.clone();
@@ -108,7 +108,7 @@ impl Problem {
         out.without_accuracy()
     }
 
-    /// The same problem on another drive.
+    /// The problem on another drive.
     #[must_use]
     pub fn with_drive(&self, drive: Drive) -> Problem {
         let mut out = self.clone();

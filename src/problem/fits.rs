@@ -1,15 +1,15 @@
-//! Fits of splines to the force alone, which rows of a sweep that differ in their limits share.
+//! Fits of splines to the force alone, shared by rows of a sweep with different limits.
 
 use super::Problem;
 use super::force_cycle::{FitKey, Fits, Objective};
 use crate::error::Result;
 use crate::scene::Minimise;
 
-/// Objectives over more spans are not kept: they take much memory, and more time to solve than to make.
+/// Number of spans above which objectives are not kept, since they take much memory and little time.
 const MOST_SPANS: usize = 100;
 
 impl Problem {
-    /// What was found for its force, where the distance from that is all that is minimised.
+    /// Results for its force, if only the distance from the force is minimised.
     fn fits(&self) -> Option<(FitKey, &Fits)> {
         let is_alone = self.objective() == Minimise::ForceError
             && !self.is_weighed()
@@ -25,7 +25,7 @@ impl Problem {
         Some((key, &cycle.fits))
     }
 
-    /// The objective over so many spans, found once for problems that differ in their limits.
+    /// The objective over a number of spans, computed once for problems with different limits.
     ///
     /// # Errors
     /// Those of `find`.
@@ -40,8 +40,7 @@ impl Problem {
         }
     }
 
-    /// The fewest spans from `least` on that reach an accuracy, N RMS, without limits, found once for problems
-    /// that differ in their limits.
+    /// The minimum number of spans from `least` on that reaches an accuracy, N RMS, without limits, computed once for problems with different limits.
     ///
     /// # Errors
     /// Those of `find`.

@@ -1,4 +1,4 @@
-//! Speed and mass of the machine, and the force that belongs to them.
+//! Speed and mass of the machine, and its target force.
 
 use std::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use crate::force::ForceCurve;
 use crate::scene::{CamSpec, DriveSpec, ForceScale, Scene};
 use crate::units::Quantity;
 
-/// The target as a multiple of a force, plus a constant, N.
+/// Scaling of a force to the target: a multiple plus a constant, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scaling {
     pub factor: f64,
@@ -17,18 +17,18 @@ pub struct Scaling {
 }
 
 impl Scaling {
-    /// The force itself.
+    /// Scaling that leaves the force unchanged.
     pub const NONE: Scaling = Scaling {
         factor: 1.0,
         shift: 0.0,
     };
 
-    /// Whether it is the force itself.
+    /// Whether the target is the force itself.
     pub fn is_none(self) -> bool {
         self.factor == 1.0 && self.shift == 0.0
     }
 
-    /// The target where the force is `force`, N.
+    /// The target for a force value, N.
     pub fn at(self, force: f64) -> f64 {
         self.factor * force + self.shift
     }
@@ -42,7 +42,7 @@ impl Scaling {
         }
     }
 
-    /// The target of a force.
+    /// The target of a force curve.
     pub fn of(self, force: &ForceCurve) -> ForceCurve {
         let mut target = force.scaled(self.factor);
         for f in &mut target.force_n {
@@ -51,7 +51,7 @@ impl Scaling {
         target
     }
 
-    /// The same where the force is `times` times that given.
+    /// The scaling for a force that is `times` times the given one.
     pub fn after(self, times: f64) -> Scaling {
         Scaling {
             factor: times * self.factor,
@@ -60,11 +60,11 @@ impl Scaling {
     }
 }
 
-/// The drive of a scene with every number, and how a force of known mean becomes its target.
+/// The drive of a scene with all numbers, and the scaling of a force with known mean to the target.
 ///
 /// # Errors
-/// The scene needs a force and none is given; the mean force is not positive on a moving axis; the drive relates no lift to
-/// force.
+///
+/// A required force is not given; the mean force is not positive on a moving axis; the drive does not relate lift and force.
 pub fn of_force(scene: &Scene, force: Option<MeanForce>) -> Result<(Drive, Scaling)> {
     let drive = drive(&scene.drive, &scene.cam, force)?;
     let how = scene.gait.as_ref().map_or(ForceScale::None, |g| g.scale);
@@ -75,10 +75,11 @@ pub fn of_force(scene: &Scene, force: Option<MeanForce>) -> Result<(Drive, Scali
     Ok((drive, scaling))
 }
 
-/// How a force of some mean, N, becomes the target: the moment of an arm, scaled to the mass where that is asked for.
+/// Scaling of a force with a mean, N, to the target: the moment of an arm, scaled to the mass on request.
 ///
 /// # Errors
-/// A mean force that no mass can rest under.
+///
+/// A mean force that does not correspond to a mass.
 fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
     let (mut factor, mut shift) = (drive.lever, 0.0);
     match how {
@@ -94,10 +95,11 @@ fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
     Ok(Scaling { factor, shift })
 }
 
-/// The drive with every number.
+/// The drive with all numbers.
 ///
 /// # Errors
-/// No speed or no mass where no force gives one.
+///
+/// No speed or no mass without a force that gives one.
 fn drive(spec: &DriveSpec, cam: &CamSpec, force: Option<MeanForce>) -> Result<Drive> {
     let speed = match (spec.speed, force) {
         (Some(w), _) => w,
@@ -127,7 +129,7 @@ fn drive(spec: &DriveSpec, cam: &CamSpec, force: Option<MeanForce>) -> Result<Dr
     })
 }
 
-/// The mass as given, otherwise the one whose weight is the mean force.
+/// The given mass, otherwise the one whose weight is the mean force.
 fn moving_mass(spec: &DriveSpec, mean: Option<f64>) -> Result<f64> {
     if let Some(mass) = spec.mass {
         return Ok(mass);

@@ -2,19 +2,19 @@
 
 use crate::force::ForceCurve;
 
-/// Mean of a cycle of force, with what else is known of it without its samples.
+/// Mean of a cycle of force, with its other properties except the samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanForce {
     /// Mean force, N, over one cycle.
     pub mean_n: f64,
     /// Duration of the cycle, s.
     pub period_s: f64,
-    /// Root mean square of its step-to-step spread, N; 0 where none is known.
+    /// Root mean square of its step-to-step spread, N; 0 if unknown.
     pub spread_n: f64,
 }
 
 impl MeanForce {
-    /// Of a curve.
+    /// Mean force of a curve.
     pub fn of(curve: &ForceCurve) -> MeanForce {
         MeanForce {
             mean_n: curve.mean_n(),
@@ -23,7 +23,7 @@ impl MeanForce {
         }
     }
 
-    /// Of a multiple of the force.
+    /// Mean force of a multiple of the force.
     pub fn times(self, factor: f64) -> MeanForce {
         MeanForce {
             mean_n: factor * self.mean_n,

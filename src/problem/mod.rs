@@ -1,8 +1,8 @@
 //! A scene resolved once against its force: every number that solvers, checks and searches work with, and
 //! every fact that follows from them.
 //!
-//! A problem is complete when it exists and never changes. Nothing after [`Problem::resolve`] looks at the
-//! [`Scene`] again. Another limit, size or phase is another problem: [`Problem::with`], [`Problem::at_phase`].
+//! A problem is complete and immutable. After [`Problem::resolve`] the [`Scene`] is not used again. Another limit, size or phase is a new problem:
+//! [`Problem::with`], [`Problem::at_phase`].
 
 mod accuracy;
 mod changed;

@@ -1,5 +1,4 @@
-//! Notes on problem and design besides the verdict: data, whose sentences stand in
-//! `wording/en/synth.ftl`.
+//! Notes on problem and design besides the verdict; their messages are in `wording/en/synth.ftl`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -34,9 +33,9 @@ use crate::wording::{self, Language};
 #[non_exhaustive]
 #[allow(missing_docs)] // fields are named as in the sentences
 pub enum Note {
-    /// On the scene.
+    /// A note on the scene.
     Scene { note: SceneError },
-    /// On the recording.
+    /// A note on the recording.
     Recording { note: force::Note },
     /// The force cycle is stretched to the turn.
     Stretched { turn: Quantity, cycle: Quantity },
@@ -46,68 +45,68 @@ pub enum Note {
         weight: Quantity,
         error: Quantity,
     },
-    /// The target force needs free fall.
+    /// The target force requires free fall.
     FreeFall {
         share: Quantity,
         duration: Quantity,
         lift: Quantity,
     },
-    /// Bound on the stroke from the largest acceleration.
+    /// Minimum stroke implied by the largest acceleration.
     LargestStroke {
         acceleration: Quantity,
         stroke: Quantity,
-        /// The stroke is limited to more than that.
+        /// The stroke limit is above that minimum.
         idle: bool,
     },
-    /// A bound of the verdict is switched off.
+    /// A default bound of the verdict is switched off.
     NotJudged { key: &'static str },
-    /// The phase that was chosen.
+    /// The optimal phase.
     Phase { phase: Quantity },
-    /// The size of the law stops where it would follow noise.
+    /// The automatic size of the law is limited by the noise of the recording.
     Noise { size: &'static str, error: Quantity },
-    /// Rounded rows of a segment's table can be a large part of its acceleration.
+    /// Rounded rows of a segment's table can cause a large part of its acceleration.
     RoundedTable { segment: usize, share: Quantity },
-    /// The caller ended the search.
+    /// The caller stopped the search.
     OutOfTime,
-    /// The smallest base circle has no radius.
+    /// The minimum base circle has radius zero.
     NoBaseCircle,
-    /// The wall between the bore and the base circle is thinner than that of a usual hub.
+    /// The wall between the bore and the base circle is thinner than that of a typical hub.
     ThinWall { wall: Quantity, usual: Quantity },
-    /// A roller larger than the cam that it rolls on.
+    /// A roller larger than its cam.
     LargeRoller { roller: Quantity, cam: Quantity },
     /// No shaft that carries the torque fits into the base circle.
     ThinShaft {
         /// Diameter of the base circle.
         circle: Quantity,
-        /// Diameter of the thinnest shaft.
+        /// Diameter of the thinnest sufficient shaft.
         shaft: Quantity,
         torque: Quantity,
     },
-    /// A hole much wider than the thinnest shaft that carries the torque.
+    /// A hole much wider than the thinnest sufficient shaft.
     LargeBore {
         bore: Quantity,
         shaft: Quantity,
         torque: Quantity,
     },
-    /// Under its motor the cam misses the accuracy, which a larger inertia would meet.
+    /// Under its motor the cam misses the accuracy; a larger inertia would suffice.
     InertiaForAccuracy {
         error: Quantity,
         allowed: Quantity,
         inertia: Quantity,
     },
-    /// The size keeps the usual pressure angle.
+    /// The size is determined by the usual pressure angle.
     UsualPressureAngle { angle: Quantity },
-    /// The cam is cut for a follower that gives.
+    /// The cam is designed for a compliant follower.
     Polydyne {
         speed: Quantity,
         stiffness: Quantity,
     },
-    /// How far the end of that follower stays from its law, and how far it would without.
+    /// Deviation of that follower's end from its law, with and without the correction.
     PolydyneMiss { own: Quantity, plain: Quantity },
 }
 
 impl Note {
-    /// The note as a sentence.
+    /// Message of the note.
     pub fn sentence(&self, language: Language) -> String {
         match self {
             Note::Scene { note } => wording::sentence(language, "scene", note),

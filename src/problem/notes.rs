@@ -8,17 +8,17 @@ use crate::drive::DriveKind;
 use crate::scene::LimitKind;
 use crate::units::{Dimension, Quantity};
 
-/// Differences of the mean force from M·g below this part of it are not worth a note.
+/// Relative difference of the mean force from M·g below which there is no note.
 const CLOSURE: f64 = 1e-6;
-/// A force below this part of the mean asks the moving axis for free fall.
+/// Fraction of the mean force below which the moving axis needs nearly free fall.
 const FREE_FALL: f64 = 0.02;
-/// A smaller part of an acceleration that rounded rows of a table can be is not worth a note.
+/// Fraction of an acceleration from rounded rows below which there is no note.
 const OF_ROUNDING: f64 = 0.1;
-/// A turn that differs from the force cycle by less, as a part of it, is that cycle.
+/// Relative difference of a turn and the force cycle that counts as none.
 const SAME_PERIOD: f64 = 1e-3;
 
 impl Problem {
-    /// Notes on the scene, the speed, the closure of a moving axis and the phase that was chosen.
+    /// Notes on the scene, the speed, the closure of a moving axis and the optimal phase.
     pub fn notes(&self) -> Vec<Note> {
         let mut out = self.remarks.clone();
         let off = self.limits.unjudged.keys().into_iter();
@@ -60,7 +60,7 @@ impl Problem {
         })
     }
 
-    /// Closure of the moving axis (theory §1): mean(F) = M g, free fall, the least stroke.
+    /// Closure of the moving axis (theory §1): mean(F) = M g, free fall, the minimum stroke.
     fn closure(&self) -> Vec<Note> {
         // On a shaft whose speed varies the target is what is left for the mean speed.
         let Some(target) = self.target.as_ref().filter(|_| self.on_shaft.is_none()) else {

@@ -1,8 +1,8 @@
-//! A problem on a shaft whose speed varies: the target by the cam angle, and what the speed adds to the force.
+//! A problem on a shaft with varying speed: the target over the cam angle, and the force added by the speed.
 //!
-//! F = F₀ + k s + c ω v + m (ω² a + ω ω′ v) is the force at the mean speed plus Δ = c (ω − Ω) v + m ((ω² − Ω²) a + ω ω′ v).
-//! With Δ of the round before, the force stays linear in the law: target, band and limits of the force are those less Δ, and
-//! every family, proof and check stays what it is at constant speed (theory §10).
+//! F = F₀ + k s + c ω v + m (ω² a + ω ω′ v) is the force at the mean speed plus Δ = c (ω − Ω) v + m ((ω² − Ω²) a + ω ω′ v). With Δ of the previous
+//! iteration, the force remains linear in the law: Δ is subtracted from target, band and limits of the force, and families, proofs and checks remain
+//! those of constant speed (theory §10).
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -13,23 +13,22 @@ use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 
-/// Parts of the period that differ from the cam angle by less, rad, are those of a constant speed.
+/// Difference between period and cam angle, rad, below which the speed is constant.
 const EVEN: f64 = 1e-9;
 
-/// What a varying speed, or a floor that moves, adds by the cam angle.
+/// Additions of a varying speed, or of a moving floor, over the cam angle.
 #[derive(Debug, Clone)]
 pub struct Extra {
-    /// Δ, N.
+    /// Added force Δ, N.
     pub force: PiecewisePoly,
-    /// What is added to velocity, acceleration and jerk by time, m/s, m/s², m/s³ (rad/s …); `None`: nothing, or it is not
-    /// asked for.
+    /// Additions to velocity, acceleration and jerk in time, m/s, m/s², m/s³ (rad/s …); `None` if zero or not required.
     pub timed: [Option<PiecewisePoly>; 3],
-    /// Speed of the shaft, rad/s; `None`: constant.
+    /// Speed of the shaft, rad/s; `None` if constant.
     pub speed: Option<PiecewisePoly>,
 }
 
 impl Extra {
-    /// A force alone, N.
+    /// An addition of force alone, N.
     pub fn of_force(force: PiecewisePoly) -> Extra {
         Extra {
             force,
@@ -39,21 +38,21 @@ impl Extra {
     }
 }
 
-/// A problem's part of a varying speed.
+/// The part of a problem due to a varying speed.
 #[derive(Debug, Clone)]
 pub struct OnShaft {
-    /// What is added.
+    /// Additions over the cam angle.
     pub extra: Extra,
-    /// dΔ/dθ, N/rad.
+    /// Derivative dΔ/dθ, N/rad.
     pub force_rate: PiecewisePoly,
-    /// The target by the cam angle, N.
+    /// The target over the cam angle, N.
     pub target: ForceCurve,
-    /// The problem at constant speed on a floor that stands still.
+    /// The problem at constant speed on a rigid floor.
     pub even: Arc<Problem>,
 }
 
 impl Problem {
-    /// The same on a shaft that is at the parts `phases` of its period, rad, at equal cam angles.
+    /// The problem on a shaft that is at the parts `phases` of its period, rad, at equal cam angles.
     #[must_use]
     pub fn on_shaft(&self, phases: &[f64], extra: Extra) -> Problem {
         let step = TAU / phases.len() as f64;
@@ -95,7 +94,7 @@ impl Problem {
         out
     }
 
-    /// The same with another accuracy, part of the mean force.
+    /// The problem with another accuracy, relative to the mean force.
     #[must_use]
     pub fn with_accuracy(&self, accuracy: Option<f64>) -> Problem {
         let mut out = self.clone();
@@ -109,18 +108,18 @@ impl Problem {
         out
     }
 
-    /// What speed and floor add to the force at a cam angle, N.
+    /// Force added by speed and floor at a cam angle, N.
     pub fn extra_force(&self, theta: f64) -> f64 {
         let shaft = self.on_shaft.as_ref();
         shaft.map_or(0.0, |shaft| shaft.extra.force.eval(theta.rem_euclid(TAU)))
     }
 
-    /// What was learned of the machine at a cam angle, N (an arm: N·m).
+    /// Learned force of the machine at a cam angle, N (an arm: N·m).
     pub fn learned_force(&self, theta: f64) -> f64 {
         self.drive.lever * self.machine.learned_at(theta)
     }
 
-    /// The target by the cam angle, whatever speed and floor add to the force.
+    /// The target over the cam angle, without the added force.
     pub fn target_at_cam(&self) -> Option<&ForceCurve> {
         let shaft = self.on_shaft.as_ref().map(|shaft| &shaft.target);
         shaft.or(self.target.as_ref().map(|target| &**target.curve()))
@@ -137,12 +136,12 @@ impl Problem {
         self.at_constant_speed().band.as_ref()
     }
 
-    /// The problem whose machine is not yet in a known motion: at constant speed on a floor that stands still.
+    /// The problem before the machine's motion is known: at constant speed on a rigid floor.
     pub fn at_constant_speed(&self) -> &Problem {
         self.on_shaft.as_ref().map_or(self, |shaft| &shaft.even)
     }
 
-    /// The same on another drive, against another target over the period; what speed and floor add stays.
+    /// The problem on another drive, against another target over the period, with the same additions of speed and floor.
     #[must_use]
     pub fn against(&self, drive: Drive, target: Option<ForceCurve>) -> Problem {
         let mut out = self.with_drive(drive);
@@ -180,20 +179,20 @@ impl Problem {
     }
 }
 
-/// Product of two curves with breaks of their own.
+/// Product of two curves with different breaks.
 pub fn product(own: &PiecewisePoly, other: &PiecewisePoly) -> PiecewisePoly {
     let other = other.cut_at(own.breaks());
     own.cut_at(other.breaks()).times(&other)
 }
 
-/// Sum of two curves with breaks of their own.
+/// Sum of two curves with different breaks.
 pub fn sum(own: &PiecewisePoly, extra: &PiecewisePoly) -> PiecewisePoly {
     let extra = extra.cut_at(own.breaks());
     let own = own.cut_at(extra.breaks());
     PiecewisePoly::combine(&[(1.0, &own), (1.0, &extra)], 0.0)
 }
 
-/// The cam angle at a part of the period, rad, both from 0; linear between the equal angles.
+/// The cam angle at a part of the period, rad, both from 0, by linear interpolation.
 fn angle_at(phases: &[f64], phase: f64) -> f64 {
     let (turns, part) = ((phase / TAU).floor(), phase.rem_euclid(TAU));
     let (n, first) = (phases.len(), phases[0]);

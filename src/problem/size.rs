@@ -1,4 +1,4 @@
-//! The size of the cam as the problem gives it.
+//! The size of the cam in a problem.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -6,7 +6,7 @@ use super::Problem;
 use crate::cam::Bore;
 use crate::scene::{CamSpec, LimitKind, Limits, Minimise};
 
-/// Part of the range of prime radii, at either end, that no arm is used in.
+/// Fraction of the range of prime radii, at either end, that is not used for arms.
 const STRETCHED: f64 = 1e-4;
 
 impl Problem {
@@ -19,7 +19,7 @@ impl Problem {
         }
     }
 
-    /// Radius of the prime circle, m, where it is given.
+    /// Radius of the prime circle, m, if given.
     pub fn prime_radius(&self) -> Option<f64> {
         match self.size() {
             Size::Given { prime, .. } => Some(prime),
@@ -27,7 +27,7 @@ impl Problem {
         }
     }
 
-    /// Radius of the base circle, m, where it is given.
+    /// Radius of the base circle, m, if given.
     pub fn base_radius(&self) -> Option<f64> {
         match self.size() {
             Size::Given { base, .. } => Some(base),
@@ -49,8 +49,8 @@ impl Problem {
             && self.reach_of_arm().is_none_or(has_room)
     }
 
-    /// Least and largest radius of the prime circle under a follower that swings, m: the pivot lies outside the circle, which
-    /// the follower reaches. `None` under other followers.
+    /// Minimum and maximum radius of the prime circle of an oscillating follower, m: the pivot is outside the circle, and the follower reaches it.
+    /// `None` for other followers.
     pub fn reach_of_arm(&self) -> Option<[f64; 2]> {
         let swings = self.cam.follower.is_oscillating();
         let pivot = self.cam.pivot_distance.filter(|_| swings)?;
@@ -67,31 +67,31 @@ impl Problem {
         Some([least + room, most - room])
     }
 
-    /// Offset of a follower's line, m; `None` where it is open. A mushroom's is 0 where nothing is said.
+    /// Offset of a follower's line, m; `None` if it is free. The default of a mushroom is 0.
     pub fn offset(&self) -> Option<f64> {
         let usual = self.cam.follower.is_mushroom().then_some(0.0);
         self.cam.offset.or(usual)
     }
 
-    /// Length per unit of the law, m: the distance to the pivot where the law is an angle.
+    /// Length per unit of the law, m: the distance to the pivot if the law is an angle.
     pub fn lever(&self) -> f64 {
         let swings = self.cam.follower.is_oscillating();
         let pivot = self.cam.pivot_distance.filter(|_| swings);
         pivot.map_or(1.0, f64::abs)
     }
 
-    /// Smallest base radius that the bore leaves, m.
+    /// Minimum base radius given by the bore, m.
     pub fn outside_bore(&self) -> f64 {
         self.cam.hole().map_or(0.0, |hole| hole.least_base_radius())
     }
 
-    /// Smallest base radius that is chosen where it is open, m.
+    /// Minimum automatic base radius, m.
     pub fn hub_radius(&self) -> f64 {
         hub_radius(&self.cam, &self.limits)
     }
 
-    /// Pressure angles on rise and fall that size a cam, rad: those limited, otherwise the usual one. The size of a flat face
-    /// changes its pressure angle little, so that any will do; so it does where the scene says "none" beside the limit of a side.
+    /// Pressure angles on rise and fall that determine the size of a cam, rad: the limited ones, otherwise the usual one. For a flat face, and for
+    /// "none" on the other side, any value is allowed.
     pub fn sizing_pressure_angles(&self) -> [f64; 2] {
         let sides = self.limits.pressure_angles();
         let one_alone = sides[0].is_some() != sides[1].is_some();
@@ -105,27 +105,26 @@ impl Problem {
     }
 }
 
-/// Pressure angle that sizes a cam when none is limited: 30°, the usual rule.
+/// Default pressure angle for the size of a cam: 30°, the usual rule.
 pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
 
-/// How the size of the cam is determined. A flat face has no roller: its base and prime circles are one.
+/// How the size of the cam is determined. For a flat face, base and prime circle coincide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Size {
-    /// The size is fixed, and the law has to fit it.
+    /// The size is fixed, and the law must fit it.
     Given {
-        /// Radius of the base circle, m.
+        /// Radius of the fixed base circle, m.
         base: f64,
-        /// Radius of the prime circle, m.
+        /// Radius of the fixed prime circle, m.
         prime: f64,
     },
     /// Size and law are variables of one program: the size is minimised or limited.
     Sought,
-    /// The smallest size that the finished law allows.
+    /// The minimum size for the finished law.
     AfterLaw,
 }
 
-/// Smallest base radius that is chosen where it is open, m: it leaves the wall of a hub around the hole for the shaft, or what
-/// the limit on the prime radius leaves of it.
+/// Minimum automatic base radius, m: it leaves the wall of a hub around the hole for the shaft, as far as the limit on the prime radius allows.
 pub(crate) fn hub_radius(cam: &CamSpec, limits: &Limits) -> f64 {
     let most = limits[LimitKind::PrimeRadius].map_or(f64::INFINITY, |r| r - cam.roller_radius);
     let hub = |hole: Bore| hole.hub_radius().min(most).max(hole.least_base_radius());

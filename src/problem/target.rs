@@ -1,4 +1,4 @@
-//! The target force in step with the cam.
+//! The target force in phase with the cam.
 
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
@@ -26,10 +26,10 @@ use crate::scene::{Band, LawSpec, PhaseWeight};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Target {
-    /// A force of which it is a multiple plus a constant, beginning at cam angle 0.
+    /// The force of which the target is a multiple plus a constant, starting at cam angle 0.
     cycle: Arc<ForceCycle>,
     scaling: Scaling,
-    /// Its samples and cubics where they differ from those of the cycle.
+    /// Samples and cubics of the target, if they differ from those of the cycle.
     scaled: OnceLock<(Arc<ForceCurve>, Arc<Cells>)>,
 }
 
@@ -39,13 +39,13 @@ impl Target {
         Target::of(Arc::new(ForceCycle::new(curve)), Scaling::NONE)
     }
 
-    /// The same with the slopes of its cubics, N per sample, one more than samples.
+    /// The target with the slopes of its cubics, N per sample, one more than samples.
     pub(crate) fn with_slopes(curve: impl Into<Arc<ForceCurve>>, slopes: Vec<f64>) -> Self {
         let cycle = ForceCycle::with_slopes(curve, slopes);
         Target::of(Arc::new(cycle), Scaling::NONE)
     }
 
-    /// A cycle, scaled.
+    /// A scaled force cycle.
     pub(super) fn of(cycle: Arc<ForceCycle>, scaling: Scaling) -> Self {
         Target {
             cycle,
@@ -54,7 +54,7 @@ impl Target {
         }
     }
 
-    /// The cycle of which it is `factor` times; `None` where a constant is added.
+    /// The cycle, if the target is `factor` times it; `None` if a constant is added.
     pub(crate) fn multiple(&self) -> Option<(f64, &ForceCycle)> {
         let Scaling { factor, shift } = self.scaling;
         (shift == 0.0).then_some((factor, &*self.cycle))
@@ -65,7 +65,7 @@ impl Target {
         (self.scaling, &self.cycle)
     }
 
-    /// The cycle, beginning at cam angle 0.
+    /// The cycle, starting at cam angle 0.
     pub fn curve(&self) -> &Arc<ForceCurve> {
         if self.scaling.is_none() {
             return self.cycle.curve();
@@ -89,17 +89,17 @@ impl Target {
         })
     }
 
-    /// How the recording behind it was interpreted.
+    /// Interpretation of the recording behind it.
     pub fn recording(&self) -> Option<&Interpretation> {
         self.cycle.given()?.recording.as_deref()
     }
 
-    /// Number of equal steps into which one cycle is divided: one sample of the force each.
+    /// Number of samples in one cycle, at equal steps.
     pub fn samples(&self) -> usize {
         self.cycle.samples()
     }
 
-    /// Mean force, N.
+    /// Mean of the target force, N.
     pub fn mean_n(&self) -> f64 {
         self.scaling.at(self.cycle.mean.mean_n)
     }
@@ -109,7 +109,7 @@ impl Target {
         self.cycle.range_n().map(|force| self.scaling.at(force))
     }
 
-    /// Largest distance of a sample from a force, N.
+    /// Maximum distance of a sample from a force, N.
     pub fn farthest_from(&self, force: f64) -> f64 {
         let [least, most] = self.range_n();
         (most - force).max(force - least).max(0.0)
@@ -121,15 +121,14 @@ impl Target {
         factor * factor * self.cycle.mean_square_from((force - shift) / factor)
     }
 
-    /// The polynomials of a degree that are nearest to it between breaks, by their values at the nodes of
-    /// [`Cells::nearest`], N.
+    /// The nearest polynomials of a degree between breaks, by their values at the nodes of [`Cells::nearest`], N.
     pub fn nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
         let projection = self.cycle.projection(breaks, degree);
         let values = projection.values.iter();
         values.map(|force| self.scaling.at(*force)).collect()
     }
 
-    /// Distance from a force over the turn, N.
+    /// Distance of the target from a force over the turn, N.
     fn distance(&self, own: &PiecewisePoly) -> Distance {
         let Scaling { factor, shift } = self.scaling;
         let square = match self.scaling.is_none() {
@@ -145,7 +144,7 @@ impl Target {
         }
     }
 
-    /// Root mean square and largest distance over the turn of the force of a law on a drive, N.
+    /// Root mean square and maximum difference over the turn from the force of a law on a drive, N.
     pub fn error_of(&self, law: &Law, drive: &Drive) -> [f64; 2] {
         let series = || Some(self.cycle.series()).filter(|series| series.is_finite());
         if let Some(own) = law.harmonics()
@@ -163,7 +162,7 @@ impl Target {
         [(apart.square / length).max(0.0).sqrt(), apart.largest]
     }
 
-    /// Number of harmonics that its samples hold.
+    /// Number of harmonics determined by its samples.
     pub(crate) fn most_harmonics(&self) -> usize {
         most(self.samples())
     }
@@ -182,14 +181,14 @@ impl Target {
         self.scaling.factor.abs() * self.cycle.series().left_over(count)
     }
 
-    /// Fewest harmonics that leave at most `wanted` newtons RMS.
+    /// Minimum number of harmonics that leaves at most `wanted` newtons RMS.
     pub(crate) fn fewest_harmonics(&self, wanted: f64) -> usize {
         let series = self.cycle.series();
         series.fewest(wanted / self.scaling.factor.abs())
     }
 }
 
-/// The target and the band about it where the cam's turn begins with the cycle.
+/// Target and band if the cam's turn starts with the cycle.
 #[derive(Debug)]
 pub struct Unturned {
     target: Target,
@@ -200,8 +199,7 @@ pub struct Unturned {
 impl Unturned {
     /// The target with a band about it.
     ///
-    /// # Errors
-    /// A band of one spread about a force that carries none.
+    /// # Errors A band of one spread about a force without a spread.
     pub fn new(target: Target, band: Option<Band>) -> Result<Unturned> {
         let band = band.map(|band| band_about(target.curve(), band));
         Ok(Unturned {
@@ -210,7 +208,7 @@ impl Unturned {
         })
     }
 
-    /// Target and band where the cam's turn begins at a phase of the cycle.
+    /// Target and band if the cam's turn starts at a phase of the cycle.
     pub fn at_phase(&self, phase: f64) -> (Option<Target>, Option<[ForceCurve; 2]>) {
         if phase == 0.0 {
             return (Some(self.target.clone()), self.band.clone());
@@ -237,7 +235,7 @@ fn band_about(target: &ForceCurve, band: Band) -> Result<[ForceCurve; 2]> {
     Ok([edge(-1.0), edge(1.0)])
 }
 
-/// The lift that force and demands ask for, m: the unit in which solvers work.
+/// The lift required by force and conditions, m, used as unit of the solvers.
 pub fn typical_lift(drive: &Drive, target: Option<&Target>, law: &LawSpec) -> f64 {
     let [k, c, m, _] = drive.weights();
     let from_force = target.map_or(0.0, |target| {
@@ -273,7 +271,7 @@ pub fn piecewise(force: &ForceCurve) -> PiecewisePoly {
     PiecewisePoly::new(breaks, 3, coef)
 }
 
-/// Weight of the force error at a phase of the cycle; where ranges overlap the last one counts.
+/// Weight of the force error at a phase of the cycle; the last of overlapping ranges applies.
 pub fn weight_at(weights: &[PhaseWeight], phase: f64) -> f64 {
     let at = phase.rem_euclid(TAU);
     let inside = |w: &&PhaseWeight| {

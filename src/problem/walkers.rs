@@ -1,7 +1,7 @@
-//! The walkers of a population, each resolved against the machine that is set for him.
+//! The walkers of a population, each with the machine adjusted for him.
 //!
-//! The force of walker w is F_w = R_w + β_w (F − R) with F and R those of the reference machine: of mass and speed are left the
-//! force at rest R_w and one factor β_w, M_w ω_w²/(M ω²) on a moving axis. So every walker is linear in the same law.
+//! The force of walker w is F_w = R_w + β_w (F − R) with F and R those of the reference machine: mass and speed enter through the force at rest R_w
+//! and one factor β_w, M_w ω_w²/(M ω²) on a moving axis. So every walker is linear in the same law.
 
 use std::f64::consts::TAU;
 
@@ -13,10 +13,10 @@ use crate::error::{Placed, Result, SynthError};
 use crate::force::{ForceCurve, Walker};
 use crate::scene::{Adjust, ErrorMeasure, Robust, Scene};
 
-/// Part by which weights of drives that are multiples of each other may differ.
+/// Relative difference of the weights of drives that count as multiples of each other.
 const SAME: f64 = 1e-12;
 
-/// A walker whom the cam serves.
+/// One walker of a cam.
 ///
 /// ```
 /// use gaitcam::{Problem, scene};
@@ -30,23 +30,23 @@ const SAME: f64 = 1e-12;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Served {
-    /// Who.
+    /// Name of the walker.
     pub name: String,
-    /// Part in a mean; the sum over all is 1.
+    /// Weight in a mean; the sum over all is 1.
     pub share: f64,
-    /// The machine as it is set for the walker.
+    /// The machine adjusted for the walker.
     pub drive: Drive,
-    /// β.
+    /// Factor β of the walker.
     pub factor: f64,
-    /// Force in whose parts the error counts, N: the mean of the target, or one force for all where errors count in newtons.
+    /// Reference force of the error, N: the mean of the target, or one force for all if errors count in newtons.
     pub unit: f64,
-    /// The target, scaled as the scene says, N, at the phase of the cam.
+    /// The target, scaled as in the scene, N, at the phase of the cam.
     pub target: ForceCurve,
-    /// Walking speed, m/s, where it is known.
+    /// Walking speed, m/s, if known.
     pub speed_m_per_s: Option<f64>,
 }
 
-/// All walkers whom the cam serves.
+/// All walkers of one cam.
 ///
 /// ```
 /// use gaitcam::scene::Robust;
@@ -62,18 +62,18 @@ pub struct Served {
 pub struct Walkers {
     /// Every cycle of every walker.
     pub each: Vec<Served>,
-    /// Number of walkers, some of whom may have several cycles.
+    /// Number of walkers; some may have several cycles.
     pub count: usize,
-    /// What is minimised over their errors.
+    /// Objective over their errors.
     pub robust: Robust,
-    /// In what these errors are compared.
+    /// Measure of these errors.
     pub error: ErrorMeasure,
-    /// What the machine is set to for each.
+    /// Adjustment of the machine for each.
     pub adjust: Adjust,
 }
 
 impl Walkers {
-    /// The population behind a force, on a machine with this reference and the mean of its target; `None` for one cycle.
+    /// The population of a force, on a machine with this reference and the mean of its target; `None` for one cycle.
     pub(super) fn of(
         scene: &Scene,
         force: Option<&ForceCurve>,
@@ -120,7 +120,7 @@ impl Walkers {
         }))
     }
 
-    /// The same with a phase of each cycle.
+    /// The population with a phase for each cycle.
     #[must_use]
     pub(crate) fn at_phases(&self, phases: &[f64]) -> Walkers {
         let mut out = self.clone();
@@ -130,7 +130,7 @@ impl Walkers {
         out
     }
 
-    /// The same whose cycles begin at another phase.
+    /// The population with cycles that start at another phase.
     #[must_use]
     pub(super) fn begun_at(&self, phase: f64) -> Walkers {
         let mut out = self.clone();
@@ -141,7 +141,7 @@ impl Walkers {
     }
 }
 
-/// What the machine is set to for each walker.
+/// Adjustment of the machine for each walker.
 fn adjusted(scene: &Scene) -> Result<Adjust> {
     let (spec, is_moving) = (&scene.drive, scene.drive.kind == DriveKind::MovingAxis);
     let Some(adjust) = scene.gait.as_ref().and_then(|g| g.adjust) else {
@@ -165,7 +165,7 @@ fn adjusted(scene: &Scene) -> Result<Adjust> {
     Ok(adjust)
 }
 
-/// β of a machine.
+/// Factor β of a machine.
 fn factor(own: &Drive, reference: &Drive) -> Result<f64> {
     let (own, all) = (own.weights(), reference.weights());
     let largest = (0..all.len()).max_by(|i, j| all[*i].abs().total_cmp(&all[*j].abs()));
@@ -177,7 +177,7 @@ fn factor(own: &Drive, reference: &Drive) -> Result<f64> {
     Ok(factor)
 }
 
-/// A cycle at so many samples.
+/// A cycle resampled to a number of samples.
 fn resampled(curve: &ForceCurve, samples: usize) -> ForceCurve {
     if curve.force_n.len() == samples {
         return curve.clone();
@@ -187,7 +187,7 @@ fn resampled(curve: &ForceCurve, samples: usize) -> ForceCurve {
 }
 
 impl super::Problem {
-    /// The same for another target, given with the slopes of its cubics; without walkers, and at its phase.
+    /// The population for another target, given with the slopes of its cubics; without walkers, and at its phase.
     #[must_use]
     pub(crate) fn for_target(&self, curve: ForceCurve, slopes: Vec<f64>) -> super::Problem {
         let mut out = self.clone();

@@ -1,11 +1,11 @@
-//! Scenes that come with the program.
+//! Built-in scenes.
 
 use std::path::Path;
 
 use super::{Scene, parse};
 use crate::error::{Error, Result, SceneError, nearest};
 
-/// A scene that comes with the program.
+/// A built-in scene.
 ///
 /// ```
 /// use gaitcam::{LimitKind, scene};
@@ -24,9 +24,10 @@ pub struct BuiltIn {
 }
 
 impl BuiltIn {
-    /// The scene of its file.
+    /// The parsed scene.
     ///
     /// # Errors
+    ///
     /// None: the files are tested.
     pub fn scene(&self) -> Result<Scene> {
         parse(self.toml)
@@ -74,22 +75,23 @@ pub const SCENES: [BuiltIn; 25] = scenes![
 /// The default scene: a walker of 700 N on a footbridge at 1.85 steps a second.
 pub const DEFAULT: &str = SCENES[0].toml;
 
-/// The files that built-in scenes name, under the paths that they name.
+/// The input files of the built-in scenes, under their paths in the scenes.
 const FILES: [(&str, &[u8]); 1] = [(
     "../data/gait_curves/heel_tester_critical_points.csv",
     include_bytes!("../../data/gait_curves/heel_tester_critical_points.csv"),
 )];
 
-/// The content of a file that a built-in scene names, by the path that it names.
+/// The content of a file of a built-in scene, by its path in the scene.
 pub fn built_in_file(path: &Path) -> Option<&'static [u8]> {
     let found = FILES.iter().find(|f| Path::new(f.0) == path);
     found.map(|f| f.1)
 }
 
-/// The built-in scene of a name.
+/// The built-in scene with a name.
 ///
 /// # Errors
-/// Names that are not built in, with the nearest one.
+///
+/// Unknown names, with the nearest one.
 pub fn built_in(name: &str) -> Result<&'static BuiltIn> {
     let found = SCENES.iter().find(|s| s.name == name);
     found.ok_or_else(|| {

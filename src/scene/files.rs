@@ -1,4 +1,4 @@
-//! The force that a scene names, from the content of its files.
+//! The force of a scene, from the content of its files.
 
 use std::iter::once;
 use std::path::{Path, PathBuf};
@@ -9,10 +9,10 @@ use super::{Gait, Source};
 use crate::error::{ForceError, Placed, ReadError, Result};
 use crate::force::{self, ForceCurve, ReadOptions};
 
-/// Separates the files of the plates of one trial in the name of a recording.
+/// Separator of the files of the plates of one trial in the name of a recording.
 pub const BETWEEN_PLATES: &str = " + ";
 
-/// Files by the names that a scene gives them: on the disk, in memory or in a browser.
+/// Files by their names in a scene: on the disk, in memory or in a browser.
 ///
 /// ```
 /// use std::path::Path;
@@ -40,16 +40,15 @@ pub const BETWEEN_PLATES: &str = " + ";
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 pub trait Files {
-    /// Whether there is a file of this name.
+    /// Whether a file of this name exists.
     fn has(&self, name: &Path) -> bool;
 
     /// The content of a file.
     ///
-    /// # Errors
-    /// A file that is not there or cannot be read.
+    /// # Errors A missing or unreadable file.
     fn read(&self, name: &Path) -> Result<Arc<Vec<u8>>>;
 
-    /// The names of all files, where they are in memory.
+    /// The names of all files, if they are in memory.
     fn names(&self) -> Vec<PathBuf> {
         Vec::new()
     }
@@ -68,7 +67,7 @@ pub trait Files {
         Ok((!inside.is_empty()).then_some(inside))
     }
 
-    /// The path that messages show for a name.
+    /// The path of a name for messages.
     fn shown(&self, name: &Path) -> PathBuf {
         name.to_path_buf()
     }
@@ -78,10 +77,11 @@ pub trait Files {
 type Recording = (PathBuf, Arc<Vec<u8>>, ReadOptions);
 
 impl Gait {
-    /// The force that the scene names; `None` where the caller gives it.
+    /// The force of the scene; `None` if the caller gives it.
     ///
     /// # Errors
-    /// Faults of the load model, of a file or of a recording; every walker of a population who cannot be taken.
+    ///
+    /// Faults of the load model, of a file or of a recording; every walker of a population with a fault.
     pub fn force(&self, files: &dyn Files) -> Result<Option<ForceCurve>> {
         let Source::File(first) = &self.source else {
             return self.model_force();
@@ -106,8 +106,7 @@ impl Gait {
         reader.mean(&files.shown(first)).map(Some)
     }
 
-    /// The path, the content and the reader's options of the only recording that the scene names; `None` for a load
-    /// model and for several walkers.
+    /// The path, the content and the reader's options of the only recording of the scene; `None` for a load model and for several walkers.
     ///
     /// # Errors
     /// A file that cannot be read; an unknown unit.
@@ -127,11 +126,11 @@ impl Gait {
         Ok(Some((files.shown(name), bytes, options)))
     }
 
-    /// The names of all files that the force is read from: recordings, each plate of a trial by itself, and the tables
-    /// of subjects beside them.
+    /// The names of all files of the force: recordings, each plate of a trial separately, and their tables of subjects.
     ///
     /// # Errors
-    /// A folder that cannot be read or holds no recording.
+    ///
+    /// A folder that cannot be read or contains no recording.
     pub fn files(&self, files: &dyn Files) -> Result<Vec<PathBuf>> {
         let mut out = Vec::new();
         for name in self.recordings(files)? {
@@ -145,7 +144,7 @@ impl Gait {
         Ok(out)
     }
 
-    /// The names of the recordings, folders opened.
+    /// The names of the recordings, including those in folders.
     fn recordings(&self, files: &dyn Files) -> Result<Vec<PathBuf>> {
         let Source::File(first) = &self.source else {
             return Ok(Vec::new());
@@ -165,7 +164,7 @@ impl Gait {
     }
 }
 
-/// Whether a file is a table of subjects beside recordings.
+/// Whether a file is a table of subjects for recordings.
 fn is_about_subjects(file: &Path) -> bool {
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
     stem.to_lowercase().ends_with("metadata")
@@ -173,8 +172,7 @@ fn is_about_subjects(file: &Path) -> bool {
 
 /// The content of a recording; the plates of one trial are joined.
 ///
-/// # Errors
-/// A file that cannot be read, files of several trials or without the name of a plate.
+/// # Errors An unreadable file, files of several trials or without the name of a plate.
 pub fn content(files: &dyn Files, name: &Path) -> Result<Arc<Vec<u8>>> {
     let plates = plates(files, name);
     if let [file] = &plates[..] {
@@ -191,7 +189,7 @@ pub fn content(files: &dyn Files, name: &Path) -> Result<Arc<Vec<u8>>> {
     })
 }
 
-/// The files that the name of a recording stands for: the plates of a trial, else itself.
+/// The files of a recording: the plates of a trial, else the file itself.
 pub fn plates(files: &dyn Files, name: &Path) -> Vec<PathBuf> {
     match name.to_str() {
         Some(text) if text.contains(BETWEEN_PLATES) && !files.has(name) => text

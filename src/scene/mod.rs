@@ -1,4 +1,4 @@
-//! A scene: the whole problem as a user writes it down, typed.
+//! A scene: the typed input of the user, which describes the whole problem.
 //!
 //! Every key of a scene file is one row of the table in [`keys`]; reading, writing, changing, sweeping and
 //! relaxing a scene all go through that table.
@@ -57,15 +57,15 @@ pub struct Scene {
     pub name: String,
     /// Target force; `None` for a classical programme.
     pub gait: Option<Gait>,
-    /// How lift becomes force.
+    /// Drive: relation of lift and force.
     pub drive: DriveSpec,
     /// Family, resolution and exact conditions of the law.
     pub law: LawSpec,
     /// The cam and its follower.
     pub cam: CamSpec,
-    /// Limits.
+    /// Limits of the design.
     pub limits: Limits,
-    /// What is known of the machine beyond its drive.
+    /// Properties of the machine besides its drive.
     pub machine: MachineSpec,
     /// Largest RMS force error, relative to the mean force.
     pub rms: Option<f64>,

@@ -1,4 +1,4 @@
-//! Motions whose numbers are read from a file: `motion = "table lift.csv"`.
+//! Motions with numbers from a file: `motion = "table lift.csv"`.
 //!
 //! The library reads no files. The caller replaces the file name by its rows before the scene is read, so that a
 //! motion from a file and one written in the scene are the same.
@@ -16,9 +16,9 @@ use crate::units::{Dimension, parse};
 /// A file's path for messages, and its bytes.
 type Content = (PathBuf, Vec<u8>);
 
-/// Largest file of a motion, bytes.
+/// Maximum size of a motion file, bytes.
 pub const LARGEST_MOTION: u64 = 64 << 20;
-/// Most rows of a motion.
+/// Maximum number of rows of a motion.
 const MOST_ROWS: usize = 10_000;
 /// Relative tolerance between the angle and lift stated by a segment and those of its file.
 const AGREEMENT: f64 = 1e-6;
@@ -28,7 +28,7 @@ const ANGLE: [&str; 4] = ["angle", "theta", "ángulo", "angulo"];
 const TRAVEL: [&str; 3] = ["length", "travel", "recorrido"];
 const LIFT: [&str; 5] = ["lift", "s", "elevación", "elevacion", "desplazamiento"];
 
-/// The files that motions of a scene name, as they name them.
+/// The files of motions in a scene, as written.
 ///
 /// ```
 /// let scene: toml::Table = "[[law.segment]]\nmotion = \"table lift.csv\"".parse()?;
@@ -45,14 +45,14 @@ pub fn motion_files(scene: &Table) -> Vec<PathBuf> {
     motions.chain(curve).collect()
 }
 
-/// The file that the curve of the motor names; its numbers in place of it begin with one.
+/// The file of the motor's curve; a list of numbers instead starts with one.
 fn curve_file(scene: &Table) -> Option<&str> {
     let curve = scene.get("machine")?.get("motor")?.get("curve")?.as_str()?;
     let first = curve.split_whitespace().next()?;
     first.parse::<f64>().is_err().then_some(curve)
 }
 
-/// The table of a file; where there is none, the error says what such a file holds.
+/// The table of a file; the error without one describes such a file.
 fn find_table<'a>(path: &Path, bytes: &'a [u8], purpose: &str) -> Result<NumberTable<'a>> {
     NumberTable::find(path, bytes).map_err(|error| match error.fault() {
         Some(ReadError::NoTable { start }) => {
@@ -63,7 +63,7 @@ fn find_table<'a>(path: &Path, bytes: &'a [u8], purpose: &str) -> Result<NumberT
     })
 }
 
-/// Puts the rows of the motor's curve in place of its file.
+/// Replaces the file of the motor's curve by its rows.
 fn put_curve(scene: &mut Table, read: &mut dyn FnMut(&Path) -> Result<Content>) -> Result<()> {
     let Some(file) = curve_file(scene).map(str::to_string) else {
         return Ok(());
@@ -109,11 +109,10 @@ fn put_curve(scene: &mut Table, read: &mut dyn FnMut(&Path) -> Result<Content>) 
     Ok(())
 }
 
-/// The scene with every file name of a motion replaced by the rows of the file; a segment that leaves out its angle or
-/// its lift takes it from the file.
+/// The scene with every file name of a motion replaced by the rows of the file; a segment without angle or lift takes it from the file.
 ///
-/// A table has a header that names a column `angle` (`length` for a translating cam) and a column `lift`, each with
-/// its unit (`angle_deg`, `lift [mm]`). `read` gives the path for messages and the content of a file.
+/// A table has a header that names a column `angle` (`length` for a translating cam) and a column `lift`, each with its unit (`angle_deg`, `lift
+/// [mm]`). `read` returns the path for messages and the content of a file.
 ///
 /// # Errors
 /// Errors of `read`; invalid columns, units and rows, each with its line; an angle or a lift of the segment that
@@ -173,14 +172,14 @@ fn segments(scene: &Table) -> &[Value] {
 /// A column with its conversion to SI.
 struct Column {
     place: usize,
-    /// Name in the header.
+    /// Name of the column in the header.
     name: String,
     dimension: Dimension,
     factor: f64,
 }
 
 impl Column {
-    /// The column with one of these names; its unit belongs to the first dimension that knows it.
+    /// The column with one of these names; its unit belongs to the first matching dimension.
     fn find(
         path: &Path,
         table: &NumberTable,
@@ -211,7 +210,7 @@ impl Column {
         }))
     }
 
-    /// The number of a row, as typed.
+    /// The number of a row, as written.
     fn number(&self, path: &Path, line: usize, row: &[Cell]) -> Result<f64> {
         let cell = row.get(self.place);
         let fault = || {
@@ -223,7 +222,7 @@ impl Column {
     }
 }
 
-/// The numbers of a motion, as typed: a motion has no unit, and the last decimal is the accuracy of a row.
+/// The numbers of a motion, as written: a motion has no unit, and the last decimal is the accuracy of a row.
 struct Rows {
     angle: (Column, Vec<f64>),
     lift: (Column, Vec<f64>),
@@ -279,7 +278,7 @@ impl Rows {
         })
     }
 
-    /// Gives the segment the angle and the lift of the file, or checks those that it has.
+    /// Sets the angle and the lift of the segment from the file, or checks the stated ones.
     fn put(&self, segment: &mut Table, key: &str, path: &Path) -> Result<()> {
         for ((column, values), name) in [(&self.angle, None), (&self.lift, Some("lift"))] {
             let name = name.unwrap_or(match column.dimension {

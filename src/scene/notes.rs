@@ -1,5 +1,4 @@
-//! Keys that are given but have no effect in this scene. They are reported, not refused, so that a sweep over
-//! families or followers can leave them in place.
+//! Given keys without effect in this scene. They are reported but not rejected, so that a sweep over families or followers can keep them.
 
 use super::Scene;
 use super::keys::{KEYS, Key, find};
@@ -41,7 +40,7 @@ impl Scene {
         })
     }
 
-    /// Whether a key has a value of its own.
+    /// Whether a key has an explicit value.
     fn gives(&self, key: &Key) -> bool {
         let value = key.get(self, 0);
         key.exists(self) && value.is_some_and(|v| !self.is_default(key, &v))

@@ -1,4 +1,4 @@
-//! From TOML to a [`Scene`], by the key table.
+//! Reading a [`Scene`] from TOML, by the key table.
 
 use toml::{Table, Value as Toml};
 
@@ -44,9 +44,10 @@ pub fn read(table: &Table) -> Result<Scene> {
     Ok(scene)
 }
 
-/// Reads each key by itself, without the checks on combinations of keys.
+/// Reads each key separately, without the checks on combinations of keys.
 ///
 /// # Errors
+///
 /// Unknown keys and invalid values.
 pub fn read_keys(table: &Table) -> Result<Scene> {
     let leaves = leaves(table)?;
@@ -78,7 +79,7 @@ pub fn read_keys(table: &Table) -> Result<Scene> {
 struct Leaf<'a> {
     /// Path with `N` in place of an entry's number.
     pattern: String,
-    /// Path as users write it.
+    /// Path in the notation of users.
     path: String,
     /// Number of the entry, from 0.
     index: usize,
@@ -138,7 +139,7 @@ fn collect<'a>(
     Ok(())
 }
 
-/// What a path of the key table is.
+/// Meaning of a path of the key table.
 enum Node {
     Section,
     List,
@@ -154,7 +155,7 @@ fn node(pattern: &str) -> Node {
     }
 }
 
-/// Refuses unknown keys, and keys that this follower or drive does not have.
+/// Rejects unknown keys, and keys that do not apply to the follower or drive.
 fn unknown(leaves: &[Leaf], scene: &Scene) -> Result<()> {
     let row = |leaf: &&Leaf| KEYS.iter().find(|k| k.path == leaf.pattern);
     if let Some(leaf) = leaves.iter().find(|l| row(l).is_none()) {
@@ -201,7 +202,7 @@ fn not_here(path: &str, scene: &Scene) -> SceneError {
     }
 }
 
-/// Refuses scenes without a required key.
+/// Rejects scenes without a required key.
 fn missing(leaves: &[Leaf], table: &Table, scene: &Scene) -> Result<()> {
     for key in KEYS.iter().filter(|k| k.is_required(scene)) {
         let example = key.example(scene);
@@ -228,7 +229,7 @@ fn missing(leaves: &[Leaf], table: &Table, scene: &Scene) -> Result<()> {
     Ok(())
 }
 
-/// How many entries a list has.
+/// Number of entries of a list.
 fn entries(table: &Table, list: &str) -> usize {
     let list = Typed(Some(table)).value(list);
     list.and_then(Toml::as_array).map_or(0, Vec::len)

@@ -11,11 +11,11 @@ use crate::error::{Placed, Result, SceneError};
 use crate::units::{Dimension, Quantity};
 use crate::wording::{self, Language};
 
-/// Least degree of a spline whose polydyne cam has a continuous acceleration.
+/// Minimum degree of a spline whose polydyne cam has a continuous acceleration.
 const POLYDYNE_DEGREE: usize = 5;
-/// Degrees of a spline.
+/// Range of degrees of a spline.
 const SPLINE_DEGREES: std::ops::RangeInclusive<usize> = 3..=9;
-/// Angles may miss the ends of the cycle by this, rad.
+/// Tolerance of angles at the ends of the cycle, rad.
 const ANGLE: f64 = 1e-9;
 
 /// Checks that the keys of a scene are consistent.
@@ -26,7 +26,7 @@ pub fn check(scene: &Scene) -> Result<()> {
     check_typed(scene, Typed(None))
 }
 
-/// The values as typed by the user, for messages.
+/// The values as written by the user, for messages.
 #[derive(Clone, Copy)]
 pub(super) struct Typed<'a>(pub Option<&'a Table>);
 
@@ -41,7 +41,7 @@ impl<'a> Typed<'a> {
         self.value(path).is_some()
     }
 
-    /// The typed value of a key, or the number in a common unit.
+    /// The value of a key as written, or the number in a common unit.
     fn text(self, path: &str, value: f64, dimension: Dimension) -> String {
         match self.value(path) {
             Some(Toml::String(typed)) if typed != "auto" => typed.clone(),
@@ -55,7 +55,7 @@ impl<'a> Typed<'a> {
 
 type Rule = fn(&Scene, Typed) -> std::result::Result<(), (&'static str, SceneError)>;
 
-/// In the order in which they are reported.
+/// All rules, in the order of their reports.
 const RULES: [Rule; 13] = [
     name,
     force,
@@ -72,7 +72,7 @@ const RULES: [Rule; 13] = [
     completeness,
 ];
 
-/// As [`check`], with the typed values in messages.
+/// As [`check`], with the original values in messages.
 pub(super) fn check_typed(scene: &Scene, typed: Typed) -> Result<()> {
     weighed_phases(scene)?;
     for rule in RULES {
@@ -81,7 +81,7 @@ pub(super) fn check_typed(scene: &Scene, typed: Typed) -> Result<()> {
     Ok(())
 }
 
-/// Each weight covers a part of the cycle.
+/// Each weight must cover a part of the cycle.
 fn weighed_phases(scene: &Scene) -> Result<()> {
     let inside = |x: f64| (-ANGLE..=TAU + ANGLE).contains(&x);
     let weights = scene.gait.iter().flat_map(|gait| &gait.weights);
@@ -201,7 +201,7 @@ fn machine(scene: &Scene, _: Typed) -> Verdict {
     machine.check_motor()
 }
 
-/// At most one key fixes the size of the cam.
+/// At most one key may fix the size of the cam.
 fn size(scene: &Scene, _: Typed) -> Verdict {
     let cam = &scene.cam;
     if cam.base_radius.is_some() && cam.prime_radius.is_some() {
@@ -219,7 +219,7 @@ fn size(scene: &Scene, _: Typed) -> Verdict {
     Ok(())
 }
 
-/// The keyway of the bore.
+/// Rules on the keyway of the bore.
 fn keyway(scene: &Scene, typed: Typed) -> Verdict {
     let Some(spec) = scene.cam.keyway else {
         return Ok(());
@@ -252,7 +252,7 @@ fn keyway(scene: &Scene, typed: Typed) -> Verdict {
     }
 }
 
-/// Base circle, prime circle, bore and offset.
+/// Rules on base circle, prime circle, bore and offset.
 fn circles(scene: &Scene, typed: Typed) -> Verdict {
     let cam = &scene.cam;
     let length = |path: &str, value: f64| typed.text(path, value, Dimension::Length);
@@ -294,7 +294,7 @@ fn circles(scene: &Scene, typed: Typed) -> Verdict {
     Ok(())
 }
 
-/// A target force needs one turn of a disc; other motions take programmes only. An arm has a fixed pivot.
+/// A target force needs one turn of a disc cam; other motions require a programme. An arm needs a fixed pivot.
 fn motion(scene: &Scene, _: Typed) -> Verdict {
     let cam = &scene.cam;
     if cam.is_oscillating() && scene.drive.kind == DriveKind::MovingAxis {
@@ -329,7 +329,7 @@ fn pair(scene: &Scene, _: Typed) -> Verdict {
     }
 }
 
-/// Keys that need a spline.
+/// Keys that require a spline.
 fn splines(scene: &Scene, _: Typed) -> Verdict {
     let law = &scene.law;
     let Some(gait) = &scene.gait else {
@@ -377,7 +377,7 @@ fn polydyne(scene: &Scene, _: Typed) -> Verdict {
     Ok(())
 }
 
-/// A design needs a target force, points, dwells or segments.
+/// A design requires a target force, points, dwells or segments.
 fn completeness(scene: &Scene, _: Typed) -> Verdict {
     let law = &scene.law;
     let no_force = scene.gait.is_none();

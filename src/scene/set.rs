@@ -4,13 +4,10 @@ use toml::{Table, Value};
 
 use crate::error::{Placed, Result, SceneError};
 
-/// Changes one value: `set(table, "limits.stroke=40 mm")`; entries of a list go by their number from 1 on:
-/// `law.segment.2.lift`. The value is taken as TOML where it is a number, truth value, array or quoted text, and as
-/// plain text otherwise. A recording replaces a model and vice versa.
+/// Changes one value: `set(table, "limits.stroke=40 mm")`; list entries are numbered from 1: `law.segment.2.lift`. The value is taken as TOML where
+/// it is a number, truth value, array or quoted text, and as plain text otherwise. A recording replaces a model and vice versa.
 ///
-/// # Errors
-/// A text without `=`, and a path through a value or to a missing entry. Unknown keys are refused by
-/// [`read`](super::read()).
+/// # Errors A text without `=`, and a path through a value or to a missing entry. Unknown keys are rejected by [`read`](super::read()).
 pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
     let (key, value) = assignment
         .split_once('=')
@@ -59,8 +56,7 @@ pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
     Ok(())
 }
 
-/// Takes a key such as `limits.stroke` or `law.segment.2.angle` out, and the tables that it leaves empty; whether it was
-/// there.
+/// Removes a key such as `limits.stroke` or `law.segment.2.angle`, and tables that become empty; returns whether it existed.
 ///
 /// ```
 /// use gaitcam::scene::unset;

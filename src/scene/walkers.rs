@@ -1,4 +1,4 @@
-//! The walkers whom a scene names, from the content of their files.
+//! The walkers of a scene, from the content of their files.
 
 use std::path::Path;
 
@@ -7,14 +7,14 @@ use crate::error::{Error, FileError, Placed, Result};
 use crate::force::{self, ForceCurve, Walker, WalkerFault, WalkerRow, walker_faults};
 use crate::wording::InLanguages;
 
-/// Endings of tables.
+/// File endings of tables.
 const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
 
-/// Reads a population file by file; what cannot be taken is named at the end.
+/// Reader of a population, file by file; faulty files are reported at the end.
 pub(super) struct PopulationReader<'a> {
     gait: &'a Gait,
     walkers: Vec<Walker>,
-    /// Why files hold no cycle.
+    /// Faults of files without a cycle.
     unreadable: Vec<Error>,
 }
 
@@ -28,21 +28,21 @@ impl<'a> PopulationReader<'a> {
         }
     }
 
-    /// Whether the scene leaves a file out.
+    /// Whether the scene excludes a file.
     pub fn leaves_out(&self, path: &Path) -> bool {
         let names = [file_name(path), path.display().to_string()];
         names.iter().any(|name| self.gait.leave_out.contains(name))
     }
 
-    /// Whether the scene leaves a row of a table out: by the walker's name, or by file and line.
+    /// Whether the scene excludes a row of a table: by the walker's name, or by file and line.
     fn leaves_row_out(&self, path: &Path, row: &WalkerRow) -> bool {
         let place = format!("{}:{}", file_name(path), row.line);
         let names = [&row.name, &place];
         names.iter().any(|name| self.gait.leave_out.contains(name))
     }
 
-    /// Takes the cycle of a recording, or every row of a table; `metadata` gives the table of subjects beside it. Files and rows
-    /// without a cycle are kept for the list of those that cannot be taken.
+    /// Adds the cycle of a recording, or every row of a table; `metadata` returns its table of subjects. Faulty files and rows are collected for the
+    /// report.
     pub fn take(&mut self, path: &Path, bytes: &[u8], metadata: impl FnOnce() -> Option<Vec<u8>>) {
         if self.leaves_out(path) {
             return;
@@ -70,7 +70,7 @@ impl<'a> PopulationReader<'a> {
         }
     }
 
-    /// Notes that a file cannot be read.
+    /// Records an unreadable file.
     pub fn refuse(&mut self, path: &Path, why: Error) {
         if !self.leaves_out(path) {
             self.unreadable.push(why.in_file(path));
@@ -80,7 +80,8 @@ impl<'a> PopulationReader<'a> {
     /// The mean of the walkers.
     ///
     /// # Errors
-    /// Those who cannot be taken, by the reason; placed at `first` where no other file is at fault.
+    ///
+    /// The faulty ones, by reason; located at `first` if no other file is at fault.
     pub fn mean(self, first: &Path) -> Result<ForceCurve> {
         let walkers = self.gait.walkers(self.walkers, &self.unreadable);
         let mean = walkers.and_then(ForceCurve::of_walkers);
@@ -94,7 +95,7 @@ pub(super) fn is_table_of_walkers(path: &Path, bytes: &[u8]) -> bool {
     TABLES.contains(&ending.to_lowercase().as_str()) && force::is_population(bytes)
 }
 
-/// The walker of a recording.
+/// The walker of a single recording.
 fn cycle(
     gait: &Gait,
     path: &Path,
@@ -108,11 +109,11 @@ fn cycle(
 }
 
 impl Gait {
-    /// The walkers of a population that the scene does not leave out, if all can be taken; `unreadable` says why
-    /// files have no cycle.
+    /// The included walkers of a population, if all are valid; `unreadable` contains the faults of files without a cycle.
     ///
     /// # Errors
-    /// Those who cannot be taken, by the reason.
+    ///
+    /// The faulty ones, by reason.
     pub fn walkers(&self, mut all: Vec<Walker>, unreadable: &[Error]) -> Result<Vec<Walker>> {
         all.retain(|w| !self.leave_out.contains(&w.name));
         let mut names: [Vec<String>; 5] = Default::default();

@@ -1,4 +1,4 @@
-//! From a [`Scene`] to TOML and to any format of serde: exactly what [`read`](super::read()) reads back.
+//! Writing a [`Scene`] as TOML or any format of serde; [`read`](super::read()) restores it exactly.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use toml::{Table, Value as Toml};
@@ -32,9 +32,10 @@ impl Scene {
         table
     }
 
-    /// The scene with one key changed, the value as a scene file has it: `scene.with("limits.stroke", "40 mm")`.
+    /// The scene with one key changed, in the notation of a scene file: `scene.with("limits.stroke", "40 mm")`.
     ///
     /// # Errors
+    ///
     /// As [`read`](super::read()).
     pub fn with(&self, key: &str, value: &str) -> Result<Scene> {
         let mut table = self.to_table();
@@ -63,7 +64,7 @@ impl Scene {
     }
 }
 
-/// Number of entries in the list of a key: those in which a required key has a value.
+/// Number of entries in the list of a key: those with a value of a required key.
 fn entries(scene: &Scene, key: &Key) -> usize {
     let list = key.list();
     let sibling = |k: &&Key| k.list() == list && k.is_required(scene);

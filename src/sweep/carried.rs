@@ -1,4 +1,4 @@
-//! The recordings that a sweep carries by their content.
+//! The recordings of a sweep, stored by content.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -8,10 +8,10 @@ use crate::error::{Placed, Result, SweepError};
 use crate::force::ForceCurve;
 use crate::scene::{self, Scene};
 
-/// A file that rows name: index of the base scene, and the path as the scene writes it.
+/// A file of a row: index of the base scene, and the path in the scene.
 pub type Named = (usize, String);
 
-/// Files that rows name, with their content.
+/// Files of the rows, with their content.
 ///
 /// ```
 /// use gaitcam::sweep::Files;
@@ -22,10 +22,11 @@ pub type Named = (usize, String);
 /// ```
 pub type Files = BTreeMap<Named, Arc<Vec<u8>>>;
 
-/// The force curve of a scene that names a recording, by the index of its base scene.
+/// The force curve of a scene with a recording, by the index of its base scene.
 ///
 /// # Errors
-/// A recording that is not carried or has no force curve.
+///
+/// A recording that is missing or has no force curve.
 pub fn force(files: &Files, scene: usize, of: &Scene) -> Result<ForceCurve> {
     let carried = Carried { files, scene };
     let gait = of.gait.as_ref();
@@ -35,7 +36,7 @@ pub fn force(files: &Files, scene: usize, of: &Scene) -> Result<ForceCurve> {
         .ok_or_else(|| SweepError::NoForceError.into())
 }
 
-/// The files that a sweep carries for one base scene.
+/// The stored files of one base scene.
 struct Carried<'a> {
     files: &'a Files,
     scene: usize,

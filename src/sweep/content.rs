@@ -1,6 +1,6 @@
 //! A sweep with the content of its recordings, so that any machine can compute any of its rows.
 //!
-//! Row i follows from the sweep and from i alone: recordings are part of it by their content, not by their path.
+//! Row i depends only on the sweep and on i: recordings are stored by content, not by path.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -36,11 +36,11 @@ use crate::synth::Design;
 pub enum Subject {
     /// Designs of many scenes.
     Designs(Plan),
-    /// One design, made with errors within tolerances.
+    /// One design, manufactured with errors within tolerances.
     Scatter(Scattered),
 }
 
-/// A sweep with the content of every recording that it names.
+/// A sweep with the content of its recordings.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -75,8 +75,7 @@ impl Sweep {
 
     /// A sweep; `files` gives the files of a base scene by its index.
     ///
-    /// # Errors
-    /// A recording that is not there, a folder without one, and as [`Plan::validate`].
+    /// # Errors A missing recording, a folder without one, and as [`Plan::validate`].
     pub fn new<'a, F: scene::Files + 'a>(
         subject: Subject,
         files: impl Fn(usize) -> &'a F,
@@ -109,15 +108,14 @@ impl Sweep {
         Ok(Sweep { subject, files })
     }
 
-    /// The files that rows name, with their content.
+    /// The files of the rows, with their content.
     pub fn files(&self) -> &Files {
         &self.files
     }
 
     /// Number of rows.
     ///
-    /// # Errors
-    /// More rows than row numbers can count.
+    /// # Errors More rows than row numbers can represent.
     pub fn rows(&self) -> Result<u64> {
         self.subject.rows()
     }
@@ -165,8 +163,8 @@ impl Sweep {
         ]
     }
 
-    /// The rows of a range over `jobs` threads; `None` where `stop` ended the work before all were computed. `halts`
-    /// gives the end of the search of a row that begins now. Without times: they do not follow from the plan.
+    /// The rows of a range over `jobs` threads; `None` if `stop` ended the work early. `halts` returns the time limit of a row that starts now. The
+    /// rows contain no times, which do not follow from the plan.
     ///
     /// # Errors
     /// Manufacturing samples of a scene without a feasible cam.
@@ -192,10 +190,10 @@ impl Sweep {
         Ok(records.unwrap_or_default())
     }
 
-    /// What computes the rows of several ranges and keeps what they share; with a `clock` (s) the rows of designs end
-    /// with the time that each took.
+    /// Worker for the rows of several ranges with a shared cache; with a `clock` (s) rows contain their computing times.
     ///
     /// # Errors
+    ///
     /// As [`Sweep::run`].
     pub fn runner<'a>(&'a self, halts: Halts<'a>, clock: Option<Clock<'a>>) -> Result<Runner<'a>> {
         Ok(match &self.subject {
@@ -215,8 +213,7 @@ impl Subject {
 
     /// Number of rows.
     ///
-    /// # Errors
-    /// More rows than row numbers can count.
+    /// # Errors More rows than row numbers can represent.
     pub fn rows(&self) -> Result<u64> {
         row_count(match self {
             Subject::Designs(plan) => plan.rows(),
@@ -224,9 +221,10 @@ impl Subject {
         })
     }
 
-    /// The recordings that rows name, each with the index of its base scene.
+    /// The recordings of the rows, each with the index of its base scene.
     ///
     /// # Errors
+    ///
     /// A value of `gait.file` that is not a name.
     fn recordings(&self) -> Result<Vec<(usize, Gait)>> {
         let plan = match self {
@@ -258,7 +256,7 @@ impl Subject {
 }
 
 impl Scattered {
-    /// What computes the rows around a design of the scene.
+    /// Worker for the samples of a design of the scene.
     ///
     /// # Errors
     /// A wrong tolerance; a design whose errors cannot be sampled.
@@ -267,7 +265,7 @@ impl Scattered {
     }
 }
 
-/// The recordings that a scene names.
+/// The recordings of a scene.
 fn gait_of(table: &toml::Table) -> Option<Gait> {
     let names = match table.get("gait")?.get("file")? {
         toml::Value::Array(all) => all.iter().collect(),
@@ -281,7 +279,7 @@ fn gait_of(table: &toml::Table) -> Option<Gait> {
     })
 }
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo).
+/// Hash FNV-1a, 64 bits (Fowler, Noll, Vo).
 fn checksum(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, &b| {
         (sum ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3)

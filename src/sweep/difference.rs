@@ -1,4 +1,4 @@
-//! Differences between two sweeps: a sweep is only resumed as itself.
+//! Differences between two sweeps; a sweep can only be resumed with equal parameters.
 
 use std::path::Path;
 
@@ -14,13 +14,13 @@ use crate::wording::{self, Language};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Difference {
-    /// A value, `None` where a description has none.
+    /// A value, `None` if a description has none.
     Value {
         /// Key path of the changed value.
         path: String,
-        /// In the first description.
+        /// Value in the first description.
         old: Option<String>,
-        /// In the second.
+        /// Value in the second description.
         new: Option<String>,
     },
     /// A value too long to quote.
@@ -28,32 +28,33 @@ pub enum Difference {
         /// Key path of the long text.
         path: String,
     },
-    /// A line of a scene that only the first description has.
+    /// A line that exists only in the first scene.
     OnlyOld {
         /// Key path of the scene.
         path: String,
-        /// The line.
+        /// Text of the line.
         text: String,
     },
-    /// A line of a scene that only the second has.
+    /// A line that exists only in the second scene.
     OnlyNew {
         /// Key path of the scene.
         path: String,
-        /// The line.
+        /// Text of the line.
         text: String,
     },
 }
 
 impl Difference {
-    /// The difference as a sentence.
+    /// Message of the difference.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "differs", self)
     }
 }
 
-/// Refuses to resume a sweep that differs from the one begun at `place`.
+/// Rejects resuming a sweep that differs from the one started at `place`.
 ///
 /// # Errors
+///
 /// Every difference by name, in `language`.
 pub fn agree(place: &Path, begun: &Value, now: &Value, language: Language) -> Result<()> {
     let all = differences(begun, now);
@@ -72,7 +73,7 @@ pub fn differences(old: &Value, new: &Value) -> Vec<Difference> {
     out
 }
 
-/// Longest value that a difference quotes.
+/// Maximum length of a quoted value.
 const QUOTED: usize = 80;
 
 fn compare(path: &str, old: &Value, new: &Value, out: &mut Vec<Difference>) {

@@ -1,4 +1,4 @@
-//! The Pareto set: designs that no other design beats in every objective.
+//! The Pareto set: non-dominated designs.
 
 use std::cmp::Ordering::Equal;
 
@@ -19,15 +19,15 @@ use crate::synth::Figure;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
-    /// Number of its row.
+    /// Number of the row.
     pub row: u64,
     /// Costs of the design, one per objective; smaller is better.
     pub values: Vec<f64>,
-    /// The cells of its row as text.
+    /// Cells of the row as text.
     pub cells: Vec<String>,
 }
 
-/// The front of the designs offered so far.
+/// The front of the designs added so far.
 ///
 /// ```
 /// use gaitcam::sweep::Front;
@@ -49,16 +49,15 @@ pub struct Front {
 /// Relative difference below which values differ only by rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether `a` is nowhere worse than `b` by more than rounding.
+/// Whether `a` is not worse than `b` by more than rounding in any objective.
 fn covers(a: &[f64], b: &[f64]) -> bool {
     let no_worse = |(x, y): (&f64, &f64)| x - y <= ROUNDING * x.abs().max(y.abs());
     a.iter().zip(b).all(no_worse)
 }
 
 impl Front {
-    /// Adds a design unless one on the front dominates or equals it; designs that it dominates are removed. Of equal
-    /// designs the first is kept. A design with a cost that is not finite is no candidate. `cells` is called only when
-    /// the design is added.
+    /// Adds a design unless one on the front dominates or equals it; designs that it dominates are removed. Of equal designs the first is kept. A
+    /// design with a non-finite cost is ignored. `cells` is called only if the design is added.
     pub fn offer(&mut self, row: u64, values: &[f64], cells: impl FnOnce() -> Vec<String>) {
         if values.iter().any(|v| !v.is_finite()) {
             return;
@@ -76,7 +75,7 @@ impl Front {
         });
     }
 
-    /// The front, by the first objective.
+    /// The front, sorted by the first objective.
     pub fn sorted(&self) -> Vec<&Point> {
         let mut out: Vec<&Point> = self.points.iter().collect();
         let order = |p: &&Point, q: &&Point| p.values.partial_cmp(&q.values);
@@ -107,7 +106,7 @@ impl Front {
     }
 }
 
-/// A column by which designs are compared.
+/// A column that is minimised or maximised.
 ///
 /// ```
 /// use gaitcam::sweep::Objective;
@@ -120,7 +119,7 @@ impl Front {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Objective {
-    /// Index of its column.
+    /// Index of the column.
     pub column: usize,
     /// Name of the objective.
     pub name: String,
@@ -128,7 +127,7 @@ pub struct Objective {
     pub maximised: bool,
 }
 
-/// Objectives by default, minimised.
+/// Default objectives, minimised.
 const USUAL: [&str; 2] = ["force_error", "prime_radius"];
 
 impl Objective {
@@ -165,7 +164,7 @@ impl Objective {
     }
 }
 
-/// Which rows of a table are candidates for a front.
+/// Selection of the candidates for a front.
 ///
 /// ```
 /// use gaitcam::sweep::Admission;
@@ -176,14 +175,14 @@ impl Objective {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Admission {
-    /// Admits designs that are not for high speed.
+    /// Whether designs that are not for high speed are included.
     pub low_speed: bool,
-    /// Admits every design that is built.
+    /// Whether all designs are included.
     pub all: bool,
 }
 
 impl Admission {
-    /// Whether a row of this outcome and verdict is a candidate.
+    /// Whether a row with this outcome and verdict is a candidate.
     pub fn takes(self, outcome: &str, verdict: &str) -> bool {
         outcome == Outcome::Built.name()
             && (self.all

@@ -1,4 +1,4 @@
-//! Computes the rows of a sweep, on one thread or on several.
+//! Computation of the rows of a sweep, on one thread or on several.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -13,14 +13,14 @@ use super::made::scatter::Samples;
 use super::plan::Plan;
 use super::table::records::Records;
 
-/// Largest number of rows of one part of the work: bounds the memory.
+/// Maximum number of rows of one part of the work, which bounds the memory.
 const LARGEST_PART: u64 = 4096;
-/// Parts per thread: enough that no thread waits long for another.
+/// Number of parts per thread, large enough to balance the load.
 const PARTS_PER_THREAD: u64 = 16;
 /// Time between two calls of `stop` while the threads work.
 const LOOK: Duration = Duration::from_millis(20);
 
-/// Computes rows, in any order and number: row i follows from the plan and from i alone.
+/// Worker for rows in any order and number: row i depends only on the plan and on i.
 ///
 /// ```
 /// use gaitcam::halt::Halt;
@@ -40,7 +40,7 @@ pub struct Runner<'a> {
 enum Work<'a> {
     Designs {
         plan: &'a Plan,
-        /// Names of the base scenes where there are several.
+        /// Names of the base scenes, for several.
         scenes: Option<Vec<String>>,
         kernel: Kernel<'a>,
     },
@@ -68,13 +68,13 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// The rows of a range over `jobs` threads; the first of them only, up to the end of a part of the work, where
-    /// `stop` ended it. `stop` is called from this thread alone.
+    /// The rows of a range over `jobs` threads; only the first ones, up to the end of a part, if `stop` ended the work. `stop` is called from this
+    /// thread only.
     pub fn run(&self, rows: Range<u64>, jobs: usize, stop: &dyn Fn() -> bool) -> Records {
         Records::joined(self.map(rows, jobs, stop, &|part| part))
     }
 
-    /// The same, `each` applied to the parts by the thread that computed them.
+    /// The rows of a range, with `each` applied to the parts by the thread that computed them.
     pub fn map<T: Send>(
         &self,
         rows: Range<u64>,
@@ -127,7 +127,7 @@ impl<'a> Runner<'a> {
         done.into_iter().map_while(|part| part).collect()
     }
 
-    /// Rows on this thread; `None` where `stop` ended the work before all were computed.
+    /// Rows computed on this thread; `None` if `stop` ended the work early.
     fn part(&self, rows: Range<u64>, stop: &dyn Fn() -> bool) -> Option<Records> {
         match &self.work {
             Work::Designs {
@@ -150,7 +150,7 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// The parts into which a range of rows is cut; an empty range is one part, which has the columns.
+/// The parts of a range of rows; an empty range is one part, which has the columns.
 struct Parts {
     all: Range<u64>,
     size: u64,

@@ -1,4 +1,4 @@
-//! One law on one cam for one problem, or why its limits leave none.
+//! One law on one cam for one problem, or the reason why its limits are infeasible.
 //!
 //! For a rigid machine at constant speed and one force this is the whole design. A machine whose motion depends on the cam, a
 //! compliant follower and a population attempt the problems that they derive from their own.
@@ -15,23 +15,23 @@ use crate::error::{Placed, Result};
 use crate::problem::Problem;
 use crate::scene::{LawSpec, Minimise};
 
-/// A law on its cam.
+/// A law with its cam.
 #[derive(Clone)]
 pub struct Attempt {
-    /// The best law under the limits, or without them where they leave none; its lowest point stands on the base circle where
-    /// nothing else fixes the level.
+    /// The best law under the limits, or without them if they are infeasible. Its minimum is on the base circle unless something else fixes the
+    /// level.
     pub law: SolvedLaw,
     /// Cam of the attempt, with force and checks.
     pub cam: CheckedCam,
-    /// Why the limits leave no law.
+    /// Reason why the limits are infeasible.
     pub refusal: Option<Arc<Refusal>>,
 }
 
-/// The law under the limits of a problem on the given or the smallest cam; where the limits leave none, the best law without
-/// them and the refusal.
+/// The law under the limits of a problem on the given or the smallest cam; if infeasible, the best law without them and the refusal.
 ///
 /// # Errors
-/// Faults of the input; demands that no law meets even without limits.
+///
+/// Faults of the input; conditions that no law satisfies even without limits.
 pub fn attempt(problem: &Problem, search: &Search) -> Result<Attempt> {
     let refusal = match under_limits(problem, search)? {
         Ok(attempt) => return Ok(attempt),
@@ -72,7 +72,7 @@ fn on_cam(
 }
 
 impl Attempt {
-    /// A law with its cam; the law is raised as far as the cam asks.
+    /// A law with its cam; the law is raised as far as the cam requires.
     pub fn of(mut law: SolvedLaw, cam: CheckedCam) -> Attempt {
         law.functions.raise(&mut law.coefficients, cam.raised);
         law.law = cam.pressing().clone();
@@ -84,8 +84,8 @@ impl Attempt {
     }
 }
 
-/// The best law without the accuracy where the other limits have one, without any limit, or without the base circle
-/// either. Where the accuracy is a limit and the objective no force, the best is that of the least force error.
+/// The best law without the accuracy if the other limits are feasible, otherwise without any limit, otherwise without the base circle. If the
+/// accuracy is a limit and the objective is not the force, the best law has the minimum force error.
 fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Sought<Attempt> {
     let timely = Search::until(search.halt.clone());
     let of_accuracy = refusal.is_of_accuracy();
@@ -131,7 +131,7 @@ fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Soug
     on_cam(problem, law.map(unproved))
 }
 
-/// The problem with an objective in closed form or by least squares.
+/// The problem with an objective that has a closed form or is a least-squares problem.
 fn quick(problem: &Problem) -> Problem {
     match problem.objective() {
         Minimise::Peak(order) => problem.minimising(Minimise::Energy(order)),

@@ -17,13 +17,13 @@ use crate::synth::design::machine::MachineReport;
 use crate::synth::limits::GEOMETRY;
 use crate::synth::report::force::ForceReport;
 
-/// A mean force within this part of the target's is the same.
+/// Relative difference of a mean force from the target's that counts as none.
 const SAME: f64 = 1e-13;
-/// Errors below this part of the mean are rounding, which would decide whether a smaller one is kept.
+/// Errors below this fraction of the mean are rounding errors, which are not compared.
 const ROUNDING: f64 = 1e-5;
 
-/// The figures of the design of a plain problem in closed form: harmonics under a translating flat face. `None` where the law
-/// is another, or where a limit is not surely kept: then the synthesis itself has to answer.
+/// The figures of the design of a plain problem in closed form: harmonics under a translating flat face. `None` for other laws, or if a limit may be
+/// violated; the full synthesis then decides.
 pub fn figures(problem: &Problem) -> Option<Figures> {
     let is_closed = problem.is_plain()
         && problem.law.family == Family::Harmonic
@@ -71,19 +71,19 @@ pub fn figures(problem: &Problem) -> Option<Figures> {
     passes(problem, &figures).then_some(figures)
 }
 
-/// A law as a factor times a shape plus a level.
+/// A law as a factor times a shape plus a constant.
 struct Motion<'a> {
     shape: &'a Shape,
-    /// Times the series is the force.
+    /// Factor from the series to the force.
     scale: f64,
     factor: f64,
     level: f64,
-    /// Ranges of its derivatives; that of the lift without the level.
+    /// Ranges of its derivatives; that of the lift without the constant.
     svaj: [[f64; 2]; 4],
 }
 
 impl Motion<'_> {
-    /// Figures on the cam that is asked for; `error` is that of the series.
+    /// Figures on the cam of the problem; `error` is that of the series.
     fn figures(&self, problem: &Problem, error: [f64; 2]) -> Figures {
         let (drive, mean, scale) = (&problem.drive, problem.target_mean(), self.scale);
         let [rms_error_n, max_error_n] = error.map(|error| scale * error);
@@ -146,8 +146,7 @@ impl Motion<'_> {
     }
 }
 
-/// Base radius, given or the smallest that curvature and bore allow, and the smallest radius of curvature on it, from the
-/// least of s + a.
+/// Base radius, given or the minimum for curvature and bore, and the minimum radius of curvature on it, from the minimum of s + a.
 fn size(problem: &Problem, bent: f64) -> (f64, f64) {
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     if let Some([base, _]) = problem.cam.given_radii() {
@@ -159,8 +158,7 @@ fn size(problem: &Problem, bent: f64) -> (f64, f64) {
     (base, (base + bent).max(wanted))
 }
 
-/// Whether every limit is kept that has a figure, and what a cam is judged by without limits; with any other limit
-/// nothing is said.
+/// Whether every limit with a figure is satisfied, including default bounds; false with any other limit.
 fn passes(problem: &Problem, figures: &Figures) -> bool {
     let (limits, force) = (&problem.limits, &figures.force);
     let keeps = |kind: LimitKind| {

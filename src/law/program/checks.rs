@@ -6,7 +6,7 @@ use crate::law::{Joint, Law, Rise};
 use crate::units::{Dimension, Quantity};
 
 impl Extent {
-    /// A length of the programme: an angle, or travel of a translating cam.
+    /// A length of the programme: an angle, or travel for a translating cam.
     fn quantity(self, x: f64) -> Quantity {
         match self {
             Extent::Length(_) => Quantity::length(x),
@@ -14,7 +14,7 @@ impl Extent {
         }
     }
 
-    /// A velocity: by angle, or by travel.
+    /// A velocity: per angle, or per travel.
     fn velocity(self, v: f64) -> Quantity {
         let dimension = match self {
             Extent::Length(_) => Dimension::Ratio,
@@ -24,7 +24,7 @@ impl Extent {
     }
 }
 
-/// The sum of the lengths, which must fill the extent to rounding.
+/// Checks the sum of the lengths, which must fill the extent to rounding.
 pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
     if segments.is_empty() {
         return Err(LawError::NoSegment.into());
@@ -69,7 +69,7 @@ pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
     Ok(total)
 }
 
-/// Adjacent general polynomials have no end values.
+/// Rejects adjacent general polynomials, which have no end values.
 pub fn general(segments: &[Segment], extent: Extent) -> Result<()> {
     let n = segments.len();
     for i in 0..n {
@@ -86,7 +86,7 @@ pub fn general(segments: &[Segment], extent: Extent) -> Result<()> {
     Ok(())
 }
 
-/// No jump of lift or velocity.
+/// Rejects jumps of lift or velocity.
 pub fn joints(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()> {
     let (lift, velocity) = (draft.law.bound(0), draft.law.bound(1));
     for joint in draft.law.joints() {
@@ -145,11 +145,7 @@ fn cure(
     }
 }
 
-/// The law on its base circle. Rows of a table that are rounded may lead it below by half a unit of their last
-/// decimal.
-///
-/// # Errors
-/// A law that falls deeper.
+/// The law on its base circle. Rounded rows of a table may lead it below by half a unit of their last decimal. # Errors A law that falls further.
 pub fn on_base_circle(draft: Draft, segments: &[Segment], extent: Extent) -> Result<Law> {
     let (low, high) = draft.law.extremes(0);
     let rounding = JUMP * (high.value - low.value);

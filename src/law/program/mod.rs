@@ -1,4 +1,4 @@
-//! Programmes: a law put together from motions, segment after segment.
+//! Programmes: a law composed of motions, segment after segment.
 
 mod checks;
 mod segment;
@@ -11,9 +11,8 @@ use crate::units::Quantity;
 use segment::{Draft, JUMP, ROUNDING};
 use std::f64::consts::{PI, TAU};
 
-/// The law of a programme that starts at lift 0 at θ = 0, every joint without a jump of lift or velocity.
-///
-/// Jumps of acceleration pass (CAM-DAS: not for high speed); [`Law::joints`] lists them.
+/// The law of a programme that starts at lift 0 at θ = 0, without jumps of lift or velocity at the joints. Jumps of acceleration are allowed
+/// (CAM-DAS: not for high speed); [`Law::joints`] lists them.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};
@@ -28,19 +27,18 @@ use std::f64::consts::{PI, TAU};
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 ///
-/// # Errors
-/// Names the segment when lengths do not fill the extent, the lift does not return or leaves the base circle
-/// downwards, a motion cannot join its neighbour, or two general polynomials are neighbours.
+/// # Errors The segment, if lengths do not fill the extent, the lift does not return or falls below the base circle, a motion cannot join its
+/// neighbour, or two general polynomials are neighbours.
 pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
     let draft = draft(segments, extent)?;
     checks::joints(&draft, segments, extent)?;
     checks::on_base_circle(draft, segments, extent)
 }
 
-/// As [`program`], but lets jumps of lift and velocity and falls below the base circle pass: for reports on
-/// invalid laws.
+/// As [`program`], but allows jumps of lift and velocity and falls below the base circle, for reports on invalid laws.
 ///
 /// # Errors
+///
 /// Lengths that do not fill the extent, two general polynomials side by side.
 pub fn assemble(segments: &[Segment], extent: Extent) -> Result<Law> {
     Ok(draft(segments, extent)?.law)
@@ -50,8 +48,7 @@ pub fn assemble(segments: &[Segment], extent: Extent) -> Result<Law> {
 /// first half turn, from lift 0 to the full lift L; the second half is L − s(θ − π), so that
 /// s(θ) + s(θ + π) = L everywhere and two parallel faces 2·Rb + L apart both touch.
 ///
-/// # Errors
-/// A half turn that does not lead from 0 to its largest lift in 180°, and what [`program`] refuses.
+/// # Errors A half turn that does not lead from 0 to its largest lift in 180°, and the errors of [`program`].
 pub fn constant_breadth(half: &[Segment]) -> Result<Law> {
     let total: f64 = half.iter().map(|s| s.angle).sum();
     if (total - PI).abs() > ROUNDING * PI {
@@ -152,7 +149,7 @@ fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
     })
 }
 
-/// v, a and j of a segment at its end (or start), by cam angle.
+/// v, a and j of a segment at its end (or start), with respect to the cam angle.
 fn end_of(segment: &Segment, shape: &Law, width: f64, at_end: bool) -> Svaj {
     let mut pieces = Pieces::starting_at(0.0);
     let mirrored = segment.lift < 0.0 && segment.motion.mirrors();

@@ -43,12 +43,12 @@ pub struct Segment {
 pub enum Extent {
     /// Whole turns (several: a barrel cam); the law repeats after them.
     Turns(usize),
-    /// A length of travel, m (translating cam); the law ends where it ends.
+    /// A length of travel, m (translating cam); the law is open.
     Length(f64),
 }
 
 impl Extent {
-    /// One turn.
+    /// Extent of one turn.
     pub const TURN: Extent = Extent::Turns(1);
 
     pub(super) fn length(self) -> f64 {
@@ -63,9 +63,9 @@ impl Extent {
     }
 }
 
-/// Segment lengths may miss the whole by this share of it, as rounded degrees do; they are then stretched.
+/// Fraction by which segment lengths may miss the whole, as rounded degrees do; they are then stretched.
 pub(super) const ROUNDING: f64 = 1e-6;
-/// Jumps below this share of the largest value of their derivative are rounding.
+/// Jumps below this fraction of the maximum of their derivative are rounding errors.
 pub(super) const JUMP: f64 = 1e-9;
 
 /// A law with the angles at which its segments end.
@@ -75,7 +75,7 @@ pub(super) struct Draft {
 }
 
 impl Draft {
-    /// Number (from 1) of the segment that starts at `at`.
+    /// Number (from 1) of the segment that starts at an angle.
     pub(super) fn starting(&self, at: f64) -> Option<usize> {
         let near = |x: f64| (x - at).abs() <= 1e-9;
         if near(0.0) {
@@ -84,7 +84,7 @@ impl Draft {
         self.ends.iter().position(|&e| near(e)).map(|i| i + 2)
     }
 
-    /// Number (from 1) of the segment that holds `at`.
+    /// Number (from 1) of the segment that contains an angle.
     pub(super) fn holding(&self, at: f64) -> usize {
         self.ends
             .partition_point(|&e| e < at - 1e-9)

@@ -34,7 +34,7 @@ impl Rise {
         })
     }
 
-    /// Motion at both ends of the normalised rise, which decides on possible neighbours.
+    /// Motion at both ends of the normalised rise, which determines possible neighbours.
     ///
     /// # Errors
     /// Parameters out of range.
@@ -60,7 +60,7 @@ impl Rise {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct End {
-    /// v, a, j there; s is 0 or 1.
+    /// Derivatives v, a, j at the end; s is 0 or 1.
     pub at: Svaj,
 }
 
@@ -77,13 +77,13 @@ pub struct End {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ends {
-    /// At x = 0.
+    /// End at x = 0.
     pub start: End,
-    /// At x = 1.
+    /// End at x = 1.
     pub end: End,
 }
 
-/// Values at ends below this count as rest: they are rounding of factors up to 100.
+/// Values at ends below this count as rest, since they are rounding errors.
 const REST: f64 = 1e-9;
 
 impl End {
@@ -95,7 +95,7 @@ impl End {
             .unwrap_or(3)
     }
 
-    /// Kinds of neighbour at an end: at rest without and with acceleration, moving without and with it.
+    /// Kinds of neighbours at an end: at rest without and with acceleration, moving without and with it.
     pub const JOINS: [&'static str; 4] = [
         "dwell",
         "return of equal acceleration",
@@ -103,14 +103,14 @@ impl End {
         "nothing but a general polynomial",
     ];
 
-    /// Kinds of neighbour at this end without a jump of v or a.
+    /// Kinds of neighbours at this end without a jump of v or a.
     pub fn joins(&self) -> &'static str {
         let moves = usize::from(self.at.v.abs() > REST);
         let accelerates = usize::from(self.at.a.abs() > REST);
         End::JOINS[2 * moves + accelerates]
     }
 
-    /// The same in the words of a language.
+    /// Names of these kinds in a language.
     pub fn joins_in(&self, language: Language) -> String {
         wording::catalogue(language).text(&format!("joins-{}", self.joins().replace(' ', "-")))
     }
@@ -131,18 +131,18 @@ impl End {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Factors {
-    /// Largest |v|.
+    /// Maximum of |v|.
     pub cv: f64,
-    /// Largest |a|.
+    /// Maximum of |a|.
     pub ca: f64,
-    /// Largest |j|; infinite when the acceleration jumps between the ends.
+    /// Maximum of |j|; infinite if the acceleration jumps between the ends.
     pub cj: f64,
-    /// Largest |a·v|.
+    /// Maximum of |a·v|.
     pub ct: f64,
     /// Smallest and largest v.
     pub v: (f64, f64),
     /// Smallest and largest a.
     pub a: (f64, f64),
-    /// Smallest and largest j where it exists.
+    /// Smallest and largest j, if it exists.
     pub j: (f64, f64),
 }

@@ -1,9 +1,9 @@
-//! The formulas of the catalogue as people read them.
+//! Formulas of the catalogue for display.
 
 use super::Rise;
 
 impl Rise {
-    /// The law as a formula: s(x), or a(x) of a law that is put together from pieces of acceleration.
+    /// The law as a formula: s(x), or a(x) of a law with piecewise acceleration.
     ///
     /// ```
     /// use gaitcam::law::Rise;

@@ -1,4 +1,4 @@
-//! The normalised shapes: rise by 1 over x ∈ [0, 1].
+//! The normalised shapes: a rise by 1 over x ∈ [0, 1].
 
 use super::super::pieces::Pieces;
 use super::super::{Law, Wave};
@@ -6,7 +6,7 @@ use crate::error::{LawError, Result};
 use crate::poly::{bernstein, stand_in};
 use std::f64::consts::{PI, TAU};
 
-/// One polynomial Σ pₖ xᵏ.
+/// A polynomial Σ pₖ xᵏ.
 pub(super) fn power(p: &[f64]) -> Law {
     single(bernstein::from_power(p), Vec::new())
 }
@@ -26,7 +26,7 @@ fn single(coef: Vec<f64>, waves: Vec<Wave>) -> Law {
     pieces.finish(false)
 }
 
-/// Constant acceleration, then as much deceleration.
+/// Constant acceleration, then equal deceleration.
 pub(super) fn parabolic() -> Law {
     let mut pieces = Pieces::starting_at(0.0);
     pieces.push(0.5, vec![0.0, 0.0, 0.5], Vec::new());
@@ -40,15 +40,15 @@ pub(super) fn sine_series(terms: &[(f64, f64)]) -> Law {
     line_and_waves(0.0, 1.0, &waves)
 }
 
-/// Zones narrower than this do nothing but lose digits.
+/// Width below which a zone is omitted, to avoid loss of digits.
 const SLIVER: f64 = 1e-9;
 
 /// Acceleration on one zone of the SCCA family.
 #[derive(Clone, Copy)]
 enum Zone {
-    /// Constant.
+    /// Constant acceleration.
     Constant(f64),
-    /// cos·cos(rate·x) + sin·sin(rate·x) about the zone's start.
+    /// Sinusoidal acceleration cos·cos(rate·x) + sin·sin(rate·x) about the zone's start.
     Wave { rate: f64, cos: f64, sin: f64 },
 }
 
@@ -107,7 +107,7 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
 /// Half a turn of an eccentric disc under a roller: ratio = (disc radius + roller radius)/eccentricity;
 /// infinite for a flat face, which moves in simple harmonic motion.
 ///
-/// With a roller the root √(ratio² − sin²) enters by a polynomial stand-in, exact to rounding.
+/// With a roller the root √(ratio² − sin²) is approximated by a polynomial, exact to rounding.
 pub(super) fn eccentric(ratio: f64) -> Result<Law> {
     if ratio.is_infinite() && ratio > 0.0 {
         return Ok(simple_harmonic());
@@ -125,7 +125,7 @@ pub(super) fn eccentric(ratio: f64) -> Result<Law> {
     Ok(Law::from_poly(poly, false))
 }
 
-/// ½(1 − cos πx).
+/// Simple harmonic motion ½(1 − cos πx).
 pub(super) fn simple_harmonic() -> Law {
     line_and_waves(0.5, 0.0, &[(PI, -0.5, 0.0)])
 }

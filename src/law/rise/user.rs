@@ -1,4 +1,4 @@
-//! Laws that the user brings as a table.
+//! Laws given by the user as a table.
 
 use std::f64::consts::PI;
 
@@ -10,11 +10,11 @@ use crate::poly::{PiecewisePoly, SplineSpace};
 /// Degree of the spline through a table: continuous to the fourth derivative.
 const TABLE_DEGREE: usize = 5;
 
-/// Largest part of the lift that counts as rounding: lifts in whole numbers may be exact.
+/// Maximum rounding error relative to the lift; lifts in whole numbers may be exact.
 const MOST_ROUNDING: f64 = 1e-3;
 
 impl Rise {
-    /// The file of a motion whose rows stand in a file: `table lift.csv`. `None` where numbers follow the word, or nothing.
+    /// The file of a motion such as `table lift.csv`; `None` if numbers or nothing follow the word.
     pub(crate) fn named_file(text: &str) -> Option<&str> {
         let apart = |c: char| c.is_whitespace() || c == ',';
         let (word, file) = text.trim().split_once(apart)?;
@@ -24,7 +24,7 @@ impl Rise {
         is_named.then_some(file)
     }
 
-    /// The law of the numbers behind the word `table`.
+    /// The law of the numbers after the word `table`.
     pub(super) fn of_numbers(numbers: &[f64]) -> Result<Rise> {
         if !numbers.len().is_multiple_of(2) {
             let numbers = numbers.len();
@@ -37,8 +37,8 @@ impl Rise {
     /// A law through a table of (x, s), at least two rows, x increasing: a spline of degree 5, at rest
     /// (v = a = 0) at both ends if asked, otherwise as smooth at the ends as inside (not-a-knot).
     ///
-    /// The table is normalised: its first row becomes (0, 0), its last (1, 1). Its last decimal is its accuracy: a
-    /// programme may run below its base circle by half a unit of it.
+    /// The table is normalised: its first row becomes (0, 0), its last (1, 1). A programme may fall below its base circle by half a unit of the last
+    /// decimal.
     ///
     /// # Errors
     /// Too few rows, numbers that are not finite, x that does not increase, a table that ends at its first lift.
@@ -82,7 +82,7 @@ impl Rise {
         })
     }
 
-    /// The part of its lift by which rounded rows may miss the motion that they are from; 0 without rows.
+    /// Relative error of the lift by rounding of the rows; 0 without rows.
     pub(in crate::law) fn rounding(&self) -> f64 {
         match self {
             Rise::User { rounding, .. } => *rounding,
@@ -90,8 +90,7 @@ impl Rise {
         }
     }
 
-    /// Acceleration that rounded rows can add to a rise of 1 over 1: that of a wave through them as high as the rounding; 0
-    /// without rows.
+    /// Acceleration that rounded rows can add to a rise of 1 over 1: that of a wave with the amplitude of the rounding; 0 without rows.
     pub(crate) fn rounded_acceleration(&self) -> f64 {
         let Rise::User { rows, rounding, .. } = self else {
             return 0.0;
@@ -101,7 +100,7 @@ impl Rise {
         rounding * (PI / step).powi(2)
     }
 
-    /// Number, from 1, of the row before x, with the lifts of this row and the next; `None` without rows.
+    /// Number, from 1, of the row before x, with the lifts of this and the next row; `None` without rows.
     pub(in crate::law) fn row_before(&self, x: f64) -> Option<(usize, [f64; 2])> {
         let Rise::User { rows, .. } = self else {
             return None;
@@ -127,7 +126,7 @@ fn written(word: &str, numbers: impl Iterator<Item = f64>) -> String {
     numbers.fold(word.to_string(), |text, x| format!("{text} {x}"))
 }
 
-/// Spline of degree 5 through points with x from 0 to 1; `None` where their spacing admits none.
+/// Spline of degree 5 through points with x from 0 to 1; `None` if their spacing does not allow one.
 fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
     let n = points.len();
     let end_conditions: Vec<(f64, usize)> = if rest {
@@ -187,8 +186,7 @@ fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
 /// One equation: its first unknown, the factors from there on, the right side.
 type BandRow = (usize, [f64; TABLE_DEGREE + 1], f64);
 
-/// Solves banded equations, one per unknown in ascending order, by elimination without pivots; `None` where one
-/// vanishes.
+/// Solves banded equations, one per unknown in ascending order, by elimination without pivoting; `None` if a pivot vanishes.
 fn solve_band(mut rows: Vec<BandRow>) -> Option<Vec<f64>> {
     const WIDTH: usize = TABLE_DEGREE + 1;
     let n = rows.len();

@@ -9,30 +9,30 @@ use crate::drive::Drive;
 use crate::error::Result;
 use crate::problem::machine::Scaling;
 
-/// What a fit to a cycle of force depends on beside it.
+/// Parameters of a fit to a cycle of force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitKey {
-    /// How the target follows from the cycle.
+    /// Scaling of the cycle to the target.
     pub scaling: Scaling,
-    /// The machine.
+    /// Drive of the machine.
     pub drive: Drive,
     /// Degree of the splines.
     pub degree: usize,
 }
 
-/// The functions, what is minimised, and the force distance alone.
+/// Basis functions, objective, and the force distance alone.
 pub type Objective = (Basis, Quadratic, Quadratic);
 
-/// What was found for one cycle of force.
+/// Fits of one cycle of force.
 #[derive(Debug, Default)]
 pub struct Fits {
     objectives: Kept<Arc<(FitKey, usize, Objective)>>,
-    /// With the accuracy asked for, N RMS, and the number tried first.
+    /// Numbers of spans by required accuracy, N RMS, and first trial number.
     spans: Kept<(FitKey, [f64; 2], usize)>,
 }
 
 impl Fits {
-    /// The objective over so many spans.
+    /// The objective over a number of spans.
     ///
     /// # Errors
     /// Those of `find`.
@@ -48,7 +48,7 @@ impl Fits {
         found.map(|found| found.2.clone())
     }
 
-    /// The fewest spans that reach an accuracy, tried from `least` on.
+    /// The minimum number of spans that reaches an accuracy, tried from `least` on.
     ///
     /// # Errors
     /// Those of `find`.

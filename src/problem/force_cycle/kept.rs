@@ -1,11 +1,11 @@
-//! A few findings that are expected again.
+//! A small cache of results.
 
 use std::sync::Mutex;
 
-/// Findings kept at a time; with more all are forgotten.
+/// Maximum number of cached results; with more all are dropped.
 const MOST: usize = 64;
 
-/// Findings, each with what it depends on.
+/// Results, each with its parameters.
 #[derive(Debug)]
 pub struct Kept<V>(Mutex<Vec<V>>);
 
@@ -16,7 +16,7 @@ impl<V> Default for Kept<V> {
 }
 
 impl<V: Clone> Kept<V> {
-    /// The finding for which `is_same` holds, or a new one.
+    /// The result for which `is_same` holds, or a new one.
     ///
     /// # Errors
     /// Those of `find`.

@@ -1,4 +1,4 @@
-//! One cycle of a force, with what follows from its course alone: found once for all problems of that force.
+//! One cycle of a force, with derived results computed once for all its problems.
 
 mod fits;
 mod kept;
@@ -22,7 +22,7 @@ use crate::poly::{Cells, PiecewisePoly, bernstein, gauss_legendre};
 use kept::Kept;
 use samples::Samples;
 
-/// Highest degree of projections; powers lose too many digits above.
+/// Maximum degree of projections; powers lose too many digits above.
 pub const HIGHEST_PROJECTED: usize = 9;
 
 /// One cycle of a force, which problems scale, shift and share.
@@ -35,11 +35,11 @@ pub struct ForceCycle {
     mean_square: OnceLock<f64>,
     series: OnceLock<Series>,
     projections: Kept<Arc<Projection>>,
-    /// Splines fitted to it.
+    /// Splines fitted to the cycle.
     pub fits: Fits,
 }
 
-/// The polynomials of a degree that are nearest to a force between breaks.
+/// The nearest polynomials of a degree to a force between breaks.
 #[derive(Debug)]
 pub struct Projection {
     breaks: Vec<f64>,
@@ -51,7 +51,7 @@ pub struct Projection {
 }
 
 impl Projection {
-    /// The polynomials themselves.
+    /// The polynomials as a piecewise function.
     fn pieces(&self) -> PiecewisePoly {
         let count = self.degree + 1;
         let rule = gauss_legendre(count);
@@ -67,14 +67,14 @@ impl Projection {
 }
 
 impl ForceCycle {
-    /// A cycle about which nothing is known yet but its samples.
+    /// A cycle from its samples alone.
     pub fn new(curve: impl Into<Arc<ForceCurve>>) -> ForceCycle {
         let curve = curve.into();
         let mean = MeanForce::of(&curve);
         ForceCycle::of(Samples::given(curve), mean)
     }
 
-    /// The cycle of a load model, which is sampled only where its series is not enough.
+    /// The cycle of a load model, sampled only if its series does not suffice.
     pub fn of_series(force: FourierForce) -> ForceCycle {
         let mean = MeanForce {
             mean_n: force.mean_n(),
@@ -111,12 +111,12 @@ impl ForceCycle {
         self.samples.curve()
     }
 
-    /// The samples where they were given: a recording, a file or a caller's own curve, with all that is known of them.
+    /// The samples if they were given: a recording, a file or a caller's own curve, with its metadata.
     pub fn given(&self) -> Option<&Arc<ForceCurve>> {
         self.samples.as_given()
     }
 
-    /// Number of equal steps into which one cycle is divided: one sample of the force each.
+    /// Number of samples in one cycle, at equal steps.
     pub fn samples(&self) -> usize {
         self.samples.count()
     }
@@ -140,7 +140,7 @@ impl ForceCycle {
         self.mean_square.get_or_init(about_mean) + (force - mean).powi(2)
     }
 
-    /// Its Fourier series, and what laws of its first harmonics leave of it.
+    /// Its Fourier series, and the residuals of laws of its first harmonics.
     pub fn series(&self) -> &Series {
         self.series.get_or_init(|| match self.samples.series() {
             Some(force) => Series::finite(force.mean_n(), force.waves()),
@@ -148,8 +148,8 @@ impl ForceCycle {
         })
     }
 
-    /// Root mean square and largest of what the force has beside its first harmonics, N, found once: of a finite series the
-    /// harmonics left out, otherwise the distance from the cubics.
+    /// Root mean square and maximum of the force beyond its first harmonics, N, computed once: for a finite series from the remaining harmonics,
+    /// otherwise from the cubics.
     pub fn error_of_harmonics(&self, count: usize) -> [f64; 2] {
         let series = self.series();
         *series.error(count).get_or_init(|| {
@@ -162,7 +162,7 @@ impl ForceCycle {
         })
     }
 
-    /// The nearest polynomials of a degree up to [`HIGHEST_PROJECTED`] between breaks, found once.
+    /// The nearest polynomials of a degree up to [`HIGHEST_PROJECTED`] between breaks, computed once.
     pub fn projection(&self, breaks: &[f64], degree: usize) -> Arc<Projection> {
         let is_same = |own: &Arc<Projection>| own.degree == degree && own.breaks == breaks;
         let found = self.projections.get(is_same, || {
@@ -176,8 +176,7 @@ impl ForceCycle {
         found.unwrap_or_else(|never| match never {})
     }
 
-    /// Integral of the squared distance from pieces, N². Against polynomials it is that from the nearest ones, and what these
-    /// leave of the force, which depends on the breaks alone.
+    /// Integral of the squared distance from pieces, N²: for polynomials, the distance from the nearest ones plus that of the latter from the force.
     pub fn square_distance(&self, own: &PiecewisePoly) -> f64 {
         if own.degree() > HIGHEST_PROJECTED {
             return self.cells().square_distance(own);
@@ -209,7 +208,7 @@ pub fn cells(force: &ForceCurve, slopes: Vec<f64>) -> Cells {
     Cells::new(ends, slopes, TAU)
 }
 
-/// A cycle begun at a phase; samples taken elsewhere keep the mean force, which belongs to the whole cycle.
+/// A cycle that starts at a phase; resampling preserves the mean force.
 pub fn begun_at(curve: &ForceCurve, phase: f64) -> ForceCurve {
     let begun = curve.begun_at(phase);
     let shift = curve.mean_n() - begun.mean_n();

@@ -1,4 +1,4 @@
-//! The samples of a cycle of force: given, or of a load model that is sampled when they are asked for.
+//! The samples of a cycle of force: given, or those of a load model, computed on request.
 
 use std::sync::{Arc, OnceLock};
 
@@ -7,14 +7,14 @@ use crate::force::{ForceCurve, FourierForce, SAMPLES};
 /// Samples of a force.
 #[derive(Debug)]
 pub struct Samples {
-    /// `None` where the samples are given.
+    /// Load model; `None` if the samples are given.
     series: Option<FourierForce>,
     curve: OnceLock<Arc<ForceCurve>>,
     range_n: OnceLock<[f64; 2]>,
 }
 
 impl Samples {
-    /// Those of a curve.
+    /// Samples of a curve.
     pub fn given(curve: Arc<ForceCurve>) -> Samples {
         Samples {
             series: None,
@@ -23,7 +23,7 @@ impl Samples {
         }
     }
 
-    /// Those of a load model.
+    /// Samples of a load model.
     pub fn of_series(force: FourierForce) -> Samples {
         Samples {
             series: Some(force),
@@ -32,12 +32,12 @@ impl Samples {
         }
     }
 
-    /// The load model; `None` where the samples are given.
+    /// The load model; `None` if the samples are given.
     pub fn series(&self) -> Option<&FourierForce> {
         self.series.as_ref()
     }
 
-    /// The curve that was given.
+    /// The given curve.
     pub fn as_given(&self) -> Option<&Arc<ForceCurve>> {
         self.curve.get().filter(|_| self.series.is_none())
     }
@@ -50,7 +50,7 @@ impl Samples {
         })
     }
 
-    /// Number of equal steps into which one cycle is divided: one sample of the force each.
+    /// Number of samples in one cycle, at equal steps.
     pub fn count(&self) -> usize {
         self.as_given().map_or(SAMPLES, |curve| curve.force_n.len())
     }

@@ -1,4 +1,4 @@
-//! The Fourier series of a force, and what laws of its first harmonics leave of it.
+//! The Fourier series of a force, and the residuals of laws of its first harmonics.
 
 use std::sync::OnceLock;
 
@@ -8,32 +8,31 @@ use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{amplitudes, harmonic_extremes};
 
-/// Most harmonics that an automatic count takes.
+/// Maximum automatic number of harmonics.
 const MOST_AUTO: usize = 60;
-/// Amplitudes below this part of the largest sample are rounding.
+/// Amplitudes below this fraction of the largest sample are rounding errors.
 const ROUNDING: f64 = 1e-12;
 
 /// Harmonics of one cycle of force.
 #[derive(Debug)]
 pub struct Series {
-    /// Mean force, N.
+    /// Mean of the force, N.
     pub mean_n: f64,
-    /// (cosine, sine) of harmonics 1, 2, …, N: as many as the samples hold, or all of a finite series.
+    /// (cosine, sine) of harmonics 1, 2, …, N: those determined by the samples, or all of a finite series.
     pub waves: Vec<(f64, f64)>,
     /// Mean square of the harmonics above each number of them, N².
     rest: Vec<f64>,
-    /// Whether the force is the sum of these harmonics.
+    /// Whether the force is a finite sum of these harmonics.
     is_finite: bool,
-    /// By the number of harmonics of a law.
+    /// Residuals by the number of harmonics of a law.
     fits: Vec<Fit>,
 }
 
-/// Root mean square and largest distance of a law from the force, N, and the law of pure inertia with m ω² = 1.
+/// Root mean square and maximum residual of a law, N, and the law of pure inertia with m ω² = 1.
 type Fit = (OnceLock<[f64; 2]>, OnceLock<Option<Box<Shape>>>);
 
 impl Series {
-    /// The harmonics that samples hold. Where the upper half of them is rounding, the samples are those of the sum of the
-    /// others: a finite series, as that of a load model.
+    /// The harmonics of samples. If the upper half of them is rounding, the samples are those of a finite series, such as that of a load model.
     pub fn of(curve: &ForceCurve) -> Series {
         let spectrum = &amplitudes(&curve.force_n)[..=most(curve.force_n.len())];
         let (mean_n, waves) = (spectrum[0].0, &spectrum[1..]);
@@ -47,7 +46,7 @@ impl Series {
         Series::new(mean_n, waves.to_vec(), false)
     }
 
-    /// The force that is the sum of some harmonics about a mean.
+    /// The force as a sum of harmonics about a mean.
     pub fn finite(mean_n: f64, waves: Vec<(f64, f64)>) -> Series {
         Series::new(mean_n, waves, true)
     }
@@ -67,13 +66,13 @@ impl Series {
         }
     }
 
-    /// Whether the force is the sum of [`Series::waves`] about its mean; of other forces these are what the samples hold.
+    /// Whether the force is exactly the sum of [`Series::waves`] about its mean.
     pub fn is_finite(&self) -> bool {
         self.is_finite
     }
 
-    /// Root mean square and largest distance from the force, N, of a sum of harmonics about the same mean plus `gap`, by
-    /// Parseval's theorem. Harmonics that agree to rounding are equal.
+    /// Root mean square and maximum distance from the force, N, of a sum of harmonics about the same mean plus `gap`, by Parseval's theorem.
+    /// Harmonics that agree to rounding count as equal.
     pub fn error_of(&self, gap: f64, waves: &[(f64, f64)]) -> [f64; 2] {
         let rounding = ROUNDING * (self.mean_n.abs() + self.rest[0].sqrt());
         let is_apart = |x: f64| if x.abs() > rounding { x } else { 0.0 };
@@ -91,7 +90,7 @@ impl Series {
         ]
     }
 
-    /// The harmonics of a law of so many: a finite series may have fewer.
+    /// The harmonics of a law with a given number of them; a finite series may have fewer.
     pub fn first(&self, count: usize) -> &[(f64, f64)] {
         &self.waves[..count.min(self.waves.len())]
     }
@@ -105,7 +104,7 @@ impl Series {
         self.rest[count.min(self.waves.len())].sqrt()
     }
 
-    /// Fewest harmonics that leave at most `wanted` newtons RMS, one at least.
+    /// Minimum number of harmonics, at least one, that leaves at most `wanted` newtons RMS.
     pub fn fewest(&self, wanted: f64) -> usize {
         let enough = self.rest.partition_point(|rest| *rest > wanted * wanted);
         enough.clamp(1, MOST_AUTO)
@@ -116,17 +115,17 @@ impl Series {
         Law::harmonic(self.mean_n, self.first(count))
     }
 
-    /// Root mean square and largest distance of [`Series::law`] from the force, N, once they are known.
+    /// Root mean square and maximum distance of [`Series::law`] from the force, N, if computed already.
     pub fn error(&self, count: usize) -> &OnceLock<[f64; 2]> {
         &self.fit(count).0
     }
 
-    /// The law of a drive from so many harmonics; `None` in resonance.
+    /// The law of a drive from a number of harmonics; `None` at resonance.
     pub fn shape(&self, count: usize, drive: &Drive) -> Option<Shape> {
         Shape::of(self.mean_n, self.first(count), drive)
     }
 
-    /// The same for m ω² = 1 without spring and damping, found once: such a design takes 6 µs instead of 90.
+    /// The law for m ω² = 1 without spring and damping, computed once, which makes such designs 15 times as fast.
     pub fn inertia(&self, count: usize) -> Option<&Shape> {
         let unit = Drive::moving_axis(1.0, self.mean_n, 1.0);
         let shape = || self.shape(count, &unit).map(Box::new);
@@ -134,7 +133,7 @@ impl Series {
     }
 }
 
-/// Harmonics that so many samples hold.
+/// Number of harmonics that samples determine.
 pub fn most(samples: usize) -> usize {
     (samples - 1) / 2
 }

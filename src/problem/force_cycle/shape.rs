@@ -1,4 +1,4 @@
-//! A law of harmonics without its mean, with its torque and its pressure: sums and quotients of harmonics.
+//! A law of harmonics without its mean, with its torque and pressure as sums and quotients of harmonics.
 
 use std::f64::consts::TAU;
 
@@ -6,41 +6,40 @@ use crate::drive::Drive;
 use crate::law::{Law, weighted};
 use crate::poly::{amplitudes, harmonic_extremes, harmonic_sums, harmonic_values};
 
-/// Steps of Newton's method to a crest; it settles in three or four.
+/// Maximum number of steps of Newton's method to a maximum; three or four are usual.
 const STEPS: usize = 12;
-/// A crest is that flat within this angle, rad, that its value is found by one more parabola.
+/// Angle, rad, within which one more parabola gives the value of a maximum.
 const FLAT: f64 = 1e-5;
-/// Crests of a grid within this part of the highest are searched: with 16 points for the fastest wave they miss their tops
-/// by less.
+/// Relative distance from the highest grid maximum within which maxima are refined.
 const NEAR: f64 = 0.1;
 
-/// Smallest and largest value.
+/// Pair of smallest and largest value.
 type Range = [f64; 2];
 
-/// A law with all that is scaled with it.
+/// A law with all quantities that scale with it.
 #[derive(Debug)]
 pub struct Shape {
-    /// The law; its mean is zero.
+    /// The law, with zero mean.
     pub law: Law,
-    /// s, v, a, j.
+    /// Ranges of s, v, a, j.
     pub svaj: [Range; 4],
-    /// Force without its mean.
+    /// Range of the force without its mean.
     pub force_range: Range,
-    /// Least s + a.
+    /// Minimum of s + a.
     pub least_bent: f64,
-    /// Torque F·v under the whole force.
+    /// Range of the torque F·v under the whole force.
     pub torque_range: Range,
     pub torque_mean_and_rms: [f64; 2],
     /// Harmonics of the force.
     force: Vec<(f64, f64)>,
-    /// Harmonics of s + a.
+    /// Harmonics of s + a of the law.
     bent: Vec<(f64, f64)>,
-    /// Both at even steps, 16 for the fastest wave or more.
+    /// Both at even steps, at least 16 per period of the fastest harmonic.
     grid: Vec<(f64, f64)>,
 }
 
 impl Shape {
-    /// The law of a drive whose force has these harmonics about a mean; `None` in resonance.
+    /// The law of a drive whose force has these harmonics about a mean; `None` at resonance.
     pub fn of(mean: f64, force: &[(f64, f64)], drive: &Drive) -> Option<Shape> {
         let lift = (1..).zip(force).map(|(n, wave)| drive.lift_of(n, *wave));
         let lift: Vec<(f64, f64)> = lift.collect::<Option<_>>()?;
@@ -71,7 +70,7 @@ impl Shape {
         })
     }
 
-    /// Highest quotient of `mean` + `scale` times the force and `radius` + `factor` times s + a.
+    /// Maximum quotient of `mean` + `scale` times the force and `radius` + `factor` times s + a.
     pub fn highest_quotient(&self, [mean, scale]: [f64; 2], [radius, factor]: [f64; 2]) -> f64 {
         let quotient =
             |(force, bent): &(f64, f64)| (mean + scale * force) / (radius + factor * bent);
@@ -100,7 +99,7 @@ impl Shape {
         most
     }
 
-    /// The quotient at the crest near a place, by Newton's method.
+    /// The quotient at the maximum near an angle, by Newton's method.
     fn crest(&self, near: f64, [mean, scale]: [f64; 2], [radius, factor]: [f64; 2]) -> f64 {
         let mut at = near;
         let mut most = f64::NEG_INFINITY;

@@ -1,4 +1,4 @@
-//! How a key reaches the field that it sets: one way for each type of field.
+//! Access of a key to its field: one way for each type of field.
 
 use super::value::Value;
 use crate::cam::{FollowerKind, Hardness};
@@ -11,15 +11,14 @@ use crate::scene::{
     ShaftSpeed,
 };
 
-/// Getter and setter of a key; the number counts entries of a list from 0.
+/// Getter and setter of a key; the number is the index of a list entry from 0.
 #[derive(Clone, Copy)]
 pub struct Access {
     pub get: fn(&Scene, usize) -> Option<Value>,
     pub set: fn(&mut Scene, usize, Value) -> Result<()>,
 }
 
-/// Access to a field of the scene. `part?` is a part that a scene may lack, `list[N]` an entry of a list; both are
-/// created when a value is set in them.
+/// Access to a field of the scene. `part?` is an optional part, `list[N]` an entry of a list; both are created when a value is set in them.
 macro_rules! field {
     ($($field:ident).+) => {
         Access {
@@ -54,7 +53,7 @@ macro_rules! field {
 }
 pub(super) use field;
 
-/// Entry number `index` of a list, created if missing.
+/// List entry with this index, created if missing.
 pub(super) fn entry<T: Default + Clone>(list: &mut Vec<T>, index: usize) -> &mut T {
     if list.len() <= index {
         list.resize(index + 1, T::default());
@@ -62,9 +61,9 @@ pub(super) fn entry<T: Default + Clone>(list: &mut Vec<T>, index: usize) -> &mut
     &mut list[index]
 }
 
-/// Type of a field that a key sets.
+/// Type of a field set by a key.
 pub(super) trait Field {
-    /// Value in a scene file; `None` if the key is left out.
+    /// Value in a scene file; `None` if the key is omitted.
     fn value(&self) -> Option<Value>;
 
     /// Sets the field to the value of a scene file.
@@ -135,7 +134,7 @@ fn hardness(typed: String) -> Result<Hardness> {
     Hardness::parse(&typed).ok_or_else(|| SceneError::NotHardness { typed }.into())
 }
 
-/// A closed set whose members users write as words.
+/// A closed set of values that users write as words.
 pub(super) trait Words: Copy + PartialEq + 'static {
     fn words() -> Vec<(&'static str, Self)>;
 }

@@ -1,11 +1,11 @@
-//! What a key takes: its kind of value, its range, what the number measures, and which way it relaxes.
+//! Type of a key: kind of value, range, dimension, and direction of relaxation.
 
 use serde::Serialize;
 
 use crate::cam::Measures;
 use crate::units::Dimension;
 
-/// Dimension of a number, by the kind of follower.
+/// Dimension of a number, depending on the kind of follower.
 ///
 /// ```
 /// use gaitcam::cam::Measures;
@@ -19,21 +19,21 @@ use crate::units::Dimension;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Measure {
-    /// Followers that translate.
+    /// Dimension for translating followers.
     pub translating: Dimension,
-    /// Followers that oscillate.
+    /// Dimension for oscillating followers.
     pub oscillating: Dimension,
-    /// Translating cams.
+    /// Dimension for translating cams.
     pub straight: Dimension,
 }
 
 impl Measure {
-    /// The same for every follower.
+    /// One dimension for every follower.
     pub const fn same(dimension: Dimension) -> Measure {
         Measure::by_arm(dimension, dimension)
     }
 
-    /// One for followers on an arm, another for all others.
+    /// One dimension for followers on an arm, another for all others.
     pub const fn by_arm(other: Dimension, arm: Dimension) -> Measure {
         Measure {
             translating: other,
@@ -51,7 +51,7 @@ impl Measure {
         }
     }
 
-    /// The distinct dimensions.
+    /// The distinct dimensions of all followers.
     pub fn each(self) -> Vec<Dimension> {
         let mut all = vec![self.translating];
         for next in [self.oscillating, self.straight] {
@@ -63,7 +63,7 @@ impl Measure {
     }
 }
 
-/// What kind of value a key takes.
+/// Kind of value of a key.
 ///
 /// ```
 /// use gaitcam::scene::keys::{self, Kind};
@@ -80,16 +80,16 @@ pub enum Kind {
     /// A number with its unit, or this word.
     #[strum(serialize = "number-or-word")]
     NumberOr(Measure, &'static str),
-    /// A number with its unit, or several: `1.4 Hz:2.4 Hz:11`, `normal 1.87 Hz 0.19 Hz`.
+    /// A number with its unit, or several numbers: `1.4 Hz:2.4 Hz:11`, `normal 1.87 Hz 0.19 Hz`.
     #[strum(serialize = "number")]
     NumberOrSeveral(Measure),
     /// A whole number from the first to the last.
     Count(usize, usize),
     /// One of several words.
     Choice(fn() -> Vec<&'static str>),
-    /// `true` or `false`.
+    /// A truth value, `true` or `false`.
     Flag,
-    /// A text.
+    /// A text of any content.
     Text,
     /// A text or a list of texts.
     Texts,
@@ -107,20 +107,20 @@ pub enum Kind {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Range {
-    /// Any.
+    /// Any number.
     Any,
-    /// Above zero.
+    /// Numbers above zero.
     Positive,
-    /// Zero or above.
+    /// Zero or positive numbers.
     NotNegative,
-    /// From the first to the last.
+    /// Numbers from the first to the last.
     Between(f64, f64),
-    /// An angle above 0 and below 90°.
+    /// Angles above 0 and below 90°.
     Acute,
 }
 
 impl Range {
-    /// Whether a number lies in it.
+    /// Whether a number is in the range.
     pub fn contains(self, x: f64) -> bool {
         x.is_finite()
             && match self {
@@ -151,23 +151,23 @@ pub enum Relax {
     Down,
 }
 
-/// Why a given key has no effect.
+/// Reason why a given key has no effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 #[strum(serialize_all = "kebab-case")]
 pub enum Idle {
-    /// The law's family does not use it.
+    /// The law's family does not use the key.
     Family,
-    /// The kind of follower does not use it.
+    /// The kind of follower does not use the key.
     Follower,
-    /// The drive does not use it.
+    /// The drive does not use the key.
     Drive,
     /// There is no target force.
     NoForce,
-    /// The force is a recording.
+    /// The force comes from a recording.
     Recording,
-    /// The force is a load model.
+    /// The force comes from a load model.
     Model,
     /// The follower is rigid: neither stiffness nor natural frequency is given.
     RigidFollower,
@@ -175,7 +175,7 @@ pub enum Idle {
     NoMotor,
     /// The law has no dwell.
     NoDwell,
-    /// The floor does not move.
+    /// The floor is rigid.
     StiffFloor,
 }
 

@@ -1,4 +1,4 @@
-//! The key table for programs and for people.
+//! The key table as data and as text.
 
 use serde_json::{Value, json};
 
@@ -40,7 +40,7 @@ fn row(key: &Key) -> Value {
     })
 }
 
-/// What a key takes, in short: `length > 0`, `3 … 9`, `true | false`.
+/// Type of a key in short: `length > 0`, `3 … 9`, `true | false`.
 pub fn takes(key: &Key, language: Language) -> String {
     let name = |typed: &str| catalogue(language).name(typed);
     let or = format!(" {} ", name("or"));

@@ -1,8 +1,7 @@
 //! The key table: one row for each key of a scene file.
 //!
-//! Reading and writing TOML, changing single values, sweeps, relaxations, the names that messages suggest, the
-//! JSON Schema and the reference page all come from the rows of [`KEYS`]. A new key is one row in `table.rs`, its
-//! field, and its two sentences in `wording/*/keys.ftl`.
+//! Reading and writing TOML, changing single values, sweeps, relaxations, suggestions in messages, the JSON Schema and the reference page use the
+//! rows of [`KEYS`]. A new key needs one row in `table.rs`, its field, and its two texts in `wording/*/keys.ftl`.
 
 mod field;
 mod kind;
@@ -25,12 +24,12 @@ pub use table::KEYS;
 pub use value::Value;
 pub(super) use value::short;
 
-/// The row of a key; entries of lists go by number or by the letter N: `law.segment.2.lift`, `law.segment.N.lift`.
+/// The row of a key; list entries have a number or the letter N: `law.segment.2.lift`, `law.segment.N.lift`.
 pub fn find(path: &str) -> Option<&'static Key> {
     KEYS.iter().find(|k| k.index_in(path).is_some())
 }
 
-/// The row that sets a limit.
+/// The row of a limit.
 pub fn of_limit(kind: LimitKind) -> Option<&'static Key> {
     KEYS.iter().find(|k| k.limit == Some(kind))
 }

@@ -11,7 +11,7 @@ use crate::scene::{Scene, StepFrequencies};
 use crate::units::{Dimension, Quantity, in_range, parse};
 use crate::wording::called_in_spanish;
 
-/// Reads what a scene file gives for a key; `None` for `"auto"`.
+/// Parses the value of a key in a scene file; `None` for `"auto"`.
 ///
 /// # Errors
 /// A value of another type or unit, or outside the range of the key.

@@ -23,17 +23,17 @@ use crate::units::Dimension;
 /// ```
 #[derive(Clone, Copy)]
 pub struct Key {
-    /// Dotted path, `N` for the number of an entry of a list: `law.segment.N.lift`.
+    /// Dotted path, with `N` for the number of a list entry: `law.segment.N.lift`.
     pub path: &'static str,
-    /// Kind of value.
+    /// Kind of the key's value.
     pub kind: Kind,
-    /// Range of its number.
+    /// Range of a numeric value.
     pub range: Range,
     /// Default, as written in a scene file; empty without a default.
     pub default: &'static str,
-    /// The limit that it sets.
+    /// The limit set by the key.
     pub limit: Option<LimitKind>,
-    /// Whether it may be relaxed, and which way.
+    /// Whether the key may be relaxed, and in which direction.
     pub relax: Option<Relax>,
     exists: fn(&Scene) -> bool,
     required: fn(&Scene) -> bool,
@@ -70,12 +70,12 @@ impl Key {
         self.path.split_once(".N.").map(|p| p.0)
     }
 
-    /// The path with the number of an entry, counted from 0, as users write it.
+    /// The path with the number of an entry, counted from 0, in the notation of users.
     pub fn path_at(&self, index: usize) -> String {
         self.path.replacen(".N.", &format!(".{}.", index + 1), 1)
     }
 
-    /// The number of the entry (0 outside lists) if `path` names this key.
+    /// The number of the entry (0 outside lists) if `path` refers to this key.
     pub fn index_in(&self, path: &str) -> Option<usize> {
         let Some((list, last)) = self.path.split_once(".N.") else {
             return (path == self.path).then_some(0);
@@ -89,22 +89,22 @@ impl Key {
         }
     }
 
-    /// Whether a scene may have the key; a follower on an arm has no offset.
+    /// Whether the key is allowed in a scene; a follower on an arm has no offset.
     pub fn exists(&self, scene: &Scene) -> bool {
         (self.exists)(scene)
     }
 
-    /// Whether a scene must have it.
+    /// Whether the key is required.
     pub fn is_required(&self, scene: &Scene) -> bool {
         self.exists(scene) && (self.required)(scene)
     }
 
-    /// Why the key has no effect in this scene; `None` if it has one.
+    /// Reason why the key has no effect in this scene; `None` if it has one.
     pub fn idle(&self, scene: &Scene) -> Option<Idle> {
         (self.idle)(scene)
     }
 
-    /// Its value; `None` where it is left out or `"auto"`.
+    /// Value of the key; `None` if it is omitted or `"auto"`.
     pub fn get(&self, scene: &Scene, index: usize) -> Option<Value> {
         (self.access.get)(scene, index)
     }
@@ -117,7 +117,7 @@ impl Key {
         (self.access.set)(scene, index, value)
     }
 
-    /// The number that it has in a scene.
+    /// The numeric value in a scene.
     pub fn number(&self, scene: &Scene) -> Option<f64> {
         self.get(scene, 0).and_then(Value::number)
     }
@@ -133,7 +133,7 @@ impl Key {
             && self.set(scene, index, Value::Number(value)).is_ok()
     }
 
-    /// What its number measures; `None` for words and counts.
+    /// Dimension of its number; `None` for words and counts.
     pub fn measure(&self) -> Option<Measure> {
         match self.kind {
             Kind::Number(measure) | Kind::NumberOrSeveral(measure) | Kind::NumberOr(measure, _) => {
@@ -143,12 +143,12 @@ impl Key {
         }
     }
 
-    /// What its number measures in a scene.
+    /// Dimension of its number in a scene.
     pub fn dimension(&self, scene: &Scene) -> Option<Dimension> {
         self.measure().map(|m| m.of(scene.cam.measures()))
     }
 
-    /// The accepted words.
+    /// The accepted words of the key.
     pub fn choices(&self) -> Vec<&'static str> {
         match self.kind {
             Kind::Choice(words) => words(),
@@ -208,7 +208,7 @@ impl Key {
         self
     }
 
-    /// Restricts the key to some scenes; others refuse it.
+    /// Restricts the key to some scenes; in others it is an error.
     pub(super) const fn only(mut self, exists: fn(&Scene) -> bool) -> Key {
         self.exists = exists;
         self
@@ -220,13 +220,13 @@ impl Key {
         self
     }
 
-    /// Scenes in which the key has no effect, and why.
+    /// Marks scenes in which the key has no effect, with the reason.
     pub(super) const fn idle_when(mut self, idle: fn(&Scene) -> Option<Idle>) -> Key {
         self.idle = idle;
         self
     }
 
-    /// Its meaning depends on which other keys are given, so a new number needs the scene to be read again.
+    /// Marks a key whose meaning depends on others, so that a new number requires reading the scene again.
     pub(super) const fn read_again(mut self) -> Key {
         self.direct = false;
         self

@@ -1,4 +1,4 @@
-//! A JSON Schema of the scene file, by which editors complete and check it.
+//! A JSON Schema of the scene file, for completion and checks in editors.
 
 use serde_json::{Map, Value, json};
 
@@ -26,7 +26,7 @@ fn object() -> Value {
     json!({"type": "object", "additionalProperties": false, "properties": {}})
 }
 
-/// Puts the schema of a key where its path leads.
+/// Inserts the schema of a key at its path.
 fn place(at: &mut Value, path: &str, value: Value) {
     let Some((part, rest)) = path.split_once('.') else {
         at["properties"][path] = value;

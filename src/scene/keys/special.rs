@@ -1,4 +1,4 @@
-//! Access of keys that do not set exactly one field.
+//! Access of keys that do not correspond to exactly one field.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ use crate::units::Dimension;
 /// The word that switches a default bound off.
 pub(super) const NONE: &str = "none";
 
-/// `gait.file`: a recording, in place of a model.
+/// `gait.file`: a recording, instead of a model.
 pub(super) const FILE: Access = Access {
     get: |s, _| {
         let gait = s.gait.as_ref()?;
@@ -35,7 +35,7 @@ pub(super) const FILE: Access = Access {
     },
 };
 
-/// `gait.step_frequency`: one, or those of several walkers.
+/// `gait.step_frequency`: one frequency, or those of several walkers.
 pub(super) const STEP_FREQUENCY: Access = Access {
     get: |s, _| {
         let gait = s.gait.as_ref()?;
@@ -54,7 +54,7 @@ pub(super) const STEP_FREQUENCY: Access = Access {
     },
 };
 
-/// `gait.model`: a model, in place of a recording.
+/// `gait.model`: a model, instead of a recording.
 pub(super) const MODEL: Access = Access {
     get: |s, _| match &s.gait.as_ref()?.source {
         Source::Model(name) => Some(Value::Text(name.clone())),
@@ -66,7 +66,7 @@ pub(super) const MODEL: Access = Access {
     },
 };
 
-/// `gait.harmonics`: own load factors, in place of a recording or a model.
+/// `gait.harmonics`: own load factors, instead of a recording or a model.
 pub(super) const HARMONICS: Access = Access {
     get: |s, _| match &s.gait.as_ref()?.source {
         Source::Harmonics(list) => Some(Value::Texts(list.iter().map(written_harmonic).collect())),
@@ -118,7 +118,7 @@ pub(super) const OFFSET: Access = Access {
     },
 };
 
-/// `cam.material`: an empty text names none.
+/// `cam.material`: an empty text is no material.
 pub(super) const MATERIAL: Access = Access {
     get: |s, _| s.cam.making.material.clone().map(Value::Text),
     set: |s, _, v| {
@@ -171,13 +171,13 @@ fn is_none(value: &Value) -> bool {
     matches!(value, Value::Text(word) if word == NONE)
 }
 
-/// The pressure angle of both sides, where it is one.
+/// The pressure angle of both sides, if they are equal.
 pub(super) fn both_sides(limits: &Limits) -> Option<f64> {
     let [rise, fall] = limits.pressure_angles();
     rise.filter(|_| rise == fall)
 }
 
-/// Access to the pressure angle of one side, where the other side has another.
+/// Access to the pressure angle of one side, if the sides differ.
 macro_rules! one_side {
     ($kind:ident) => {
         Access {
@@ -190,7 +190,7 @@ macro_rules! one_side {
     };
 }
 
-/// The row of a limit: path, limit, what it takes beside "none".
+/// The row of a limit: path, limit, alternative to "none".
 macro_rules! limit {
     ($path:literal, $kind:ident, $takes:expr) => {
         row(

@@ -20,20 +20,20 @@ use crate::scene::{
 };
 use crate::units::Dimension::{self, *};
 
-/// Most spans of a spline: beyond this a certified optimum is not assured in reasonable time.
+/// Maximum number of spans of a spline; above it a certified optimum in reasonable time is not assured.
 const MOST_SPANS: usize = 400;
-/// Highest degree of a polynomial.
+/// Maximum degree of a polynomial.
 const HIGHEST_DEGREE: usize = 30;
-/// Most harmonics.
+/// Maximum number of harmonics.
 const MOST_HARMONICS: usize = 400;
-/// Largest weight of a phase: beyond it the mean square loses the other phases' digits.
+/// Maximum weight of a phase; above it the mean square loses the digits of other phases.
 const LARGEST_WEIGHT: f64 = 1e6;
-/// Most walkers on a structure.
+/// Maximum number of walkers on a structure.
 const MOST_WALKERS: usize = 1000;
-/// Most turns of a barrel's groove.
+/// Maximum number of turns of a barrel's groove.
 const MOST_TURNS: usize = 100;
 
-/// Every key, in the order in which a scene is read and written: a row follows those that its conditions depend on.
+/// Every key, in the order of a scene file: a row follows those that its conditions depend on.
 ///
 /// Columns: path, kind and range of the value, default, field, conditions.
 #[rustfmt::skip]
@@ -178,11 +178,11 @@ pub static KEYS: &[Key] = &[
     row("accuracy.rms", number(Percent, Positive).or(NONE), "auto", ACCURACY).relax(Up).idle_when(no_force),
 ];
 
-/// What a row takes: kind of value and range.
+/// Type of a row: kind of value and range.
 struct Takes(Kind, Range);
 
 impl Takes {
-    /// Accepts a word in place of the number.
+    /// Accepts a word instead of the number.
     const fn or(self, word: &'static str) -> Takes {
         match self {
             Takes(Kind::Number(measure), range) => Takes(Kind::NumberOr(measure, word), range),
@@ -190,7 +190,7 @@ impl Takes {
         }
     }
 
-    /// Accepts a range or a distribution in place of the number.
+    /// Accepts a range or a distribution instead of the number.
     const fn or_several(self) -> Takes {
         match self {
             Takes(Kind::Number(measure), range) => Takes(Kind::NumberOrSeveral(measure), range),
@@ -207,7 +207,7 @@ const MODELS: Takes = Takes(
     Any,
 );
 const TEXTS: Takes = Takes(Kind::Texts, Any);
-/// Speed of a cam that turns or travels.
+/// Speed of a rotating or translating cam.
 const SPEED: Takes = Takes(
     Kind::Number(Measure {
         straight: Speed,
@@ -221,12 +221,12 @@ const fn number(dimension: Dimension, range: Range) -> Takes {
     by_arm(dimension, dimension, range)
 }
 
-/// A number with one unit for followers on an arm and another for all others.
+/// A number with one unit for followers on an arm and another for others.
 const fn by_arm(other: Dimension, arm: Dimension, range: Range) -> Takes {
     Takes(Kind::Number(Measure::by_arm(other, arm)), range)
 }
 
-/// The derivative of the lift of an order by the cam's angle.
+/// The derivative of the lift of an order with respect to the cam angle.
 const fn lift(order: u8) -> Takes {
     match order {
         0 => by_arm(Length, Angle, Any),
@@ -239,7 +239,7 @@ const fn count(most: usize) -> Takes {
     Takes(Kind::Count(1, most), Any)
 }
 
-/// One of the words of a closed set.
+/// A word of a closed set.
 const fn words<T: Words>() -> Takes {
     Takes(
         Kind::Choice(|| T::words().into_iter().map(|w| w.0).collect()),
@@ -309,19 +309,18 @@ fn no_force(scene: &Scene) -> Option<Idle> {
     scene.gait.is_none().then_some(Idle::NoForce)
 }
 
-/// The offset of a flat face changes neither cam nor law.
+/// Condition: the offset of a flat face has no effect.
 fn flat_translating(scene: &Scene) -> Option<Idle> {
     (is_flat(scene) && translates(scene)).then_some(Idle::Follower)
 }
 
-/// Only a flat face has a width and an end.
-/// A roller and a knife edge have no face on which the contact wanders.
+/// Condition: only a flat face has a width; a roller and a knife edge have none.
 fn no_face(scene: &Scene) -> Option<Idle> {
     let has_face = is_flat(scene) || scene.cam.follower.is_mushroom();
     (!has_face).then_some(Idle::Follower)
 }
 
-/// Without damping springs and masses give back what they take: the mean power is 0, but for a learned force.
+/// Condition: without damping the mean power is 0, except with a learned force.
 fn undamped(scene: &Scene) -> Option<Idle> {
     let gives_back = scene.drive.damping == 0.0 && scene.machine.learned_force.is_empty();
     gives_back.then_some(Idle::Drive)
@@ -335,29 +334,29 @@ fn hydraulic(scene: &Scene) -> Option<Idle> {
     is_hydraulic(scene).then_some(Idle::Drive)
 }
 
-/// A roller rolls: its contact has no sliding friction.
+/// Condition: a roller has no sliding friction.
 fn rolls(scene: &Scene) -> Option<Idle> {
     has_roller(scene).then_some(Idle::Follower)
 }
 
-/// A rigid follower does not vibrate.
+/// Condition: a rigid follower does not vibrate.
 fn rigid(scene: &Scene) -> Option<Idle> {
     let machine = &scene.machine;
     let is_flexible = machine.natural_frequency.is_some() || machine.stiffness.is_some();
     (!is_flexible).then_some(Idle::RigidFollower)
 }
 
-/// Without a motor the shaft turns at constant speed.
+/// Condition: without a motor the shaft speed is constant.
 fn no_motor(scene: &Scene) -> Option<Idle> {
     (!scene.machine.motor.is_given()).then_some(Idle::NoMotor)
 }
 
-/// A stiff floor does not move.
+/// Condition: a rigid floor does not move.
 fn no_floor(scene: &Scene) -> Option<Idle> {
     (!scene.machine.has_floor()).then_some(Idle::StiffFloor)
 }
 
-/// Vibration is limited in dwells.
+/// Condition: vibration is limited in dwells only.
 fn no_dwell(scene: &Scene) -> Option<Idle> {
     let law = &scene.law;
     let rests = law.segments.iter().any(|s| s.motion == Rise::Dwell);

@@ -1,10 +1,10 @@
-//! Values of keys, and how a scene file writes them.
+//! Values of keys, and their notation in a scene file.
 
 use toml::Value as Toml;
 
 use crate::units::{Dimension, parse};
 
-/// The value of a key, typed.
+/// A typed value of a key.
 ///
 /// ```
 /// use gaitcam::Scene;
@@ -16,11 +16,11 @@ use crate::units::{Dimension, parse};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
-    /// A number in SI.
+    /// A number in SI units.
     Number(f64),
-    /// A whole number.
+    /// A whole number (count).
     Count(usize),
-    /// A truth value.
+    /// A truth value (flag).
     Flag(bool),
     /// A word or a text.
     Text(String),
@@ -45,7 +45,7 @@ impl Value {
         }
     }
 
-    /// The text; empty if it is none.
+    /// The text; empty for other values.
     pub fn text(self) -> String {
         match self {
             Value::Text(text) => text,
@@ -53,7 +53,7 @@ impl Value {
         }
     }
 
-    /// The texts; empty if it is none.
+    /// The texts; empty for other values.
     pub fn texts(self) -> Vec<String> {
         match self {
             Value::Texts(list) => list,
@@ -61,7 +61,7 @@ impl Value {
         }
     }
 
-    /// As a scene file has it; numbers in `dimension` with a unit, so that they read back exactly.
+    /// Notation in a scene file; numbers in `dimension` with a unit, so that they read back exactly.
     pub fn to_toml(&self, dimension: Option<Dimension>) -> Toml {
         match (self, dimension) {
             (Value::Number(x), None | Some(Dimension::Ratio)) => Toml::Float(*x),
@@ -77,8 +77,7 @@ impl Value {
     }
 }
 
-/// A number as a scene file has it: a text that reads back as exactly this number, in a common unit where that
-/// is exact.
+/// Notation of a number in a scene file: it reads back exactly, in a common unit if that is exact.
 pub(super) fn written(value: f64, dimension: Dimension) -> String {
     let si = format!("{value} {}", dimension.si());
     let common: &[(&str, f64)] = match dimension {
@@ -96,7 +95,7 @@ pub(super) fn written(value: f64, dimension: Dimension) -> String {
         .unwrap_or(si)
 }
 
-/// A number to twelve digits, which hide the rounding of a quotient.
+/// A number to twelve digits, without the rounding of a quotient.
 pub fn short(x: f64) -> f64 {
     format!("{x:.11e}").parse().unwrap_or(x)
 }

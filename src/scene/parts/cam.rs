@@ -17,7 +17,7 @@ const THICKNESS: f64 = 0.01;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct CamSpec {
-    /// Kind of follower.
+    /// Kind of the follower.
     pub follower: FollowerKind,
     /// Base radius; `None` = smallest that meets the limits.
     pub base_radius: Option<f64>,
@@ -31,7 +31,7 @@ pub struct CamSpec {
     pub pivot_distance: Option<f64>,
     /// Oscillating: length of the arm.
     pub arm: Option<f64>,
-    /// Oscillating: the arm runs in another plane, so that its pivot may lie within the cam's outline.
+    /// Oscillating: whether the arm runs in another plane, so that its pivot may lie within the cam's outline.
     pub pivot_beside: bool,
     /// Oscillating flat face: distance of the face from the pivot.
     pub face_offset: f64,
@@ -43,12 +43,11 @@ pub struct CamSpec {
     pub mark: bool,
     /// Thickness of the plate, for solids.
     pub thickness: f64,
-    /// Material, hardness, tolerances.
+    /// Material, hardness and tolerances.
     pub making: Making,
-    /// Constant breadth: distance of both faces, or of both roller centres. The law then needs its first
-    /// half turn only.
+    /// Constant breadth: distance of both faces, or of both roller centres. The law then needs only its first half turn.
     pub breadth: Option<f64>,
-    /// Translating cam: length of the travel; `None` = what the segments cover.
+    /// Translating cam: length of the travel; `None` = the length of the segments.
     pub travel: Option<f64>,
     /// Barrel: turns until the law repeats.
     pub turns: usize,
@@ -87,7 +86,7 @@ impl Default for CamSpec {
     }
 }
 
-/// Width of the keyway.
+/// Width of the keyway of the bore.
 ///
 /// ```
 /// use gaitcam::scene::{CamSpec, KeywaySpec};
@@ -114,7 +113,7 @@ impl CamSpec {
         }
     }
 
-    /// Radii of base and prime circle, m, where the scene fixes the size.
+    /// Radii of base and prime circle, m, if the scene fixes the size.
     pub fn given_radii(&self) -> Option<[f64; 2]> {
         let roller = self.roller_radius;
         match (self.base_radius, self.prime_radius) {
@@ -123,8 +122,8 @@ impl CamSpec {
         }
     }
 
-    /// Distance from an arm's pivot at which forces act where the drive does not say, m: its length, under a flat face
-    /// the distance of the pivot. `None` under a follower that translates.
+    /// Default distance from an arm's pivot at which forces act, m: the arm's length or, under a flat face, the distance of the pivot. `None` for a
+    /// translating follower.
     pub fn lever(&self) -> Option<f64> {
         let arm = if self.follower.is_flat() {
             self.pivot_distance.map(f64::abs)
@@ -134,7 +133,7 @@ impl CamSpec {
         arm.filter(|_| self.is_oscillating())
     }
 
-    /// The hole for the shaft; without a keyway where the standard has none for it.
+    /// The hole for the shaft; without a keyway if the standard has none.
     pub fn hole(&self) -> Option<Bore> {
         let diameter = self.bore?;
         let keyway = self.keyway.and_then(|spec| match spec {
@@ -145,7 +144,7 @@ impl CamSpec {
     }
 }
 
-/// The second cam of a conjugate pair: one of the first three lengths closes it.
+/// The second cam of a conjugate pair; one of the first three dimensions closes it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ConjugateSpec {
     /// Translating followers: distance of both faces or roller centres, m.
@@ -159,7 +158,7 @@ pub struct ConjugateSpec {
 }
 
 impl ConjugateSpec {
-    /// What closes the pair; `None` where nothing or more than one length does.
+    /// Dimension that closes the pair; `None` without exactly one.
     pub fn closure(&self) -> Option<Closure> {
         match (self.distance, self.angle, self.base_radius) {
             (Some(distance), None, None) => Some(Closure::Distance(distance)),
@@ -171,17 +170,17 @@ impl ConjugateSpec {
 }
 
 impl CamSpec {
-    /// Whether the follower swings about a pivot, so that the law is in rad.
+    /// Whether the follower oscillates, so that the law is in rad.
     pub fn is_oscillating(&self) -> bool {
         self.follower.is_oscillating()
     }
 
-    /// What the law is measured in.
+    /// Units of the law.
     pub fn measures(&self) -> Measures {
         self.follower.measures()
     }
 
-    /// Whether the cam slides instead of turning, so that the law runs over metres of travel.
+    /// Whether the cam translates, so that the law runs over metres of travel.
     pub fn is_straight(&self) -> bool {
         self.follower == FollowerKind::TranslatingCam
     }

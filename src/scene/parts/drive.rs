@@ -1,10 +1,10 @@
-//! `[drive]`: how lift becomes force.
+//! `[drive]`: relation of lift and force.
 
 use super::CamSpec;
 use crate::drive::DriveKind;
 use crate::units::G;
 
-/// How lift becomes force.
+/// Relation of lift and force.
 ///
 /// ```
 /// use gaitcam::drive::DriveKind;
@@ -15,23 +15,23 @@ use crate::units::G;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct DriveSpec {
-    /// The machine.
+    /// Kind of the machine.
     pub kind: DriveKind,
     /// Moved mass, kg (an arm's moment of inertia, kg·m²); `None` = mean force / g.
     pub mass: Option<f64>,
     /// Cam speed, rad/s; `None` = one turn per cycle.
     pub speed: Option<f64>,
-    /// Gravity, m/s².
+    /// Gravitational acceleration, m/s².
     pub gravity: f64,
     /// Hydraulic: pressure per displaced volume, Pa/m³.
     pub pressure_per_volume: f64,
     /// Hydraulic: radius of the piston, m.
     pub piston_radius: f64,
-    /// Fixed axis: N/m (an arm: N·m/rad).
+    /// Fixed axis: spring rate, N/m (an arm: N·m/rad).
     pub spring_rate: f64,
-    /// Fixed axis: N on the base circle (an arm: N·m).
+    /// Fixed axis: preload on the base circle, N (an arm: N·m).
     pub preload: f64,
-    /// Fixed axis: N·s/m.
+    /// Fixed axis: damping, N·s/m.
     pub damping: f64,
     /// Oscillating: distance from the pivot at which the target force and the piston act, m; `None` = the arm's length,
     /// under a flat face the distance of the pivot.
@@ -56,7 +56,7 @@ impl Default for DriveSpec {
 }
 
 impl DriveSpec {
-    /// A shaft block that rides on the cam with a mass, kg.
+    /// A shaft block with a mass, kg, that follows the cam.
     #[must_use]
     pub fn moving_axis(mass: f64) -> DriveSpec {
         DriveSpec {
@@ -87,7 +87,7 @@ impl DriveSpec {
         }
     }
 
-    /// Default drive: only a disc that turns under a translating follower can carry its own shaft.
+    /// Default drive: only a disc cam with a translating follower can carry its own shaft.
     pub fn usual_kind(cam: &CamSpec) -> DriveKind {
         if cam.follower.is_translating() {
             DriveKind::MovingAxis

@@ -1,4 +1,4 @@
-//! `[machine.floor]` and `[machine.walkers]`: the structure under the feet and who walks on it.
+//! `[machine.floor]` and `[machine.walkers]`: the structure under the feet and its walkers.
 
 use std::f64::consts::TAU;
 
@@ -17,11 +17,11 @@ use crate::units::{Dimension, parse};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloorSpec {
-    /// Modal mass, kg.
+    /// Modal mass of the mode, kg.
     pub mass: Option<f64>,
-    /// Natural frequency, Hz.
+    /// Natural frequency of the mode, Hz.
     pub frequency: Option<f64>,
-    /// Damping ratio.
+    /// Damping ratio of the mode.
     pub damping: Option<f64>,
     /// Ordinate of the mode at the feet.
     pub ordinate: f64,
@@ -54,7 +54,7 @@ impl FloorSpec {
     }
 }
 
-/// Walkers on the structure.
+/// Walkers on the structure and their phases.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -65,11 +65,11 @@ impl FloorSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct WalkersSpec {
-    /// How many, with the shaker.
+    /// Number of walkers, including the shaker.
     pub count: usize,
-    /// Phase of each, the shaker first; drawn where none is given.
+    /// Phase of each, the shaker first; random if not given.
     pub phases: Vec<String>,
-    /// Weight of each, the shaker first; only their ratios count. All the same where none is given.
+    /// Weight of each, the shaker first; only ratios count. Equal if not given.
     pub weights: Vec<String>,
 }
 
@@ -84,7 +84,7 @@ impl Default for WalkersSpec {
 }
 
 impl WalkersSpec {
-    /// The phases, rad; drawn ones are the same in every run.
+    /// The phases, rad; random ones are the same in every run.
     pub(super) fn angles(&self) -> Option<Vec<f64>> {
         if self.phases.is_empty() {
             let mut state = 0_u64;
@@ -101,7 +101,7 @@ impl WalkersSpec {
         self.listed(&self.phases, Dimension::Angle)
     }
 
-    /// Weight of each as a part of the shaker's.
+    /// Weight of each relative to the shaker's.
     pub(super) fn parts(&self) -> Option<Vec<f64>> {
         if self.weights.is_empty() {
             return Some(vec![1.0; self.count]);

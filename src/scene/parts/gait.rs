@@ -7,7 +7,7 @@ use super::{Adjust, StepFrequencies};
 use crate::error::{Error, Placed, Result};
 use crate::force::{self, Feet, ForceCurve, FourierForce, Kind, OpenQuestion, ReadOptions, Walker};
 
-/// Weight of the walker that the load models were published for, N.
+/// Body weight for which the load models were published, N.
 const MODEL_WEIGHT: f64 = 700.0;
 
 /// Source of the target force.
@@ -29,13 +29,13 @@ pub enum Source {
 }
 
 impl Default for Source {
-    /// A recording without a name: the force that the caller hands over with the scene.
+    /// A recording without a name: the force given by the caller with the scene.
     fn default() -> Source {
         Source::File(PathBuf::new())
     }
 }
 
-/// The target force.
+/// The target force of a scene.
 ///
 /// ```
 /// use gaitcam::scene::Gait;
@@ -48,17 +48,17 @@ impl Default for Source {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Gait {
-    /// Source.
+    /// Source of the force.
     pub source: Source,
     /// Models: steps per second; `None` = the model's own.
     pub step_frequency: Option<f64>,
-    /// Models: step frequencies of several walkers, in place of one.
+    /// Models: step frequencies of several walkers, instead of one.
     pub step_frequencies: Option<StepFrequencies>,
     /// Files or folders of further walkers.
     pub more_files: Vec<PathBuf>,
-    /// Walkers, by file or name, who are left out.
+    /// Excluded walkers, by file or name.
     pub leave_out: Vec<String>,
-    /// What the machine is set to for each of several walkers; `None` = mass and speed, where the scene gives none.
+    /// Adjustment of the machine for each of several walkers; `None` = mass and speed, if the scene does not fix them.
     pub adjust: Option<Adjust>,
     /// Models: weight of the walker, N; `None` = 700 N.
     pub body_weight: Option<f64>,
@@ -76,15 +76,15 @@ pub struct Gait {
     pub kind: Option<Kind>,
     /// Recordings: open questions that the user has answered.
     pub accept: Vec<OpenQuestion>,
-    /// Whose feet count.
+    /// Feet whose force counts.
     pub feet: Feet,
-    /// The file is exactly one cycle of this duration, s; no stances are detected.
+    /// Duration of the cycle, s, if the file is exactly one cycle; no stances are detected.
     pub period: Option<f64>,
-    /// The file covers this part of the turn, rad; the force is zero in the rest.
+    /// Fraction of the turn covered by the file, rad; the force is zero in the rest.
     pub span: Option<f64>,
     /// Scaling of the target force to the moved mass of a moving axis.
     pub scale: ForceScale,
-    /// Keep the force inside a band about the target instead of minimising the error.
+    /// Whether to keep the force inside a band about the target instead of minimising the error.
     pub band: Option<Band>,
     /// Weights of the force error over ranges of the cycle.
     pub weights: Vec<PhaseWeight>,
@@ -103,7 +103,7 @@ impl Gait {
         Gait::of(Source::Model(name.to_string()))
     }
 
-    /// The force that the caller hands over with the scene.
+    /// The force given by the caller with the scene.
     #[must_use]
     pub fn given() -> Gait {
         Gait::default()
@@ -149,7 +149,7 @@ impl Gait {
         self.force_of_weight(self.model_weight())
     }
 
-    /// The same for a walker of another weight, N; with several step frequencies one walker for each.
+    /// The force for a walker of another weight, N; with several step frequencies one walker for each.
     pub(crate) fn force_of_weight(&self, weight: f64) -> Result<Option<ForceCurve>> {
         let Some(several) = self.step_frequencies else {
             return self.of_step(self.step_frequency, weight);
@@ -179,7 +179,7 @@ impl Gait {
         force.map(Some).map_err(|e| e.at_key("gait.model"))
     }
 
-    /// The Fourier series of the force of one walker at a step frequency, Hz; `None` where the force has samples alone.
+    /// The Fourier series of the force of one walker at a step frequency, Hz; `None` if the force has only samples.
     ///
     /// # Errors
     /// Those of [`Gait::model_force`].
@@ -201,7 +201,7 @@ impl Gait {
         }
     }
 
-    /// Whether it is a recording.
+    /// Whether the source is a recording.
     pub fn is_recording(&self) -> bool {
         matches!(self.source, Source::File(_))
     }
@@ -216,17 +216,17 @@ fn pairs(list: &[Harmonic]) -> Vec<(f64, f64)> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ForceScale {
-    /// None.
+    /// No scaling.
     #[default]
     None,
-    /// Multiplied, so that its mean is M·g.
+    /// Multiplication to the mean M·g.
     ToMass,
-    /// Shifted, so that its mean is M·g: only the alternating part is compared.
+    /// Shift to the mean M·g, so that only the alternating part is compared.
     Alternating,
 }
 
 impl ForceScale {
-    /// Every choice.
+    /// Every choice of scaling.
     pub const ALL: &'static [ForceScale] = <ForceScale as strum::VariantArray>::VARIANTS;
 
     /// The name used in scenes.
@@ -240,12 +240,12 @@ impl ForceScale {
 pub enum Band {
     /// One standard deviation from step to step.
     Spread,
-    /// Constant, N.
+    /// Constant half width, N.
     Width(f64),
 }
 
 impl Band {
-    /// The band of the moment that the force makes at a lever, m.
+    /// The band of the corresponding moment at a lever, m.
     pub(crate) fn at_lever(self, lever: f64) -> Band {
         match self {
             Band::Spread => Band::Spread,
@@ -259,18 +259,18 @@ impl Band {
 pub struct PhaseWeight {
     /// First phase of the cycle, rad.
     pub from: f64,
-    /// Last phase, rad; below `from` the range runs over the cycle's end.
+    /// Last phase, rad; below `from` the range wraps around.
     pub to: f64,
-    /// Weight; 1 elsewhere.
+    /// Weight of the range; elsewhere it is 1.
     pub weight: f64,
 }
 
 /// Phase of the force cycle at cam angle 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Phase {
-    /// rad.
+    /// Given phase, rad.
     At(f64),
-    /// The phase with the least force error.
+    /// The phase with the minimum force error.
     Free,
 }
 

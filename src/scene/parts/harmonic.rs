@@ -3,7 +3,7 @@
 use crate::error::SceneError;
 use crate::units::{Dimension, parse};
 
-/// One harmonic of a force: a sin(2π i f t + p), in parts of the weight.
+/// One harmonic of a force: a sin(2π i f t + p), as a fraction of the weight.
 ///
 /// ```
 /// use gaitcam::scene::Harmonic;
@@ -15,20 +15,19 @@ use crate::units::{Dimension, parse};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Harmonic {
-    /// Dynamic load factor, part of the weight; of `machine.learned_force` a force, N.
+    /// Dynamic load factor, as a fraction of the weight; for `machine.learned_force` a force, N.
     pub factor: f64,
     /// Phase added to the sine, rad.
     pub phase: f64,
 }
 
 impl Harmonic {
-    /// Most harmonics: a cycle is sampled far more finely than the highest of them.
+    /// Maximum number of harmonics; a cycle is sampled far more finely.
     pub const MOST: usize = 50;
 
     /// The harmonics 1, 2, … from texts such as "0.1 at -90 deg"; one text may hold several, separated by commas.
     ///
-    /// # Errors
-    /// A text that is no factor with its phase, too many of them, and factors that are all zero.
+    /// # Errors A text that is not a factor with its phase, too many factors, and factors that are all zero.
     pub fn list(texts: &[String]) -> Result<Vec<Harmonic>, SceneError> {
         let mut list = Vec::new();
         for text in texts.iter().flat_map(|text| text.split(',')) {
@@ -42,10 +41,9 @@ impl Harmonic {
         Ok(list)
     }
 
-    /// The mean and the harmonics 1, 2, … of a force by the cam angle from texts such as "3.2 N at -90 deg": factors are in N.
+    /// The mean and the harmonics 1, 2, … of a force over the cam angle from texts such as "3.2 N at -90 deg": factors are in N.
     ///
-    /// # Errors
-    /// A text that is no force with its phase, and too many of them.
+    /// # Errors A text that is not a force with its phase, and too many forces.
     pub fn forces(texts: &[String]) -> Result<Vec<Harmonic>, SceneError> {
         let (given, most) = (texts.len(), Harmonic::MOST);
         if given > most {

@@ -3,7 +3,7 @@
 use super::{ErrorMeasure, Gait, Robust};
 use crate::law::Rise;
 
-/// Family of laws.
+/// Families of laws.
 ///
 /// ```
 /// use gaitcam::scene::Family;
@@ -30,10 +30,9 @@ use crate::law::Rise;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Family {
-    /// Harmonics in closed form if they meet accuracy and limits, a spline otherwise: the default of scenes
-    /// without keys that only one family has.
+    /// Harmonics in closed form if they meet accuracy and limits, a spline otherwise; the default for scenes without keys of a single family.
     Auto,
-    /// Splines.
+    /// Spline laws.
     #[default]
     Spline,
     /// One polynomial through given points, dwell elsewhere.
@@ -47,7 +46,7 @@ pub enum Family {
 }
 
 impl Family {
-    /// Every family.
+    /// Every family of laws.
     pub const ALL: &'static [Family] = <Family as strum::VariantArray>::VARIANTS;
 
     /// The name in a scene file.
@@ -56,7 +55,7 @@ impl Family {
     }
 }
 
-/// Speed of the shaft that a law is designed for.
+/// Shaft speed for which a law is designed.
 ///
 /// ```
 /// use gaitcam::scene::{LawSpec, ShaftSpeed};
@@ -67,15 +66,15 @@ impl Family {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShaftSpeed {
-    /// The one that the motor gives, where there is a motor.
+    /// The varying speed under the motor, if there is one.
     #[default]
     Motor,
-    /// Constant.
+    /// Constant speed.
     Constant,
 }
 
 impl ShaftSpeed {
-    /// Both.
+    /// Both choices.
     pub const ALL: &'static [ShaftSpeed] = <ShaftSpeed as strum::VariantArray>::VARIANTS;
 
     /// The name in a scene file.
@@ -84,7 +83,7 @@ impl ShaftSpeed {
     }
 }
 
-/// Objective.
+/// Objectives of the law.
 ///
 /// ```
 /// use gaitcam::scene::{DriveSpec, LawPoint, LawSpec, Minimise};
@@ -104,13 +103,13 @@ impl ShaftSpeed {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Minimise {
-    /// Mean square distance of the force to the target.
+    /// Mean square error of the force.
     ForceError,
     /// Mean square of the derivative of this order (2 acceleration, 3 jerk, 4 snap).
     Energy(usize),
-    /// Largest absolute value of the derivative of this order.
+    /// Maximum absolute value of the derivative of this order.
     Peak(usize),
-    /// Largest absolute distance of the force to the target.
+    /// Maximum absolute error of the force.
     PeakForceError,
     /// The base circle of a flat-faced cam, the prime circle of a roller cam: law and size as one program.
     Size,
@@ -142,17 +141,17 @@ impl Minimise {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LawPoint {
-    /// Cam angle, rad.
+    /// Cam angle of the condition, rad.
     pub angle: f64,
     /// Lift, m (or rad).
     pub lift: Option<f64>,
-    /// Force, N, in place of a lift, where the drive turns one into the other.
+    /// Force, N, instead of a lift, if the drive relates both.
     pub force: Option<f64>,
-    /// Velocity, m/rad.
+    /// Prescribed velocity, m/rad.
     pub velocity: Option<f64>,
-    /// Acceleration, m/rad².
+    /// Prescribed acceleration, m/rad².
     pub acceleration: Option<f64>,
-    /// Jerk, m/rad³.
+    /// Prescribed jerk, m/rad³.
     pub jerk: Option<f64>,
 }
 
@@ -190,11 +189,11 @@ impl LawPoint {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Dwell {
-    /// First angle, rad.
+    /// First angle of the dwell, rad.
     pub from: f64,
-    /// Last angle, rad.
+    /// Last angle of the dwell, rad.
     pub to: f64,
-    /// Lift, m; `None` = free.
+    /// Lift of the dwell, m; `None` = free.
     pub lift: Option<f64>,
 }
 
@@ -214,7 +213,7 @@ pub struct SegmentSpec {
     pub motion: Rise,
     /// Change of lift, m (or rad), negative for a fall.
     pub lift: f64,
-    /// Angle, rad.
+    /// Angle of the segment, rad.
     pub angle: f64,
 }
 
@@ -251,31 +250,31 @@ impl SegmentSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LawSpec {
-    /// Family.
+    /// Family of the law.
     pub family: Family,
-    /// Degree of spline pieces (`None` = 5) or of the polynomial (`None` = as many as the points fix).
+    /// Degree of spline pieces (`None` = 5) or of the polynomial (`None` = given by the points).
     pub degree: Option<usize>,
-    /// Number of spline spans; `None` = the fewest that reach the accuracy.
+    /// Number of spline spans; `None` = the minimum that reaches the accuracy.
     pub spans: Option<usize>,
-    /// Number of harmonics; `None` = the fewest that reach the accuracy.
+    /// Number of harmonics; `None` = the minimum that reaches the accuracy.
     pub harmonics: Option<usize>,
     /// Objective; `None` = force error if there is a target force, jerk otherwise.
     pub minimise: Option<Minimise>,
-    /// What is minimised over the force errors of several walkers.
+    /// Objective over the force errors of several walkers.
     pub robust: Robust,
-    /// In what these errors are compared.
+    /// Measure of these errors.
     pub error: ErrorMeasure,
     /// Whether the law is monotone between neighbouring points.
     pub monotone: bool,
-    /// Whether the law is that of the output of a compliant follower (polydyne cam).
+    /// Whether the law describes the output of a compliant follower (polydyne cam).
     pub polydyne: bool,
-    /// Speed of the shaft that it is designed for.
+    /// Shaft speed for which the law is designed.
     pub shaft: ShaftSpeed,
-    /// Exact conditions.
+    /// Exact conditions on the law.
     pub points: Vec<LawPoint>,
-    /// Dwells.
+    /// Dwells of the law.
     pub dwells: Vec<Dwell>,
-    /// Programme.
+    /// Segments of a programme.
     pub segments: Vec<SegmentSpec>,
 }
 
@@ -298,7 +297,7 @@ impl LawSpec {
         }
     }
 
-    /// The default family: automatic, unless a key needs a spline.
+    /// The default family: automatic, or a spline if a key requires one.
     pub fn usual_family(&self, gait: Option<&Gait>) -> Family {
         let follows_a_plain_force = gait.is_some_and(|g| g.band.is_none() && g.weights.is_empty());
         let of_splines = self.degree.is_some()

@@ -20,14 +20,14 @@ use crate::cam::LimitKind;
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Limits {
     bounds: [Option<f64>; LimitKind::ALL.len()],
-    /// Default bounds that the scene switches off.
+    /// Default bounds that are switched off.
     pub unjudged: Unjudged,
 }
 
 impl Index<LimitKind> for Limits {
     type Output = Option<f64>;
 
-    /// The bound of a limit; of [`LimitKind::PressureAngle`] that of the rise.
+    /// The bound of a limit; for [`LimitKind::PressureAngle`] that of the rise.
     fn index(&self, kind: LimitKind) -> &Option<f64> {
         &self.bounds[place(kind)]
     }
@@ -47,7 +47,7 @@ fn place(kind: LimitKind) -> usize {
 }
 
 impl Limits {
-    /// Sets a limit, SI, or removes it.
+    /// Sets or removes a limit, SI.
     pub fn set(&mut self, kind: LimitKind, bound: Option<f64>) {
         self[kind] = bound;
         if kind == LimitKind::PressureAngle {
@@ -55,32 +55,32 @@ impl Limits {
         }
     }
 
-    /// With one limit set, SI.
+    /// The limits with one of them set, SI.
     #[must_use]
     pub fn with(mut self, kind: LimitKind, bound: f64) -> Limits {
         self.set(kind, Some(bound));
         self
     }
 
-    /// Largest |pressure angle| on the rise and on the fall, rad.
+    /// Maximum |pressure angle| on the rise and on the fall, rad.
     pub fn pressure_angles(&self) -> [Option<f64>; 2] {
         [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall].map(|side| self[side])
     }
 }
 
-/// Bounds of the verdict that a scene switches off with `"none"`.
+/// Default bounds of the verdict that are switched off with `"none"`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Unjudged {
-    /// `limits.pressure_angle = "none"`.
+    /// Whether `limits.pressure_angle = "none"`.
     pub pressure_angle: bool,
-    /// `limits.force_min = "none"`.
+    /// Whether `limits.force_min = "none"`.
     pub contact_force: bool,
-    /// `accuracy.rms = "none"`.
+    /// Whether `accuracy.rms = "none"`.
     pub accuracy: bool,
 }
 
 impl Unjudged {
-    /// The keys that say `"none"`.
+    /// The keys with the value `"none"`.
     pub fn keys(self) -> Vec<&'static str> {
         let all = [
             ("limits.pressure_angle", self.pressure_angle),

@@ -1,4 +1,4 @@
-//! `[machine]`: what is known of the machine beyond its drive.
+//! `[machine]`: properties of the machine besides its drive.
 
 use super::floor::{FloorSpec, WalkersSpec};
 use super::harmonic::Harmonic;
@@ -6,10 +6,10 @@ use crate::drive::{Drive, Motor, TorqueLine};
 use crate::dynamics::Train;
 use crate::error::{Placed, SceneError};
 
-/// Default damping ratio of a follower train: steel parts with oiled joints.
+/// Default damping ratio of a follower train, for lubricated steel parts.
 const DAMPING_RATIO: f64 = 0.05;
 
-/// What is known of the machine beyond its drive: `gaitcam simulate` runs with it.
+/// Properties of the machine besides its drive, for `gaitcam simulate`.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -26,7 +26,7 @@ const DAMPING_RATIO: f64 = 0.05;
 pub struct MachineSpec {
     /// First natural frequency of the follower train, Hz.
     pub natural_frequency: Option<f64>,
-    /// Stiffness of the follower train, N/m (an arm: N·m/rad), in place of the frequency.
+    /// Stiffness of the follower train, N/m (an arm: N·m/rad), instead of the frequency.
     pub stiffness: Option<f64>,
     /// Damping ratio of the follower train.
     pub damping_ratio: f64,
@@ -34,25 +34,25 @@ pub struct MachineSpec {
     pub friction: f64,
     /// Coefficient of restitution of a landing, 0 … 1.
     pub restitution: f64,
-    /// Angle by which a second, equal cam follows on the same shaft, rad.
+    /// Phase of a second, equal cam on the same shaft, rad.
     pub second_cam: Option<f64>,
-    /// The motor; without a torque line the shaft turns at constant speed.
+    /// The motor; without torque data the shaft speed is constant.
     pub motor: MotorSpec,
-    /// Moment of inertia of all that turns with the shaft, at the camshaft, kg·m².
+    /// Moment of inertia of all rotating parts, referred to the camshaft, kg·m².
     pub inertia: Option<f64>,
-    /// Torque of friction in the bearings of the shaft, N·m.
+    /// Friction torque in the bearings of the shaft, N·m.
     pub friction_torque: f64,
-    /// Force of the machine beyond its drive, learned from a log: mean and harmonics 1, 2, … by the cam angle, N.
+    /// Force of the machine in addition to its drive, learned from a log: mean and harmonics 1, 2, … over the cam angle, N.
     pub learned_force: Vec<Harmonic>,
-    /// The one mode of the structure under the feet.
+    /// The single mode of the structure under the feet.
     pub floor: FloorSpec,
     /// Modes of the floor, where there are several.
     pub modes: Vec<FloorSpec>,
-    /// Who walks on it.
+    /// Walkers on the structure.
     pub walkers: WalkersSpec,
 }
 
-/// `[machine.motor]`: how its torque falls with the speed.
+/// `[machine.motor]`: torque as a function of speed.
 ///
 /// ```
 /// use gaitcam::scene::{MachineSpec, MotorSpec};
@@ -66,17 +66,17 @@ pub struct MachineSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotorSpec {
-    /// Torque lost per speed, at the camshaft, N·m·s/rad.
+    /// Decrease of torque with speed, at the camshaft, N·m·s/rad.
     pub slope: Option<f64>,
     /// Torque of the motor at standstill, N·m.
     pub stall_torque: Option<f64>,
-    /// Speed of the motor without load, rad/s; `None`: the one that gives the mean speed.
+    /// No-load speed of the motor, rad/s; `None`: the one that gives the mean speed.
     pub no_load_speed: Option<f64>,
-    /// Speed, rad/s, and torque, N·m, of the motor in turn, from a file.
+    /// Speeds, rad/s, and torques, N·m, of the motor, alternating, from a file.
     pub curve: Option<String>,
     /// Turns of the motor per turn of the cam.
     pub gear: f64,
-    /// Part of the torque that the gear passes on.
+    /// Efficiency of the gear.
     pub efficiency: f64,
 }
 
@@ -94,12 +94,12 @@ impl Default for MotorSpec {
 }
 
 impl MotorSpec {
-    /// Whether it has a torque line.
+    /// Whether torque data are given.
     pub fn is_given(&self) -> bool {
         self.slope.is_some() || self.stall_torque.is_some() || self.curve.is_some()
     }
 
-    /// Speeds and torques of the curve; `None` where they are no falling curve of at least two rows that reaches zero.
+    /// Speeds and torques of the curve; `None` unless they form a decreasing curve of at least two rows that reaches zero.
     pub fn rows(&self) -> Option<Vec<[f64; 2]>> {
         let numbers = self.curve.as_ref()?.split_whitespace().map(str::parse);
         let numbers: Vec<f64> = numbers.collect::<Result<_, _>>().ok()?;
@@ -109,7 +109,7 @@ impl MotorSpec {
         sound.then_some(rows)
     }
 
-    /// Torque against speed at the camshaft, and the highest no-load speed there.
+    /// Torque against speed at the camshaft, and the maximum no-load speed.
     fn line(&self) -> Option<(TorqueLine, Option<f64>)> {
         let (n, factor) = (self.gear, self.gear * self.efficiency);
         if let Some(slope) = self.slope {
@@ -130,7 +130,7 @@ impl MotorSpec {
 }
 
 impl MachineSpec {
-    /// A motor has one torque line, falling, and the inertia of its shaft; otherwise the key at fault.
+    /// Checks that a motor has one decreasing torque curve and the inertia of its shaft; otherwise the key at fault.
     pub(in crate::scene) fn check_motor(&self) -> Result<(), (&'static str, SceneError)> {
         let motor = &self.motor;
         let lines = [
@@ -156,7 +156,7 @@ impl MachineSpec {
         Err(fault)
     }
 
-    /// The motor with flywheel and friction; `None` where the shaft turns at constant speed.
+    /// The motor with flywheel and friction; `None` for a constant shaft speed.
     pub fn motor(&self) -> Option<Motor> {
         let spec = &self.motor;
         let (line, nominal) = spec.line()?;
@@ -170,7 +170,7 @@ impl MachineSpec {
         })
     }
 
-    /// Whether the shaft turns at constant speed on a stiff floor, and no force beyond the drive's is known.
+    /// Whether the shaft speed is constant, the floor is rigid, and no learned force exists.
     pub fn is_plain(&self) -> bool {
         !self.motor.is_given() && !self.has_floor() && self.learned_force.is_empty()
     }

@@ -1,11 +1,11 @@
-//! The floor of a machine: its modes with the walkers on it.
+//! The floor of a machine: its modes and the walkers on it.
 
 use super::machine::MachineSpec;
 use crate::dynamics::{Floor, FloorMode};
 use crate::error::SceneError;
 
 impl MachineSpec {
-    /// The structure with its walkers; `None` on a stiff floor.
+    /// The structure with its walkers; `None` for a rigid floor.
     pub fn floor(&self) -> Option<Floor> {
         let single = self.floor.mode("machine.floor.damping");
         let listed = self.modes.iter();
@@ -26,7 +26,7 @@ impl MachineSpec {
         self.floor.is_given() || !self.modes.is_empty()
     }
 
-    /// A floor has all that a mode needs, and no flexible follower beside it.
+    /// Checks that each mode is complete, and that there is no flexible follower.
     pub(in crate::scene) fn check_floor(&self) -> Result<(), (&'static str, SceneError)> {
         let floor = &self.floor;
         if !self.has_floor() {

@@ -1,11 +1,11 @@
-//! What a scene says of a population of walkers: what is minimised over them, and what the machine is set to for each.
+//! Keys for a population of walkers: objective over the errors, and adjustment of the machine for each.
 
 use std::str::FromStr;
 
 use crate::error::{Error, SceneError, nearest};
 use crate::units::{Dimension, parse};
 
-/// What is minimised over the force errors of several walkers.
+/// Objective over the force errors of several walkers.
 ///
 /// ```
 /// use gaitcam::scene::Robust;
@@ -17,10 +17,10 @@ use crate::units::{Dimension, parse};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Robust {
-    /// Their mean square.
+    /// Mean square of all errors.
     #[default]
     Mean,
-    /// The largest.
+    /// Maximum error.
     Worst,
     /// The mean square of the largest, all above this part of the walkers (conditional value at risk).
     Tail(f64),
@@ -59,7 +59,7 @@ impl FromStr for Robust {
     }
 }
 
-/// In what the force errors of several walkers are compared.
+/// Measure of the force errors of several walkers.
 ///
 /// ```
 /// use gaitcam::scene::ErrorMeasure;
@@ -70,15 +70,15 @@ impl FromStr for Robust {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ErrorMeasure {
-    /// In per cent of each walker's mean force.
+    /// In percent of each walker's mean force.
     #[default]
     Relative,
-    /// In newtons: heavy walkers count more.
+    /// In newtons, so that heavy walkers count more.
     Absolute,
 }
 
 impl ErrorMeasure {
-    /// Both.
+    /// Both measures.
     pub const ALL: [ErrorMeasure; 2] = [ErrorMeasure::Relative, ErrorMeasure::Absolute];
 
     /// The name used in scenes.
@@ -86,7 +86,7 @@ impl ErrorMeasure {
         self.into()
     }
 
-    /// How the names of its columns end.
+    /// Endings of the names of its columns.
     pub fn suffix(self) -> &'static str {
         match self {
             ErrorMeasure::Relative => "percent",
@@ -95,24 +95,25 @@ impl ErrorMeasure {
     }
 }
 
-/// What of the machine is set anew for each walker.
+/// Adjustments of the machine for each walker.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Adjust {
-    /// The moved mass.
+    /// Whether the moved mass is adjusted.
     pub mass: bool,
-    /// The speed of the cam.
+    /// Whether the speed of the cam is adjusted.
     pub speed: bool,
-    /// The phase of the walker's cycle at cam angle 0.
+    /// Whether the phase of the walker's cycle at cam angle 0 is adjusted.
     pub phase: bool,
 }
 
-/// The words of what can be adjusted.
+/// Words for the adjustable quantities.
 const ADJUSTED: [&str; 4] = ["mass", "speed", "phase", "none"];
 
 impl Adjust {
-    /// From its words; `"none"` for nothing.
+    /// Parses the words; `"none"` for no adjustment.
     ///
     /// # Errors
+    ///
     /// An unknown word.
     pub fn of(words: &[String]) -> Result<Adjust, Error> {
         let mut out = Adjust::default();
@@ -161,10 +162,10 @@ pub enum StepFrequencies {
     Normal(f64, f64),
 }
 
-/// Points of a normal distribution, and how many standard deviations they reach.
+/// Number of points of a normal distribution, and their range in standard deviations.
 const POINTS: usize = 21;
 const REACH: f64 = 2.5;
-/// Most points of a range.
+/// Maximum number of points of a range.
 const MOST_POINTS: usize = 2000;
 
 impl StepFrequencies {
@@ -186,7 +187,7 @@ impl StepFrequencies {
         }
     }
 
-    /// Whether a value of the key is meant to be several frequencies.
+    /// Whether a value of the key is meant as several frequencies.
     pub fn is_meant(typed: &str) -> bool {
         typed.contains(':') || typed.trim_start().starts_with("normal")
     }

@@ -1,11 +1,7 @@
-//! From a batch of parameters to a batch of rows: without side effects, and the same for any number of threads.
-//!
-//! Words decide the structure of a scene, numbers only fill it in. Each combination of words is read once per batch; its
-//! rows then set their numbers directly. A harmonic law that keeps its limits follows from the harmonics of the force;
-//! every other row is designed like a single scene.
-//!
-//! Forces are kept with what follows from them: a grid of a few step frequencies is faster than a sample in which every row
-//! has its own.
+//! Computation of rows from a batch of parameters, without side effects and independent of the number of threads. Words determine the structure of a
+//! scene. Each combination of words is read once per batch; its rows then set their numbers directly. A harmonic law within its limits has a closed
+//! form; other rows are designed like a single scene. Forces are cached with derived results, so a grid of a few step frequencies is faster than a
+//! sample.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, RwLock};
@@ -24,12 +20,12 @@ use crate::sweep::plan::{NamedScene, Plan};
 use crate::sweep::table::results::{Outcome, Row};
 use crate::synth::{Search, closed_form, design};
 
-/// Seconds since any moment.
+/// Clock with arbitrary origin, s.
 pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
-/// Gives the end of the searches of a row that begins now.
+/// Returns the time limit of a row that starts now.
 pub type Halts<'a> = &'a (dyn Fn() -> Halt + Sync);
 
-/// Forces kept at a time; a sweep over more recordings or step frequencies forgets all of them.
+/// Maximum number of cached forces; with more all are dropped.
 const KEPT_FORCES: usize = 1024;
 /// Turns batches into results.
 pub struct Kernel<'a> {
@@ -38,25 +34,25 @@ pub struct Kernel<'a> {
     files: &'a Files,
     halts: Halts<'a>,
     clock: Option<Clock<'a>>,
-    /// Whether numbers of the force vary, by which a recording gives several forces.
+    /// Whether numbers of the force vary, so that a recording gives several forces.
     varies_gait: bool,
     cycles: RwLock<BTreeMap<CycleName, Result<Arc<ForceCycle>>>>,
 }
 
-/// The source of a force, and the bits of its step frequency.
+/// The source of a force, and the bits of its step frequency, as cache key.
 type CycleName = (Arc<str>, u64);
 
-/// A combination of words, read.
+/// A combination of words, parsed.
 #[derive(Default)]
 struct Base {
-    /// `None` when it has to be read row by row, because the numbers of its first row do not fit it.
+    /// `None` if it must be read row by row, because the numbers of its first row are invalid.
     scene: Option<Scene>,
-    /// The source of its force; `None` where the numbers of a row decide.
+    /// The source of its force; `None` if it depends on the numbers of a row.
     source: Option<Arc<str>>,
 }
 
 impl<'a> Kernel<'a> {
-    /// A kernel for the scenes and keys of a plan; `files` are the recordings that its scenes name.
+    /// A kernel for the scenes and keys of a plan; `files` are the recordings of its scenes.
     pub fn new(
         plan: &'a Plan,
         files: &'a Files,
@@ -81,7 +77,7 @@ impl<'a> Kernel<'a> {
         &self.keys
     }
 
-    /// Whether rows are timed.
+    /// Whether computing times are recorded.
     pub fn has_clock(&self) -> bool {
         self.clock.is_some()
     }
@@ -90,8 +86,7 @@ impl<'a> Kernel<'a> {
         self.clock.map_or(0.0, |clock| clock())
     }
 
-    /// Computes every row; a scene at fault is a row with its error. `None` where `stop` ended the work between two
-    /// rows.
+    /// Computes every row; a scene at fault gives a row with its error. `None` if `stop` ended the work between two rows.
     pub fn run(&self, batch: &Batch, stop: &dyn Fn() -> bool) -> Option<Vec<Row>> {
         let mut results = Vec::with_capacity(batch.len());
         let mut bases: Vec<Base> = Vec::new();
@@ -139,15 +134,14 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// The scene of a row as a user would have written it.
+    /// The scene of a row as a user would write it.
     fn read(&self, batch: &Batch, row: usize) -> Result<Scene> {
         scene::read(&self.table(batch, row)?)
     }
 
     /// The table of a row: the base scene with its values written in, in SI.
     ///
-    /// # Errors
-    /// A value that its key refuses.
+    /// # Errors A value that its key rejects.
     pub fn table(&self, batch: &Batch, row: usize) -> Result<Table> {
         let scene = batch.scene[row] as usize;
         let named = self
@@ -185,7 +179,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// Sets the row's numbers; false when one of them is for the scene's reader to judge.
+    /// Sets the row's numbers; false if one of them requires the scene's reader.
     fn set_numbers(&self, batch: &Batch, row: usize, scene: &mut Scene) -> bool {
         for (key, column) in self.keys.iter().zip(&batch.columns) {
             if let Column::Numbers(x) = column
@@ -197,7 +191,7 @@ impl<'a> Kernel<'a> {
         true
     }
 
-    /// The row of a scene: in closed form where there is one.
+    /// The row of a scene, in closed form if possible.
     fn designed_row(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Row {
         let problem = match self.problem(index, scene, source) {
             Ok(problem) => problem,
@@ -230,7 +224,7 @@ impl<'a> Kernel<'a> {
         Problem::of_multiple(scene, Some((&cycle, times)))
     }
 
-    /// The force of a scene, cached; of a load model for a body weight of 1 N.
+    /// The force of a scene, cached; for a load model with a body weight of 1 N.
     fn cycle(
         &self,
         index: usize,
@@ -273,7 +267,7 @@ fn refused(why: &Error) -> Row {
     }
 }
 
-/// The force of a load model or of own load factors, for a body weight of 1 N where others are multiples of it.
+/// The force of a load model or of own load factors, for a body weight of 1 N if the force is proportional to it.
 fn model_cycle(gait: &Gait) -> Result<ForceCycle> {
     if !is_multiple(gait) {
         let force = gait.model_force()?.ok_or(SweepError::NoForceError)?;
@@ -286,7 +280,7 @@ fn model_cycle(gait: &Gait) -> Result<ForceCycle> {
     Ok(ForceCycle::new(force))
 }
 
-/// Whether the force of a walker is body weight times that of a walker of 1 N, at one step frequency.
+/// Whether the force is proportional to the body weight at one step frequency.
 fn is_multiple(gait: &Gait) -> bool {
     !gait.is_recording() && gait.step_frequencies.is_none()
 }
@@ -303,7 +297,7 @@ fn source(index: usize, scene: &Scene) -> Arc<str> {
     })
 }
 
-/// A panic is an internal error; it must not stop the other rows.
+/// The error of a panic, so that other rows continue.
 fn guarded<T>(work: impl FnOnce() -> T) -> std::result::Result<T, String> {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).map_err(|cause| {
         let words = cause.downcast_ref::<String>().map(String::as_str);

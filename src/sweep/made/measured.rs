@@ -1,9 +1,8 @@
 //! Behaviour of a manufactured cam: its law, force, acceleration and lift-off from the deviations of its profile.
 //!
-//! A deviation δ along the profile's normal moves the follower by ε = δ/l, to first order and at the same cam
-//! angle: l is the cosine of the pressure angle on a slide, the lever of the normal about the pivot on an arm.
-//! ε(θ) is fitted by the number of waves that Schwarz's criterion selects. The residual is measurement noise and
-//! roughness, which the derivatives would only amplify.
+//! A deviation δ along the profile's normal moves the follower by ε = δ/l, to first order and at the same cam angle. For a translating follower l is
+//! the cosine of the pressure angle, for an arm the lever of the normal about the pivot. ε(θ) is fitted by the number of waves that Schwarz's
+//! criterion selects. The residual is measurement noise and roughness, which the derivatives would only amplify.
 
 use std::f64::consts::{PI, TAU};
 
@@ -16,11 +15,11 @@ use crate::dynamics::rigid::touch::held;
 use crate::law::{Law, Wave};
 use crate::synth::Design;
 
-/// Largest number of waves per turn.
+/// Maximum number of waves per turn.
 const MOST_WAVES: usize = 60;
-/// Smallest number of points per wave.
+/// Minimum number of points per wave.
 const POINTS_PER_WAVE: usize = 4;
-/// Deviations below this, m, are rounding.
+/// Deviations below this, m, are rounding errors.
 const ROUNDING: f64 = 1e-10;
 
 /// Force and motion of a cam on its machine; the extremes of the law are exact.
@@ -40,21 +39,21 @@ const ROUNDING: f64 = 1e-10;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Behaviour {
-    /// RMS distance of the force to its target, N.
+    /// RMS error of the force, N.
     pub rms_error_n: Option<f64>,
-    /// Largest distance of the force to its target, N.
+    /// Maximum error of the force, N.
     pub max_error_n: Option<f64>,
-    /// Smallest force, N.
+    /// Minimum contact force, N.
     pub min_n: f64,
-    /// Largest force, N.
+    /// Maximum contact force, N.
     pub max_n: f64,
-    /// Largest acceleration without its sign, m/s² (an arm: rad/s²).
+    /// Maximum absolute acceleration, m/s² (an arm: rad/s²).
     pub acceleration: f64,
-    /// Lowest speed at which the follower leaves the cam, rad/s.
+    /// Minimum speed at which the follower loses contact, rad/s.
     pub liftoff_speed: Option<f64>,
 }
 
-/// A made cam.
+/// A manufactured cam.
 ///
 /// ```
 /// use gaitcam::sweep::MadeCam;
@@ -72,19 +71,18 @@ pub struct Behaviour {
 pub struct MadeCam {
     /// Law of motion of the made cam.
     pub law: Law,
-    /// Waves per turn by which its law differs from the design's.
+    /// Number of waves per turn by which its law differs from the design's.
     pub waves: usize,
     /// RMS of the residual of the waves, m (an arm: rad).
     pub left: f64,
-    /// Behaviour as made.
+    /// Behaviour as manufactured.
     pub made: Behaviour,
-    /// Behaviour as designed.
+    /// Behaviour as designed, for comparison.
     pub designed: Behaviour,
 }
 
 impl MadeCam {
-    /// The cam of `design` as it was measured, without outliers. `None` for a law that does not cover one turn, and
-    /// where a part of the profile was not measured.
+    /// The measured cam of `design`, without outliers. `None` for a law that does not cover one turn, and if a part of the profile was not measured.
     pub fn of(design: &Design, inspection: &Inspection) -> Option<MadeCam> {
         let (start, length) = design.cam.law.extent();
         if inspection.unmeasured.is_some()
@@ -157,19 +155,18 @@ fn lever(cam: &Cam, theta: f64) -> f64 {
     }
 }
 
-/// A mean and waves per turn.
+/// A series with a mean and waves per turn.
 struct Series {
     mean: f64,
     /// Amplitudes (cos, sin) of waves 1, 2, …
     terms: Vec<(f64, f64)>,
-    /// RMS of the residual.
+    /// RMS of the residual of the fit.
     left: f64,
 }
 
 impl Series {
-    /// Least squares on values at increasing angles, with the number of waves that makes
-    /// n ln(mean square left) + (number of terms) ln n smallest. The widest gap between points is at least half
-    /// a wave's length.
+    /// Least squares on values at increasing angles, with the number of waves that makes n ln(mean square left) + (number of terms) ln n smallest.
+    /// Half the shortest wavelength is at least the widest gap between points.
     fn fitted(values: &[(f64, f64)]) -> Series {
         let n = values.len();
         let most = MOST_WAVES

@@ -1,4 +1,4 @@
-//! Cams as made: manufacturing errors within tolerances, and measured profiles.
+//! Cams as manufactured: errors within tolerances, and measured profiles.
 
 pub(super) mod measured;
 mod over_time;

@@ -1,4 +1,4 @@
-//! A sweep over manufacturing errors of one design: row i is the i-th cam as made.
+//! A sweep over manufacturing errors of one design: row i is the i-th manufactured cam.
 
 use std::ops::Range;
 
@@ -36,9 +36,9 @@ pub struct Scattered {
     pub scene: NamedScene,
     /// The tolerances as written: `profile=0.02 mm`.
     pub tolerances: Vec<String>,
-    /// Number of cams made.
+    /// Number of manufactured cams.
     pub count: u64,
-    /// Seed of the random numbers.
+    /// Seed of the random errors.
     pub seed: u64,
 }
 
@@ -131,7 +131,7 @@ impl Samples {
     }
 }
 
-/// In the order of [`SAMPLE_COLUMNS`].
+/// Values in the order of [`SAMPLE_COLUMNS`].
 fn numbers(made: Made) -> [f64; SAMPLE_COLUMNS.len()] {
     [
         made.profile_m,

@@ -21,7 +21,7 @@ use crate::sweep::plan::sample::{Method, mixed, unit};
 use crate::synth::Design;
 use crate::units::{Dimension, parse};
 
-/// A quantity that is manufactured with an error.
+/// A quantity with a manufacturing error.
 ///
 /// ```
 /// use gaitcam::sweep::{Part, Tolerance};
@@ -31,14 +31,13 @@ use crate::units::{Dimension, parse};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// The profile: waves of 2 to 12 lobes whose amplitudes fall with the square of the number of lobes and
-    /// together stay within the tolerance.
+    /// The profile: waves of 2 to 12 lobes with amplitudes that decrease with the square of the number of lobes; their sum is within the tolerance.
     Profile,
-    /// The base radius.
+    /// Radius of the base circle.
     BaseRadius,
-    /// The moved mass.
+    /// Mass moved by the cam.
     Mass,
-    /// The speed.
+    /// Speed of the cam.
     Speed,
 }
 
@@ -55,7 +54,7 @@ impl Part {
         }
     }
 
-    /// Whether `name` names it: its key or the last word of the key.
+    /// Whether `name` is its key or the last word of the key.
     fn is_named(self, name: &str) -> bool {
         match self.key() {
             None => name == "profile",
@@ -82,17 +81,17 @@ impl Part {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
-    /// The part.
+    /// The toleranced part.
     pub part: Part,
-    /// Half width, SI; a fraction of the value where `relative`.
+    /// Half width, SI; a fraction of the value if `relative`.
     pub half_width: f64,
     /// Whether it is relative to the value.
     pub relative: bool,
 }
 
-/// Lobes of the profile error.
+/// Numbers of lobes of the profile error.
 const LOBES: std::ops::RangeInclusive<usize> = 2..=12;
-/// The fixed functions before the lobes: F − F*, 1, v, a.
+/// Number of fixed functions before the lobes: F − F*, 1, v, a.
 const FIXED: usize = 4;
 
 impl Tolerance {
@@ -133,7 +132,7 @@ impl Tolerance {
     }
 }
 
-/// One sample: the manufacturing errors and the force error that results.
+/// One sample: the manufacturing errors and the resulting force error.
 ///
 /// ```
 /// use gaitcam::sweep::{Scatter, Tolerance};
@@ -150,7 +149,7 @@ impl Tolerance {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Made {
-    /// Largest amplitude sum of the profile error, m.
+    /// Sum of the amplitudes of the profile error, m.
     pub profile_m: f64,
     /// Error of the base radius, m.
     pub base_radius_m: f64,
@@ -158,13 +157,13 @@ pub struct Made {
     pub mass_kg: f64,
     /// Error of the speed, rad/s.
     pub speed_rad_per_s: f64,
-    /// RMS distance of the force to its target, N.
+    /// RMS error of the force, N.
     pub force_rms_error_n: f64,
-    /// The same as percent of the mean target.
+    /// RMS error as a percentage of the mean target.
     pub force_rms_error_percent: f64,
 }
 
-/// A design with the products of functions from which samples are computed.
+/// A design with the mean products for the samples.
 ///
 /// ```
 /// use gaitcam::sweep::{Scatter, Tolerance};
@@ -231,7 +230,7 @@ impl Scatter {
         })
     }
 
-    /// Sample `index` of `count`; the same for the same arguments, always.
+    /// Sample `index` of `count`; deterministic.
     pub fn sample(&self, tolerances: &[Tolerance], index: u64, count: u64, seed: u64) -> Made {
         let drive = &self.drive;
         let (mut profile, mut radius, mut mass, mut speed) = (0.0, 0.0, 0.0, 0.0);
@@ -284,7 +283,7 @@ impl Scatter {
     }
 }
 
-/// Spread of a list of numbers.
+/// Statistics of a list of numbers.
 ///
 /// ```
 /// use gaitcam::sweep::Spread;
@@ -294,20 +293,20 @@ impl Scatter {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
-    /// Mean.
+    /// Mean of the values.
     pub mean: f64,
-    /// Standard deviation.
+    /// Standard deviation of the values.
     pub deviation: f64,
-    /// 5 %, 50 % and 95 % quantiles.
+    /// Quantiles 5 %, 50 % and 95 %.
     pub quantiles: [f64; 3],
-    /// Largest.
+    /// Maximum of the values.
     pub largest: f64,
-    /// Fraction within the band, where one is given.
+    /// Fraction within the band, if one is given.
     pub within: Option<f64>,
 }
 
 impl Spread {
-    /// Spread of `values`; those up to `band` are within. `None` without values.
+    /// Statistics of `values`; those up to `band` are within. `None` without values.
     pub fn of(values: &[f64], band: Option<f64>) -> Option<Spread> {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);

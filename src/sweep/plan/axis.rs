@@ -17,20 +17,19 @@ use crate::error::{Placed, Result, SweepError};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// Words, counts or paths.
+    /// A list of words, counts or paths.
     Words(Vec<Arc<str>>),
     /// Numbers in SI, one by one.
     Numbers(Vec<f64>),
     /// `count` numbers at equal steps from the first to the last.
     Range {
-        /// First.
+        /// First value of the range.
         first: f64,
-        /// Last.
+        /// Last value of the range.
         last: f64,
-        /// How many; `None` in a range that is only sampled.
+        /// Number of values; `None` for a range that is only sampled.
         count: Option<u64>,
-        /// SI for a key with a known unit. For another key as written; empty for counts, which are rounded to whole
-        /// numbers.
+        /// The values are in SI for a key with a known unit, otherwise as written; empty for counts, which are rounded to whole numbers.
         unit: String,
     },
 }
@@ -38,9 +37,9 @@ pub enum Values {
 /// One value of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub enum AxisValue {
-    /// In SI.
+    /// A number in SI.
     Number(f64),
-    /// As written.
+    /// A word as written.
     Words(Arc<str>),
 }
 
@@ -55,7 +54,7 @@ pub enum AxisValue {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// The key.
+    /// Key of the axis.
     pub key: Key,
     /// Values of the axis.
     pub values: Values,
@@ -102,7 +101,7 @@ impl Axis {
         })
     }
 
-    /// Number of values; `None` where only sampling gives any.
+    /// Number of values; `None` for a range that is only sampled.
     pub fn count(&self) -> Option<u64> {
         match &self.values {
             Values::Words(list) => Some(list.len() as u64),
@@ -151,7 +150,7 @@ impl Axis {
         })
     }
 
-    /// The axis as it is typed, for comparing plans.
+    /// The axis as text, for comparing plans.
     pub fn text(&self) -> String {
         match &self.values {
             Values::Words(list) => list.join(","),
@@ -173,7 +172,7 @@ impl Axis {
     }
 }
 
-/// The parts between commas; those inside brackets and quotes are of a value, which is a list itself.
+/// The parts between commas, except commas inside brackets and quotes.
 fn parts_of(values: &str) -> Vec<&str> {
     let (mut out, mut begin) = (Vec::new(), 0);
     let (mut depth, mut quote) = (0_usize, None);
@@ -225,7 +224,7 @@ fn range(name: &str, parts: &[&str], sampled: bool) -> Result<Axis> {
     Ok(Axis { key, values })
 }
 
-/// How many values a range has as typed; one that is sampled gives no number.
+/// Number of values of a range as text; a sampled one has none.
 fn count(typed: Option<&str>, sampled: bool) -> std::result::Result<Option<u64>, SweepError> {
     match (typed, sampled) {
         (Some(_), true) => Err(SweepError::SampledCount),

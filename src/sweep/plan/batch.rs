@@ -7,9 +7,9 @@ use super::axis::AxisValue;
 /// Values of one key, row by row.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Column {
-    /// In SI.
+    /// Numbers in SI.
     Numbers(Vec<f64>),
-    /// Words, counts or paths as written.
+    /// Words, counts or paths, as written.
     Words(Vec<Arc<str>>),
 }
 
@@ -51,12 +51,12 @@ pub struct Batch {
 }
 
 impl Batch {
-    /// Number of rows.
+    /// Number of rows in the batch.
     pub fn len(&self) -> usize {
         self.scene.len()
     }
 
-    /// Whether there is no row.
+    /// Whether the batch is empty.
     pub fn is_empty(&self) -> bool {
         self.scene.is_empty()
     }

@@ -1,4 +1,4 @@
-//! Scene keys that a sweep varies, and how their values are written into a scene.
+//! Keys that a sweep varies, and the notation of their values in a scene.
 
 use toml::{Table, Value};
 
@@ -7,7 +7,7 @@ use crate::scene::keys::{self, KEYS, Kind};
 use crate::scene::{self, Scene};
 use crate::units::Dimension;
 
-/// A scene key that varies: a quantity in SI, or words.
+/// A varied key: a quantity in SI, or words.
 ///
 /// ```
 /// use gaitcam::sweep::Key;
@@ -23,13 +23,13 @@ pub struct Key {
     number: Option<Number>,
 }
 
-/// A key whose values are numbers.
+/// A key with numeric values.
 #[derive(Debug, Clone, Copy)]
 struct Number {
     row: &'static keys::Key,
-    /// Index in a list.
+    /// Index of a list entry.
     index: usize,
-    /// Dimension of the numbers: the stroke of an arm is an angle, any other stroke a length.
+    /// Dimension of the numbers: the stroke of an arm is an angle, otherwise a length.
     dimension: Dimension,
 }
 
@@ -54,8 +54,8 @@ impl Key {
         }
     }
 
-    /// The key of that name in whose unit `values` are given, with the values in SI; `None` when the key has no
-    /// unit or a value is a word such as `auto`.
+    /// The key of that name in whose unit `values` are given, with the values in SI; `None` if the key has no unit or a value is a word such as
+    /// `auto`.
     ///
     /// # Errors
     /// A value without the unit of its key.
@@ -81,7 +81,7 @@ impl Key {
         }
     }
 
-    /// The number keys of a name, one for each dimension that it may have.
+    /// The numeric keys of a name, one for each possible dimension.
     fn of_each_dimension(name: &str) -> Vec<Key> {
         let row = keys::find(name).and_then(|row| Some((row, row.index_in(name)?, row.measure()?)));
         let Some((row, index, measure)) = row else {
@@ -98,7 +98,7 @@ impl Key {
         measure.each().into_iter().map(of).collect()
     }
 
-    /// Names of all keys that vary, each once.
+    /// Names of all keys that can vary, each once.
     pub fn names() -> Vec<&'static str> {
         let mut names: Vec<&str> = KEYS
             .iter()
@@ -109,7 +109,7 @@ impl Key {
         names
     }
 
-    /// The key whose column has this name, for readers of tables.
+    /// The key of a column, for readers of tables.
     pub fn of_column(column: &str) -> Key {
         let names = (0..=column.len()).filter(|&end| column.is_char_boundary(end));
         names
@@ -118,7 +118,7 @@ impl Key {
             .unwrap_or_else(|| Key::words(column))
     }
 
-    /// The dotted name.
+    /// Dotted name of the key.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -128,12 +128,12 @@ impl Key {
         self.number.is_some()
     }
 
-    /// SI unit as scenes write it; empty for words and ratios.
+    /// SI unit in the notation of scenes; empty for words and ratios.
     pub fn unit(&self) -> &'static str {
         self.number.map_or("", |n| n.dimension.si())
     }
 
-    /// Name of its column: `limits.stroke_m`, `law.family`.
+    /// Name of the key's column: `limits.stroke_m`, `law.family`.
     pub fn column(&self) -> String {
         let unit = match self.unit() {
             "" | "ratio" => return self.name.clone(),
@@ -143,7 +143,7 @@ impl Key {
         format!("{}_{}", self.name, unit.replace(' ', "_"))
     }
 
-    /// Sets a number in a scene that is already read. `false` where the scene has to be read anew to check it.
+    /// Sets a number in a parsed scene; `false` if the scene must be read again to check it.
     pub(in crate::sweep) fn set(&self, scene: &mut Scene, value: f64) -> bool {
         self.number.is_some_and(|n| {
             n.row.dimension(scene) == Some(n.dimension) && n.row.set_number(scene, n.index, value)

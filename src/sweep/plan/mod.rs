@@ -1,4 +1,4 @@
-//! The scenes of a sweep: base scenes with a list, a grid or a sample of values. A row follows from its number.
+//! The scenes of a sweep: base scenes with a list, a grid or a sample of values. A row depends only on its number.
 
 pub(super) mod axis;
 pub(super) mod batch;
@@ -15,7 +15,7 @@ use self::sample::{Method, SOBOL_AXES};
 use crate::error::{Place, Result, SweepError};
 use crate::scene;
 
-/// A base scene.
+/// A base scene with its name.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -35,7 +35,7 @@ pub struct NamedScene {
 }
 
 impl NamedScene {
-    /// A scene under its own name, which is the same on every machine.
+    /// A scene under its own name, which is independent of the machine.
     pub fn of(table: Table) -> NamedScene {
         let name = table.get("name").and_then(|name| name.as_str());
         let name = name.unwrap_or("cam").to_string();
@@ -62,12 +62,12 @@ pub struct List {
 }
 
 impl List {
-    /// Number of rows.
+    /// Number of rows in the list.
     pub fn rows(&self) -> u64 {
         self.columns.first().and_then(Axis::count).unwrap_or(0)
     }
 
-    /// Refuses columns of unequal length.
+    /// Rejects columns of unequal length.
     fn check(&self) -> Result<()> {
         let first = self.rows();
         for column in &self.columns {
@@ -81,7 +81,7 @@ impl List {
     }
 }
 
-/// How the axes are combined.
+/// Combination of the axes.
 ///
 /// ```
 /// use gaitcam::sweep::{Method, Plan, Sampling};
@@ -97,16 +97,16 @@ pub enum Sampling {
     Grid,
     /// Points spread over all axes together.
     Sample {
-        /// The sampling method.
+        /// Sampling method of the points.
         method: Method,
-        /// Number of points.
+        /// Number of sampled points.
         count: u64,
         /// Seed of the random numbers.
         seed: u64,
     },
 }
 
-/// The whole sweep: rows are base scenes × list × axes, the axes fastest.
+/// The whole sweep; the rows are base scenes × list × axes, with the axes fastest.
 ///
 /// ```
 /// use gaitcam::sweep::{Plan, Sampling};
@@ -118,19 +118,19 @@ pub enum Sampling {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// Base scenes.
+    /// Base scenes of the sweep.
     pub scenes: Vec<NamedScene>,
     /// Listed rows, if any.
     pub list: Option<List>,
-    /// The keys of the scene that vary from row to row, each with its values.
+    /// The varied keys, each with its values.
     pub axes: Vec<Axis>,
-    /// How they are combined.
+    /// Combination of the axes.
     pub sampling: Sampling,
 }
 
-/// Largest number of combinations of words with which a value is checked before the sweep starts.
+/// Maximum number of combinations of words with which a value is checked before the sweep starts.
 const TRIED_COMBINATIONS: u128 = 256;
-/// Largest number of values of one list that are checked before the sweep starts.
+/// Maximum number of values of one list that are checked before the sweep starts.
 const TRIED_VALUES: u64 = 64;
 
 impl Plan {
@@ -174,7 +174,7 @@ impl Plan {
         listed.chain(self.axes.iter())
     }
 
-    /// Parameters of the rows `first .. first + count`.
+    /// Parameters of the rows in `first .. first + count`.
     pub fn batch(&self, first: u64, count: usize) -> Batch {
         let mut batch = Batch {
             scene: Vec::with_capacity(count),
@@ -267,8 +267,8 @@ impl Plan {
         Ok(())
     }
 
-    /// Refuses a value that is invalid with every combination of words and first values of the other keys. A value that
-    /// is invalid with some combinations only gives rows with an error.
+    /// Rejects a value that is invalid with every combination of words and first values of the other keys. Values that are invalid with some
+    /// combinations give rows with an error.
     fn try_value(&self, scene: &NamedScene, axis: &Axis, value: &AxisValue) -> Result<()> {
         let others: Vec<&Axis> = self.all_axes().filter(|a| a.key != axis.key).collect();
         let choices: Vec<u64> = others
@@ -310,7 +310,7 @@ impl Plan {
         fault.map_or(Ok(()), Err)
     }
 
-    /// Names of the base scenes, where there are several.
+    /// Names of the base scenes, for several.
     pub fn scene_names(&self) -> Option<Vec<String>> {
         let names = self.scenes.iter().map(|s| s.name.clone());
         (self.scenes.len() > 1).then(|| names.collect())
@@ -345,10 +345,10 @@ impl Plan {
     }
 }
 
-/// Largest number of rows: 64-bit floating point, in which many readers hold row numbers, counts no further.
+/// Maximum number of rows: the largest exact integer of 64-bit floating point, the row number type of many readers.
 const MOST_ROWS: u64 = 1 << 53;
 
-/// The number of rows, where there are not too many.
+/// The number of rows, unless there are too many.
 pub(super) fn row_count(rows: u128) -> Result<u64> {
     let count = u64::try_from(rows).ok().filter(|n| *n <= MOST_ROWS);
     count.ok_or_else(|| {

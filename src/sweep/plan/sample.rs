@@ -1,8 +1,8 @@
-//! Points that fill a cube evenly: Latin hypercube and Sobol, each point computed from its index alone.
+//! Low-discrepancy points in a cube: Latin hypercube and Sobol, each computed from its index alone.
 
 use serde::{Deserialize, Serialize};
 
-/// Sampling method.
+/// Sampling methods.
 ///
 /// ```
 /// use gaitcam::sweep::Method;
@@ -18,23 +18,23 @@ use serde::{Deserialize, Serialize};
 #[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
-    /// Each of the N equal slices of every axis holds exactly one point, at a random place in it.
+    /// Latin hypercube: each of the N equal slices of every axis contains exactly one point, at a random position.
     #[default]
     Latin,
     /// Sobol's sequence: dyadic boxes are filled evenly, and more points extend the same sequence.
     Sobol,
 }
 
-/// Largest number of axes of Sobol's sequence.
+/// Maximum number of axes of Sobol's sequence.
 pub const SOBOL_AXES: usize = 21;
 
 impl Method {
-    /// The name on the command line.
+    /// Name of the method on the command line.
     pub fn name(self) -> &'static str {
         self.into()
     }
 
-    /// Coordinate `axis` ∈ [0, 1) of point `index` of `count`; the same for the same arguments, always.
+    /// Coordinate `axis` ∈ [0, 1) of point `index` of `count`; deterministic.
     pub fn coordinate(self, index: u64, count: u64, axis: usize, seed: u64) -> f64 {
         match self {
             Method::Latin => latin(index, count, axis, seed),
@@ -108,7 +108,7 @@ const JOE_KUO: [(u32, u32, &[u64]); SOBOL_AXES - 1] = [
     (7, 4, &[1, 3, 7, 13, 13, 15, 69]),
 ];
 
-/// Bits of a Sobol coordinate: enough for 2⁴⁰ points.
+/// Number of bits of a Sobol coordinate, enough for 2⁴⁰ points.
 const SOBOL_BITS: u32 = 40;
 
 fn sobol(index: u64, axis: usize) -> f64 {

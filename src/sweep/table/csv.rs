@@ -1,4 +1,4 @@
-//! Tables as CSV: numbers in their shortest exact form, empty where there is none.
+//! Tables as CSV: numbers in their shortest exact form, empty if missing.
 
 use std::borrow::Cow;
 use std::fmt::Write;
@@ -43,7 +43,7 @@ impl Records {
     }
 }
 
-/// The shortest form that reads back to the same number, with an exponent below 1e-5 and from 1e16 on.
+/// The shortest form that reads back exactly, with an exponent below 1e-5 and from 1e16 on.
 fn number(out: &mut String, x: f64) {
     if x.is_nan() {
         return;

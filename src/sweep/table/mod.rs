@@ -1,4 +1,4 @@
-//! Tables of a sweep: columns, rows, CSV.
+//! Tables of a sweep: columns, rows and CSV output.
 
 mod csv;
 pub(super) mod records;
@@ -6,7 +6,7 @@ pub(super) mod results;
 
 pub use gaitcam_base::text::{cell_text, text_cell};
 
-/// Endings of columns with the units they stand for.
+/// Endings of column names with their units.
 const UNITS: [(&str, &str); 18] = [
     ("_m_per_s3", "m/s^3"),
     ("_m_per_s2", "m/s^2"),
@@ -37,7 +37,7 @@ pub(crate) fn unit_of(column: &str) -> &'static str {
     unit_entry(column).map_or("", |u| u.1)
 }
 
-/// A column's name for people: `limits.stroke, m`.
+/// Displayed name of a column: `limits.stroke, m`.
 pub fn label(column: &str) -> String {
     let (ending, unit) = unit_entry(column).unwrap_or(("", ""));
     let name = column.strip_suffix(ending).unwrap_or(column);

@@ -17,15 +17,15 @@ use crate::sweep::plan::key::Key;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// Numbers of rows.
+    /// Row numbers.
     Rows(Vec<u64>),
-    /// Numbers, SI; NaN where there is none.
+    /// Numbers, SI; NaN if missing.
     Numbers(Vec<f64>),
-    /// Words, each named once.
+    /// Words, each stored once.
     Words(Words),
 }
 
-/// Words of a column, coded as indices in a list.
+/// Words of a column, as indices in a list.
 ///
 /// ```
 /// use gaitcam::sweep::Words;
@@ -35,9 +35,9 @@ pub enum Values {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Words {
-    /// Index of each row's word in `names`; −1 where there is none.
+    /// Index of each row's word in `names`; −1 if missing.
     pub codes: Vec<i32>,
-    /// The words.
+    /// List of the distinct words.
     pub names: Vec<String>,
 }
 
@@ -72,7 +72,7 @@ pub struct Records {
 }
 
 impl Values {
-    /// Number of rows.
+    /// Number of rows of the column.
     pub fn len(&self) -> usize {
         match self {
             Values::Rows(x) => x.len(),
@@ -81,14 +81,14 @@ impl Values {
         }
     }
 
-    /// Whether there is no row.
+    /// Whether the column is empty.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 }
 
 impl Words {
-    /// Words row by row; an empty one is none.
+    /// Words row by row; an empty one counts as missing.
     pub fn of<'a>(words: impl Iterator<Item = &'a str>) -> Words {
         let mut out = Words::default();
         let mut known: HashMap<&str, i32> = HashMap::new();
@@ -112,7 +112,7 @@ impl Words {
         out
     }
 
-    /// The word of a row; `None` where there is none.
+    /// The word of a row; `None` if missing.
     pub fn at(&self, row: usize) -> Option<&str> {
         let code = usize::try_from(self.codes[row]).ok()?;
         self.names.get(code).map(String::as_str)
@@ -136,7 +136,7 @@ impl Field {
         }
     }
 
-    /// The column `row` of the rows from `first` on.
+    /// The column `row` for the rows from `first` on.
     pub fn rows(first: u64, count: usize) -> Field {
         Field {
             name: "row".to_string(),
@@ -154,8 +154,8 @@ impl Field {
 }
 
 impl Records {
-    /// The rows `first …` of a sweep over `keys`, without the time that each took: all that follows from the plan.
-    /// `scenes` are the names of the base scenes where there are several.
+    /// The rows `first …` of a sweep over `keys`, without computing times, so that they depend only on the plan. `scenes` are the names of several
+    /// base scenes.
     pub fn of(
         first: u64,
         keys: &[Key],
@@ -186,7 +186,7 @@ impl Records {
         Records { fields }
     }
 
-    /// The same with the time that each row took.
+    /// The rows with their computing times.
     #[must_use]
     pub fn with_times(mut self, results: &[Row]) -> Records {
         let times = results.iter().map(|row| row.time_s).collect();
@@ -194,7 +194,7 @@ impl Records {
         self
     }
 
-    /// The rows of all parts, one after the other.
+    /// The rows of all parts in sequence.
     pub fn joined(parts: Vec<Records>) -> Records {
         let mut out = Records::default();
         for part in parts {
@@ -232,17 +232,17 @@ impl Records {
         }
     }
 
-    /// Number of rows.
+    /// Number of rows of the table.
     pub fn len(&self) -> usize {
         self.fields.first().map_or(0, |f| f.values.len())
     }
 
-    /// Whether there is no row.
+    /// Whether the table is empty.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Adds the rows that follow, of the same columns.
+    /// Adds the following rows, with the same columns.
     pub fn append(&mut self, next: Records) {
         if self.fields.is_empty() {
             *self = next;

@@ -1,12 +1,11 @@
-//! The result of a scene as a row.
+//! The result of a scene as a row of the table.
 
 use crate::cam::Verdict;
 use crate::force::Interpretation;
 use crate::problem::Target;
 use crate::synth::{Design, FIGURES, Figures, Tier};
 
-/// Columns of numbers, SI: those of [`FIGURES`]. A number that does not exist is NaN here, empty in CSV and null in
-/// Parquet.
+/// Columns of numbers, SI: those of [`FIGURES`]. Missing numbers are NaN here, empty in CSV and null in Parquet.
 pub const NUMBERS: [&str; FIGURES.len()] = {
     let mut names = [""; FIGURES.len()];
     let mut i = 0;
@@ -17,19 +16,18 @@ pub const NUMBERS: [&str; FIGURES.len()] = {
     names
 };
 
-/// Columns of words, between the numbers and the time: outcome `built`, `infeasible` or `error`, the
-/// verdict, the solver's tier, active (or conflicting) limits, limits that fail, what went wrong, and codes of
-/// the warnings about the recording.
+/// Columns of words, between the numbers and the time: outcome `built`, `infeasible` or `error`, the verdict, the solver's tier, active (or
+/// conflicting) limits, violated limits, the error, and codes of the warnings about the recording.
 pub const WORDS: [&str; 7] = [
     "outcome", "verdict", "tier", "binding", "failed", "error", "warnings",
 ];
 
-/// Columns that are known without a cam.
+/// Columns that are defined without a cam.
 const TARGET_MEAN: usize = column("target_mean_n");
 const MASS: usize = column("mass_kg");
 const SPEED: usize = column("speed_rad_per_s");
 
-/// Columns of a design that follows a target.
+/// Columns of a design with a target.
 const OF_TARGET: [usize; 4] = [
     column("force_rms_error_n"),
     column("force_rms_error_percent"),
@@ -37,7 +35,7 @@ const OF_TARGET: [usize; 4] = [
     TARGET_MEAN,
 ];
 
-/// Place of a column of numbers; an unknown name ends the compilation.
+/// Index of a numeric column; an unknown name is a compile-time error.
 const fn column(name: &str) -> usize {
     let mut place = 0;
     while !is_same(NUMBERS[place].as_bytes(), name.as_bytes()) {
@@ -54,7 +52,7 @@ const fn is_same(a: &[u8], b: &[u8]) -> bool {
     same == a.len() && same == b.len()
 }
 
-/// The last column: time of the row, s. Only this column differs from run to run.
+/// The last column: computing time of the row, s. Only this column differs from run to run.
 pub const TIME: &str = "time_s";
 
 /// Outcome of a row.
@@ -67,7 +65,7 @@ pub const TIME: &str = "time_s";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Outcome {
-    /// A cam was designed; the verdict says how good it is.
+    /// A cam was designed; the verdict rates it.
     Built,
     /// The limits are infeasible.
     Infeasible,
@@ -76,7 +74,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// The word of the table.
+    /// Name of the outcome in the table.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -98,19 +96,19 @@ impl Outcome {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// In the order of [`NUMBERS`].
+    /// Values in the order of [`NUMBERS`].
     pub numbers: [f64; NUMBERS.len()],
     /// Outcome of the design in this row.
     pub outcome: Outcome,
-    /// The class of the cam, where one was built.
+    /// Verdict on the cam, if one was built.
     pub verdict: Option<Verdict>,
-    /// The solution method.
+    /// Solution method of the law.
     pub tier: Option<Tier>,
     /// Active or conflicting limits, joined by `+`.
     pub binding: String,
     /// Limits that the cam violates, joined by `+`.
     pub failed: String,
-    /// What is wrong with the scene.
+    /// Fault of the scene.
     pub error: String,
     /// Codes of the warnings about its recording, joined by `+`.
     pub warnings: String,
@@ -132,7 +130,7 @@ impl Row {
         ]
     }
 
-    /// A scene at fault.
+    /// The row of a scene at fault.
     pub fn error(what: String) -> Row {
         Row {
             numbers: [f64::NAN; NUMBERS.len()],
@@ -147,7 +145,7 @@ impl Row {
         }
     }
 
-    /// The row of a spectral design that keeps every limit.
+    /// The row of a closed-form design within every limit.
     pub(crate) fn spectral(figures: &Figures, target: Option<&Target>) -> Row {
         Row {
             numbers: FIGURES.each_ref().map(|f| f.value(figures)),
@@ -159,7 +157,7 @@ impl Row {
         }
     }
 
-    /// The row of a finished design. An infeasible one has no cam, so only its demand is given.
+    /// The row of a finished design. An infeasible one has no cam, so only its required values are given.
     pub fn of(design: &Design) -> Row {
         let mut row = Row::error(String::new());
         let recording = design.target().and_then(|t| t.recording.as_deref());

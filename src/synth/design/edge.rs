@@ -1,8 +1,7 @@
 //! The edges to cut, in the frame of the drawing; used by every exporter and by pictures.
 //!
-//! A disc has one closed edge, a conjugate pair one for each cam, a sliding cam one with two ends. A
-//! barrel's groove, unrolled, has two walls with two ends each, even where its law closes: there the
-//! drawing is wrapped.
+//! A disc has one closed edge, a conjugate pair one for each cam, a translating cam one with two ends. A barrel's unrolled groove has two walls with
+//! two ends each, even if its law closes.
 
 use super::Design;
 use crate::cam::{Cam, Wall};
@@ -25,18 +24,18 @@ pub struct Edge<'a> {
     place: Place,
 }
 
-/// Where the edge lies from the cam's contact points.
+/// Position of the edge relative to the cam's contact points.
 #[derive(Debug, Clone, Copy)]
 enum Place {
-    /// On them, moved up by so much, m.
+    /// On the contact points, shifted upwards, m.
     Raised(f64),
-    /// On the roller's other side, moved up by so much, m; whether the roller cuts it away somewhere.
+    /// On the roller's other side, shifted upwards, m; whether the roller undercuts it.
     Opposite { raised: f64, undercut: bool },
-    /// Turned by half a turn: the second cam of a pair as it stands on the shaft.
+    /// Rotated by half a turn: the second cam of a pair on its shaft.
     HalfTurned,
 }
 
-/// A point of an edge with its tangent in the sense of growing θ.
+/// A point of an edge with its tangent in the sense of increasing θ.
 ///
 /// ```
 /// use gaitcam::scene::built_in;
@@ -49,13 +48,13 @@ enum Place {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EdgePoint {
-    /// Cam angle at which it touches the follower, rad (m of travel for a sliding cam).
+    /// Cam angle at which it touches the follower, rad (m of travel for a translating cam).
     pub theta: f64,
-    /// The point, m.
+    /// Coordinates of the point, m.
     pub p: [f64; 2],
-    /// Unit tangent.
+    /// Unit tangent of the edge.
     pub t: [f64; 2],
-    /// Centre of the roller that touches here, m (the point itself for a flat face).
+    /// Centre of the roller in contact, m (the point itself for a flat face).
     pub pitch: [f64; 2],
 }
 
@@ -95,7 +94,7 @@ impl<'a> Edge<'a> {
         edges
     }
 
-    /// The curves on which the centres of rollers run, each as the edge that its pitch points belong to.
+    /// The curves of the roller centres, each with its edge.
     pub fn pitch_curves(synthesis: &'a Design) -> Vec<Self> {
         if synthesis.cam.follower.roller_radius() == 0.0 {
             return Vec::new();
@@ -112,12 +111,12 @@ impl<'a> Edge<'a> {
         [first].into_iter().chain(second).collect()
     }
 
-    /// Whether it leads back to its first point.
+    /// Whether the edge is closed.
     pub fn is_closed(&self) -> bool {
         self.cam.law.is_closed() && !self.cam.follower.is_unrolled()
     }
 
-    /// Whether the roller cuts parts of it away: its tangent turns back in cusps.
+    /// Whether the roller undercuts it: its tangent turns back in cusps.
     pub fn is_undercut(&self) -> bool {
         match self.place {
             Place::Opposite { undercut, .. } => undercut,
@@ -125,12 +124,12 @@ impl<'a> Edge<'a> {
         }
     }
 
-    /// Angles between which the law is one piece.
+    /// Angles between which the law has one piece.
     pub fn breaks(&self) -> &[f64] {
         self.cam.law.breaks()
     }
 
-    /// The point at `theta`.
+    /// The point of the edge at `theta`.
     pub fn at(&self, theta: f64) -> EdgePoint {
         let point = self.cam.point(theta);
         let [nx, ny] = self.cam.normal(&point);

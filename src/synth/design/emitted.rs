@@ -11,11 +11,11 @@ use crate::scene::MachineSpec;
 use crate::synth::report::reason::sentences;
 use crate::wording::Language;
 
-/// Rows of the emitted profile that is run.
+/// Number of rows of the emitted profile for simulations.
 const POINTS: usize = 1440;
 
 impl Design {
-    /// Why there is no cam that could run; `None` where there is one.
+    /// Reason why there is no cam to simulate; `None` if there is one.
     pub fn no_cam(&self, language: Language) -> Option<String> {
         if let Some(infeasible) = &self.infeasible {
             return Some(infeasible.sentence(language));
@@ -24,8 +24,7 @@ impl Design {
         undercut.then(|| sentences(&self.reasons, language))
     }
 
-    /// The emitted profile, not the law it came from, on a machine: steel on steel over the thickness of the plate,
-    /// driven as `drive` says.
+    /// The emitted profile, not the law it came from, on a machine: steel on steel over the thickness of the plate, driven by `drive`.
     ///
     /// # Errors
     /// A natural frequency without a mass.

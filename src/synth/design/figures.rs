@@ -1,4 +1,4 @@
-//! The figures of a design, and the table of them from which every list of figures is made.
+//! The figures of a design, and their table, which defines every list of figures.
 
 use super::Design;
 use super::machine::MachineReport;
@@ -23,15 +23,15 @@ use crate::wording::{DIGITS, Language, people, rounded, sentence};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Figures {
-    /// Force against target, N; of an arm at its lever.
+    /// Force against target, N; for an arm at its lever.
     pub force: ForceReport,
-    /// Moved mass, kg.
+    /// Mass moved by the cam, kg.
     pub mass: f64,
     /// Speed of the shaft, rad/s.
     pub speed: f64,
-    /// Largest lift less smallest.
+    /// Maximum lift less minimum.
     pub stroke: f64,
-    /// Largest |velocity|, |acceleration| and |jerk| by time.
+    /// Maximum |velocity|, |acceleration| and |jerk| in time.
     pub peaks: [f64; 3],
     /// Radius of the base circle.
     pub base_radius: f64,
@@ -39,18 +39,18 @@ pub struct Figures {
     pub prime_radius: f64,
     /// Offset of the follower.
     pub offset: f64,
-    /// Smallest radius of curvature of the profile where it is convex.
+    /// Minimum radius of curvature of the convex parts of the profile.
     pub smallest_convex_radius: f64,
-    /// Largest |pressure angle|, rad.
+    /// Maximum |pressure angle|, rad.
     pub largest_pressure_angle: f64,
-    /// Width of the face that the contact needs; `None` without a flat face.
+    /// Required width of the face; `None` without a flat face.
     pub face_width: Option<f64>,
-    /// What the design asks of the machine.
+    /// Requirements on the machine.
     pub machine: MachineReport,
 }
 
 impl Figures {
-    /// Of a finished design.
+    /// Figures of a finished design.
     pub fn of(design: &Design) -> Figures {
         let (cam, speed) = (&design.cam, design.problem.drive.speed);
         let (follower, (low, high)) = (&cam.follower, design.pressure_angle_extremes());
@@ -74,7 +74,7 @@ impl Figures {
     }
 }
 
-/// A figure of a design: its names, its unit, its value, and what else of a scene it belongs to.
+/// A figure of a design: names, unit, value, and related keys of a scene.
 ///
 /// ```
 /// use gaitcam::synth::{Figure, Figures};
@@ -90,24 +90,24 @@ impl Figures {
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Figure {
-    /// Column of sweeps.
+    /// Name of the column in sweeps.
     pub column: &'static str,
-    /// SI unit.
+    /// SI unit of the figure.
     pub unit: &'static str,
-    /// Most significant digits for people.
+    /// Maximum number of displayed significant digits.
     pub digits: usize,
-    /// Table of `summary.json` that has it; empty where none has.
+    /// Table of `summary.json` that contains it; empty if none does.
     pub section: &'static str,
     /// Key in that table; column of a front.
     pub key: &'static str,
-    /// The limit on it.
+    /// The limit on the figure.
     pub limit: Option<Limit>,
-    /// Its name where the force error is traded against it.
+    /// Name of the figure as an objective traded against the force error.
     pub trade: Option<&'static str>,
-    /// Key of the scene that it settles where the scene says `auto`.
+    /// Key of the scene with the value `auto` that it determines.
     pub settles: Option<&'static str>,
     value: fn(&Figures) -> f64,
-    /// Its unit for people where that depends on how follower and cam move.
+    /// Displayed unit, if it depends on the kinds of follower and cam.
     measured: Option<fn(Measures) -> Unit>,
 }
 
@@ -150,7 +150,7 @@ impl Figure {
         self.named_for("other", language)
     }
 
-    /// Its name for people on a cam with this follower.
+    /// Displayed name for this follower.
     pub fn label_on(&self, follower: &Follower, language: Language) -> String {
         let movement = match (follower, follower.measures()) {
             (Follower::Barrel { .. }, _) => "barrel",
@@ -167,14 +167,14 @@ impl Figure {
         sentence(language, "figure", &message)
     }
 
-    /// The unit in which people read it.
+    /// Displayed unit.
     pub fn unit_on(&self, measures: Measures) -> Unit {
         let (name, factor) = people(self.unit);
         let usual = Unit { factor, name };
         self.measured.map_or(usual, |unit| unit(measures))
     }
 
-    /// A value of it, SI, as people read it.
+    /// Converts a value, SI, to the displayed unit.
     ///
     /// ```
     /// use gaitcam::cam::Measures;
@@ -196,7 +196,7 @@ impl Figure {
         (self.value)(figures)
     }
 
-    /// Whether its value keeps a limit.
+    /// Whether its value satisfies a limit.
     pub(in crate::synth) fn keeps(&self, figures: &Figures, limit: f64) -> bool {
         let direction = self
             .limit
@@ -204,21 +204,19 @@ impl Figure {
         direction.keeps(self.value(figures), limit)
     }
 
-    /// The figure of a column.
+    /// The figure with a column name.
     pub fn of_column(column: &str) -> Option<&'static Figure> {
         FIGURES.iter().find(|f| f.column == column)
     }
 
-    /// Names that [`FIGURES`] have in trades.
+    /// Names of the [`FIGURES`] in trade-offs.
     pub fn traded_names() -> impl Iterator<Item = &'static str> {
         FIGURES.iter().filter_map(|f| f.trade)
     }
 }
 
-/// Every figure, in the order of the columns of a sweep: column, unit, place in `summary.json`, value, and what else has
-/// to do with it.
-///
-/// No limit holds the speed of lift-off: a least force at the speed of the machine does.
+/// Every figure, in the order of the columns of a sweep: column, unit, place in `summary.json`, value, and related keys. The lift-off speed has no
+/// limit of its own; a minimum force at the machine's speed replaces it.
 #[rustfmt::skip]
 pub static FIGURES: [Figure; 25] = [
     figure("force_rms_error_n",         "N",     ["force",   "rms_error_n"],              |f| f.force.rms_error_n).digits(3),

@@ -1,4 +1,4 @@
-//! Verdict of a run of the emitted cam: limits on force, loads and motion hold there too.
+//! Verdict from a run of the emitted cam, including limits on force, loads and motion.
 
 use std::f64::consts::TAU;
 
@@ -11,12 +11,12 @@ use crate::synth::report::reason::Reason;
 use crate::synth::verdict::verdict;
 use crate::units::Quantity;
 
-/// Part of a bound by which a run may pass it: its rows and the points of the profile resolve no more.
+/// Relative excess over a bound that a run may have, given its resolution.
 const RESOLVED: f64 = 1e-3;
 
 impl Design {
-    /// The same design, judged by a run of its emitted cam: what the run shows of a limit takes the place of its check, and
-    /// contact lost makes the cam unacceptable where contact is judged.
+    /// The design judged by a run of its emitted cam: values of the run replace its checks, and loss of contact makes the cam unacceptable if contact
+    /// is judged.
     #[must_use]
     pub fn judged_in(self, run: &Outcome) -> Design {
         let force = run.force.max.abs().max(run.force.min.abs());
@@ -50,7 +50,7 @@ impl Design {
         out.losing_contact(run)
     }
 
-    /// The worst that a run shows of a criterion; `None` where the run does not tell.
+    /// The worst value of a criterion in a run; `None` if the run does not contain it.
     fn seen(&self, criterion: Criterion, run: &Outcome) -> Option<Extreme> {
         let largest = |value: &dyn Fn(&Row) -> f64| {
             let at = |row: &Row| Extreme {
@@ -91,8 +91,7 @@ impl Design {
         }
     }
 
-    /// The largest derivative of the lift by time: of the whole law at constant speed; velocity and acceleration of the rows
-    /// under a motor.
+    /// The maximum time derivative of the lift: of the whole law at constant speed; velocity and acceleration of the rows under a motor.
     fn motion(&self, order: usize, run: &Outcome) -> Option<Extreme> {
         if run.shaft.is_none() {
             let most = Extreme::largest(self.cam.derivative_extremes(order));
@@ -122,7 +121,7 @@ impl Design {
             .max_by(|a, b| a.value.total_cmp(&b.value))
     }
 
-    /// Contact lost is a reason of its own, unless another one says so already.
+    /// Adds the reason of lost contact, unless another reason covers it.
     fn losing_contact(self, run: &Outcome) -> Design {
         let limits = &self.problem.limits;
         let pulls_allowed = limits[LimitKind::ForceMin].is_some_and(|low| low < 0.0);
@@ -150,7 +149,7 @@ impl Design {
     }
 }
 
-/// The largest rate of the torque between neighbouring rows, N·m/rad.
+/// The maximum rate of the torque between neighbouring rows, N·m/rad.
 fn steepest(run: &Outcome) -> Option<Extreme> {
     let rates = run.rows.windows(2).map(|rows| Extreme {
         at: rows[0].theta,
@@ -159,7 +158,7 @@ fn steepest(run: &Outcome) -> Option<Extreme> {
     rates.max_by(|a, b| a.value.total_cmp(&b.value))
 }
 
-/// The mean of the power over time, W: rows stand at equal angles.
+/// The mean of the power over time, W, from rows at equal angles.
 fn mean_power(run: &Outcome) -> Option<Extreme> {
     let (mut work, mut time) = (0.0, 0.0);
     for row in &run.rows {
@@ -173,7 +172,7 @@ fn mean_power(run: &Outcome) -> Option<Extreme> {
     })
 }
 
-/// A reason that advises another cam, as one about the run.
+/// A reason that suggests another cam, reworded for a run.
 fn of_run(reason: Reason) -> Reason {
     match reason {
         Reason::ForceError { error, allowed } => Reason::ForceErrorInRun { error, allowed },

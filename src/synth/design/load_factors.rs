@@ -1,5 +1,4 @@
-//! Dynamic load factors, as codes for footbridges quote them: harmonics of the step frequency as parts of the
-//! walker's weight.
+//! Dynamic load factors, as in codes for footbridges: harmonics of the step frequency relative to the walker's weight.
 
 use std::f64::consts::TAU;
 
@@ -8,14 +7,13 @@ use serde::Serialize;
 use super::Design;
 use crate::poly::amplitudes;
 
-/// Harmonics of the step frequency that are quoted.
+/// Number of harmonics of the step frequency.
 const HARMONICS: usize = 6;
-/// Samples of a turn that the harmonics are taken from: a force whose slope jumps, as at the joints of segments, has its
-/// factors to 2e-5 of themselves; 1024 samples left 8e-4.
+/// Number of samples of a turn for the harmonics; the factors of a force with slope jumps are accurate to 2e-5.
 const SAMPLES: usize = 8192;
-/// Samples of the target of a load model, which is a sum of few harmonics.
+/// Number of samples of the target of a load model, which is a sum of few harmonics.
 const MODEL_SAMPLES: usize = 1024;
-/// A harmonic below this part of the weight is rounding: it has no phase.
+/// Harmonics below this fraction of the weight are rounding errors without a phase.
 const ROUNDING: f64 = 1e-9;
 
 /// One harmonic of the target and of the achieved force: F = F₀ + W Σ αₖ sin(kθ − φₖ), W the weight of the walker. The phase
@@ -36,25 +34,25 @@ const ROUNDING: f64 = 1e-9;
 pub struct LoadFactor {
     /// Number of the harmonic in a turn of the cam.
     pub harmonic: usize,
-    /// The same as a multiple of the step frequency: half of it where a turn is a stride of two steps.
+    /// Number as a multiple of the step frequency: half of it if a turn is a stride of two steps.
     pub of_step: f64,
     /// Frequency of the load factor, Hz.
     pub frequency_hz: f64,
-    /// αₖ of the target.
+    /// Load factor αₖ of the target.
     pub target: f64,
-    /// φₖ of the target, rad; 0 where it has no such harmonic.
+    /// Phase φₖ of the target, rad; 0 without such a harmonic.
     pub target_phase_rad: f64,
-    /// αₖ of the achieved force.
+    /// Load factor αₖ of the achieved force.
     pub achieved: f64,
-    /// φₖ of the achieved force, rad; 0 where it has no such harmonic.
+    /// Phase φₖ of the achieved force, rad; 0 without such a harmonic.
     pub achieved_phase_rad: f64,
 }
 
 impl Design {
-    /// Harmonics of target and achieved force up to the sixth of the step frequency, as parts of the walker's weight;
-    /// empty without a target or a positive weight.
+    /// Harmonics of target and achieved force up to the sixth of the step frequency, relative to the walker's weight; empty without a target or a
+    /// positive weight.
     ///
-    /// A turn is a stride of two steps where the second harmonic of the target is larger than the first.
+    /// A turn is a stride of two steps if the second harmonic of the target is larger than the first.
     pub fn load_factors(&self) -> Vec<LoadFactor> {
         let Some(target) = self.target_in_time() else {
             return Vec::new();
@@ -101,7 +99,7 @@ impl Design {
     }
 }
 
-/// Steps in a turn of force: two feet that walk alike leave the first harmonic of their stride nearly empty.
+/// Number of steps in a turn of force; two equal steps leave the first harmonic of the stride nearly empty.
 fn steps_per_turn(amplitudes: &[(f64, f64)]) -> usize {
     if harmonic(amplitudes, 2).0 > harmonic(amplitudes, 1).0 {
         2

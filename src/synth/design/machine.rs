@@ -1,4 +1,4 @@
-//! What a design asks of the machine: torque, power, the speed of lift-off and the pressure on the cam.
+//! Requirements of a design on the machine: torque, power, lift-off speed and contact pressure.
 
 use serde::Serialize;
 
@@ -7,13 +7,13 @@ use crate::cam::Measures;
 use crate::dynamics::rigid::{liftoff_speed, touch::held};
 use crate::synth::limits::{Press, power_curve, torque_curve};
 
-/// A mean power below this part of the largest is rounding: springs and masses give back what they take.
+/// A mean power below this fraction of the largest is a rounding error, since springs and masses return their energy.
 const GIVEN_BACK: f64 = 1e-12;
 
 /// Torque, power, lift-off and pressure of a rigid machine without friction, exact on the continuous law.
 ///
-/// `None` where a number is not defined: without any load, on a cam that slides (it has a push, no torque),
-/// for a follower that no speed lifts off, on an undercut cam; lift-off and pressure also on a floor that moves.
+/// `None` if a number is not defined: without a load, for a translating cam (which has no torque), without a lift-off speed, for an undercut cam;
+/// lift-off and pressure also on a moving floor.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -39,21 +39,21 @@ const GIVEN_BACK: f64 = 1e-12;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct MachineReport {
-    /// Largest absolute torque of the shaft, N·m.
+    /// Maximum absolute torque of the shaft, N·m.
     pub torque_max_n_m: Option<f64>,
     /// Root mean square of the torque, N·m.
     pub torque_rms_n_m: Option<f64>,
-    /// Largest absolute power of the shaft, W: driving or braking.
+    /// Maximum absolute power of the shaft, W: driving or braking.
     pub power_max_w: Option<f64>,
     /// Mean of the machine report, W: what damping uses up.
     pub power_mean_w: Option<f64>,
-    /// Lowest speed at which the follower leaves the cam, rad/s.
+    /// Minimum speed at which the follower loses contact, rad/s.
     pub liftoff_speed_rad_per_s: Option<f64>,
-    /// Highest line pressure, steel on steel over the thickness of the cam, Pa; infinite under a knife edge.
+    /// Maximum line pressure, steel on steel over the thickness of the cam, Pa; infinite under a knife edge.
     pub hertz_pressure_max_pa: Option<f64>,
 }
 
-/// A mean power, 0 where it is the rounding of the extremes that are given.
+/// A mean power, 0 if it is within the rounding of the given extremes.
 fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
     let scale = extremes[0].abs().max(extremes[1].abs());
     if mean.abs() <= GIVEN_BACK * scale {
@@ -64,7 +64,7 @@ fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
 }
 
 impl MachineReport {
-    /// From the range of a torque, its mean and its root mean square, N·m, at a speed of the shaft.
+    /// Power and torque figures from the range of a torque, its mean and its root mean square, N·m, at a shaft speed.
     pub(in crate::synth) fn of_torque(
         [low, high]: [f64; 2],
         [mean, rms]: [f64; 2],
@@ -82,7 +82,7 @@ impl MachineReport {
 }
 
 impl Design {
-    /// What the design asks of the machine.
+    /// Computes the requirements on the machine.
     pub fn machine(&self) -> MachineReport {
         if self.is_idle() {
             return MachineReport::default();
@@ -108,7 +108,7 @@ impl Design {
         report
     }
 
-    /// Speed at which a follower that is not held from both sides leaves the cam.
+    /// Speed at which a follower without form closure loses contact.
     fn liftoff(&self) -> Option<f64> {
         let second = self.conjugate.as_ref().map(|pair| &pair.second);
         if self.problem.on_shaft.is_some() || held(&self.cam, second) {
@@ -117,7 +117,7 @@ impl Design {
         liftoff_speed(self.pressing(), &self.problem.drive)
     }
 
-    /// Highest pressure on any of its contacts.
+    /// Maximum pressure on any of its contacts.
     fn pressure(&self) -> Option<f64> {
         let press = Press::of(&self.problem, self.pressing());
         let second = self.conjugate.as_ref().map(|pair| &pair.second);

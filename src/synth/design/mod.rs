@@ -1,4 +1,4 @@
-//! What a synthesis answers: plain data that emitters and sweeps read.
+//! Result of a synthesis: plain data for emitters and sweeps.
 
 pub mod edge;
 mod emitted;
@@ -32,7 +32,7 @@ use crate::synth::report::solver::SolverReport;
 use crate::synth::report::walkers::OfPopulation;
 use crate::wording::Language;
 
-/// A finished design.
+/// A finished design of a cam.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -52,54 +52,54 @@ use crate::wording::Language;
 #[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]
 pub struct Design {
-    /// What it is the design of; as data its name, drive and phase.
+    /// The problem of the design; as data its name, drive and phase.
     #[serde(serialize_with = "in_short")]
     pub problem: Arc<Problem>,
     /// Family of the law.
     pub family: Family,
-    /// The functions that the law's coefficients belong to.
+    /// The basis functions of the law's coefficients.
     pub functions: Functions,
-    /// Coefficients of the law (of a polydyne cam: of the follower's end), m.
+    /// Coefficients of the law (for a polydyne cam: of the follower's end), m.
     pub coefficients: Vec<f64>,
-    /// Degree of the law's polynomials as users name it (the double harmonic and its kin: 0).
+    /// Degree of the law's polynomials for display (0 for the double harmonic and similar ones).
     pub degree: usize,
     /// The cam with its law.
     pub cam: Cam,
-    /// The end of the flexible follower that the cam is cut for.
+    /// The end of the flexible follower for which the cam is designed.
     pub end: Option<End>,
-    /// The pair with its second cam, where the scene asks for one.
+    /// The pair with its second cam, if the scene has one.
     pub conjugate: Option<Conjugate>,
     /// The groove of a barrel cam with both walls.
     pub groove: Option<BarrelGroove>,
-    /// Distance of the force from the target.
+    /// Difference of the force from the target.
     pub force: ForceReport,
-    /// `None` when built; otherwise why no such cam exists.
+    /// `None` if built; otherwise the reason why no such cam exists.
     pub infeasible: Option<Infeasible>,
-    /// Changes of one limit each that let the whole design pass; filled by `relaxed` for one that does not.
+    /// Single changes of one limit with which the whole design passes; computed by `relaxed` for a failing one.
     pub relaxations: Vec<Relaxation>,
-    /// Where no single change is enough: all of them by one share, which is.
+    /// If no single change suffices, a common relative change of all of them that does.
     pub together: Vec<Relaxation>,
-    /// The class of the cam.
+    /// Verdict on the cam.
     pub verdict: Verdict,
-    /// Why, the main reason first.
+    /// Reasons of the verdict, the main one first.
     pub reasons: Vec<Reason>,
-    /// Every limit held against the design.
+    /// Every limit compared with the design.
     pub checks: Vec<Check>,
-    /// Limits that shape the law, with what they cost.
+    /// Active limits, with their costs.
     pub binding: Vec<Binding>,
-    /// What easing each of them by 1 % would buy, the dearest first.
+    /// Gain from relaxing each of them by 1 %, the largest first.
     pub easing: Vec<Easing>,
-    /// How it was solved.
+    /// Solution method and certificate.
     pub solver: SolverReport,
-    /// A search was ended from outside: this is the best it had.
+    /// Whether a search was stopped early, with the best result so far.
     pub out_of_time: bool,
     /// Notes besides the verdict.
     pub notes: Vec<Note>,
-    /// The shaft under its motor; `None` at constant speed.
+    /// The shaft under its motor; `None` for constant speed.
     pub shaft: Option<OnShaft>,
-    /// Steady motion of the floor under the shaker and all walkers; `None` where it is stiff.
+    /// Steady motion of the floor under the shaker and all walkers; `None` for a rigid floor.
     pub floor: Option<FloorMotion>,
-    /// How well it serves each of several walkers; `None` for one cycle.
+    /// Errors for each of several walkers; `None` for one cycle.
     pub population: Option<OfPopulation>,
 }
 
@@ -112,18 +112,18 @@ fn in_short<S: Serializer>(problem: &Problem, to: S) -> Result<S::Ok, S::Error> 
 }
 
 impl Design {
-    /// The reasons for the verdict as sentences.
+    /// Messages of the reasons for the verdict.
     pub fn reason(&self, language: Language) -> String {
         sentences(&self.reasons, language)
     }
 
-    /// The notes as sentences.
+    /// Messages of the notes.
     pub fn remarks(&self, language: Language) -> Vec<String> {
         let said = |note: &Note| note.sentence(language);
         self.notes.iter().map(said).collect()
     }
 
-    /// The target force by the cam angle, in step with the cam: θ = 2π·i/n. `None` for classical programmes.
+    /// The target force over the cam angle, in phase with the cam: θ = 2π·i/n. `None` for classical programmes.
     pub fn target(&self) -> Option<&ForceCurve> {
         self.problem.target_at_cam()
     }
@@ -133,7 +133,7 @@ impl Design {
         self.problem.band_in_time()
     }
 
-    /// The same cam on another drive.
+    /// The cam of the design on another drive.
     #[must_use]
     pub fn on_drive(self, drive: Drive) -> Design {
         Design {
@@ -142,7 +142,7 @@ impl Design {
         }
     }
 
-    /// The same cam on another drive, against another target over time.
+    /// The cam of the design on another drive, against another target over time.
     #[must_use]
     pub fn moved_to(self, drive: Drive, target: Option<ForceCurve>) -> Design {
         Design {
@@ -151,12 +151,12 @@ impl Design {
         }
     }
 
-    /// Whether the drive presses with nothing: no mass, spring, damping or preload is given.
+    /// Whether the drive produces no force: no mass, spring, damping or preload is given.
     pub fn is_idle(&self) -> bool {
         self.problem.drive.is_idle()
     }
 
-    /// Contact force over the law, N, at the speed that the shaft has.
+    /// Contact force over the law, N, at the actual shaft speed.
     pub fn force_curve(&self) -> PiecewisePoly {
         let law = self.pressing();
         match &self.problem.on_shaft {
@@ -165,7 +165,7 @@ impl Design {
         }
     }
 
-    /// Contact force at a cam angle, N, at the speed that the shaft has there.
+    /// Contact force at a cam angle, N, at the actual shaft speed.
     pub fn force_at(&self, theta: f64) -> f64 {
         self.problem.drive.force(self.pressing().svaj(theta)) + self.problem.extra_force(theta)
     }
@@ -187,7 +187,7 @@ impl Design {
         (mix(&shaft.speed, 0.0), mix(&shaft.time, period))
     }
 
-    /// Cam angle at a part of the turn's time, rad, both from 0, at the speed for which the force is given.
+    /// Cam angle at a fraction of the turn's time, rad, both from 0, at the speed of the given force.
     fn angle_at(&self, phase: f64) -> f64 {
         let shaft = self.shaft.as_ref();
         let Some(shaft) = shaft.filter(|_| self.problem.on_shaft.is_some()) else {
@@ -201,13 +201,12 @@ impl Design {
         TAU * ((i - 1) as f64 + (time - from) / (to - from)) / shaft.time.len() as f64
     }
 
-    /// The target over one period of time, N, in step with the cam at its angle 0.
+    /// The target over one period of time, N, in phase with the cam at its angle 0.
     pub fn target_in_time(&self) -> Option<&ForceCurve> {
         self.problem.target_in_time()
     }
 
-    /// Smallest and largest pressure angle, rad; of a barrel at the floor of its groove, where the roller
-    /// is pushed most aslant.
+    /// Smallest and largest pressure angle, rad; for a barrel at the floor of its groove, where the angle is largest.
     pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
         match &self.groove {
             Some(groove) => groove.pressure_angle_extremes(groove.depth().0),
@@ -215,7 +214,7 @@ impl Design {
         }
     }
 
-    /// The law that makes the force: a polydyne cam's end, the cam's own otherwise.
+    /// The law that determines the force: the output end of a polydyne cam, otherwise the cam's own law.
     pub fn pressing(&self) -> &Law {
         self.end.as_ref().map_or(&self.cam.law, |end| &end.law)
     }

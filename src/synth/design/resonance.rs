@@ -1,4 +1,4 @@
-//! What a design says of the floor under it at other step frequencies.
+//! Response of the floor under a design at other step frequencies.
 
 use std::f64::consts::TAU;
 
@@ -7,11 +7,11 @@ use crate::dynamics::FloorMotion;
 use crate::dynamics::floor::harmonics;
 use crate::synth::design::Design;
 
-/// Equal angles of the force.
+/// Number of equal angles of the force.
 const SAMPLES: usize = 720;
-/// Step frequencies of the resonance curve, Hz: first, step, and how many.
+/// Step frequencies of the resonance curve, Hz: first, step, and number.
 const CURVE: (f64, f64, usize) = (1.0, 0.01, 201);
-/// Harmonics of the force whose resonances it shows, and its points about each, half widths of the peak from its top.
+/// Number of harmonics of the force with displayed resonances, and the points about each, in half widths of the peak.
 const MOST_RESONANT: u32 = 10;
 const FLANKS: [f64; 9] = [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0];
 
@@ -27,17 +27,16 @@ const FLANKS: [f64; 9] = [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0];
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AtFrequency {
-    /// Step frequency, Hz.
+    /// Step frequency of the point, Hz.
     pub step_frequency: f64,
-    /// The steady motion there under the wanted force.
+    /// Steady motion under the required force.
     pub motion: FloorMotion,
-    /// That under the force of the cam as it is made, turned at the speed of this step frequency.
+    /// Steady motion under the force of the manufactured cam at the speed of this step frequency.
     pub of_cam: FloorMotion,
 }
 
 impl Design {
-    /// The motion of the floor over the step frequency, at equal steps and at the resonances; without the points at which an
-    /// undamped mode has none. Nothing on a stiff floor.
+    /// The motion of the floor over the step frequency, at equal steps and at the resonances, except undamped ones. Empty on a rigid floor.
     pub fn resonance(&self) -> Vec<AtFrequency> {
         let floor = self.problem.machine.floor();
         let Some((floor, target)) = floor.zip(self.target_in_time()) else {

@@ -1,4 +1,4 @@
-//! Demands on a spline: the points and dwells of the law, as equalities.
+//! Equality constraints on a spline from the points and dwells of the law.
 
 use std::f64::consts::TAU;
 
@@ -51,13 +51,11 @@ pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> 
     Ok(out)
 }
 
-/// A lift within this part of the stroke of where no law may go beyond touches it.
+/// Fraction of the stroke within which a lift touches the boundary of the allowed range.
 const TOUCHES: f64 = 1e-12;
 
-/// What demands imply: where a point stands on the base circle, or at the other end of a stroke that the
-/// demands fill, the law touches its bound, and its velocity is zero there; with an acceleration of zero so is
-/// its jerk. Written down, the touching point is one equality; otherwise limits would close in on it from both
-/// sides without an end.
+/// Implied conditions: where a prescribed point equals a bound, the velocity vanishes; with zero acceleration the jerk vanishes too. These equalities
+/// replace rows that would converge to the point from both sides.
 pub fn implied_by_limits(problem: &Problem, search: &Search, basis: &Basis) -> Vec<Equality> {
     let law = &problem.law;
     let dwelt = law.dwells.iter().filter_map(|d| d.lift);
@@ -96,7 +94,7 @@ pub fn implied_by_limits(problem: &Problem, search: &Search, basis: &Basis) -> V
     out
 }
 
-/// Whether the jerk cannot jump at an angle.
+/// Whether the jerk is continuous at an angle.
 fn is_smooth(basis: &Basis, angle: f64) -> bool {
     let Basis::Spline { space, .. } = basis else {
         return true;
@@ -108,7 +106,7 @@ fn is_smooth(basis: &Basis, angle: f64) -> bool {
     !at_break || plain && space.degree() > 3
 }
 
-/// A demand at a point.
+/// A condition at a point.
 fn named(index: usize, angle: f64, given: Given) -> Demand {
     Demand::AtPoint {
         point: index + 1,
@@ -117,7 +115,7 @@ fn named(index: usize, angle: f64, given: Given) -> Demand {
     }
 }
 
-/// On a span at rest every coefficient that lives there is the same.
+/// All coefficients of a span in a dwell are equal.
 pub fn dwell_demands(dwells: &[Dwell], basis: &Basis) -> Vec<Equality> {
     let Basis::Spline { space, .. } = basis else {
         return Vec::new();

@@ -26,11 +26,11 @@ use crate::synth::report::solver::{SolverReport, Tier};
 use crate::units::Quantity;
 use projection::Projection;
 
-/// Rise and fall last at least this long, rad: shorter ones are blows.
+/// Minimum duration of rise and fall, rad; shorter ones are impacts.
 const SHORTEST: f64 = 0.2;
-/// Places of the grid from which the angles are searched.
+/// Number of grid points from which the angles are searched.
 const STARTS: usize = 6;
-/// Iterations of each search.
+/// Maximum number of iterations of each search.
 const ITERATIONS: u64 = 100;
 /// Parts of a turn to which the angles are rounded: 6 µrad, more than the search's rounding errors, less than a machine cuts.
 const PARTS: f64 = 1_048_576.0;
@@ -40,10 +40,11 @@ const TIE: f64 = 1e-9;
 /// Size of the first simplex, rad: one step of the grid.
 const SIMPLEX: f64 = 0.065;
 
-/// The problem's double harmonic with how it was found, its lift no larger than the stroke allowed.
+/// The problem's double harmonic with its search statistics; its lift is within the allowed stroke.
 ///
 /// # Errors
-/// Where the search finds no lift that changes the force.
+///
+/// The search finds no lift that changes the force.
 pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
     let stroke = problem.limits[LimitKind::Stroke];
@@ -86,7 +87,7 @@ pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
     })
 }
 
-/// Phase, rise and fall, rad, with the arithmetic that Nelder and Mead's method asks for.
+/// Phase, rise and fall, rad, with the arithmetic of Nelder and Mead's method.
 #[derive(Clone, Copy)]
 struct Angles([f64; 3]);
 
@@ -155,7 +156,7 @@ fn rounded(angles: [f64; 3]) -> [f64; 3] {
     admissible(admissible(angles).map(part))
 }
 
-/// Angles brought into range: rise and fall no shorter than allowed and together no longer than a turn.
+/// Angles clamped to the allowed range: minimum rise and fall, sum at most a turn.
 fn admissible([phase, rise, fall]: [f64; 3]) -> [f64; 3] {
     let (mut rise, mut fall) = (rise.max(SHORTEST), fall.max(SHORTEST));
     let both = rise + fall;

@@ -1,4 +1,4 @@
-//! A force projected onto the forces of double harmonics: everything that is linear, in closed form.
+//! Projection of a force onto double harmonics: the linear parameters in closed form.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -7,15 +7,15 @@ use nalgebra::Complex;
 use crate::drive::Drive;
 use crate::poly::{Cells, amplitudes};
 
-/// Samples of the force, of which the harmonics are taken.
+/// Number of samples of the force for its harmonics.
 const SAMPLES: usize = 512;
-/// Harmonics that are kept.
+/// Number of harmonics that are kept.
 const HARMONICS: usize = 64;
-/// Part of the force below which an amplitude is rounding.
+/// Fraction of the force below which an amplitude is a rounding error.
 const ROUNDING: f64 = 1e-9;
-/// Harmonics that the choice of starts looks at.
+/// Number of harmonics in the choice of starts.
 const COARSE: usize = 32;
-/// Steps of a turn of that choice.
+/// Number of steps of a turn in this choice.
 const STEPS: usize = 96;
 /// Sines of smaller angles h are h − h³/6.
 const SMALL: f64 = 1e-4;
@@ -26,27 +26,27 @@ const QUARTERS: [Complex<f64>; 3] = [
     Complex::new(-1.0, 0.0),
 ];
 
-/// Start of the rise, its angle and that of the fall, rad.
+/// Start of the rise, and angles of rise and fall, rad.
 pub(super) type Angles = [f64; 3];
 
-/// The harmonics of a force without its part at rest, and the weights of a drive.
+/// The harmonics of a force without its static part, and the weights of a drive.
 pub(super) struct Projection {
-    /// a − ib of harmonics 1, 2, … of the force a cos kθ + b sin kθ.
+    /// Complex harmonics a − ib, from 1 on, of the force a cos kθ + b sin kθ.
     waves: Vec<Complex<f64>>,
     mean: f64,
     square: f64,
-    /// Of lift, velocity and acceleration over the angle.
+    /// Weights of lift, velocity and acceleration.
     weights: [f64; 3],
     stroke: f64,
 }
 
-/// The nearest double harmonic of given angles.
+/// The best double harmonic for given angles.
 pub(super) struct Nearest {
-    /// Lift of its rise, m, at most the stroke; negative where it falls first.
+    /// Lift of its rise, m, at most the stroke; negative if it falls first.
     pub lift: f64,
-    /// Lift at rest, m; 0 where the force does not depend on it.
+    /// Lift at rest, m; 0 if the force does not depend on it.
     pub level: f64,
-    /// Mean square distance of the force, N².
+    /// Mean square error of the force, N².
     pub square: f64,
 }
 
@@ -58,7 +58,7 @@ struct Means {
 }
 
 impl Projection {
-    /// Of a force in N over a turn, on a drive, for lifts up to a stroke.
+    /// Projection of a force in N over a turn, on a drive, for lifts up to a stroke.
     pub fn new(force: &Cells, drive: &Drive, stroke: Option<f64>) -> Projection {
         let at = |i| force.at(TAU * i as f64 / SAMPLES as f64) - drive.rest_force;
         let samples: Vec<f64> = (0..SAMPLES).map(at).collect();
@@ -80,8 +80,8 @@ impl Projection {
         }
     }
 
-    /// The nearest double harmonic of these angles: lift, and level where a spring feels it, of two linear equations; on the
-    /// base circle where it would dip below.
+    /// The best double harmonic for these angles: lift and, with a spring, level from two linear equations; on the base circle if it would fall
+    /// below.
     pub fn nearest(&self, angles: Angles) -> Nearest {
         self.fit(&self.means(angles))
     }
@@ -124,7 +124,7 @@ impl Projection {
         }
     }
 
-    /// The nearest of the laws whose level is a multiple of their lift.
+    /// The best law whose level is a multiple of its lift.
     fn along(&self, product: f64, square: f64, level: f64, lifts: [f64; 2]) -> Nearest {
         let lift = best(product, square, lifts);
         Nearest {
@@ -148,7 +148,7 @@ impl Projection {
         }
     }
 
-    /// The force of a unit rise (sign 1) or a unit fall (sign −1): the same motion backwards.
+    /// The force of a unit rise (sign 1) or a unit fall (sign −1), the same motion reversed.
     fn motion(&self, angle: f64, sign: f64) -> Motion {
         let [s, v, a] = self.weights;
         let rate = PI / angle;
@@ -163,8 +163,7 @@ impl Projection {
         }
     }
 
-    /// Angles from which a search finds the best: the best of a grid of starts, rises and falls, no two of which are
-    /// neighbours.
+    /// Initial angles of the search: the best non-adjacent points of a grid of starts, rises and falls.
     pub fn starts(&self, shortest: f64, count: usize) -> Vec<Angles> {
         let step = TAU / STEPS as f64;
         let least = (shortest / step).ceil() as usize;
@@ -226,7 +225,7 @@ impl Projection {
     }
 }
 
-/// The lift of the least square within two bounds.
+/// The lift with the minimum square within two bounds.
 fn best(product: f64, square: f64, [low, high]: [f64; 2]) -> f64 {
     let free = if square > 0.0 { product / square } else { 0.0 };
     free.clamp(low, high)
@@ -252,7 +251,7 @@ struct Motion {
 }
 
 impl Motion {
-    /// Integral of the force with e^{ikθ} over its angle, divided by 2π.
+    /// Integral of the force times e^{ikθ} over its angle, divided by 2π.
     fn transform(&self, k: f64) -> Complex<f64> {
         let half = 0.5 * k * self.angle;
         let wave = turned(half);
